@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "derivation/derivation.hpp"
+
+#include <stdexcept>
+
+#include "derivation/chapters.hpp"
+
+namespace magicmass::derivation {
+
+const proof::Theorem& Derivation::at(const std::string& id) const {
+  for (const proof::Theorem& theorem : theorems)
+    if (theorem.id() == id) return theorem;
+  throw std::out_of_range("no theorem is called " + id);
+}
+
+const std::vector<std::string>& chapter_names() {
+  static const std::vector<std::string> names{"contact",   "cycle",    "rotation", "power",
+                                              "chebyshev", "counting", "ratios",   "times"};
+  return names;
+}
+
+Derivation derive(const Laws& laws, const Paper& paper) {
+  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
+  Derivation result;
+  try {
+    const Contact first = contact(kernel, laws, paper);
+    const Cycle second = cycle(kernel, first, paper);
+    const Rotation third = rotation(kernel, second, paper);
+    const Power fourth = power(kernel, laws, first, second, third, paper);
+    const Chebyshev polynomials = chebyshev(kernel, third, fourth);
+    const Counting counts = counting(kernel, third, fourth, paper);
+    ratios(kernel, third, fourth, counts, paper);
+    times(kernel, laws, fourth, counts, polynomials);
+  } catch (const proof::NotProved& refused) {
+    result.refused = refused;
+  } catch (const std::runtime_error& stuck) {  // a singular system, a null space that is not a line
+    proof::Step step{
+        .id = "derivation",
+        .rule = "solving",
+        .from = {},
+        .relation = "=",
+        .to = {},
+        .conditions = {},
+        .label = {},
+        .words =
+            "after " + (kernel.theorems().empty() ? "the start" : kernel.theorems().back().id()),
+        .verdict = "refused",
+        .premises = {}};
+    result.refused = proof::NotProved(step, std::string(stuck.what()) + ", " + step.words);
+  }
+  result.theorems = kernel.theorems();
+  return result;
+}
+
+Derivation derive() { return derive(conservation_laws(), paper()); }
+
+}  // namespace magicmass::derivation

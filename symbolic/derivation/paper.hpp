@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "proof/statement.hpp"
+
+namespace magicmass::derivation {
+
+// The equations that Ee & Lee display, as they stand in the paper, by label. They are claims to be proved
+// equal to what the laws give; no result is taken from here. Equations without a label of their own go
+// by the section's label and a name: "app:Vn, Gamma_A".
+class Paper {
+public:
+  explicit Paper(std::map<std::string, proof::Statement> equations)
+      : equations_(std::move(equations)) {}
+
+  // Throws std::out_of_range for a label that is not there.
+  const proof::Statement& at(const std::string& label) const { return equations_.at(label); }
+  const std::map<std::string, proof::Statement>& equations() const { return equations_; }
+
+private:
+  std::map<std::string, proof::Statement> equations_;
+};
+
+Paper paper();
+
+}  // namespace magicmass::derivation

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/definitions.hpp"
+
+#include <stdexcept>
+
+#include <ginac/ginac.h>
+
+#include "proof/names.hpp"
+
+namespace magicmass::proof {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+
+bool is_arctangent(const ex& e) {
+  return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == "atan";
+}
+
+bool is_angle(const ex& e) {
+  if (is_arctangent(e)) return true;
+  return is_a<GiNaC::mul>(e) && e.nops() == 2 &&
+         ((is_arctangent(e.op(0)) && is_a<GiNaC::numeric>(e.op(1))) ||
+          (is_arctangent(e.op(1)) && is_a<GiNaC::numeric>(e.op(0))));
+}
+
+ex substitute_until_stable(const ex& e, const GiNaC::exmap& meanings) {
+  ex current = e;
+  for (;;) {  // ends: a meaning uses earlier names only
+    const ex next = current.subs(meanings, GiNaC::subs_options::no_pattern).evalm();
+    if (next.is_equal(current)) return next;
+    current = next;
+  }
+}
+
+}  // namespace
+
+struct Definitions::Data {
+  std::map<std::string, ex> angles;
+  std::set<std::string> names;
+  GiNaC::exmap all;
+  GiNaC::exmap without_angles;
+};
+
+Definitions::Definitions() : data_(std::make_shared<const Data>()) {}
+Definitions::~Definitions() = default;
+
+void Definitions::add(const std::string& name, const ex& meaning) {
+  const ex named = symbol(name);
+  if (contains(name)) throw std::logic_error("the name " + name + " is already defined");
+  if (expand_all(meaning).has(named))
+    throw std::logic_error("the definition of " + name + " uses " + name);
+  auto data = std::make_shared<Data>(*data_);
+  data->names.insert(name);
+  data->all[named] = meaning;
+  if (is_angle(meaning))
+    data->angles.emplace(name, meaning);
+  else
+    data->without_angles[named] = meaning;
+  data_ = std::move(data);
+}
+
+bool Definitions::contains(const std::string& name) const { return data_->names.contains(name); }
+
+const ex* Definitions::angle(const std::string& name) const {
+  const auto found = data_->angles.find(name);
+  return found == data_->angles.end() ? nullptr : &found->second;
+}
+
+ex Definitions::expand_all(const ex& e) const { return substitute_until_stable(e, data_->all); }
+
+ex Definitions::expand_except_angles(const ex& e) const {
+  return substitute_until_stable(e, data_->without_angles);
+}
+
+}  // namespace magicmass::proof

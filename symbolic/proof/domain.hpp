@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "proof/statement.hpp"
+
+namespace magicmass::proof {
+
+// What may be assumed of the symbols, by name. Symbols not named here are real and nothing more.
+// The kernel records every assumption that a proof used as a condition of its theorem.
+struct Domain {
+  std::set<std::string> positive;       // real and > 0
+  std::map<std::string, long> integer;  // integers from the given value on
+
+  Domain with_integer(const std::string& name, long from) const {
+    Domain result = *this;
+    result.integer[name] = from;
+    return result;
+  }
+};
+
+// What must hold besides: "alpha > 0", "a(n) != a(n - 1)". Ordered by text; the statement, where there is
+// one, lets a special case say what becomes of the condition.
+struct Condition {
+  std::string text;
+  std::optional<Statement> statement = std::nullopt;
+  std::string index =
+      {};  // "n" in "n integer, n >= 1": bound by the theorem, so not handed on as it stands
+
+  friend bool operator<(const Condition& x, const Condition& y) { return x.text < y.text; }
+};
+using Conditions = std::set<Condition>;
+
+inline Condition index_condition(const std::string& name, long from) {
+  return {name + " integer, " + name + " >= " + std::to_string(from), std::nullopt, name};
+}
+
+}  // namespace magicmass::proof

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/kernel.hpp"
+
+#include <algorithm>
+
+#include <ginac/ginac.h>
+
+#include "proof/names.hpp"
+#include "proof/normal_form.hpp"
+#include "proof/sampling.hpp"
+#include "proof/text.hpp"
+
+namespace magicmass::proof {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+
+namespace {
+
+bool uses_sequence(const ex& e, const std::string& name) {
+  return (is_sequence(e) && function_name(e) == name) ||
+         std::any_of(e.begin(), e.end(), [&](const ex& part) { return uses_sequence(part, name); });
+}
+
+}  // namespace
+
+struct Theorem::Data {
+  Step step;
+  Statement statement;
+  Domain domain;
+  Conditions conditions;
+};
+
+const Step& Theorem::step() const { return data_->step; }
+const Statement& Theorem::statement() const { return data_->statement; }
+const Domain& Theorem::domain() const { return data_->domain; }
+const Conditions& Theorem::conditions() const { return data_->conditions; }
+
+NotProved::NotProved(Step refused, const std::string& reason)
+    : std::runtime_error(refused.id + ": not proved: " + refused.from + " " + refused.relation +
+                         " " + refused.to + ": " + reason),
+      step(std::move(refused)) {}
+
+Kernel::Kernel(Domain domain) : domain_(std::move(domain)) {}
+
+Domain Kernel::domain_of(const Claim& claim) const {
+  Domain domain = domain_;
+  for (const auto& [name, from] : claim.indices) domain.integer[name] = from;
+  return domain;
+}
+
+ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices) const {
+  Domain domain = domain_;
+  for (const auto& [name, from] : indices) domain.integer[name] = from;
+  return NormalForm(domain, definitions_).simplified(e.evalm());
+}
+
+void Kernel::use(const Theorem& premise, const Claim& claim, const std::string& rule,
+                 Evidence& evidence, const std::string& bound) const {
+  if (std::find(evidence.premises.begin(), evidence.premises.end(), premise.id()) ==
+      evidence.premises.end())
+    evidence.premises.push_back(premise.id());
+  for (const Condition& condition : premise.conditions()) {
+    const bool of_bound =
+        !bound.empty() && condition.statement &&
+        (condition.statement->lhs() - condition.statement->rhs()).has(symbol(bound));
+    if (condition.index.empty() && !of_bound) evidence.conditions.insert(condition);
+  }
+  for (const auto& [name, from] : premise.domain().integer) {
+    if (name == bound) continue;
+    const ex index = symbol(name);
+    if (!premise.lhs().has(index) && !premise.rhs().has(index)) continue;
+    const auto own = claim.indices.find(name);
+    require(own != claim.indices.end() && own->second >= from, claim, rule,
+            premise.id() + " holds for " + name + " >= " + std::to_string(from) + " only");
+    evidence.conditions.insert(index_condition(name, own->second));
+  }
+}
+
+Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const {
+  static const char* const relations[] = {"=", "!=", "<=", ">"};
+  std::vector<std::string> conditions;
+  for (const Condition& condition : evidence.conditions) conditions.push_back(condition.text);
+  return {claim.id,
+          rule,
+          claim.shown_lhs.empty() ? text(claim.statement.lhs()) : claim.shown_lhs,
+          relations[static_cast<int>(claim.statement.relation())],
+          claim.shown_rhs.empty() ? text(claim.statement.rhs()) : claim.shown_rhs,
+          conditions,
+          claim.label,
+          claim.words,
+          "proved",
+          evidence.premises};
+}
+
+Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& evidence,
+                       const std::string& verdict) {
+  Step step = step_for(claim, rule, evidence);
+  step.verdict = verdict;
+  for (const Theorem& earlier : theorems_)
+    if (earlier.id() == step.id) throw std::logic_error("two steps are called " + step.id);
+  theorems_.push_back(Theorem(std::make_shared<const Theorem::Data>(
+      Theorem::Data{step, claim.statement, domain_of(claim), evidence.conditions})));
+  return theorems_.back();
+}
+
+void Kernel::refuse(const Claim& claim, const std::string& rule, const std::string& reason) const {
+  Step step = step_for(claim, rule, {});
+  step.verdict = "refused";
+  throw NotProved(step, reason);
+}
+
+void Kernel::require(bool holds, const Claim& claim, const std::string& rule,
+                     const std::string& reason) const {
+  if (!holds) refuse(claim, rule, reason);
+}
+
+void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
+                           const std::string& rule, Evidence& evidence) const {
+  const ex left = definitions_.expand_except_angles(lhs);
+  const ex right = definitions_.expand_except_angles(rhs);
+  const bool matrices = is_a<GiNaC::matrix>(left) || is_a<GiNaC::matrix>(right);
+  if (matrices)
+    require(is_a<GiNaC::matrix>(left) && is_a<GiNaC::matrix>(right) &&
+                ex_to<GiNaC::matrix>(left).rows() == ex_to<GiNaC::matrix>(right).rows() &&
+                ex_to<GiNaC::matrix>(left).cols() == ex_to<GiNaC::matrix>(right).cols(),
+            claim, rule, "the sides have different shapes");
+  const Domain domain = domain_of(claim);
+  const auto difference = counterexample(left, right, domain, definitions_, claim.id);
+  if (difference) refuse(claim, rule, *difference);
+  NormalForm form(domain, definitions_);
+  try {
+    require(form.is_zero((left - right).evalm()), claim, rule,
+            "the normal form of the difference of " + text(left) + " and " + text(right) +
+                " is not zero, though the sides agree at every point tried");
+  } catch (const NotInClass& outside) {
+    refuse(claim, rule, outside.what());
+  }
+  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
+}
+
+void Kernel::add_conditions_at(const Theorem& premise, const Values& values, const Claim& claim,
+                               Evidence& evidence) const {
+  GiNaC::exmap replacements;
+  for (const auto& [name, value] : values) replacements[name] = value;
+  for (const Condition& general : premise.conditions()) {
+    if (!general.statement) continue;
+    const Statement& before = *general.statement;
+    const Statement here(before.lhs().subs(replacements, GiNaC::subs_options::no_pattern),
+                         before.relation(),
+                         before.rhs().subs(replacements, GiNaC::subs_options::no_pattern));
+    const bool holds = here.relation() == Relation::greater &&
+                       is_positive(here.lhs() - here.rhs(), claim, evidence);
+    if (!holds) evidence.conditions.insert(condition(here));
+  }
+}
+
+bool Kernel::is_positive(const ex& e, const Claim& claim, Evidence& evidence) const {
+  NormalForm form(domain_of(claim), definitions_);
+  try {
+    if (!form.is_positive(e)) return false;
+  } catch (const NotInClass&) {
+    return false;
+  }
+  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
+  return true;
+}
+
+Theorem Kernel::law(const Claim& claim) { return accept(claim, "law", {}, "law"); }
+
+Theorem Kernel::definition(const Claim& claim) {
+  const ex& name = claim.statement.lhs();
+  require(claim.statement.relation() == Relation::equal, claim, "definition",
+          "a definition is an equation");
+  if (is_a<GiNaC::symbol>(name)) {
+    const std::string text_name = ex_to<GiNaC::symbol>(name).get_name();
+    require(!domain_.positive.contains(text_name) && !definitions_.contains(text_name), claim,
+            "definition", "the name is taken");
+    definitions_.add(text_name, claim.statement.rhs());
+  } else {
+    require(is_sequence(name) && is_a<GiNaC::symbol>(name.op(0)), claim, "definition",
+            "the left side must be a new name or a sequence such as T(m)");
+    for (const Theorem& earlier : theorems_)
+      require(!uses_sequence(earlier.lhs(), function_name(name)) &&
+                  !uses_sequence(earlier.rhs(), function_name(name)),
+              claim, "definition", "the sequence is in use already, in " + earlier.id());
+  }
+  return accept(claim, "definition", {}, "definition");
+}
+
+Theorem Kernel::hypothesis(const Claim& claim) {
+  Evidence evidence;
+  evidence.conditions.insert(condition(claim.statement));
+  return accept(claim, "hypothesis", evidence, "hypothesis");
+}
+
+}  // namespace magicmass::proof

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "proof/definitions.hpp"
+#include "proof/domain.hpp"
+#include "proof/theorem.hpp"
+
+namespace magicmass::proof {
+
+// What a derivation asks the kernel to accept.
+struct Claim {
+  std::string id;
+  Statement statement;
+  std::string words = {};
+  std::string label = {};
+  std::map<std::string, long> indices = {};  // integers and where they start: {{"n", 1}}
+  std::string shown_lhs =
+      {};  // how to print a side that computes something: "det Gamma", "R^T Lambda R"
+  std::string shown_rhs = {};
+};
+
+// The trusted kernel: the only maker of theorems. Each member function below is a rule; each checks its
+// claim by the exact normal form and then at random points (sampling.hpp), records the conditions it
+// used and those of its premises, and appends a Step. A refused claim throws NotProved.
+class Kernel {
+public:
+  explicit Kernel(Domain domain);
+
+  // --- what goes in unproved: verdicts "law", "definition", "hypothesis" -------------------------------
+  Theorem law(const Claim& claim);
+  Theorem definition(const Claim& claim);  // left side: a new name or a new sequence
+  Theorem hypothesis(const Claim& claim);  // becomes a condition of all that rests on it
+
+  // --- algebra (rules_algebra.cpp) ---------------------------------------------------------------------
+  // Both sides have one normal form.
+  Theorem identity(const Claim& claim);
+  // lhs - rhs = sum of cofactor * (premise.lhs - premise.rhs).
+  using Combination = std::vector<std::pair<Theorem, GiNaC::ex>>;
+  Theorem consequence(const Claim& claim, const Combination& premises);
+  // Each equation, in turn, replaces its left side by its right side in both sides of the claim; then identity.
+  // An equation for f(n) is used at every index from its own least n on.
+  Theorem rewriting(const Claim& claim, const std::vector<Theorem>& equations);
+  // product = 0 and product = factor * lhs with factor != 0 (proved sign or a law "x != y") give lhs = 0.
+  Theorem cancellation(const Claim& claim, const Theorem& product, const GiNaC::ex& factor,
+                       const std::optional<Theorem>& nonzero = std::nullopt);
+  // A theorem's symbols replaced by expressions of the same kind.
+  using Values = std::vector<std::pair<GiNaC::ex, GiNaC::ex>>;
+  Theorem instance(const Claim& claim, const Theorem& general, const Values& values);
+  // One entry of an equation of columns.
+  Theorem component(const Claim& claim, const Theorem& columns, unsigned row);
+  // The claim, with each case's values put in, is that case's theorem. `words` says why the cases are all.
+  Theorem cases(const Claim& claim, const std::vector<std::pair<Values, Theorem>>& all);
+  // lhs > 0 by signs of factors and coefficients; the right side must be 0.
+  Theorem positivity(const Claim& claim);
+
+  // --- induction (rules_induction.cpp) -----------------------------------------------------------------
+  // M^n = F(n): F(0) = 1 and F(n + 1) = M F(n). Left side: power of the name that `matrix` defines.
+  Theorem matrix_power(const Claim& claim, const Theorem& matrix, const GiNaC::ex& n);
+  // A column of sequences [f(n), g(n), ...] = [F(n), G(n), ...] from their values at the first index and
+  // from recurrences f(n) = ..., g(n) = ... in terms of f(n - 1), g(n - 1), ...
+  Theorem induction(const Claim& claim, const std::vector<Theorem>& initial,
+                    const std::vector<Theorem>& recurrences, const GiNaC::ex& n);
+
+  // --- angles (rules_angles.cpp) -----------------------------------------------------------------------
+  // Two angles in [0, pi] with the same cosine are equal.
+  Theorem equal_angles(const Claim& claim);
+  // (N_B + 1/2) psi lies in [pi - psi/2, pi + psi/2) as N_B = ceil(pi/psi - 1); so one angle there has the
+  // cosine that `cosine` states. Claim: that angle.
+  Theorem last_angle(const Claim& claim, const Theorem& cosine, const Theorem& count);
+
+  // --- counting (rules_counting.cpp) -------------------------------------------------------------------
+  // Approach speeds before collisions 0, 2, 4, ... and 1, 3, 5, ... are positive multiples of
+  // sin((2 n + 1) h) and sin((2 n + 2) h), 0 < h < pi/2; collisions go on while they are positive.
+  // Claim: their number is ceil(pi/h) - 1.
+  Theorem collision_count(const Claim& claim, const Theorem& before_even, const Theorem& before_odd,
+                          const GiNaC::ex& n, const GiNaC::ex& h);
+  // Collisions alternate and A has the first: N_A = ceil(N/2), N_B = floor(N/2).
+  Theorem collisions_of(const Claim& claim, const Theorem& count);
+  // N = ceil(pi/psi - s), psi increases with alpha, psi(alpha_k) = pi/(k + s):
+  // N = k exactly for alpha_k <= alpha < alpha_(k-1).
+  Theorem threshold(const Claim& claim, const Theorem& count, const Theorem& increasing,
+                    const Theorem& angle_at_threshold, const GiNaC::ex& k);
+
+  // --- step functions (rules_step_functions.cpp) -------------------------------------------------------
+  // Both sides are built from ceil, floor and sawtooth of rational affine functions of one real variable
+  // (an integer one if the claim's indices name it); all pieces of one period are compared exactly.
+  // `equations` are applied first; `where` (statements with <= or >) restricts the cases and becomes a condition.
+  Theorem step_functions(const Claim& claim, const std::vector<Theorem>& equations,
+                         const GiNaC::ex& variable, const std::vector<Statement>& where = {});
+
+  const std::vector<Theorem>& theorems() const { return theorems_; }  // all of them, in order
+  const Definitions& definitions() const { return definitions_; }
+  Domain domain_of(const Claim& claim) const;
+
+  // A simplified, equal expression under this kernel's domain and definitions; a proposal, not a proof.
+  GiNaC::ex simplified(const GiNaC::ex& e, const std::map<std::string, long>& indices = {}) const;
+
+private:
+  struct Evidence {
+    Conditions conditions;
+    std::vector<std::string> premises;
+  };
+  // A premise hands on its conditions and its id. Those on its own indices become the claim's: the claim
+  // must start where the premise does or later. `bound`: an index that the caller deals with, and with it
+  // the conditions that speak of it.
+  void use(const Theorem& premise, const Claim& claim, const std::string& rule, Evidence& evidence,
+           const std::string& bound = {}) const;
+  // The conditions of a premise that is used with its symbols at these values.
+  void add_conditions_at(const Theorem& premise, const Values& values, const Claim& claim,
+                         Evidence& evidence) const;
+  Step step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const;
+  Theorem accept(const Claim& claim, const std::string& rule, const Evidence& evidence,
+                 const std::string& verdict = "proved");
+  [[noreturn]] void refuse(const Claim& claim, const std::string& rule,
+                           const std::string& reason) const;
+  void require(bool holds, const Claim& claim, const std::string& rule,
+               const std::string& reason) const;
+  // Both nets on lhs = rhs; throws NotProved.
+  void require_equal(const GiNaC::ex& lhs, const GiNaC::ex& rhs, const Claim& claim,
+                     const std::string& rule, Evidence& evidence) const;
+  bool is_positive(const GiNaC::ex& e, const Claim& claim, Evidence& evidence) const;
+  bool is_integer(const GiNaC::ex& e, const Claim& claim) const;
+  bool is_angle_up_to_pi(const GiNaC::ex& angle, const Claim& claim, Evidence& evidence) const;
+  GiNaC::ex applied(const Theorem& equation, const GiNaC::ex& e, const Claim& claim,
+                    const std::string& rule, Evidence& evidence) const;
+
+  Domain domain_;
+  Definitions definitions_;
+  std::vector<Theorem> theorems_;
+};
+
+}  // namespace magicmass::proof

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+namespace GiNaC {
+class ex;
+}
+
+// The paper's symbols, one object a name, and the functions of an index.
+namespace magicmass::proof {
+
+// A real symbol; the same name always gives the same symbol. What is known of it stands in a Domain.
+GiNaC::ex symbol(const std::string& name);
+
+// Sequences: velocities just after P_n, Q_n, P_n, Q_n, times and A-B distances there, and cos(m psi/2).
+GiNaC::ex a(const GiNaC::ex& n);
+GiNaC::ex b(const GiNaC::ex& n);
+GiNaC::ex c(const GiNaC::ex& n);
+GiNaC::ex c_prime(const GiNaC::ex& n);
+GiNaC::ex t_P(const GiNaC::ex& n);
+GiNaC::ex t_Q(const GiNaC::ex& n);
+GiNaC::ex s_P(const GiNaC::ex& n);
+GiNaC::ex s_Q(const GiNaC::ex& n);
+GiNaC::ex t(const GiNaC::ex& j);  // of the collision counted j = 0, 1, 2, ... over P and Q
+GiNaC::ex s(const GiNaC::ex& j);
+GiNaC::ex T(const GiNaC::ex& m);
+
+// Step functions, paper eqs. def:ceil, def:floor, def:sawtooth. They evaluate at rational numbers.
+GiNaC::ex ceiling(const GiNaC::ex& x);
+GiNaC::ex floor(const GiNaC::ex& x);
+GiNaC::ex sawtooth(const GiNaC::ex& x);
+
+bool is_sequence(const GiNaC::ex& e);  // a(...), b(...), ...: a function of an index
+bool contains_sequence(const GiNaC::ex& e);
+bool is_step_function(const GiNaC::ex& e);  // ceiling, floor, sawtooth
+
+// A function's name as it is printed: "c'" for c_prime, "ceil" for ceiling.
+std::string function_name(const GiNaC::ex& e);
+
+}  // namespace magicmass::proof

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/normal_form.hpp"
+
+#include <algorithm>
+
+#include "proof/generators.hpp"
+#include "proof/text.hpp"
+
+namespace magicmass::proof {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+
+NormalForm::NormalForm(const Domain& domain, const Definitions& definitions)
+    : generators_(std::make_unique<Generators>(domain, definitions)) {}
+
+NormalForm::~NormalForm() = default;
+
+bool NormalForm::is_zero(const ex& e) {
+  if (is_a<GiNaC::matrix>(e))
+    return std::all_of(e.begin(), e.end(), [this](const ex& element) { return is_zero(element); });
+  return generators_->quotient(generators_->translate(e)).first.is_zero();
+}
+
+ex NormalForm::simplified(const ex& e) {
+  if (is_a<GiNaC::matrix>(e)) {
+    GiNaC::matrix result = ex_to<GiNaC::matrix>(e);
+    for (unsigned row = 0; row < result.rows(); ++row)
+      for (unsigned column = 0; column < result.cols(); ++column)
+        result(row, column) = simplified(result(row, column));
+    return result;
+  }
+  const auto [above, below] = generators_->quotient(generators_->translate(e));
+  return generators_->back(generators_->tidied(above) / generators_->tidied(below));
+}
+
+bool NormalForm::is_positive(const ex& e) {
+  return generators_->positive(generators_->translate(e));
+}
+
+const Conditions& NormalForm::conditions() const { return generators_->conditions; }
+
+}  // namespace magicmass::proof

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <ginac/ginac.h>
+
+#include "proof/kernel.hpp"
+#include "proof/names.hpp"
+#include "proof/text.hpp"
+
+namespace magicmass::proof {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+namespace {
+
+// The one factor sin(...) of a product, and the rest.
+std::optional<std::pair<ex, ex>> split_sine(const ex& product, const ex& n) {
+  if (!is_a<GiNaC::mul>(product)) return std::nullopt;
+  for (const ex& part : product)
+    if (is_a<GiNaC::function>(part) && ex_to<GiNaC::function>(part).get_name() == "sin" &&
+        part.has(n))
+      return std::pair{part.op(0), product / part};
+  return std::nullopt;
+}
+
+}  // namespace
+
+// Collision j happens if those before it have and the approach speed before it is positive. With speeds
+// K_j sin((j + 1) h), K_j > 0, 0 < h < pi/2: (j + 1) h < pi gives a positive one, and the first j with
+// (j + 1) h >= pi has (j + 1) h < pi + h < 2 pi, where it is not. So there are j = 0 .. ceil(pi/h) - 2.
+Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
+                                const Theorem& before_odd, const ex& n, const ex& h) {
+  const std::string rule = "last collision";
+  Evidence evidence;
+  int shift = 1;
+  for (const Theorem& speed : {before_even, before_odd}) {
+    use(speed, claim, rule, evidence,
+        text(n));  // "velocities changed" holds while the pairs approach
+    const auto split = split_sine(speed.rhs(), n);
+    require(split.has_value(), claim, rule, speed.id() + " is not a multiple of a sine");
+    const auto& [angle, rest] = *split;
+    require(definitions_.expand_except_angles(angle - (2 * n + shift) * h).expand().is_zero(),
+            claim, rule,
+            speed.id() + " is not a multiple of sin((2 n + " + std::to_string(shift) + ") h)");
+    require(!rest.has(n) && is_positive(rest, claim, evidence), claim, rule,
+            "the factor " + text(rest) + " in " + speed.id() + " is not seen to be positive");
+    const auto from = speed.domain().integer.find(text(n));
+    require(from != speed.domain().integer.end() && from->second == 0, claim, rule,
+            speed.id() + " must hold for n >= 0");
+    ++shift;
+  }
+  require(is_angle_up_to_pi(2 * h, claim, evidence), claim, rule,
+          "2 h is not seen to lie in [0, pi]");
+  require(claim.statement.rhs().is_equal(ceiling(GiNaC::Pi / h) - 1), claim, rule,
+          "the number of collisions is " + text(ceiling(GiNaC::Pi / h) - 1));
+  evidence.conditions.insert({"the objects do not pass through each other"});
+  return accept(claim, rule, evidence);
+}
+
+// Collisions 0, 2, 4, ... below N are ceil(N/2) many, 1, 3, 5, ... are floor(N/2).
+Theorem Kernel::collisions_of(const Claim& claim, const Theorem& count) {
+  const std::string rule = "every other collision";
+  Evidence evidence;
+  use(count, claim, rule, evidence);
+  require(count.step().rule == "last collision", claim, rule,
+          count.id() + " does not count all collisions");
+  const bool of_A = claim.statement.lhs().is_equal(symbol("N_A"));
+  require(of_A || claim.statement.lhs().is_equal(symbol("N_B")), claim, rule,
+          "the claim must be about N_A or N_B");
+  const ex share = of_A ? ceiling(count.lhs() / 2) : floor(count.lhs() / 2);
+  require(claim.statement.rhs().is_equal(share), claim, rule, "its share is " + text(share));
+  return accept(claim, rule, evidence);
+}
+
+Theorem Kernel::threshold(const Claim& claim, const Theorem& count, const Theorem& increasing,
+                          const Theorem& angle_at_threshold, const ex& k) {
+  const std::string rule = "threshold";
+  Evidence evidence;
+  for (const Theorem& premise : {count, increasing, angle_at_threshold})
+    use(premise, claim, rule, evidence);
+  const ex psi = symbol("psi");
+  const ex alpha = symbol("alpha");
+  const ex& ratio = claim.statement.rhs();
+  require(is_step_function(count.rhs()) && function_name(count.rhs()) == "ceil", claim, rule,
+          count.id() + " is not a ceiling");
+  const ex s = (GiNaC::Pi / psi - count.rhs().op(0)).normal();
+  require(is_a<numeric>(s), claim, rule, count.id() + " is not ceil(pi/psi - s)");
+  const ex* meaning = definitions_.angle("psi");
+  require(meaning != nullptr, claim, rule, "psi has no definition");
+  require_equal(increasing.lhs(), meaning->diff(ex_to<GiNaC::symbol>(alpha)), claim, rule,
+                evidence);
+  require(increasing.statement().relation() == Relation::greater && increasing.rhs().is_zero(),
+          claim, rule, increasing.id() + " does not say that psi increases with alpha");
+  require_equal(angle_at_threshold.lhs(), meaning->subs(alpha == ratio), claim, rule, evidence);
+  require_equal(angle_at_threshold.rhs(), GiNaC::Pi / (k + s), claim, rule, evidence);
+  // N = k <=> k - 1 < pi/psi - s <= k <=> pi/(k + s) <= psi < pi/(k - 1 + s) <=> threshold(k) <= alpha < threshold(k - 1)
+  evidence.conditions.insert({text(count.lhs()) + " = " + text(k) + " exactly for " +
+                              text(claim.statement.lhs()) + " <= alpha < the same at " + text(k) +
+                              " - 1 (infinite for " + text(k) + " = 1)"});
+  return accept(claim, rule, evidence);
+}
+
+}  // namespace magicmass::proof

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <ginac/ginac.h>
+
+#include "proof/kernel.hpp"
+#include "proof/names.hpp"
+#include "proof/text.hpp"
+
+namespace magicmass::proof {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+
+namespace {
+constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
+}
+
+Theorem Kernel::matrix_power(const Claim& claim, const Theorem& matrix, const ex& n) {
+  const std::string rule = "induction";
+  Evidence evidence;
+  use(matrix, claim, rule, evidence);
+  const ex& power = claim.statement.lhs();
+  require(is_a<GiNaC::power>(power) && power.op(0).is_equal(matrix.lhs()) &&
+              power.op(1).is_equal(n) && claim.indices.contains(text(n)) &&
+              claim.indices.at(text(n)) == 0,
+          claim, rule, "the claim must read " + text(matrix.lhs()) + "^n = F(n), n >= 0");
+  const ex& formula = claim.statement.rhs();
+  const auto& base = ex_to<GiNaC::matrix>(matrix.rhs());
+  require_equal(formula.subs(n == 0, no_pattern), GiNaC::unit_matrix(base.rows()), claim, rule,
+                evidence);
+  require_equal(formula.subs(n == n + 1, no_pattern), (matrix.rhs() * formula).evalm(), claim, rule,
+                evidence);
+  evidence.conditions.insert(index_condition(text(n), 0));
+  return accept(claim, rule, evidence);
+}
+
+Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initial,
+                          const std::vector<Theorem>& recurrences, const ex& n) {
+  const std::string rule = "induction";
+  Evidence evidence;
+  require(claim.indices.contains(text(n)), claim, rule,
+          "the claim does not say where " + text(n) + " starts");
+  const long first = claim.indices.at(text(n));
+  ex left = claim.statement.lhs();
+  ex right = claim.statement.rhs();
+  if (!is_a<GiNaC::matrix>(left)) {
+    left = GiNaC::matrix{{left}};
+    right = GiNaC::matrix{{right}};
+  }
+  require(left.nops() == initial.size() && left.nops() == recurrences.size() &&
+              left.nops() == right.nops(),
+          claim, rule, "each sequence needs one initial value and one recurrence");
+
+  GiNaC::exmap earlier;  // f(n - 1) -> F(n - 1)
+  for (size_t i = 0; i < left.nops(); ++i) {
+    require(is_sequence(left.op(i)) && left.op(i).op(0).is_equal(n), claim, rule,
+            text(left.op(i)) + " is not an element of a sequence at " + text(n));
+    earlier[left.op(i).subs(n == n - 1, no_pattern)] = right.op(i).subs(n == n - 1, no_pattern);
+  }
+  Claim step = claim;  // the inductive step speaks of n from first + 1 on
+  step.indices[text(n)] = first + 1;
+  for (size_t i = 0; i < left.nops(); ++i) {
+    const ex& element = left.op(i);
+    const auto at_first = [&](const ex& e) { return e.subs(n == first, no_pattern); };
+    require(initial[i].lhs().is_equal(at_first(element)), claim, rule,
+            initial[i].id() + " does not give " + text(at_first(element)));
+    use(initial[i], claim, rule, evidence);
+    require_equal(initial[i].rhs(), at_first(right.op(i)), claim, rule, evidence);
+
+    require(recurrences[i].lhs().is_equal(element), claim, rule,
+            recurrences[i].id() + " does not give " + text(element));
+    const auto from = recurrences[i].domain().integer.find(text(n));
+    require(from != recurrences[i].domain().integer.end() && from->second <= first + 1, claim, rule,
+            recurrences[i].id() + " does not hold from the first step on");
+    use(recurrences[i], claim, rule, evidence, text(n));
+    add_conditions_at(recurrences[i], {}, claim, evidence);  // at every index up to n
+    const ex next = recurrences[i].rhs().subs(earlier, no_pattern);
+    require(!contains_sequence(next), claim, rule,
+            recurrences[i].id() + " uses more than the elements at " + text(n) + " - 1");
+    require_equal(next, right.op(i), step, rule, evidence);
+  }
+  std::erase_if(evidence.conditions,
+                [&](const Condition& condition) { return condition.index == text(n); });
+  evidence.conditions.insert(index_condition(text(n), first));
+  return accept(claim, rule, evidence);
+}
+
+}  // namespace magicmass::proof

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
+#include <ginac/ginac.h>
+
+#include "proof/kernel.hpp"
+#include "proof/names.hpp"
+#include "proof/text.hpp"
+
+namespace magicmass::proof {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+namespace {
+
+constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
+
+struct Grid {
+  numeric numerators = 1;  // least common multiples over all affine pieces
+  numeric denominators = 1;
+};
+
+// Sums, rational multiples and step functions of the variable: nothing else.
+bool collect(const ex& e, const ex& variable, Grid& grid) {
+  if (is_a<numeric>(e)) {
+    const numeric value = ex_to<numeric>(e);
+    if (!value.is_rational()) return false;
+    grid.denominators = GiNaC::lcm(grid.denominators, value.denom());
+    if (!value.is_zero()) grid.numerators = GiNaC::lcm(grid.numerators, GiNaC::abs(value.numer()));
+    return true;
+  }
+  if (e.is_equal(variable)) return true;
+  if (is_step_function(e)) return collect(e.op(0), variable, grid);
+  if (is_a<GiNaC::mul>(e))
+    return e.nops() == 2 && (is_a<numeric>(e.op(0)) || is_a<numeric>(e.op(1))) &&
+           collect(e.op(0), variable, grid) && collect(e.op(1), variable, grid);
+  if (is_a<GiNaC::add>(e))
+    return std::all_of(e.begin(), e.end(),
+                       [&](const ex& term) { return collect(term, variable, grid); });
+  return false;
+}
+
+bool holds(const Statement& statement, const ex& variable, const numeric& value) {
+  const numeric difference =
+      ex_to<numeric>((statement.lhs() - statement.rhs()).subs(variable == value, no_pattern));
+  return statement.relation() == Relation::greater ? difference > 0 : difference <= 0;
+}
+
+}  // namespace
+
+// With all coefficients p/q, every jump lies on the grid of step 1/(G) with G = numerators * denominators^2,
+// between jumps both sides are affine, and one period P = denominators^2 shifts both sides by constants.
+// So they are equal everywhere if they are on the grid, at two points inside each cell of one period,
+// and at one period further on.
+Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& equations,
+                               const ex& variable, const std::vector<Statement>& where) {
+  const std::string rule = "step functions, piece by piece";
+  Evidence evidence;
+  ex left = claim.statement.lhs();
+  ex right = claim.statement.rhs();
+  for (const Theorem& equation : equations) {
+    left = applied(equation, left, claim, rule, evidence);
+    right = applied(equation, right, claim, rule, evidence);
+  }
+  // The variable is pi/psi, or an integer of the claim.
+  const ex x = GiNaC::realsymbol("X");
+  const bool integer = claim.indices.contains(text(variable));
+  const auto in_variable = [&](const ex& e) {
+    const ex written_out = definitions_.expand_except_angles(e);
+    return integer ? written_out.subs(variable == x, no_pattern)
+                   : written_out.subs(symbol("psi") == GiNaC::Pi / x, no_pattern)
+                         .subs(variable == x, no_pattern);
+  };
+  left = in_variable(left);
+  right = in_variable(right);
+  std::vector<Statement> cases;
+  for (const Statement& condition : where) {
+    cases.emplace_back(in_variable(condition.lhs()), condition.relation(),
+                       in_variable(condition.rhs()));
+    evidence.conditions.insert(proof::condition(condition));
+  }
+  Grid grid;
+  require(
+      collect(left.expand(), x, grid) && collect(right.expand(), x, grid), claim, rule,
+      text(left) + " or " + text(right) + " is not built from step functions of affine arguments");
+  for (const Statement& condition : cases)
+    require(collect(condition.lhs(), x, grid) && collect(condition.rhs(), x, grid), claim, rule,
+            "the case is not built from step functions");
+
+  const numeric period = grid.denominators * grid.denominators;
+  const numeric cells =
+      integer ? numeric(1) : grid.numerators * grid.denominators * grid.denominators;
+  require(period * cells <= 20000, claim, rule, "too many pieces");
+  for (numeric i = 0; i <= 2 * period * cells; i += 1)
+    for (const numeric& inside : {numeric(0), numeric(1, 3), numeric(2, 3)}) {
+      if (integer && !inside.is_zero()) continue;
+      const numeric value = (i + inside) / cells + (integer ? claim.indices.at(text(variable)) : 0);
+      if (!std::all_of(cases.begin(), cases.end(),
+                       [&](const Statement& s) { return holds(s, x, value); }))
+        continue;
+      const ex l = left.subs(x == value, no_pattern);
+      const ex r = right.subs(x == value, no_pattern);
+      require(l.is_equal(r), claim, rule,
+              "at " + text(variable) + " = " + text(value) + " the left side is " + text(l) +
+                  " and the right side is " + text(r));
+    }
+  return accept(claim, rule, evidence);
+}
+
+}  // namespace magicmass::proof

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/sampling.hpp"
+
+#include <map>
+#include <random>
+#include <sstream>
+
+#include <ginac/ginac.h>
+
+#include "proof/names.hpp"
+#include "proof/text.hpp"
+
+namespace magicmass::proof {
+namespace {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+constexpr long working_digits = 70;
+constexpr long agreeing_digits = 50;
+
+class PrecisionGuard {  // GiNaC's precision is global: put it back
+public:
+  PrecisionGuard() : before_(GiNaC::Digits) { GiNaC::Digits = working_digits; }
+  ~PrecisionGuard() { GiNaC::Digits = before_; }
+  PrecisionGuard(const PrecisionGuard&) = delete;
+  PrecisionGuard& operator=(const PrecisionGuard&) = delete;
+
+private:
+  long before_;
+};
+
+class Point {
+public:
+  Point(const Domain& domain, std::mt19937_64& random) : domain_(domain), random_(random) {}
+
+  void assign(const ex& e) {
+    if (is_a<GiNaC::symbol>(e)) assign_symbol(e);
+    for (const ex& part : e) assign(part);
+  }
+
+  ex value(const ex& e) {
+    const ex at_point = e.subs(values_, GiNaC::subs_options::no_pattern);
+    GiNaC::exmap sequence_values;
+    assign_sequences(at_point, sequence_values);
+    return at_point.subs(sequence_values, GiNaC::subs_options::no_pattern).evalf();
+  }
+
+  std::string shown() const {
+    std::string result;
+    for (const auto& [name, value] : shown_)
+      result += (result.empty() ? "" : ", ") + name + " = " + value;
+    return result;
+  }
+
+private:
+  long between(long low, long high) {
+    return low + static_cast<long>(random_() % static_cast<unsigned long>(high - low + 1));
+  }
+
+  void assign_symbol(const ex& symbol) {
+    const std::string name = ex_to<GiNaC::symbol>(symbol).get_name();
+    if (shown_.contains(name)) return;
+    // Odd over even: never a whole number, so psi is never a rational multiple of pi and no sine in a
+    // denominator vanishes by accident (alpha = 1 is the one rational mass ratio where it would).
+    numeric value = numeric(2 * between(0, 60) + 1, 2 * between(1, 20));
+    if (const auto integer = domain_.integer.find(name); integer != domain_.integer.end())
+      value = between(integer->second, integer->second + 9);
+    else if (!domain_.positive.contains(name) && between(0, 1) == 1)
+      value = -value;
+    values_[symbol] = value;
+    shown_[name] = text(value);
+  }
+
+  void assign_sequences(const ex& e, GiNaC::exmap& replacements) {
+    if (is_sequence(e)) {
+      const std::string key = text(e);
+      if (!sequences_.contains(key)) {
+        sequences_[key] = numeric(between(-90, 90), between(1, 40));
+        shown_[key] = text(sequences_[key]);
+      }
+      replacements[e] = sequences_[key];
+    }
+    for (const ex& part : e) assign_sequences(part, replacements);
+  }
+
+  const Domain& domain_;
+  std::mt19937_64& random_;
+  GiNaC::exmap values_;
+  std::map<std::string, ex> sequences_;
+  std::map<std::string, std::string> shown_;
+};
+
+std::uint64_t hash(const std::string& seed) {  // FNV-1a: the same on every machine
+  std::uint64_t value = 14695981039346656037u;
+  for (const unsigned char character : seed) value = (value ^ character) * 1099511628211u;
+  return value;
+}
+
+bool agree(const ex& left, const ex& right) {
+  if (!is_a<numeric>(left) || !is_a<numeric>(right)) return false;
+  const numeric l = ex_to<numeric>(left);
+  const numeric r = ex_to<numeric>(right);
+  const numeric scale = GiNaC::abs(l) + GiNaC::abs(r) + 1;
+  return GiNaC::abs(l - r) <= scale * GiNaC::pow(numeric(10), numeric(-agreeing_digits));
+}
+
+std::string shortened(const ex& value) {
+  GiNaC::Digits = 20;
+  std::ostringstream out;
+  out << value.evalf();
+  GiNaC::Digits = working_digits;
+  return out.str();
+}
+
+}  // namespace
+
+std::optional<std::string> counterexample(const ex& lhs, const ex& rhs, const Domain& domain,
+                                          const Definitions& definitions, const std::string& seed,
+                                          int points) {
+  if (is_a<GiNaC::matrix>(lhs) && is_a<GiNaC::matrix>(rhs)) {
+    const auto& left = ex_to<GiNaC::matrix>(lhs);
+    const auto& right = ex_to<GiNaC::matrix>(rhs);
+    if (left.rows() != right.rows() || left.cols() != right.cols())
+      return "matrices of different shapes";
+    for (unsigned row = 0; row < left.rows(); ++row)
+      for (unsigned column = 0; column < left.cols(); ++column)
+        if (auto found = counterexample(left(row, column), right(row, column), domain, definitions,
+                                        seed, points))
+          return "row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) +
+                 ": " + *found;
+    return std::nullopt;
+  }
+  const PrecisionGuard guard;
+  std::mt19937_64 random(hash(seed));
+  const ex left = definitions.expand_all(lhs);
+  const ex right = definitions.expand_all(rhs);
+  for (int i = 0; i < points; ++i) {
+    Point point(domain, random);
+    point.assign(left);
+    point.assign(right);
+    try {
+      const ex left_value = point.value(left);
+      const ex right_value = point.value(right);
+      if (agree(left_value, right_value)) continue;
+      const std::string where = point.shown();
+      return (where.empty() ? "" : "at " + where + " ") + "the left side is " +
+             shortened(left_value) + " and the right side is " + shortened(right_value);
+    } catch (const GiNaC::pole_error&) {
+      continue;  // a point where a side is not defined says nothing
+    } catch (const std::runtime_error&) {
+      continue;  // division by zero, likewise
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace magicmass::proof

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "proof/definitions.hpp"
+#include "proof/domain.hpp"
+
+namespace magicmass::proof {
+
+// The second net under every proof: both sides at random points of the domain, to 50 digits in CLN.
+// Sequence elements such as a(n - 1) take independent random values: an identity must hold for all.
+// Deterministic: the points depend on `seed` alone.
+//
+// Returns a point where the sides differ, with both values, as text; nothing when they agree at all of
+// `points` points. Entries of matrices are compared one by one.
+std::optional<std::string> counterexample(const GiNaC::ex& lhs, const GiNaC::ex& rhs,
+                                          const Domain& domain, const Definitions& definitions,
+                                          const std::string& seed, int points = 4);
+
+}  // namespace magicmass::proof

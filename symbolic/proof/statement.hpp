@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+
+namespace GiNaC {
+class ex;
+}
+
+namespace magicmass::proof {
+
+enum class Relation { equal, not_equal, less_equal, greater };
+
+// Two expressions and how they are related; scalars or matrices of one shape.
+// A statement claims nothing by itself: only the kernel turns one into a Theorem.
+class Statement {
+public:
+  Statement(const GiNaC::ex& lhs, const GiNaC::ex& rhs);  // lhs = rhs
+  Statement(const GiNaC::ex& lhs, Relation relation, const GiNaC::ex& rhs);
+
+  const GiNaC::ex& lhs() const;
+  const GiNaC::ex& rhs() const;
+  Relation relation() const;
+
+private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
+
+}  // namespace magicmass::proof

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "proof/domain.hpp"
+#include "proof/statement.hpp"
+
+namespace magicmass::proof {
+
+// An expression in infix notation, the same on every run: operands are ordered by what they are and
+// by name, never by GiNaC's own order. Equal trees give equal text, so it also serves as a key.
+std::string text(const GiNaC::ex& e);
+
+std::string text(const Statement& statement);
+
+// Whether the term that comes first by name has a negative coefficient. GiNaC holds x - y or -(y - x) as
+// its hashes fall; whoever prints or translates a sum as a factor asks this and turns the sign round.
+bool leads_with_minus(const GiNaC::ex& sum);
+
+inline Condition condition(const Statement& statement) { return {text(statement), statement}; }
+
+}  // namespace magicmass::proof

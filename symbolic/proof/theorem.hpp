@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "proof/domain.hpp"
+#include "proof/statement.hpp"
+
+namespace magicmass::proof {
+
+// One line of the derivation, as the tutorials print it, the code cites it and the tests replay it.
+struct Step {
+  std::string id;                       // "contact.Gamma": chapter, dot, name
+  std::string rule;                     // the kernel's rule that made it
+  std::string from;                     // left side
+  std::string relation;                 // "=", "!=", "<=", ">"
+  std::string to;                       // right side
+  std::vector<std::string> conditions;  // sorted
+  std::string label;                    // the paper's equation, if it has one
+  std::string words;                    // what was done, for a reader
+  std::string verdict;                  // "proved", "law", "definition" or "hypothesis"
+  std::vector<std::string> premises;    // ids
+};
+
+class Kernel;
+
+// A statement that the kernel has accepted. Nothing else can make one, so a function that takes a
+// Theorem takes proved formulas only.
+class Theorem {
+public:
+  const std::string& id() const { return step().id; }
+  const Step& step() const;
+  const Statement& statement() const;
+  const GiNaC::ex& lhs() const { return statement().lhs(); }
+  const GiNaC::ex& rhs() const { return statement().rhs(); }
+  const Domain& domain() const;
+  const Conditions& conditions() const;
+
+private:
+  friend class Kernel;
+  struct Data;
+  explicit Theorem(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
+  std::shared_ptr<const Data> data_;
+};
+
+// The kernel refused. The message shows both sides and, where one was found, a counterexample.
+struct NotProved : std::runtime_error {
+  NotProved(Step refused, const std::string& reason);
+  Step step;  // verdict "refused"
+};
+
+}  // namespace magicmass::proof

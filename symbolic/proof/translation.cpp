@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/generators.hpp"
+#include "proof/names.hpp"
+#include "proof/text.hpp"
+
+namespace magicmass::proof {
+
+using GiNaC::ex;
+using GiNaC::ex_to;
+using GiNaC::is_a;
+using GiNaC::numeric;
+
+ex NormalForm::Generators::translate(const ex& e) {
+  const ex written_out = definitions_.expand_except_angles(e);
+  collect_angles(written_out);
+  return rewritten(written_out);
+}
+
+// A transcendental generator that stands for `original`; one a key.
+ex NormalForm::Generators::opaque(const std::string& key, const ex& original, bool is_positive) {
+  const auto found = by_key_.find(key);
+  if (found != by_key_.end()) return found->second;
+  const ex generator = GiNaC::realsymbol(key);
+  by_key_.emplace(key, generator);
+  originals_[generator] = original;
+  if (is_positive) positive_generators_.insert(generator);
+  return generator;
+}
+
+ex NormalForm::Generators::rewritten(const ex& e) {
+  if (is_a<numeric>(e)) {
+    if (!ex_to<numeric>(e).is_rational()) throw NotInClass("not a rational number: " + text(e));
+    return e;
+  }
+  if (is_a<GiNaC::symbol>(e)) {
+    const ex* meaning = definitions_.angle(ex_to<GiNaC::symbol>(e).get_name());
+    if (meaning == nullptr) return e;
+    return opaque(text(e), e, positive(rewritten(*meaning)));
+  }
+  if (e.is_equal(GiNaC::Pi)) return opaque("pi", GiNaC::Pi, true);
+  if (is_a<GiNaC::add>(e)) {
+    ex sum = 0;
+    for (const ex& term : e) sum += rewritten(term);
+    return sum;
+  }
+  if (is_a<GiNaC::mul>(e)) {
+    ex product = 1;
+    for (const ex& part : e) product *= rewritten(part);
+    return product;
+  }
+  if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1))) {
+    const numeric exponent = ex_to<numeric>(e.op(1));
+    if (!exponent.is_rational() || exponent.denom() > 2)
+      throw NotInClass("only whole and half powers are handled: " + text(e));
+    ex base = rewritten(e.op(0));
+    if (exponent.is_negative()) require_nonzero(base, e.op(0));
+    if (exponent.is_integer()) return GiNaC::power(base, exponent);
+    return GiNaC::power(square_root(base), 2 * exponent);
+  }
+  if (is_a<GiNaC::function>(e)) {
+    const std::string name = ex_to<GiNaC::function>(e).get_name();
+    if (name == "cos") return cosine_and_sine(e.op(0)).cosine;
+    if (name == "sin") return cosine_and_sine(e.op(0)).sine;
+    if (name == "tan") {
+      const Pair pair = cosine_and_sine(e.op(0));
+      require_nonzero(pair.cosine, cos(e.op(0)));
+      return pair.sine / pair.cosine;
+    }
+    if (name == "atan") {
+      const ex argument = rewritten(e.op(0));
+      const auto [above, below] = quotient(argument);
+      return opaque("atan(" + text(above / below) + ")", e, positive(argument));
+    }
+    if (is_sequence(e)) {
+      const ex index = e.op(0).expand();
+      return opaque(function_name(e) + "(" + text(index) + ")", e, false);
+    }
+  }
+  throw NotInClass("no normal form for " + text(e));
+}
+
+}  // namespace magicmass::proof
