@@ -83,10 +83,11 @@ Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper) {
       kernel.identity({.id = "rotation.cos_half_psi",
                        .statement = {cos(psi.lhs() / 2), kernel.simplified(cos(psi.lhs() / 2))},
                        .words = "the half angle"});
-  const ex tangent_of_quarter = kernel.simplified(sin(psi.lhs() / 4) / cos(psi.lhs() / 4));
+  const ex quarter = psi.lhs() / 4;
+  const ex tangent = sqrt(kernel.simplified(pow(sin(quarter) / cos(quarter), 2)));
   const Theorem psi_half_angle = kernel.equal_angles(
       {.id = "rotation.psi_half_angle",
-       .statement = {psi.lhs(), 4 * atan(tangent_of_quarter)},
+       .statement = {psi.lhs(), 4 * atan(tangent)},
        .words = "from a quarter of the angle: nothing overflows and nothing cancels"});
   return {frame, psi, psi_half_angle, Lambda_turn, cos_half_psi};
 }

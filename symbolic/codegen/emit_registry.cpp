@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "codegen/emit.hpp"
+
+namespace magicmass::codegen {
+namespace {
+
+struct Table {
+  std::string quantity;
+  std::string entry;      // "VelocityEvaluator"
+  std::string function;   // "velocity_evaluators"
+  std::string signature;  // of the function pointer, with %RESULT%
+};
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all{
+      {"angle", "AngleEvaluator", "angle_evaluators", "Real (*evaluate)(Real alpha)"},
+      {"encounters", "EncounterEvaluator", "encounter_evaluators",
+       "Encounters<Real> (*evaluate)(Real alpha, std::int64_t j)"},
+      {"ratios", "RatioEvaluator", "ratio_evaluators", "Ratios<Real> (*evaluate)(std::int64_t k)"},
+      {"velocities", "VelocityEvaluator", "velocity_evaluators",
+       "Velocities<Real> (*evaluate)(Real alpha, std::int64_t n)"},
+  };
+  return all;
+}
+
+}  // namespace
+
+std::string emit_registry(const std::vector<Evaluator>& evaluators) {
+  std::string text =
+      file_header("Tables of the evaluators, for tests and reports that treat all alike");
+  text += "\n#include <array>\n#include <cstdint>\n\n#include \"magicmass/quantities.hpp\"\n";
+  for (const Evaluator& evaluator : evaluators)
+    if (!evaluator.form.exact) text += "#include \"" + evaluator.form.header() + "\"\n";
+  text += "\nnamespace magicmass::generated {\n";
+  for (const Table& table : tables()) {
+    std::string rows;
+    int count = 0;
+    for (const Evaluator& evaluator : evaluators) {
+      const Form& form = evaluator.form;
+      if (form.exact || form.quantity != table.quantity) continue;
+      rows += "      {\"" + form.function() + "\", \"" + form.name + "\", &" + form.function() +
+              "<Real>},\n";
+      ++count;
+    }
+    text += "\ntemplate <class Real>\nstruct " + table.entry +
+            " {\n  const char* name;\n  const char* form;\n  " + table.signature + ";\n};\n";
+    text += "\ntemplate <class Real>\nconst auto& " + table.function +
+            "() {\n  static constexpr std::array<" + table.entry + "<Real>, " +
+            std::to_string(count) + "> all{{\n" + rows + "  }};\n  return all;\n}\n";
+  }
+  return text + "\n}  // namespace magicmass::generated\n";
+}
+
+}  // namespace magicmass::codegen

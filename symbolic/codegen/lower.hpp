@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "codegen/ir.hpp"
+#include "proof/theorem.hpp"
+
+namespace magicmass::codegen {
+
+// What a program computes: outputs by name, and the theorems that say what symbols on their right sides
+// stand for ("V_CM = V/(2 + alpha)", "T(1) = 1/(1 + alpha)").
+struct Source {
+  std::vector<std::pair<std::string, proof::Theorem>> outputs;
+  std::vector<proof::Theorem> bindings;
+  std::vector<std::string> real_inputs;  // "alpha"
+  std::string index;                     // "n": the integer input, if there is one
+  std::vector<std::string> units;        // symbols that are 1 in the units of the outputs: "V", "L"
+};
+
+// The right sides as a program, before any pass. Throws std::logic_error for a symbol that is neither an
+// input nor bound, or an expression that has no operation here.
+Program lower(const Source& source);
+
+}  // namespace magicmass::codegen
