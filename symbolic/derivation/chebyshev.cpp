@@ -43,11 +43,12 @@ Chebyshev chebyshev(Kernel& kernel, const Rotation& rotation, const Power& power
                                         .indices = m_from_zero},
                                        {definition});
 
-  kernel.rewriting({.id = "chebyshev.sine",
-                    .statement = {sin(m * psi / 2) * sin(psi / 2), T(1) * T(m) - T(m + 1)},
-                    .words = "a sine from two cosines: its sign decides counts without any square root",
-                    .indices = m_from_zero},
-                   {definition});
+  kernel.rewriting(
+      {.id = "chebyshev.sine",
+       .statement = {sin(m * psi / 2) * sin(psi / 2), T(1) * T(m) - T(m + 1)},
+       .words = "a sine from two cosines: its sign decides counts without any square root",
+       .indices = m_from_zero},
+      {definition});
 
   // T(2 n - 1) is written by the recurrence, so that T(2 n) and T(2 n + 1) suffice for all four.
   const ex before = 2 * T(1) * T(2 * n) - T(2 * n + 1);

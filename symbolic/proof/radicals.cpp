@@ -37,7 +37,7 @@ void add_prime_factors(numeric integer, Factors& factors) {
   if (integer > 1) add_factor(integer, 1, factors);
 }
 
-// Splits off the rational content and adds the irreducible polynomials.
+// Splits off the rational content and adds the irreducible polynomials, primitive and with a settled sign.
 numeric add_factors(const ex& factored, int multiplicity, Factors& factors) {
   if (is_a<numeric>(factored)) return ex_to<numeric>(factored).power(multiplicity);
   if (is_a<GiNaC::mul>(factored)) {
@@ -48,8 +48,10 @@ numeric add_factors(const ex& factored, int multiplicity, Factors& factors) {
   if (is_a<GiNaC::power>(factored))
     return add_factors(factored.op(0), multiplicity * ex_to<numeric>(factored.op(1)).to_int(),
                        factors);
-  add_factor(factored, multiplicity, factors);
-  return 1;
+  numeric content = factored.integer_content();
+  if (is_a<GiNaC::add>(factored) && leads_with_minus(factored)) content = -content;
+  add_factor((factored / content).expand(), multiplicity, factors);
+  return content.power(multiplicity);
 }
 
 }  // namespace

@@ -43,6 +43,12 @@ bool collect(const ex& e, const ex& variable, Grid& grid) {
   return false;
 }
 
+int depth(const ex& e) {
+  int deepest = 0;
+  for (const ex& part : e) deepest = std::max(deepest, depth(part));
+  return deepest + (is_step_function(e) ? 1 : 0);
+}
+
 bool holds(const Statement& statement, const ex& variable, const numeric& value) {
   const numeric difference =
       ex_to<numeric>((statement.lhs() - statement.rhs()).subs(variable == value, no_pattern));
@@ -51,10 +57,12 @@ bool holds(const Statement& statement, const ex& variable, const numeric& value)
 
 }  // namespace
 
-// With all coefficients p/q, every jump lies on the grid of step 1/(G) with G = numerators * denominators^2,
-// between jumps both sides are affine, and one period P = denominators^2 shifts both sides by constants.
-// So they are equal everywhere if they are on the grid, at two points inside each cell of one period,
-// and at one period further on.
+// With N and D the least common multiples of all numerators and denominators: a jump of a step function
+// of p X + q is at X = (m - q)/p, and of one that holds others, r X + s (integer) + q, likewise, so all
+// lie on the grid of step 1/(N D). Between its points both sides are affine. Shifting X by D^depth shifts
+// the innermost arguments by integers that D^(depth - 1) divides, and so on outwards: both sides change by
+// constants. So they are equal everywhere if they are on the grid, at two points inside each cell of one
+// period, and once more over a second period.
 Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& equations,
                                const ex& variable, const std::vector<Statement>& where) {
   const std::string rule = "step functions, piece by piece";
@@ -90,9 +98,8 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
     require(collect(condition.lhs(), x, grid) && collect(condition.rhs(), x, grid), claim, rule,
             "the case is not built from step functions");
 
-  const numeric period = grid.denominators * grid.denominators;
-  const numeric cells =
-      integer ? numeric(1) : grid.numerators * grid.denominators * grid.denominators;
+  const numeric period = grid.denominators.power(std::max(depth(left), depth(right)));
+  const numeric cells = integer ? numeric(1) : grid.numerators * grid.denominators;
   require(period * cells <= 20000, claim, rule, "too many pieces");
   for (numeric i = 0; i <= 2 * period * cells; i += 1)
     for (const numeric& inside : {numeric(0), numeric(1, 3), numeric(2, 3)}) {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "codegen/generate.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+
+#include "derivation/derivation.hpp"
+
+using namespace magicmass;
+
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("the committed files are what the theorems give, byte for byte", "[exam]") {
+  const std::filesystem::path committed = MAGICMASS_GENERATED;
+  std::set<std::string> paths;
+  for (const codegen::GeneratedFile& file : codegen::generate(derivation::derive().theorems)) {
+    INFO(file.path);
+    CHECK(contents(committed / file.path) == file.content);
+    paths.insert(file.path);
+  }
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(committed)) {
+    if (!entry.is_regular_file() || entry.path().filename() == "CMakeLists.txt") continue;
+    INFO("stale file " << entry.path());
+    CHECK(paths.contains(std::filesystem::relative(entry.path(), committed).generic_string()));
+  }
+}
+
+TEST_CASE("generating twice gives the same bytes", "[check]") {
+  const auto once = codegen::generate(derivation::derive().theorems),
+             again = codegen::generate(derivation::derive().theorems);
+  REQUIRE(once.size() == again.size());
+  for (std::size_t i = 0; i < once.size(); ++i) CHECK(once[i].content == again[i].content);
+}
+
+TEST_CASE("a missing theorem is named", "[exam]") {
+  CHECK_THROWS_WITH(codegen::generate({}), Catch::Contains("no theorem is called"));
+}

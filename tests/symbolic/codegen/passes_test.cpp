@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "codegen/ir.hpp"
+#include "codegen/passes/canonical_order.hpp"
+#include "codegen/passes/common_subexpressions.hpp"
+#include "codegen/passes/dead_code.hpp"
+#include "codegen/passes/paired_sine_cosine.hpp"
+#include "codegen/passes/shared_reciprocals.hpp"
+#include "codegen/passes/strength_reduction.hpp"
+
+using namespace magicmass::codegen;
+
+namespace {
+
+// Builds programs by hand: x, y are inputs, numbers are constants.
+struct Builder {
+  Program program = {};
+  int input(const char* name) { return append(program, {.op = Op::input, .name = name}); }
+  int constant(int value) { return append(program, {.op = Op::constant, .numerator = value}); }
+  int make(Op op, std::vector<int> args) {
+    return append(program, {.op = op, .args = std::move(args)});
+  }
+  int power(int base, int numerator, int denominator = 1) {
+    return append(
+        program,
+        {.op = Op::power, .args = {base}, .numerator = numerator, .denominator = denominator});
+  }
+  Builder& output(const char* name, int node) {
+    program.outputs.push_back({name, node, "theorem"});
+    return *this;
+  }
+};
+
+int count(const Program& program, Op op) {
+  return static_cast<int>(std::count_if(program.nodes.begin(), program.nodes.end(),
+                                        [op](const Node& node) { return node.op == op; }));
+}
+
+std::string shown(const Program& program) { return formula(program, program.outputs[0].node); }
+
+}  // namespace
+
+TEST_CASE("canonical order forgets the order it was given", "[exam]") {
+  std::vector<std::string> results;
+  for (const bool swapped : {false, true}) {
+    Builder build;
+    const int x = build.input("x"), y = build.input("y"), two = build.constant(2);
+    const int sum = build.make(Op::add, swapped ? std::vector{y, two, x} : std::vector{x, y, two});
+    const int sine = build.make(Op::sine, {x});
+    build.output("f", build.make(Op::multiply, swapped ? std::vector{sine, sum, two}
+                                                       : std::vector{two, sum, sine}));
+    results.push_back(shown(canonical_order(build.program)));
+  }
+  CHECK(results[0] == "2*(2 + x + y)*sin(x)");
+  CHECK(results[0] == results[1]);
+}
+
+TEST_CASE("equal expressions become one, also up to a constant factor", "[exam]") {
+  Builder build;
+  const int x = build.input("x"), again = build.input("x"), y = build.input("y"),
+            two = build.constant(2);
+  const int one = build.make(Op::multiply, {x, y}),
+            scaled = build.make(Op::multiply, {two, again, y});
+  build.output("f", build.make(Op::sine, {one})).output("g", build.make(Op::sine, {scaled}));
+  const Program result = common_subexpressions(canonical_order(build.program));
+  CHECK(count(result, Op::input) == 2);
+  CHECK(count(result, Op::multiply) == 2);  // x y, and 2 (x y)
+  CHECK(operation_counts(result).multiplications == 2);
+  CHECK(operation_counts(canonical_order(build.program)).multiplications == 3);
+}
+
+TEST_CASE("powers become products and square roots", "[exam]") {
+  Builder build;
+  const int x = build.input("x");
+  build.output("cube", build.power(x, 3))
+      .output("root", build.power(x, 1, 2))
+      .output("eighth", build.power(x, 8))
+      .output("three_halves", build.power(x, 3, 2));
+  const Program result = common_subexpressions(strength_reduction(build.program));
+  CHECK(count(result, Op::power) == 0);
+  CHECK(count(result, Op::square_root) == 1);
+  CHECK(operation_counts(result).multiplications ==
+        2 + 2 + 1);  // x^2 x; (x^4)^2 on top of x^2; x sqrt x
+}
+
+TEST_CASE("one division serves several quotients, and a single one stays a division", "[exam]") {
+  Builder build;
+  const int x = build.input("x"), y = build.input("y");
+  const int inverse = build.make(Op::reciprocal, {y});
+  build.output("f", build.make(Op::multiply, {x, inverse}))
+      .output("g", build.make(Op::multiply, {inverse, x, x}));
+  const Program shared = shared_reciprocals(build.program);
+  CHECK(count(shared, Op::reciprocal) == 1);
+  CHECK(count(shared, Op::divide) == 0);
+  const Program single = shared_reciprocals(dead_code(build.program, {"f"}));
+  CHECK(count(single, Op::reciprocal) == 0);
+  CHECK(count(single, Op::divide) == 1);
+}
+
+TEST_CASE("sine and cosine of one angle stand next to each other", "[exam]") {
+  Builder build;
+  const int x = build.input("x");
+  const int sine = build.make(Op::sine, {x}), between = build.make(Op::square_root, {sine}),
+            cosine = build.make(Op::cosine, {x});
+  build.output("f", build.make(Op::add, {between, cosine}));
+  CHECK(operation_counts(build.program).sine_cosine_pairs == 1);
+  const Program result = paired_sine_cosine(build.program);
+  const auto at = [&](Op op) {
+    return std::find_if(result.nodes.begin(), result.nodes.end(),
+                        [op](const Node& node) { return node.op == op; }) -
+           result.nodes.begin();
+  };
+  CHECK(std::abs(at(Op::sine) - at(Op::cosine)) == 1);
+  CHECK(shown(result) == shown(build.program));
+}
+
+TEST_CASE("only what is wanted is paid for", "[exam]") {
+  Builder build;
+  const int x = build.input("x");
+  build.output("cheap", x).output("dear", build.make(Op::arctangent, {x}));
+  CHECK(dead_code(build.program, {"cheap"}).nodes.size() == 1);
+  CHECK(dead_code(build.program, {"cheap", "dear"}).nodes.size() == 2);
+}

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "derivation/derivation.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "proof/text.hpp"
+
+using namespace magicmass;
+
+namespace {
+
+const derivation::Derivation& whole() {
+  static const derivation::Derivation result = derivation::derive();
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("every step is proved from the laws", "[exam]") {
+  INFO((whole().refused ? whole().refused->what() : ""));
+  REQUIRE_FALSE(whole().refused);
+  const std::set<std::string> verdicts{"proved", "law", "definition", "hypothesis"};
+  std::set<std::string> seen;
+  for (const proof::Theorem& theorem : whole().theorems) {
+    INFO(theorem.id());
+    CHECK(verdicts.contains(theorem.step().verdict));
+    for (const std::string& premise : theorem.step().premises) CHECK(seen.contains(premise));
+    CHECK(seen.insert(theorem.id()).second);
+  }
+}
+
+TEST_CASE("the laws are the two conservation laws, the contact, the start and uniform motion",
+          "[exam]") {
+  std::set<std::string> laws;
+  for (const proof::Theorem& theorem : whole().theorems)
+    if (theorem.step().verdict == "law") laws.insert(theorem.id());
+  CHECK(laws == std::set<std::string>{"contact.momentum", "contact.energy", "contact.changes",
+                                      "power.a_0", "power.b_0", "power.c_0", "times.t_1",
+                                      "times.s_1", "times.to_B", "times.gap_Q", "times.to_A",
+                                      "times.gap_P"});
+}
+
+TEST_CASE("main results rest on no hypothesis", "[exam]") {
+  std::set<std::string> hypotheses;
+  for (const proof::Theorem& theorem : whole().theorems)
+    if (theorem.step().verdict == "hypothesis") hypotheses.insert(proof::text(theorem.statement()));
+  CHECK(hypotheses.size() == 6);
+  for (const char* id : {"power.a", "power.b", "power.c", "power.c_prime", "power.a_product",
+                         "chebyshev.a", "counting.N_A", "counting.N_B", "ratios.alpha_k_range",
+                         "ratios.beta_k_range", "times.t_of_P", "times.t_of_Q"})
+    for (const std::string& condition : whole().at(id).step().conditions) {
+      INFO(id << ": " << condition);
+      CHECK_FALSE(hypotheses.contains(condition));
+    }
+}
+
+TEST_CASE("every displayed equation that is claimed is proved under its label", "[exam]") {
+  const derivation::Paper paper = derivation::paper();
+  for (const auto& [label, statement] : paper.equations()) {
+    INFO(label);
+    const std::string shown = proof::text(statement);
+    CHECK(std::any_of(
+        whole().theorems.begin(), whole().theorems.end(), [&](const proof::Theorem& theorem) {
+          return theorem.step().verdict == "proved" && proof::text(theorem.statement()) == shown &&
+                 !theorem.step().label.empty();
+        }));
+  }
+}
+
+TEST_CASE("a second derivation gives the same steps, word for word", "[check]") {
+  const derivation::Derivation again = derivation::derive();
+  REQUIRE(again.theorems.size() == whole().theorems.size());
+  for (std::size_t i = 0; i < again.theorems.size(); ++i) {
+    const proof::Step &one = whole().theorems[i].step(), &other = again.theorems[i].step();
+    CHECK(one.id == other.id);
+    CHECK(one.from == other.from);
+    CHECK(one.to == other.to);
+    CHECK(one.conditions == other.conditions);
+  }
+}

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Every law and every formula of the paper is spoiled in turn; each time some step must be refused.
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <ginac/ginac.h>
+
+#include "derivation/derivation.hpp"
+#include "proof/names.hpp"
+#include "proof/text.hpp"
+
+using namespace magicmass;
+using GiNaC::ex;
+using proof::Statement;
+
+namespace {
+
+// A sign, a factor and an index, on the right side; terms of a sum one by one.
+std::vector<Statement> mutants(const Statement& statement) {
+  const ex lhs = statement.lhs(), rhs = statement.rhs();
+  const proof::Relation relation = statement.relation();
+  std::vector<Statement> all;
+  if (rhs.is_zero()) {
+    all.emplace_back(lhs, relation, proof::symbol("V"));
+    return all;
+  }
+  all.emplace_back(lhs, relation, -rhs);
+  all.emplace_back(lhs, relation, 2 * rhs);
+  if (GiNaC::is_a<GiNaC::add>(rhs))
+    for (const ex& term : rhs) all.emplace_back(lhs, relation, rhs - 2 * term);
+  for (const char* name : {"n", "k", "N_A", "N_B"}) {
+    const ex index = proof::symbol(name);
+    const ex shifted = rhs.subs(index == index + 1);
+    if (!shifted.is_equal(rhs)) all.emplace_back(lhs, relation, shifted);
+  }
+  return all;
+}
+
+void check_refused(const derivation::Laws& laws, const derivation::Paper& paper,
+                   const Statement& mutant) {
+  INFO("mutant: " << proof::text(mutant));
+  const derivation::Derivation result = derivation::derive(laws, paper);
+  REQUIRE(result.refused);
+  CHECK_THAT(result.refused->what(), Catch::Contains("not proved"));
+}
+
+}  // namespace
+
+TEST_CASE("no spoiled law leads to the paper's results", "[exam]") {
+  using derivation::Laws;
+  for (Statement Laws::*law : {&Laws::momentum, &Laws::energy, &Laws::contact, &Laws::a_initial,
+                               &Laws::b_initial, &Laws::c_initial, &Laws::t_initial,
+                               &Laws::s_initial, &Laws::t_Q, &Laws::s_Q, &Laws::t_P, &Laws::s_P}) {
+    const Laws real = derivation::conservation_laws();
+    for (const Statement& mutant : mutants(real.*law)) {
+      // v_1 != -u_1, v_1 != 2 u_1 and so on are other conditions, and useless ones: they must be refused too.
+      Laws spoiled = real;
+      spoiled.*law = mutant;
+      check_refused(spoiled, derivation::paper(), mutant);
+    }
+  }
+}
+
+TEST_CASE("no spoiled formula of the paper is proved", "[exam]") {
+  const std::map<std::string, Statement> real = derivation::paper().equations();
+  for (const auto& [label, statement] : real)
+    for (const Statement& mutant : mutants(statement)) {
+      // Lengths and energies are the same after any two cycles, so a shifted index spoils nothing in these two.
+      const bool conserved = label == "eq:V2" || label == "eq:energy-conservation-PnQn";
+      if (conserved && mutant.rhs().has(proof::a(proof::symbol("n") + (label == "eq:V2" ? 0 : 1))))
+        continue;
+      INFO(label);
+      std::map<std::string, Statement> spoiled = real;
+      spoiled.insert_or_assign(label, mutant);
+      check_refused(derivation::conservation_laws(), derivation::Paper(spoiled), mutant);
+    }
+}
