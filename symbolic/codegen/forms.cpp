@@ -105,7 +105,7 @@ const std::vector<Form>& forms() {
        "Ratios",
        "Magic and deficient mass ratios without cancellation",
        ratio_domain,
-       "4 ulp",
+       "5 ulp",
        "",
        "k",
        false,

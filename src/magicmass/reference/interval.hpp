@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Intervals with dyadic ends low/2^p <= x <= high/2^p; every operation rounds outward, so the true value stays in.
+#pragma once
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+namespace magicmass::reference {
+
+/// What is certain about the sign of every member: zero means the number 0 alone, open means it may differ.
+enum class Sign { negative, zero, positive, open };
+
+/// An enclosure of a real number. The result of an operation has the larger precision of its operands, so the
+/// integers that constants are made of (precision 0, exact) fit in everywhere.
+class Interval {
+public:
+  /// An exact integer.
+  Interval(
+      int value = 0);  // NOLINT(google-explicit-constructor): the literals of the collision law
+  /// The tightest enclosure of x with ends that are multiples of 2^-precision; precision >= 0.
+  Interval(const cln::cl_RA& x, long precision);
+  /// The tightest enclosure of [low, high] with such ends; low <= high.
+  Interval(const cln::cl_RA& low, const cln::cl_RA& high, long precision);
+
+  long precision() const { return precision_; }
+  cln::cl_RA low() const;
+  cln::cl_RA high() const;
+  Sign sign() const;
+
+  friend Interval operator+(const Interval& x, const Interval& y);
+  friend Interval operator-(const Interval& x, const Interval& y);
+  friend Interval operator*(const Interval& x, const Interval& y);
+  /// Throws Undecided if y may be zero.
+  friend Interval operator/(const Interval& x, const Interval& y);
+
+private:
+  cln::cl_I low_;
+  cln::cl_I high_;
+  long precision_;
+
+  Interval(const cln::cl_I& low, const cln::cl_I& high, long precision);
+  /// The same interval with its ends written at a precision not below its own.
+  Interval at(long precision) const;
+};
+
+}  // namespace magicmass::reference

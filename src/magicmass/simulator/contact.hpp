@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// The one law of motion the simulator and the reference know.
+#pragma once
+
+#include "magicmass/simulator/field.hpp"
+
+namespace magicmass {
+
+/// Velocities of the two bodies of a contact, just after it.
+template <class Scalar>
+struct AfterContact {
+  Scalar first;
+  Scalar second;
+};
+
+/// Elastic contact of bodies (m1, u1) and (m2, u2): each velocity is reflected in the velocity U of their
+/// centre of mass, which keeps momentum and kinetic energy (Ee & Lee eqs. eq:ac to eq:Euc-Qn, two at a time).
+/// Masses positive, in one unit; velocities in another. Exact for exact scalars. In floating point the weights
+/// m/(m1+m2) come first, so that nothing overflows while m1 + m2 and 2 max(|u1|, |u2|) are finite; each result
+/// is then within 6 eps max(|u1|, |u2|): U carries 2.5 eps, doubled, and the subtraction's own rounding 1 eps.
+template <Arithmetic Scalar>
+AfterContact<Scalar> collide(const Scalar& m1, const Scalar& u1, const Scalar& m2,
+                             const Scalar& u2) {
+  const Scalar mass = m1 + m2;
+  const Scalar centre = (m1 / mass) * u1 + (m2 / mass) * u2;
+  const Scalar twice = centre + centre;
+  return {twice - u1, twice - u2};
+}
+
+}  // namespace magicmass

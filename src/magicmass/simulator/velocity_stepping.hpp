@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The cheapest simulation: velocities alone, contact by contact, for scenes that ask for no place and no time.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "magicmass/counts.hpp"
+#include "magicmass/simulator/contact.hpp"
+#include "magicmass/simulator/motion.hpp"
+#include "magicmass/simulator/valid_input.hpp"
+
+namespace magicmass {
+
+/// One contact: the n-th of this block with the ball (P_n for A, Q_n for B) and the velocities just after it.
+template <class Scalar>
+struct VelocityEvent {
+  Body body;
+  std::int64_t n;
+  Velocities<Scalar> after;
+};
+
+/// Outcome of a run; terminal holds a_t, b_t, c_t if complete, else the velocities where it stopped.
+template <class Scalar>
+struct VelocityRun {
+  RunStatus status = RunStatus::complete;
+  Counts counts;
+  Velocities<Scalar> terminal;
+};
+
+/// Steps through the contacts of A (speed V), C and B (both at rest). C is between A and B, so after a contact
+/// on one side the next can only be on the other, and it happens just when those two approach.
+/// alpha > 0 (unit 1), V > 0; calls on_event(const VelocityEvent<Scalar>&) after each contact; constant memory.
+/// Exact for exact scalars; in floating point an error of a few eps a contact adds up, so a count close to a
+/// threshold may be off by one. Runs at V = 1 and scales what it reports, so no V can change a count.
+/// Throws InvalidInput where alpha or V is not positive and finite.
+template <Field Scalar, class OnEvent>
+VelocityRun<Scalar> step_velocities(const Scalar& alpha, const Scalar& V,
+                                    std::int64_t max_collisions, OnEvent&& on_event) {
+  require_positive_finite("alpha", alpha);
+  require_positive_finite("V", V);
+  const Scalar block(1);
+  VelocityRun<Scalar> run{RunStatus::complete, {}, {Scalar(1), Scalar(0), Scalar(0)}};
+  Velocities<Scalar> v = run.terminal;
+  Body next = Body::A;
+  while (next == Body::A ? v.c < v.a : v.b < v.c) {
+    if (run.counts.N_A + run.counts.N_B >= max_collisions) {
+      run.status = RunStatus::limited;
+      break;
+    }
+    Scalar& met = next == Body::A ? v.a : v.b;
+    std::int64_t& n = next == Body::A ? run.counts.N_A : run.counts.N_B;
+    const AfterContact<Scalar> after = collide(block, met, alpha, v.c);
+    met = after.first;
+    v.c = after.second;
+    ++n;
+    on_event(VelocityEvent<Scalar>{next, n, scaled(v, V)});
+    next = next == Body::A ? Body::B : Body::A;
+  }
+  run.terminal = scaled(v, V);
+  return run;
+}
+
+/// The same without a listener.
+template <Field Scalar>
+VelocityRun<Scalar> step_velocities(
+    const Scalar& alpha, const Scalar& V = Scalar(1),
+    std::int64_t max_collisions = std::numeric_limits<std::int64_t>::max()) {
+  return step_velocities(alpha, V, max_collisions, [](const VelocityEvent<Scalar>&) {});
+}
+
+}  // namespace magicmass

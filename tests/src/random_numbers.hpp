@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+namespace magicmass::testing {
+
+/// Every [check] case makes its own with a fixed seed, so a failure comes back on every run.
+using Generator = std::mt19937_64;
+
+/// Whole number from low to high, both included.
+inline std::int64_t whole(Generator& generator, std::int64_t low, std::int64_t high) {
+  return std::uniform_int_distribution<std::int64_t>(low, high)(generator);
+}
+
+/// A double from low to high whose logarithm is uniform.
+inline double log_uniform(Generator& generator, double low, double high) {
+  return std::exp2(
+      std::uniform_real_distribution<double>(std::log2(low), std::log2(high))(generator));
+}
+
+/// x and the `reach` doubles on either side, in increasing order.
+inline std::vector<double> neighbourhood(double x, int reach) {
+  std::vector<double> numbers;
+  for (int step = 0; step < reach; ++step) {
+    x = std::nextafter(x, 0.0);
+  }
+  for (int step = -reach; step <= reach; ++step) {
+    numbers.push_back(x);
+    x = std::nextafter(x, HUGE_VAL);
+  }
+  return numbers;
+}
+
+}  // namespace magicmass::testing
