@@ -169,14 +169,16 @@ Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
                                   (derived * matrix{{a(n - 1)}, {root * c_prime(n - 1)}}).evalm()},
                     .words = "(a_n, sqrt(alpha) c_n) = Gamma (a_(n-1), sqrt(alpha) c'_(n-1))",
                     .label = "eq:abc-n",
-                    .indices = from_one},
+                    .indices = from_one,
+                    .shown_rhs = "Gamma [[a(n - 1)], [sqrt(alpha)*c'(n - 1)]]"},
                    {a_n, c_n});
   kernel.rewriting({.id = "contact.at_Q",
                     .statement = {matrix{{b(n)}, {root * c_prime(n)}},
                                   (derived * matrix{{b(n - 1)}, {root * c(n)}}).evalm()},
                     .words = "(b_n, sqrt(alpha) c'_n) = Gamma (b_(n-1), sqrt(alpha) c_n)",
                     .label = "eq:abcp-n",
-                    .indices = from_one},
+                    .indices = from_one,
+                    .shown_rhs = "Gamma [[b(n - 1)], [sqrt(alpha)*c(n)]]"},
                    {b_n, c_prime_n});
   kernel.identity({.id = "contact.Gamma_paper",
                    .statement = paper.at("eq:Gamma"),
@@ -184,10 +186,13 @@ Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
                    .label = "eq:Gamma"});
   kernel.identity({.id = "contact.Gamma_orthogonal",
                    .statement = {(transpose(derived) * derived).evalm(), unit(2)},
-                   .words = "Gamma^T Gamma = 1: lengths are kept"});
+                   .words = "Gamma^T Gamma = 1: lengths are kept",
+                   .shown_lhs = "Gamma^T Gamma",
+                   .shown_rhs = "1"});
   kernel.identity({.id = "contact.Gamma_determinant",
                    .statement = {determinant(derived), -1},
-                   .words = "det Gamma = -1: a reflection is in it"});
+                   .words = "det Gamma = -1: a reflection is in it",
+                   .shown_lhs = "det Gamma"});
   const Theorem theta = read_off_angle(kernel, "contact.theta", symbol("theta"), derived(0, 0),
                                        derived(0, 1), "the angle of Gamma");
   kernel.equal_angles({.id = "contact.theta_paper",
@@ -197,7 +202,8 @@ Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
   kernel.identity({.id = "contact.Gamma_rotation",
                    .statement = paper.at("def:gamma"),
                    .words = "Gamma = lambda(theta) P_2",
-                   .label = "def:gamma"});
+                   .label = "def:gamma",
+                   .shown_rhs = "lambda(theta) P_2"});
   return {momentum_P, energy_P, momentum_Q, energy_Q, a_n, c_n, b_n, c_prime_n, Gamma, theta};
 }
 

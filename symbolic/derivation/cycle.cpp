@@ -37,13 +37,18 @@ Cycle cycle(Kernel& kernel, const Contact& contact, const Paper& paper) {
     kernel.identity({.id = id + "_rotation",
                      .statement = paper.at(label),
                      .words = "a rotation times the reflection P_3",
-                     .label = label});
+                     .label = label,
+                     .shown_rhs = name == std::string("Gamma_A") ? "lambda_2(-theta) P_3"
+                                                                 : "lambda_1(theta) P_3"});
     kernel.identity({.id = id + "_determinant",
                      .statement = {determinant(Gamma_i.rhs()), -1},
-                     .words = "its determinant"});
+                     .words = "its determinant",
+                     .shown_lhs = std::string("det ") + name});
     kernel.identity({.id = id + "_orthogonal",
                      .statement = {(transpose(Gamma_i.rhs()) * Gamma_i.rhs()).evalm(), unit(3)},
-                     .words = "it keeps lengths"});
+                     .words = "it keeps lengths",
+                     .shown_lhs = std::string(name) + "^T " + name,
+                     .shown_rhs = "1"});
   }
 
   const ex derived = kernel.simplified(Gamma_B.rhs() * Gamma_A.rhs());
@@ -54,7 +59,8 @@ Cycle cycle(Kernel& kernel, const Contact& contact, const Paper& paper) {
   kernel.identity({.id = "cycle.Lambda_product",
                    .statement = {symbol("Lambda"), (Gamma_B.rhs() * Gamma_A.rhs()).evalm()},
                    .words = "Lambda = Gamma_B Gamma_A",
-                   .label = "eq:Lam-G-G, Lam-GAM"});
+                   .label = "eq:Lam-G-G, Lam-GAM",
+                   .shown_rhs = "Gamma_B Gamma_A"});
   kernel.identity({.id = "cycle.Lambda_paper",
                    .statement = paper.at("eq:Lambda"),
                    .words = "as the paper writes it",
@@ -65,10 +71,13 @@ Cycle cycle(Kernel& kernel, const Contact& contact, const Paper& paper) {
                    .label = "eq:Lambda-app"});
   kernel.identity({.id = "cycle.Lambda_orthogonal",
                    .statement = {(transpose(derived) * derived).evalm(), unit(3)},
-                   .words = "Lambda^T Lambda = 1"});
+                   .words = "Lambda^T Lambda = 1",
+                   .shown_lhs = "Lambda^T Lambda",
+                   .shown_rhs = "1"});
   kernel.identity({.id = "cycle.Lambda_determinant",
                    .statement = {determinant(derived), 1},
-                   .words = "det Lambda = 1: a pure rotation"});
+                   .words = "det Lambda = 1: a pure rotation",
+                   .shown_lhs = "det Lambda"});
 
   // Eliminate c_n: b and c' after Q_n, where c_n comes from P_n.
   const matrix before{{a(n - 1)}, {b(n - 1)}, {root * c_prime(n - 1)}};
@@ -78,7 +87,8 @@ Cycle cycle(Kernel& kernel, const Contact& contact, const Paper& paper) {
                     .statement = {after, turned},
                     .words = "V_n = Lambda V_(n-1): c_n eliminated",
                     .label = "eq:V-n, eq:V-n-app",
-                    .indices = from_one},
+                    .indices = from_one,
+                    .shown_rhs = "Lambda [[a(n - 1)], [b(n - 1)], [sqrt(alpha)*c'(n - 1)]]"},
                    {contact.c_prime, contact.b, contact.a, contact.c});
   const auto component = [&](const char* id, unsigned row, const ex& element, const ex& scale) {
     return kernel.rewriting(

@@ -32,7 +32,8 @@ Power power(Kernel& kernel, const Laws& laws, const Contact& contact, const Cycl
                     .statement = paper.at("eq:Lambda-n-final"),
                     .words = "Lambda^n = R lambda_3(n psi) R^T",
                     .label = "eq:Lambda-n-final, eq:Lambda-n-final-txt",
-                    .indices = from_zero},
+                    .indices = from_zero,
+                    .shown_rhs = "R lambda_3(n*psi) R^T"},
                    {Lambda_power});
 
   const Theorem a_0 = kernel.law(

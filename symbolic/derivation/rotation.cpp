@@ -27,10 +27,13 @@ Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper) {
                      .words = "the null vector of Lambda - 1, of length 1"});
   kernel.identity({.id = "rotation.axis_invariant",
                    .statement = {(Lambda * e_3).evalm(), e_3},
-                   .words = "Lambda leaves it where it is"});
+                   .words = "Lambda leaves it where it is",
+                   .shown_lhs = "Lambda e_3",
+                   .shown_rhs = "e_3"});
   kernel.identity({.id = "rotation.axis_unit",
                    .statement = {pow(e_3.op(0), 2) + pow(e_3.op(1), 2) + pow(e_3.op(2), 2), 1},
-                   .words = "its length is 1"});
+                   .words = "its length is 1",
+                   .shown_lhs = "|e_3|^2"});
   kernel.identity({.id = "rotation.axis_paper",
                    .statement = paper.at("app:lam-n, axis"),
                    .words = "as the paper writes it",
@@ -51,10 +54,13 @@ Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper) {
   kernel.identity({.id = "rotation.R_orthogonal",
                    .statement = {(transpose(R) * R).evalm(), unit(3)},
                    .words = "R^T R = 1",
-                   .label = "def:R"});
+                   .label = "def:R",
+                   .shown_lhs = "R^T R",
+                   .shown_rhs = "1"});
   kernel.identity({.id = "rotation.R_determinant",
                    .statement = {determinant(R), 1},
-                   .words = "det R = 1: right-handed"});
+                   .words = "det R = 1: right-handed",
+                   .shown_lhs = "det R"});
   kernel.identity({.id = "rotation.R_paper",
                    .statement = paper.at("eq:R-app"),
                    .words = "as the paper writes it",
@@ -72,12 +78,15 @@ Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper) {
   kernel.identity({.id = "rotation.Lambda_turned",
                    .statement = {(transpose(R) * Lambda * R).evalm(), turn},
                    .words = "R^T Lambda R = lambda_3(psi)",
-                   .label = "eq-app:lambda-R"});
+                   .label = "eq-app:lambda-R",
+                   .shown_lhs = "R^T Lambda R",
+                   .shown_rhs = "lambda_3(psi)"});
   const Theorem Lambda_turn =
       kernel.identity({.id = "rotation.Lambda",
                        .statement = {cycle.Lambda.lhs(), (R * turn * transpose(R)).evalm()},
                        .words = "Lambda = R lambda_3(psi) R^T",
-                       .label = "eq:lambda-n"});
+                       .label = "eq:lambda-n",
+                       .shown_rhs = "R lambda_3(psi) R^T"});
 
   const Theorem cos_half_psi =
       kernel.identity({.id = "rotation.cos_half_psi",

@@ -107,9 +107,16 @@ void NormalForm::Generators::collect_angles(const ex& e) {
 NormalForm::Generators::Pair NormalForm::Generators::cosine_and_sine(const ex& angle) {
   Pair sum{1, 0};
   for (const Term& term : terms(angle)) {
-    const numeric denominator = denominators_.at(text(term.angle));
-    const Pair base = base_pair(term.angle, denominator);
-    const auto [c, s] = multiple(base.cosine, base.sine, term.factor * denominator);
+    const std::string name = text(term.angle);
+    const std::string key = text(term.factor) + " " + name;
+    auto known = multiples_.find(key);
+    if (known == multiples_.end()) {
+      const numeric denominator = denominators_.at(name);
+      const Pair base = base_pair(term.angle, denominator);
+      const auto [cosine, sine] = multiple(base.cosine, base.sine, term.factor * denominator);
+      known = multiples_.emplace(key, Pair{cosine, sine}).first;
+    }
+    const auto& [c, s] = known->second;
     sum = Pair{reduced_fraction(sum.cosine * c - sum.sine * s),
                reduced_fraction(sum.sine * c + sum.cosine * s)};
   }

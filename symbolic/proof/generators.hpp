@@ -61,6 +61,7 @@ private:
     ex angle;
   };
 
+  ex rewritten_anew(const ex& e);
   std::vector<Term> terms(const ex& angle) const;
   Pair base_pair(const ex& angle, const GiNaC::numeric& denominator);
   Pair pair_of_arctangent(const ex& tangent, const GiNaC::numeric& factor);
@@ -74,6 +75,8 @@ private:
   std::map<std::string, ex> by_key_;
   std::vector<Square> relations_;
   GiNaC::exmap originals_;
+  GiNaC::exmap rewritten_;  // known already: powers and functions, and multiples of angles
+  std::map<std::string, Pair> multiples_;
   GiNaC::exset positive_generators_;
   std::vector<std::pair<ex, ex>> pairs_;  // independent (C, S)
   std::map<std::string, GiNaC::numeric> denominators_;

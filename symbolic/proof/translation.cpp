@@ -12,7 +12,12 @@ using GiNaC::numeric;
 
 ex NormalForm::Generators::translate(const ex& e) {
   const ex written_out = definitions_.expand_except_angles(e);
+  const auto before = denominators_;
   collect_angles(written_out);
+  if (denominators_ != before) {  // angles are divided further than before
+    rewritten_.clear();
+    multiples_.clear();
+  }
   return rewritten(written_out);
 }
 
@@ -28,6 +33,13 @@ ex NormalForm::Generators::opaque(const std::string& key, const ex& original, bo
 }
 
 ex NormalForm::Generators::rewritten(const ex& e) {
+  if (const auto known = rewritten_.find(e); known != rewritten_.end()) return known->second;
+  const ex result = rewritten_anew(e);
+  if (is_a<GiNaC::power>(e) || is_a<GiNaC::function>(e)) rewritten_[e] = result;
+  return result;
+}
+
+ex NormalForm::Generators::rewritten_anew(const ex& e) {
   if (is_a<numeric>(e)) {
     if (!ex_to<numeric>(e).is_rational()) throw NotInClass("not a rational number: " + text(e));
     return e;
