@@ -58,7 +58,7 @@ private:
   }
 
   std::string scaled(const ex& monomial, const GiNaC::numeric& scale) const {
-    const std::string shown = product(monomial);
+    std::string shown = product(monomial);
     if (scale.is_equal(1)) return shown;
     if (scale.is_equal(2)) return "twice(" + shown + ")";
     throw std::logic_error("the ladder knows no coefficient " + proof::text(scale));

@@ -99,7 +99,7 @@ std::string emit_quantities() {
   for (const QuantityStruct& made : quantity_structs()) {
     text += "\n// " + made.words + "\ntemplate <class Number>\nstruct " + made.name + " {\n";
     for (const auto& [member, words] : made.members)
-      text += "  Number " + member + ";  // " + words + "\n";
+      text.append("  Number ").append(member).append(";  // ").append(words).append("\n");
     text += "};\n";
   }
   return text + "\n}  // namespace magicmass::generated\n";

@@ -49,7 +49,6 @@ private:
       case Op::negate:
         return false;
       case Op::index:
-        return true;
       case Op::ladder_low:
       case Op::ladder_high:
         return true;

@@ -163,25 +163,26 @@ OperationCounts operation_counts(const Program& program) {
 }
 
 std::string text(const OperationCounts& counts) {
-  const std::pair<int, const char*> named[] = {
-      {counts.additions, "addition"},
-      {counts.multiplications, "multiplication"},
-      {counts.divisions, "division"},
-      {counts.square_roots, "square root"},
-      {counts.sine_cosine_pairs, "sine-cosine pair"},
-      {counts.sines_or_cosines, "sine or cosine"},
-      {counts.arctangents, "arctangent"},
-      {counts.ladders, "cosine ladder"},
+  struct Named {
+    int count;
+    const char* one;
+    const char* several;
+  };
+  const Named named[] = {
+      {counts.additions, "addition", "additions"},
+      {counts.multiplications, "multiplication", "multiplications"},
+      {counts.divisions, "division", "divisions"},
+      {counts.square_roots, "square root", "square roots"},
+      {counts.sine_cosine_pairs, "sine-cosine pair", "sine-cosine pairs"},
+      {counts.sines_or_cosines, "sine or cosine", "sines or cosines"},
+      {counts.arctangents, "arctangent", "arctangents"},
+      {counts.ladders, "cosine ladder", "cosine ladders"},
   };
   std::string result;
-  for (const auto& [count, name] : named) {
+  for (const auto& [count, one, several] : named) {
     if (count == 0) continue;
-    result += (result.empty() ? "" : ", ") + std::to_string(count) + " " + name;
-    if (count != 1)
-      result =
-          std::string(name) == "sine or cosine"
-              ? result.replace(result.rfind(name), std::string(name).size(), "sines or cosines")
-              : result + "s";
+    if (!result.empty()) result += ", ";
+    result += std::to_string(count) + " " + (count == 1 ? one : several);
   }
   return result.empty() ? "none" : result;
 }

@@ -20,7 +20,7 @@ GiNaC::ex transpose(const GiNaC::ex& matrix);
 GiNaC::ex determinant(const GiNaC::ex& matrix);
 GiNaC::ex unit(unsigned size);
 GiNaC::ex cross(const GiNaC::ex& x, const GiNaC::ex& y);  // columns of three
-GiNaC::ex columns(const std::vector<GiNaC::ex>& columns);
+GiNaC::ex columns(const std::vector<GiNaC::ex>& parts);
 
 // unknowns[i] = values[i], and unknowns[i] - values[i] = sum_j cofactors[i][j] (lhs_j - rhs_j):
 // the second is what the kernel checks.

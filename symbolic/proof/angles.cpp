@@ -169,8 +169,8 @@ NormalForm::Generators::Pair NormalForm::Generators::independent_pair(const ex& 
   const bool is_new = !by_key_.contains(cosine_key);
   const ex cosine = GiNaC::cos(angle);
   const ex sine = GiNaC::sin(angle);
-  const Pair pair{opaque(cosine_key, cosine, is_new && positive_at_fraction_of_pi(cosine)),
-                  opaque(sine_key, sine, is_new && positive_at_fraction_of_pi(sine))};
+  Pair pair{opaque(cosine_key, cosine, is_new && positive_at_fraction_of_pi(cosine)),
+            opaque(sine_key, sine, is_new && positive_at_fraction_of_pi(sine))};
   if (is_new) {
     relations_.push_back({pair.sine, 1 - GiNaC::pow(pair.cosine, 2)});
     pairs_.emplace_back(pair.cosine, pair.sine);

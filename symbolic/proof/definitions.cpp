@@ -28,7 +28,7 @@ bool is_angle(const ex& e) {
 ex substitute_until_stable(const ex& e, const GiNaC::exmap& meanings) {
   ex current = e;
   for (;;) {  // ends: a meaning uses earlier names only
-    const ex next = current.subs(meanings, GiNaC::subs_options::no_pattern).evalm();
+    ex next = current.subs(meanings, GiNaC::subs_options::no_pattern).evalm();
     if (next.is_equal(current)) return next;
     current = next;
   }

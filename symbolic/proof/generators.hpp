@@ -21,8 +21,8 @@ public:
     ex sine;
   };
 
-  Generators(const Domain& domain, const Definitions& definitions)
-      : domain_(domain), definitions_(definitions) {}
+  Generators(Domain domain, Definitions definitions)
+      : domain_(std::move(domain)), definitions_(std::move(definitions)) {}
 
   // translation.cpp: to a rational function of generators, and back.
   ex translate(const ex& e);  // collects the angles of e, then rewrites it

@@ -25,6 +25,10 @@ struct NotInClass : std::runtime_error {
 class NormalForm {
 public:
   NormalForm(const Domain& domain, const Definitions& definitions);
+  NormalForm(const NormalForm&) = delete;
+  NormalForm(NormalForm&&) = delete;
+  NormalForm& operator=(const NormalForm&) = delete;
+  NormalForm& operator=(NormalForm&&) = delete;
   ~NormalForm();
 
   // Throws NotInClass. Zero means: zero wherever the expression is defined; see conditions().

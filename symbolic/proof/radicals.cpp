@@ -76,7 +76,7 @@ bool NormalForm::Generators::sine_product(ex& radicand, ex& root) {
 ex NormalForm::Generators::radical(const ex& square, bool is_positive) {
   const std::string key = "sqrt(" + text(square) + ")";
   const bool is_new = !by_key_.contains(key);
-  const ex generator = opaque(key, GiNaC::sqrt(back(square)), is_positive);
+  ex generator = opaque(key, GiNaC::sqrt(back(square)), is_positive);
   if (is_new) relations_.push_back({generator, square.expand()});
   return generator;
 }

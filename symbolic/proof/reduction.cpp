@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <ranges>
+
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -9,8 +11,7 @@ using GiNaC::ex;
 // Linear in every generator that has a relation: later generators first, for a square may hold earlier ones.
 ex NormalForm::Generators::reduced(const ex& polynomial) const {
   ex result = polynomial.expand();
-  for (auto relation = relations_.rbegin(); relation != relations_.rend(); ++relation) {
-    const ex generator = relation->generator;
+  for (const auto& [generator, square] : relations_ | std::views::reverse) {
     const int degree = result.degree(generator);
     if (degree < 2) continue;
     ex even = 0;
@@ -18,7 +19,7 @@ ex NormalForm::Generators::reduced(const ex& polynomial) const {
     ex square_power = 1;
     for (int power = 0; power <= degree; ++power) {
       (power % 2 == 0 ? even : odd) += result.coeff(generator, power) * square_power;
-      if (power % 2 == 1) square_power = (square_power * relation->square).expand();
+      if (power % 2 == 1) square_power = (square_power * square).expand();
     }
     result = (even + odd * generator).expand();
   }

@@ -86,13 +86,12 @@ Theorem Kernel::threshold(const Claim& claim, const Theorem& count, const Theore
           count.id() + " is not a ceiling");
   const ex s = (GiNaC::Pi / psi - count.rhs().op(0)).normal();
   require(is_a<numeric>(s), claim, rule, count.id() + " is not ceil(pi/psi - s)");
-  const ex* meaning = definitions_.angle("psi");
-  require(meaning != nullptr, claim, rule, "psi has no definition");
-  require_equal(increasing.lhs(), meaning->diff(ex_to<GiNaC::symbol>(alpha)), claim, rule,
-                evidence);
+  require(definitions_.angle("psi") != nullptr, claim, rule, "psi has no definition");
+  const ex meaning = definitions_.expand_all(psi);
+  require_equal(increasing.lhs(), meaning.diff(ex_to<GiNaC::symbol>(alpha)), claim, rule, evidence);
   require(increasing.statement().relation() == Relation::greater && increasing.rhs().is_zero(),
           claim, rule, increasing.id() + " does not say that psi increases with alpha");
-  require_equal(angle_at_threshold.lhs(), meaning->subs(alpha == ratio), claim, rule, evidence);
+  require_equal(angle_at_threshold.lhs(), meaning.subs(alpha == ratio), claim, rule, evidence);
   require_equal(angle_at_threshold.rhs(), GiNaC::Pi / (k + s), claim, rule, evidence);
   // N = k <=> k - 1 < pi/psi - s <= k <=> pi/(k + s) <= psi < pi/(k - 1 + s) <=> threshold(k) <= alpha < threshold(k - 1)
   evidence.conditions.insert({text(count.lhs()) + " = " + text(k) + " exactly for " +

@@ -26,7 +26,9 @@ public:
   PrecisionGuard() : before_(GiNaC::Digits) { GiNaC::Digits = working_digits; }
   ~PrecisionGuard() { GiNaC::Digits = before_; }
   PrecisionGuard(const PrecisionGuard&) = delete;
+  PrecisionGuard(PrecisionGuard&&) = delete;
   PrecisionGuard& operator=(const PrecisionGuard&) = delete;
+  PrecisionGuard& operator=(PrecisionGuard&&) = delete;
 
 private:
   long before_;
@@ -51,7 +53,7 @@ public:
   std::string shown() const {
     std::string result;
     for (const auto& [name, value] : shown_)
-      result += (result.empty() ? "" : ", ") + name + " = " + value;
+      result.append(result.empty() ? "" : ", ").append(name).append(" = ").append(value);
     return result;
   }
 

@@ -25,7 +25,7 @@ ex NormalForm::Generators::translate(const ex& e) {
 ex NormalForm::Generators::opaque(const std::string& key, const ex& original, bool is_positive) {
   const auto found = by_key_.find(key);
   if (found != by_key_.end()) return found->second;
-  const ex generator = GiNaC::realsymbol(key);
+  ex generator = GiNaC::realsymbol(key);
   by_key_.emplace(key, generator);
   originals_[generator] = original;
   if (is_positive) positive_generators_.insert(generator);
@@ -34,7 +34,7 @@ ex NormalForm::Generators::opaque(const std::string& key, const ex& original, bo
 
 ex NormalForm::Generators::rewritten(const ex& e) {
   if (const auto known = rewritten_.find(e); known != rewritten_.end()) return known->second;
-  const ex result = rewritten_anew(e);
+  ex result = rewritten_anew(e);
   if (is_a<GiNaC::power>(e) || is_a<GiNaC::function>(e)) rewritten_[e] = result;
   return result;
 }

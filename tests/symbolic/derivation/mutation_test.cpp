@@ -17,7 +17,7 @@ namespace {
 
 // A sign, a factor and an index, on the right side; terms of a sum one by one.
 std::vector<Statement> mutants(const Statement& statement) {
-  const ex lhs = statement.lhs(), rhs = statement.rhs();
+  const ex &lhs = statement.lhs(), &rhs = statement.rhs();
   const proof::Relation relation = statement.relation();
   std::vector<Statement> all;
   if (rhs.is_zero()) {
