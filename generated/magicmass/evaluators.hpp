@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "magicmass/quantities.hpp"
 #include "magicmass/angle_closed.hpp"
@@ -18,18 +19,24 @@
 
 namespace magicmass::generated {
 
+// In a table: the largest error that a form promises, in ulp of the exact value or in eps of the
+// largest such value of the body at that alpha; infinity where it promises none.
+inline constexpr double no_bound = std::numeric_limits<double>::infinity();
+
 template <class Real>
 struct AngleEvaluator {
   const char* name;
   const char* form;
   Real (*evaluate)(Real alpha);
+  double ulp_bound;
+  double eps_bound;
 };
 
 template <class Real>
 const auto& angle_evaluators() {
   static constexpr std::array<AngleEvaluator<Real>, 2> all{{
-      {"angle_closed", "closed", &angle_closed<Real>},
-      {"angle_product", "product", &angle_product<Real>},
+      {"angle_closed", "closed", &angle_closed<Real>, 2, no_bound},
+      {"angle_product", "product", &angle_product<Real>, 2, no_bound},
   }};
   return all;
 }
@@ -39,13 +46,15 @@ struct EncounterEvaluator {
   const char* name;
   const char* form;
   Encounters<Real> (*evaluate)(Real alpha, std::int64_t j);
+  double ulp_bound;
+  double eps_bound;
 };
 
 template <class Real>
 const auto& encounter_evaluators() {
   static constexpr std::array<EncounterEvaluator<Real>, 2> all{{
-      {"encounters_closed", "closed", &encounters_closed<Real>},
-      {"encounters_product", "product", &encounters_product<Real>},
+      {"encounters_closed", "closed", &encounters_closed<Real>, no_bound, no_bound},
+      {"encounters_product", "product", &encounters_product<Real>, no_bound, no_bound},
   }};
   return all;
 }
@@ -55,13 +64,15 @@ struct RatioEvaluator {
   const char* name;
   const char* form;
   Ratios<Real> (*evaluate)(std::int64_t k);
+  double ulp_bound;
+  double eps_bound;
 };
 
 template <class Real>
 const auto& ratio_evaluators() {
   static constexpr std::array<RatioEvaluator<Real>, 2> all{{
-      {"ratios_closed", "closed", &ratios_closed<Real>},
-      {"ratios_product", "product", &ratios_product<Real>},
+      {"ratios_closed", "closed", &ratios_closed<Real>, no_bound, no_bound},
+      {"ratios_product", "product", &ratios_product<Real>, 5, no_bound},
   }};
   return all;
 }
@@ -71,13 +82,15 @@ struct VelocityEvaluator {
   const char* name;
   const char* form;
   Velocities<Real> (*evaluate)(Real alpha, std::int64_t n);
+  double ulp_bound;
+  double eps_bound;
 };
 
 template <class Real>
 const auto& velocity_evaluators() {
   static constexpr std::array<VelocityEvaluator<Real>, 2> all{{
-      {"velocities_closed", "closed", &velocities_closed<Real>},
-      {"velocities_product", "product", &velocities_product<Real>},
+      {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
+      {"velocities_product", "product", &velocities_product<Real>, no_bound, 4},
   }};
   return all;
 }

@@ -5,7 +5,7 @@
 
 namespace magicmass::generated {
 
-// velocities just after the n-th collisions, in units of V
+// Velocities just after the n-th collisions, in units of V.
 template <class Number>
 struct Velocities {
   Number a;  // of A just after P_n
@@ -14,14 +14,14 @@ struct Velocities {
   Number c_prime;  // of C just after Q_n
 };
 
-// collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
+// Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
 template <class Number>
 struct Encounters {
   Number t;  // its time, in units of L/V, from the first collision on
   Number s;  // the distance from A to B then, in units of L
 };
 
-// the k-th threshold mass ratios
+// The k-th threshold mass ratios.
 template <class Number>
 struct Ratios {
   Number magic;  // alpha_k, where B takes everything

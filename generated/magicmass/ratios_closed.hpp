@@ -13,7 +13,7 @@ namespace magicmass::generated {
 
 // Magic and deficient mass ratios as the paper writes them.
 // Domain: k >= 1.
-// Error: absolute error about 1 eps, so all digits are lost from k of about 1e8 on in double.
+// Error: about 1 eps of 1, so no digit is left from k of about 1e8 on in double.
 // From: ratios.alpha_k_paper (exact:ak), ratios.beta_k_paper (exact:bk).
 // Cost: 4 additions, 2 multiplications, 4 divisions, 2 sines or cosines.
 template <class Real>

@@ -13,7 +13,7 @@ namespace magicmass::generated {
 
 // Magic and deficient mass ratios without cancellation.
 // Domain: k >= 1.
-// Error: 5 ulp.
+// Error: at most 5 ulp.
 // From: ratios.alpha_k_stable, ratios.beta_k_stable.
 // Cost: 2 additions, 8 multiplications, 4 divisions, 4 sines or cosines.
 template <class Real>

@@ -12,7 +12,7 @@ namespace magicmass::generated {
 
 // All velocities as the paper writes them.
 // Domain: alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
-// Error: absolute only: nearly equal numbers are subtracted where a velocity is small.
+// Error: nearly equal numbers are subtracted where a velocity is small.
 // From: power.a (eq:a-final), power.b (eq:b-final), power.c (eq:c-final),
 //   power.c_prime (eq:c'-final).
 // With: power.V_CM, rotation.psi_paper (def:psi, def:psi-app).

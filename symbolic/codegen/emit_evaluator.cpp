@@ -74,7 +74,8 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   const auto documentation = [&](const std::string& what, const Program& program,
                                  const std::vector<proof::Theorem>& from) {
     return line("// " + what + ".") + line("// Domain: " + form.domain + ".") +
-           line("// Error: " + form.error + ".") + line("// From: " + theorem_list(from) + ".") +
+           line("// Error: " + form.stated_error() + ".") +
+           line("// From: " + theorem_list(from) + ".") +
            (evaluator.bindings.empty()
                 ? ""
                 : line("// With: " + theorem_list(evaluator.bindings) + ".")) +

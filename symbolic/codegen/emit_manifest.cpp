@@ -31,7 +31,9 @@ std::string emit_manifest(const std::vector<Evaluator>& evaluators) {
          {"outputs", outputs},
          {"bindings", bindings},
          {"domain", form.domain},
-         {"error", form.error},
+         {"ulp_bound", form.bound.ulp == no_bound ? Json() : Json(form.bound.ulp)},
+         {"eps_bound", form.bound.eps == no_bound ? Json() : Json(form.bound.eps)},
+         {"error", form.stated_error()},
          {"operations", text(operation_counts(evaluator.program))}});
   }
   return Json{{"generator", "magicmass " MAGICMASS_VERSION}, {"evaluators", all}}.dump(2) + "\n";

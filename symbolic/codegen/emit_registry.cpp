@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <fmt/format.h>
+
 #include "codegen/emit.hpp"
 
 namespace magicmass::codegen {
@@ -23,15 +25,26 @@ const std::vector<Table>& tables() {
   return all;
 }
 
+std::string bound(double value) {
+  return value == no_bound ? "no_bound" : fmt::format("{}", value);
+}
+
 }  // namespace
 
 std::string emit_registry(const std::vector<Evaluator>& evaluators) {
   std::string text =
       file_header("Tables of the evaluators, for tests and reports that treat all alike");
-  text += "\n#include <array>\n#include <cstdint>\n\n#include \"magicmass/quantities.hpp\"\n";
+  text +=
+      "\n#include <array>\n#include <cstdint>\n#include <limits>\n\n#include "
+      "\"magicmass/quantities.hpp\"\n";
   for (const Evaluator& evaluator : evaluators)
     if (!evaluator.form.exact) text += "#include \"" + evaluator.form.header() + "\"\n";
-  text += "\nnamespace magicmass::generated {\n";
+  text +=
+      "\nnamespace magicmass::generated {\n\n"
+      "// In a table: the largest error that a form promises, in ulp of the exact value or in eps "
+      "of the\n"
+      "// largest such value of the body at that alpha; infinity where it promises none.\n"
+      "inline constexpr double no_bound = std::numeric_limits<double>::infinity();\n";
   for (const Table& table : tables()) {
     std::string rows;
     int count = 0;
@@ -39,11 +52,12 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
       const Form& form = evaluator.form;
       if (form.exact || form.quantity != table.quantity) continue;
       rows += "      {\"" + form.function() + "\", \"" + form.name + "\", &" + form.function() +
-              "<Real>},\n";
+              "<Real>, " + bound(form.bound.ulp) + ", " + bound(form.bound.eps) + "},\n";
       ++count;
     }
     text += "\ntemplate <class Real>\nstruct " + table.entry +
-            " {\n  const char* name;\n  const char* form;\n  " + table.signature + ";\n};\n";
+            " {\n  const char* name;\n  const char* form;\n  " + table.signature +
+            ";\n  double ulp_bound;\n  double eps_bound;\n};\n";
     text += "\ntemplate <class Real>\nconst auto& " + table.function +
             "() {\n  static constexpr std::array<" + table.entry + "<Real>, " +
             std::to_string(count) + "> all{{\n" + rows + "  }};\n  return all;\n}\n";

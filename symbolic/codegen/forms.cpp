@@ -1,31 +1,164 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "codegen/forms.hpp"
 
+#include <fmt/format.h>
+
 namespace magicmass::codegen {
 namespace {
 
 const char* const velocity_domain =
     "alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0)";
 const char* const encounter_domain = "alpha > 0 and finite; 0 <= j < number of collisions";
+const char* const encounter_error = "grows with j: the sines are taken at angles up to pi";
 const char* const ratio_domain = "k >= 1";
 const char* const exact_error = "none in an exact field";
 
+std::vector<Form> angle_forms() {
+  return {
+      {.quantity = "angle",
+       .name = "closed",
+       .summary = "The angle psi of one cycle, as the paper writes it",
+       .domain = "alpha > 0 and finite",
+       .bound = {.ulp = 2},
+       .real_input = "alpha",
+       .outputs = {{"psi", "rotation.psi_paper"}}},
+      {.quantity = "angle",
+       .name = "product",
+       .summary = "The angle psi of one cycle, from a quarter of it",
+       .domain = "alpha > 0 and finite",
+       .bound = {.ulp = 2},
+       .real_input = "alpha",
+       .outputs = {{"psi", "rotation.psi_half_angle"}}},
+  };
+}
+
+std::vector<Form> encounter_forms() {
+  return {
+      {.quantity = "encounters",
+       .name = "closed",
+       .result = "Encounters",
+       .summary = "Times and distances of the collisions, psi as the paper writes it",
+       .domain = encounter_domain,
+       .error = encounter_error,
+       .real_input = "alpha",
+       .index = "j",
+       .outputs = {{"t", "times.t"}, {"s", "times.s"}},
+       .bindings = {"rotation.psi_paper"}},
+      {.quantity = "encounters",
+       .name = "exact",
+       .result = "Encounters",
+       .summary = "Times and distances of the collisions as rational functions of alpha",
+       .domain = encounter_domain,
+       .error = exact_error,
+       .real_input = "alpha",
+       .index = "j",
+       .exact = true,
+       .outputs = {{"t", "times.t_rational"}, {"s", "times.s_rational"}},
+       .bindings = {"chebyshev.T_1"}},
+      {.quantity = "encounters",
+       .name = "product",
+       .result = "Encounters",
+       .summary = "Times and distances of the collisions, psi from a quarter of it",
+       .domain = encounter_domain,
+       .error = encounter_error,
+       .real_input = "alpha",
+       .index = "j",
+       .outputs = {{"t", "times.t"}, {"s", "times.s"}},
+       .bindings = {"rotation.psi_half_angle"}},
+  };
+}
+
+std::vector<Form> ratio_forms() {
+  return {
+      {.quantity = "ratios",
+       .name = "closed",
+       .result = "Ratios",
+       .summary = "Magic and deficient mass ratios as the paper writes them",
+       .domain = ratio_domain,
+       .error = "about 1 eps of 1, so no digit is left from k of about 1e8 on in double",
+       .index = "k",
+       .outputs = {{"magic", "ratios.alpha_k_paper"}, {"deficient", "ratios.beta_k_paper"}}},
+      {.quantity = "ratios",
+       .name = "product",
+       .result = "Ratios",
+       .summary = "Magic and deficient mass ratios without cancellation",
+       .domain = ratio_domain,
+       .bound = {.ulp = 5},
+       .index = "k",
+       .outputs = {{"magic", "ratios.alpha_k_stable"}, {"deficient", "ratios.beta_k_stable"}}},
+  };
+}
+
+std::vector<Form> velocity_forms() {
+  return {
+      {.quantity = "velocities",
+       .name = "closed",
+       .result = "Velocities",
+       .summary = "All velocities as the paper writes them",
+       .domain = velocity_domain,
+       .error = "nearly equal numbers are subtracted where a velocity is small",
+       .real_input = "alpha",
+       .index = "n",
+       .outputs =
+           {{"a", "power.a"}, {"b", "power.b"}, {"c", "power.c"}, {"c_prime", "power.c_prime"}},
+       .bindings = {"power.V_CM", "rotation.psi_paper"}},
+      {.quantity = "velocities",
+       .name = "exact",
+       .result = "Velocities",
+       .summary = "All velocities as rational functions of alpha",
+       .domain = velocity_domain,
+       .error = exact_error,
+       .real_input = "alpha",
+       .index = "n",
+       .exact = true,
+       .outputs = {{"a", "chebyshev.a"},
+                   {"b", "chebyshev.b"},
+                   {"c", "chebyshev.c"},
+                   {"c_prime", "chebyshev.c_prime"}},
+       .bindings = {"power.V_CM", "chebyshev.T_1"}},
+      {.quantity = "velocities",
+       .name = "product",
+       .result = "Velocities",
+       .summary = "All velocities as products, psi from a quarter of it",
+       .domain = velocity_domain,
+       .bound = {.eps = 4},
+       .error = "up to the last collision",
+       .real_input = "alpha",
+       .index = "n",
+       .outputs = {{"a", "power.a_product"},
+                   {"b", "power.b_product"},
+                   {"c", "power.c_product"},
+                   {"c_prime", "power.c_prime_product"}},
+       .bindings = {"power.V_CM", "rotation.psi_half_angle"}},
+  };
+}
+
 }  // namespace
+
+std::string Form::stated_error() const {
+  std::string words;
+  if (bound.ulp != no_bound) words = fmt::format("at most {} ulp", bound.ulp);
+  if (bound.eps != no_bound)
+    words = fmt::format("at most {} eps of the largest such value of the body at that alpha",
+                        bound.eps);
+  if (words.empty()) return error;
+  return error.empty() ? words : words + "; " + error;
+}
 
 const std::vector<QuantityStruct>& quantity_structs() {
   static const std::vector<QuantityStruct> all{
       {"Velocities",
-       "velocities just after the n-th collisions, in units of V",
+       "Velocities just after the n-th collisions, in units of V.",
        {{"a", "of A just after P_n"},
         {"b", "of B just after Q_n"},
         {"c", "of C just after P_n"},
         {"c_prime", "of C just after Q_n"}}},
       {"Encounters",
-       "collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...",
+       "Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...",
        {{"t", "its time, in units of L/V, from the first collision on"},
         {"s", "the distance from A to B then, in units of L"}}},
       {"Ratios",
-       "the k-th threshold mass ratios",
+       "The k-th threshold mass ratios.",
        {{"magic", "alpha_k, where B takes everything"},
         {"deficient", "beta_k, where C ends up with B"}}},
   };
@@ -33,124 +166,13 @@ const std::vector<QuantityStruct>& quantity_structs() {
 }
 
 const std::vector<Form>& forms() {
-  static const std::vector<Form> all{
-      {"angle",
-       "closed",
-       "",
-       "The angle psi of one cycle, as the paper writes it",
-       "alpha > 0; alpha^2 must not overflow",
-       "2 ulp for alpha below 1e150 in double; infinity inside from about 1e154 on",
-       "alpha",
-       "",
-       false,
-       {{"psi", "rotation.psi_paper"}},
-       {}},
-      {"angle",
-       "product",
-       "",
-       "The angle psi of one cycle, from a quarter of it",
-       "alpha > 0 and finite",
-       "2 ulp",
-       "alpha",
-       "",
-       false,
-       {{"psi", "rotation.psi_half_angle"}},
-       {}},
-      {"encounters",
-       "closed",
-       "Encounters",
-       "Times and distances of the collisions, psi as the paper writes it",
-       encounter_domain,
-       "grows with j: the sines are taken at angles up to pi",
-       "alpha",
-       "j",
-       false,
-       {{"t", "times.t"}, {"s", "times.s"}},
-       {"rotation.psi_paper"}},
-      {"encounters",
-       "exact",
-       "Encounters",
-       "Times and distances of the collisions as rational functions of alpha",
-       encounter_domain,
-       exact_error,
-       "alpha",
-       "j",
-       true,
-       {{"t", "times.t_rational"}, {"s", "times.s_rational"}},
-       {"chebyshev.T_1"}},
-      {"encounters",
-       "product",
-       "Encounters",
-       "Times and distances of the collisions, psi from a quarter of it",
-       encounter_domain,
-       "grows with j: the sines are taken at angles up to pi",
-       "alpha",
-       "j",
-       false,
-       {{"t", "times.t"}, {"s", "times.s"}},
-       {"rotation.psi_half_angle"}},
-      {"ratios",
-       "closed",
-       "Ratios",
-       "Magic and deficient mass ratios as the paper writes them",
-       ratio_domain,
-       "absolute error about 1 eps, so all digits are lost from k of about 1e8 on in double",
-       "",
-       "k",
-       false,
-       {{"magic", "ratios.alpha_k_paper"}, {"deficient", "ratios.beta_k_paper"}},
-       {}},
-      {"ratios",
-       "product",
-       "Ratios",
-       "Magic and deficient mass ratios without cancellation",
-       ratio_domain,
-       "5 ulp",
-       "",
-       "k",
-       false,
-       {{"magic", "ratios.alpha_k_stable"}, {"deficient", "ratios.beta_k_stable"}},
-       {}},
-      {"velocities",
-       "closed",
-       "Velocities",
-       "All velocities as the paper writes them",
-       velocity_domain,
-       "absolute only: nearly equal numbers are subtracted where a velocity is small",
-       "alpha",
-       "n",
-       false,
-       {{"a", "power.a"}, {"b", "power.b"}, {"c", "power.c"}, {"c_prime", "power.c_prime"}},
-       {"power.V_CM", "rotation.psi_paper"}},
-      {"velocities",
-       "exact",
-       "Velocities",
-       "All velocities as rational functions of alpha",
-       velocity_domain,
-       exact_error,
-       "alpha",
-       "n",
-       true,
-       {{"a", "chebyshev.a"},
-        {"b", "chebyshev.b"},
-        {"c", "chebyshev.c"},
-        {"c_prime", "chebyshev.c_prime"}},
-       {"power.V_CM", "chebyshev.T_1"}},
-      {"velocities",
-       "product",
-       "Velocities",
-       "All velocities as products, psi from a quarter of it",
-       velocity_domain,
-       "4 eps times the largest velocity of that body, up to the last collision",
-       "alpha",
-       "n",
-       false,
-       {{"a", "power.a_product"},
-        {"b", "power.b_product"},
-        {"c", "power.c_product"},
-        {"c_prime", "power.c_prime_product"}},
-       {"power.V_CM", "rotation.psi_half_angle"}},
-  };
+  static const std::vector<Form> all = [] {
+    std::vector<Form> collected;
+    for (const std::vector<Form>& part :
+         {angle_forms(), encounter_forms(), ratio_forms(), velocity_forms()})
+      collected.insert(collected.end(), part.begin(), part.end());
+    return collected;
+  }();
   return all;
 }
 
