@@ -20,7 +20,7 @@
 namespace magicmass::generated {
 
 // In a table: the largest error that a form promises, in ulp of the exact value or in eps of the
-// largest such value of the body at that alpha; infinity where it promises none.
+// largest such value of the body at that alpha <= 1; infinity where it promises none.
 inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 template <class Real>

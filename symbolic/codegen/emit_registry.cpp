@@ -43,7 +43,7 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
       "\nnamespace magicmass::generated {\n\n"
       "// In a table: the largest error that a form promises, in ulp of the exact value or in eps "
       "of the\n"
-      "// largest such value of the body at that alpha; infinity where it promises none.\n"
+      "// largest such value of the body at that alpha <= 1; infinity where it promises none.\n"
       "inline constexpr double no_bound = std::numeric_limits<double>::infinity();\n";
   for (const Table& table : tables()) {
     std::string rows;

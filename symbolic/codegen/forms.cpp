@@ -122,7 +122,7 @@ std::vector<Form> velocity_forms() {
        .summary = "All velocities as products, psi from a quarter of it",
        .domain = velocity_domain,
        .bound = {.eps = 4},
-       .error = "up to the last collision",
+       .error = "beyond alpha = 1, of V instead; all up to the last collision",
        .real_input = "alpha",
        .index = "n",
        .outputs = {{"a", "power.a_product"},

@@ -14,7 +14,7 @@ inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 struct ErrorBound {
   double ulp = no_bound;  // in units in the last place of the exact value
   double eps =
-      no_bound;  // in machine epsilons of the largest value that the body has at that alpha
+      no_bound;  // in machine epsilons of the largest value of the body at that alpha <= 1
 };
 
 // One way to compute a quantity: which theorems give its outputs, and which say what their symbols are.
