@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One function a command, each in a file of its name.
+#pragma once
+
+#include "command/program.hpp"
+
+namespace magicmass::command {
+
+void add_derive(Program& program);
+void add_verify(Program& program);
+void add_generate(Program& program);
+void add_eval(Program& program);
+void add_count(Program& program);
+void add_terminal(Program& program);
+void add_ratios(Program& program);
+void add_simulate(Program& program);
+void add_demo(Program& program);
+
+}  // namespace magicmass::command

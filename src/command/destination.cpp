@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/destination.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "magicmass/errors.hpp"
+#include "magicmass/scenes/shown_text.hpp"
+
+namespace magicmass::command {
+namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 16U;
+
+/// The file a path stands for; a symbolic link keeps pointing to it.
+std::string behind_links(const std::string& path) {
+  std::error_code error;
+  const auto resolved = std::filesystem::canonical(path, error);
+  return error ? path : resolved.string();
+}
+
+}  // namespace
+
+Destination::Destination(const std::string& path) : name_("stdout") {
+  if (path.empty()) return;
+  name_ = shown_text(path, 200);
+  struct stat existing {};
+  const bool exists = ::stat(path.c_str(), &existing) == 0;
+  if (exists && !S_ISREG(existing.st_mode)) {
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) refuse(errno);
+    return;
+  }
+  target_ = behind_links(path);
+  if (exists && ::access(target_.c_str(), W_OK) != 0) refuse(errno);
+  temporary_ = target_ + ".part-" + std::to_string(::getpid());
+  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) {
+    temporary_.clear();
+    refuse(errno);
+  }
+  if (exists && ::fchmod(descriptor_, existing.st_mode & 07777U) != 0) {
+    const int error = errno;
+    ::close(descriptor_);
+    ::unlink(temporary_.c_str());
+    refuse(error);
+  }
+}
+
+Destination::~Destination() {
+  if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) ::close(descriptor_);
+  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void Destination::refuse(int error) const {
+  if (error == EPIPE) throw ClosedPipe();
+  throw InvalidInput("cannot write " + name_ + ": " + std::generic_category().message(error));
+}
+
+void Destination::write(std::string_view text) {
+  buffer_ += text;
+  if (buffer_.size() >= buffer_size) flush();
+}
+
+void Destination::flush() {
+  std::string_view rest = buffer_;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) refuse(errno);
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  buffer_.clear();
+}
+
+void Destination::finish() {
+  flush();
+  if (descriptor_ != STDOUT_FILENO) {
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (::close(descriptor) != 0) refuse(errno);
+  }
+  if (temporary_.empty()) return;
+  if (::rename(temporary_.c_str(), target_.c_str()) != 0) refuse(errno);
+  temporary_.clear();
+}
+
+bool Destination::is_colourful() const {
+  const char* no_colour = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return descriptor_ == STDOUT_FILENO && ::isatty(STDOUT_FILENO) != 0 &&
+         (no_colour == nullptr || *no_colour == '\0') &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
+}
+
+}  // namespace magicmass::command

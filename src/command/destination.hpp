@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+namespace magicmass::command {
+
+/// The reader of stdout went away: nothing more to do, and no error.
+class ClosedPipe : public std::exception {};
+
+/// Where data go: stdout, or a file that appears whole or not at all. It is written to a temporary beside it
+/// and renamed by finish(); without finish() the temporary is removed. What exists and is no regular file
+/// (/dev/null, a pipe) is written directly.
+class Destination {
+public:
+  /// Empty path: stdout. Throws InvalidInput where the path cannot be written.
+  explicit Destination(const std::string& path);
+  Destination(const Destination&) = delete;
+  Destination(Destination&&) = delete;
+  Destination& operator=(const Destination&) = delete;
+  Destination& operator=(Destination&&) = delete;
+  ~Destination();
+
+  /// Throws InvalidInput when the system refuses, ClosedPipe when the reader of stdout is gone.
+  void write(std::string_view text);
+  /// Everything written so far becomes visible.
+  void flush();
+  /// Last call: the file gets its name.
+  void finish();
+
+  /// Colours are welcome: stdout, a terminal, and NO_COLOR not set.
+  bool is_colourful() const;
+
+private:
+  std::string name_;       // for messages
+  std::string target_;     // file to rename to, or empty
+  std::string temporary_;  // file to rename, or empty
+  int descriptor_ = 1;     // stdout
+  std::string buffer_;
+
+  [[noreturn]] void refuse(int error) const;
+};
+
+}  // namespace magicmass::command

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/program.hpp"
+
+#include <memory>
+#include <sstream>
+#include <utility>
+
+namespace magicmass::command {
+namespace {
+
+/// A description is the summary, a line feed, and the examples; help shows the examples first.
+class ExampleFirst : public CLI::Formatter {
+public:
+  std::string make_description(const CLI::App* app) const override {
+    const std::string description = app->get_description();
+    const std::size_t end = description.find('\n');
+    return "Example:" + description.substr(end) + "\n\n" + description.substr(0, end) + ".\n\n";
+  }
+
+  std::string make_subcommand(const CLI::App* command) const override {
+    const std::string description = command->get_description();
+    std::ostringstream text;
+    CLI::detail::format_help(text, command->get_name(),
+                             description.substr(0, description.find('\n')), 14);
+    return text.str();
+  }
+
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const bool takes_value = option->get_type_size() != 0 && option->get_option_text().empty();
+    return takes_value ? " " + option->get_type_name() : CLI::Formatter::make_option_opts(option);
+  }
+};
+
+}  // namespace
+
+CLI::App& add_command(Program& program, const std::string& name, const std::string& summary,
+                      const std::string& example) {
+  return *program.app.add_subcommand(name, summary + "\n  " + example);
+}
+
+void on_run(Program& program, CLI::App& command, std::function<ExitCode()> action) {
+  command.callback([&program, action = std::move(action)] { program.action = action; });
+}
+
+void describe(Program& program) {
+  program.app.name("magicmass");
+  program.app.description(
+      "Magic mass ratios: from conservation laws to proved, generated, measured C++\n"
+      "  magicmass derive --summary\n"
+      "  magicmass eval --alpha 1/7 --n 2 --tier exact\n"
+      "  magicmass ratios --count 10");
+  program.app.footer(
+      "magicmass COMMAND --help explains a command. Exit codes: 0 done,\n"
+      "1 a check failed, 2 bad usage or input, 3 undecided or does not fit.");
+  program.app.set_version_flag("--version", "magicmass " MAGICMASS_VERSION);
+  program.app.require_subcommand(1);
+  const auto formatter = std::make_shared<ExampleFirst>();
+  formatter->column_width(26);
+  program.app.formatter(formatter);
+}
+
+}  // namespace magicmass::command

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "command/exit_code.hpp"
+
+namespace magicmass::command {
+
+/// The command line as it is being described, and what it turned out to ask for.
+struct Program {
+  CLI::App app;
+  std::function<ExitCode()> action;  ///< set by parsing, run after it
+};
+
+/// A command with its one-line summary and a line to try, which its help begins with.
+CLI::App& add_command(Program& program, const std::string& name, const std::string& summary,
+                      const std::string& example);
+
+/// Runs `action` when the command was asked for.
+void on_run(Program& program, CLI::App& command, std::function<ExitCode()> action);
+
+/// Names the program and makes its help begin with examples.
+void describe(Program& program);
+
+}  // namespace magicmass::command

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/records.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace magicmass::command {
+namespace {
+
+constexpr std::size_t column_width = 24;  // the longest shortest double: -2.2250738585072014e-308
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char character : text)
+    quoted += character == '"' ? std::string("\"\"") : std::string(1, character);
+  return quoted + "\"";
+}
+
+/// Columns of one width; long values push the rest of their line to the right.
+std::string text_line(const std::vector<std::string>& texts) {
+  std::string line;
+  for (const std::string& text : texts)
+    line +=
+        text + std::string(text.size() < column_width ? column_width - text.size() : 1, ' ') + " ";
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+std::string shown(const Cell& cell) { return cell.text.empty() ? "-" : cell.text; }
+
+}  // namespace
+
+void add_output_options(CLI::App& command, OutputOptions& options,
+                        const std::vector<std::string>& formats) {
+  command.add_option("--format", options.format, fmt::format("{}", fmt::join(formats, ", ")))
+      ->type_name("FORMAT")
+      ->check([formats](const std::string& name) {
+        const bool known = std::find(formats.begin(), formats.end(), name) != formats.end();
+        return known ? std::string()
+                     : fmt::format("unknown format \"{}\"; allowed: {}", name,
+                                   fmt::join(formats, ", "));
+      });
+  command.add_option("-o,--output", options.path, "write to FILE, whole or not at all")
+      ->type_name("FILE")
+      ->check(
+          [](const std::string& path) { return std::string(path.empty() ? "no file name" : ""); });
+}
+
+Cell text_cell(std::string text) { return {std::move(text), true}; }
+
+Cell number_cell(double value) {
+  return std::isfinite(value) ? Cell{fmt::format("{}", value), false} : missing_cell();
+}
+
+Cell number_cell(std::int64_t value) { return {std::to_string(value), false}; }
+
+Cell digits_cell(std::string digits) { return {std::move(digits), false}; }
+
+Cell missing_cell() { return {}; }
+
+std::string json_string(std::string_view text) {
+  std::string quoted = "\"";
+  for (const char character : text) {
+    if (character == '"' || character == '\\')
+      quoted += {'\\', character};
+    else if (static_cast<unsigned char>(character) < 0x20)
+      quoted += fmt::format("\\u{:04x}", static_cast<unsigned>(character));
+    else
+      quoted += character;
+  }
+  return quoted + "\"";
+}
+
+std::string json_array(const std::vector<std::string>& texts) {
+  std::string array;
+  for (const std::string& text : texts) array += (array.empty() ? "" : ", ") + json_string(text);
+  return "[" + array + "]";
+}
+
+std::string json_value(const Cell& cell) {
+  if (cell.quoted) return json_string(cell.text);
+  return cell.text.empty() ? "null" : cell.text;
+}
+
+std::string json_object(const std::vector<std::string>& names, const std::vector<Cell>& cells) {
+  std::string object;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    object += (i == 0 ? "" : ", ") + json_string(names[i]) + ": " + json_value(cells[i]);
+  return "{" + object + "}";
+}
+
+std::string csv_line(const std::vector<Cell>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    line += (i == 0 ? "" : ",") + csv_field(cells[i].text);
+  return line + "\n";
+}
+
+RecordWriter::RecordWriter(Destination& output, std::string format,
+                           std::vector<std::string> columns, bool single)
+    : output_(output), format_(std::move(format)), columns_(std::move(columns)), single_(single) {
+  std::vector<Cell> header;
+  header.reserve(columns_.size());
+  for (const std::string& column : columns_) header.push_back(text_cell(column));
+  if (format_ == "csv") output_.write(csv_line(header));
+  if (format_ == "text" && !single_) output_.write(text_line(columns_));
+}
+
+void RecordWriter::write(const std::vector<Cell>& cells) {
+  if (format_ == "csv") {
+    output_.write(csv_line(cells));
+  } else if (format_ == "json") {
+    if (!single_) output_.write(written_ == 0 ? "[\n" : ",\n");
+    output_.write(json_object(columns_, cells));
+  } else if (single_) {
+    std::size_t width = 0;
+    for (const std::string& column : columns_) width = std::max(width, column.size() + 2);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      output_.write(fmt::format("{:<{}}{}\n", columns_[i], width, shown(cells[i])));
+  } else {
+    std::vector<std::string> texts;
+    texts.reserve(cells.size());
+    for (const Cell& cell : cells) texts.push_back(shown(cell));
+    output_.write(text_line(texts));
+  }
+  ++written_;
+}
+
+void RecordWriter::finish() {
+  if (format_ != "json") return;
+  if (!single_) output_.write(written_ == 0 ? "[]" : "\n]");
+  output_.write("\n");
+}
+
+}  // namespace magicmass::command

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/velocity_tiers.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <limits>
+
+#include <cln/cln.h>
+
+#include "command/alpha_value.hpp"
+#include "command/certified.hpp"
+#include "magicmass/errors.hpp"
+#include "magicmass/reference/decimal.hpp"
+#include "magicmass/reference/rational.hpp"
+#include "magicmass/reference/velocities.hpp"
+#include "magicmass/scenes/shown_text.hpp"
+#include "magicmass/velocities_exact.hpp"
+#include "magicmass/velocities_product.hpp"
+
+namespace magicmass::command {
+namespace {
+
+using cln::cl_I;
+using cln::cl_RA;
+
+constexpr int digits_of_irrationals = 30;
+
+generated::Velocities<double> fast_velocities(const MassRatio& alpha, const cl_I& n) {
+  if (n > cl_I(std::numeric_limits<std::int64_t>::max()))
+    throw Undecided("n = " + reference::to_text(n) +
+                    " does not fit 64 bits; use --tier exact --digits D");
+  return generated::velocities_product<double>(nearest_double(alpha), cln::cl_I_to_long(n));
+}
+
+/// Bits of the denominators: (1 + alpha)^(2n+1) is what Chebyshev polynomials of 1/(1 + alpha) divide by.
+cl_I exact_length(const cl_RA& alpha, const cl_I& n) {
+  const cl_I base = cln::numerator(alpha) + cln::denominator(alpha);
+  return (2 * n + 1) * cl_I(static_cast<unsigned long>(cln::integer_length(base)));
+}
+
+generated::Velocities<cl_RA> exact_velocities(const cl_RA& alpha, const cl_I& n) {
+  if (exact_length(alpha, n) > reference::longest_exact_velocity)
+    throw Undecided("the exact fractions at n = " + reference::to_text(n) + " have about " +
+                    reference::to_text(exact_length(alpha, n)) + " bits; use --digits D instead");
+  return generated::velocities_exact<cl_RA, cl_I>(alpha, n);
+}
+
+bool all_goes_to_B(const MassRatio& alpha, const cl_I& n) {
+  const auto* magic = std::get_if<Magic>(&alpha);
+  return magic != nullptr && n == cl_I(magic->k);
+}
+
+/// Enough bits to begin with: intervals widen by a few bits each time n halves.
+long starting_precision(const MassRatio& alpha, const cl_I& n, int digits) {
+  const auto length = static_cast<long>(to_text(alpha).size());
+  return 128 + 4L * digits + 8 * static_cast<long>(cln::integer_length(n)) + 8 * length;
+}
+
+reference::CycleVelocities<std::string> certified_velocities(const MassRatio& alpha, const cl_I& n,
+                                                             int digits) {
+  if (!all_goes_to_B(alpha, n)) return reference::certified_digits(alpha, n, digits);
+  const reference::Enclosure c = [&](long precision) {
+    return reference::enclosed_velocities(reference::enclosure(alpha), n, precision).c;
+  };
+  return {"0", "1", certified_decimal(c, digits, starting_precision(alpha, n, digits)), "0"};
+}
+
+/// (b_n / V)^2 to `digits` digits.
+std::string certified_square_of_b(const MassRatio& alpha, const cl_I& n, int digits) {
+  if (all_goes_to_B(alpha, n)) return "1";
+  // A square that ends within the digits is a fraction no longer than about 4 bits a digit.
+  const cl_I short_length(std::max(1L << 14, 8L * digits));
+  const std::optional<cl_RA> rational = reference::exact(alpha);
+  if (rational && exact_length(*rational, n) < short_length) {
+    const cl_RA b = exact_velocities(*rational, n).b;
+    return reference::to_decimal(b * b, digits);
+  }
+  const reference::Enclosure square = [&](long precision) {
+    const reference::Interval b =
+        reference::enclosed_velocities(reference::enclosure(alpha), n, precision).b;
+    return b * b;
+  };
+  return certified_decimal(square, digits, starting_precision(alpha, n, digits));
+}
+
+Cell fraction_cell(const cl_RA& value) { return text_cell(reference::to_text(value)); }
+
+/// a at P_(N_A), b at Q_(N_B), c at the later of both.
+template <class Value, class Velocities>
+Last<Value> last_of(const Velocities& at_N_A, const Velocities& at_N_B,
+                    const reference::LargeCounts& counts) {
+  return {at_N_A.a, at_N_B.b, counts.N_A == counts.N_B ? at_N_B.c_prime : at_N_A.c};
+}
+
+}  // namespace
+
+void add_accuracy_options(CLI::App& command, AccuracyOptions& options) {
+  command
+      .add_option_function<std::string>(
+          "--tier", [&options](const std::string& text) { options.tier = text; },
+          "fast: doubles; exact: fractions, or --digits")
+      ->type_name("TIER");
+  command
+      .add_option_function<std::string>(
+          "--digits", [&options](const std::string& text) { options.digits = text; },
+          "1 to 10000 certified digits (tier exact)")
+      ->type_name("D");
+}
+
+int parse_digits(const std::string& text) {
+  int digits = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), digits);
+  if (error != std::errc{} || end != text.data() + text.size() || digits < 1 || digits > 10000)
+    throw InvalidInput("--digits must be a whole number from 1 to 10000, got " + shown_text(text));
+  return digits;
+}
+
+Accuracy accuracy(const AccuracyOptions& options) {
+  const std::string tier = options.tier.value_or(options.digits ? "exact" : "fast");
+  if (tier == "accurate")
+    throw InvalidInput("tier accurate is not available yet; allowed: fast, exact");
+  if (tier != "fast" && tier != "exact")
+    throw InvalidInput("unknown tier \"" + shown_text(tier) + "\"; allowed: fast, exact");
+  if (tier == "fast" && options.digits)
+    throw InvalidInput("--digits goes with --tier exact; tier fast computes in doubles");
+  Accuracy result{tier, std::nullopt};
+  if (options.digits) result.digits = parse_digits(*options.digits);
+  return result;
+}
+
+VelocityCells velocities(const MassRatio& alpha, const cl_I& n, const Accuracy& accuracy) {
+  if (accuracy.tier == "fast") {
+    const auto v = fast_velocities(alpha, n);
+    return {number_cell(v.a), number_cell(v.b), number_cell(v.c), number_cell(v.c_prime)};
+  }
+  const std::optional<cl_RA> rational = reference::exact(alpha);
+  if (rational && !accuracy.digits) {
+    const auto v = exact_velocities(*rational, n);
+    return {fraction_cell(v.a), fraction_cell(v.b), fraction_cell(v.c), fraction_cell(v.c_prime)};
+  }
+  const auto v = certified_velocities(alpha, n, accuracy.digits.value_or(digits_of_irrationals));
+  return {text_cell(v.a), text_cell(v.b), text_cell(v.c), text_cell(v.c_prime)};
+}
+
+Last<double> fast_terminal_velocities(const MassRatio& alpha,
+                                      const reference::LargeCounts& counts) {
+  return last_of<double>(fast_velocities(alpha, counts.N_A), fast_velocities(alpha, counts.N_B),
+                         counts);
+}
+
+Last<cl_RA> exact_terminal_velocities(const cl_RA& alpha, const reference::LargeCounts& counts) {
+  return last_of<cl_RA>(exact_velocities(alpha, counts.N_A), exact_velocities(alpha, counts.N_B),
+                        counts);
+}
+
+TerminalCells terminal_velocities(const MassRatio& alpha, const reference::LargeCounts& counts,
+                                  const Accuracy& accuracy) {
+  if (accuracy.tier == "fast") {
+    const Last<double> v = fast_terminal_velocities(alpha, counts);
+    return {number_cell(v.a), number_cell(v.b), number_cell(v.c), number_cell(v.b * v.b)};
+  }
+  const std::optional<cl_RA> rational = reference::exact(alpha);
+  if (rational && !accuracy.digits) {
+    const Last<cl_RA> v = exact_terminal_velocities(*rational, counts);
+    return {fraction_cell(v.a), fraction_cell(v.b), fraction_cell(v.c), fraction_cell(v.b * v.b)};
+  }
+  const int digits = accuracy.digits.value_or(digits_of_irrationals);
+  const auto at_N_A = certified_velocities(alpha, counts.N_A, digits);
+  const auto at_N_B =
+      counts.N_A == counts.N_B ? at_N_A : certified_velocities(alpha, counts.N_B, digits);
+  const auto v = last_of<std::string>(at_N_A, at_N_B, counts);
+  return {text_cell(v.a), text_cell(v.b), text_cell(v.c),
+          text_cell(certified_square_of_b(alpha, counts.N_B, digits))};
+}
+
+}  // namespace magicmass::command

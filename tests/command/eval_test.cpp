@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <random>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <cln/cln.h>
+
+#include "magicmass/reference/rational.hpp"
+#include "magicmass/simulator/three_body.hpp"
+#include "program_run.hpp"
+
+namespace reference = magicmass::reference;
+
+TEST_CASE("exact velocities at 1/7", "[exam]") {
+  const nlohmann::json v = json_of({"eval", "--alpha", "1/7", "--n", "2", "--tier", "exact"});
+  CHECK(v == nlohmann::json::parse(
+                 R"({"alpha": "1/7", "n": 2, "tier": "exact", "a": "15/64", "b": "231/256",
+                                       "c": "147/64", "c_prime": "-245/256"})"));
+}
+
+TEST_CASE("exact velocities are those of stepping the collisions", "[check]") {
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> part(1, 40);
+  std::string table = "alpha,n\n";
+  std::vector<magicmass::Velocities<cln::cl_RA>> expected;  // a, b, and c' in c
+  std::vector<cln::cl_RA> expected_c;
+  while (expected.size() < 300) {
+    const cln::cl_RA alpha = cln::cl_RA(part(random)) / part(random);
+    cln::cl_RA a = 1;
+    cln::cl_RA c = 0;
+    for (const auto& event : magicmass::record_three_body(alpha).events) {
+      if (event.body == magicmass::Body::A) {
+        a = event.after.a;
+        c = event.after.c;
+        continue;
+      }
+      table += reference::to_text(cln::numerator(alpha)) + "/" +
+               reference::to_text(cln::denominator(alpha)) + "," + std::to_string(event.n) + "\n";
+      expected.push_back({a, event.after.b, event.after.c});
+      expected_c.push_back(c);
+    }
+  }
+  const ProgramRun run =
+      run_program({"eval", "--input", "-", "--tier", "exact", "--format", "json"}, table);
+  REQUIRE(run.exit_code == 0);
+  const nlohmann::json rows = nlohmann::json::parse(run.output);
+  REQUIRE(rows.size() == expected.size());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    INFO(rows[i]);
+    CHECK(rows[i].at("a") == reference::to_text(expected[i].a));
+    CHECK(rows[i].at("b") == reference::to_text(expected[i].b));
+    CHECK(rows[i].at("c") == reference::to_text(expected_c[i]));
+    CHECK(rows[i].at("c_prime") == reference::to_text(expected[i].c));
+  }
+}
+
+TEST_CASE("digits are those of the exact fraction", "[exam]") {
+  const nlohmann::json v = json_of({"eval", "--alpha", "1/7", "--n", "2", "--digits", "12"});
+  CHECK(v.at("tier") == "exact");
+  CHECK(v.at("a") == "0.234375000000");
+  CHECK(v.at("b") == "0.902343750000");
+}
+
+TEST_CASE("at a magic ratio the zeros and the one are exact", "[exam]") {
+  const nlohmann::json v = json_of({"eval", "--alpha", "magic:3", "--n", "3", "--tier", "exact"});
+  CHECK(v.at("a") == "0");
+  CHECK(v.at("b") == "1");
+  CHECK(v.at("c_prime") == "0");
+  // 2/(1 + alpha_3) = 2 cos(pi/7), the larger root of x^3 - x^2 - 2 x + 1
+  CHECK(v.at("c") == "1.80193773580483825247220463901");
+}
+
+TEST_CASE("n may be larger than 64 bits", "[exam]") {
+  const std::string n = "5000000000000000000000000000000000000000000000000000000000000";
+  const ProgramRun run =
+      run_program({"eval", "--alpha", "1e-200", "--n", n, "--digits", "20", "--format", "json"});
+  CHECK(run.exit_code == 0);
+  CHECK(run.output.find("\"n\": " + n + ",") != std::string::npos);
+  const ProgramRun fast = run_program({"eval", "--alpha", "1e-200", "--n", n});
+  CHECK(fast.exit_code == 3);
+  CHECK(lines_of(fast.errors).size() == 1);
+}
+
+TEST_CASE("fractions too long to print are refused with advice", "[exam]") {
+  const ProgramRun run =
+      run_program({"eval", "--alpha", "1/1000000000001", "--n", "1000000", "--tier", "exact"});
+  CHECK(run.exit_code == 3);
+  CHECK(run.output.empty());
+  CHECK(run.errors.find("--digits") != std::string::npos);
+}
+
+TEST_CASE("fast doubles are within 4 eps of the exact velocities", "[exam]") {
+  const nlohmann::json v = json_of({"eval", "--alpha", "0.12", "--n", "2"});
+  const nlohmann::json exact = json_of({"eval", "--alpha", "0.12", "--n", "2", "--digits", "25"});
+  CHECK(v.at("tier") == "fast");
+  // The promise of velocities_product is 4 eps times the body's largest velocity; here all are below 4.
+  for (const char* name : {"a", "b", "c", "c_prime"})
+    CHECK(std::abs(v.at(name).get<double>() - std::stod(exact.at(name).get<std::string>())) <=
+          16 * 2.3e-16);
+}
+
+TEST_CASE("where Q_n does not happen a note says so, on stderr", "[exam]") {
+  const ProgramRun run = run_program({"eval", "--alpha", "0.1", "--n", "4"});
+  CHECK(run.exit_code == 0);
+  CHECK(run.errors.find("note") != std::string::npos);
+  CHECK(run_program({"eval", "--alpha", "0.1", "--n", "3"}).errors.empty());
+}
