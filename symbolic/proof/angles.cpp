@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/arctangent.hpp"
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -134,13 +135,8 @@ NormalForm::Generators::Pair NormalForm::Generators::base_pair(const ex& angle,
                           ? definitions_.angle(ex_to<GiNaC::symbol>(angle).get_name())
                           : nullptr;
   const ex arctangent = meaning != nullptr ? *meaning : angle;
-  if (is_function(arctangent, "atan"))
-    return pair_of_arctangent(arctangent.op(0), numeric(1) / denominator);
-  if (is_a<GiNaC::mul>(arctangent) && arctangent.nops() == 2)
-    for (const int which : {0, 1})
-      if (is_function(arctangent.op(which), "atan") && is_a<numeric>(arctangent.op(1 - which)))
-        return pair_of_arctangent(arctangent.op(which).op(0),
-                                  ex_to<numeric>(arctangent.op(1 - which)) / denominator);
+  if (const auto multiple_of = multiple_of_arctangent(arctangent))
+    return pair_of_arctangent(multiple_of->second, multiple_of->first / denominator);
   return independent_pair(angle / denominator);
 }
 

@@ -5,25 +5,13 @@
 
 #include <ginac/ginac.h>
 
+#include "proof/arctangent.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::proof {
 namespace {
 
 using GiNaC::ex;
-using GiNaC::ex_to;
-using GiNaC::is_a;
-
-bool is_arctangent(const ex& e) {
-  return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == "atan";
-}
-
-bool is_angle(const ex& e) {
-  if (is_arctangent(e)) return true;
-  return is_a<GiNaC::mul>(e) && e.nops() == 2 &&
-         ((is_arctangent(e.op(0)) && is_a<GiNaC::numeric>(e.op(1))) ||
-          (is_arctangent(e.op(1)) && is_a<GiNaC::numeric>(e.op(0))));
-}
 
 ex substitute_until_stable(const ex& e, const GiNaC::exmap& meanings) {
   ex current = e;
@@ -54,7 +42,7 @@ void Definitions::add(const std::string& name, const ex& meaning) {
   auto data = std::make_shared<Data>(*data_);
   data->names.insert(name);
   data->all[named] = meaning;
-  if (is_angle(meaning))
+  if (multiple_of_arctangent(meaning))
     data->angles.emplace(name, meaning);
   else
     data->without_angles[named] = meaning;

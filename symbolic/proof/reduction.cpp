@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <ranges>
-
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -11,7 +9,8 @@ using GiNaC::ex;
 // Linear in every generator that has a relation: later generators first, for a square may hold earlier ones.
 ex NormalForm::Generators::reduced(const ex& polynomial) const {
   ex result = polynomial.expand();
-  for (const auto& [generator, square] : relations_ | std::views::reverse) {
+  for (std::size_t i = relations_.size(); i-- > 0;) {
+    const auto& [generator, square] = relations_[i];
     const int degree = result.degree(generator);
     if (degree < 2) continue;
     ex even = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <ginac/ginac.h>
 
+#include "proof/arctangent.hpp"
 #include "proof/kernel.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
@@ -11,25 +12,6 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
-
-namespace {
-
-// q * atan(t) as (q, t).
-std::optional<std::pair<numeric, ex>> multiple_of_arctangent(const ex& e) {
-  const auto tangent = [](const ex& part) -> std::optional<ex> {
-    if (is_a<GiNaC::function>(part) && ex_to<GiNaC::function>(part).get_name() == "atan")
-      return part.op(0);
-    return std::nullopt;
-  };
-  if (const auto t = tangent(e)) return std::pair{numeric(1), *t};
-  if (!is_a<GiNaC::mul>(e) || e.nops() != 2) return std::nullopt;
-  for (const int which : {0, 1})
-    if (const auto t = tangent(e.op(which)); t && is_a<numeric>(e.op(1 - which)))
-      return std::pair{ex_to<numeric>(e.op(1 - which)), *t};
-  return std::nullopt;
-}
-
-}  // namespace
 
 // Seen to lie in [0, pi]: q atan(t) with t > 0 and q <= 2, or q <= 4 and t < 1; pi/d with d >= 1.
 bool Kernel::is_angle_up_to_pi(const ex& angle, const Claim& claim, Evidence& evidence) const {

@@ -97,7 +97,8 @@ private:
 
 std::uint64_t hash(const std::string& seed) {  // FNV-1a: the same on every machine
   std::uint64_t value = 14695981039346656037u;
-  for (const unsigned char character : seed) value = (value ^ character) * 1099511628211u;
+  for (const char character : seed)
+    value = (value ^ static_cast<unsigned char>(character)) * 1099511628211u;
   return value;
 }
 
