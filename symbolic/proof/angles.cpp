@@ -16,6 +16,8 @@ bool is_function(const ex& e, const char* name) {
   return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == name;
 }
 
+constexpr int largest_multiple = 200;  // (C + i S)^k is written out
+
 ex first_symbol(const ex& e) {  // by name
   ex first;
   std::string first_name;
@@ -74,6 +76,9 @@ std::vector<NormalForm::Generators::Term> NormalForm::Generators::terms(const ex
       if (is_a<GiNaC::mul>(whole))
         for (const ex& part : whole)
           if (is_a<numeric>(part)) factor = ex_to<numeric>(part);
+      if (!factor.is_rational()) throw NotInClass("not a rational multiple: " + text(whole));
+      if (GiNaC::abs(factor) > largest_multiple)
+        throw NotInClass("too large a multiple of an angle: " + text(whole));
       result.push_back({factor, whole / factor});
     };
     if (is_a<GiNaC::add>(expanded))
@@ -163,6 +168,7 @@ NormalForm::Generators::Pair NormalForm::Generators::independent_pair(const ex& 
   const std::string cosine_key = "cos(" + key + ")";
   const std::string sine_key = "sin(" + key + ")";
   const bool is_new = !by_key_.contains(cosine_key);
+  if (is_new) rewritten(angle);  // for what its roots and denominators ask for
   const ex cosine = GiNaC::cos(angle);
   const ex sine = GiNaC::sin(angle);
   Pair pair{opaque(cosine_key, cosine, is_new && positive_at_fraction_of_pi(cosine)),

@@ -18,6 +18,12 @@ using GiNaC::is_a;
 
 namespace {
 
+// Keys are printed names: two symbols of one name, or a complex one, would be taken for each other.
+bool only_known_symbols(const ex& e) {
+  if (is_a<GiNaC::symbol>(e)) return e.is_equal(symbol(ex_to<GiNaC::symbol>(e).get_name()));
+  return std::all_of(e.begin(), e.end(), only_known_symbols);
+}
+
 bool uses_sequence(const ex& e, const std::string& name) {
   return (is_sequence(e) && function_name(e) == name) ||
          std::any_of(e.begin(), e.end(), [&](const ex& part) { return uses_sequence(part, name); });
@@ -56,8 +62,52 @@ ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices) c
   return NormalForm(domain, definitions_).simplified(e.evalm());
 }
 
+void Kernel::require_own(const Theorem& premise, const Claim& claim,
+                         const std::string& rule) const {
+  require(std::any_of(theorems_.begin(), theorems_.end(),
+                      [&](const Theorem& own) { return own.data_ == premise.data_; }),
+          claim, rule, premise.id() + " is not a theorem of this kernel");
+}
+
+void Kernel::require_equation(const Theorem& premise, const Claim& claim,
+                              const std::string& rule) const {
+  require(premise.statement().relation() == Relation::equal, claim, rule,
+          premise.id() + " is not an equation");
+}
+
+void Kernel::require_scalar(const ex& e, const Claim& claim, const std::string& rule,
+                            Evidence& evidence) const {
+  NormalForm form(domain_of(claim), definitions_);
+  try {
+    const ex scalar = definitions_.expand_except_angles(e);
+    require(!is_a<GiNaC::matrix>(scalar), claim, rule, text(e) + " is a matrix");
+    form.is_zero(scalar);
+  } catch (const NotInClass& outside) {
+    refuse(claim, rule, outside.what());
+  }
+  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
+}
+
+void Kernel::require_visible(const ex& e, const ex& name, const Claim& claim,
+                             const std::string& rule) const {
+  const auto visit = [&](const auto& self, const ex& part) -> void {
+    if (is_a<GiNaC::symbol>(part) && definitions_.contains(ex_to<GiNaC::symbol>(part).get_name()))
+      require(!definitions_.expand_all(part).has(name), claim, rule,
+              text(part) + " depends on " + text(name) + ": write it out first");
+    for (const ex& inner : part) self(self, inner);
+  };
+  visit(visit, e);
+}
+
+bool Kernel::mentions(const Theorem& theorem, const std::string& name) const {
+  const ex index = symbol(name);
+  return definitions_.expand_all(theorem.lhs()).has(index) ||
+         definitions_.expand_all(theorem.rhs()).has(index);
+}
+
 void Kernel::use(const Theorem& premise, const Claim& claim, const std::string& rule,
                  Evidence& evidence, const std::string& bound) const {
+  require_own(premise, claim, rule);
   if (std::find(evidence.premises.begin(), evidence.premises.end(), premise.id()) ==
       evidence.premises.end())
     evidence.premises.push_back(premise.id());
@@ -65,12 +115,13 @@ void Kernel::use(const Theorem& premise, const Claim& claim, const std::string& 
     const bool of_bound =
         !bound.empty() && condition.statement &&
         (condition.statement->lhs() - condition.statement->rhs()).has(symbol(bound));
-    if (condition.index.empty() && !of_bound) evidence.conditions.insert(condition);
+    const bool of_statement = !condition.index.empty() &&
+                              (condition.index == bound || mentions(premise, condition.index));
+    if (!of_statement && !of_bound) evidence.conditions.insert(condition);
   }
   for (const auto& [name, from] : premise.domain().integer) {
     if (name == bound) continue;
-    const ex index = symbol(name);
-    if (!premise.lhs().has(index) && !premise.rhs().has(index)) continue;
+    if (!mentions(premise, name)) continue;
     const auto own = claim.indices.find(name);
     require(own != claim.indices.end() && own->second >= from, claim, rule,
             premise.id() + " holds for " + name + " >= " + std::to_string(from) + " only");
@@ -91,15 +142,27 @@ Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidenc
           claim.label,
           claim.words,
           "proved",
-          evidence.premises};
+          evidence.premises,
+          text(claim.statement)};
+}
+
+void Kernel::require_new_id(const Claim& claim) const {
+  for (const Theorem& earlier : theorems_)
+    if (earlier.id() == claim.id) throw std::logic_error("two steps are called " + claim.id);
 }
 
 Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& evidence,
                        const std::string& verdict) {
   Step step = step_for(claim, rule, evidence);
   step.verdict = verdict;
-  for (const Theorem& earlier : theorems_)
-    if (earlier.id() == step.id) throw std::logic_error("two steps are called " + step.id);
+  if (verdict == "proved" && rule != "sign" && rule != "special case")
+    require(claim.statement.relation() == Relation::equal, claim, rule,
+            "the claim is not an equation");
+  for (const auto& [name, from] : claim.indices)
+    require(!definitions_.contains(name), claim, rule, "the index " + name + " has a definition");
+  require_new_id(claim);
+  for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
+    require(only_known_symbols(side), claim, rule, "a symbol that symbol(name) did not make");
   theorems_.push_back(Theorem(std::make_shared<const Theorem::Data>(
       Theorem::Data{step, claim.statement, domain_of(claim), evidence.conditions})));
   return theorems_.back();
@@ -131,6 +194,8 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
   if (difference) refuse(claim, rule, *difference);
   NormalForm form(domain, definitions_);
   try {
+    form.is_zero(left);  // each side by itself: GiNaC drops poles that both have
+    form.is_zero(right);
     require(form.is_zero((left - right).evalm()), claim, rule,
             "the normal form of the difference of " + text(left) + " and " + text(right) +
                 " is not zero, though the sides agree at every point tried");
@@ -170,23 +235,37 @@ bool Kernel::is_positive(const ex& e, const Claim& claim, Evidence& evidence) co
 Theorem Kernel::law(const Claim& claim) { return accept(claim, "law", {}, "law"); }
 
 Theorem Kernel::definition(const Claim& claim) {
+  require_new_id(claim);
+  Evidence evidence;
   const ex& name = claim.statement.lhs();
   require(claim.statement.relation() == Relation::equal, claim, "definition",
           "a definition is an equation");
   if (is_a<GiNaC::symbol>(name)) {
     const std::string text_name = ex_to<GiNaC::symbol>(name).get_name();
-    require(!domain_.positive.contains(text_name) && !definitions_.contains(text_name), claim,
-            "definition", "the name is taken");
+    require(!domain_.positive.contains(text_name) && !domain_.integer.contains(text_name) &&
+                !definitions_.contains(text_name),
+            claim, "definition", "the name is taken");
+    for (const Theorem& earlier : theorems_)
+      require(!mentions(earlier, text_name) && !earlier.domain().integer.contains(text_name), claim,
+              "definition", "the name is in use already, in " + earlier.id());
+    if (is_a<GiNaC::matrix>(claim.statement.rhs())) {
+      for (const ex& entry : claim.statement.rhs())
+        require_scalar(entry, claim, "definition", evidence);
+    } else {
+      require_scalar(claim.statement.rhs(), claim, "definition", evidence);
+    }
     definitions_.add(text_name, claim.statement.rhs());
   } else {
     require(is_sequence(name) && is_a<GiNaC::symbol>(name.op(0)), claim, "definition",
             "the left side must be a new name or a sequence such as T(m)");
+    require(!uses_sequence(definitions_.expand_all(claim.statement.rhs()), function_name(name)),
+            claim, "definition", "the definition uses itself");
     for (const Theorem& earlier : theorems_)
       require(!uses_sequence(earlier.lhs(), function_name(name)) &&
                   !uses_sequence(earlier.rhs(), function_name(name)),
               claim, "definition", "the sequence is in use already, in " + earlier.id());
   }
-  return accept(claim, "definition", {}, "definition");
+  return accept(claim, "definition", evidence, "definition");
 }
 
 Theorem Kernel::hypothesis(const Claim& claim) {

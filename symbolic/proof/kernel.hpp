@@ -114,6 +114,17 @@ private:
   // The conditions of a premise that is used with its symbols at these values.
   void add_conditions_at(const Theorem& premise, const Values& values, const Claim& claim,
                          Evidence& evidence) const;
+  // A premise of this kernel (definitions and domain are this one's), and an equation.
+  void require_own(const Theorem& premise, const Claim& claim, const std::string& rule) const;
+  void require_equation(const Theorem& premise, const Claim& claim, const std::string& rule) const;
+  // e is a real scalar wherever the recorded conditions hold: what may stand for a symbol or multiply a premise.
+  void require_scalar(const GiNaC::ex& e, const Claim& claim, const std::string& rule,
+                      Evidence& evidence) const;
+  // No defined name in e hides `name`: so substituting for `name` in e reaches every occurrence.
+  void require_visible(const GiNaC::ex& e, const GiNaC::ex& name, const Claim& claim,
+                       const std::string& rule) const;
+  void require_new_id(const Claim& claim) const;
+  bool mentions(const Theorem& theorem, const std::string& name) const;
   Step step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const;
   Theorem accept(const Claim& claim, const std::string& rule, const Evidence& evidence,
                  const std::string& verdict = "proved");

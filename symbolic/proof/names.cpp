@@ -2,9 +2,11 @@
 #include "proof/names.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 
 #include <cln/real.h>
 #include <ginac/ginac.h>
@@ -118,6 +120,12 @@ const std::map<std::string, std::string>& printed_names() {
 GiNaC::ex symbol(const std::string& name) {
   static std::mutex guard;
   static std::map<std::string, ex> symbols;  // grows only; a name never changes its symbol
+  const bool identifier = !name.empty() && name != "pi" &&
+                          std::isalpha(static_cast<unsigned char>(name[0])) != 0 &&
+                          std::all_of(name.begin(), name.end(), [](unsigned char character) {
+                            return std::isalnum(character) != 0 || character == '_';
+                          });
+  if (!identifier) throw std::invalid_argument("not a name for a symbol: " + name);
   const std::lock_guard lock(guard);
   const auto found = symbols.find(name);
   if (found != symbols.end()) return found->second;

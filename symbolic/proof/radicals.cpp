@@ -121,6 +121,9 @@ ex NormalForm::Generators::square_root(const ex& radicand) {
   if (unsigned_part.is_equal(1)) return root;
   if (is_a<numeric>(unsigned_part))
     throw NotInClass("square root of a negative number: " + text(back(radicand)));
+  if (is_a<numeric>((unsigned_part + 1).expand()))
+    throw NotInClass("square root of a negative number: " + text(back(radicand)));
+  conditions.insert(condition({-back(unsigned_part), Relation::less_equal, 0}));  // real
   return root * radical(unsigned_part, false);
 }
 

@@ -39,6 +39,7 @@ Theorem Kernel::consequence(const Claim& claim, const Combination& premises) {
   for (const auto& [premise, cofactor] : premises) {
     require(premise.statement().relation() == Relation::equal, claim, rule,
             premise.id() + " is not an equation");
+    require_scalar(cofactor, claim, rule, evidence);  // before GiNaC cancels 0/0
     combination += cofactor * difference(premise.statement());
     use(premise, claim, rule, evidence);
   }
@@ -60,6 +61,11 @@ ex Kernel::applied(const Theorem& equation, const ex& e, const Claim& claim,
   if (pattern) {
     const ex index = left.op(0);
     const std::string index_name = ex_to<GiNaC::symbol>(index).get_name();
+    require_visible(equation.rhs(), index, claim, rule);
+    for (const Condition& condition : equation.conditions())
+      if (condition.statement)
+        require_visible(condition.statement->lhs() - condition.statement->rhs(), index, claim,
+                        rule);
     GiNaC::exset elements;
     collect_elements(e, function_name(left), elements);
     for (const ex& element : elements) {
@@ -98,6 +104,8 @@ Theorem Kernel::cancellation(const Claim& claim, const Theorem& product, const e
   const std::string rule = "cancellation";
   Evidence evidence;
   use(product, claim, rule, evidence);
+  require_equation(product, claim, rule);
+  require_scalar(factor, claim, rule, evidence);
   require(claim.statement.relation() == Relation::equal, claim, rule,
           "the claim is not an equation");
   require_equal(difference(product.statement()), factor * difference(claim.statement), claim, rule,
@@ -122,6 +130,7 @@ Theorem Kernel::cancellation(const Claim& claim, const Theorem& product, const e
 Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Values& values) {
   const std::string rule = "special case";
   Evidence evidence;
+  require_own(general, claim, rule);
   evidence.premises.push_back(general.id());
   require(claim.statement.relation() == general.statement().relation(), claim, rule,
           "the relations differ");
@@ -140,11 +149,19 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
               text(value) + " is not known to be an integer >= " + std::to_string(integer->second) +
                   ", as " + name + " must be");
     replacements[symbol] = value;
+    require_scalar(value, claim, rule, evidence);
+    require_visible(general.lhs() - general.rhs(), symbol, claim, rule);
+    for (const Condition& condition : general.conditions())
+      if (condition.statement)
+        require_visible(condition.statement->lhs() - condition.statement->rhs(), symbol, claim,
+                        rule);
+    require(general.domain().integer.contains(name) ||
+                !(contains_sequence(general.lhs()) || contains_sequence(general.rhs())),
+            claim, rule, "sequences may depend on " + name);
   }
   for (const auto& [name, from] : general.domain().integer) {
     const ex index = symbol(name);
-    if (replacements.contains(index) || (!general.lhs().has(index) && !general.rhs().has(index)))
-      continue;
+    if (replacements.contains(index) || !mentions(general, name)) continue;
     const auto own = claim.indices.find(name);
     require(own != claim.indices.end() && own->second >= from, claim, rule,
             general.id() + " holds for " + name + " >= " + std::to_string(from) + " only");
@@ -154,7 +171,8 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
   require_equal(claim.statement.rhs(), general.rhs().subs(replacements, no_pattern), claim, rule,
                 evidence);
   for (const Condition& condition : general.conditions())
-    if (!condition.statement && condition.index.empty()) evidence.conditions.insert(condition);
+    if (!condition.statement && (condition.index.empty() || !mentions(general, condition.index)))
+      evidence.conditions.insert(condition);
   add_conditions_at(general, values, claim, evidence);
   return accept(claim, rule, evidence);
 }
@@ -164,7 +182,7 @@ Theorem Kernel::component(const Claim& claim, const Theorem& columns, unsigned r
   Evidence evidence;
   use(columns, claim, rule, evidence);
   require(columns.statement().relation() == Relation::equal && is_a<GiNaC::matrix>(columns.lhs()) &&
-              row < columns.lhs().nops(),
+              is_a<GiNaC::matrix>(columns.rhs()) && row < columns.lhs().nops(),
           claim, rule, columns.id() + " has no such entry");
   require(claim.statement.lhs().is_equal(columns.lhs().op(row)), claim, rule,
           "the left side is not that entry");
@@ -177,13 +195,21 @@ Theorem Kernel::cases(const Claim& claim, const std::vector<std::pair<Values, Th
   Evidence evidence;
   require(!all.empty() && claim.statement.relation() == Relation::equal, claim, rule,
           "no case, or not an equation");
+  std::string one_of;  // that these are all the cases is a condition, in words
   for (const auto& [values, theorem] : all) {
     use(theorem, claim, rule, evidence);
+    require_equation(theorem, claim, rule);
     GiNaC::exmap replacements;
-    for (const auto& [name, value] : values) replacements[name] = value;
+    std::string shown;
+    for (const auto& [name, value] : values) {
+      replacements[name] = value;
+      shown += (shown.empty() ? "" : ", ") + text(name) + " = " + text(value);
+    }
+    one_of += (one_of.empty() ? "" : " or ") + shown;
     require_equal(difference(claim.statement).subs(replacements, no_pattern),
                   difference(theorem.statement()), claim, rule, evidence);
   }
+  evidence.conditions.insert({one_of});
   return accept(claim, rule, evidence);
 }
 

@@ -45,6 +45,8 @@ Theorem Kernel::last_angle(const Claim& claim, const Theorem& cosine, const Theo
   Evidence evidence;
   use(cosine, claim, rule, evidence);
   use(count, claim, rule, evidence);
+  require_equation(cosine, claim, rule);
+  require_equation(count, claim, rule);
   const ex psi = symbol("psi");
   const ex last = symbol("N_B");
   require(count.lhs().is_equal(last) && count.rhs().is_equal(ceiling(GiNaC::Pi / psi - 1)), claim,

@@ -37,6 +37,12 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
   for (const Theorem& speed : {before_even, before_odd}) {
     use(speed, claim, rule, evidence,
         text(n));  // "velocities changed" holds while the pairs approach
+    require_equation(speed, claim, rule);
+    for (const Condition& condition : speed.conditions())
+      require(!condition.statement || condition.statement->relation() == Relation::not_equal ||
+                  !(condition.statement->lhs() - condition.statement->rhs()).has(n),
+              claim, rule, speed.id() + " holds only if " + condition.text);
+    require(contains_sequence(speed.lhs()), claim, rule, speed.id() + " is not about velocities");
     const auto split = split_sine(speed.rhs(), n);
     require(split.has_value(), claim, rule, speed.id() + " is not a multiple of a sine");
     const auto& [angle, rest] = *split;
@@ -52,6 +58,10 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
   }
   require(is_angle_up_to_pi(2 * h, claim, evidence), claim, rule,
           "2 h is not seen to lie in [0, pi]");
+  require(claim.statement.lhs().is_equal(symbol("N")), claim, rule, "the claim must be about N");
+  require(!definitions_.expand_all(h).has(n), claim, rule, "h depends on n");
+  for (const Theorem& earlier : theorems_)
+    require(!mentions(earlier, "N"), claim, rule, "N is in use already, in " + earlier.id());
   require(claim.statement.rhs().is_equal(ceiling(GiNaC::Pi / h) - 1), claim, rule,
           "the number of collisions is " + text(ceiling(GiNaC::Pi / h) - 1));
   evidence.conditions.insert({"the objects do not pass through each other"});
@@ -79,6 +89,13 @@ Theorem Kernel::threshold(const Claim& claim, const Theorem& count, const Theore
   Evidence evidence;
   for (const Theorem& premise : {count, increasing, angle_at_threshold})
     use(premise, claim, rule, evidence);
+  require_equation(count, claim, rule);
+  require_equation(angle_at_threshold, claim, rule);
+  require(is_a<GiNaC::symbol>(claim.statement.lhs()) &&
+              definitions_.contains(text(claim.statement.lhs())) &&
+              definitions_.expand_all(claim.statement.lhs())
+                  .is_equal(definitions_.expand_all(claim.statement.rhs())),
+          claim, rule, "the left side must be a name for the right side");
   const ex psi = symbol("psi");
   const ex alpha = symbol("alpha");
   const ex& ratio = claim.statement.rhs();

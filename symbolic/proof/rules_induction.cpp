@@ -25,6 +25,10 @@ Theorem Kernel::matrix_power(const Claim& claim, const Theorem& matrix, const ex
               claim.indices.at(text(n)) == 0,
           claim, rule, "the claim must read " + text(matrix.lhs()) + "^n = F(n), n >= 0");
   const ex& formula = claim.statement.rhs();
+  require_equation(matrix, claim, rule);
+  require(is_a<GiNaC::matrix>(matrix.rhs()) && !definitions_.expand_all(matrix.rhs()).has(n), claim,
+          rule, matrix.id() + " is not a constant matrix");
+  require_visible(formula, n, claim, rule);
   const auto& base = ex_to<GiNaC::matrix>(matrix.rhs());
   require_equal(formula.subs(n == 0, no_pattern), GiNaC::unit_matrix(base.rows()), claim, rule,
                 evidence);
@@ -51,6 +55,7 @@ Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initia
               left.nops() == right.nops(),
           claim, rule, "each sequence needs one initial value and one recurrence");
 
+  require_visible(right, n, claim, rule);
   GiNaC::exmap earlier;  // f(n - 1) -> F(n - 1)
   for (size_t i = 0; i < left.nops(); ++i) {
     require(is_sequence(left.op(i)) && left.op(i).op(0).is_equal(n), claim, rule,
@@ -65,6 +70,8 @@ Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initia
     require(initial[i].lhs().is_equal(at_first(element)), claim, rule,
             initial[i].id() + " does not give " + text(at_first(element)));
     use(initial[i], claim, rule, evidence);
+    require_equation(initial[i], claim, rule);
+    require_equation(recurrences[i], claim, rule);
     require_equal(initial[i].rhs(), at_first(right.op(i)), claim, rule, evidence);
 
     require(recurrences[i].lhs().is_equal(element), claim, rule,
@@ -73,7 +80,9 @@ Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initia
     require(from != recurrences[i].domain().integer.end() && from->second <= first + 1, claim, rule,
             recurrences[i].id() + " does not hold from the first step on");
     use(recurrences[i], claim, rule, evidence, text(n));
-    add_conditions_at(recurrences[i], {}, claim, evidence);  // at every index up to n
+    for (const Condition& condition : recurrences[i].conditions())
+      if (condition.statement && (condition.statement->lhs() - condition.statement->rhs()).has(n))
+        evidence.conditions.insert({condition.text + ", and so at every earlier " + text(n)});
     const ex next = recurrences[i].rhs().subs(earlier, no_pattern);
     require(!contains_sequence(next), claim, rule,
             recurrences[i].id() + " uses more than the elements at " + text(n) + " - 1");

@@ -43,6 +43,21 @@ bool collect(const ex& e, const ex& variable, Grid& grid) {
   return false;
 }
 
+// sawtooth(u) = u - floor(u): then every step function is an integer and coefficients of the variable add up.
+ex without_sawtooth(const ex& e) {
+  if (is_step_function(e)) {
+    const ex inside = without_sawtooth(e.op(0)).expand();
+    if (function_name(e) == "sawtooth") return inside - floor(inside);
+    return function_name(e) == "ceil" ? ceiling(inside) : floor(inside);
+  }
+  if (!is_a<GiNaC::add>(e) && !is_a<GiNaC::mul>(e)) return e;
+  ex result = is_a<GiNaC::add>(e) ? 0 : 1;
+  for (const ex& part : e)
+    result =
+        is_a<GiNaC::add>(e) ? result + without_sawtooth(part) : result * without_sawtooth(part);
+  return result.expand();
+}
+
 int depth(const ex& e) {
   int deepest = 0;
   for (const ex& part : e) deepest = std::max(deepest, depth(part));
@@ -78,16 +93,21 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
   const bool integer = claim.indices.contains(text(variable));
   const auto in_variable = [&](const ex& e) {
     const ex written_out = definitions_.expand_except_angles(e);
-    return integer ? written_out.subs(variable == x, no_pattern)
-                   : written_out.subs(symbol("psi") == GiNaC::Pi / x, no_pattern)
-                         .subs(variable == x, no_pattern);
+    require(!written_out.has(x), claim, rule, "X is taken");
+    if (!integer && !variable.is_equal(GiNaC::Pi / symbol("psi")))
+      return without_sawtooth(written_out.subs(variable == x, no_pattern));
+    return without_sawtooth(integer ? written_out.subs(variable == x, no_pattern)
+                                    : written_out.subs(symbol("psi") == GiNaC::Pi / x, no_pattern)
+                                          .subs(variable == x, no_pattern));
   };
   left = in_variable(left);
   right = in_variable(right);
   std::vector<Statement> cases;
   for (const Statement& condition : where) {
-    cases.emplace_back(in_variable(condition.lhs()), condition.relation(),
-                       in_variable(condition.rhs()));
+    require(
+        condition.relation() == Relation::greater || condition.relation() == Relation::less_equal,
+        claim, rule, "a case must read <= or >");
+    cases.emplace_back(in_variable(condition.lhs() - condition.rhs()), condition.relation(), 0);
     evidence.conditions.insert(proof::condition(condition));
   }
   Grid grid;
@@ -98,9 +118,17 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
     require(collect(condition.lhs(), x, grid) && collect(condition.rhs(), x, grid), claim, rule,
             "the case is not built from step functions");
 
-  const numeric period = grid.denominators.power(std::max(depth(left), depth(right)));
+  int deepest = std::max(depth(left), depth(right));
+  for (const Statement& condition : cases) deepest = std::max(deepest, depth(condition.lhs()));
+  const numeric period = grid.denominators.power(deepest);
   const numeric cells = integer ? numeric(1) : grid.numerators * grid.denominators;
   require(period * cells <= 20000, claim, rule, "too many pieces");
+  for (const Statement& condition : cases)
+    require(condition.lhs()
+                .subs(x == 0, no_pattern)
+                .is_equal(condition.lhs().subs(x == period, no_pattern)),
+            claim, rule, "the case " + text(condition) + " is not periodic");
+  bool reached = false;
   for (numeric i = 0; i <= 2 * period * cells; i += 1)
     for (const numeric& inside : {numeric(0), numeric(1, 3), numeric(2, 3)}) {
       if (integer && !inside.is_zero()) continue;
@@ -108,12 +136,16 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
       if (!std::all_of(cases.begin(), cases.end(),
                        [&](const Statement& s) { return holds(s, x, value); }))
         continue;
+      reached = true;
       const ex l = left.subs(x == value, no_pattern);
       const ex r = right.subs(x == value, no_pattern);
       require(l.is_equal(r), claim, rule,
               "at " + text(variable) + " = " + text(value) + " the left side is " + text(l) +
                   " and the right side is " + text(r));
     }
+  require(reached, claim, rule, "the cases exclude every point");
+  if (integer)
+    evidence.conditions.insert(index_condition(text(variable), claim.indices.at(text(variable))));
   return accept(claim, rule, evidence);
 }
 

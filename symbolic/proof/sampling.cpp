@@ -140,13 +140,15 @@ std::optional<std::string> counterexample(const ex& lhs, const ex& rhs, const Do
   std::mt19937_64 random(hash(seed));
   const ex left = definitions.expand_all(lhs);
   const ex right = definitions.expand_all(rhs);
-  for (int i = 0; i < points; ++i) {
+  int compared = 0;
+  for (int i = 0; i < 8 * points && compared < points; ++i) {
     Point point(domain, random);
     point.assign(left);
     point.assign(right);
     try {
       const ex left_value = point.value(left);
       const ex right_value = point.value(right);
+      ++compared;
       if (agree(left_value, right_value)) continue;
       const std::string where = point.shown();
       return (where.empty() ? "" : "at " + where + " ") + "the left side is " +
@@ -157,6 +159,7 @@ std::optional<std::string> counterexample(const ex& lhs, const ex& rhs, const Do
       continue;  // division by zero, likewise
     }
   }
+  if (compared == 0) return "no point was found where both sides are defined";
   return std::nullopt;
 }
 

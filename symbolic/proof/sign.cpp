@@ -113,7 +113,7 @@ bool NormalForm::Generators::positive_at_fraction_of_pi(const ex& e) {
   const std::string name = ex_to<GiNaC::function>(e).get_name();
   if (name != "cos" && name != "sin") return false;
   const ex d = (GiNaC::Pi / e.op(0)).normal();
-  return !d.has(GiNaC::Pi) && positive(d - (name == "cos" ? 2 : 1));
+  return !d.has(GiNaC::Pi) && positive(rewritten(d) - (name == "cos" ? 2 : 1));
 }
 
 // Either it follows that the expression never vanishes on the domain, or "!= 0" becomes a condition.

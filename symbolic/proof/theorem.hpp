@@ -15,7 +15,7 @@ namespace magicmass::proof {
 struct Step {
   std::string id;                       // "contact.Gamma": chapter, dot, name
   std::string rule;                     // the kernel's rule that made it
-  std::string from;                     // left side
+  std::string from;                     // left side, as it is shown
   std::string relation;                 // "=", "!=", "<=", ">"
   std::string to;                       // right side
   std::vector<std::string> conditions;  // sorted
@@ -23,6 +23,7 @@ struct Step {
   std::string words;                    // what was done, for a reader
   std::string verdict;                  // "proved", "law", "definition" or "hypothesis"
   std::vector<std::string> premises;    // ids
+  std::string statement = {};  // both sides as the kernel compared them, nothing abbreviated
 };
 
 class Kernel;

@@ -10,6 +10,10 @@ using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
 
+namespace {
+constexpr int largest_exponent = 200;  // polynomials are expanded
+}
+
 ex NormalForm::Generators::translate(const ex& e) {
   const ex written_out = definitions_.expand_except_angles(e);
   const auto before = denominators_;
@@ -64,6 +68,8 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
     const numeric exponent = ex_to<numeric>(e.op(1));
     if (!exponent.is_rational() || exponent.denom() > 2)
       throw NotInClass("only whole and half powers are handled: " + text(e));
+    if (GiNaC::abs(exponent) > largest_exponent)
+      throw NotInClass("too large an exponent: " + text(e));
     ex base = rewritten(e.op(0));
     if (exponent.is_negative()) require_nonzero(base, e.op(0));
     if (exponent.is_integer()) return GiNaC::power(base, exponent);

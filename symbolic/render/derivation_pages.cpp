@@ -80,11 +80,17 @@ std::string derivation_markdown(const std::vector<proof::Step>& steps) {
 std::string derivation_json(const std::vector<proof::Step>& steps) {
   std::string text;
   for (const proof::Step& step : steps) {
-    const nlohmann::ordered_json object{{"id", step.id},           {"rule", step.rule},
-                                        {"from", step.from},       {"relation", step.relation},
-                                        {"to", step.to},           {"conditions", step.conditions},
-                                        {"label", step.label},     {"words", step.words},
-                                        {"verdict", step.verdict}, {"premises", step.premises}};
+    const nlohmann::ordered_json object{{"id", step.id},
+                                        {"rule", step.rule},
+                                        {"from", step.from},
+                                        {"relation", step.relation},
+                                        {"to", step.to},
+                                        {"conditions", step.conditions},
+                                        {"label", step.label},
+                                        {"words", step.words},
+                                        {"verdict", step.verdict},
+                                        {"premises", step.premises},
+                                        {"statement", step.statement}};
     text += (text.empty() ? "[\n" : ",\n") + object.dump();
   }
   return text.empty() ? "[]\n" : text + "\n]\n";

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Ways to make the kernel accept a falsehood that were found and closed; each must stay closed.
+#include <catch2/catch.hpp>
+#include <ginac/ginac.h>
+
+#include "proof/kernel.hpp"
+#include "proof/names.hpp"
+#include "proof/normal_form.hpp"
+
+using namespace magicmass::proof;
+using GiNaC::ex;
+using GiNaC::matrix;
+using GiNaC::numeric;
+using GiNaC::Pi;
+
+namespace {
+
+const ex alpha = symbol("alpha"), x = symbol("x"), y = symbol("y"), z = symbol("z"),
+         n = symbol("n"), k = symbol("k");
+const ex q = symbol("q"), psi = symbol("psi");
+
+Kernel new_kernel() { return Kernel({.positive = {"alpha", "q"}, .integer = {}}); }
+
+}  // namespace
+
+TEST_CASE("0/0 is no cofactor", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem p = kernel.identity({.id = "p", .statement = {pow(x + 1, 2), x * x + 2 * x + 1}});
+  CHECK_THROWS_AS(
+      kernel.consequence({.id = "q", .statement = {1, 0}}, {{p, 1 / (p.lhs() - p.rhs())}}),
+      NotProved);
+}
+
+TEST_CASE("only equations are used as equations", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem positive =
+      kernel.positivity({.id = "p", .statement = {alpha, Relation::greater, 0}});
+  CHECK_THROWS_AS(kernel.cancellation({.id = "a", .statement = {1, 0}}, positive, alpha),
+                  NotProved);
+  CHECK_THROWS_AS(kernel.cases({.id = "b", .statement = {1, 0}}, {{{}, positive}}), NotProved);
+  CHECK_THROWS_AS(
+      kernel.equal_angles({.id = "c", .statement = {2 * atan(q), Relation::greater, 2 * atan(q)}}),
+      NotProved);
+  const Theorem different = kernel.law({.id = "d", .statement = {a(0), Relation::not_equal, 0}});
+  const Theorem next =
+      kernel.law({.id = "e", .statement = {a(n), a(n - 1) + 1}, .indices = {{"n", 1}}});
+  CHECK_THROWS_AS(kernel.induction({.id = "f", .statement = {a(n), n}, .indices = {{"n", 0}}},
+                                   {different}, {next}, n),
+                  NotProved);
+}
+
+TEST_CASE("theorems of another kernel are no premises", "[exam]") {
+  Kernel one = new_kernel(), two = new_kernel();
+  const Theorem foreign = one.definition({.id = "y", .statement = {y, x}});
+  two.definition({.id = "y", .statement = {y, x + 1}});
+  CHECK_THROWS_AS(two.consequence({.id = "q", .statement = {1, 0}}, {{foreign, -1}}), NotProved);
+  CHECK_THROWS_AS(two.instance({.id = "r", .statement = {y, x}}, foreign, {}), NotProved);
+}
+
+TEST_CASE("substitution reaches inside names, or is refused", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem named = kernel.definition({.id = "y", .statement = {y, x + 1}});
+  CHECK_THROWS_AS(kernel.instance({.id = "a", .statement = {y, 6}}, named, {{x, ex(5)}}),
+                  NotProved);
+}
+
+TEST_CASE("what stands for a symbol is a real number", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem p =
+      kernel.positivity({.id = "p", .statement = {pow(alpha, 2) + 1, Relation::greater, 0}});
+  CHECK_THROWS(kernel.instance({.id = "a", .statement = {-3, Relation::greater, 0}}, p,
+                               {{alpha, 2 * GiNaC::I}}));
+  CHECK_THROWS(kernel.definition({.id = "b", .statement = {z, 2 * GiNaC::I}}));
+}
+
+TEST_CASE("a definition is new and not about itself", "[exam]") {
+  Kernel kernel = new_kernel();
+  CHECK_THROWS_AS(kernel.definition({.id = "a", .statement = {T(n), T(n) + 1}}), NotProved);
+  kernel.law({.id = "b", .statement = {y, 3}});
+  CHECK_THROWS_AS(kernel.definition({.id = "c", .statement = {y, x}}), NotProved);
+}
+
+TEST_CASE("a matrix power is of a constant matrix", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem S =
+      kernel.definition({.id = "S", .statement = {symbol("S"), matrix{{1, n}, {0, 1}}}});
+  const ex sum = n * (n - 1) / 2;
+  CHECK_THROWS_AS(kernel.matrix_power({.id = "p",
+                                       .statement = {pow(symbol("S"), n), matrix{{1, sum}, {0, 1}}},
+                                       .indices = {{"n", 0}}},
+                                      S, n),
+                  NotProved);
+}
+
+TEST_CASE("the number of collisions is N, counted from velocities", "[exam]") {
+  Kernel kernel = new_kernel();
+  const std::map<std::string, long> from_zero{{"n", 0}};
+  const ex even = 3 * sin((2 * n + 1) * Pi / 5), odd = 3 * sin((2 * n + 2) * Pi / 5);
+  const Theorem one =
+      kernel.identity({.id = "one", .statement = {even, even}, .indices = from_zero});
+  const Theorem two = kernel.identity({.id = "two", .statement = {odd, odd}, .indices = from_zero});
+  CHECK_THROWS_AS(kernel.collision_count({.id = "p", .statement = {alpha, 4}}, one, two, n, Pi / 5),
+                  NotProved);
+}
+
+TEST_CASE("step functions: slopes that add, cases that never hold, two variables", "[exam]") {
+  Kernel kernel({.positive = {"psi"}, .integer = {}});
+  const ex u = Pi / psi, inner = numeric(1, 2) + u + sawtooth(u);
+  int number = 0;
+  const auto refused = [&](const Statement& statement, const ex& variable,
+                           const std::vector<Statement>& where) {
+    CHECK_THROWS_AS(
+        kernel.step_functions({.id = "p" + std::to_string(++number), .statement = statement}, {},
+                              variable, where),
+        NotProved);
+  };
+  refused({ceiling(inner), floor(inner) + 1}, u, {});
+  refused({1, 0}, u, {{u, Relation::greater, 3}});
+  refused({1, 0}, u, {{sawtooth(u), Relation::greater, 2}});
+  refused({ceiling(y), ceiling(u)}, y, {});
+  refused({ceiling(u), floor(u)}, u, {{sawtooth(u), 0}});
+}
+
+TEST_CASE("roots of unknown sign ask for their condition", "[exam]") {
+  NormalForm form({.positive = {"q"}, .integer = {}}, {});
+  form.is_positive(1 + pow(atan(sqrt(y)), 2));
+  CHECK(form.conditions().contains({"-y <= 0"}));
+}
+
+TEST_CASE("angles have rational factors of bounded size", "[exam]") {
+  NormalForm form({}, {});
+  CHECK_THROWS_AS(form.is_positive(2 + cos(ex(0.5) * x)), NotInClass);
+  CHECK_THROWS_AS(form.is_positive(2 + cos(GiNaC::I * x)), NotInClass);
+  CHECK_THROWS_AS(form.is_positive(2 + cos(1000000 * x)), NotInClass);
+  CHECK_THROWS_AS(form.is_positive(2 + pow(x + y + 1, 3000)), NotInClass);
+}
+
+TEST_CASE("the sampling net is never empty, and poles on both sides are seen", "[exam]") {
+  Kernel kernel = new_kernel();
+  ex product = 1;
+  for (int i = 1; i <= 10; ++i) product *= k - i;
+  CHECK_THROWS_AS(
+      kernel.identity({.id = "p", .statement = {1 / product, 1 / product}, .indices = {{"k", 1}}}),
+      NotProved);
+  const Theorem shared =
+      kernel.identity({.id = "q", .statement = {x + 1 / (x - y), x + 1 / (x - y)}});
+  CHECK(shared.step().conditions == std::vector<std::string>{"x - y != 0"});
+}
+
+TEST_CASE("cases are conditions, and one name is one symbol", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem trivial = kernel.identity({.id = "t", .statement = {y, y}});
+  const Theorem by_cases = kernel.cases({.id = "c", .statement = {x, y}}, {{{{x, y}}, trivial}});
+  CHECK(by_cases.step().conditions == std::vector<std::string>{"x = y"});
+  const ex impostor = GiNaC::realsymbol("x");
+  CHECK_THROWS(kernel.identity({.id = "i", .statement = {impostor, impostor}}));
+  CHECK_THROWS(symbol("cos(x)"));
+  CHECK_THROWS(symbol("pi"));
+}
