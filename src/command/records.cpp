@@ -53,7 +53,8 @@ void add_output_options(CLI::App& command, OutputOptions& options,
 Cell text_cell(std::string text) { return {std::move(text), true}; }
 
 Cell number_cell(double value) {
-  return std::isfinite(value) ? Cell{fmt::format("{}", value), false} : missing_cell();
+  if (!std::isfinite(value)) return missing_cell();
+  return {fmt::format("{}", value == 0 ? 0.0 : value), false};  // a product's -0 is shown as 0
 }
 
 Cell number_cell(std::int64_t value) { return {std::to_string(value), false}; }

@@ -11,6 +11,12 @@
 
 namespace reference = magicmass::reference;
 
+TEST_CASE("the start shows no negative zero", "[exam]") {
+  const ProgramRun start = run_program({"eval", "--alpha", "0.1", "--n", "0", "--format", "csv"});
+  CHECK(start.exit_code == 0);
+  CHECK(lines_of(start.output).at(1) == "0.1,0,fast,1,0,0,0");
+}
+
 TEST_CASE("exact velocities at 1/7", "[exam]") {
   const nlohmann::json v = json_of({"eval", "--alpha", "1/7", "--n", "2", "--tier", "exact"});
   CHECK(v == nlohmann::json::parse(
