@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "proof/statement.hpp"
+
+// The paper's equations by label, one file a chapter of the derivation. They are claims: the derivation
+// must reach them by itself, and nothing is ever computed from them.
+namespace magicmass::derivation {
+
+using Equations = std::map<std::string, proof::Statement>;
+
+Equations contact_equations();
+Equations cycle_equations();
+Equations rotation_equations();
+Equations power_equations();
+Equations counting_equations();
+Equations ratios_equations();
+
+}  // namespace magicmass::derivation
