@@ -54,16 +54,38 @@ Chebyshev chebyshev(Kernel& kernel, const Rotation& rotation, const Power& power
 struct Counting {
   Theorem before_P, before_Q;  // approach speeds
   Theorem N, N_A, N_B;
+  Theorem equal;                                  // N_A = N_B: the last collision is a Q
+  Theorem one_more_above_half, one_more_at_zero;  // N_A = N_B + 1: it is a P
   Theorem psi_increases;
 };
 Counting counting(Kernel& kernel, const Rotation& rotation, const Power& power, const Paper& paper);
 
+// A mass ratio at which a count is about to change.
+struct RatioCase {
+  Theorem angle;     // psi = pi/(k + s), the case under study
+  Theorem ratio;     // alpha in that case
+  Theorem N_A, N_B;  // the counts there
+};
 struct Ratios {
   Theorem alpha_k, beta_k;                // the paper's forms
   Theorem alpha_k_stable, beta_k_stable;  // without cancellation
+  RatioCase magic, deficient;
 };
 Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
               const Counting& counting, const Paper& paper);
+
+struct Terminal {
+  Theorem psi_below_pi;
+  Theorem reached, not_before;  // pi <= (N_B + 1) psi, pi > N_B psi
+  Theorem b_below_V;
+  Theorem b_at_beta_k;
+};
+Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
+                  const Ratios& ratios, const Paper& paper);
+
+// Every beta_k is a strict local minimum of b_t.
+void minima(Kernel& kernel, const Rotation& rotation, const Power& power, const Counting& counting,
+            const Terminal& terminal);
 
 struct Times {
   Theorem t_P, t_Q, s_P, s_Q;

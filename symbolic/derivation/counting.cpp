@@ -72,11 +72,12 @@ Counting counting(Kernel& kernel, const Rotation& rotation, const Power& power,
                          .words = "N_A in the first case",
                          .label = label},
                         {count_A}, x, {above_zero, to_half});
-  kernel.step_functions({.id = "counting.equal_B",
-                         .statement = {N_A, N_B},
-                         .words = "and N_B is the same",
-                         .label = label},
-                        {count_A, count_B}, x, {above_zero, to_half});
+  const Theorem equal = kernel.step_functions({.id = "counting.equal_B",
+                                               .statement = {N_A, N_B},
+                                               .words = "and N_B is the same",
+                                               .label = label},
+                                              {count_A, count_B}, x, {above_zero, to_half});
+  std::vector<Theorem> one_more;
   for (const auto& [name, condition] :
        {std::pair{"above_half", above_half}, std::pair{"at_zero", at_zero}}) {
     const std::string id = std::string("counting.otherwise_") + name;
@@ -85,11 +86,11 @@ Counting counting(Kernel& kernel, const Rotation& rotation, const Power& power,
                            .words = "N_A otherwise",
                            .label = label},
                           {count_A}, x, {condition});
-    kernel.step_functions({.id = id + "_B",
-                           .statement = {N_A, N_B + 1},
-                           .words = "and N_B is one less",
-                           .label = label},
-                          {count_A, count_B}, x, {condition});
+    one_more.push_back(kernel.step_functions({.id = id + "_B",
+                                              .statement = {N_A, N_B + 1},
+                                              .words = "and N_B is one less",
+                                              .label = label},
+                                             {count_A, count_B}, x, {condition}));
   }
 
   const ex slope = rotation.psi.rhs().diff(GiNaC::ex_to<GiNaC::symbol>(alpha));
@@ -97,7 +98,8 @@ Counting counting(Kernel& kernel, const Rotation& rotation, const Power& power,
       kernel.positivity({.id = "counting.psi_increases",
                          .statement = {slope, Relation::greater, 0},
                          .words = "psi grows with alpha: lighter balls collide more often"});
-  return {before_P, before_Q, total, count_A, count_B, increases};
+  return {before_P, before_Q,       total,          count_A,  count_B,
+          equal,    one_more.at(0), one_more.at(1), increases};
 }
 
 }  // namespace magicmass::derivation

@@ -15,12 +15,13 @@ const proof::Theorem& Derivation::at(const std::string& id) const {
 
 const std::vector<std::string>& chapter_names() {
   static const std::vector<std::string> names{"contact",   "cycle",    "rotation", "power",
-                                              "chebyshev", "counting", "ratios",   "times"};
+                                              "chebyshev", "counting", "ratios",   "terminal",
+                                              "minima",    "times"};
   return names;
 }
 
 Derivation derive(const Laws& laws, const Paper& paper) {
-  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
+  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "V", "alpha", "h_1", "h_2"}, .integer = {}});
   Derivation result;
   try {
     const Contact first = contact(kernel, laws, paper);
@@ -29,7 +30,9 @@ Derivation derive(const Laws& laws, const Paper& paper) {
     const Power fourth = power(kernel, laws, first, second, third, paper);
     const Chebyshev polynomials = chebyshev(kernel, third, fourth);
     const Counting counts = counting(kernel, third, fourth, paper);
-    ratios(kernel, third, fourth, counts, paper);
+    const Ratios critical = ratios(kernel, third, fourth, counts, paper);
+    const Terminal last = terminal(kernel, fourth, counts, critical, paper);
+    minima(kernel, third, fourth, counts, last);
     times(kernel, laws, fourth, counts, polynomials);
   } catch (const proof::NotProved& refused) {
     result.refused = refused;

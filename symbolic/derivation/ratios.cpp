@@ -137,17 +137,19 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
 
   const auto count_at = [&](const std::string& id, const Theorem& count, const Threshold& at,
                             const ex& number, const std::string& label) {
-    kernel.step_functions({.id = id,
-                           .statement = {count.lhs(), number},
-                           .words = "the count there",
-                           .label = label,
-                           .indices = k_from_one},
-                          {count, at.angle}, k);
+    return kernel.step_functions({.id = id,
+                                  .statement = {count.lhs(), number},
+                                  .words = "the count there",
+                                  .label = label,
+                                  .indices = k_from_one},
+                                 {count, at.angle}, k);
   };
-  count_at("ratios.magic_N_A", counting.N_A, magic, k, "eq:Naatcritical");
-  count_at("ratios.magic_N_B", counting.N_B, magic, k, "eq:Naatcritical");
-  count_at("ratios.deficient_N_A", counting.N_A, deficient, k + 1, "eq:Nbatcritical");
-  count_at("ratios.deficient_N_B", counting.N_B, deficient, k, "eq:Nbatcritical");
+  const Theorem magic_N_A = count_at("ratios.magic_N_A", counting.N_A, magic, k, "eq:Naatcritical");
+  const Theorem magic_N_B = count_at("ratios.magic_N_B", counting.N_B, magic, k, "eq:Naatcritical");
+  const Theorem deficient_N_A =
+      count_at("ratios.deficient_N_A", counting.N_A, deficient, k + 1, "eq:Nbatcritical");
+  const Theorem deficient_N_B =
+      count_at("ratios.deficient_N_B", counting.N_B, deficient, k, "eq:Nbatcritical");
 
   // At alpha_k everything goes to B; at beta_k, B and C end up together.
   const auto velocity_at = [&](const std::string& id, const Statement& statement,
@@ -263,7 +265,12 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
                       .indices = last_from_one},
                      {{deficient_angle, 1 / psi}});
 
-  return {magic.named, deficient.named, magic.stable, deficient.stable};
+  return {magic.named,
+          deficient.named,
+          magic.stable,
+          deficient.stable,
+          {magic.angle, magic.ratio, magic_N_A, magic_N_B},
+          {deficient.angle, deficient.ratio, deficient_N_A, deficient_N_B}};
 }
 
 }  // namespace magicmass::derivation

@@ -2,6 +2,7 @@
 #include "proof/kernel.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <ginac/ginac.h>
 
@@ -22,6 +23,14 @@ namespace {
 bool only_known_symbols(const ex& e) {
   if (is_a<GiNaC::symbol>(e)) return e.is_equal(symbol(ex_to<GiNaC::symbol>(e).get_name()));
   return std::all_of(e.begin(), e.end(), only_known_symbols);
+}
+
+// The rules that look at the relation of their claim themselves.
+bool may_be_an_inequality(const std::string& rule) {
+  static const std::set<std::string> rules{
+      "sign",           "special case", "sum of what is positive", "strict",        "ceiling",
+      "angle below pi", "cosine falls", "condition proved",        "sign of a sine"};
+  return rules.contains(rule);
 }
 
 bool uses_sequence(const ex& e, const std::string& name) {
@@ -155,7 +164,7 @@ Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Eviden
                        const std::string& verdict) {
   Step step = step_for(claim, rule, evidence);
   step.verdict = verdict;
-  if (verdict == "proved" && rule != "sign" && rule != "special case")
+  if (verdict == "proved" && !may_be_an_inequality(rule))
     require(claim.statement.relation() == Relation::equal, claim, rule,
             "the claim is not an equation");
   for (const auto& [name, from] : claim.indices)
@@ -225,6 +234,17 @@ bool Kernel::is_positive(const ex& e, const Claim& claim, Evidence& evidence) co
   NormalForm form(domain_of(claim), definitions_);
   try {
     if (!form.is_positive(e)) return false;
+  } catch (const NotInClass&) {
+    return false;
+  }
+  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
+  return true;
+}
+
+bool Kernel::is_zero(const ex& e, const Claim& claim, Evidence& evidence) const {
+  NormalForm form(domain_of(claim), definitions_);
+  try {
+    if (!form.is_zero(definitions_.expand_except_angles(e))) return false;
   } catch (const NotInClass&) {
     return false;
   }

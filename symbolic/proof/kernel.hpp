@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -94,6 +95,30 @@ public:
   Theorem step_functions(const Claim& claim, const std::vector<Theorem>& equations,
                          const GiNaC::ex& variable, const std::vector<Statement>& where = {});
 
+  // --- inequalities (rules_inequalities.cpp, rules_ordering.cpp) ---------------------------------------
+  // A sum that is seen to be >= 0, or > 0: each term is coefficient * square^2 * product of the differences
+  // that `factors` state to be > 0 or >= 0; its coefficient is positive by signs.
+  using NonnegativeTerm =
+      std::tuple<GiNaC::ex, std::vector<Theorem>, GiNaC::ex>;  // coefficient, factors, square
+  // The larger side minus the smaller one, `equations` applied to both, is the sum of the terms.
+  Theorem ordering(const Claim& claim, const std::vector<NonnegativeTerm>& terms,
+                   const std::vector<Theorem>& equations = {});
+  // Conditions of a theorem that `proofs` state are no longer conditions.
+  Theorem discharge(const Claim& claim, const Theorem& theorem, const std::vector<Theorem>& proofs);
+  // x <= y and x != y give y > x.
+  Theorem strictly(const Claim& claim, const Theorem& at_most, const Theorem& different);
+  // X = ceil(y) + m: then y <= X - m and y + 1 > X - m, times what is positive.
+  Theorem ceiling_bound(const Claim& claim, const Theorem& count);
+  // ... and X = m + k for the whole number k with y <= k, y + 1 > k.
+  Theorem ceiling_value(const Claim& claim, const Theorem& count, const Theorem& at_most,
+                        const Theorem& above);
+  // pi > 2 atan(t), pi > pi/d with d > 1.
+  Theorem angle_below_pi(const Claim& claim);
+  // cos y > cos x, both angles in [0, pi]: x > y; and cos y <= cos x: x <= y.
+  Theorem larger_angle(const Claim& claim, const Theorem& cosines);
+  // sin x > 0, >= 0 on [0, pi] and < 0, <= 0 on [pi, 2 pi]; cos x = sin(x + pi/2). `bounds` confine x.
+  Theorem sine_sign(const Claim& claim, const std::vector<Theorem>& bounds);
+
   const std::vector<Theorem>& theorems() const { return theorems_; }  // all of them, in order
   const Definitions& definitions() const { return definitions_; }
   Domain domain_of(const Claim& claim) const;
@@ -137,6 +162,11 @@ private:
                      const std::string& rule, Evidence& evidence) const;
   bool is_positive(const GiNaC::ex& e, const Claim& claim, Evidence& evidence) const;
   bool is_integer(const GiNaC::ex& e, const Claim& claim) const;
+  // e = 0 by normal form; outside of the class: not seen.
+  bool is_zero(const GiNaC::ex& e, const Claim& claim, Evidence& evidence) const;
+  // X = ceil(y) + m, taken apart: y and X - m.
+  std::pair<GiNaC::ex, GiNaC::ex> ceiling_of(const Theorem& count, const Claim& claim,
+                                             const std::string& rule) const;
   bool is_angle_up_to_pi(const GiNaC::ex& angle, const Claim& claim, Evidence& evidence) const;
   GiNaC::ex applied(const Theorem& equation, const GiNaC::ex& e, const Claim& claim,
                     const std::string& rule, Evidence& evidence) const;
