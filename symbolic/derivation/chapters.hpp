@@ -87,6 +87,10 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
 void minima(Kernel& kernel, const Rotation& rotation, const Power& power, const Counting& counting,
             const Terminal& terminal);
 
+// psi, theta and the counts for light balls.
+void small_alpha(Kernel& kernel, const Rotation& rotation, const Counting& counting,
+                 const Paper& paper);
+
 struct Times {
   Theorem t_P, t_Q, s_P, s_Q;
   Theorem t, s;                    // of collision j = 0, 1, 2, ...

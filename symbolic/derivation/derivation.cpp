@@ -14,9 +14,9 @@ const proof::Theorem& Derivation::at(const std::string& id) const {
 }
 
 const std::vector<std::string>& chapter_names() {
-  static const std::vector<std::string> names{"contact",   "cycle",    "rotation", "power",
-                                              "chebyshev", "counting", "ratios",   "terminal",
-                                              "minima",    "times"};
+  static const std::vector<std::string> names{"contact",   "cycle",       "rotation", "power",
+                                              "chebyshev", "counting",    "ratios",   "terminal",
+                                              "minima",    "small_alpha", "times"};
   return names;
 }
 
@@ -33,6 +33,7 @@ Derivation derive(const Laws& laws, const Paper& paper) {
     const Ratios critical = ratios(kernel, third, fourth, counts, paper);
     const Terminal last = terminal(kernel, fourth, counts, critical, paper);
     minima(kernel, third, fourth, counts, last);
+    small_alpha(kernel, third, counts, paper);
     times(kernel, laws, fourth, counts, polynomials);
   } catch (const proof::NotProved& refused) {
     result.refused = refused;

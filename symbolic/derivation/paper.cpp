@@ -9,7 +9,7 @@ Paper paper() {
   Equations all;
   for (Equations part :
        {contact_equations(), cycle_equations(), rotation_equations(), power_equations(),
-        counting_equations(), ratios_equations(), terminal_equations()})
+        counting_equations(), ratios_equations(), small_alpha_equations(), terminal_equations()})
     all.merge(part);
   return Paper(std::move(all));
 }

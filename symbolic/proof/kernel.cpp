@@ -27,9 +27,17 @@ bool only_known_symbols(const ex& e) {
 
 // The rules that look at the relation of their claim themselves.
 bool may_be_an_inequality(const std::string& rule) {
-  static const std::set<std::string> rules{
-      "sign",           "special case", "sum of what is positive", "strict",        "ceiling",
-      "angle below pi", "cosine falls", "condition proved",        "sign of a sine"};
+  static const std::set<std::string> rules{"sign",
+                                           "special case",
+                                           "sum of what is positive",
+                                           "strict",
+                                           "ceiling",
+                                           "angle below pi",
+                                           "cosine falls",
+                                           "series",
+                                           "series of a count",
+                                           "condition proved",
+                                           "sign of a sine"};
   return rules.contains(rule);
 }
 
@@ -139,13 +147,12 @@ void Kernel::use(const Theorem& premise, const Claim& claim, const std::string& 
 }
 
 Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const {
-  static const char* const relations[] = {"=", "!=", "<=", ">"};
   std::vector<std::string> conditions;
   for (const Condition& condition : evidence.conditions) conditions.push_back(condition.text);
   return {claim.id,
           rule,
           claim.shown_lhs.empty() ? text(claim.statement.lhs()) : claim.shown_lhs,
-          relations[static_cast<int>(claim.statement.relation())],
+          text(claim.statement.relation()),
           claim.shown_rhs.empty() ? text(claim.statement.rhs()) : claim.shown_rhs,
           conditions,
           claim.label,

@@ -119,6 +119,12 @@ public:
   // sin x > 0, >= 0 on [0, pi] and < 0, <= 0 on [pi, 2 pi]; cos x = sin(x + pi/2). `bounds` confine x.
   Theorem sine_sign(const Claim& claim, const std::vector<Theorem>& bounds);
 
+  // --- expansions as alpha -> 0 (rules_asymptotic.cpp) -------------------------------------------------
+  // f ~ sum of powers of sqrt(alpha): the Laurent series of f, up to its last term there.
+  Theorem expansion(const Claim& claim);
+  // The leading term of a count N = ceil(q f + number) + m from that of f, which grows beyond all bounds.
+  Theorem expansion_of_count(const Claim& claim, const Theorem& count, const Theorem& expansion);
+
   const std::vector<Theorem>& theorems() const { return theorems_; }  // all of them, in order
   const Definitions& definitions() const { return definitions_; }
   Domain domain_of(const Claim& claim) const;

@@ -134,6 +134,8 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
   evidence.premises.push_back(general.id());
   require(claim.statement.relation() == general.statement().relation(), claim, rule,
           "the relations differ");
+  require(general.statement().relation() != Relation::asymptotic, claim, rule,
+          general.id() + " holds in the limit only");
   GiNaC::exmap replacements;
   for (const auto& [symbol, value] : values) {
     const std::string name = text(symbol);

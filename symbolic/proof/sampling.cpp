@@ -163,4 +163,16 @@ std::optional<std::string> counterexample(const ex& lhs, const ex& rhs, const Do
   return std::nullopt;
 }
 
+std::optional<std::string> not_small(const ex& function, const ex& terms, const ex& s, int last) {
+  const PrecisionGuard guard;
+  GiNaC::Digits = 40 * (std::abs(last) + 4);  // the terms cancel
+  for (const numeric& point : {numeric(1, 1000000), numeric(1, 100000000)}) {
+    const ex rest = ((function - terms) / pow(s, last)).subs(s == point).evalf();
+    if (!is_a<numeric>(rest) || GiNaC::abs(ex_to<numeric>(rest)) > numeric(1, 1000))
+      return "at sqrt(alpha) = " + text(point) + " the sides differ by " + shortened(rest) +
+             " sqrt(alpha)^" + std::to_string(last);
+  }
+  return std::nullopt;
+}
+
 }  // namespace magicmass::proof

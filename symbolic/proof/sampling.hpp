@@ -19,4 +19,9 @@ std::optional<std::string> counterexample(const GiNaC::ex& lhs, const GiNaC::ex&
                                           const Domain& domain, const Definitions& definitions,
                                           const std::string& seed, int points = 4);
 
+// The second net for expansions: (function - terms)/s^last must vanish as s -> 0, so it is looked at for
+// two small s. Returns what was seen if it does not.
+std::optional<std::string> not_small(const GiNaC::ex& function, const GiNaC::ex& terms,
+                                     const GiNaC::ex& s, int last);
+
 }  // namespace magicmass::proof

@@ -9,7 +9,8 @@ class ex;
 
 namespace magicmass::proof {
 
-enum class Relation { equal, not_equal, less_equal, greater };
+// lhs ~ rhs: as alpha -> 0 the difference is smaller than the last term of the right side, an expansion.
+enum class Relation { equal, not_equal, less_equal, greater, asymptotic };
 
 // Two expressions and how they are related; scalars or matrices of one shape.
 // A statement claims nothing by itself: only the kernel turns one into a Theorem.

@@ -13,6 +13,7 @@ namespace magicmass::proof {
 std::string text(const GiNaC::ex& e);
 
 std::string text(const Statement& statement);
+std::string text(Relation relation);  // "=", "!=", "<=", ">", "~"
 
 // Whether the term that comes first by name has a negative coefficient. GiNaC holds x - y or -(y - x) as
 // its hashes fall; whoever prints or translates a sum as a factor asks this and turns the sign round.

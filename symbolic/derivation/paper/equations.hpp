@@ -18,6 +18,7 @@ Equations rotation_equations();
 Equations power_equations();
 Equations counting_equations();
 Equations ratios_equations();
+Equations small_alpha_equations();
 Equations terminal_equations();
 
 }  // namespace magicmass::derivation
