@@ -5,12 +5,20 @@
 
 namespace magicmass::derivation {
 
+const std::map<std::string, Equations>& paper_chapters() {
+  static const std::map<std::string, Equations> chapters{
+      {"contact", contact_equations()},   {"cycle", cycle_equations()},
+      {"rotation", rotation_equations()}, {"power", power_equations()},
+      {"counting", counting_equations()}, {"ratios", ratios_equations()},
+      {"terminal", terminal_equations()}, {"small_alpha", small_alpha_equations()},
+  };
+  return chapters;
+}
+
 Paper paper() {
   Equations all;
-  for (Equations part :
-       {contact_equations(), cycle_equations(), rotation_equations(), power_equations(),
-        counting_equations(), ratios_equations(), small_alpha_equations(), terminal_equations()})
-    all.merge(part);
+  for (const auto& [chapter, equations] : paper_chapters())
+    all.insert(equations.begin(), equations.end());
   return Paper(std::move(all));
 }
 

@@ -26,4 +26,7 @@ private:
 
 Paper paper();
 
+// The same by the chapter of the derivation that proves them.
+const std::map<std::string, std::map<std::string, proof::Statement>>& paper_chapters();
+
 }  // namespace magicmass::derivation
