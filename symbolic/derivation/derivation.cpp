@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "derivation/derivation.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "derivation/chapters.hpp"
@@ -13,47 +14,125 @@ const proof::Theorem& Derivation::at(const std::string& id) const {
   throw std::out_of_range("no theorem is called " + id);
 }
 
+namespace {
+
+// What the chapters hand on.
+struct Results {
+  std::optional<Contact> contact;
+  std::optional<Cycle> cycle;
+  std::optional<Rotation> rotation;
+  std::optional<Power> power;
+  std::optional<Chebyshev> chebyshev;
+  std::optional<Counting> counting;
+  std::optional<Ratios> ratios;
+  std::optional<Terminal> terminal;
+  std::optional<Times> times;
+};
+
+struct Chapter {
+  std::string name;
+  void (*derive)(Kernel& kernel, Results& results, const Laws& laws, const Paper& paper);
+};
+
+const std::vector<Chapter>& chapters() {
+  static const std::vector<Chapter> all{
+      {"contact", [](Kernel& kernel, Results& r, const Laws& laws,
+                     const Paper& paper) { r.contact = contact(kernel, laws, paper); }},
+      {"cycle", [](Kernel& kernel, Results& r, const Laws&,
+                   const Paper& paper) { r.cycle = cycle(kernel, *r.contact, paper); }},
+      {"rotation", [](Kernel& kernel, Results& r, const Laws&,
+                      const Paper& paper) { r.rotation = rotation(kernel, *r.cycle, paper); }},
+      {"power",
+       [](Kernel& kernel, Results& r, const Laws& laws, const Paper& paper) {
+         r.power = power(kernel, laws, *r.contact, *r.cycle, *r.rotation, paper);
+       }},
+      {"chebyshev", [](Kernel& kernel, Results& r, const Laws&,
+                       const Paper&) { r.chebyshev = chebyshev(kernel, *r.rotation, *r.power); }},
+      {"counting",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         r.counting = counting(kernel, *r.rotation, *r.power, paper);
+       }},
+      {"ratios",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         r.ratios = ratios(kernel, *r.rotation, *r.power, *r.counting, paper);
+       }},
+      {"terminal",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         r.terminal = terminal(kernel, *r.power, *r.counting, *r.ratios, paper);
+       }},
+      {"minima",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
+         minima(kernel, *r.rotation, *r.power, *r.counting, *r.terminal);
+       }},
+      {"small_alpha",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         small_alpha(kernel, *r.rotation, *r.counting, paper);
+       }},
+      {"times",
+       [](Kernel& kernel, Results& r, const Laws& laws, const Paper&) {
+         r.times = times(kernel, laws, *r.power, *r.counting, *r.chebyshev);
+       }},
+  };
+  return all;
+}
+
+}  // namespace
+
 const std::vector<std::string>& chapter_names() {
-  static const std::vector<std::string> names{"contact",   "cycle",       "rotation", "power",
-                                              "chebyshev", "counting",    "ratios",   "terminal",
-                                              "minima",    "small_alpha", "times"};
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const Chapter& chapter : chapters()) all.push_back(chapter.name);
+    return all;
+  }();
   return names;
 }
 
-Derivation derive(const Laws& laws, const Paper& paper) {
-  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "V", "alpha", "h_1", "h_2"}, .integer = {}});
+struct Beginning::Data {
+  Kernel kernel{{.positive = {"L", "M", "M_1", "M_2", "V", "alpha", "h_1", "h_2"}, .integer = {}}};
+  Results results;
+  std::size_t done = 0;  // chapters
+
+  void go_on(std::size_t end, const Laws& laws, const Paper& paper) {
+    for (; done < end; ++done) chapters()[done].derive(kernel, results, laws, paper);
+  }
+};
+
+Beginning::Beginning(const std::string& next_chapter, const Laws& laws, const Paper& paper) {
+  const auto& names = chapter_names();
+  const auto found = std::find(names.begin(), names.end(), next_chapter);
+  if (found == names.end()) throw std::out_of_range("no chapter is called " + next_chapter);
+  auto data = std::make_shared<Data>();
+  data->go_on(static_cast<std::size_t>(found - names.begin()), laws, paper);
+  data_ = std::move(data);
+}
+
+Derivation Beginning::completed(const Laws& laws, const Paper& paper) const {
+  Data data = *data_;
   Derivation result;
   try {
-    const Contact first = contact(kernel, laws, paper);
-    const Cycle second = cycle(kernel, first, paper);
-    const Rotation third = rotation(kernel, second, paper);
-    const Power fourth = power(kernel, laws, first, second, third, paper);
-    const Chebyshev polynomials = chebyshev(kernel, third, fourth);
-    const Counting counts = counting(kernel, third, fourth, paper);
-    const Ratios critical = ratios(kernel, third, fourth, counts, paper);
-    const Terminal last = terminal(kernel, fourth, counts, critical, paper);
-    minima(kernel, third, fourth, counts, last);
-    small_alpha(kernel, third, counts, paper);
-    times(kernel, laws, fourth, counts, polynomials);
+    data.go_on(chapters().size(), laws, paper);
   } catch (const proof::NotProved& refused) {
     result.refused = refused;
   } catch (const std::runtime_error& stuck) {  // a singular system, a null space that is not a line
-    proof::Step step{
-        .id = "derivation",
-        .rule = "solving",
-        .from = {},
-        .relation = "=",
-        .to = {},
-        .conditions = {},
-        .label = {},
-        .words =
-            "after " + (kernel.theorems().empty() ? "the start" : kernel.theorems().back().id()),
-        .verdict = "refused",
-        .premises = {}};
+    const auto& proved = data.kernel.theorems();
+    proof::Step step{.id = "derivation",
+                     .rule = "solving",
+                     .from = {},
+                     .relation = "=",
+                     .to = {},
+                     .conditions = {},
+                     .label = {},
+                     .words = "after " + (proved.empty() ? "the start" : proved.back().id()),
+                     .verdict = "refused",
+                     .premises = {}};
     result.refused = proof::NotProved(step, std::string(stuck.what()) + ", " + step.words);
   }
-  result.theorems = kernel.theorems();
+  result.theorems = data.kernel.theorems();
   return result;
+}
+
+Derivation derive(const Laws& laws, const Paper& paper) {
+  return Beginning(chapter_names().front(), laws, paper).completed(laws, paper);
 }
 
 Derivation derive() { return derive(conservation_laws(), paper()); }

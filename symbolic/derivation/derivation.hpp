@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,5 +27,18 @@ const std::vector<std::string>& chapter_names();
 // Laws in, theorems out. Never throws NotProved: see Derivation::refused.
 Derivation derive(const Laws& laws, const Paper& paper);
 Derivation derive();  // the real laws, the paper as printed
+
+// The derivation up to a chapter, to be gone on with: the tests spoil one formula after another and need
+// not prove again what comes before it.
+class Beginning {
+public:
+  // Throws std::out_of_range for a chapter that is not there, NotProved when a step before it is refused.
+  Beginning(const std::string& next_chapter, const Laws& laws, const Paper& paper);
+  Derivation completed(const Laws& laws, const Paper& paper) const;
+
+private:
+  struct Data;
+  std::shared_ptr<const Data> data_;
+};
 
 }  // namespace magicmass::derivation
