@@ -32,7 +32,9 @@ public:
 
   // reduction.cpp: modulo the relations; polynomial and quotient.
   ex reduced(const ex& polynomial) const;
-  std::pair<ex, ex> quotient(const ex& rational) const;
+  std::pair<ex, ex> reduced_quotient(
+      const ex& rational) const;                         // zero exactly when its first part is
+  std::pair<ex, ex> quotient(const ex& rational) const;  // in lowest terms
   ex reduced_fraction(const ex& rational) const;
   ex tidied(const ex& polynomial) const;
 

@@ -20,7 +20,7 @@ NormalForm::~NormalForm() = default;
 bool NormalForm::is_zero(const ex& e) {
   if (is_a<GiNaC::matrix>(e))
     return std::all_of(e.begin(), e.end(), [this](const ex& element) { return is_zero(element); });
-  return generators_->quotient(generators_->translate(e)).first.is_zero();
+  return generators_->reduced_quotient(generators_->translate(e)).first.is_zero();
 }
 
 ex NormalForm::simplified(const ex& e) {

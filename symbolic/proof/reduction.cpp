@@ -25,13 +25,18 @@ ex NormalForm::Generators::reduced(const ex& polynomial) const {
   return result;
 }
 
-std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
-  const ex fraction = rational.normal().numer_denom();
+std::pair<ex, ex> NormalForm::Generators::reduced_quotient(const ex& rational) const {
+  const ex fraction = rational.numer_denom();
   const ex above = reduced(fraction.op(0));
   const ex below = reduced(fraction.op(1));
   if (below.is_zero()) throw NotInClass("division by an expression that is identically zero");
-  const ex again =
-      (above / below).normal().numer_denom();  // the relations may have made common factors
+  return {above, below};
+}
+
+std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
+  const auto [above, below] = reduced_quotient(rational);
+  if (above.is_zero()) return {0, 1};
+  const ex again = (above / below).numer_denom();  // the relations may have made common factors
   return {again.op(0), again.op(1)};
 }
 
