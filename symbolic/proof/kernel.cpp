@@ -79,73 +79,6 @@ ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices) c
   return NormalForm(domain, definitions_).simplified(e.evalm());
 }
 
-void Kernel::require_own(const Theorem& premise, const Claim& claim,
-                         const std::string& rule) const {
-  require(std::any_of(theorems_.begin(), theorems_.end(),
-                      [&](const Theorem& own) { return own.data_ == premise.data_; }),
-          claim, rule, premise.id() + " is not a theorem of this kernel");
-}
-
-void Kernel::require_equation(const Theorem& premise, const Claim& claim,
-                              const std::string& rule) const {
-  require(premise.statement().relation() == Relation::equal, claim, rule,
-          premise.id() + " is not an equation");
-}
-
-void Kernel::require_scalar(const ex& e, const Claim& claim, const std::string& rule,
-                            Evidence& evidence) const {
-  NormalForm form(domain_of(claim), definitions_);
-  try {
-    const ex scalar = definitions_.expand_except_angles(e);
-    require(!is_a<GiNaC::matrix>(scalar), claim, rule, text(e) + " is a matrix");
-    form.is_zero(scalar);
-  } catch (const NotInClass& outside) {
-    refuse(claim, rule, outside.what());
-  }
-  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
-}
-
-void Kernel::require_visible(const ex& e, const ex& name, const Claim& claim,
-                             const std::string& rule) const {
-  const auto visit = [&](const auto& self, const ex& part) -> void {
-    if (is_a<GiNaC::symbol>(part) && definitions_.contains(ex_to<GiNaC::symbol>(part).get_name()))
-      require(!definitions_.expand_all(part).has(name), claim, rule,
-              text(part) + " depends on " + text(name) + ": write it out first");
-    for (const ex& inner : part) self(self, inner);
-  };
-  visit(visit, e);
-}
-
-bool Kernel::mentions(const Theorem& theorem, const std::string& name) const {
-  const ex index = symbol(name);
-  return definitions_.expand_all(theorem.lhs()).has(index) ||
-         definitions_.expand_all(theorem.rhs()).has(index);
-}
-
-void Kernel::use(const Theorem& premise, const Claim& claim, const std::string& rule,
-                 Evidence& evidence, const std::string& bound) const {
-  require_own(premise, claim, rule);
-  if (std::find(evidence.premises.begin(), evidence.premises.end(), premise.id()) ==
-      evidence.premises.end())
-    evidence.premises.push_back(premise.id());
-  for (const Condition& condition : premise.conditions()) {
-    const bool of_bound =
-        !bound.empty() && condition.statement &&
-        (condition.statement->lhs() - condition.statement->rhs()).has(symbol(bound));
-    const bool of_statement = !condition.index.empty() &&
-                              (condition.index == bound || mentions(premise, condition.index));
-    if (!of_statement && !of_bound) evidence.conditions.insert(condition);
-  }
-  for (const auto& [name, from] : premise.domain().integer) {
-    if (name == bound) continue;
-    if (!mentions(premise, name)) continue;
-    const auto own = claim.indices.find(name);
-    require(own != claim.indices.end() && own->second >= from, claim, rule,
-            premise.id() + " holds for " + name + " >= " + std::to_string(from) + " only");
-    evidence.conditions.insert(index_condition(name, own->second));
-  }
-}
-
 Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const {
   std::vector<std::string> conditions;
   for (const Condition& condition : evidence.conditions) conditions.push_back(condition.text);
@@ -219,22 +152,6 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
     refuse(claim, rule, outside.what());
   }
   evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
-}
-
-void Kernel::add_conditions_at(const Theorem& premise, const Values& values, const Claim& claim,
-                               Evidence& evidence) const {
-  GiNaC::exmap replacements;
-  for (const auto& [name, value] : values) replacements[name] = value;
-  for (const Condition& general : premise.conditions()) {
-    if (!general.statement) continue;
-    const Statement& before = *general.statement;
-    const Statement here(before.lhs().subs(replacements, GiNaC::subs_options::no_pattern),
-                         before.relation(),
-                         before.rhs().subs(replacements, GiNaC::subs_options::no_pattern));
-    const bool holds = here.relation() == Relation::greater &&
-                       is_positive(here.lhs() - here.rhs(), claim, evidence);
-    if (!holds) evidence.conditions.insert(condition(here));
-  }
 }
 
 bool Kernel::is_positive(const ex& e, const Claim& claim, Evidence& evidence) const {
