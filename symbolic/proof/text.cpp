@@ -2,6 +2,7 @@
 #include "proof/text.hpp"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -88,6 +89,8 @@ public:
       if (!is_a<numeric>(part)) add(part);
     if (scale_.is_negative()) negative_ = !negative_;
     scale_ = GiNaC::abs(scale_);
+    if (negative_) absorb_sign(above_);
+    if (negative_) absorb_sign(below_);
   }
 
   bool is_negative() const { return negative_; }
@@ -114,6 +117,8 @@ public:
       for (const OrderedFactor& each : *factors)
         (each.place >= Place::element ? key.functions : key.names).push_back(each);
     std::sort(key.functions.begin(), key.functions.end());
+    key.mixed = !key.functions.empty() && key.functions.front().place == Place::element &&
+                key.functions.back().place != Place::element;
     std::sort(key.names.begin(), key.names.end());
     key.degree = degree_;
     return key;
@@ -125,6 +130,19 @@ private:
   double degree_ = 0;
   std::vector<OrderedFactor> above_;
   std::vector<OrderedFactor> below_;
+  std::map<std::string, std::string>
+      reversed_;  // a sum as it is shown, and with its sign turned round
+
+  // -(x - y) z as (y - x) z. 1 - alpha and n - 1 stay as they are.
+  void absorb_sign(std::vector<OrderedFactor>& factors) {
+    for (OrderedFactor& each : factors) {
+      const auto found = reversed_.find(each.shown);
+      if (found == reversed_.end()) continue;
+      each.shown = found->second;
+      negative_ = false;
+      return;
+    }
+  }
 
   // (2 n + 1) psi/4, as GiNaC holds it, is (n + 1/2) psi/2 to a physicist.
   void share_scale(std::vector<ex>& parts) {
@@ -159,6 +177,14 @@ private:
         if (exponent.is_odd()) negative_ = !negative_;
       }
       shown = print_power("(" + join(terms) + ")", exponent);
+      const auto minus =
+          std::count_if(terms.begin(), terms.end(), [](const Term& term) { return term.negative; });
+      const bool plain = std::none_of(terms.begin(), terms.end(),
+                                      [](const Term& term) { return term.key.constant != 0; });
+      if (plain && exponent.is_equal(1) && 2 * minus >= static_cast<std::ptrdiff_t>(terms.size())) {
+        for (Term& term : terms) term.negative = !term.negative;
+        reversed_[shown] = "(" + join(terms) + ")";
+      }
     } else {
       shown = print_power(print(power.base, exponent.is_equal(1) ? factor : Precedence::power),
                           exponent);

@@ -47,18 +47,18 @@ struct OrderedFactor {
 };
 OrderedFactor ordered(const GiNaC::ex& factor, std::string shown);
 
-// Where a term stands in its sum: by its functions and elements first (few before many), then by degree, then
+// Where a term stands in its sum: by its functions and elements first (none before some), then by degree, then
 // by its names. What differs in the number in front alone has one key.
 struct TermKey {
-  int constant = 0;  // -1 first of all, 1 last of all
+  int constant = 0;    // -1 first of all, 1 last of all
+  bool mixed = false;  // elements of sequences and functions: behind elements alone
   std::vector<OrderedFactor> functions;
   double degree = 0;
   std::vector<OrderedFactor> names;
 
   friend bool operator<(const TermKey& x, const TermKey& y) {
-    const std::size_t of_x = x.functions.size(), of_y = y.functions.size();
-    return std::tie(x.constant, of_x, x.functions, x.degree, x.names) <
-           std::tie(y.constant, of_y, y.functions, y.degree, y.names);
+    return std::tie(x.constant, x.mixed, x.functions, x.degree, x.names) <
+           std::tie(y.constant, y.mixed, y.functions, y.degree, y.names);
   }
 };
 
