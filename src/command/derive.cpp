@@ -2,46 +2,112 @@
 #include <algorithm>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "command/commands.hpp"
 #include "command/nearest_name.hpp"
 #include "command/records.hpp"
 #include "command/refusal.hpp"
+#include "command/terminal_style.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/shown_text.hpp"
 #include "render/derivation_pages.hpp"
+#include "render/step_names.hpp"
 #include "render/steps.hpp"
+#include "render/theorem_index.hpp"
 
 namespace magicmass::command {
 namespace {
 
+using Steps = std::vector<proof::Step>;
+
 struct DeriveOptions {
-  std::vector<std::string> chapters;
+  std::vector<std::string> names;  // chapters and steps
+  std::string from;
+  bool list = false;
   bool summary = false;
+  bool ascii = false;
   OutputOptions output;
 };
 
-std::string page(const std::vector<proof::Step>& steps, const DeriveOptions& options,
-                 bool colourful) {
-  if (options.summary) return render::derivation_summary(steps, colourful);
-  if (options.output.format == "json") return render::derivation_json(steps);
-  if (options.output.format == "markdown") return render::derivation_markdown(steps);
-  return render::derivation_text(steps, colourful);
+void require_one_kind(const DeriveOptions& options) {
+  const std::string& format = options.output.format;
+  if (options.summary && format != "text")
+    throw InvalidInput("--summary is text alone; allowed with it: --format text");
+  if (options.list && format == "latex")
+    throw InvalidInput(
+        "--list has no LaTeX; allowed with it: --format text, markdown, html, json, csv");
+  if (format == "csv" && !options.list) throw InvalidInput("--format csv is for --list alone");
+  if (options.list + options.summary + !options.from.empty() + !options.names.empty() > 1)
+    throw InvalidInput("chapters or steps, --from, --list and --summary exclude each other");
+}
+
+[[noreturn]] void refuse_name(const std::string& kind, const std::string& name,
+                              const std::vector<std::string>& names) {
+  throw InvalidInput(fmt::format("no {} is called \"{}\"; did you mean {}?", kind, shown_text(name),
+                                 nearest_name(name, names)));
+}
+
+/// The chapters and steps that were named, in the derivation's order; all if none was. A refused step is always shown.
+Steps asked_for(const std::vector<std::string>& names, const Steps& all) {
+  if (names.empty()) return all;
+  std::vector<std::string> known = derivation::chapter_names();
+  for (const proof::Step& step : all) known.push_back(step.id);
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      refuse_name("chapter or step", name, known);
+  Steps steps;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(steps), [&](const proof::Step& step) {
+    const auto is_named = [&](const std::string& name) {
+      return name == step.id || name == render::chapter_of(step);
+    };
+    return step.verdict == "refused" || std::any_of(names.begin(), names.end(), is_named);
+  });
+  return steps;
+}
+
+std::string tree_page(const DeriveOptions& options, const Steps& all,
+                      const render::TextStyle& style) {
+  const Steps roots = render::steps_called(options.from, all);
+  if (roots.empty()) refuse_name("result", options.from, render::all_names(all));
+  const auto tree = render::premise_tree(roots, all);
+  const Steps steps = render::steps_of_tree(tree, all);
+  const std::string& format = options.output.format;
+  if (format == "json") return render::derivation_json(steps);
+  if (format == "markdown") return render::derivation_markdown(steps, tree);
+  if (format == "latex") return render::derivation_latex(steps, tree);
+  if (format == "html") return render::derivation_html(steps, tree);
+  return render::tree_text(tree, style);
+}
+
+std::string index_page(const std::string& format, const Steps& all,
+                       const render::TextStyle& style) {
+  const render::TheoremIndex index = render::theorem_index(all);
+  if (format == "json") return render::index_json(index);
+  if (format == "csv") return render::index_csv(index);
+  if (format == "markdown") return render::index_markdown(index);
+  if (format == "html") return render::index_html(index);
+  return render::index_text(index, style);
+}
+
+std::string page(const DeriveOptions& options, const Steps& all, const render::TextStyle& style) {
+  const std::string& format = options.output.format;
+  if (options.list) return index_page(format, all, style);
+  if (!options.from.empty()) return tree_page(options, all, style);
+  if (options.summary) return render::derivation_summary(all, style);
+  const Steps steps = asked_for(options.names, all);
+  if (format == "json") return render::derivation_json(steps);
+  if (format == "markdown") return render::derivation_markdown(steps);
+  if (format == "latex") return render::derivation_latex(steps);
+  if (format == "html") return render::derivation_html(steps);
+  return render::derivation_text(steps, style);
 }
 
 ExitCode derive(const DeriveOptions& options) {
-  for (const std::string& chapter : options.chapters)
-    require_name("chapter", chapter, derivation::chapter_names());
-  if (options.summary && options.output.format != "text")
-    throw InvalidInput("--summary is text alone; allowed with it: --format text");
+  require_one_kind(options);
   Destination output(options.output.path);
   const derivation::Derivation derivation = derivation::derive();
-  std::vector<proof::Step> steps = render::steps_of(derivation);
-  const auto is_unwanted = [&](const proof::Step& step) {
-    return !options.chapters.empty() && step.verdict != "refused" &&
-           std::find(options.chapters.begin(), options.chapters.end(), render::chapter_of(step)) ==
-               options.chapters.end();
-  };
-  steps.erase(std::remove_if(steps.begin(), steps.end(), is_unwanted), steps.end());
-  output.write(page(steps, options, output.is_colourful()));
+  output.write(page(options, render::steps_of(derivation), text_style(output, options.ascii)));
   output.finish();
   return say_if_refused(derivation);
 }
@@ -53,10 +119,19 @@ void add_derive(Program& program) {
   CLI::App& command = add_command(program, "derive",
                                   "The derivation, from the conservation laws, proved line by line",
                                   "magicmass derive power counting");
-  command.add_option("CHAPTER", options->chapters, "chapters to print; all without one")
+  command
+      .add_option("NAME", options->names, "chapters and steps (power.a) to print; all without one")
       ->type_name("");
+  command
+      .add_option("--from", options->from,
+                  "what a result rests on, as a tree: a_n, alpha_k, eq:a-final, power.a")
+      ->type_name("RESULT");
+  command.add_flag("--list", options->list,
+                   "every theorem, and for every equation of the paper its theorem or why none");
   command.add_flag("--summary", options->summary, "the laws and the main theorems alone");
-  add_output_options(command, options->output, {"text", "markdown", "json"});
+  command.add_flag("--ascii", options->ascii, "plain characters, whatever the locale");
+  add_output_options(command, options->output,
+                     {"text", "markdown", "latex", "html", "json", "csv"});
   on_run(program, command, [options] { return derive(*options); });
 }
 

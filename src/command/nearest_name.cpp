@@ -30,16 +30,19 @@ std::size_t edit_distance(const std::string& from, const std::string& to) {
 
 }  // namespace
 
+std::string nearest_name(const std::string& name, const std::vector<std::string>& names) {
+  const std::string start = name.substr(0, 40);  // longer is near to nothing
+  return *std::min_element(names.begin(), names.end(), [&](const auto& x, const auto& y) {
+    return edit_distance(start, x) < edit_distance(start, y);
+  });
+}
+
 void require_name(const std::string& kind, const std::string& name,
                   const std::vector<std::string>& names) {
   if (std::find(names.begin(), names.end(), name) != names.end()) return;
-  const std::string start = name.substr(0, 40);  // longer is near to nothing
-  const auto nearest =
-      std::min_element(names.begin(), names.end(), [&](const auto& x, const auto& y) {
-        return edit_distance(start, x) < edit_distance(start, y);
-      });
   throw InvalidInput(fmt::format("no {} is called \"{}\"; did you mean {}? allowed: {}", kind,
-                                 shown_text(name), *nearest, fmt::join(names, ", ")));
+                                 shown_text(name), nearest_name(name, names),
+                                 fmt::join(names, ", ")));
 }
 
 }  // namespace magicmass::command

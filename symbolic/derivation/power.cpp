@@ -65,7 +65,7 @@ Power power(Kernel& kernel, const Laws& laws, const Contact& contact, const Cycl
   kernel.identity({.id = "power.V_CM_paper",
                    .statement = paper.at("sec:result, V_CM"),
                    .words = "in terms of psi",
-                   .label = "sec:result"});
+                   .label = "sec:result, V_CM"});
 
   const auto component = [&](const std::string& id, unsigned row, const std::string& label) {
     const Theorem plain = kernel.component({.id = id + "_derived",

@@ -209,12 +209,14 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
       {.id = "ratios.together", .statement = {c_t, b_t}, .words = "suppose C ends up with B"});
   const Theorem momentum = kernel.consequence({.id = "ratios.together_momentum",
                                                .statement = {(1 + alpha) * b_t + a_t, V},
-                                               .words = "momentum"},
+                                               .words = "momentum",
+                                               .label = "app:deficient, momentum"},
                                               {{total.momentum, 1}, {together, -alpha}});
   const Theorem energy =
       kernel.consequence({.id = "ratios.together_energy",
                           .statement = {(1 + alpha) * pow(b_t, 2) + pow(a_t, 2), pow(V, 2)},
-                          .words = "energy"},
+                          .words = "energy",
+                          .label = "app:deficient, energy"},
                          {{total.energy, 1}, {together, -alpha * (c_t + b_t)}});
   const ex eliminated =
       ((1 + alpha) * pow(b_t, 2) + pow(V - (1 + alpha) * b_t, 2) - pow(V, 2)).expand();
@@ -239,7 +241,7 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
   kernel.consequence({.id = "ratios.together_a",
                       .statement = paper.at("app:deficient, a_t"),
                       .words = "A's terminal velocity",
-                      .label = "app:deficient"},
+                      .label = "app:deficient, a_t"},
                      {{momentum, 1}, {b_value, -(1 + alpha)}});
   const Theorem last_of_B =
       kernel.hypothesis({.id = "ratios.last_of_B",
@@ -261,7 +263,7 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
   kernel.consequence({.id = "ratios.deficient_only",
                       .statement = paper.at("app:deficient, N_B"),
                       .words = "which is beta_k with k = N_B",
-                      .label = "app:deficient",
+                      .label = "app:deficient, N_B",
                       .indices = last_from_one},
                      {{deficient_angle, 1 / psi}});
 

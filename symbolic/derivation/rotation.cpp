@@ -28,6 +28,7 @@ Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper) {
   kernel.identity({.id = "rotation.axis_invariant",
                    .statement = {(Lambda * e_3).evalm(), e_3},
                    .words = "Lambda leaves it where it is",
+                   .label = "app:lam-n, invariant axis",
                    .shown_lhs = "Lambda e_3",
                    .shown_rhs = "e_3"});
   kernel.identity({.id = "rotation.axis_unit",
@@ -37,7 +38,7 @@ Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper) {
   kernel.identity({.id = "rotation.axis_paper",
                    .statement = paper.at("app:lam-n, axis"),
                    .words = "as the paper writes it",
-                   .label = "app:lam-n"});
+                   .label = "app:lam-n, axis"});
 
   // A triad with that axis: e_1 across the old and the new third axis, made a unit vector.
   const matrix z{{0}, {0}, {1}};
@@ -85,7 +86,7 @@ Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper) {
       kernel.identity({.id = "rotation.Lambda",
                        .statement = {cycle.Lambda.lhs(), (R * turn * transpose(R)).evalm()},
                        .words = "Lambda = R lambda_3(psi) R^T",
-                       .label = "eq:lambda-n",
+                       .label = "eq:lambda-n, app:lam-n, Lambda",
                        .shown_rhs = "R lambda_3(psi) R^T"});
 
   const Theorem cos_half_psi =

@@ -2,6 +2,7 @@
 #include "proof/text.hpp"
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <ginac/ginac.h>
 
 #include "proof/names.hpp"
+#include "proof/text_order.hpp"
 
 namespace magicmass::proof {
 namespace {
@@ -18,6 +20,7 @@ using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
 
+// What is around an expression, and so which of them need parentheses.
 enum Precedence { sum, product, factor, power };
 
 std::string print(const ex& e, Precedence outer);
@@ -28,83 +31,16 @@ std::string number(const numeric& value) {
   return out.str();
 }
 
-bool is_index(const ex& e) {
-  static const std::string indices = "jkmn";
-  return is_a<GiNaC::symbol>(e) && ex_to<GiNaC::symbol>(e).get_name().size() == 1 &&
-         indices.find(ex_to<GiNaC::symbol>(e).get_name()) != std::string::npos;
-}
-
-// n + 1/2, 2 k - 1: there the constant comes last.
-bool is_sum_of_indices(const ex& sum_of_terms) {
-  return std::any_of(sum_of_terms.begin(), sum_of_terms.end(), [](const ex& term) {
-    return is_index(term) || (is_a<GiNaC::mul>(term) && term.nops() == 2 &&
-                              (is_index(term.op(0)) || is_index(term.op(1))));
-  });
-}
-
-numeric coefficient(const ex& term) {
-  if (is_a<numeric>(term)) return ex_to<numeric>(term);
-  if (is_a<GiNaC::mul>(term))
-    for (const ex& part : term)
-      if (is_a<numeric>(part)) return ex_to<numeric>(part);
-  return 1;
-}
-
-// Speeds, lengths and constants first, then symbols, then sums, then functions, cosines before sines.
-int rank(const ex& e) {
-  static const std::vector<std::string> leading{"V_CM", "V", "L"};
-  const ex base = is_a<GiNaC::power>(e) ? e.op(0) : e;
-  if (is_a<numeric>(base)) return 0;
-  if (is_a<GiNaC::symbol>(base)) {
-    const std::string name = ex_to<GiNaC::symbol>(base).get_name();
-    const auto found = std::find(leading.begin(), leading.end(), name);
-    return found != leading.end() ? static_cast<int>(1 + (found - leading.begin())) : 5;
-  }
-  if (is_a<GiNaC::constant>(base)) return 4;
-  if (is_a<GiNaC::add>(base)) return 6;
-  return is_a<GiNaC::function>(base) ? 7 : 8;
-}
-
 std::string parenthesised(bool needed, const std::string& inside) {
   return needed ? "(" + inside + ")" : inside;
 }
 
-std::string print_sum(const ex& e, Precedence outer) {
-  struct Term {
-    bool constant_last;
-    bool negative;
-    int rank;
-    std::string shown;
-  };
-  const bool of_indices = is_sum_of_indices(e);
-  std::vector<Term> terms;
-  for (const ex& term : e) {
-    const bool constant = is_a<numeric>(term);
-    std::string shown = print(term, sum);
-    const bool negative = shown.front() == '-';
-    if (negative) shown.erase(0, 1);
-    terms.push_back({constant && of_indices, negative, constant ? -1 : rank(term), shown});
-  }
-  std::sort(terms.begin(), terms.end(), [](const Term& x, const Term& y) {
-    return std::tie(x.constant_last, x.negative, x.rank, x.shown) <
-           std::tie(y.constant_last, y.negative, y.rank, y.shown);
-  });
-  std::string result;
-  for (const Term& term : terms) {
-    if (result.empty())
-      result = (term.negative ? "-" : "") + term.shown;
-    else
-      result += (term.negative ? " - " : " + ") + term.shown;
-  }
-  return parenthesised(outer > sum, result);
-}
-
-std::string join(std::vector<std::pair<int, std::string>> factors) {
-  std::sort(factors.begin(), factors.end());
-  std::string result;
-  for (const auto& [rank, shown] : factors) result += (result.empty() ? "" : "*") + shown;
-  return result;
-}
+struct Term {
+  TermKey key;
+  bool negative;
+  std::string shown;  // without its sign
+};
+using Terms = std::vector<Term>;
 
 struct Power {
   ex base;
@@ -116,56 +52,178 @@ Power as_power(const ex& e) {
   return numeric_exponent ? Power{e.op(0), ex_to<numeric>(e.op(1))} : Power{e, 1};
 }
 
-// x - y where GiNaC holds -(y - x): turns a sum that leads with a minus round, as far as its power allows.
-void settle_sign(Power& power, bool& negative) {
-  if (!is_a<GiNaC::add>(power.base) || !power.exponent.is_integer() ||
-      !leads_with_minus(power.base))
-    return;
-  power.base = -power.base;
-  if (power.exponent.is_odd()) negative = !negative;
+Terms sorted_terms(const ex& sum_of_terms);
+
+// A sum whose first term is negative leads with another one, if there is one that is not.
+std::string join(const Terms& terms) {
+  const auto first =
+      std::find_if(terms.begin(), terms.end(), [](const Term& term) { return !term.negative; });
+  std::string result;
+  if (first != terms.end()) result = first->shown;
+  for (auto term = terms.begin(); term != terms.end(); ++term) {
+    if (term == first) continue;
+    const char* sign = term->negative ? (result.empty() ? "-" : " - ") : " + ";
+    result += sign + term->shown;
+  }
+  return result;
 }
 
-std::string print_power(const ex& base, const numeric& exponent, Precedence outer) {
-  if (exponent.is_equal(1)) return print(base, outer);
-  if (exponent.is_equal(numeric(1, 2))) return "sqrt(" + print(base, sum) + ")";
-  if (exponent.denom().is_equal(2))
-    return "sqrt(" + print(base, sum) + ")^" + number(exponent.numer());
-  return print(base, power) + "^" + number(exponent);
+// base^exponent, exponent > 0.
+std::string print_power(const std::string& base, const numeric& exponent) {
+  if (exponent.is_equal(1)) return base;
+  return base + "^" + parenthesised(!exponent.is_integer(), number(exponent));
 }
 
-// A product, a quotient or a power with a numeric exponent.
-std::string print_product(const std::vector<ex>& parts, Precedence outer) {
-  numeric scale = 1;
-  bool negative = false;
-  std::vector<std::pair<int, std::string>> above;
-  std::vector<std::pair<int, std::string>> below;
-  for (const ex& part : parts) {
-    if (is_a<numeric>(part)) {
-      scale = ex_to<numeric>(part);
-      continue;
+std::string join(std::vector<OrderedFactor> factors) {
+  std::sort(factors.begin(), factors.end());
+  std::string result;
+  for (const OrderedFactor& each : factors) result += (result.empty() ? "" : "*") + each.shown;
+  return result;
+}
+
+// A product, a quotient or a power with a numeric exponent, on its way to be printed.
+class Product {
+public:
+  explicit Product(std::vector<ex> parts) {
+    share_scale(parts);
+    for (const ex& part : parts)
+      if (!is_a<numeric>(part)) add(part);
+    if (scale_.is_negative()) negative_ = !negative_;
+    scale_ = GiNaC::abs(scale_);
+    if (negative_) absorb_sign(above_);
+    if (negative_) absorb_sign(below_);
+  }
+
+  bool is_negative() const { return negative_; }
+  // Nothing but one factor, so that a product around it needs no parentheses.
+  bool is_single() const { return above_.size() == 1 && below_.empty() && scale_.is_equal(1); }
+
+  std::string text() const {
+    std::vector<OrderedFactor> above = above_;
+    std::vector<OrderedFactor> below = below_;
+    if (!scale_.is_rational()) {
+      above.push_back({Place::number, 0, number(scale_)});
+    } else {
+      if (!scale_.numer().is_equal(1)) above.push_back({Place::number, 0, number(scale_.numer())});
+      if (!scale_.denom().is_equal(1)) below.push_back({Place::number, 0, number(scale_.denom())});
     }
-    Power power = as_power(part);
-    settle_sign(power, negative);
+    std::string result = above.empty() ? "1" : join(above);
+    if (!below.empty()) result += "/" + parenthesised(below.size() > 1, join(below));
+    return result;
+  }
+
+  TermKey key() const {
+    TermKey key;
+    for (const auto* factors : {&above_, &below_})
+      for (const OrderedFactor& each : *factors)
+        (each.place >= Place::element ? key.functions : key.names).push_back(each);
+    std::sort(key.functions.begin(), key.functions.end());
+    key.mixed = !key.functions.empty() && key.functions.front().place == Place::element &&
+                key.functions.back().place != Place::element;
+    std::sort(key.names.begin(), key.names.end());
+    key.degree = degree_;
+    return key;
+  }
+
+private:
+  numeric scale_ = 1;
+  bool negative_ = false;
+  double degree_ = 0;
+  std::vector<OrderedFactor> above_;
+  std::vector<OrderedFactor> below_;
+  std::map<std::string, std::string>
+      reversed_;  // a sum as it is shown, and with its sign turned round
+
+  // -(x - y) z as (y - x) z. 1 - alpha and n - 1 stay as they are.
+  void absorb_sign(std::vector<OrderedFactor>& factors) {
+    for (OrderedFactor& each : factors) {
+      const auto found = reversed_.find(each.shown);
+      if (found == reversed_.end()) continue;
+      each.shown = found->second;
+      negative_ = false;
+      return;
+    }
+  }
+
+  // (2 n + 1) psi/4, as GiNaC holds it, is (n + 1/2) psi/2 to a physicist.
+  void share_scale(std::vector<ex>& parts) {
+    ex* of_indices = nullptr;
+    for (ex& part : parts) {
+      if (is_a<numeric>(part)) scale_ = ex_to<numeric>(part);
+      if (place(part) == Place::index_sum && is_a<GiNaC::add>(part)) of_indices = &part;
+    }
+    if (of_indices == nullptr || !scale_.is_rational() || parts.size() < 3) return;
+    numeric shared = scale_.denom();
+    for (const ex& term : *of_indices) {
+      if (is_a<numeric>(term)) continue;
+      const bool scaled = is_a<GiNaC::mul>(term) && is_a<numeric>(term.op(term.nops() - 1)) &&
+                          ex_to<numeric>(term.op(term.nops() - 1)).is_integer();
+      shared = GiNaC::gcd(shared, scaled ? ex_to<numeric>(term.op(term.nops() - 1)) : numeric(1));
+    }
+    *of_indices = *of_indices / shared;
+    scale_ = scale_ * shared;
+  }
+
+  void add(const ex& part) {
+    const Power power = as_power(part);
     const bool inverse = power.exponent.is_negative();
-    (inverse ? below : above)
-        .emplace_back(rank(part),
-                      print_power(power.base, inverse ? -power.exponent : power.exponent, factor));
+    const numeric exponent = GiNaC::abs(power.exponent);
+    std::string shown;
+    if (exponent.denom().is_equal(2)) {
+      shown = print_power("sqrt(" + print(power.base, Precedence::sum) + ")", exponent.numer());
+    } else if (is_a<GiNaC::add>(power.base)) {
+      Terms terms = sorted_terms(power.base);
+      if (terms.front().negative && exponent.is_integer()) {  // x - y where GiNaC holds -(y - x)
+        for (Term& term : terms) term.negative = !term.negative;
+        if (exponent.is_odd()) negative_ = !negative_;
+      }
+      shown = print_power("(" + join(terms) + ")", exponent);
+      const auto minus =
+          std::count_if(terms.begin(), terms.end(), [](const Term& term) { return term.negative; });
+      const bool plain = std::none_of(terms.begin(), terms.end(),
+                                      [](const Term& term) { return term.key.constant != 0; });
+      if (plain && exponent.is_equal(1) && 2 * minus >= static_cast<std::ptrdiff_t>(terms.size())) {
+        for (Term& term : terms) term.negative = !term.negative;
+        reversed_[shown] = "(" + join(terms) + ")";
+      }
+    } else {
+      shown = print_power(print(power.base, exponent.is_equal(1) ? factor : Precedence::power),
+                          exponent);
+    }
+    if (is_a<GiNaC::symbol>(power.base)) degree_ += power.exponent.to_double();
+    (inverse ? below_ : above_).push_back(ordered(part, std::move(shown)));
   }
-  if (scale.is_negative()) {
-    scale = -scale;
-    negative = !negative;
+};
+
+Product as_product(const ex& e) {
+  return Product(is_a<GiNaC::mul>(e) ? std::vector<ex>(e.begin(), e.end()) : std::vector<ex>{e});
+}
+
+Terms sorted_terms(const ex& sum_of_terms) {
+  const bool of_indices = is_sum_of_indices(sum_of_terms);
+  Terms terms;
+  for (const ex& term : sum_of_terms) {
+    if (is_a<numeric>(term)) {
+      const numeric value = ex_to<numeric>(term);
+      TermKey key;
+      key.constant = of_indices ? 1 : -1;
+      terms.push_back({key, value.is_negative(), number(value.is_negative() ? -value : value)});
+    } else {
+      const Product product = as_product(term);
+      terms.push_back({product.key(), product.is_negative(), product.text()});
+    }
   }
-  if (!scale.is_rational()) {
-    above.emplace_back(-1, number(scale));
-  } else {
-    if (!scale.numer().is_equal(1)) above.emplace_back(-1, number(scale.numer()));
-    if (!scale.denom().is_equal(1)) below.emplace_back(-1, number(scale.denom()));
-  }
-  std::string result = above.empty() ? "1" : join(above);
-  if (!below.empty()) result += "/" + parenthesised(below.size() > 1, join(below));
-  if (negative) result = "-" + result;
-  const bool single = above.size() + below.size() == 1 && below.empty() && !negative;
-  return parenthesised((outer > product && !single) || (negative && outer > sum), result);
+  std::sort(terms.begin(), terms.end(), [](const Term& x, const Term& y) {
+    return std::tie(x.key, x.shown) < std::tie(y.key, y.shown);
+  });
+  return terms;
+}
+
+std::string print_product(const Product& shown, Precedence outer) {
+  const std::string inside = (shown.is_negative() ? "-" : "") + shown.text();
+  const bool single = shown.is_single() && !shown.is_negative();
+  return parenthesised((outer > product && !single) || (shown.is_negative() && outer > sum),
+                       inside);
 }
 
 std::string print_matrix(const GiNaC::matrix& m) {
@@ -187,11 +245,15 @@ std::string print(const ex& e, Precedence outer) {
   }
   if (is_a<GiNaC::symbol>(e)) return ex_to<GiNaC::symbol>(e).get_name();
   if (e.is_equal(GiNaC::Pi)) return "pi";
-  if (is_a<GiNaC::add>(e)) return print_sum(e, outer);
-  if (is_a<GiNaC::mul>(e)) return print_product({e.begin(), e.end()}, outer);
+  if (is_a<GiNaC::add>(e)) return parenthesised(outer > sum, join(sorted_terms(e)));
+  if (is_a<GiNaC::mul>(e)) return print_product(as_product(e), outer);
   if (is_a<GiNaC::power>(e)) {
-    if (is_a<numeric>(e.op(1))) return print_product({e}, outer);
-    return print(e.op(0), power) + "^" + print(e.op(1), power);
+    if (!is_a<numeric>(e.op(1)))
+      return parenthesised(outer == Precedence::power, print(e.op(0), Precedence::power) + "^" +
+                                                           print(e.op(1), Precedence::power));
+    const Product shown = as_product(e);  // x^2 as the base of a power is not closed, sqrt(x) is
+    const bool open = shown.is_single() && !as_power(e).exponent.is_equal(numeric(1, 2));
+    return parenthesised(outer == Precedence::power && open, print_product(shown, outer));
   }
   if (is_a<GiNaC::matrix>(e)) return print_matrix(ex_to<GiNaC::matrix>(e));
   if (is_a<GiNaC::function>(e)) {
@@ -208,19 +270,7 @@ std::string print(const ex& e, Precedence outer) {
 }  // namespace
 
 bool leads_with_minus(const ex& sum_of_terms) {
-  const std::string constant_key =
-      is_sum_of_indices(sum_of_terms) ? "~" : " ";  // last or first of all
-  std::string first;
-  bool negative = false;
-  for (const ex& term : sum_of_terms) {
-    const numeric scale = coefficient(term);
-    const std::string key = is_a<numeric>(term) ? constant_key : text(term / scale);
-    if (first.empty() || key < first) {
-      first = key;
-      negative = scale.is_negative();
-    }
-  }
-  return negative;
+  return sorted_terms(sum_of_terms).front().negative;
 }
 
 std::string text(const ex& e) { return print(e, sum); }

@@ -41,15 +41,14 @@ bool is_main(const proof::Step& step) {
 }
 
 /// The equation with its verdict at the right of the last line.
-std::string line(const proof::Step& step, bool colourful) {
-  std::string text = wrapped_equation(step.from, step.relation, step.to, 4);
+std::string line(const proof::Step& step, const TextStyle& style) {
+  std::string text =
+      wrapped(inline_text(equation(step.from, step.relation, step.to), style), "    ");
   text.pop_back();
-  const std::size_t used = text.size() - (text.rfind('\n') + 1) + step.verdict.size();
-  if (used < page_width)
-    return text + std::string(page_width - used, ' ') + verdict_text(step.verdict, colourful) +
-           "\n";
-  return text + "\n" + std::string(page_width - step.verdict.size(), ' ') +
-         verdict_text(step.verdict, colourful) + "\n";
+  const std::string verdict = verdict_text(step.verdict, style.colourful);
+  const std::size_t used = columns(text.substr(text.rfind('\n') + 1)) + step.verdict.size();
+  if (used < page_width) return text + std::string(page_width - used, ' ') + verdict + "\n";
+  return text + "\n" + std::string(page_width - step.verdict.size(), ' ') + verdict + "\n";
 }
 
 std::string counts(const std::vector<proof::Step>& steps) {
@@ -62,10 +61,10 @@ std::string counts(const std::vector<proof::Step>& steps) {
 
 }  // namespace
 
-std::string derivation_summary(const std::vector<proof::Step>& steps, bool colourful) {
+std::string derivation_summary(const std::vector<proof::Step>& steps, const TextStyle& style) {
   std::string text = "laws\n";
   for (const proof::Step& step : steps)
-    if (step.verdict == "law") text += line(step, colourful);
+    if (step.verdict == "law") text += line(step, style);
   for (const std::string& chapter : derivation::chapter_names()) {
     std::vector<proof::Step> inside;
     std::copy_if(steps.begin(), steps.end(), std::back_inserter(inside),
@@ -73,7 +72,7 @@ std::string derivation_summary(const std::vector<proof::Step>& steps, bool colou
     if (inside.empty()) continue;
     text += fmt::format("{}: {}\n", chapter, counts(inside));
     for (const proof::Step& step : inside)
-      if (is_main(step) || step.verdict == "refused") text += line(step, colourful);
+      if (is_main(step) || step.verdict == "refused") text += line(step, style);
   }
   return text;
 }

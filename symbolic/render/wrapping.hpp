@@ -9,12 +9,11 @@ namespace magicmass::render {
 /// Width of everything that is printed for reading.
 inline constexpr std::size_t page_width = 80;
 
-/// Words or a formula as lines of at most `width` columns, each ended by a line feed. The first begins with
+/// A blank that no line ends at; wrapped() makes a blank of it.
+inline constexpr char held_blank = '\x1f';
+
+/// Words or a formula as lines of at most `width` columns (code points of UTF-8), each ended by a line feed. The first begins with
 /// `first`, the others with blanks of the same length. Breaks at blanks, else after a factor.
 std::string wrapped(std::string_view text, std::string_view first, std::size_t width = page_width);
-
-/// An equation as such lines, indented by `indent` blanks; a matrix [[..], [..]] gets a line a row.
-std::string wrapped_equation(const std::string& from, const std::string& relation,
-                             const std::string& to, std::size_t indent);
 
 }  // namespace magicmass::render

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The labels are those of the paper's source, which is not in this repository:
+//   sed 's/%.*//' magic-mass-ratios.tex | grep -oE '\\(begin\{(equation|eqnarray)\}|label\{[^}]*\})'
+// A displayed equation without a label was given a name by hand.
+#include "derivation/index/paper_labels.hpp"
+
+#include <algorithm>
+
+namespace magicmass::derivation {
+namespace {
+
+constexpr std::string_view rotation_matrix =
+    "defines a rotation matrix; the theorems that use it have its entries";
+constexpr std::string_view step_function =
+    "defines a step function; the kernel computes with it by this definition";
+constexpr std::string_view last_collision =
+    "a condition for the last collision, quoted on the way to the count: counting.N finds the "
+    "count from the "
+    "approach speeds themselves";
+
+}  // namespace
+
+const std::vector<PaperEquation>& paper_equations() {
+  static const std::vector<PaperEquation> equations{
+      {"NA-range", "Sec. II B"},
+      {"NB-range", "Sec. II B"},
+      {"def:Vn", "Sec. III A", {}, "names a column; the theorems about V_n have its components"},
+      {"eq:conservation", "Sec. III B", "eq:ac"},
+      {"eq:ac", "Sec. III B"},
+      {"eq:Euc-Pn", "Sec. III B"},
+      {"eq:bcp", "Sec. III B"},
+      {"eq:Euc-Qn", "Sec. III B"},
+      {"eq:energy-conservation-PnQn", "Sec. III B"},
+      {"eq:Euc-Pn-linear", "Sec. III B"},
+      {"eq:Euc-Qn-linear", "Sec. III B"},
+      {"eq:V2", "Sec. III B"},
+      {"eq:V-n", "Sec. III B"},
+      {"eq:V-n-0", "Sec. III B"},
+      {"eq:Lam-G-G", "Sec. III D"},
+      {"sec:Lambda, Gamma_A", "Sec. III D", "app:Vn, Gamma_A"},
+      {"sec:Lambda, Gamma_B", "Sec. III D", "app:Vn, Gamma_B"},
+      {"theta-txt", "Sec. III D"},
+      {"eq:Lambda", "Sec. III D"},
+      {"eq:Lambda-n-final-txt", "Sec. III E"},
+      {"def:psi", "Sec. III E"},
+      {"sec:Lambda-n, R", "Sec. III E", "eq:R-app"},
+      {"eq:a-final", "Sec. IV"},
+      {"eq:b-final", "Sec. IV"},
+      {"eq:c-final", "Sec. IV"},
+      {"eq:c'-final", "Sec. IV"},
+      {"sec:result, V_CM", "Sec. IV"},
+      {"eq:NANB-ans-txt", "Sec. IV"},
+      {"eq:Naatcritical", "Sec. IV"},
+      {"eq:Nbatcritical", "Sec. IV"},
+      {"exact:ak", "Sec. IV"},
+      {"exact:bk", "Sec. IV"},
+      {"eq:a-terminal", "Sec. IV"},
+      {"eq:b-terminal", "Sec. IV"},
+      {"eq:ct", "Sec. IV"},
+      {"sec:result, inelastic momentum P", "Sec. IV"},
+      {"sec:result, inelastic restitution P", "Sec. IV"},
+      {"sec:result, inelastic momentum Q", "Sec. IV"},
+      {"sec:result, inelastic restitution Q", "Sec. IV"},
+      {"app:orthogonal, lambda", "App. A", {}, rotation_matrix},
+      {"eq:lambda-1", "App. A", {}, rotation_matrix},
+      {"eq:lambda-2", "App. A", {}, rotation_matrix},
+      {"eq:lambda-3", "App. A", {}, rotation_matrix},
+      {"eq:lambda-n", "App. A"},
+      {"def:R", "App. A"},
+      {"eq:abc-n", "App. B"},
+      {"eq:abcp-n", "App. B"},
+      {"eq:Gamma", "App. B"},
+      {"def:gamma", "App. B"},
+      {"def:theta", "App. B"},
+      {"eq:V-n-app", "App. B"},
+      {"eq:V-n-0-app", "App. B"},
+      {"Lam-GAM", "App. B"},
+      {"app:Vn, Gamma_A", "App. B"},
+      {"app:Vn, Gamma_B", "App. B"},
+      {"eq:Lambda-app", "App. B"},
+      {"eq-app:lambda-R", "App. C"},
+      {"app:lam-n, power", "App. C", "eq:Lambda-n-final"},
+      {"app:lam-n, Lambda", "App. C"},
+      {"eq:Lambda-n-final", "App. C"},
+      {"app:lam-n, invariant axis", "App. C"},
+      {"app:lam-n, axis", "App. C"},
+      {"eq:R-app", "App. C"},
+      {"def:psi-app", "App. C"},
+      {"sec:nx, cosine", "App. D 1"},
+      {"sec:nx, sine", "App. D 1"},
+      {"sec:nhx, cosine", "App. D 2"},
+      {"sec:nhx, sine", "App. D 2"},
+      {"def:ceil", "App. E", {}, step_function},
+      {"def:floor", "App. E", {}, step_function},
+      {"def:sawtooth", "App. E", {}, step_function},
+      {"eq:NA-constraint", "App. E", {}, last_collision},
+      {"eq:NA-constraint-simple", "App. E", {}, last_collision},
+      {"eq:NA-ans", "App. E"},
+      {"eq:NB-constraint", "App. E", {}, last_collision},
+      {"eq:NB-constraint-simple", "App. E", {}, last_collision},
+      {"eq:NB-ans", "App. E"},
+      {"eq:NANB-ans", "App. E"},
+      {"eq:NA-approx", "App. E"},
+      {"eq:magic-b-cond", "App. F"},
+      {"eq:magic-b-cond-simple", "App. F"},
+      {"app:deficient, momentum", "App. G"},
+      {"app:deficient, energy", "App. G"},
+      {"app:deficient, a_t", "App. G"},
+      {"eq:defb-terminal", "App. G"},
+      {"eq:def-b-cond", "App. G"},
+      {"app:deficient, N_B", "App. G"},
+      {"table:trig", "Table I"},
+      {"table:akbk", "Table II"},
+  };
+  return equations;
+}
+
+const std::vector<BeyondPaper>& beyond_the_paper() {
+  static const std::vector<BeyondPaper> results{
+      {"rotation.psi_half_angle", "psi without overflow and without cancellation"},
+      {"power.a_product", "a_n as a product: its zeros and its sign can be read off"},
+      {"power.b_product", "b_n as a product"},
+      {"power.c_product", "c_n as a product"},
+      {"power.c_prime_product", "c'_n as a product"},
+      {"chebyshev", "velocities as polynomials in cos(psi/2): rational functions of alpha"},
+      {"counting.N", "the number of all collisions in one formula"},
+      {"ratios.alpha_k_stable", "magic ratios without cancellation"},
+      {"ratios.beta_k_stable", "deficient ratios without cancellation"},
+      {"times", "when each collision happens, and how far apart the blocks are then"},
+  };
+  return results;
+}
+
+std::vector<std::string> split_labels(const std::string& labels) {
+  const auto is_label = [](std::string_view label) {
+    const auto& all = paper_equations();
+    return std::any_of(all.begin(), all.end(),
+                       [&](const PaperEquation& equation) { return equation.label == label; });
+  };
+  std::vector<std::string> result;
+  for (std::size_t begin = 0; begin < labels.size();) {
+    const std::size_t end = std::min(labels.find(", ", begin), labels.size());
+    std::string label = labels.substr(begin, end - begin);
+    const bool continues = !result.empty() && is_label(result.back() + ", " + label);
+    if (continues)
+      result.back() += ", " + label;
+    else
+      result.push_back(std::move(label));
+    begin = end + 2;
+  }
+  return result;
+}
+
+}  // namespace magicmass::derivation

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "render/chapter_words.hpp"
+
+#include <map>
+
+namespace magicmass::render {
+
+ChapterWords chapter_words(const std::string& chapter) {
+  static const std::map<std::string, ChapterWords> chapters{
+      {"contact",
+       {"One contact",
+        "Two bodies meet: momentum and kinetic energy are conserved. That makes the velocities "
+        "after the contact "
+        "a linear function of those before, the matrix Gamma, which is a reflection of the "
+        "plane."}},
+      {"cycle",
+       {"One cycle",
+        "A hits C, then C hits B. The two contacts together act on the vector (a, b, sqrt(alpha) "
+        "c') as one "
+        "rotation of space, Lambda."}},
+      {"rotation",
+       {"Axis and angle",
+        "The axis of Lambda stays where it is; in a frame R that has it as third axis, Lambda "
+        "turns by the angle "
+        "psi."}},
+      {"power",
+       {"All velocities",
+        "A rotation done n times turns n times as far: that gives Lambda^n, and with the initial "
+        "condition every "
+        "velocity in closed form."}},
+      {"chebyshev",
+       {"Velocities as polynomials",
+        "The cosines of multiples of psi/2 are polynomials in cos(psi/2), which is rational in "
+        "alpha: so the "
+        "velocities are rational functions of alpha."}},
+      {"counting",
+       {"How many collisions",
+        "Two bodies meet again while they approach. The approach speeds are sines of multiples of "
+        "psi/2, and the "
+        "first that is not positive ends the collisions."}},
+      {"ratios",
+       {"Magic and deficient mass ratios",
+        "The mass ratios alpha_k and beta_k at which the counts change are those at which B takes "
+        "everything, and "
+        "those at which C ends up moving with B."}},
+      {"times",
+       {"When and where",
+        "From the velocities between collisions follow the times of all collisions and the "
+        "distances between the "
+        "blocks then."}},
+  };
+  const auto words = chapters.find(chapter);
+  return words == chapters.end() ? ChapterWords{chapter, ""} : words->second;
+}
+
+}  // namespace magicmass::render

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace magicmass::render {
+
+/// A formula as a tree, read from the kernel's text (proof/text.hpp) or from a side that a step shows instead
+/// ("Gamma^T Gamma", "det Gamma", "R lambda_3(n*psi) R^T"). It is for showing: nothing is computed with it, and
+/// nothing is left out, so that source() gives the text back.
+struct Formula {
+  enum class Kind {
+    number,    // text
+    name,      // text: alpha, V_CM, c', Gamma_A
+    sum,       // parts, of which some are `negative`
+    negative,  // minus parts[0]
+    product,   // parts with * between them
+    adjacent,  // parts side by side: matrices, det Gamma
+    quotient,  // parts[0]/parts[1]
+    power,     // parts[0]^parts[1]
+    call,      // text(parts...): cos(psi), a(n - 1), sqrt(alpha), sum(k, 0, m, T(k))
+    matrix,    // parts row by row, `columns` to a row
+    list,      // (parts, ...)
+    absolute,  // |parts[0]|
+    relation,  // parts with signs between them
+    verbatim,  // text that could not be read
+  };
+  Kind kind = Kind::verbatim;
+  std::string text = {};
+  std::vector<Formula> parts = {};
+  std::vector<std::string> signs = {};
+  std::size_t columns = 0;
+
+  friend bool operator==(const Formula&, const Formula&) = default;
+};
+
+/// Nothing where the text is not in the kernel's notation, or is nested too deeply to be one of its formulas.
+std::optional<Formula> read_formula(std::string_view text);
+
+/// The same with relations: "0 < psi <= pi".
+std::optional<Formula> read_relation(std::string_view text);
+
+/// A side of a step, `verbatim` where it cannot be read.
+Formula formula(std::string_view text);
+
+/// The two sides of a step.
+Formula equation(std::string_view from, const std::string& relation, std::string_view to);
+
+/// The text that a formula was read from.
+std::string source(const Formula& formula);
+
+/// An element of a sequence, as far as its look tells: a(n - 1), T(2*m), a(N_A), but not psi(alpha_k), lambda_3(psi).
+bool is_element(const Formula& formula);
+
+}  // namespace magicmass::render

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "render/rule_words.hpp"
+
+#include <map>
+
+namespace magicmass::render {
+
+std::string rule_words(const std::string& rule) {
+  static const std::map<std::string, std::string> sentences{
+      {"law", "A law of physics, put in without proof"},
+      {"definition", "A definition: a new name for what stands on the right"},
+      {"hypothesis", "A supposition: whatever rests on it has it among its conditions"},
+      {"identity", "Both sides have the same normal form"},
+      {"linear combination", "Equations, multiplied by factors, are added up"},
+      {"substitution", "Equations are put in; then both sides have the same normal form"},
+      {"cancellation", "A factor that is not zero is divided out"},
+      {"special case", "A general theorem with particular values of its symbols"},
+      {"component", "One entry of an equation between columns"},
+      {"cases", "Each possible case has its own theorem"},
+      {"sign", "Each factor and each term has a known sign"},
+      {"induction", "Induction: it holds at the first index, and with each index at the next"},
+      {"equal cosines on [0, pi]", "Two angles from 0 to pi that have the same cosine are equal"},
+      {"one angle in the last cycle",
+       "The number of collisions leaves one angle that has this cosine"},
+      {"last collision",
+       "Collisions go on while the next two bodies approach: the last is found from the sign of a "
+       "sine"},
+      {"every other collision", "The collisions alternate, and A has the first"},
+      {"threshold", "A count that is a ceiling changes where its argument is an integer"},
+      {"step functions, piece by piece", "Step functions are compared on each piece of one period"},
+  };
+  const auto sentence = sentences.find(rule);
+  return sentence == sentences.end() ? rule : sentence->second;
+}
+
+}  // namespace magicmass::render
