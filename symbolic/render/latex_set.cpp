@@ -95,7 +95,7 @@ Set matrix(const Formula& formula) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     double& width = widths[i % formula.columns];
     width = std::max(width, cells[i].width);
-    if (i > 0) code += i % formula.columns != 0 ? " &" : tall ? " \\\\[2ex]" : " \\\\";
+    if (i > 0) code += i % formula.columns != 0 ? " &" : tall ? " \\\\[4ex]" : " \\\\";
     code += " " + with_large_fractions(cells[i].code);
   }
   double width = 1;
