@@ -77,7 +77,7 @@ Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
   const auto solve_for = [&](const char* id, size_t which, const ex& unknown) {
     return kernel.consequence(
         {.id = id,
-         .statement = {unknown, solution.values[which]},
+         .statement = {unknown, collected(solution.values[which], {u_1, u_2})},
          .words = "two linear equations, solved for the velocities after"},
         {{momentum, solution.cofactors[which][0]}, {relative, solution.cofactors[which][1]}});
   };
@@ -141,9 +141,10 @@ Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
 
   const auto after = [&](const std::string& id, const Theorem& general,
                          const Kernel::Values& values, const ex& unknown) {
-    const ex value = replaced(general.statement(), values, 1).rhs();
+    const ex value = kernel.simplified(replaced(general.statement(), values, 1).rhs(), from_one);
+    const std::vector<ex> before{a(n - 1), b(n - 1), c_prime(n - 1), c(n)};
     return kernel.instance({.id = id,
-                            .statement = {unknown, kernel.simplified(value, from_one)},
+                            .statement = {unknown, collected(value, before)},
                             .words = "the solution, here",
                             .indices = from_one},
                            general, values);

@@ -91,9 +91,10 @@ Cycle cycle(Kernel& kernel, const Contact& contact, const Paper& paper) {
                     .shown_rhs = "Lambda [[a(n - 1)], [b(n - 1)], [sqrt(alpha)*c'(n - 1)]]"},
                    {contact.c_prime, contact.b, contact.a, contact.c});
   const auto component = [&](const char* id, unsigned row, const ex& element, const ex& scale) {
+    const ex value = kernel.simplified(turned.op(row) / scale, from_one);
     return kernel.rewriting(
         {.id = id,
-         .statement = {element, kernel.simplified(turned.op(row) / scale, from_one)},
+         .statement = {element, collected(value, {a(n - 1), b(n - 1), c_prime(n - 1)})},
          .words = "a component of V_n = Lambda V_(n-1)",
          .indices = from_one},
         {contact.c_prime, contact.b, contact.a, contact.c});

@@ -41,6 +41,19 @@ ex columns(const std::vector<ex>& parts) {
   return result;
 }
 
+ex collected(const ex& quotient, const std::vector<ex>& elements) {
+  const ex parts = quotient.numer_denom();
+  const ex above = parts.op(0).expand();
+  ex rest = above;
+  ex sum = 0;
+  for (const ex& element : elements) {
+    const ex coefficient = above.coeff(element, 1);
+    rest = (rest - coefficient * element).expand();
+    sum += GiNaC::factor(coefficient) * element;
+  }
+  return (sum + rest) / GiNaC::factor(parts.op(1));
+}
+
 LinearSolution solve_linear(const std::vector<proof::Statement>& equations,
                             const std::vector<ex>& unknowns) {
   const auto size = static_cast<unsigned>(unknowns.size());

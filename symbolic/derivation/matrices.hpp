@@ -22,6 +22,9 @@ GiNaC::ex unit(unsigned size);
 GiNaC::ex cross(const GiNaC::ex& x, const GiNaC::ex& y);  // columns of three
 GiNaC::ex columns(const std::vector<GiNaC::ex>& parts);
 
+// A quotient that is linear in these elements, written as one: (factor x + factor y + ...)/denominator.
+GiNaC::ex collected(const GiNaC::ex& quotient, const std::vector<GiNaC::ex>& elements);
+
 // unknowns[i] = values[i], and unknowns[i] - values[i] = sum_j cofactors[i][j] (lhs_j - rhs_j):
 // the second is what the kernel checks.
 struct LinearSolution {

@@ -39,6 +39,11 @@ struct Term {
   TermKey key;
   bool negative;
   std::string shown;  // without its sign
+  std::string with_sign =
+      {};  // with a minus, if that can go into one of its factors: -(x - y) as y - x
+
+  bool needs_minus() const { return negative && with_sign.empty(); }
+  const std::string& text() const { return negative && !with_sign.empty() ? with_sign : shown; }
 };
 using Terms = std::vector<Term>;
 
@@ -56,14 +61,14 @@ Terms sorted_terms(const ex& sum_of_terms);
 
 // A sum whose first term is negative leads with another one, if there is one that is not.
 std::string join(const Terms& terms) {
-  const auto first =
-      std::find_if(terms.begin(), terms.end(), [](const Term& term) { return !term.negative; });
+  const auto first = std::find_if(terms.begin(), terms.end(),
+                                  [](const Term& term) { return !term.needs_minus(); });
   std::string result;
-  if (first != terms.end()) result = first->shown;
+  if (first != terms.end()) result = first->text();
   for (auto term = terms.begin(); term != terms.end(); ++term) {
     if (term == first) continue;
-    const char* sign = term->negative ? (result.empty() ? "-" : " - ") : " + ";
-    result += sign + term->shown;
+    const char* sign = term->needs_minus() ? (result.empty() ? "-" : " - ") : " + ";
+    result += sign + term->text();
   }
   return result;
 }
@@ -90,17 +95,49 @@ public:
       if (!is_a<numeric>(part)) add(part);
     if (scale_.is_negative()) negative_ = !negative_;
     scale_ = GiNaC::abs(scale_);
-    if (negative_) absorb_sign(above_);
-    if (negative_) absorb_sign(below_);
   }
 
   bool is_negative() const { return negative_; }
   // Nothing but one factor, so that a product around it needs no parentheses.
   bool is_single() const { return above_.size() == 1 && below_.empty() && scale_.is_equal(1); }
 
-  std::string text() const {
-    std::vector<OrderedFactor> above = above_;
-    std::vector<OrderedFactor> below = below_;
+  std::string text() const { return text(above_, below_); }
+
+  // The product times -1, where a sum in it can take the minus: -(x - y) z as (y - x) z. Empty if none can;
+  // 1 - alpha and n - 1 stay as they are.
+  std::string negative_text() const {
+    for (const bool in_front : {true, false}) {
+      std::vector<OrderedFactor> above = above_;
+      std::vector<OrderedFactor> below = below_;
+      std::vector<OrderedFactor>& factors = in_front ? above : below;
+      std::sort(factors.begin(), factors.end());
+      for (OrderedFactor& each : factors) {
+        const auto found = reversed_.find(each.shown);
+        if (found == reversed_.end()) continue;
+        each.shown = found->second;
+        return text(above, below);
+      }
+    }
+    return "";
+  }
+
+  TermKey key() const {
+    TermKey key;
+    for (const auto* factors : {&above_, &below_})
+      for (const OrderedFactor& each : *factors)
+        (each.place >= Place::element ? key.functions : key.names).push_back(each);
+    std::sort(key.functions.begin(), key.functions.end());
+    key.mixed = !key.functions.empty() && key.functions.front().place == Place::element &&
+                key.functions.back().place != Place::element;
+    for (OrderedFactor& each : key.names)
+      if (each.place == Place::angle) each.place = Place::name;  // x - y, though n x
+    std::sort(key.names.begin(), key.names.end());
+    key.degree = degree_;
+    return key;
+  }
+
+private:
+  std::string text(std::vector<OrderedFactor> above, std::vector<OrderedFactor> below) const {
     if (!scale_.is_rational()) {
       above.push_back({Place::number, 0, number(scale_)});
     } else {
@@ -112,20 +149,6 @@ public:
     return result;
   }
 
-  TermKey key() const {
-    TermKey key;
-    for (const auto* factors : {&above_, &below_})
-      for (const OrderedFactor& each : *factors)
-        (each.place >= Place::element ? key.functions : key.names).push_back(each);
-    std::sort(key.functions.begin(), key.functions.end());
-    key.mixed = !key.functions.empty() && key.functions.front().place == Place::element &&
-                key.functions.back().place != Place::element;
-    std::sort(key.names.begin(), key.names.end());
-    key.degree = degree_;
-    return key;
-  }
-
-private:
   numeric scale_ = 1;
   bool negative_ = false;
   double degree_ = 0;
@@ -133,17 +156,6 @@ private:
   std::vector<OrderedFactor> below_;
   std::map<std::string, std::string>
       reversed_;  // a sum as it is shown, and with its sign turned round
-
-  // -(x - y) z as (y - x) z. 1 - alpha and n - 1 stay as they are.
-  void absorb_sign(std::vector<OrderedFactor>& factors) {
-    for (OrderedFactor& each : factors) {
-      const auto found = reversed_.find(each.shown);
-      if (found == reversed_.end()) continue;
-      each.shown = found->second;
-      negative_ = false;
-      return;
-    }
-  }
 
   // (2 n + 1) psi/4, as GiNaC holds it, is (n + 1/2) psi/2 to a physicist.
   void share_scale(std::vector<ex>& parts) {
@@ -210,7 +222,8 @@ Terms sorted_terms(const ex& sum_of_terms) {
       terms.push_back({key, value.is_negative(), number(value.is_negative() ? -value : value)});
     } else {
       const Product product = as_product(term);
-      terms.push_back({product.key(), product.is_negative(), product.text()});
+      terms.push_back(
+          {product.key(), product.is_negative(), product.text(), product.negative_text()});
     }
   }
   std::sort(terms.begin(), terms.end(), [](const Term& x, const Term& y) {
@@ -220,9 +233,12 @@ Terms sorted_terms(const ex& sum_of_terms) {
 }
 
 std::string print_product(const Product& shown, Precedence outer) {
-  const std::string inside = (shown.is_negative() ? "-" : "") + shown.text();
-  const bool single = shown.is_single() && !shown.is_negative();
-  return parenthesised((outer > product && !single) || (shown.is_negative() && outer > sum),
+  const std::string absorbed = shown.is_negative() ? shown.negative_text() : "";
+  const bool minus = shown.is_negative() && absorbed.empty();
+  const std::string inside = minus              ? "-" + shown.text()
+                             : absorbed.empty() ? shown.text()
+                                                : absorbed;
+  return parenthesised((outer > product && (minus || !shown.is_single())) || (minus && outer > sum),
                        inside);
 }
 

@@ -21,7 +21,7 @@ public:
       case Kind::sum:
         return sum(formula);
       case Kind::negative:
-        return beside({line_box(minus()), factor(formula.parts[0])});
+        return negative(factor(formula.parts[0]));
       case Kind::product:
         return product(formula.parts);
       case Kind::adjacent:
@@ -66,6 +66,11 @@ private:
     if (sign == "-") return "− ";
     if (sign.ends_with(" -")) return unicode_sign(sign.substr(0, sign.size() - 2)) + " −";
     return unicode_sign(sign) + " ";
+  }
+
+  /// Apart from a fraction's bar.
+  TextBox negative(const TextBox& inside) const {
+    return beside({line_box(inside.height() > 1 ? minus() + " " : minus()), inside});
   }
 
   /// Numbers, and a letter over a number: one line is enough for these.

@@ -18,7 +18,9 @@ std::string set(const Formula& formula, bool small);
 std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
 std::string identifier(const std::string& text) { return "<mi>" + html_escaped(text) + "</mi>"; }
 std::string sign(const std::string& text) { return "<mo>" + html_escaped(text) + "</mo>"; }
-std::string fence(const std::string& text) { return "<mo fence=\"true\">" + text + "</mo>"; }
+std::string fence(const std::string& text) {
+  return "<mo fence=\"true\" lspace=\"0\" rspace=\"0\">" + text + "</mo>";
+}
 const char* const apply = "<mo>&#x2061;</mo>";
 const char* const times = "<mo>&#x2062;</mo>";
 const char* const thin_space = "<mspace width=\"0.17em\"/>";
@@ -71,6 +73,8 @@ std::string factor(const Formula& part, bool small) {
   return open ? parenthesised(part, small) : set(part, small);
 }
 
+bool is_root(const Formula& part) { return part.kind == Kind::call && part.text == "sqrt"; }
+
 bool is_applied(const Formula& part) {
   const Formula& base = part.kind == Kind::power ? part.parts[0] : part;
   return base.kind == Kind::call && !upright_function(base.text).empty();
@@ -103,6 +107,9 @@ std::string power(const Formula& formula, bool small) {
   const Formula& base = formula.parts[0];
   const std::string high = row(set(formula.parts[1], true));
   if (is_applied(base) && formula.parts[1].kind == Kind::number) return call(base, small, high);
+  if (is_root(base) && formula.parts[1].kind == Kind::number)  // sqrt(x)^3
+    return "<msup>" + factor(base.parts[0], true) +
+           row(set(formula.parts[1], true) + "<mo>/</mo><mn>2</mn>") + "</msup>";
   const bool open = base.kind == Kind::product || base.kind == Kind::power ||
                     base.kind == Kind::adjacent || base.kind == Kind::quotient ||
                     (base.kind == Kind::call && base.text == "factorial");
@@ -142,12 +149,12 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
   const std::string inside = arguments(formula);
   if (parts.size() == 1 && is_atom(parts[0]) && !upright.empty())
     return row(head + apply + thin_space + inside);
-  const bool nested = inside.find(">(<") != std::string::npos;
+  const bool nested = inside.find(">(<") != std::string::npos && !is_root(parts[0]);
   return row(head + apply + fenced(inside, nested ? "[" : "(", nested ? "]" : ")"));
 }
 
 std::string matrix(const Formula& formula) {
-  std::string result = "<mtable><mtr>";
+  std::string result = "<mtable displaystyle=\"true\"><mtr>";
   for (std::size_t i = 0; i < formula.parts.size(); ++i) {
     if (i > 0 && i % formula.columns == 0) result += "</mtr><mtr>";
     result += "<mtd>" + set(formula.parts[i], false) + "</mtd>";
@@ -217,7 +224,8 @@ std::string signs(const std::string& text) {
   if (text.ends_with(" -"))
     return signs(text.substr(0, text.size() - 2)) + "<mo form=\"prefix\">−</mo>";
   if (text.empty()) return "";
-  return "<mo form=\"infix\">" + html_escaped(text == "-" ? "−" : unicode_sign(text)) + "</mo>";
+  return "<mo form=\"infix\" lspace=\"0\" rspace=\"0.28em\">" +
+         html_escaped(text == "-" ? "−" : unicode_sign(text)) + "</mo>";
 }
 
 }  // namespace

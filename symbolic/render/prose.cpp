@@ -18,8 +18,9 @@ void append_words(Prose& result, std::string_view words) {
   result.back().words += words;
 }
 
-void append(Prose& result, Formula formula) {
-  result.push_back({.is_formula = true, .formula = std::move(formula)});
+void append(Prose& result, Formula formula, std::string_view written) {
+  result.push_back(
+      {.is_formula = true, .words = std::string(written), .formula = std::move(formula)});
 }
 
 /// No English word looks like this: V_CM, Lambda^n, sqrt(alpha), psi; nor does a single letter, save the names of
@@ -63,7 +64,7 @@ void append_word(Prose& result, std::string_view word) {
   const auto read = looks_like_formula(inside) ? read_formula(spaced(inside)) : std::nullopt;
   if (!read) return append_words(result, word);
   append_words(result, word.substr(0, begin));
-  append(result, *read);
+  append(result, *read, inside);
   append_words(result, word.substr(end));
 }
 
@@ -80,15 +81,16 @@ std::size_t end_of_parentheses(std::string_view clause, std::size_t begin) {
 }
 
 void append_clause(Prose& result, std::string_view clause) {
-  if (auto relation = read_relation(clause)) return append(result, std::move(*relation));
+  if (auto relation = read_relation(clause)) return append(result, std::move(*relation), clause);
   std::size_t begin = 0;
   while (begin <= clause.size()) {
     if (const std::size_t end = end_of_parentheses(clause, begin); end > begin) {
       const auto inside = read_formula(clause.substr(begin, end - begin));
-      if (inside && inside->kind == Formula::Kind::list) append(result, *inside);
+      if (inside && inside->kind == Formula::Kind::list)
+        append(result, *inside, clause.substr(begin, end - begin));
       if (inside && inside->kind != Formula::Kind::list) {
         append_words(result, "(");
-        append(result, *inside);
+        append(result, *inside, clause.substr(begin + 1, end - begin - 2));
         append_words(result, ")");
       }
       if (inside) begin = end;

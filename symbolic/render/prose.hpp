@@ -12,7 +12,7 @@ namespace magicmass::render {
 /// Words and the formulas among them.
 struct Run {
   bool is_formula = false;
-  std::string words = {};
+  std::string words = {};  // as they were written, a formula too
   Formula formula = {};
 };
 using Prose = std::vector<Run>;

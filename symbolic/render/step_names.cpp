@@ -18,6 +18,10 @@ std::string paper_spelling(const Formula& left) {
   return left.text + "_" + left.parts[0].text;
 }
 
+bool has_element(const Formula& part) {
+  return is_element(part) || std::any_of(part.parts.begin(), part.parts.end(), has_element);
+}
+
 std::string with_primes(std::string name) {
   const std::string word = "_prime";
   const std::size_t at = name.find(word);
@@ -27,7 +31,7 @@ std::string with_primes(std::string name) {
 }
 
 bool is_called(const Step& step, const std::string& symbol) {
-  if (step.relation != "=") return false;
+  if (step.relation != "=" || symbol.empty()) return false;
   std::string left = step.from;
   left.erase(std::remove(left.begin(), left.end(), ' '), left.end());
   return left == symbol || paper_spelling(formula(step.from)) == symbol;
@@ -54,7 +58,8 @@ std::vector<Step> steps_called(const std::string& name, const std::vector<Step>&
     if (is_called(step, symbol)) found.push_back(step);
   const auto better = [](const Step& x, const Step& y) {
     const auto grade = [](const Step& step) {
-      return !step.label.empty() ? 0 : step.verdict == "definition" ? 1 : 2;
+      const bool closed = !has_element(formula(step.to));
+      return !step.label.empty() ? 0 : step.verdict == "definition" ? 1 : closed ? 2 : 3;
     };
     return grade(x) < grade(y);
   };

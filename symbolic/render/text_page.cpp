@@ -82,7 +82,8 @@ std::string below(const std::string& words, const std::string& prefix) {
 std::string prose_text(const std::string& words, const TextStyle& style) {
   std::string text;
   for (const Run& run : prose(words)) {
-    std::string shown = run.is_formula ? inline_text(run.formula, style) : run.words;
+    std::string shown =
+        run.is_formula && style.unicode ? inline_text(run.formula, style) : run.words;
     if (run.is_formula && columns(shown) <= page_width / 2)
       std::replace(shown.begin(), shown.end(), ' ', held_blank);
     text += shown;

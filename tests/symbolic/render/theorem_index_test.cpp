@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "render/theorem_index.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "render/step_names.hpp"
+#include "render/steps.hpp"
+
+using namespace magicmass;
+using namespace magicmass::render;
+
+namespace {
+
+/// Equations of the paper whose chapters are not written. Whoever proves one takes it out; the list must end empty.
+const std::set<std::string_view> pending{
+    "eq:ct",
+    "sec:result, inelastic momentum P",
+    "sec:result, inelastic restitution P",
+    "sec:result, inelastic momentum Q",
+    "sec:result, inelastic restitution Q",
+    "sec:nx, cosine",
+    "sec:nx, sine",
+    "sec:nhx, cosine",
+    "sec:nhx, sine",
+    "eq:NA-approx",
+    "table:trig",
+    "table:akbk",
+};
+
+const TheoremIndex& index() {
+  static const TheoremIndex result = theorem_index(steps_of(derivation::derive()));
+  return result;
+}
+
+bool is_listed(std::string_view label) {
+  const auto& all = derivation::paper_equations();
+  return std::any_of(all.begin(), all.end(),
+                     [&](const auto& equation) { return equation.label == label; });
+}
+
+}  // namespace
+
+TEST_CASE("every equation of the paper is proved, or there is a reason why it is not claimed",
+          "[exam]") {
+  std::set<std::string_view> seen;
+  for (const IndexedEquation& indexed : index().equations) {
+    const derivation::PaperEquation& equation = indexed.equation;
+    INFO(equation.label);
+    CHECK(seen.insert(equation.label).second);
+    CHECK_FALSE(equation.place.empty());
+    const bool is_pending = pending.contains(equation.label);
+    if (!equation.not_claimed.empty()) {
+      CHECK(indexed.theorems.empty());  // no reason for what is proved
+      CHECK(equation.same_as.empty());
+      CHECK_FALSE(is_pending);
+    } else {
+      CHECK(indexed.theorems.empty() == is_pending);
+    }
+    if (!equation.same_as.empty()) CHECK(is_listed(equation.same_as));
+    CHECK((remark(indexed) == "not proved yet") == is_pending);
+  }
+  // 64 labels in equations, 2 tables, 22 displayed equations without a label, and the axis
+  CHECK(seen.size() == 64 + 2 + 22 + 1);
+  for (const std::string_view label : pending) CHECK(is_listed(label));
+}
+
+TEST_CASE("a label of the paper is carried by what the kernel accepted, and it is in the paper",
+          "[exam]") {
+  const std::set<std::string> verdicts{"proved", "law", "definition"};
+  for (const proof::Step& step : index().steps) {
+    INFO(step.id << ": " << step.label);
+    for (const std::string& label : labels_of(step)) CHECK(is_listed(label));
+    if (!step.label.empty()) CHECK(verdicts.contains(step.verdict));
+  }
+}
+
+TEST_CASE("labels with a comma in them are told from several labels", "[exam]") {
+  using Labels = std::vector<std::string>;
+  CHECK(derivation::split_labels("eq:Lam-G-G, Lam-GAM") == Labels{"eq:Lam-G-G", "Lam-GAM"});
+  CHECK(derivation::split_labels("app:Vn, Gamma_A") == Labels{"app:Vn, Gamma_A"});
+  CHECK(derivation::split_labels("eq:lambda-n, app:lam-n, Lambda") ==
+        Labels{"eq:lambda-n", "app:lam-n, Lambda"});
+  CHECK(derivation::split_labels("").empty());
+  CHECK(derivation::split_labels("no such, label") == Labels{"no such", "label"});
+}
+
+TEST_CASE("what goes beyond the paper is there and carries no label of it", "[exam]") {
+  for (const IndexedResult& indexed : index().beyond) {
+    INFO(indexed.result.name);
+    CHECK_FALSE(indexed.theorems.empty());
+    for (const proof::Step& step : index().steps)
+      if (std::find(indexed.theorems.begin(), indexed.theorems.end(), step.id) !=
+          indexed.theorems.end())
+        CHECK(step.label.empty());
+  }
+}
+
+TEST_CASE("the index misses an equation that loses its theorem", "[exam]") {
+  std::vector<proof::Step> steps = index().steps;
+  std::erase_if(steps, [](const proof::Step& step) { return step.id == "power.a"; });
+  const TheoremIndex less = theorem_index(steps);
+  const auto lost =
+      std::find_if(less.equations.begin(), less.equations.end(),
+                   [](const auto& indexed) { return indexed.equation.label == "eq:a-final"; });
+  REQUIRE(lost != less.equations.end());
+  CHECK(remark(*lost) == "not proved yet");
+}
