@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <iostream>
 #include <memory>
 #include <system_error>
@@ -17,7 +19,8 @@ namespace {
 using equality::Answer;
 using equality::Verdict;
 
-constexpr std::size_t longest_input = 100000;  // bytes; a longer one is refused, as the parser would
+constexpr std::size_t longest_input =
+    100000;  // bytes; a longer one is refused, as the parser would
 
 std::string name_of(Answer answer) {
   if (answer == Answer::equal) return "equal";
@@ -71,12 +74,10 @@ std::string json_counterexample(const equality::Counterexample& counterexample) 
 }
 
 std::string json(const Verdict& verdict) {
-  const Cell counterexample = verdict.counterexample
-                                  ? Cell{json_counterexample(*verdict.counterexample)}
-                                  : missing_cell();
-  const Cell digits = verdict.points > 0
-                          ? number_cell(std::int64_t{verdict.agreeing_digits})
-                          : missing_cell();
+  const Cell counterexample =
+      verdict.counterexample ? Cell{json_counterexample(*verdict.counterexample)} : missing_cell();
+  const Cell digits =
+      verdict.points > 0 ? number_cell(std::int64_t{verdict.agreeing_digits}) : missing_cell();
   return json_object({"verdict", "proof", "counterexample", "domain", "conditions", "notes",
                       "agreeing_digits"},
                      {text_cell(name_of(verdict.answer)),
@@ -98,7 +99,8 @@ std::string joined(const std::vector<std::string>& texts) {
 std::string page(const Verdict& verdict) {
   std::string lines = name_of(verdict.answer) + "\n";
   const auto add = [&](const std::string& title, const std::string& text) {
-    if (!text.empty()) lines += render::wrapped(text, "  " + title + std::string(10 - title.size(), ' '));
+    if (!text.empty())
+      lines += render::wrapped(text, "  " + title + std::string(10 - title.size(), ' '));
   };
   if (verdict.counterexample) {
     std::string at;
@@ -140,6 +142,23 @@ ExitCode equal(EqualOptions& options) {
 }
 
 }  // namespace
+
+// A blank in front is nothing to an expression, and to the parser of options it says that this is none.
+std::vector<std::string> with_expressions_marked(int argc, char** argv) {
+  std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.empty() || words.front() != "equal") return words;
+  static const std::array<std::string, 6> options{"-", "-o", "-h", "--", "--help", "--output"};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    std::string& word = words[i];
+    if (!word.starts_with('-') ||
+        std::find(options.begin(), options.end(), word) != options.end() ||
+        (word.starts_with("--") && word.size() > 2 &&
+         std::isalpha(static_cast<unsigned char>(word[2])) != 0))
+      continue;
+    word.insert(0, " ");
+  }
+  return words;
+}
 
 void add_equal(Program& program) {
   const auto options = std::make_shared<EqualOptions>();

@@ -80,14 +80,15 @@ private:
   ex power(const Tree& tree) {
     if (!is_number(tree->parts[1])) throw OutsideConstants("a power: " + text(tree));
     const numeric exponent(tree->parts[1]->value);
-    const ex base = exponent.is_integer() ? form(tree->parts[0])
-                                          : root(tree->parts[0], exponent.denom());
+    const ex base =
+        exponent.is_integer() ? form(tree->parts[0]) : root(tree->parts[0], exponent.denom());
     return GiNaC::pow(base, exponent.numer());
   }
 
   ex function(const Tree& tree) {
     const Tree& argument = tree->parts[0];
-    if (tree->name == "abs") return certain_sign(argument) < 0 ? ex(-form(argument)) : form(argument);
+    if (tree->name == "abs")
+      return certain_sign(argument) < 0 ? ex(-form(argument)) : form(argument);
     if (tree->name == "sin") return pair(argument).sine;
     if (tree->name == "cos") return pair(argument).cosine;
     if (tree->name == "tan") {

@@ -10,8 +10,8 @@ namespace magicmass::equality {
 namespace {
 
 long bits(const cln::cl_RA& x) {
-  return static_cast<long>(std::max(cln::integer_length(cln::numerator(x)),
-                                    cln::integer_length(cln::denominator(x))));
+  return static_cast<long>(
+      std::max(cln::integer_length(cln::numerator(x)), cln::integer_length(cln::denominator(x))));
 }
 
 bool is_small_integer(const cln::cl_RA& x, long largest) {
@@ -92,8 +92,8 @@ Tree Arithmetic::power(const Tree& base, const Tree& exponent, std::size_t colum
       // |b|^|n| has about |n| (bits - 1) bits or more
       if (!is_small_integer(n, limits_.bits) ||
           cln::abs(n) * (bits(b) > 1 ? bits(b) - 1 : 1) > limits_.bits)
-        refuse_at(column, "a power of more than " + std::to_string(limits_.bits * 3 / 10) +
-                              " digits");
+        refuse_at(column,
+                  "a power of more than " + std::to_string(limits_.bits * 3 / 10) + " digits");
       return checked(cln::expt(b, cln::numerator(n)), column);
     }
   }

@@ -22,9 +22,9 @@ bool is_zero(const cln::cl_F& x) { return cln::zerop(x); }
 
 BallArithmetic::BallArithmetic(int digits)
     : format_(cln::float_format(static_cast<uintE>(digits))),
-      unit_(cln::scale_float(cln::cl_float(1, format_),
-                             slack_bits - static_cast<long>(
-                                              cln::float_digits(cln::cl_float(1, format_))))) {}
+      unit_(cln::scale_float(
+          cln::cl_float(1, format_),
+          slack_bits - static_cast<long>(cln::float_digits(cln::cl_float(1, format_))))) {}
 
 Ball BallArithmetic::rounded(const cln::cl_F& middle, const cln::cl_F& radius) const {
   const cln::cl_F error = radius + cln::abs(middle) * unit_;
@@ -66,9 +66,9 @@ std::optional<Ball> BallArithmetic::root(const Ball& x, long order) const {
   const cln::cl_F low = x.middle - x.radius;
   const cln::cl_F slope = value(low) / (low * order);
   // exp(ln x/k): an error of unit |ln x|/k in the exponent, relative to the result.
-  const cln::cl_F exponent_error =
-      order == 2 ? cln::cl_float(0, format_)
-                 : cln::abs(middle) * unit_ * cln::abs(cln::ln(x.middle));
+  const cln::cl_F exponent_error = order == 2
+                                       ? cln::cl_float(0, format_)
+                                       : cln::abs(middle) * unit_ * cln::abs(cln::ln(x.middle));
   return rounded(middle, slope * x.radius + exponent_error);
 }
 
@@ -117,7 +117,8 @@ std::string shown(const Ball& ball, int most_digits) {
       cln::ln(cln::cl_float(exact, coarse)) / cln::ln(cln::cl_float(10, coarse));
   long exponent = cln::cl_I_to_long(cln::floor1(logarithm));
   if (exponent > 5000 || exponent < -5000)  // written out it would tell nobody more
-    return std::string(cln::minusp(ball.middle) ? "-" : "") + "about 10^" + std::to_string(exponent);
+    return std::string(cln::minusp(ball.middle) ? "-" : "") + "about 10^" +
+           std::to_string(exponent);
   while (cln::expt(cln::cl_RA(10), cln::cl_I(exponent)) > exact) --exponent;
   while (cln::expt(cln::cl_RA(10), cln::cl_I(exponent + 1)) <= exact) ++exponent;
   int digits = most_digits;

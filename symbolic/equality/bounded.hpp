@@ -28,7 +28,8 @@ struct Refused : std::runtime_error {
 };
 
 // Reads and decides, here and now and without bounds on time. Throws Refused.
-Verdict answer(const Question& question, const std::function<void(const Verdict&)>& provisional = {});
+Verdict answer(const Question& question,
+               const std::function<void(const Verdict&)>& provisional = {});
 
 // The same in a child process, which is killed when it takes too much: GiNaC cannot be interrupted. What is then
 // known is the verdict "undecided", with the digits that agree if it got so far. Throws Refused; std::system_error

@@ -71,7 +71,8 @@ PointComparison compare_at(const Point& point, const Tree& lhs, const Tree& rhs,
     return result;
   };
   if (!left.value || !right.value) {
-    const bool one_alone = (left.value && !right.reason.empty()) || (right.value && !left.reason.empty());
+    const bool one_alone =
+        (left.value && !right.reason.empty()) || (right.value && !left.reason.empty());
     if (!one_alone) return result;
     if (left.isolated || right.isolated) return found(Outcome::pole, shortest_shown);
     return found(left.value ? Outcome::right_not_defined : Outcome::left_not_defined,
@@ -79,14 +80,15 @@ PointComparison compare_at(const Point& point, const Tree& lhs, const Tree& rhs,
   }
   const BallArithmetic arithmetic(working_digits);
   const bool rational = is_number(left.tree) && is_number(right.tree);
-  const Ball rest =
-      rational ? arithmetic.number(left.tree->value - right.tree->value)
-               : arithmetic.sum(*left.value, {-right.value->middle, right.value->radius});
+  const Ball rest = rational
+                        ? arithmetic.number(left.tree->value - right.tree->value)
+                        : arithmetic.sum(*left.value, {-right.value->middle, right.value->radius});
   auto sign = equality::sign(rest);
   for (const int digits : many_digits) {
     if (sign || !exactly) break;
     try {
-      const Ball closer = evaluate_to(difference(left.tree, right.tree), digits, exact_sign_or_nothing);
+      const Ball closer =
+          evaluate_to(difference(left.tree, right.tree), digits, exact_sign_or_nothing);
       sign = equality::sign(closer);
       if (sign) result.values.difference = shown(closer, 4);
     } catch (const NotCertain&) {
@@ -98,8 +100,7 @@ PointComparison compare_at(const Point& point, const Tree& lhs, const Tree& rhs,
   }
   if (sign && *sign != 0) {
     if (equality::sign(rest)) result.values.difference = shown(rest, 4);
-    return found(Outcome::differ,
-                 std::max(shortest_shown, decimal_places(rest, *left.value) + 4));
+    return found(Outcome::differ, std::max(shortest_shown, decimal_places(rest, *left.value) + 4));
   }
   result.outcome = Outcome::agree;
   result.is_exact = sign.has_value();

@@ -9,12 +9,12 @@ namespace magicmass::equality {
 // Both sides at one point.
 struct PointComparison {
   enum class Outcome {
-    differ,             // certainly
-    left_not_defined,   // the left side alone is not, by more than a zero of a denominator
+    differ,            // certainly
+    left_not_defined,  // the left side alone is not, by more than a zero of a denominator
     right_not_defined,
-    pole,               // one side alone divides by zero
-    agree,              // as far as `digits` tell; exactly where is_exact
-    nothing,            // neither is defined, or it is not known
+    pole,     // one side alone divides by zero
+    agree,    // as far as `digits` tell; exactly where is_exact
+    nothing,  // neither is defined, or it is not known
   };
   Outcome outcome = Outcome::nothing;
   bool is_exact = false;

@@ -14,8 +14,10 @@ namespace {
 using GiNaC::ex;
 using GiNaC::numeric;
 
+const algebraic::Budget budget{.time = std::chrono::milliseconds(500)};  // a question
 constexpr int digits_for_signs = 400;  // of what is known not to vanish
-constexpr long most_factors = 100;     // of complex or real numbers multiplied for angles and logarithms
+constexpr long most_factors =
+    100;  // of complex or real numbers multiplied for angles and logarithms
 
 std::optional<int> sign_of_nonzero(const Tree& constant) {
   try {
@@ -30,7 +32,7 @@ ExactResult nonzero(const Tree& constant, const std::string& method) {
 }
 
 std::optional<ExactResult> as_algebraic_number(const Tree& constant) {
-  const algebraic::Decision decision = algebraic::sign_of(equality::algebraic(constant), {});
+  const algebraic::Decision decision = algebraic::sign_of(equality::algebraic(constant), budget);
   if (!decision.sign) return std::nullopt;
   return ExactResult{decision.sign, *decision.sign != 0, decision.method};
 }
@@ -40,7 +42,7 @@ std::optional<ExactResult> as_polynomial_in_pi(const Tree& constant) {
   const ex pi_symbol = GiNaC::realsymbol("pi");
   const ex form = equality::algebraic(constant, &pi_symbol);
   if (!form.has(pi_symbol)) {  // it cancelled
-    const algebraic::Decision decision = algebraic::sign_of(form, {});
+    const algebraic::Decision decision = algebraic::sign_of(form, budget);
     if (!decision.sign) return std::nullopt;
     return ExactResult{decision.sign, *decision.sign != 0, decision.method};
   }
@@ -49,7 +51,7 @@ std::optional<ExactResult> as_polynomial_in_pi(const Tree& constant) {
       "pi is transcendental, so the difference, a rational function of pi, is zero only if all its "
       "algebraic coefficients are";
   for (int power = above.ldegree(pi_symbol); power <= above.degree(pi_symbol); ++power) {
-    const algebraic::Decision decision = algebraic::sign_of(above.coeff(pi_symbol, power), {});
+    const algebraic::Decision decision = algebraic::sign_of(above.coeff(pi_symbol, power), budget);
     if (!decision.sign) return std::nullopt;
     if (*decision.sign != 0) return nonzero(constant, method);
   }
@@ -108,12 +110,14 @@ std::optional<ExactResult> as_sum_of_angles(const Tree& constant) {
       real = next;
     }
   }
-  const algebraic::Decision decision = algebraic::sign_of(imaginary, {});
+  const algebraic::Decision decision = algebraic::sign_of(imaginary, budget);
   if (!decision.sign) return std::nullopt;
   const std::string product =
-      "the difference is a sum of angles of complex numbers with algebraic parts; their product is ";
+      "the difference is a sum of angles of complex numbers with algebraic parts; their product "
+      "is ";
   if (*decision.sign != 0) return nonzero(constant, product + "not real, so it is not zero");
-  const Tree size = equality::product({number(cln::the<cln::cl_RA>(denominator.to_cl_N())), constant});
+  const Tree size =
+      equality::product({number(cln::the<cln::cl_RA>(denominator.to_cl_N())), constant});
   const Ball ball = evaluate_to(size, 100, exact_sign_or_nothing);
   if (cln::abs(ball.middle) + ball.radius < cln::cl_F(3.0))  // < pi
     return ExactResult{0, false,
@@ -135,7 +139,7 @@ std::optional<ExactResult> as_sum_of_logarithms(const Tree& constant) {
     if (GiNaC::abs(count) > most_factors) return std::nullopt;
     total *= GiNaC::pow(equality::algebraic(function->parts[0]), count);
   }
-  const algebraic::Decision decision = algebraic::sign_of(total - 1, {});
+  const algebraic::Decision decision = algebraic::sign_of(total - 1, budget);
   if (!decision.sign) return std::nullopt;
   const std::string method = "the difference is the logarithm of an algebraic number, which is ";
   if (*decision.sign == 0) return ExactResult{0, false, method + "1"};
@@ -169,8 +173,8 @@ ExactResult exact_sign(const Tree& constant) {
   } catch (const GiNaC::pole_error&) {
     return {};
   }
-  for (const auto method : {as_polynomial_in_pi, as_rest_of_cancelled_terms,
-                            as_sum_of_angles, as_sum_of_logarithms}) {
+  for (const auto method :
+       {as_polynomial_in_pi, as_rest_of_cancelled_terms, as_sum_of_angles, as_sum_of_logarithms}) {
     try {
       if (const auto result = method(constant)) return *result;
     } catch (const OutsideConstants&) {

@@ -14,6 +14,7 @@ namespace {
 
 using Outcome = PointComparison::Outcome;
 
+const char* const undecided_proof = "neither a proof nor a counterexample was found";
 constexpr std::size_t points_tried = 60;
 constexpr std::size_t points_tried_exactly = 3;
 constexpr int fewest_poles = 3;  // so many, and a third of all, are no isolated points
@@ -27,7 +28,8 @@ void require_defined(const Tree& constant, const std::string& side) {
   }
 }
 
-Verdict decide_constants(const Tree& lhs, const Tree& rhs) {
+Verdict decide_constants(const Tree& lhs, const Tree& rhs,
+                         const std::function<void(const Verdict&)>& provisional) {
   const Tree left = at({}, lhs);
   const Tree right = at({}, rhs);
   require_defined(left, "left");
@@ -48,10 +50,13 @@ Verdict decide_constants(const Tree& lhs, const Tree& rhs) {
   }
   const PointComparison comparison = compare_at({}, left, right, false);
   if (comparison.outcome == Outcome::differ)
-    return different(comparison, "both numbers enclosed with certain error bounds; the enclosures are apart");
+    return different(comparison,
+                     "both numbers enclosed with certain error bounds; the enclosures are apart");
   if (comparison.outcome == Outcome::agree) {
     verdict.agreeing_digits = comparison.digits;
     verdict.points = 1;
+    verdict.proof = undecided_proof;
+    if (provisional) provisional(verdict);
   }
   const ExactResult exact = exact_sign(at({}, difference(left, right)));
   if (exact.is_nonzero) {
@@ -70,10 +75,9 @@ Verdict decide_constants(const Tree& lhs, const Tree& rhs) {
       return verdict;
     }
   }
-  verdict.proof =
-      comparison.outcome == Outcome::agree
-          ? "no exact method decides these constants"
-          : "it is not certain that both sides are defined";
+  verdict.proof = comparison.outcome == Outcome::agree
+                      ? "no exact method decides these constants"
+                      : "it is not certain that both sides are defined";
   return verdict;
 }
 
@@ -92,13 +96,13 @@ public:
     if (common_.empty() && poles_ == 0 && unknown_ == 0)
       throw NoQuestion("no point was found where both sides have a value");
     verdict_.points = static_cast<int>(common_.size());
-    verdict_.proof = "neither a proof nor a counterexample was found";
+    verdict_.proof = undecided_proof;
     if (provisional) provisional(verdict_);
     if (!common_.empty() && prove(same)) return verdict_;
     // Ever closer: what agrees to all digits that were computed may still differ.
-    const std::vector<Point> few(common_.begin(),
-                                 common_.begin() + static_cast<std::ptrdiff_t>(std::min(
-                                                       common_.size(), points_tried_exactly)));
+    const std::vector<Point> few(
+        common_.begin(), common_.begin() + static_cast<std::ptrdiff_t>(
+                                               std::min(common_.size(), points_tried_exactly)));
     if (!compare(few, true, false)) return verdict_;
     return verdict_;
   }
@@ -111,8 +115,9 @@ private:
       const PointComparison comparison = compare_at(point, lhs_, rhs_, exactly);
       switch (comparison.outcome) {
         case Outcome::differ:
-          return found(comparison, exactly ? "both values at one point, compared exactly"
-                                           : "both values at one point, enclosed with certain error bounds");
+          return found(comparison,
+                       exactly ? "both values at one point, compared exactly"
+                               : "both values at one point, enclosed with certain error bounds");
         case Outcome::left_not_defined:
           return found(comparison, "at one point the left side alone is not defined");
         case Outcome::right_not_defined:
@@ -194,7 +199,7 @@ Tree with_meanings(const Tree& tree) {
 Verdict decide(const Tree& lhs, const Tree& rhs, const Domain& domain,
                const std::function<void(const Verdict&)>& provisional) {
   Verdict verdict = lhs->is_constant && rhs->is_constant
-                        ? decide_constants(lhs, rhs)
+                        ? decide_constants(lhs, rhs, provisional)
                         : FunctionQuestion(lhs, rhs, domain).decide(provisional);
   if (verdict.answer != Answer::undecided) verdict.agreeing_digits = verdict.points = 0;
   return verdict;

@@ -18,15 +18,16 @@ enum class Answer { equal, different, undecided };
 struct Counterexample {
   std::map<std::string, std::string> point;  // empty for constants
   std::string left, right;                   // "1/2", "0.7071067811865475", "not defined (...)"
-  std::string difference = {};          // left - right, a few digits of it; empty if one is not defined
+  std::string difference = {};  // left - right, a few digits of it; empty if one is not defined
 };
 
 struct Verdict {
   Answer answer = Answer::undecided;
-  std::string proof;                    // the method, in a sentence; for "undecided", what was tried
-  std::vector<std::string> domain;      // where: "alpha > 0", "n integer, n >= 1"
-  std::vector<std::string> conditions;  // besides: "alpha - 1 != 0"; elsewhere a side is not defined
-  std::vector<std::string> notes;       // "psi = 2*atan(...)", "alhpa is taken as a symbol; alpha?"
+  std::string proof;                // the method, in a sentence; for "undecided", what was tried
+  std::vector<std::string> domain;  // where: "alpha > 0", "n integer, n >= 1"
+  std::vector<std::string>
+      conditions;                  // besides: "alpha - 1 != 0"; elsewhere a side is not defined
+  std::vector<std::string> notes;  // "psi = 2*atan(...)", "alhpa is taken as a symbol; alpha?"
   std::optional<Counterexample> counterexample;
   int agreeing_digits = 0;  // of both sides at `points` points, where the answer is "undecided"
   int points = 0;

@@ -31,7 +31,7 @@ std::vector<std::string> separated(const std::string& text) {  // at commas outs
 
 // "n integer" and "x real": (name, kind).
 std::optional<std::pair<std::string, std::string>> kind_of_symbol(const std::string& condition,
-                                                                 const Limits& limits) {
+                                                                  const Limits& limits) {
   for (const char* kind : {" integer", " real"}) {
     if (!condition.ends_with(kind)) continue;
     const std::string name = condition.substr(0, condition.size() - std::string(kind).size());
@@ -174,8 +174,8 @@ Domain parse_domain(const std::vector<std::string>& conditions,
     if (!bound(comparison, domain, given)) domain.further.push_back(comparison);
   }
   for (const auto& [name, range] : domain.ranges)
-    if (range.is_empty()) throw NotAnExpression("no value of " + name + " satisfies " +
-                                                text(name, range));
+    if (range.is_empty())
+      throw NotAnExpression("no value of " + name + " satisfies " + text(name, range));
   return domain;
 }
 
@@ -212,8 +212,9 @@ std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count) {
         if (range.high) add(*range.high - fraction);
       }
   }
-  const cln::cl_RA start = range.low ? cln::cl_RA(cln::ceiling1(*range.low))
-                           : range.high ? cln::cl_RA(cln::floor1(*range.high)) : cln::cl_RA(0);
+  const cln::cl_RA start = range.low    ? cln::cl_RA(cln::ceiling1(*range.low))
+                           : range.high ? cln::cl_RA(cln::floor1(*range.high))
+                                        : cln::cl_RA(0);
   for (const long step : {0L, 1L, 2L, 3L, 4L, 5L, 6L, 7L, 9L, 11L, 15L, 29L, 99L, 100L, 1000L}) {
     add(start + step);
     add(start - step);

@@ -20,7 +20,8 @@ struct Range {
   bool is_empty() const;
 };
 
-std::string text(const std::string& name, const Range& range);  // "0 < alpha <= 1", "n integer, n >= 1"
+std::string text(const std::string& name,
+                 const Range& range);  // "0 < alpha <= 1", "n integer, n >= 1"
 
 // Where two expressions are compared: a range for each symbol, and what else was asked for ("alpha < beta").
 struct Domain {
@@ -32,8 +33,8 @@ struct Domain {
 
 // Conditions, each a list with commas: "0 < alpha", "alpha <= 1, n integer", "x real". A bound replaces the usual
 // one on its side; "x real" and "n integer" replace all that is usual for the symbol. Throws NotAnExpression.
-Domain parse_domain(const std::vector<std::string>& conditions, const std::set<std::string>& symbols,
-                    const Limits& limits = {});
+Domain parse_domain(const std::vector<std::string>& conditions,
+                    const std::set<std::string>& symbols, const Limits& limits = {});
 
 std::vector<std::string> texts(const Domain& domain);
 

@@ -69,8 +69,7 @@ private:
     const int sign = sign_of(radicand, inside);
     if (sign == 0) return arithmetic_.number(0);
     if (sign > 0) return certain(arithmetic_.root(inside, order));
-    if (order % 2 == 0)
-      throw NotDefined("the root of a negative number: " + text(radicand), false);
+    if (order % 2 == 0) throw NotDefined("the root of a negative number: " + text(radicand), false);
     return negative(certain(arithmetic_.root(negative(inside), order)));
   }
 
@@ -105,8 +104,8 @@ private:
     if (sign == 0) throw NotCertain("a power of zero: " + text(tree));
     const Ball above = value(exponent);
     if (sign < 0) throw NotCertain("a power of a negative number: " + text(tree));
-    return certain(arithmetic_.exponential(
-        arithmetic_.product(above, certain(arithmetic_.logarithm(below)))));
+    return certain(
+        arithmetic_.exponential(arithmetic_.product(above, certain(arithmetic_.logarithm(below)))));
   }
 
   // asin u = 2 atan(u/(1 + sqrt(1 - u^2))) for -1 <= u <= 1
@@ -115,11 +114,10 @@ private:
     const Tree rest = difference(number(1), equality::power(argument, number(2)));
     const Ball inside = arithmetic_.sum(arithmetic_.number(1), negative(arithmetic_.product(u, u)));
     const int sign = sign_of(rest, inside);
-    if (sign < 0)
-      throw NotDefined("asin or acos beyond -1 and 1: " + text(argument), false);
-    const Ball cosine =
-        sign == 0 ? arithmetic_.number(0) : certain(arithmetic_.root(inside, 2));
-    const Ball below = certain(arithmetic_.reciprocal(arithmetic_.sum(arithmetic_.number(1), cosine)));
+    if (sign < 0) throw NotDefined("asin or acos beyond -1 and 1: " + text(argument), false);
+    const Ball cosine = sign == 0 ? arithmetic_.number(0) : certain(arithmetic_.root(inside, 2));
+    const Ball below =
+        certain(arithmetic_.reciprocal(arithmetic_.sum(arithmetic_.number(1), cosine)));
     return arithmetic_.product(arithmetic_.number(2),
                                arithmetic_.arctangent(arithmetic_.product(u, below)));
   }
@@ -135,8 +133,9 @@ private:
     if (tree->name == "sin") return certain(arithmetic_.sine(x));
     if (tree->name == "cos") return certain(arithmetic_.cosine(x));
     if (tree->name == "tan")
-      return arithmetic_.product(certain(arithmetic_.sine(x)),
-                                 inverse(equality::function("cos", argument), certain(arithmetic_.cosine(x))));
+      return arithmetic_.product(
+          certain(arithmetic_.sine(x)),
+          inverse(equality::function("cos", argument), certain(arithmetic_.cosine(x))));
     if (tree->name == "atan") return arithmetic_.arctangent(x);
     if (tree->name == "abs") return arithmetic_.absolute(x);
     if (tree->name == "exp") return certain(arithmetic_.exponential(x));
@@ -156,8 +155,7 @@ private:
 
 }  // namespace
 
-Ball evaluate(const Tree& constant, const BallArithmetic& arithmetic,
-              const ExactSign& exact_sign) {
+Ball evaluate(const Tree& constant, const BallArithmetic& arithmetic, const ExactSign& exact_sign) {
   try {
     return Evaluation(arithmetic, exact_sign).value(constant);
   } catch (const cln::runtime_exception& error) {  // overflow and the like

@@ -31,9 +31,9 @@ std::string print(const Tree& tree, Precedence outer);
 std::string print_number(const cln::cl_RA& value, Precedence outer) {
   std::ostringstream out;
   out << value;
-  return parenthesised((cln::minusp(value) && outer > of_sum) ||
-                           (!is_integer(value) && outer > of_product),
-                       out.str());
+  return parenthesised(
+      (cln::minusp(value) && outer > of_sum) || (!is_integer(value) && outer > of_product),
+      out.str());
 }
 
 std::string print_product(const Tree& tree, Precedence outer) {

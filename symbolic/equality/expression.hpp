@@ -23,7 +23,7 @@ enum class Kind {
   product,   // parts
   quotient,  // parts[0]/parts[1]
   power,     // parts[0]^parts[1]
-  root,      // the root of order value >= 2 of parts[0]; odd orders are defined for negative numbers too
+  root,  // the root of order value >= 2 of parts[0]; odd orders are defined for negative numbers too
   function,  // name: abs sin cos tan atan asin acos exp log
 };
 
@@ -32,8 +32,8 @@ struct Node {
   cln::cl_RA value = 0;
   std::string name = {};
   std::vector<Tree> parts = {};
-  std::size_t size = 1;      // nodes
-  bool is_constant = true;   // no symbols
+  std::size_t size = 1;     // nodes
+  bool is_constant = true;  // no symbols
 };
 
 Tree number(const cln::cl_RA& value);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include <cln/integer.h>
 #include <ginac/ginac.h>
@@ -33,8 +34,8 @@ void collect_periods(const Tree& tree, const std::string& name, cln::cl_I& perio
   const auto extend = [&](const Tree& part) {
     if (symbols_of(part).contains(name)) {
       // coefficient of the name, found from values at 0 and 1 where the part is linear in it
-      const Tree slope = at({}, difference(substituted(part, name, number(1)),
-                                           substituted(part, name, number(0))));
+      const Tree slope = at(
+          {}, difference(substituted(part, name, number(1)), substituted(part, name, number(0))));
       const LinearForm form = linear_form(slope);
       if (form.of_pi != 0) period = cln::lcm(period, 2 * cln::denominator(form.of_pi));
     }
@@ -77,17 +78,41 @@ std::vector<Case> residues(const Case& whole) {
   return cases;
 }
 
+// The least common multiple of the orders of roots; 1 where there are none or it would be large.
+long common_root_order(const std::vector<Tree>& trees) {
+  constexpr long largest = 12;
+  long order = 1;
+  const auto visit = [&](const auto& self, const Tree& tree) -> void {
+    if (tree->is_constant) return;
+    if (tree->kind == Kind::root)
+      order = std::lcm(order, cln::cl_I_to_long(cln::numerator(tree->value)));
+    if (tree->kind == Kind::power && is_number(tree->parts[1]) &&
+        cln::denominator(tree->parts[1]->value) <= largest)
+      order = std::lcm(order, cln::cl_I_to_long(cln::denominator(tree->parts[1]->value)));
+    order = std::min(order, largest + 1);
+    for (const Tree& part : tree->parts) self(self, part);
+  };
+  for (const Tree& tree : trees) visit(visit, tree);
+  return order > largest ? 1 : order;
+}
+
 bool normal_form_is_zero(const Case& one, Translation::View view) {
-  for (const bool named_constants : {true, false}) {
+  const long order = common_root_order({one.lhs, one.rhs});
+  std::vector<Translation::Manner> tried{{.view = view}, {.view = view, .named_constants = false}};
+  if (view == Translation::View::wide && order > 1) {
+    tried.push_back({.view = view, .power = order});
+    tried.push_back({.view = view, .named_constants = false, .power = order});
+  }
+  return std::any_of(tried.begin(), tried.end(), [&](const Translation::Manner& manner) {
     try {
-      Translation translation(one.domain, {.view = view, .named_constants = named_constants});
-      if (translation.is_zero(translation(one.lhs) - translation(one.rhs))) return true;
+      Translation translation(one.domain, manner);
+      return translation.is_zero(translation(one.lhs) - translation(one.rhs));
     } catch (const proof::NotInClass&) {
     } catch (const GiNaC::pole_error&) {
     } catch (const std::logic_error&) {  // what GiNaC throws where it does not know how
     }
-  }
-  return false;
+    return false;
+  });
 }
 
 bool derivatives_vanish(const Tree& lhs, const Tree& rhs, const Domain& domain,
@@ -130,8 +155,9 @@ bool is_proved(const Case& one) {
 std::optional<std::string> by_normal_form(const Tree& lhs, const Tree& rhs, const Domain& domain) {
   const std::vector<Case> cases = residues({lhs, rhs, domain});
   if (!std::all_of(cases.begin(), cases.end(), is_proved)) return std::nullopt;
-  return std::string("normal form: the difference of the two sides, as a rational function of the "
-                     "symbols, of square roots and of cosines and sines with their relations, is 0") +
+  return std::string(
+             "normal form: the difference of the two sides, as a rational function of the "
+             "symbols, of square roots and of cosines and sines with their relations, is 0") +
          (cases.size() > 1 ? ", for each of " + std::to_string(cases.size()) +
                                  " residues of the integers by itself"
                            : "");
@@ -149,7 +175,8 @@ std::optional<std::string> by_derivative(const Tree& lhs, const Tree& rhs, const
   for (std::size_t i = 0; i < points.size() && i < most_points; ++i) {
     const ExactResult exact = exact_sign(at(points[i], rest));
     if (exact.sign && *exact.sign == 0)
-      return "derivative and one point: every derivative of the difference is 0 in normal form, both "
+      return "derivative and one point: every derivative of the difference is 0 in normal form, "
+             "both "
              "sides are differentiable on the whole domain, and at " +
              text(points[i]) + " they agree exactly (" + exact.method + ")";
   }

@@ -15,10 +15,17 @@ namespace {
 
 const std::map<std::string, std::string>& usual_conditions() {
   static const std::map<std::string, std::string> table{
-      {"alpha", "alpha > 0"}, {"V", "V > 0"},       {"L", "L > 0"},
-      {"M", "M > 0"},         {"m", "m > 0"},       {"M_A", "M_A > 0"},
-      {"M_B", "M_B > 0"},     {"e", "0 < e <= 1"},  {"n", "n integer, n >= 1"},
-      {"k", "k integer, k >= 1"}, {"j", "j integer, j >= 0"},
+      {"alpha", "alpha > 0"},
+      {"V", "V > 0"},
+      {"L", "L > 0"},
+      {"M", "M > 0"},
+      {"m", "m > 0"},
+      {"M_A", "M_A > 0"},
+      {"M_B", "M_B > 0"},
+      {"e", "0 < e <= 1"},
+      {"n", "n integer, n >= 1"},
+      {"k", "k integer, k >= 1"},
+      {"j", "j integer, j >= 0"},
   };
   return table;
 }
@@ -49,9 +56,9 @@ std::size_t edits(const std::string& from, const std::string& to) {
 
 const std::vector<std::pair<std::string, std::string>>& defined_names() {
   static const std::vector<std::pair<std::string, std::string>> names{
-      {"psi", "def:psi"},      {"theta", "def:theta"},     {"V_CM", "sec:result, V_CM"},
-      {"alpha_k", "exact:ak"}, {"beta_k", "exact:bk"},     {"a_n", "eq:a-final"},
-      {"b_n", "eq:b-final"},   {"c_n", "eq:c-final"},      {"c_prime_n", "eq:c'-final"},
+      {"psi", "def:psi"},      {"theta", "def:theta"}, {"V_CM", "sec:result, V_CM"},
+      {"alpha_k", "exact:ak"}, {"beta_k", "exact:bk"}, {"a_n", "eq:a-final"},
+      {"b_n", "eq:b-final"},   {"c_n", "eq:c-final"},  {"c_prime_n", "eq:c'-final"},
   };
   return names;
 }

@@ -102,8 +102,7 @@ private:
       const bool minus = is_sign("-");
       ++at_;
       const Tree next_term = term();
-      terms.push_back(minus ? arithmetic_.product({number(-1), next_term}, {}, column)
-                            : next_term);
+      terms.push_back(minus ? arithmetic_.product({number(-1), next_term}, {}, column) : next_term);
     }
     return terms.size() == 1 ? terms[0] : arithmetic_.sum(terms, column);
   }
@@ -125,8 +124,9 @@ private:
         below.push_back(signed_factor());
         if (is_number(below.back(), 0)) refuse_at(slash, "division by zero");
         if (starts_factor() && now().kind != TokenKind::number)
-          refuse_at(now().column,
-                    "is " + now().text + " above or below the fraction line? write a * or parentheses");
+          refuse_at(
+              now().column,
+              "is " + now().text + " above or below the fraction line? write a * or parentheses");
       } else if (starts_factor()) {
         if (now().kind == TokenKind::number)
           refuse_at(now().column, "an operator is missing before " + now().text);
@@ -175,8 +175,7 @@ private:
   void close(const Token& opening) {
     if (accept(")")) return;
     if (is_sign(",")) refuse_at(now().column, "unexpected comma; decimals are written 0.5");
-    if (now().kind == TokenKind::end)
-      refuse_at(opening.column, "the ) for this ( is missing");
+    if (now().kind == TokenKind::end) refuse_at(opening.column, "the ) for this ( is missing");
     refuse_at(now().column, "unexpected " + now().text + " where an operator or ) is expected");
   }
 
@@ -233,10 +232,10 @@ private:
 }  // namespace
 
 const std::vector<std::string>& function_names() {
-  static const std::vector<std::string> names{
-      "sqrt",   "cbrt",   "root",   "abs",  "sin", "cos", "tan",  "sec",  "csc", "cosec", "cot",
-      "asin",   "acos",   "atan",   "arcsin", "arccos", "arctan", "exp", "log", "ln",
-      "cosh",   "sinh",   "tanh"};
+  static const std::vector<std::string> names{"sqrt", "cbrt", "root",   "abs",    "sin",    "cos",
+                                              "tan",  "sec",  "csc",    "cosec",  "cot",    "asin",
+                                              "acos", "atan", "arcsin", "arccos", "arctan", "exp",
+                                              "log",  "ln",   "cosh",   "sinh",   "tanh"};
   return names;
 }
 

@@ -13,10 +13,10 @@ namespace magicmass::equality {
 // What an expression may not exceed. Sizes are known before anything is computed.
 struct Limits {
   std::size_t characters = 20000;
-  int nesting = 200;            // of parentheses, functions and exponents
-  std::size_t nodes = 5000;     // numbers, names and operations
-  long bits = 70000;            // of a rational number's numerator or denominator: 21000 digits
-  long exponent = 10000;        // of anything but a rational number
+  int nesting = 200;         // of parentheses, functions and exponents
+  std::size_t nodes = 5000;  // numbers, names and operations
+  long bits = 70000;         // of a rational number's numerator or denominator: 21000 digits
+  long exponent = 10000;     // of anything but a rational number
 };
 
 // Integers, decimals (exact: 0.1 is 1/10), + - * / ^ (or **), pi, names, functions; a product's sign may be left

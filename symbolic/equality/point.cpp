@@ -13,14 +13,15 @@ constexpr long largest_bits = 20000;
 constexpr int most_tried = 3000;  // where few points satisfy the further conditions
 
 bool is_moderate(const cln::cl_RA& x, const cln::cl_I& exponent) {
-  const long bits = static_cast<long>(std::max(cln::integer_length(cln::numerator(x)),
-                                               cln::integer_length(cln::denominator(x))));
+  const long bits = static_cast<long>(
+      std::max(cln::integer_length(cln::numerator(x)), cln::integer_length(cln::denominator(x))));
   return cln::abs(exponent) * bits <= largest_bits;
 }
 
 bool all_numbers(const std::vector<Tree>& parts) {
-  return std::all_of(parts.begin(), parts.end(),
-                     [](const Tree& part) { return is_number(part) && is_moderate(part->value, 1); });
+  return std::all_of(parts.begin(), parts.end(), [](const Tree& part) {
+    return is_number(part) && is_moderate(part->value, 1);
+  });
 }
 
 Tree folded(const Tree& tree) {
@@ -108,8 +109,7 @@ Tree at(const Point& point, const Tree& tree) {
   return folded(same ? tree : with_parts(tree, std::move(parts)));
 }
 
-std::vector<Point> points_of(const Domain& domain, std::size_t count,
-                             const ExactSign& exact_sign) {
+std::vector<Point> points_of(const Domain& domain, std::size_t count, const ExactSign& exact_sign) {
   std::vector<std::string> names;
   std::vector<std::vector<cln::cl_RA>> values;
   for (const auto& [name, range] : domain.ranges) {
@@ -126,8 +126,7 @@ std::vector<Point> points_of(const Domain& domain, std::size_t count,
     if (depth == dimension) {
       if (remaining > 0) return;
       ++tried;
-      if (
-          std::all_of(domain.further.begin(), domain.further.end(),
+      if (std::all_of(domain.further.begin(), domain.further.end(),
                       [&](const Comparison& c) { return holds(c, point, exact_sign); }))
         points.push_back(point);
       return;

@@ -13,14 +13,14 @@ bool is_letter(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c 
 // What a character stands for, in ASCII.
 const std::map<char32_t, std::string>& spellings() {
   static const std::map<char32_t, std::string> table{
-      {U'−', "-"},      {U'–', "-"},      {U'·', "*"},     {U'⋅', "*"},      {U'×', "*"},
-      {U'∗', "*"},      {U'÷', "/"},      {U'∕', "/"},     {U'√', "sqrt"},   {U'∛', "cbrt"},
-      {U'π', "pi"},     {U'α', "alpha"},  {U'β', "beta"},  {U'γ', "gamma"},  {U'δ', "delta"},
-      {U'ε', "epsilon"}, {U'η', "eta"},   {U'θ', "theta"}, {U'κ', "kappa"},  {U'λ', "lambda"},
-      {U'μ', "mu"},     {U'ν', "nu"},     {U'ξ', "xi"},    {U'ρ', "rho"},    {U'σ', "sigma"},
-      {U'τ', "tau"},    {U'φ', "phi"},    {U'χ', "chi"},   {U'ψ', "psi"},    {U'ω', "omega"},
-      {U'Γ', "Gamma"},  {U'Λ', "Lambda"}, {U'≤', "<="},    {U'≥', ">="},     {U'≠', "!="},
-      {U'′', "'"},      {U'’', "'"},
+      {U'−', "-"},       {U'–', "-"},      {U'·', "*"},     {U'⋅', "*"},     {U'×', "*"},
+      {U'∗', "*"},       {U'÷', "/"},      {U'∕', "/"},     {U'√', "sqrt"},  {U'∛', "cbrt"},
+      {U'π', "pi"},      {U'α', "alpha"},  {U'β', "beta"},  {U'γ', "gamma"}, {U'δ', "delta"},
+      {U'ε', "epsilon"}, {U'η', "eta"},    {U'θ', "theta"}, {U'κ', "kappa"}, {U'λ', "lambda"},
+      {U'μ', "mu"},      {U'ν', "nu"},     {U'ξ', "xi"},    {U'ρ', "rho"},   {U'σ', "sigma"},
+      {U'τ', "tau"},     {U'φ', "phi"},    {U'χ', "chi"},   {U'ψ', "psi"},   {U'ω', "omega"},
+      {U'Γ', "Gamma"},   {U'Λ', "Lambda"}, {U'≤', "<="},    {U'≥', ">="},    {U'≠', "!="},
+      {U'′', "'"},       {U'’', "'"},
   };
   return table;
 }

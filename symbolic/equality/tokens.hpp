@@ -14,7 +14,12 @@ struct NotAnExpression : std::runtime_error {
 };
 
 struct Token {
-  enum class Kind { number, name, sign, end };  // sign: one of + - * / ^ ( ) , < > = or "<=" ">=" "!="
+  enum class Kind {
+    number,
+    name,
+    sign,
+    end
+  };  // sign: one of + - * / ^ ( ) , < > = or "<=" ">=" "!="
   Kind kind;
   std::string text;
   std::size_t column;  // in characters, from 1

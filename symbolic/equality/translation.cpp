@@ -5,25 +5,22 @@
 
 #include <cln/integer.h>
 
-#include "equality/angle.hpp"
 #include "equality/constant.hpp"
 #include "equality/evaluate.hpp"
 #include "equality/point.hpp"
 #include "proof/names.hpp"
-#include "proof/text.hpp"
 
 namespace magicmass::equality {
 
 using GiNaC::ex;
-using GiNaC::ex_to;
-using GiNaC::is_a;
 using GiNaC::numeric;
 using proof::NotInClass;
 
 namespace {
 
 constexpr int sign_digits = 200;
-constexpr std::size_t most_names = 300;  // new symbols for constants and powers, named before the kernel starts
+constexpr std::size_t most_names =
+    300;  // new symbols for constants and powers, named before the kernel starts
 
 bool is_simple_constant(const Tree& tree) {
   if (is_number(tree) || tree->kind == Kind::pi) return true;
@@ -52,8 +49,10 @@ Translation::Translation(const Domain& domain, const Manner& manner) : manner_(m
       continue;
     }
     if (manner.view == View::wide) {
-      if (range.low && (*range.low > 0 || (*range.low == 0 && !range.has_low)))
+      if (range.low && (*range.low > 0 || (*range.low == 0 && !range.has_low))) {
         domain_.positive.insert(name);
+        values_[name] = GiNaC::pow(symbol, manner.power);
+      }
       continue;
     }
     if (!range.low && !range.high) continue;
@@ -110,7 +109,7 @@ ex Translation::translated(const Tree& tree) {
     case Kind::power:
       return power(tree);
     case Kind::root:
-      return root(tree);
+      return root(translated(tree->parts[0]), cln::cl_I_to_long(cln::numerator(tree->value)), tree);
     default:
       return function(tree);
   }
@@ -149,69 +148,11 @@ ex Translation::translated_constant(const Tree& tree) {
   return *sign * named(text(positive), positive);
 }
 
-ex Translation::power(const Tree& tree) {
-  const Tree& base = tree->parts[0];
-  const Tree exponent = at({}, tree->parts[1]);
-  if (is_number(exponent)) {
-    const numeric n(exponent->value);
-    if (!n.is_integer() && n.denom() > 2) throw NotInClass("a root of order 3 or more");
-    const ex below = translated(base);
-    if (n.is_negative() && form_->is_zero(below))
-      throw NotInClass("division by zero: " + text(tree));
-    return GiNaC::pow(below, n);
-  }
-  const ex above = translated(exponent).expand();
-  if (is_number(base) && base->value < 0) {  // defined for whole exponents: (-r)^m = r^m cos(m pi)
-    if (!is_integer_valued(above)) throw NotInClass("a power of a negative number: " + text(tree));
-    const ex sign = cos(without_full_turns((above * GiNaC::Pi).expand()));
-    const Tree positive = number(-base->value);
-    return sign * (is_number(positive, 1) ? ex(1) : exponential(text(positive), positive, above));
-  }
-  const ex below = translated(base);
-  if (!form_->is_positive(below)) throw NotInClass("a power of an unknown sign: " + text(tree));
-  return exponential(proof::text(form_->simplified(below)), base, above);
-}
-
-// base^exponent for base > 0: base^(a + b) = base^a base^b, and one positive generator for base^(monomial/2).
-ex Translation::exponential(const std::string& base, const Tree& tree, const ex& exponent) {
-  ex total = 1;
-  const auto multiply = [&](const ex& monomial) {
-    if (is_a<numeric>(monomial)) {
-      const numeric n = ex_to<numeric>(monomial);
-      const ex below = tree ? translated(tree) : ex(named("exp(1)", equality::function("exp", number(1))));
-      if (!n.is_rational() || n.denom() > 2) throw NotInClass("a root of order 3 or more");
-      total *= GiNaC::pow(below, n);
-      return;
-    }
-    numeric factor = 1;
-    if (is_a<GiNaC::mul>(monomial))
-      for (const ex& part : monomial)
-        if (is_a<numeric>(part)) factor = ex_to<numeric>(part);
-    if (!factor.is_rational()) throw NotInClass("an exponent that is not rational");
-    const numeric below = factor.denom().is_equal(1) ? numeric(2) : factor.denom();
-    const ex unit = monomial / factor / below;
-    const numeric count = factor * below;
-    if (GiNaC::abs(count) > 100) throw NotInClass("too large an exponent");
-    total *= GiNaC::pow(named(base + "^(" + proof::text(unit) + ")", nullptr), count);
-  };
-  const ex expanded = form_->simplified(exponent).expand();
-  if (is_a<GiNaC::add>(expanded))
-    for (const ex& monomial : expanded) multiply(monomial);
-  else
-    multiply(expanded);
-  return total;
-}
-
-ex Translation::root(const Tree& tree) {
-  if (tree->value != 2) throw NotInClass("a root of order 3 or more: " + text(tree));
-  return sqrt(translated(tree->parts[0]));
-}
-
 ex Translation::absolute(const Tree& argument) {
   const ex x = translated(argument);
   if (form_->is_positive(x)) return x;
   if (form_->is_positive(-x)) return -x;
-  return sqrt(x * x);
+  return square_root(x * x);
 }
 
 // For all -1 <= u <= 1.
@@ -235,83 +176,9 @@ ex Translation::function(const Tree& tree) {
     if (form_->is_positive(1 + u)) return 2 * atan(sqrt((1 - u) / (1 + u)));
     return GiNaC::Pi / 2 - arcsine(u);
   }
-  if (name == "exp") return exponential("exp(1)", nullptr, u.expand());
+  if (name == "exp")
+    return exponential("exp(1)", named("exp(1)", equality::function("exp", number(1))), u.expand());
   throw NotInClass("no normal form for " + name);
-}
-
-ex Translation::angle_of_constant(const Tree& tree) {
-  const LinearForm linear = linear_form(at({}, tree));
-  ex total = numeric(linear.of_pi) * GiNaC::Pi;
-  for (const auto& [factor, inverse] : linear.terms) {
-    if (inverse->name == "log") throw NotInClass("a logarithm in an angle");
-    total += numeric(factor) * translated(inverse);
-  }
-  for (const Tree& rest : linear.rest) {  // an identity for every such angle holds for this one
-    const Tree folded = at({}, rest);
-    total += is_number(folded) ? ex(numeric(folded->value)) * named("1 radian", number(1))
-                               : translated(folded);
-  }
-  return total;
-}
-
-ex Translation::angle(const Tree& tree) {
-  const auto sum_of_parts = [this](const auto& self, const Tree& part) -> ex {
-    if (part->is_constant) return angle_of_constant(part);
-    if (part->kind == Kind::sum) {
-      ex total = 0;
-      for (const Tree& summand : part->parts) total += self(self, summand);
-      return total;
-    }
-    return translated(part);
-  };
-  return without_full_turns(sum_of_parts(sum_of_parts, tree).expand());
-}
-
-bool Translation::is_integer_valued(const ex& expanded) const {
-  if (is_a<numeric>(expanded)) return ex_to<numeric>(expanded).is_integer();
-  if (is_a<GiNaC::symbol>(expanded)) return integers_.contains(expanded);
-  if (is_a<GiNaC::power>(expanded))
-    return is_integer_valued(expanded.op(0)) && expanded.op(1).info(GiNaC::info_flags::posint);
-  return (is_a<GiNaC::add>(expanded) || is_a<GiNaC::mul>(expanded)) &&
-         std::all_of(expanded.begin(), expanded.end(),
-                     [this](const ex& part) { return is_integer_valued(part); });
-}
-
-// cos and sin do not see 2 pi n m for integers n, m.
-ex Translation::without_full_turns(const ex& angle) const {
-  ex rest = 0;
-  const auto keep = [&](const ex& monomial) {
-    bool has_pi = false;
-    bool has_integer = false;
-    bool is_even = false;
-    bool other = false;
-    const auto inspect = [&](const ex& part) {
-      if (part.is_equal(GiNaC::Pi)) {
-        other = other || has_pi;
-        has_pi = true;
-      } else if (is_a<numeric>(part)) {
-        is_even = ex_to<numeric>(part).is_even();
-        other = other || !ex_to<numeric>(part).is_integer();
-      } else if (integers_.contains(part)) {
-        has_integer = true;
-      } else if (is_a<GiNaC::power>(part) && integers_.contains(part.op(0)) &&
-                 part.op(1).info(GiNaC::info_flags::posint)) {
-        has_integer = true;
-      } else {
-        other = true;
-      }
-    };
-    if (is_a<GiNaC::mul>(monomial))
-      for (const ex& part : monomial) inspect(part);
-    else
-      inspect(monomial);
-    if (!(has_pi && has_integer && is_even && !other)) rest += monomial;
-  };
-  if (is_a<GiNaC::add>(angle))
-    for (const ex& monomial : angle) keep(monomial);
-  else
-    keep(angle);
-  return rest;
 }
 
 }  // namespace magicmass::equality

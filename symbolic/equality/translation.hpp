@@ -25,8 +25,12 @@ public:
   enum class View { wide, exact };
   struct Manner {
     View view = View::wide;
-    bool named_constants = true;   // cos(pi/5), atan(1/5) become names; else they are translated like functions
-    bool kept_inverses = false;    // asin and acos stay, to be differentiated; else they are written by atan
+    bool named_constants =
+        true;  // cos(pi/5), atan(1/5) become names; else they are translated like functions
+    long power =
+        1;  // alpha = t^power for each symbol of known sign: roots of it become powers of t
+    bool kept_inverses =
+        false;  // asin and acos stay, to be differentiated; else they are written by atan
   };
   using ex = GiNaC::ex;
 
@@ -52,8 +56,10 @@ private:
   ex translated(const Tree& tree);
   ex translated_constant(const Tree& tree);
   ex power(const Tree& tree);
-  ex exponential(const std::string& base, const Tree& exponent_of_base, const ex& exponent);
-  ex root(const Tree& tree);
+  ex exponential(const std::string& key, const ex& base, const ex& exponent);
+  ex product_of_exponentials(const ex& base, const ex& exponent);
+  ex root(const ex& radicand, long order, const Tree& shown);
+  ex square_root(const ex& radicand);
   ex absolute(const Tree& argument);
   ex function(const Tree& tree);
   ex arcsine(const ex& u);
@@ -65,8 +71,8 @@ private:
   bool is_constant(const ex& e) const;
 
   Manner manner_;
-  std::map<std::string, ex> values_;     // of the domain's symbols
-  std::map<std::string, Tree> named_;    // positive constants by the name of their symbol
+  std::map<std::string, ex> values_;   // of the domain's symbols
+  std::map<std::string, Tree> named_;  // positive constants by the name of their symbol
   std::map<std::string, std::string> keys_;
   GiNaC::exset integers_;
   std::vector<ex> variables_;
