@@ -91,8 +91,12 @@ std::string json(const Verdict& verdict) {
 }
 
 std::string joined(const std::vector<std::string>& texts) {
+  constexpr std::size_t most = 12;
   std::string result;
-  for (const std::string& text : texts) result += (result.empty() ? "" : "; ") + text;
+  for (std::size_t i = 0; i < texts.size() && i < most; ++i)
+    result += (i == 0 ? "" : "; ") + texts[i];
+  if (texts.size() > most)
+    result += "; and " + std::to_string(texts.size() - most) + " more (--format json)";
   return result;
 }
 

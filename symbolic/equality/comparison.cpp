@@ -44,7 +44,7 @@ std::string shown(const Side& side, int digits) {
     const auto exact = exact_sign_or_nothing(side.tree);
     return exact && *exact == 0 ? "0" : "0 to " + std::to_string(working_digits) + " digits";
   }
-  return shown(*side.value, digits);
+  return equality::shown(*side.value, digits);
 }
 
 int decimal_places(const Ball& small, const Ball& scale) {  // of agreement relative to the scale
@@ -52,7 +52,8 @@ int decimal_places(const Ball& small, const Ball& scale) {  // of agreement rela
   const cln::cl_F whole = cln::abs(scale.middle) + scale.radius;
   if (cln::zerop(size)) return working_digits;
   const cln::float_format_t coarse = cln::float_format(17);
-  const cln::cl_F ratio = cln::cl_float(cln::zerop(whole) ? size : size / whole, coarse);
+  // relative, but absolute where the scale may be 0
+  const cln::cl_F ratio = cln::cl_float(sign(scale).value_or(0) == 0 ? size : size / whole, coarse);
   const double places = -cln::double_approx(cln::ln(ratio)) / 2.302585092994046;
   return std::clamp(static_cast<int>(places), 0, working_digits);
 }
@@ -73,6 +74,7 @@ PointComparison compare_at(const Point& point, const Tree& lhs, const Tree& rhs,
   if (!left.value || !right.value) {
     const bool one_alone =
         (left.value && !right.reason.empty()) || (right.value && !left.reason.empty());
+    if (!left.reason.empty() && !right.reason.empty()) result.outcome = Outcome::neither;
     if (!one_alone) return result;
     if (left.isolated || right.isolated) return found(Outcome::pole, shortest_shown);
     return found(left.value ? Outcome::right_not_defined : Outcome::left_not_defined,

@@ -14,9 +14,10 @@ struct PointComparison {
     right_not_defined,
     pole,     // one side alone divides by zero
     agree,    // as far as `digits` tell; exactly where is_exact
-    nothing,  // neither is defined, or it is not known
+    neither,  // is defined
+    unknown,
   };
-  Outcome outcome = Outcome::nothing;
+  Outcome outcome = Outcome::unknown;
   bool is_exact = false;
   int digits = 0;
   Counterexample values = {};

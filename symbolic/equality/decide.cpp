@@ -134,7 +134,9 @@ private:
           common_.push_back(point);
           if (one_is_enough) return true;
           break;
-        case Outcome::nothing:
+        case Outcome::neither:
+          break;
+        case Outcome::unknown:
           ++unknown_;
           break;
       }

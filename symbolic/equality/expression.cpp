@@ -38,7 +38,7 @@ std::string print_number(const cln::cl_RA& value, Precedence outer) {
 
 std::string print_product(const Tree& tree, Precedence outer) {
   if (tree->parts.size() == 2 && is_number(tree->parts[0], -1))
-    return parenthesised(outer > of_sum, "-" + print(tree->parts[1], of_power));
+    return parenthesised(outer > of_sum, "-" + print(tree->parts[1], of_product));
   const std::vector<Tree>& parts = tree->parts;
   if (parts.size() == 2 && is_number(parts[0]) && cln::numerator(parts[0]->value) == 1 &&
       !is_number(parts[1]))  // x/2

@@ -212,7 +212,7 @@ private:
     } else if (now().kind == TokenKind::name && is_function_name(now().text)) {
       const Deeper deeper(*this);
       arguments.push_back(primary());  // atan sqrt(alpha)
-    } else if (token.text == "sqrt" && now().kind != TokenKind::end &&
+    } else if ((token.text == "sqrt" || token.text == "cbrt") && now().kind != TokenKind::end &&
                now().kind != TokenKind::sign) {
       arguments.push_back(primary());  // the root sign before a number or a name
     } else {

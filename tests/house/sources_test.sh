@@ -21,8 +21,9 @@ declare -A may_include=(
   [generated]=''
   [runtime]='generated library'
   [reference]='runtime cln library'
-  [command]='algebraic proof derivation codegen render generated runtime reference ginac cln library'
-  [command-header]='algebraic proof derivation codegen render generated runtime reference cln library'
+  [equality]='algebraic proof derivation ginac cln library'
+  [command]='algebraic proof derivation equality codegen render generated runtime reference ginac cln library'
+  [command-header]='algebraic proof derivation equality codegen render generated runtime reference cln library'
 )
 
 part_of() { # file of the repository
@@ -219,6 +220,7 @@ refused "'SceneManager' does not say what is in it" src/command/SceneManager/sce
 refused "using namespace in a header" src/command/eval.hpp $gpl '  using namespace std;'
 refused "proof may not include derivation: derivation/contact.hpp" symbolic/proof/rules.cpp $gpl '#include "derivation/contact.hpp"'
 refused "codegen may not include derivation: ../derivation/contact.hpp" symbolic/codegen/ir.hpp $gpl '#include "../derivation/contact.hpp"'
+refused "equality may not include render: render/steps.hpp" symbolic/equality/decide.cpp $gpl '#include "render/steps.hpp"'
 refused "algebraic may not include proof: proof/kernel.hpp" symbolic/algebraic/constant.cpp $gpl '#include "proof/kernel.hpp"'
 refused "proof may not include runtime: magicmass/errors.hpp" symbolic/proof/rules.cpp $gpl '#include <magicmass/errors.hpp>'
 refused "runtime may not include proof: proof/kernel.hpp" src/magicmass/evaluators/slow.hpp MIT '#include "proof/kernel.hpp"'
