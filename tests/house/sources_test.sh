@@ -220,7 +220,7 @@ refused "'SceneManager' does not say what is in it" src/command/SceneManager/sce
 refused "using namespace in a header" src/command/eval.hpp $gpl '  using namespace std;'
 refused "proof may not include derivation: derivation/contact.hpp" symbolic/proof/rules.cpp $gpl '#include "derivation/contact.hpp"'
 refused "codegen may not include derivation: ../derivation/contact.hpp" symbolic/codegen/ir.hpp $gpl '#include "../derivation/contact.hpp"'
-refused "equality may not include render: render/steps.hpp" symbolic/equality/decide.cpp $gpl '#include "render/steps.hpp"'
+refused "equality may not include runtime: magicmass/errors.hpp" symbolic/equality/decide.cpp $gpl '#include "magicmass/errors.hpp"'
 refused "algebraic may not include proof: proof/kernel.hpp" symbolic/algebraic/constant.cpp $gpl '#include "proof/kernel.hpp"'
 refused "proof may not include runtime: magicmass/errors.hpp" symbolic/proof/rules.cpp $gpl '#include <magicmass/errors.hpp>'
 refused "runtime may not include proof: proof/kernel.hpp" src/magicmass/evaluators/slow.hpp MIT '#include "proof/kernel.hpp"'
