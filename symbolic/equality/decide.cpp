@@ -165,6 +165,7 @@ private:
     if (same) proof = "both sides are the same expression";
     if (!proof) proof = by_normal_form(lhs_, rhs_, domain_);
     if (!proof) proof = by_derivative(lhs_, rhs_, domain_, common_);
+    if (!proof) proof = by_unified_angles(lhs_, rhs_, domain_, common_);
     if (!proof) return false;
     verdict_.answer = Answer::equal;
     verdict_.proof = *proof;

@@ -21,11 +21,13 @@ using GiNaC::ex;
 constexpr long most_residues = 24;
 constexpr std::size_t most_points = 6;
 
-const std::array<Translation::Manner, 4> manners{
+const std::array<Translation::Manner, 6> manners{
     {{.view = Translation::View::wide, .kept_inverses = true},
      {.view = Translation::View::wide},
+     {.view = Translation::View::wide, .halved_angles = true, .kept_inverses = true},
      {.view = Translation::View::exact, .kept_inverses = true},
-     {.view = Translation::View::exact}}};
+     {.view = Translation::View::exact},
+     {.view = Translation::View::exact, .halved_angles = true, .kept_inverses = true}}};
 
 // The denominators q of multiples p/q n pi of pi under cos, sin and tan, and 2 for (-1)^n: cos(n p pi/q) has a period
 // that divides 2 q.
@@ -33,10 +35,12 @@ void collect_periods(const Tree& tree, const std::string& name, cln::cl_I& perio
   if (tree->is_constant) return;
   const auto extend = [&](const Tree& part) {
     if (symbols_of(part).contains(name)) {
-      // coefficient of the name, found from values at 0 and 1 where the part is linear in it
-      const Tree slope = at(
-          {}, difference(substituted(part, name, number(1)), substituted(part, name, number(0))));
-      const LinearForm form = linear_form(slope);
+      const auto slope = [&](long from) {
+        return linear_form(at({}, difference(substituted(part, name, number(from + 1)),
+                                             substituted(part, name, number(from)))));
+      };
+      const LinearForm form = slope(1);
+      if (slope(2).of_pi != form.of_pi) return;  // not linear in it
       if (form.of_pi != 0) period = cln::lcm(period, 2 * cln::denominator(form.of_pi));
     }
   };
@@ -103,6 +107,7 @@ bool normal_form_is_zero(const Case& one, Translation::View view) {
     tried.push_back({.view = view, .power = order});
     tried.push_back({.view = view, .named_constants = false, .power = order});
   }
+  tried.push_back({.view = view, .halved_angles = true});
   return std::any_of(tried.begin(), tried.end(), [&](const Translation::Manner& manner) {
     try {
       Translation translation(one.domain, manner);

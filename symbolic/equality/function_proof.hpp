@@ -21,4 +21,9 @@ std::optional<std::string> by_normal_form(const Tree& lhs, const Tree& rhs, cons
 std::optional<std::string> by_derivative(const Tree& lhs, const Tree& rhs, const Domain& domain,
                                          const std::vector<Point>& points);
 
+// Inverse trigonometric functions inside cos, sin and tan are multiples of one of them, each by_derivative(); with
+// these put in, by_normal_form().
+std::optional<std::string> by_unified_angles(const Tree& lhs, const Tree& rhs, const Domain& domain,
+                                             const std::vector<Point>& points);
+
 }  // namespace magicmass::equality

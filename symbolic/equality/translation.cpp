@@ -162,6 +162,10 @@ ex Translation::function(const Tree& tree) {
   const Tree& argument = tree->parts[0];
   const std::string& name = tree->name;
   if (name == "abs") return absolute(argument);
+  if (manner_.halved_angles && (name == "cos" || name == "sin")) {
+    const ex half = angle(argument) / 2;
+    return name == "cos" ? ex(pow(cos(half), 2) - pow(sin(half), 2)) : 2 * sin(half) * cos(half);
+  }
   if (name == "cos") return cos(angle(argument));
   if (name == "sin") return sin(angle(argument));
   if (name == "tan") return tan(angle(argument));

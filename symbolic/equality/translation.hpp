@@ -29,6 +29,8 @@ public:
         true;  // cos(pi/5), atan(1/5) become names; else they are translated like functions
     long power =
         1;  // alpha = t^power for each symbol of known sign: roots of it become powers of t
+    bool halved_angles =
+        false;  // cos x and sin x by x/2: roots of 1 - cos x and 1 + cos x become sines and cosines
     bool kept_inverses =
         false;  // asin and acos stay, to be differentiated; else they are written by atan
   };

@@ -17,6 +17,38 @@ namespace {
 
 constexpr std::size_t most_coefficients = 40;  // each is decided as an algebraic number
 
+bool is_sine_or_cosine(const ex& e) {
+  if (is_a<GiNaC::power>(e) && e.op(1).info(GiNaC::info_flags::posint))
+    return is_sine_or_cosine(e.op(0));
+  return is_a<GiNaC::function>(e) && (ex_to<GiNaC::function>(e).get_name() == "cos" ||
+                                      ex_to<GiNaC::function>(e).get_name() == "sin");
+}
+
+// c + sum of c_i * (product of sines and cosines) >= c - sum of |c_i|.
+bool is_bounded_below_by_zero(const ex& e) {
+  GiNaC::numeric bound = 0;
+  const auto add = [&](const ex& term) {
+    GiNaC::numeric factor = 1;
+    bool is_oscillating = false;
+    const auto inspect = [&](const ex& part) {
+      if (is_a<GiNaC::numeric>(part)) {
+        factor = ex_to<GiNaC::numeric>(part);
+        return factor.is_rational();
+      }
+      is_oscillating = true;
+      return is_sine_or_cosine(part);
+    };
+    const bool known =
+        is_a<GiNaC::mul>(term) ? std::all_of(term.begin(), term.end(), inspect) : inspect(term);
+    bound += is_oscillating ? -GiNaC::abs(factor) : factor;
+    return known;
+  };
+  const ex expanded = e.expand();
+  const bool known = is_a<GiNaC::add>(expanded) ? std::all_of(expanded.begin(), expanded.end(), add)
+                                                : add(expanded);
+  return known && !bound.is_negative();
+}
+
 }  // namespace
 
 bool Translation::is_constant(const ex& e) const {
@@ -53,7 +85,7 @@ bool Translation::is_zero(const ex& e) {
 }
 
 bool Translation::is_not_negative(const ex& e) {
-  if (form_->is_positive(e)) return true;
+  if (form_->is_positive(e) || is_bounded_below_by_zero(e)) return true;
   const ex fraction = form_->simplified(e).numer_denom();
   const ex factored = GiNaC::factor((fraction.op(0) * fraction.op(1)).expand());
   const auto is_square = [](const ex& part) {

@@ -90,6 +90,9 @@ TEST_CASE("functions that are equal", "[exam]") {
                         {"(2*alpha)^n", "2^n*alpha^n"},
                         {"cbrt(alpha)*cbrt(alpha^2)", "alpha"},
                         {"sqrt(alpha+2*sqrt(alpha)+1)", "sqrt(alpha)+1"},
+                        {"sqrt(1+sin(2*x))", "abs(sin(x)+cos(x))"},
+                        {"cos(2*n*acos(1/(1+alpha)))", "cos(n*psi)"},
+                        {"sqrt(alpha_k/(2+alpha_k))", "tan(pi/(4*k+2))"},
                         {"exp(x+1)", "exp(x)*exp(1)"},
                         {"log(alpha^2)", "2*log(alpha)"}});
 }
@@ -146,9 +149,8 @@ TEST_CASE("zeros of denominators are conditions", "[exam]") {
 }
 
 TEST_CASE("what is not decided is said not to be, with the digits that agree", "[exam]") {
-  for (const Pair& pair : std::vector<Pair>{{"sqrt(1+sin(2*x))", "abs(sin(x)+cos(x))"},
-                                            {"acos(cos(x))", "x", "0<x<pi"},
-                                            {"log(exp(x))", "x"}}) {
+  for (const Pair& pair :
+       std::vector<Pair>{{"acos(cos(x))", "x", "0<x<pi"}, {"log(exp(x))", "x"}}) {
     const Verdict verdict = verdict_on(pair);
     INFO(pair.lhs);
     CHECK(verdict.answer == Answer::undecided);

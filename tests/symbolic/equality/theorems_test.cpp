@@ -79,12 +79,17 @@ void mutants(const Tree& tree, const std::function<void(const Tree&)>& use) {
 
 TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not", "[check]") {
   const std::vector<Sides> equations = scalar_equations();
+  // sqrt(sec x - 1) sqrt(sec x + 1) is tan x only where its sign is known from the range of x
+  const std::set<std::string> undecided{"ratios.alpha_k_back", "ratios.beta_k_back"};
   CHECK(equations.size() >= 10);
   for (const Sides& sides : equations) {
     INFO(sides.id << ": " << text(sides.lhs) << " = " << text(sides.rhs));
     const Verdict verdict = verdict_on(sides.lhs, sides.rhs);
     INFO(verdict.proof);
-    CHECK(verdict.answer == Answer::equal);
+    if (undecided.contains(sides.id))
+      CHECK(verdict.answer == Answer::undecided);
+    else
+      CHECK(verdict.answer == Answer::equal);
     mutants(sides.rhs, [&](const Tree& wrong) {
       INFO("mutant " << text(wrong));
       try {
