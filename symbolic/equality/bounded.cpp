@@ -122,8 +122,8 @@ Verdict answer_within(const Question& question, const Bounds& bounds) {
     const ssize_t count = read(ends[0], buffer.data(), buffer.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0)
-      return gave_up("no proof and no counterexample within " +
-                     std::to_string(bounds.memory >> 20U) + " MiB of memory");
+      return gave_up("the algebra broke off: it took more than " +
+                     std::to_string(bounds.memory >> 20U) + " MiB, or too much stack");
     stream.append(buffer.data(), static_cast<std::size_t>(count));
     while (const auto message = take(stream)) {
       if (message->is_refusal) throw Refused(message->refusal);

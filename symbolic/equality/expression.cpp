@@ -41,7 +41,7 @@ std::string print_product(const Tree& tree, Precedence outer) {
     return parenthesised(outer > of_sum, "-" + print(tree->parts[1], of_product));
   const std::vector<Tree>& parts = tree->parts;
   if (parts.size() == 2 && is_number(parts[0]) && cln::numerator(parts[0]->value) == 1 &&
-      !is_number(parts[1]))  // x/2
+      !is_integer(parts[0]->value) && !is_number(parts[1]))  // x/2
     return print(quotient(parts[1], number(cln::denominator(parts[0]->value))), outer);
   std::string shown;
   for (const Tree& part : parts)

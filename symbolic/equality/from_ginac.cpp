@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "equality/from_ginac.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <ginac/ginac.h>
+
+#include "proof/text.hpp"
 
 namespace magicmass::equality {
 
@@ -18,8 +21,13 @@ Tree from_ginac(const ex& e) {
   }
   if (is_a<GiNaC::symbol>(e)) return symbol(ex_to<GiNaC::symbol>(e).get_name());
   if (e.is_equal(GiNaC::Pi)) return pi();
+  std::vector<ex> operands(e.begin(), e.end());
+  if (is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e))  // GiNaC's own order changes from run to run
+    std::sort(operands.begin(), operands.end(),
+              [](const ex& x, const ex& y) { return proof::text(x) < proof::text(y); });
   std::vector<Tree> parts;
-  for (const ex& part : e) parts.push_back(from_ginac(part));
+  parts.reserve(operands.size());
+  for (const ex& part : operands) parts.push_back(from_ginac(part));
   if (is_a<GiNaC::add>(e)) return sum(parts);
   if (is_a<GiNaC::mul>(e)) return product(parts);
   if (is_a<GiNaC::power>(e)) {

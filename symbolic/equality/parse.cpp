@@ -11,6 +11,8 @@ namespace {
 
 using TokenKind = Token::Kind;
 
+constexpr std::size_t longest_name = 40;
+
 bool is_function_name(const std::string& name) {
   const auto& names = function_names();
   return std::find(names.begin(), names.end(), name) != names.end();
@@ -24,7 +26,8 @@ std::string allowed_functions() {
 
 // x(...) is a product where x cannot be meant as a function.
 bool is_certainly_no_function(const std::string& name) {
-  return name == "pi" || is_paper_name(name) || name == "x" || name == "y" || name == "z";
+  return name == "pi" || name == "Pi" || name == "PI" || is_paper_name(name) || name == "x" ||
+         name == "y" || name == "z";
 }
 
 class Parser {
@@ -188,8 +191,10 @@ private:
       refuse_at(token.column, "unknown function " + token.text +
                                   "; write * for a product; functions: " + allowed_functions());
     }
-    if (token.text == "pi") return pi();
-    if (token.text.size() > 40) refuse_at(token.column, "a name of more than 40 characters");
+    if (token.text == "pi" || token.text == "Pi" || token.text == "PI") return pi();
+    if (token.text.size() > longest_name)
+      refuse_at(token.column,
+                "a name of more than " + std::to_string(longest_name) + " characters");
     return symbol(token.text);
   }
 

@@ -49,7 +49,7 @@ Tree folded(const Tree& tree) {
     }
     case Kind::root: {
       cln::cl_RA exact = 0;
-      const int order = cln::cl_I_to_int(cln::numerator(tree->value));
+      const uintL order = cln::cl_I_to_uint(cln::numerator(tree->value));
       if (parts[0]->value < 0 || !cln::rootp(parts[0]->value, order, &exact)) return tree;
       return number(exact);
     }

@@ -30,7 +30,10 @@ bool is_simple_constant(const Tree& tree) {
          std::all_of(tree->parts.begin(), tree->parts.end(), is_simple_constant);
 }
 
-std::string constant_name(std::size_t index) { return "constant_" + std::to_string(index); }
+// Longer than any name that can be typed (parse.cpp): what is known of it is known of no symbol of the user's.
+std::string constant_name(std::size_t index) {
+  return "name_of_a_constant_or_power_that_nobody_typed_" + std::to_string(index);
+}
 
 }  // namespace
 

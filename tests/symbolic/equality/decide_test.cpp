@@ -120,6 +120,18 @@ TEST_CASE("functions that differ at a point, or are not defined at the same poin
                             {"n", "abs(n-1)+1", "n>=-2"}});
 }
 
+TEST_CASE("no name that can be typed has properties of its own", "[exam]") {
+  check(Answer::different, {{"sqrt(constant_0^2)", "constant_0"},
+                            {"sqrt(name_of_a_constant^2)+sqrt(5)*0", "name_of_a_constant"}});
+  CHECK_THROWS_WITH(verdict_on({"sqrt(name_of_a_constant_or_power_that_nobody_typed_0^2)", "1"}),
+                    Catch::Contains("more than 40 characters"));
+}
+
+TEST_CASE("proofs by derivative do not see through powers, and so do not use them", "[exam]") {
+  check(Answer::different, {{"exp(x)", "1"}, {"alpha^n", "1"}, {"2^x+atan(x)", "atan(x)"}});
+  check(Answer::undecided, {{"log(exp(x))+atan(x)", "atan(x)+x"}});
+}
+
 TEST_CASE("the counterexample is a simple point, with both values", "[exam]") {
   const Verdict verdict = verdict_on({"sqrt(alpha^2)", "alpha", "alpha real"});
   REQUIRE(verdict.counterexample);
