@@ -2,6 +2,9 @@
 // One function a command, each in a file of its name.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "command/program.hpp"
 
 namespace magicmass::command {
@@ -14,6 +17,9 @@ void add_count(Program& program);
 void add_terminal(Program& program);
 void add_ratios(Program& program);
 void add_simulate(Program& program);
+void add_equal(Program& program);
+/// The words of a command line, where -x/2 after "equal" is an expression and no option.
+std::vector<std::string> with_expressions_marked(int argc, char** argv);
 void add_demo(Program& program);
 
 }  // namespace magicmass::command

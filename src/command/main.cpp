@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -47,12 +48,14 @@ void print(const std::string& text) {
 ExitCode run(int argc, char** argv) {
   Program program;
   describe(program);
-  for (const auto add : {add_derive, add_verify, add_generate, add_eval, add_count, add_terminal,
-                         add_ratios, add_simulate, add_demo})
+  for (const auto add : {add_derive, add_verify, add_equal, add_generate, add_eval, add_count,
+                         add_terminal, add_ratios, add_simulate, add_demo})
     add(program);
   require_known_command(program.app, argc, argv);
   try {
-    program.app.parse(argc, argv);
+    std::vector<std::string> words = with_expressions_marked(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    program.app.parse(words);
   } catch (const CLI::CallForHelp&) {
     print(program.app.help());
     return ExitCode::done;

@@ -14,14 +14,16 @@ may_be_longer=() # files, each with its reason in a comment
 # What each part of the tree may include besides itself. `library`: neither GiNaC, CLN nor the standard library.
 declare -A may_include=(
   [proof]='ginac cln library'
+  [algebraic]='ginac cln library'
   [derivation]='proof ginac cln library'
   [codegen]='proof ginac cln library'
   [render]='proof derivation ginac cln library'
   [generated]=''
   [runtime]='generated library'
   [reference]='runtime cln library'
-  [command]='proof derivation codegen render generated runtime reference ginac cln library'
-  [command-header]='proof derivation codegen render generated runtime reference cln library'
+  [equality]='algebraic proof derivation ginac cln library'
+  [command]='algebraic proof derivation equality codegen render generated runtime reference ginac cln library'
+  [command-header]='algebraic proof derivation equality codegen render generated runtime reference cln library'
 )
 
 part_of() { # file of the repository
@@ -218,6 +220,8 @@ refused "'SceneManager' does not say what is in it" src/command/SceneManager/sce
 refused "using namespace in a header" src/command/eval.hpp $gpl '  using namespace std;'
 refused "proof may not include derivation: derivation/contact.hpp" symbolic/proof/rules.cpp $gpl '#include "derivation/contact.hpp"'
 refused "codegen may not include derivation: ../derivation/contact.hpp" symbolic/codegen/ir.hpp $gpl '#include "../derivation/contact.hpp"'
+refused "equality may not include runtime: magicmass/errors.hpp" symbolic/equality/decide.cpp $gpl '#include "magicmass/errors.hpp"'
+refused "algebraic may not include proof: proof/kernel.hpp" symbolic/algebraic/constant.cpp $gpl '#include "proof/kernel.hpp"'
 refused "proof may not include runtime: magicmass/errors.hpp" symbolic/proof/rules.cpp $gpl '#include <magicmass/errors.hpp>'
 refused "runtime may not include proof: proof/kernel.hpp" src/magicmass/evaluators/slow.hpp MIT '#include "proof/kernel.hpp"'
 refused "runtime may not include cln: cln/cln.h" src/magicmass/evaluators/slow.hpp MIT '#  include <cln/cln.h>'

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <cln/rational.h>
+
+namespace magicmass::equality {
+
+// An expression as it was written. Nothing is simplified but arithmetic of rational numbers, for x/x, 0 log x
+// and sqrt(x)^2 are defined where they are, not where their simplified forms would be.
+struct Node;
+using Tree = std::shared_ptr<const Node>;
+
+enum class Kind {
+  number,    // value
+  pi,        //
+  symbol,    // name
+  sum,       // parts
+  product,   // parts
+  quotient,  // parts[0]/parts[1]
+  power,     // parts[0]^parts[1]
+  root,  // the root of order value >= 2 of parts[0]; odd orders are defined for negative numbers too
+  function,  // name: abs sin cos tan atan asin acos exp log
+};
+
+struct Node {
+  Kind kind;
+  cln::cl_RA value = 0;
+  std::string name = {};
+  std::vector<Tree> parts = {};
+  std::size_t size = 1;     // nodes
+  bool is_constant = true;  // no symbols
+};
+
+Tree number(const cln::cl_RA& value);
+Tree pi();
+Tree symbol(const std::string& name);
+Tree sum(const std::vector<Tree>& parts);
+Tree product(const std::vector<Tree>& parts);
+Tree quotient(const Tree& above, const Tree& below);
+Tree power(const Tree& base, const Tree& exponent);
+Tree root(const Tree& radicand, long order);
+Tree function(const std::string& name, const Tree& argument);
+Tree difference(const Tree& left, const Tree& right);
+
+bool is_number(const Tree& tree);
+bool is_number(const Tree& tree, long value);
+bool is_function(const Tree& tree, const char* name);
+bool is_integer(const cln::cl_RA& value);
+
+// The same trees.
+bool identical(const Tree& left, const Tree& right);
+
+void collect_symbols(const Tree& tree, std::set<std::string>& names);
+std::set<std::string> symbols_of(const Tree& tree);
+
+// Every symbol of that name replaced; shared parts are rewritten once each.
+Tree substituted(const Tree& tree, const std::string& name, const Tree& value);
+
+// The tree with other parts.
+Tree with_parts(const Tree& tree, std::vector<Tree> parts);
+
+// As one would type it; reads back as an equal expression.
+std::string text(const Tree& tree);
+
+}  // namespace magicmass::equality

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace magicmass::equality {
+
+// The text is no expression, or too large a one; the message is one line and begins with the column.
+struct NotAnExpression : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Token {
+  enum class Kind {
+    number,
+    name,
+    sign,
+    end
+  };  // sign: one of + - * / ^ ( ) , < > = or "<=" ">=" "!="
+  Kind kind;
+  std::string text;
+  std::size_t column;  // in characters, from 1
+};
+
+[[noreturn]] void refuse_at(std::size_t column, const std::string& reason);
+
+// ASCII, and what people paste: pi and other Greek letters, the root sign, dots and crosses for products, long
+// minus signs, superscripts, relations. The last token is the end. Throws NotAnExpression.
+std::vector<Token> tokens(std::string_view text, std::size_t longest);
+
+}  // namespace magicmass::equality
