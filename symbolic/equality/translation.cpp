@@ -169,9 +169,13 @@ ex Translation::function(const Tree& tree) {
     const ex half = angle(argument) / 2;
     return name == "cos" ? ex(pow(cos(half), 2) - pow(sin(half), 2)) : 2 * sin(half) * cos(half);
   }
-  if (name == "cos") return cos(angle(argument));
-  if (name == "sin") return sin(angle(argument));
-  if (name == "tan") return tan(angle(argument));
+  if (name == "cos") return cosine_and_sine(argument).first;
+  if (name == "sin") return cosine_and_sine(argument).second;
+  if (name == "tan") {
+    const auto [cosine, sine] = cosine_and_sine(argument);
+    if (form_->is_zero(cosine)) throw NotInClass("division by zero: " + text(tree));
+    return sine / cosine;
+  }
   const ex u = translated(argument);
   if (manner_.kept_inverses && name == "asin") return asin(u);
   if (manner_.kept_inverses && name == "acos") return acos(u);
