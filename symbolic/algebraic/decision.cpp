@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "algebraic/expansion.hpp"
 #include "algebraic/separation_bound.hpp"
 
 namespace magicmass::algebraic {
@@ -61,6 +63,7 @@ Verdict search(Terms& terms, std::size_t id, const Work& work) {
   try {
     for (const long precision : {64L, 128L, 256L})
       if (const auto sign = refinement.sign_at(precision)) return by_intervals(*sign, precision);
+    if (auto method = cancels(terms, id, work)) return {0, std::move(*method)};
     const SeparationBound bound = separation_bound(terms, id, work.budget());
     for (long precision = 512;;) {
       if (precision > work.budget().bits)
