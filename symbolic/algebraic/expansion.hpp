@@ -8,9 +8,9 @@
 
 namespace magicmass::algebraic {
 
-/// Multiplies a term out, with roots of unity for cosines and one generator for each prime and each other radicand
-/// under a root, and looks whether everything cancels. If so, the term is 0, and the sentence says how that is known.
-/// Nothing if not everything cancels, which alone says nothing, or if the budget is too small for it.
-std::optional<std::string> cancels(const Terms& terms, std::size_t id, const Work& work);
+/// Multiplies a term out, with roots of unity for cosines and a generator for each prime and each other radicand
+/// under a root, and removes the radicals from the last to the first (RadicalRing::is_zero). If the term is thereby
+/// proved to be 0, a sentence that says so. Nothing if it is not 0, or if this method or the budget does not suffice.
+std::optional<std::string> proof_of_zero(const Terms& terms, std::size_t id, const Work& work);
 
 }  // namespace magicmass::algebraic

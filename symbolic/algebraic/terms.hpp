@@ -23,8 +23,11 @@ struct Term {
   cln::cl_RA value;                ///< rational: itself; cosine: t of cos(2 pi t)
   std::vector<std::size_t> parts;  ///< what it is made of
   cln::cl_I exponent;       ///< power: an integer other than 0 and 1; root: the index, from 2
-  std::optional<int> sign;  ///< once decided
+  std::optional<int> sign;         ///< once decided
+  std::optional<Interval> near{};  ///< an enclosure at near_precision, unless that is too low to divide
 };
+
+constexpr long near_precision = 64;
 
 class Terms {
 public:
@@ -50,6 +53,9 @@ public:
 
 private:
   std::size_t add(Term term);
+  /// Of a term whose parts' enclosures are found by their place.
+  template <class Enclosures>
+  static Interval made(const Term& term, const Enclosures& part, long precision);
 
   long most_;
   std::vector<Term> terms_;
