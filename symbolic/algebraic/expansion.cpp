@@ -90,10 +90,7 @@ private:
         return cln::plusp(term.exponent) ? result : Fraction{result.below, result.above};
       }
       case Kind::root:
-        return {is_rational_root(term) ? rational_root(term) : root(term), number(1)};
-      case Kind::magnitude:
-        if (!terms_[term.parts[0]].sign) throw BeyondBudget("an unknown sign");
-        return {ring_.product(result.above, number(*terms_[term.parts[0]].sign)), result.below};
+        return is_rational_root(term) ? Fraction{rational_root(term), number(1)} : root(term);
     }
     throw std::logic_error("a kind of term that cannot be expanded");
   }
@@ -116,12 +113,20 @@ private:
     return result;
   }
 
-  /// Roots of fractions with other denominators than numbers are left to the separation bound.
-  Number root(const Term& term) {
-    const Fraction& radicand = known_.at(term.parts[0]);
-    if (radicand.below != number(1)) throw BeyondBudget("a root of a fraction");
+  /// (a/b)^(1/n) = (a b^(n-1))^(1/n)/b for a, b > 0.
+  Fraction root(const Term& term) {
+    Fraction radicand = known_.at(term.parts[0]);
+    const std::optional<int> sign = ring_.sign_of_nonzero(radicand.below);
+    if (!sign) throw BeyondBudget("a divisor too close to 0");
+    if (*sign < 0)
+      for (Number* part : {&radicand.above, &radicand.below})
+        *part = ring_.product(*part, number(-1));
     const long index = cln::cl_I_to_long(term.exponent);
-    return RadicalRing::power_of_generator(ring_.generator(index, radicand.above), 1, 1);
+    const Number power =
+        radicand.below == number(1)
+            ? radicand.above
+            : ring_.product(radicand.above, ring_.power(radicand.below, index - 1));
+    return {RadicalRing::power_of_generator(ring_.generator(index, power), 1, 1), radicand.below};
   }
 
   static Number number(const cl_RA& value) { return RadicalRing::number(value); }

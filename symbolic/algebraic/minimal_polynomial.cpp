@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
+#include <cln/real.h>
 #include <ginac/ginac.h>
 
 #include "algebraic/cosine_polynomial.hpp"
+#include "algebraic/decimal_text.hpp"
 #include "algebraic/separation_bound.hpp"
 #include "algebraic/translation.hpp"
 
@@ -183,8 +186,6 @@ private:
         return reduced(of_powers(part(term, 0), term.exponent), id);
       case Kind::root:
         return reduced(of_roots(part(term, 0), term.exponent), id);
-      case Kind::magnitude:
-        return reduced(composed_product(part(term, 0), {{-1, 0, 1}}), id);
     }
     throw std::logic_error("a kind of term that minimal_polynomial() does not know");
   }
@@ -223,6 +224,38 @@ std::optional<Polynomial> minimal_polynomial(const GiNaC::ex& constant, const Bu
   } catch (const BeyondBudget&) {
     return {};
   }
+}
+
+std::optional<std::string> as_root(const GiNaC::ex& constant, const Budget& budget) {
+  const std::optional<Polynomial> polynomial = minimal_polynomial(constant, budget);
+  if (!polynomial) return {};
+  if (polynomial->degree() == 1) {
+    std::ostringstream number;
+    number << GiNaC::numeric(-polynomial->coefficients[0] / cl_RA(polynomial->coefficients[1]));
+    return "the rational number " + number.str();
+  }
+  const Polynomial slope = derivative(*polynomial);
+  Terms terms(budget);
+  const Work work(budget);
+  try {
+    const std::size_t term = translate(constant, terms, work);
+    for (long digits = 4; 8 * digits < budget.bits; digits += digits / 2) {
+      const cl_I unit = cln::expt_pos(cl_I(10), cl_I(digits));
+      const long precision = 8 * digits + 64;
+      const Interval x = terms.enclosure(term, precision, work);
+      const cl_I first = cln::truncate1(x.low().rational() * unit);
+      if (cln::zerop(first) || first != cln::truncate1(x.high().rational() * unit)) continue;
+      // All numbers with these decimals: the polynomial is monotonic on them, and so has one root there.
+      const cl_I next = first + (cln::plusp(first) ? 1 : -1);
+      const Interval all(cl_RA(cln::min(first, next)) / unit, cl_RA(cln::max(first, next)) / unit,
+                         precision);
+      const int sign = value(slope, all, precision).sign();
+      if (sign == 1 || sign == -1)
+        return "the root near " + decimal_text(first, digits) + " of " + text(*polynomial);
+    }
+  } catch (const BeyondBudget&) {
+  }
+  return {};
 }
 
 }  // namespace magicmass::algebraic

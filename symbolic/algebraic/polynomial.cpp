@@ -64,6 +64,13 @@ Polynomial reversed(Polynomial polynomial) {
   return polynomial;
 }
 
+Polynomial derivative(const Polynomial& polynomial) {
+  Polynomial result;
+  for (std::size_t i = 1; i < polynomial.coefficients.size(); ++i)
+    result.coefficients.push_back(polynomial.coefficients[i] * cl_I(i));
+  return result;
+}
+
 Interval value(const Polynomial& polynomial, const Interval& x, long precision) {
   Interval result(0, precision);
   for (std::size_t i = polynomial.coefficients.size(); i-- > 0;)

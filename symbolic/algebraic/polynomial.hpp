@@ -35,6 +35,8 @@ Polynomial shifted_by_one(Polynomial polynomial);
 /// x^degree p(1/x)
 Polynomial reversed(Polynomial polynomial);
 
+Polynomial derivative(const Polynomial& polynomial);
+
 Interval value(const Polynomial& polynomial, const Interval& x, long precision);
 
 }  // namespace magicmass::algebraic

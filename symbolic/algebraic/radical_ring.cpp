@@ -136,8 +136,11 @@ bool RadicalRing::all_coefficients_vanish(const Number& x) const {
 
 std::optional<int> RadicalRing::sign_of_nonzero(const Number& x) const {
   for (const long precision : {64L, 256L, 1024L}) {
-    const int sign = enclosure(x, precision).sign();
-    if (sign == 1 || sign == -1) return sign;
+    try {
+      const int sign = enclosure(x, precision).sign();
+      if (sign == 1 || sign == -1) return sign;
+    } catch (const Unbounded&) {  // a radicand > 0 is not yet seen to be
+    }
   }
   return {};
 }

@@ -39,6 +39,9 @@ public:
 
   Interval enclosure(const Number& x, long precision) const;
 
+  /// -1 or +1 if intervals of moderate precision show it.
+  std::optional<int> sign_of_nonzero(const Number& x) const;
+
   /// Whether x is 0, proved either way; nothing where this method does not tell.
   std::optional<bool> is_zero(const Number& x);
 
@@ -50,7 +53,6 @@ private:
 
   Number product_of_monomials(const Monomial& x, const Monomial& y, const RootSum& coefficient);
   bool all_coefficients_vanish(const Number& x) const;
-  std::optional<int> sign_of_nonzero(const Number& x) const;
 
   const Work& work_;
   RootsOfUnity roots_;

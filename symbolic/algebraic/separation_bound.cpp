@@ -93,9 +93,6 @@ Quotient quotient(const Term& term, const std::vector<Quotient>& known,
     case Kind::root:
       result = root(part(0), term.exponent);
       break;
-    case Kind::magnitude:
-      result = part(0);
-      break;
   }
   return result;
 }
@@ -164,6 +161,7 @@ SeparationBound separation_bound(const Terms& terms, std::size_t id, const Budge
   if (m > 2) degree *= totient_bound(m) / 2;
   const Quotient& whole = known.back();
   const double bits = (degree - 1) * whole.u + whole.l + log2_above(cln::denominator(whole.r));
+  if (!(bits < 1e15) || !(degree < 1e15)) throw BeyondBudget("a degree beyond all bounds");
   return {up(bits), degree};
 }
 

@@ -119,8 +119,6 @@ std::size_t Terms::root(std::size_t radicand, long index) {
   return add({Kind::root, 0, {radicand}, index, 1});
 }
 
-std::size_t Terms::magnitude(std::size_t part) { return add({Kind::magnitude, 0, {part}, 0, {}}); }
-
 std::vector<std::size_t> Terms::below(std::size_t id) const {
   std::vector<bool> needed(id + 1);
   needed[id] = true;
@@ -158,8 +156,6 @@ Interval Terms::made(const Term& term, const Enclosures& part, long precision) {
     }
     case Kind::root:
       return real_root(part(term.parts[0]), cln::cl_I_to_long(term.exponent), precision);
-    case Kind::magnitude:
-      return part(term.parts[0]).magnitude();
   }
   throw std::logic_error("a kind of term that has no enclosure");
 }
