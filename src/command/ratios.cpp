@@ -4,8 +4,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "command/commands.hpp"
+#include "command/ratio_forms.hpp"
 #include "command/records.hpp"
 #include "command/velocity_tiers.hpp"
 #include "magicmass/ratios_product.hpp"
@@ -16,17 +20,56 @@ namespace {
 struct RatiosOptions {
   std::int64_t count = 10;
   std::optional<std::string> digits;
+  bool exact = false;
   OutputOptions output;
 };
 
+/// alpha_k and beta_k.
+struct Row {
+  Cell magic, deficient;
+};
+
 /// Computed in long double and rounded once, so within 1 ulp of the double nearest to the ratio.
-std::vector<Cell> row(std::int64_t k, std::optional<int> digits) {
+Row row(std::int64_t k, std::optional<int> digits) {
   if (digits)
-    return {number_cell(k), text_cell(reference::ratio_digits(Magic{k}, *digits)),
+    return {text_cell(reference::ratio_digits(Magic{k}, *digits)),
             text_cell(reference::ratio_digits(Deficient{k}, *digits))};
   const generated::Ratios<long double> ratios = generated::ratios_product<long double>(k);
-  return {number_cell(k), number_cell(static_cast<double>(ratios.magic)),
+  return {number_cell(static_cast<double>(ratios.magic)),
           number_cell(static_cast<double>(ratios.deficient))};
+}
+
+void write_text(Destination& output, const RatiosOptions& options, std::optional<int> digits) {
+  const std::size_t width = std::to_string(options.count).size() + 2;
+  const auto head = [width](std::string text) { return text.append(width - text.size(), ' '); };
+  output.write(ratio_lines(head("k"), "ratio", "value", {"exact", {}}));
+  for (std::int64_t k = 1; k <= options.count; ++k) {
+    const Row values = row(k, digits);
+    output.write(ratio_lines(head(std::to_string(k)), "magic", values.magic.text,
+                             magic_forms(k, options.exact)));
+    output.write(ratio_lines(head(""), "deficient", values.deficient.text,
+                             deficient_forms(k, options.exact)));
+  }
+}
+
+Cell optional_cell(const std::optional<std::string>& text) {
+  return text ? text_cell(*text) : missing_cell();
+}
+
+void write_records(Destination& output, const RatiosOptions& options, std::optional<int> digits) {
+  RecordWriter writer(output, options.output.format,
+                      {"k", "magic", "deficient", "magic_radicals", "magic_polynomial",
+                       "deficient_radicals", "deficient_polynomial"},
+                      false);
+  for (std::int64_t k = 1; k <= options.count; ++k) {
+    const Row values = row(k, digits);
+    const ExactForms magic = magic_forms(k, options.exact);
+    const ExactForms deficient = deficient_forms(k, options.exact);
+    writer.write({number_cell(k), values.magic, values.deficient, optional_cell(magic.radicals),
+                  optional_cell(magic.polynomial), optional_cell(deficient.radicals),
+                  optional_cell(deficient.polynomial)});
+  }
+  writer.finish();
 }
 
 }  // namespace
@@ -44,14 +87,15 @@ void add_ratios(Program& program) {
           "--digits", [options](const std::string& text) { options->digits = text; },
           "1 to 10000 certified decimal digits")
       ->type_name("D");
+  command.add_flag(
+      "--exact", options->exact,
+      fmt::format("also minimal polynomials longer than a line, for k to {}", last_polynomial));
   add_output_options(command, options->output);
   on_run(program, command, [options] {
     std::optional<int> digits;
     if (options->digits) digits = parse_digits(*options->digits);
     Destination output(options->output.path);
-    RecordWriter writer(output, options->output.format, {"k", "magic", "deficient"}, false);
-    for (std::int64_t k = 1; k <= options->count; ++k) writer.write(row(k, digits));
-    writer.finish();
+    (options->output.format == "text" ? write_text : write_records)(output, *options, digits);
     output.finish();
     return ExitCode::done;
   });

@@ -2,31 +2,15 @@
 #include "algebraic/constant.hpp"
 
 #include <algorithm>
-#include <sstream>
 
-#include <cln/integer_io.h>
 #include <ginac/ginac.h>
 
+#include "algebraic/decimal_text.hpp"
 #include "algebraic/decision.hpp"
 #include "algebraic/translation.hpp"
 
 namespace magicmass::algebraic {
-namespace {
-
 using cln::cl_I;
-
-/// n / 10^digits
-std::string decimal(const cl_I& n, long digits) {
-  std::ostringstream stream;
-  stream << cln::abs(n);
-  std::string text = stream.str();
-  const auto places = static_cast<std::size_t>(digits);
-  if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
-  if (places > 0) text.insert(text.size() - places, ".");
-  return (cln::minusp(n) ? "-" : "") + text;
-}
-
-}  // namespace
 
 Decision sign_of(const GiNaC::ex& constant, const Budget& budget) {
   const Work work(budget);
@@ -52,7 +36,7 @@ Decimals decimals(const GiNaC::ex& constant, long digits, const Budget& budget) 
       const Interval value = terms.enclosure(term, precision, work);
       const cl_I below = cln::floor1(value.low().rational() * unit);
       const cl_I above = cln::ceiling1(value.high().rational() * unit);
-      if (above - below <= 2) return {decimal(below, digits), decimal(above, digits)};
+      if (above - below <= 2) return {decimal_text(below, digits), decimal_text(above, digits)};
     } catch (const Unbounded&) {  // a divisor is not yet seen to differ from 0
     }
   }

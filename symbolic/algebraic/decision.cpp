@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "algebraic/expansion.hpp"
 #include "algebraic/separation_bound.hpp"
 
 namespace magicmass::algebraic {
@@ -51,7 +53,7 @@ private:
 };
 
 Verdict by_intervals(int sign, long precision) {
-  if (sign == 0) return {0, "exact arithmetic"};
+  if (sign == 0 || precision == 0) return {sign, "exact arithmetic with rational numbers"};
   const auto digits = static_cast<long>(static_cast<double>(precision) * digits_per_bit);
   return {sign, "interval arithmetic at " + std::to_string(digits) + " digits"};
 }
@@ -59,8 +61,9 @@ Verdict by_intervals(int sign, long precision) {
 Verdict search(Terms& terms, std::size_t id, const Work& work) {
   Refinement refinement(terms, id, work);
   try {
-    for (const long precision : {64L, 128L, 256L})
+    for (const long precision : {128L, 256L})
       if (const auto sign = refinement.sign_at(precision)) return by_intervals(*sign, precision);
+    if (auto method = proof_of_zero(terms, id, work)) return {0, std::move(*method)};
     const SeparationBound bound = separation_bound(terms, id, work.budget());
     for (long precision = 512;;) {
       if (precision > work.budget().bits)
@@ -84,7 +87,8 @@ Verdict search(Terms& terms, std::size_t id, const Work& work) {
 }  // namespace
 
 Verdict decide(Terms& terms, std::size_t id, const Work& work) {
-  if (const auto sign = terms[id].sign) return {*sign, "exact arithmetic"};
+  if (const auto sign = terms[id].sign)
+    return by_intervals(*sign, terms[id].kind == Kind::rational ? 0 : near_precision);
   Verdict verdict = search(terms, id, work);
   terms.set_sign(id, verdict.sign);
   return verdict;

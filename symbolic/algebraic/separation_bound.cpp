@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <cln/real.h>
+
+#include "algebraic/prime_powers.hpp"
 
 namespace magicmass::algebraic {
 namespace {
@@ -90,12 +93,36 @@ Quotient quotient(const Term& term, const std::vector<Quotient>& known,
     case Kind::root:
       result = root(part(0), term.exponent);
       break;
-    case Kind::magnitude:
-      result = part(0);
-      break;
   }
   return result;
 }
+
+/// The degree of the field of all roots of rational numbers: at most the product of their indices, and at most that
+/// of the common indices of p^(1/n) for each prime (or unfactored number) p under them.
+class RationalRoots {
+public:
+  void add(const cl_RA& radicand, const cl_I& index) {
+    product_ *= cln::double_approx(index);
+    for (const auto& [prime, exponent] : prime_powers(radicand)) {
+      const auto same = std::find_if(indices_.begin(), indices_.end(),
+                                     [&](const auto& known) { return known.first == prime; });
+      if (same == indices_.end())
+        indices_.emplace_back(prime, index);
+      else
+        same->second = cln::lcm(same->second, index);
+    }
+  }
+
+  double degree() const {
+    double by_primes = 1;
+    for (const auto& [prime, index] : indices_) by_primes *= cln::double_approx(index);
+    return std::min(product_, by_primes);
+  }
+
+private:
+  double product_ = 1;
+  std::vector<std::pair<cl_I, cl_I>> indices_;
+};
 
 }  // namespace
 
@@ -117,18 +144,24 @@ SeparationBound separation_bound(const Terms& terms, std::size_t id, const Budge
   std::vector<std::size_t> place(id + 1);
   std::vector<Quotient> known;
   double degree = 1;
+  RationalRoots rational_roots;
   cl_I m =
       1;  // all cosines lie in the real subfield of the m-th roots of unity, of degree phi(m)/2 for m > 2
   for (const std::size_t i : order) {
     const Term& term = terms[i];
     place[i] = known.size();
     known.push_back(quotient(term, known, place, budget));
-    if (term.kind == Kind::root) degree *= cln::double_approx(term.exponent);
+    if (term.kind == Kind::root && terms[term.parts[0]].kind == Kind::rational)
+      rational_roots.add(terms[term.parts[0]].value, term.exponent);
+    else if (term.kind == Kind::root)
+      degree *= cln::double_approx(term.exponent);
     if (term.kind == Kind::cosine) m = cln::lcm(m, cln::denominator(term.value));
   }
+  degree *= rational_roots.degree();
   if (m > 2) degree *= totient_bound(m) / 2;
   const Quotient& whole = known.back();
   const double bits = (degree - 1) * whole.u + whole.l + log2_above(cln::denominator(whole.r));
+  if (!(bits < 1e15) || !(degree < 1e15)) throw BeyondBudget("a degree beyond all bounds");
   return {up(bits), degree};
 }
 

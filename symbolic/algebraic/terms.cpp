@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <stdexcept>
 
 #include <cln/integer_io.h>
 
@@ -35,6 +36,17 @@ std::size_t Terms::add(Term term) {
   if (is_new) {
     if (static_cast<long>(terms_.size()) >= most_)
       throw BeyondBudget("more than " + std::to_string(most_) + " different subexpressions");
+    try {
+      term.near = made(
+          term,
+          [this](std::size_t part) -> const Interval& {
+            if (!terms_[part].near) throw Unbounded{};
+            return *terms_[part].near;
+          },
+          near_precision);
+      if (!term.sign && term.near->sign() != 2) term.sign = term.near->sign();
+    } catch (const Unbounded&) {  // decided later, at a higher precision
+    }
     terms_.push_back(std::move(term));
   }
   return entry->second;
@@ -95,6 +107,7 @@ std::size_t Terms::power(std::size_t base, const cl_I& exponent) {
   if (exponent == 0) return rational(1);
   if (exponent == 1) return base;
   if (terms_[base].sign == 0) return rational(0);
+  if (terms_[base].kind == Kind::rational && terms_[base].value == 1) return rational(1);
   return add({Kind::power, 0, {base}, exponent, {}});
 }
 
@@ -105,8 +118,6 @@ std::size_t Terms::root(std::size_t radicand, long index) {
     return rational(root);
   return add({Kind::root, 0, {radicand}, index, 1});
 }
-
-std::size_t Terms::magnitude(std::size_t part) { return add({Kind::magnitude, 0, {part}, 0, {}}); }
 
 std::vector<std::size_t> Terms::below(std::size_t id) const {
   std::vector<bool> needed(id + 1);
@@ -121,39 +132,41 @@ std::vector<std::size_t> Terms::below(std::size_t id) const {
   return order;
 }
 
+template <class Enclosures>
+Interval Terms::made(const Term& term, const Enclosures& part, long precision) {
+  const auto folded = [&](const auto& operation) {
+    Interval result = part(term.parts[0]);
+    for (std::size_t i = 1; i < term.parts.size(); ++i)
+      result = operation(result, part(term.parts[i]), precision);
+    return result;
+  };
+  switch (term.kind) {
+    case Kind::rational:
+      return {term.value, precision};
+    case Kind::cosine:
+      return cosine_of_turn(term.value, precision);
+    case Kind::sum:
+      return folded([](auto&... arguments) { return algebraic::sum(arguments...); });
+    case Kind::product:
+      return folded([](auto&... arguments) { return algebraic::product(arguments...); });
+    case Kind::power: {
+      const Interval result =
+          integer_power(part(term.parts[0]), cln::abs(term.exponent), precision);
+      return cln::plusp(term.exponent) ? result : quotient({1, precision}, result, precision);
+    }
+    case Kind::root:
+      return real_root(part(term.parts[0]), cln::cl_I_to_long(term.exponent), precision);
+  }
+  throw std::logic_error("a kind of term that has no enclosure");
+}
+
 Interval Terms::enclosure(std::size_t id, long precision, const Work& work) const {
   std::vector<std::optional<Interval>> values(id + 1);
-  const auto value = [&](const Term& term) -> Interval {
-    const auto part = [&](std::size_t i) -> const Interval& { return *values[term.parts[i]]; };
-    const auto folded = [&](const auto& operation) {
-      Interval result = part(0);
-      for (std::size_t i = 1; i < term.parts.size(); ++i)
-        result = operation(result, part(i), precision);
-      return result;
-    };
-    switch (term.kind) {
-      case Kind::rational:
-        return {term.value, precision};
-      case Kind::cosine:
-        return cosine_of_turn(term.value, precision);
-      case Kind::sum:
-        return folded([](auto&... arguments) { return algebraic::sum(arguments...); });
-      case Kind::product:
-        return folded([](auto&... arguments) { return algebraic::product(arguments...); });
-      case Kind::power: {
-        Interval result = integer_power(part(0), cln::abs(term.exponent), precision);
-        return cln::plusp(term.exponent) ? result : quotient({1, precision}, result, precision);
-      }
-      case Kind::root:
-        return real_root(part(0), cln::cl_I_to_long(term.exponent), precision);
-      case Kind::magnitude:
-        return part(0).magnitude();
-    }
-    throw std::logic_error("a kind of term that enclosure() does not know");
-  };
   for (const std::size_t term : below(id)) {
     work.check_time();
-    values[term] = value(terms_[term]);
+    values[term] = made(
+        terms_[term], [&](std::size_t part) -> const Interval& { return *values[part]; },
+        precision);
   }
   return *values[id];
 }

@@ -16,7 +16,7 @@
 
 namespace magicmass::algebraic {
 
-enum class Kind { rational, cosine, sum, product, power, root, magnitude };
+enum class Kind { rational, cosine, sum, product, power, root };
 
 struct Term {
   Kind kind;
@@ -24,7 +24,11 @@ struct Term {
   std::vector<std::size_t> parts;  ///< what it is made of
   cln::cl_I exponent;       ///< power: an integer other than 0 and 1; root: the index, from 2
   std::optional<int> sign;  ///< once decided
+  std::optional<Interval>
+      near{};  ///< an enclosure at near_precision, unless that is too low to divide
 };
+
+constexpr long near_precision = 64;
 
 class Terms {
 public:
@@ -40,7 +44,6 @@ public:
   /// A negative power takes a base that is not 0, a root a radicand > 0: whoever calls has decided that.
   std::size_t power(std::size_t base, const cln::cl_I& exponent);
   std::size_t root(std::size_t radicand, long index);
-  std::size_t magnitude(std::size_t part);
 
   /// The terms that a term is made of, itself included, in the order of their making.
   std::vector<std::size_t> below(std::size_t id) const;
@@ -50,6 +53,9 @@ public:
 
 private:
   std::size_t add(Term term);
+  /// Of a term whose parts' enclosures are found by their place.
+  template <class Enclosures>
+  static Interval made(const Term& term, const Enclosures& part, long precision);
 
   long most_;
   std::vector<Term> terms_;

@@ -89,7 +89,10 @@ private:
 
   std::size_t function(const ex& e) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
-    if (name == "abs") return terms_.magnitude((*this)(e.op(0)));
+    if (name == "abs") {
+      const std::size_t part = (*this)(e.op(0));
+      return sign(part) < 0 ? terms_.product({part, terms_.rational(-1)}) : part;
+    }
     if (name != "cos" && name != "sin" && name != "tan")
       throw NotAlgebraic("not a function of the class: " + shown(e));
     const ex ratio = (e.op(0) / GiNaC::Pi).expand();

@@ -9,6 +9,7 @@
 #include "equality/evaluate.hpp"
 #include "equality/point.hpp"
 #include "proof/names.hpp"
+#include "proof/text.hpp"
 
 namespace magicmass::equality {
 
@@ -33,6 +34,10 @@ bool is_simple_constant(const Tree& tree) {
 // Longer than any name that can be typed (parse.cpp): what is known of it is known of no symbol of the user's.
 std::string constant_name(std::size_t index) {
   return "name_of_a_constant_or_power_that_nobody_typed_" + std::to_string(index);
+}
+
+std::string unsigned_name(std::size_t index) {
+  return "value_of_a_function_of_which_nothing_is_known_" + std::to_string(index);
 }
 
 }  // namespace
@@ -169,14 +174,22 @@ ex Translation::function(const Tree& tree) {
     const ex half = angle(argument) / 2;
     return name == "cos" ? ex(pow(cos(half), 2) - pow(sin(half), 2)) : 2 * sin(half) * cos(half);
   }
-  if (name == "cos") return cos(angle(argument));
-  if (name == "sin") return sin(angle(argument));
-  if (name == "tan") return tan(angle(argument));
+  if (name == "cos") return cosine_and_sine(argument).first;
+  if (name == "sin") return cosine_and_sine(argument).second;
+  if (name == "tan") {
+    const auto [cosine, sine] = cosine_and_sine(argument);
+    if (form_->is_zero(cosine)) throw NotInClass("division by zero: " + text(tree));
+    return sine / cosine;
+  }
   const ex u = translated(argument);
   if (manner_.kept_inverses && name == "asin") return asin(u);
   if (manner_.kept_inverses && name == "acos") return acos(u);
   if (name == "atan") return atan(u);
-  if (name == "log") return log(u);  // outside of the class; its derivative is not
+  if (name == "log") {
+    if (manner_.kept_inverses) return log(u);  // outside of the class; its derivative is not
+    const std::string key = "log(" + proof::text(form_->simplified(u)) + ")";
+    return proof::symbol(keys_.try_emplace(key, unsigned_name(keys_.size())).first->second);
+  }
   if (name == "asin") return arcsine(u);
   if (name == "acos") {
     // 2 atan(sqrt((1 - u)/(1 + u))) has algebraic halves, but wants u != -1

@@ -66,6 +66,7 @@ private:
   ex function(const Tree& tree);
   ex arcsine(const ex& u);
   ex angle(const Tree& tree);
+  std::pair<ex, ex> cosine_and_sine(const Tree& argument);
   ex angle_of_constant(const Tree& tree);
   ex without_full_turns(const ex& angle) const;
   bool is_integer_valued(const ex& expanded) const;

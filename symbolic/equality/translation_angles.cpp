@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <cstdlib>
+
+#include <cln/integer.h>
 
 #include "equality/angle.hpp"
 #include "equality/point.hpp"
@@ -49,6 +52,49 @@ bool Translation::is_integer_valued(const ex& expanded) const {
   return (is_a<GiNaC::add>(expanded) || is_a<GiNaC::mul>(expanded)) &&
          std::all_of(expanded.begin(), expanded.end(),
                      [this](const ex& part) { return is_integer_valued(part); });
+}
+
+// Whole multiples of asin u, acos u and atan u in an angle: their cosines and sines are algebraic in u, whatever the
+// sign of u is. cos asin u = sin acos u = sqrt(1 - u^2) and cos atan u = 1/sqrt(1 + u^2) are never negative.
+std::pair<ex, ex> Translation::cosine_and_sine(const Tree& argument) {
+  constexpr long largest = 8;
+  const LinearForm linear = linear_form(argument);
+  ex rest = numeric(linear.of_pi) * GiNaC::Pi;
+  for (const Tree& part : linear.rest) rest += angle(part);
+  std::vector<std::pair<long, Tree>> whole;
+  for (const auto& [factor, inverse] : linear.terms) {
+    if (!inverse->is_constant && inverse->name != "log" && is_integer(factor) &&
+        cln::abs(factor) <= largest)
+      whole.emplace_back(cln::cl_I_to_long(cln::numerator(factor)), inverse);
+    else
+      rest += angle(product({number(factor), inverse}));
+  }
+  if (whole.empty()) {
+    const ex all = angle(argument);
+    return {cos(all), sin(all)};
+  }
+  rest = without_full_turns(rest.expand());
+  ex cosine = cos(rest);
+  ex sine = sin(rest);
+  for (const auto& [count, inverse] : whole) {
+    const ex u = translated(inverse->parts[0]);
+    ex c = 1 / sqrt(1 + u * u);
+    ex s = u * c;
+    if (inverse->name == "asin") {
+      c = sqrt(1 - u * u);
+      s = u;
+    } else if (inverse->name == "acos") {
+      c = u;
+      s = sqrt(1 - u * u);
+    }
+    if (count < 0) s = -s;
+    for (long i = 0; i < std::labs(count); ++i) {
+      const ex next = cosine * c - sine * s;
+      sine = sine * c + cosine * s;
+      cosine = next;
+    }
+  }
+  return {cosine, sine};
 }
 
 // cos and sin do not see 2 pi n m for integers n, m.

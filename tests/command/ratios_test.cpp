@@ -57,7 +57,9 @@ TEST_CASE("100000 ratios are within 1 ulp, and the naive formula is not", "[exam
   const std::vector<std::string> lines =
       lines_of(run_program({"ratios", "--count", "100000", "--format", "csv"}).output);
   REQUIRE(lines.size() == 100001);
-  CHECK(lines.front() == "k,magic,deficient");
+  CHECK(
+      lines.front() ==
+      "k,magic,deficient,magic_radicals,magic_polynomial,deficient_radicals,deficient_polynomial");
   std::int64_t worst_naive = 0;
   for (std::int64_t k = 1; k <= 100000; k = k == 99910 ? 100000 : k + 97) {
     const std::string& line = lines[static_cast<std::size_t>(k)];
@@ -80,4 +82,58 @@ TEST_CASE("digits of ratios are certified", "[exam]") {
   const nlohmann::json rows = json_of({"ratios", "--count", "2", "--digits", "40"});
   CHECK(rows[0].at("deficient") == "0.4142135623730950488016887242096980785697");  // sqrt(2) - 1
   CHECK(rows[1].at("magic") == "0.2360679774997896964091736687312762354406");      // sqrt(5) - 2
+}
+
+TEST_CASE("a thousand digits begin with fifty", "[exam]") {
+  const nlohmann::json rows = json_of({"ratios", "--count", "3", "--digits", "1000"});
+  const nlohmann::json fewer = json_of({"ratios", "--count", "3", "--digits", "50"});
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const char* name : {"magic", "deficient"}) {
+      const std::string digits = rows.at(i).at(name);
+      INFO(digits);
+      if (i == 0 && name == std::string("magic")) continue;  // 1 and zeros
+      CHECK(digits.size() >= 1002);
+      const std::string rounded = fewer.at(i).at(name);
+      CHECK(digits.substr(0, 48) == rounded.substr(0, 48));
+    }
+}
+
+TEST_CASE("ratios come with radicals or minimal polynomials", "[exam]") {
+  const nlohmann::json rows = json_of({"ratios", "--count", "9"});
+  CHECK(rows[0].at("magic_radicals") == "1");
+  CHECK(rows[0].at("deficient_radicals") == "sqrt(2) - 1");
+  CHECK(rows[1].at("magic_radicals") == "sqrt(5) - 2");
+  CHECK(rows[1].at("magic_polynomial") == "x^2 + 4*x - 1");
+  CHECK(rows[1].at("deficient_radicals") == "2/sqrt(3) - 1");
+  CHECK(rows[2].at("magic_radicals").is_null());  // the heptagon
+  CHECK(rows[2].at("magic_polynomial") == "x^3 - x^2 - 9*x + 1");
+  CHECK(rows[2].at("deficient_radicals") == "sqrt(4 - 2*sqrt(2)) - 1");
+  CHECK(rows[3].at("deficient_radicals") == "sqrt(2 - 2/sqrt(5)) - 1");
+  CHECK(rows[4].at("deficient_radicals") == "sqrt(6) - sqrt(2) - 1");
+  CHECK(rows[8].at("magic_polynomial").is_null());  // longer than a line
+  const nlohmann::json exact = json_of({"ratios", "--count", "9", "--exact"});
+  CHECK(exact[8].at("magic_polynomial").get<std::string>().starts_with("x^9 - x^8 - "));
+}
+
+TEST_CASE("every ratio to 200 has its polynomial, and none after it", "[exam]") {
+  const nlohmann::json rows = json_of({"ratios", "--count", "201", "--exact"});
+  for (std::size_t i = 0; i < 200; ++i) {
+    CHECK(rows[i].at("magic_polynomial").is_string());
+    CHECK(rows[i].at("deficient_polynomial").is_string());
+  }
+  CHECK(rows[200].at("magic_polynomial").is_null());
+}
+
+TEST_CASE("the text of the ratios keeps to 80 columns", "[exam]") {
+  for (const bool exact : {false, true}) {
+    std::vector<std::string> arguments = {"ratios", "--count", "40"};
+    if (exact) arguments.emplace_back("--exact");
+    const std::vector<std::string> lines = lines_of(run_program(arguments).output);
+    CHECK(lines.size() > 81);
+    for (const std::string& line : lines) {
+      INFO(line);
+      CHECK(line.size() <= 80);
+      CHECK_FALSE(line.ends_with(' '));
+    }
+  }
 }

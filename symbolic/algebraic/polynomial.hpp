@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Polynomials in one variable over the integers.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+#include "algebraic/interval.hpp"
+
+namespace magicmass::algebraic {
+
+struct Polynomial {
+  std::vector<cln::cl_I> coefficients;  ///< of 1, x, x^2, ...; the last is not 0
+
+  long degree() const { return static_cast<long>(coefficients.size()) - 1; }
+  bool operator==(const Polynomial& other) const = default;
+};
+
+/// x^3 + 4*x^2 - 3*x - 1
+std::string text(const Polynomial& polynomial, const std::string& variable = "x");
+
+/// Divided by the gcd of its coefficients, the leading one positive; the polynomial is not 0.
+Polynomial primitive(Polynomial polynomial);
+
+/// The quotient by a divisor with leading coefficient 1 that leaves no remainder.
+Polynomial exact_quotient(Polynomial dividend, const Polynomial& divisor);
+
+/// p(x + 1)
+Polynomial shifted_by_one(Polynomial polynomial);
+
+/// x^degree p(1/x)
+Polynomial reversed(Polynomial polynomial);
+
+Polynomial derivative(const Polynomial& polynomial);
+
+Interval value(const Polynomial& polynomial, const Interval& x, long precision);
+
+}  // namespace magicmass::algebraic
