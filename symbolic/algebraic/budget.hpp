@@ -14,7 +14,7 @@ struct Budget {
   std::chrono::milliseconds time{1000};  ///< for the whole question, inner decisions included
   long terms = 20000;  ///< the most terms that an expansion may multiply out at a time
   long nodes = 20000;  ///< the most different subexpressions
-  long depth = 2000;   ///< the deepest nesting
+  long depth = 4000;   ///< the deepest nesting
 };
 
 /// The budget ran out; what() says of what there was too much.

@@ -29,7 +29,8 @@ Decimals decimals(const GiNaC::ex& constant, long digits, const Budget& budget) 
   const Work work(budget);
   Terms terms(budget);
   const std::size_t term = translate(constant, terms, work);
-  const cl_I unit = cln::expt_pos(cl_I(10), cl_I(std::max(0L, digits)));
+  digits = std::max(0L, digits);
+  const cl_I unit = digits == 0 ? cl_I(1) : cln::expt_pos(cl_I(10), cl_I(digits));
   const long least = 64 + static_cast<long>(cln::integer_length(unit));
   for (long precision = least; precision <= std::max(budget.bits, least); precision *= 2) {
     try {

@@ -64,19 +64,21 @@ Verdict search(Terms& terms, std::size_t id, const Work& work) {
     for (const long precision : {128L, 256L})
       if (const auto sign = refinement.sign_at(precision)) return by_intervals(*sign, precision);
     if (auto method = proof_of_zero(terms, id, work)) return {0, std::move(*method)};
-    const SeparationBound bound = separation_bound(terms, id, work.budget());
+    const std::optional<SeparationBound> bound = separation_bound(terms, id, work.budget());
     for (long precision = 512;;) {
       if (precision > work.budget().bits)
-        throw BeyondBudget("more than " + std::to_string(work.budget().bits) +
-                           " bits, or a separation bound of " + power_of_ten(bound.bits));
+        throw BeyondBudget(
+            "more than " + std::to_string(work.budget().bits) + " bits" +
+            (bound ? ", for a separation bound of " + power_of_ten(bound->bits) : ""));
       if (const auto sign = refinement.sign_at(precision)) return by_intervals(*sign, precision);
-      if (static_cast<double>(refinement.below()) > bound.bits)
+      if (bound && static_cast<double>(refinement.below()) > bound->bits)
         return {0, "separation bound: an algebraic number of degree at most " +
-                       std::to_string(static_cast<long>(bound.degree)) +
-                       " made like this one is 0 or larger than " + power_of_ten(bound.bits) +
+                       std::to_string(static_cast<long>(bound->degree)) +
+                       " made like this one is 0 or larger than " + power_of_ten(bound->bits) +
                        ", and this one is smaller"};
       // Once a zero is likely, straight to the precision that proves it.
-      const double missing = bound.bits - static_cast<double>(refinement.below()) + 64;
+      const double missing =
+          bound ? bound->bits - static_cast<double>(refinement.below()) + 64 : 1e9;
       precision += std::min(precision, static_cast<long>(std::min(missing, 1e9)));
     }
   } catch (const BeyondBudget& reason) {

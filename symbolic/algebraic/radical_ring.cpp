@@ -172,7 +172,8 @@ std::optional<bool> RadicalRing::is_zero(const Number& x) {
   const Number right =
       product(power(product(B, number(-1)), q), power(generators_[last].power, k / d));
   const std::optional<bool> equal = is_zero(sum(power(A, q), product(right, number(-1))));
-  if (equal != true || q % 2 != 0) return equal;
+  if (!equal) return is_zero(B) == true ? is_zero(A) : std::nullopt;
+  if (*equal == false || q % 2 != 0) return equal;
   const std::optional<int> sign_of_A = sign_of_nonzero(A);
   const std::optional<int> sign_of_B = sign_of_nonzero(B);
   if (sign_of_A && sign_of_B) return *sign_of_A == -*sign_of_B;

@@ -46,15 +46,15 @@ Quotient sum(const Quotient& x, const Quotient& y) {
   return {r, log2_sum(multiple(x.r) + x.u + y.l, multiple(y.r) + y.u + x.l), up(x.l + y.l)};
 }
 
-Quotient power(const Quotient& x, const cl_I& exponent, const Budget& budget) {
+std::optional<Quotient> power(const Quotient& x, const cl_I& exponent, const Budget& budget) {
   const cl_I n = cln::abs(exponent);
   const auto bits = static_cast<long>(cln::integer_length(cln::numerator(x.r)) +
                                       cln::integer_length(cln::denominator(x.r)));
-  if (n * bits > 8 * cl_I(budget.bits)) throw BeyondBudget("a power too large to write down");
+  if (n * bits > 8 * cl_I(budget.bits)) return {};  // r^n is too long
   const double factor = cln::double_approx(n);
   const Quotient result = {cln::expt(x.r, n), up(factor * x.u), up(factor * x.l)};
   if (cln::plusp(exponent)) return result;
-  return {cln::recip(result.r), result.l, result.u};
+  return {{cln::recip(result.r), result.l, result.u}};
 }
 
 /// (a/b U/L)^(1/n) = (a b^(n-1) U L^(n-1))^(1/n) / (b L)
@@ -66,8 +66,8 @@ Quotient root(const Quotient& x, const cl_I& index) {
   return {cln::recip(cl_RA(b)), up(radicand / n), x.l};
 }
 
-Quotient quotient(const Term& term, const std::vector<Quotient>& known,
-                  const std::vector<std::size_t>& place, const Budget& budget) {
+std::optional<Quotient> quotient(const Term& term, const std::vector<Quotient>& known,
+                                 const std::vector<std::size_t>& place, const Budget& budget) {
   const auto part = [&](std::size_t i) -> const Quotient& { return known[place[term.parts[i]]]; };
   Quotient result = {1, 0, 0};
   switch (term.kind) {
@@ -88,8 +88,7 @@ Quotient quotient(const Term& term, const std::vector<Quotient>& known,
       }
       break;
     case Kind::power:
-      result = power(part(0), term.exponent, budget);
-      break;
+      return power(part(0), term.exponent, budget);
     case Kind::root:
       result = root(part(0), term.exponent);
       break;
@@ -139,7 +138,8 @@ double totient_bound(const cl_I& m) {
   return static_cast<double>(totient);
 }
 
-SeparationBound separation_bound(const Terms& terms, std::size_t id, const Budget& budget) {
+std::optional<SeparationBound> separation_bound(const Terms& terms, std::size_t id,
+                                                const Budget& budget) {
   const std::vector<std::size_t> order = terms.below(id);
   std::vector<std::size_t> place(id + 1);
   std::vector<Quotient> known;
@@ -150,7 +150,9 @@ SeparationBound separation_bound(const Terms& terms, std::size_t id, const Budge
   for (const std::size_t i : order) {
     const Term& term = terms[i];
     place[i] = known.size();
-    known.push_back(quotient(term, known, place, budget));
+    std::optional<Quotient> next = quotient(term, known, place, budget);
+    if (!next) return {};
+    known.push_back(std::move(*next));
     if (term.kind == Kind::root && terms[term.parts[0]].kind == Kind::rational)
       rational_roots.add(terms[term.parts[0]].value, term.exponent);
     else if (term.kind == Kind::root)
@@ -161,8 +163,8 @@ SeparationBound separation_bound(const Terms& terms, std::size_t id, const Budge
   if (m > 2) degree *= totient_bound(m) / 2;
   const Quotient& whole = known.back();
   const double bits = (degree - 1) * whole.u + whole.l + log2_above(cln::denominator(whole.r));
-  if (!(bits < 1e15) || !(degree < 1e15)) throw BeyondBudget("a degree beyond all bounds");
-  return {up(bits), degree};
+  if (!(bits < 1e15) || !(degree < 1e15)) return {};
+  return {{up(bits), degree}};
 }
 
 }  // namespace magicmass::algebraic

@@ -12,8 +12,9 @@ struct SeparationBound {
 };
 
 /// Burnikel, Funke, Mehlhorn, Schirra, Schmitt, "A separation bound for real algebraic expressions" (2009), with one
-/// cyclotomic field for all cosines. Throws BeyondBudget for astronomic powers.
-SeparationBound separation_bound(const Terms& terms, std::size_t id, const Budget& budget);
+/// cyclotomic field for all cosines. Nothing where it would be astronomic.
+std::optional<SeparationBound> separation_bound(const Terms& terms, std::size_t id,
+                                                const Budget& budget);
 
 /// phi(m), the number of units modulo m >= 1, as a number not below it where m is too large to factor.
 double totient_bound(const cln::cl_I& m);
