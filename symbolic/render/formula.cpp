@@ -154,6 +154,10 @@ private:
     while (is_letter(peek()) || is_digit(peek()) || (peek() == '_' && peek(1) != '(')) ++at_;
     while (peek() == '\'') ++at_;
     std::string name(text_.substr(begin, at_ - begin));
+    if (name.ends_with('\'') && peek() == '_' && is_letter(peek(1))) {  // c'_n, among words
+      ++at_;
+      return {.kind = Kind::call, .text = std::move(name), .parts = {named()}};
+    }
     if (take("_(")) return {.kind = Kind::call, .text = name, .parts = arguments(")")};
     if (take("(")) return {.kind = Kind::call, .text = name, .parts = arguments(")")};
     return {.kind = Kind::name, .text = std::move(name)};

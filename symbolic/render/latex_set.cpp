@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Formula::Kind;
 
-const Set thin_space{"\\thinspace", 0.17};
+const Set thin_space{"\\,", 0.17};
 
 Set braced(const Set& inside) { return {"{" + inside.code + "}", inside.width, inside.tall}; }
 
