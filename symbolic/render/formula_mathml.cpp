@@ -118,8 +118,10 @@ std::string power(const Formula& formula, bool small) {
 
 std::string arguments(const Formula& formula) {
   std::string result;
-  for (const Formula& part : formula.parts)
-    result += (result.empty() ? "" : sign(",")) + set(part, true);
+  for (std::size_t i = 0; i < formula.parts.size(); ++i) {
+    const bool parameters = !formula.signs.empty() && formula.signs[0] == std::to_string(i);
+    result += (i == 0 ? "" : sign(parameters ? ";" : ",")) + set(formula.parts[i], true);
+  }
   return result;
 }
 
@@ -139,10 +141,15 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
     return fenced("<mfrac linethickness=\"0\">" + row(set(parts[0], true)) +
                       row(set(parts[1], true)) + "</mfrac>",
                   "(", ")");
-  if (formula.text == "sum" && parts.size() == 4)
+  if (is_sum_over_index(formula)) {
+    const SumParts sum = sum_parts(formula);
     return row("<munderover><mo>∑</mo>" +
-               row(set(parts[0], true) + sign("=") + set(parts[1], true)) +
-               row(set(parts[2], true)) + "</munderover>" + factor(parts[3], small));
+               row(set(sum.index, true) + sign("=") + set(sum.lower, true)) +
+               row(set(sum.upper, true)) + "</munderover>" + factor(sum.term, small));
+  }
+  if (formula.text == "lim" && parts.size() == 2)
+    return row("<munder><mo>lim</mo>" + row(set(parts[1], true) + sign("→") + sign("∞")) +
+               "</munder>" + factor(parts[0], small));
   const std::string upright = upright_function(formula.text);
   std::string head = upright.empty() ? name(formula.text) : identifier(upright);
   if (!exponent.empty()) head = "<msup>" + head + exponent + "</msup>";
@@ -193,7 +200,8 @@ std::string set(const Formula& formula, bool small) {
     case Kind::adjacent: {
       std::string result;
       for (const Formula& part : formula.parts)
-        result += (result.empty() ? "" : thin_space) + factor(part, small);
+        result += (result.empty() ? "" : thin_space) +
+                  (is_cross(formula, part) ? sign("×") : factor(part, small));
       return row(result);
     }
     case Kind::quotient:
@@ -206,6 +214,11 @@ std::string set(const Formula& formula, bool small) {
       return matrix(formula);
     case Kind::list:
       return fenced(arguments(formula), "(", ")");
+    case Kind::dot:
+      return row(factor(formula.parts[0], small) + sign("·") + factor(formula.parts[1], small));
+    case Kind::entry:
+      return "<msub>" + parenthesised(formula.parts[0], small) + "<mn>" +
+             html_escaped(formula.text) + "</mn></msub>";
     case Kind::absolute:
       return fenced(set(formula.parts[0], small), "|", "|");
     case Kind::relation: {

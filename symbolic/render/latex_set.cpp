@@ -37,7 +37,7 @@ Set product(const Formula& formula, bool small) {
     if (i > 0 && head.kind != Kind::number &&
         (is_applied(formula.parts[i - 1]) || is_applied(part) || is_root(formula.parts[i - 1])))
       result += thin_space;
-    result += factor(part, small);
+    result += is_cross(formula, part) ? Set{"\\times", 1.2} : factor(part, small);
   }
   return result;
 }
@@ -169,6 +169,17 @@ Set set(const Formula& formula, bool small) {
       return matrix(formula);
     case Kind::list:
       return fenced(arguments(formula), "(", ")");
+    case Kind::dot: {
+      Set result = factor(formula.parts[0], small);
+      result += {"\\cdot", 0.7};
+      result += factor(formula.parts[1], small);
+      return result;
+    }
+    case Kind::entry: {
+      Set result = fenced(set(formula.parts[0], small), "(", ")");
+      result.code += "_{" + formula.text + "}";
+      return result;
+    }
     case Kind::absolute:
       return fenced(set(formula.parts[0], small), "|", "|");
     case Kind::relation:
