@@ -169,11 +169,9 @@ private:
     const std::size_t begin = at_;
     while (is_letter(peek()) || is_digit(peek()) || (peek() == '_' && peek(1) != '(')) ++at_;
     while (peek() == '\'') ++at_;
+    if (peek(0) == '_' && text_[at_ - 1] == '\'' && peek(1) != '(')  // e'_3
+      for (++at_; is_letter(peek()) || is_digit(peek());) ++at_;
     std::string name(text_.substr(begin, at_ - begin));
-    if (name.ends_with('\'') && peek() == '_' && is_letter(peek(1))) {  // c'_n, among words
-      ++at_;
-      return {.kind = Kind::call, .text = std::move(name), .parts = {named()}};
-    }
     if (take("_(")) return {.kind = Kind::call, .text = name, .parts = arguments(")")};
     if (take("(")) return family(std::move(name));
     return {.kind = Kind::name, .text = std::move(name)};

@@ -200,8 +200,10 @@ std::string set(const Formula& formula, bool small) {
     case Kind::adjacent: {
       std::string result;
       for (const Formula& part : formula.parts)
-        result += (result.empty() ? "" : thin_space) +
-                  (is_cross(formula, part) ? sign("×") : factor(part, small));
+        result += (result.empty() ? "" : thin_space) + (is_cross(formula, part) ? sign("×")
+                                                        : part.kind == Kind::adjacent
+                                                            ? parenthesised(part, small)
+                                                            : factor(part, small));
       return row(result);
     }
     case Kind::quotient:

@@ -45,7 +45,9 @@ std::string product(const Formula& formula) {
 
 std::string adjacent(const Formula& formula) {
   std::string text;
-  for (const Formula& part : formula.parts) text += (text.empty() ? "" : " ") + factor(part);
+  for (const Formula& part : formula.parts)
+    text += (text.empty() ? "" : " ") +
+            (part.kind == Kind::adjacent ? in_parentheses(part) : factor(part));
   return text;
 }
 

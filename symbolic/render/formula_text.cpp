@@ -218,7 +218,9 @@ std::string shown(const Formula& formula) {
     case Kind::adjacent: {
       std::string text;
       for (const Formula& part : formula.parts)
-        text += (text.empty() ? "" : " ") + (is_cross(formula, part) ? "×" : factor(part));
+        text += (text.empty() ? "" : " ") + (is_cross(formula, part)       ? "×"
+                                             : part.kind == Kind::adjacent ? "(" + shown(part) + ")"
+                                                                           : factor(part));
       return text;
     }
     case Kind::quotient:

@@ -37,7 +37,9 @@ Set product(const Formula& formula, bool small) {
     if (i > 0 && head.kind != Kind::number &&
         (is_applied(formula.parts[i - 1]) || is_applied(part) || is_root(formula.parts[i - 1])))
       result += thin_space;
-    result += is_cross(formula, part) ? Set{"\\times", 1.2} : factor(part, small);
+    result += is_cross(formula, part)       ? Set{"\\times", 1.2}
+              : part.kind == Kind::adjacent ? fenced(set(part, small), "(", ")")
+                                            : factor(part, small);
   }
   return result;
 }

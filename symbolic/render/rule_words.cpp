@@ -34,7 +34,7 @@ std::string rule_words(const std::string& rule) {
       {"limit", "The limit, from a form that is rational in what tends to zero"},
       {"signs by induction",
        "Induction: signs at the first index, and with each index at the next"},
-      {"term by term", "Two sums are compared term by term"},
+      {"sums, term by term", "Two sums are compared term by term"},
       {"threshold", "A count that is a ceiling changes where its argument is an integer"},
       {"step functions, piece by piece", "Step functions are compared on each piece of one period"},
   };
