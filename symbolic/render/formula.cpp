@@ -229,8 +229,8 @@ std::optional<Formula> read(std::string_view text, bool with_relations) {
 
 /// Built from integers, indices and counts alone.
 bool is_index(const Formula& part) {
-  static constexpr std::array<std::string_view, 9> indices{"i", "j", "k",   "m",  "n",
-                                                           "r", "N", "N_A", "N_B"};
+  static constexpr std::array<std::string_view, 10> indices{"k'", "i", "j", "k",   "m",
+                                                            "n",  "r", "N", "N_A", "N_B"};
   switch (part.kind) {
     case Kind::number:
       return true;

@@ -64,7 +64,7 @@ Set quotient(const Formula& formula, bool small) {
 Set power(const Formula& formula, bool small) {
   const Formula& base = formula.parts[0];
   const Set high = set(formula.parts[1], true);
-  if (is_applied(base) && formula.parts[1].kind == Kind::number)
+  if (is_applied(base))  // cos^n x, for cos x^n would be the cosine of x^n
     return call(base, small, "^{" + high.code + "}");
   if (is_root(base) && formula.parts[1].kind == Kind::number) {  // sqrt(x)^3
     const Set inside = factor(base.parts[0], true);

@@ -18,6 +18,7 @@ TEST_CASE("LaTeX of small formulas", "[exam]") {
   CHECK(shown("sin((n + 1/2)*psi)") == "\\sin[(n + \\tfrac{1}{2}) \\psi]");
   CHECK(shown("sqrt(2 + alpha)^3") == "(2 + \\alpha)^{3/2}");
   CHECK(shown("det Gamma_A") == "\\operatorname{det} \\, \\Gamma_{A}");
+  CHECK(shown("cos(x)^(n - 2*k)") == "\\cos^{n - 2 k} x");
   CHECK(shown("e^n") == "e^{n}");
   CHECK(shown("(x^2)^n") == "(x^{2})^{n}");
   CHECK(latex(equation("x", "!=", "0")) == "x \\neq 0");
