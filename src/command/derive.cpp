@@ -119,15 +119,11 @@ void add_derive(Program& program) {
   CLI::App& command = add_command(program, "derive",
                                   "The derivation, from the conservation laws, proved line by line",
                                   "magicmass derive power counting");
-  command
-      .add_option("NAME", options->names, "chapters and steps (power.a) to print; all without one")
+  command.add_option("NAME", options->names, "chapters or steps (power.a); all without one")
       ->type_name("");
-  command
-      .add_option("--from", options->from,
-                  "what a result rests on, as a tree: a_n, alpha_k, eq:a-final, power.a")
+  command.add_option("--from", options->from, "what that rests on: a_n, eq:a-final, power.a")
       ->type_name("RESULT");
-  command.add_flag("--list", options->list,
-                   "every theorem, and for every equation of the paper its theorem or why none");
+  command.add_flag("--list", options->list, "the theorems, and where the paper has them");
   command.add_flag("--summary", options->summary, "the laws and the main theorems alone");
   command.add_flag("--ascii", options->ascii, "plain characters, whatever the locale");
   add_output_options(command, options->output,

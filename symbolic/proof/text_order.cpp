@@ -18,7 +18,8 @@ using GiNaC::is_a;
 
 constexpr std::array<std::string_view, 3> leading{"V_CM", "V", "L"};
 constexpr std::array<std::string_view, 5> angles{"theta", "psi", "phi", "eta", "x"};
-constexpr std::array<std::string_view, 4> functions{"cos", "sin", "tan", "atan"};
+constexpr std::array<std::string_view, 6> functions{"factorial", "binomial", "cos",
+                                                    "sin",       "tan",      "atan"};
 
 template <std::size_t size>
 int position(const std::array<std::string_view, size>& names, std::string_view name) {
@@ -31,9 +32,9 @@ bool contains(const std::array<std::string_view, size>& names, std::string_view 
 }
 
 bool is_index(const ex& e) {
-  static const std::string indices = "jkmn";
-  return is_a<GiNaC::symbol>(e) && ex_to<GiNaC::symbol>(e).get_name().size() == 1 &&
-         indices.find(ex_to<GiNaC::symbol>(e).get_name()) != std::string::npos;
+  if (!is_a<GiNaC::symbol>(e)) return false;
+  const std::string name = ex_to<GiNaC::symbol>(e).get_name();
+  return name == "j" || name == "k" || name == "m" || name == "n" || name == "k'";
 }
 
 bool is_root(const ex& e) {

@@ -48,6 +48,33 @@ ChapterWords chapter_words(const std::string& chapter) {
         "From the velocities between collisions follow the times of all collisions and the "
         "distances between the "
         "blocks then."}},
+      {"orthogonal",
+       {"Orthogonal matrices",
+        "What keeps all lengths is a rotation, or a rotation times a reflection."}},
+      {"frame",
+       {"Triads and rotations about an axis",
+        "A right-handed triad makes a matrix, and with it the rotation about any axis."}},
+      {"mapping",
+       {"The billiard ball",
+        "Velocities times the square roots of the masses make the velocity of one billiard ball, "
+        "and collisions "
+        "are its reflections at the walls of a wedge."}},
+      {"table",
+       {"The trigonometric table",
+        "Cosines, sines and tangents of theta, psi and their parts, in terms of alpha."}},
+      {"multiples",
+       {"Multiple angles",
+        "Cosines and sines of n x as sums of powers, and at half and quarter steps between."}},
+      {"unfolding",
+       {"The unfolded wedge",
+        "Reflect the wedge instead of the ball: the motion becomes one straight line, and when and "
+        "where can be "
+        "read off it."}},
+      {"chain",
+       {"A chain of magic balls",
+        "Equal blocks with a ball of some magic mass ratio between each two: what comes in at one "
+        "end leaves at "
+        "the other."}},
   };
   const auto words = chapters.find(chapter);
   return words == chapters.end() ? ChapterWords{chapter, ""} : words->second;

@@ -85,16 +85,16 @@ private:
   }
 
   Formula product() {
-    std::vector<Formula> factors{adjacent()};
+    std::vector<Formula> factors{dotted()};
     const auto gathered = [&]() -> Formula {
       if (factors.size() == 1) return factors.front();
       return {.kind = Kind::product, .parts = factors};
     };
     for (;;) {
       if (take("*"))
-        factors.push_back(adjacent());
+        factors.push_back(dotted());
       else if (take("/"))
-        factors = {Formula{.kind = Kind::quotient, .parts = {gathered(), adjacent()}}};
+        factors = {Formula{.kind = Kind::quotient, .parts = {gathered(), dotted()}}};
       else
         return gathered();
     }
@@ -103,6 +103,17 @@ private:
   /// A word of prose is no name: only what looks like a symbol stands beside another.
   static void require_symbol(const Formula& part) {
     if (part.kind == Kind::name && !looks_like_symbol(part.text)) throw Unreadable();
+  }
+
+  Formula dotted() {
+    Formula result = adjacent();
+    for (;;) {
+      const bool tight = peek() == '.' && is_letter(peek(1));
+      if (!tight && !take(" . ")) return result;
+      if (tight) ++at_;
+      result = {
+          .kind = Kind::dot, .text = tight ? "." : " . ", .parts = {std::move(result), adjacent()}};
+    }
   }
 
   Formula adjacent() {
@@ -135,8 +146,13 @@ private:
     }
     require("(");
     std::vector<Formula> parts = arguments(")");
-    if (parts.size() == 1) return parts.front();
-    return {.kind = Kind::list, .parts = std::move(parts)};
+    if (parts.size() != 1) return {.kind = Kind::list, .parts = std::move(parts)};
+    const std::size_t begin = at_ + 1;
+    if (peek() != '_') return parts.front();
+    for (++at_; is_digit(peek()) || is_letter(peek());) ++at_;
+    return {.kind = Kind::entry,
+            .text = std::string(text_.substr(begin, at_ - begin)),
+            .parts = std::move(parts)};
   }
 
   Formula number() {
@@ -153,10 +169,27 @@ private:
     const std::size_t begin = at_;
     while (is_letter(peek()) || is_digit(peek()) || (peek() == '_' && peek(1) != '(')) ++at_;
     while (peek() == '\'') ++at_;
+    if (peek(0) == '_' && text_[at_ - 1] == '\'' && peek(1) != '(')  // e'_3
+      for (++at_; is_letter(peek()) || is_digit(peek());) ++at_;
     std::string name(text_.substr(begin, at_ - begin));
     if (take("_(")) return {.kind = Kind::call, .text = name, .parts = arguments(")")};
-    if (take("(")) return {.kind = Kind::call, .text = name, .parts = arguments(")")};
+    if (take("(")) return family(std::move(name));
     return {.kind = Kind::name, .text = std::move(name)};
+  }
+
+  /// v_A(n; 1/2, 1, e): behind the semicolon the parameters of a family of sequences; `signs` tells where they begin.
+  Formula family(std::string name) {
+    Formula call{.kind = Kind::call, .text = std::move(name)};
+    bool more = true;
+    while (more) {
+      call.parts.push_back(sum());
+      if (take("; "))
+        call.signs = {std::to_string(call.parts.size())};
+      else
+        more = take(", ");
+    }
+    require(")");
+    return call;
   }
 
   std::vector<Formula> arguments(std::string_view end) {
@@ -196,8 +229,8 @@ std::optional<Formula> read(std::string_view text, bool with_relations) {
 
 /// Built from integers, indices and counts alone.
 bool is_index(const Formula& part) {
-  static constexpr std::array<std::string_view, 9> indices{"i", "j", "k",   "m",  "n",
-                                                           "r", "N", "N_A", "N_B"};
+  static constexpr std::array<std::string_view, 10> indices{"k'", "i", "j", "k",   "m",
+                                                            "n",  "r", "N", "N_A", "N_B"};
   switch (part.kind) {
     case Kind::number:
       return true;
@@ -228,6 +261,27 @@ Formula formula(std::string_view text) {
 
 Formula equation(std::string_view from, const std::string& relation, std::string_view to) {
   return {.kind = Kind::relation, .parts = {formula(from), formula(to)}, .signs = {relation}};
+}
+
+SumParts sum_parts(const Formula& call) {
+  if (call.parts.size() == 4) return {call.parts[0], call.parts[1], call.parts[2], call.parts[3]};
+  const Formula index{.kind = Kind::name, .text = "k"};
+  const auto renamed = [&](const auto& self, Formula part) -> Formula {
+    if (part == Formula{.kind = Kind::name, .text = "k'"}) return index;
+    for (Formula& inner : part.parts) inner = self(self, inner);
+    return part;
+  };
+  return {index, call.parts[1], call.parts[2], renamed(renamed, call.parts[0])};
+}
+
+bool is_cross(const Formula& adjacent, const Formula& part) {
+  return adjacent.parts.size() == 3 && &part == &adjacent.parts[1] && part.kind == Kind::name &&
+         part.text == "x";
+}
+
+bool is_sum_over_index(const Formula& part) {
+  return part.kind == Kind::call && part.text == "sum" &&
+         (part.parts.size() == 3 || part.parts.size() == 4);
 }
 
 bool is_element(const Formula& part) {

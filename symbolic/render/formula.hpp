@@ -21,10 +21,12 @@ struct Formula {
     adjacent,  // parts side by side: matrices, det Gamma
     quotient,  // parts[0]/parts[1]
     power,     // parts[0]^parts[1]
-    call,      // text(parts...): cos(psi), a(n - 1), sqrt(alpha), sum(k, 0, m, T(k))
+    call,      // text(parts...): cos(psi), a(n - 1), sqrt(alpha), v_A(n; 1/2, e)
     matrix,    // parts row by row, `columns` to a row
     list,      // (parts, ...)
     absolute,  // |parts[0]|
+    dot,       // parts[0] . parts[1], a scalar product; text is what stands between them
+    entry,     // (parts[0])_text, an entry of a matrix or a column
     relation,  // parts with signs between them
     verbatim,  // text that could not be read
   };
@@ -51,6 +53,16 @@ Formula equation(std::string_view from, const std::string& relation, std::string
 
 /// The text that a formula was read from.
 std::string source(const Formula& formula);
+
+/// sum(k, 0, m, T(k)), or sum(T(k'), 0, m) with the kernel's own index k', which is shown as k.
+struct SumParts {
+  Formula index, lower, upper, term;
+};
+bool is_sum_over_index(const Formula& formula);
+SumParts sum_parts(const Formula& sum);
+
+/// The x between two others, which is a cross product: n_A x n_B.
+bool is_cross(const Formula& adjacent, const Formula& part);
 
 /// An element of a sequence, as far as its look tells: a(n - 1), T(2*m), a(N_A), but not psi(alpha_k), lambda_3(psi).
 bool is_element(const Formula& formula);

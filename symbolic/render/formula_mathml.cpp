@@ -106,10 +106,11 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
 std::string power(const Formula& formula, bool small) {
   const Formula& base = formula.parts[0];
   const std::string high = row(set(formula.parts[1], true));
-  if (is_applied(base) && formula.parts[1].kind == Kind::number) return call(base, small, high);
-  if (is_root(base) && formula.parts[1].kind == Kind::number)  // sqrt(x)^3
-    return "<msup>" + factor(base.parts[0], true) +
-           row(set(formula.parts[1], true) + "<mo>/</mo><mn>2</mn>") + "</msup>";
+  if (is_applied(
+          base))  // cos^n x, for cos x^n would be the cosine of x^n return call(base, small, high);
+    if (is_root(base) && formula.parts[1].kind == Kind::number)  // sqrt(x)^3
+      return "<msup>" + factor(base.parts[0], true) +
+             row(set(formula.parts[1], true) + "<mo>/</mo><mn>2</mn>") + "</msup>";
   const bool open = base.kind == Kind::product || base.kind == Kind::power ||
                     base.kind == Kind::adjacent || base.kind == Kind::quotient ||
                     (base.kind == Kind::call && base.text == "factorial");
@@ -118,8 +119,10 @@ std::string power(const Formula& formula, bool small) {
 
 std::string arguments(const Formula& formula) {
   std::string result;
-  for (const Formula& part : formula.parts)
-    result += (result.empty() ? "" : sign(",")) + set(part, true);
+  for (std::size_t i = 0; i < formula.parts.size(); ++i) {
+    const bool parameters = !formula.signs.empty() && formula.signs[0] == std::to_string(i);
+    result += (i == 0 ? "" : sign(parameters ? ";" : ",")) + set(formula.parts[i], true);
+  }
   return result;
 }
 
@@ -139,10 +142,15 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
     return fenced("<mfrac linethickness=\"0\">" + row(set(parts[0], true)) +
                       row(set(parts[1], true)) + "</mfrac>",
                   "(", ")");
-  if (formula.text == "sum" && parts.size() == 4)
+  if (is_sum_over_index(formula)) {
+    const SumParts sum = sum_parts(formula);
     return row("<munderover><mo>∑</mo>" +
-               row(set(parts[0], true) + sign("=") + set(parts[1], true)) +
-               row(set(parts[2], true)) + "</munderover>" + factor(parts[3], small));
+               row(set(sum.index, true) + sign("=") + set(sum.lower, true)) +
+               row(set(sum.upper, true)) + "</munderover>" + factor(sum.term, small));
+  }
+  if (formula.text == "lim" && parts.size() == 2)
+    return row("<munder><mo>lim</mo>" + row(set(parts[1], true) + sign("→") + sign("∞")) +
+               "</munder>" + factor(parts[0], small));
   const std::string upright = upright_function(formula.text);
   std::string head = upright.empty() ? name(formula.text) : identifier(upright);
   if (!exponent.empty()) head = "<msup>" + head + exponent + "</msup>";
@@ -193,7 +201,10 @@ std::string set(const Formula& formula, bool small) {
     case Kind::adjacent: {
       std::string result;
       for (const Formula& part : formula.parts)
-        result += (result.empty() ? "" : thin_space) + factor(part, small);
+        result += (result.empty() ? "" : thin_space) + (is_cross(formula, part) ? sign("×")
+                                                        : part.kind == Kind::adjacent
+                                                            ? parenthesised(part, small)
+                                                            : factor(part, small));
       return row(result);
     }
     case Kind::quotient:
@@ -206,6 +217,11 @@ std::string set(const Formula& formula, bool small) {
       return matrix(formula);
     case Kind::list:
       return fenced(arguments(formula), "(", ")");
+    case Kind::dot:
+      return row(factor(formula.parts[0], small) + sign("·") + factor(formula.parts[1], small));
+    case Kind::entry:
+      return "<msub>" + parenthesised(formula.parts[0], small) + "<mn>" +
+             html_escaped(formula.text) + "</mn></msub>";
     case Kind::absolute:
       return fenced(set(formula.parts[0], small), "|", "|");
     case Kind::relation: {

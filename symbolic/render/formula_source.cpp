@@ -45,8 +45,19 @@ std::string product(const Formula& formula) {
 
 std::string adjacent(const Formula& formula) {
   std::string text;
-  for (const Formula& part : formula.parts) text += (text.empty() ? "" : " ") + factor(part);
+  for (const Formula& part : formula.parts)
+    text += (text.empty() ? "" : " ") +
+            (part.kind == Kind::adjacent ? in_parentheses(part) : factor(part));
   return text;
+}
+
+std::string call(const Formula& formula) {
+  std::string inside;
+  for (std::size_t i = 0; i < formula.parts.size(); ++i) {
+    const bool parameters = !formula.signs.empty() && formula.signs[0] == std::to_string(i);
+    inside += (i == 0 ? "" : parameters ? "; " : ", ") + source(formula.parts[i]);
+  }
+  return formula.text + "(" + inside + ")";
 }
 
 std::string matrix(const Formula& formula) {
@@ -84,11 +95,15 @@ std::string source(const Formula& formula) {
     case Kind::power:
       return base(parts[0]) + "^" + base(parts[1]);
     case Kind::call:
-      return formula.text + "(" + joined(parts, ", ") + ")";
+      return call(formula);
     case Kind::matrix:
       return matrix(formula);
     case Kind::list:
       return "(" + joined(parts, ", ") + ")";
+    case Kind::dot:
+      return factor(parts[0]) + formula.text + factor(parts[1]);
+    case Kind::entry:
+      return in_parentheses(parts[0]) + "_" + formula.text;
     case Kind::absolute:
       return "|" + source(parts[0]) + "|";
     case Kind::relation:

@@ -133,7 +133,10 @@ std::string power(const Formula& formula) {
 
 std::string arguments(const Formula& call) {
   std::string text;
-  for (const Formula& part : call.parts) text += (text.empty() ? "" : ", ") + shown(part);
+  for (std::size_t i = 0; i < call.parts.size(); ++i) {
+    const bool parameters = !call.signs.empty() && call.signs[0] == std::to_string(i);
+    text += (i == 0 ? "" : parameters ? "; " : ", ") + shown(call.parts[i]);
+  }
   return text;
 }
 
@@ -160,9 +163,13 @@ std::string call(const Formula& formula) {
                   : "(" + shown(parts[0]) + ")") +
              "!";
   }
-  if (formula.text == "sum" && parts.size() == 4)
-    return "Σ[" + shown(parts[0]) + " = " + shown(parts[1]) + ", …, " + shown(parts[2]) + "] " +
-           factor(parts[3]);
+  if (is_sum_over_index(formula)) {
+    const SumParts sum = sum_parts(formula);
+    return "Σ[" + shown(sum.index) + " = " + shown(sum.lower) + ", …, " + shown(sum.upper) + "] " +
+           factor(sum.term);
+  }
+  if (formula.text == "lim" && parts.size() == 2)
+    return "lim[" + shown(parts[1]) + " → ∞] " + factor(parts[0]);
   const std::string upright = upright_function(formula.text);
   return (upright.empty() ? name(formula.text) : upright) + parenthesised(arguments(formula));
 }
@@ -210,7 +217,10 @@ std::string shown(const Formula& formula) {
       return product(formula);
     case Kind::adjacent: {
       std::string text;
-      for (const Formula& part : formula.parts) text += (text.empty() ? "" : " ") + factor(part);
+      for (const Formula& part : formula.parts)
+        text += (text.empty() ? "" : " ") + (is_cross(formula, part)       ? "×"
+                                             : part.kind == Kind::adjacent ? "(" + shown(part) + ")"
+                                                                           : factor(part));
       return text;
     }
     case Kind::quotient:
@@ -223,6 +233,12 @@ std::string shown(const Formula& formula) {
       return matrix(formula);
     case Kind::list:
       return "(" + arguments(formula) + ")";
+    case Kind::dot:
+      return factor(formula.parts[0]) + "·" + factor(formula.parts[1]);
+    case Kind::entry: {
+      const std::string low = lowered(formula.text);
+      return "(" + shown(formula.parts[0]) + ")" + (low.empty() ? "_" + formula.text : low);
+    }
     case Kind::absolute:
       return "|" + shown(formula.parts[0]) + "|";
     case Kind::relation:

@@ -44,6 +44,7 @@ mtd { padding: 0.3em 0.6em; }
 ul.tree { padding-left: 1.2rem; }
 table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; vertical-align: top; padding: 0.4rem 0.6rem; border-bottom: 1px solid var(--line); }
+td:first-child code { white-space: nowrap; }
 @media print { .step { break-inside: avoid; } nav { display: none; } }
 )";
 

@@ -20,6 +20,7 @@ using proof::Step;
 
 constexpr const char* theorems_title = "Theorems";
 constexpr const char* equations_title = "The paper's equations";
+constexpr const char* text_title = "What the paper says in its text";
 constexpr const char* beyond_title = "Beyond the paper";
 
 std::string joined(const std::vector<std::string>& parts) {
@@ -92,6 +93,9 @@ std::string index_text(const TheoremIndex& index, const TextStyle& style) {
     }
     text += entry("  " + std::string(indexed.equation.label), proof_of(indexed));
   }
+  if (!index.in_the_text.empty()) text += "\n" + title(text_title, style) + "\n";
+  for (const IndexedRemark& remark : index.in_the_text)
+    text += entry("  " + remark.label, joined(remark.theorems));
   text += "\n" + title(beyond_title, style) + "\n";
   for (const IndexedResult& indexed : index.beyond) {
     const std::string name(indexed.result.name);
@@ -119,6 +123,9 @@ std::string index_markdown(const TheoremIndex& index) {
   for (const IndexedEquation& indexed : index.equations)
     text += fmt::format("| `{}` | {} | {} | {} |\n", indexed.equation.label, indexed.equation.place,
                         codes(indexed.theorems), markdown_escaped(remark(indexed)));
+  for (const IndexedRemark& remark : index.in_the_text)
+    text += fmt::format("| `{}` | {}, in the text | {} | |\n", remark.label, remark.place,
+                        codes(remark.theorems));
   text += fmt::format("\n## {}\n\n", beyond_title);
   for (const IndexedResult& indexed : index.beyond)
     text += fmt::format("- {}: {}\n", markdown_prose(std::string(indexed.result.words)),
@@ -157,6 +164,10 @@ std::string index_html(const TheoremIndex& index) {
                         html_escaped(indexed.equation.label), html_escaped(indexed.equation.place),
                         ids + (ids.empty() || more.empty() ? "" : "; ") + more);
   }
+  for (const IndexedRemark& remark : index.in_the_text)
+    body += fmt::format("<tr><td><code>{}</code></td><td>{}, in the text</td><td>{}</td></tr>\n",
+                        html_escaped(remark.label), html_escaped(remark.place),
+                        html_codes(remark.theorems, true));
   body += fmt::format("</table></div>\n</section>\n<section id=\"beyond\">\n<h2>{}</h2>\n<ul>\n",
                       beyond_title);
   for (const IndexedResult& indexed : index.beyond)
@@ -179,6 +190,11 @@ std::string index_json(const TheoremIndex& index) {
                          {"place", indexed.equation.place},
                          {"theorems", indexed.theorems},
                          {"remark", remark(indexed)}});
+  for (const IndexedRemark& remark : index.in_the_text)
+    equations.push_back({{"label", remark.label},
+                         {"place", remark.place + ", in the text"},
+                         {"theorems", remark.theorems},
+                         {"remark", ""}});
   nlohmann::ordered_json beyond = nlohmann::json::array();
   for (const IndexedResult& indexed : index.beyond)
     beyond.push_back({{"name", indexed.result.name},
@@ -202,6 +218,9 @@ std::string index_csv(const TheoremIndex& index) {
                         quoted(std::string(indexed.equation.place)),
                         quoted(fmt::format("{}", fmt::join(indexed.theorems, " "))),
                         quoted(remark(indexed)));
+  for (const IndexedRemark& remark : index.in_the_text)
+    text += fmt::format("{},{},{},\n", quoted(remark.label), quoted(remark.place + ", in the text"),
+                        quoted(fmt::format("{}", fmt::join(remark.theorems, " "))));
   return text;
 }
 

@@ -73,9 +73,10 @@ bool is_root(const Formula& part) { return part.kind == Kind::call && part.text 
 
 Set arguments(const Formula& formula) {
   Set result;
-  for (const Formula& part : formula.parts) {
-    if (!result.code.empty()) result.code += ",";
-    result += set(part, true);
+  for (std::size_t i = 0; i < formula.parts.size(); ++i) {
+    const bool parameters = !formula.signs.empty() && formula.signs[0] == std::to_string(i);
+    if (i > 0) result.code += parameters ? ";" : ",";
+    result += set(formula.parts[i], true);
   }
   return result;
 }
@@ -104,11 +105,17 @@ Set call(const Formula& formula, bool small, const std::string& exponent) {
   if (formula.text == "binomial" && parts.size() == 2)
     return {"\\binom{" + set(parts[0], true).code + "}{" + set(parts[1], true).code + "}", 1.5,
             true};
-  if (formula.text == "sum" && parts.size() == 4) {
-    Set result{"\\sum_{" + set(parts[0], true).code + "=" + set(parts[1], true).code + "}^{" +
-                   set(parts[2], true).code + "}",
+  if (is_sum_over_index(formula)) {
+    const SumParts sum = sum_parts(formula);
+    Set result{"\\sum_{" + set(sum.index, true).code + "=" + set(sum.lower, true).code + "}^{" +
+                   set(sum.upper, true).code + "}",
                1.8, true};
-    result += factor(parts[3], small);
+    result += factor(sum.term, small);
+    return result;
+  }
+  if (formula.text == "lim" && parts.size() == 2) {
+    Set result{"\\lim_{" + set(parts[1], true).code + " \\to \\infty}", 2.5};
+    result += factor(parts[0], small);
     return result;
   }
   return named_call(formula, exponent);

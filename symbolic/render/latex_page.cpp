@@ -88,7 +88,7 @@ std::string tree_latex(const std::vector<TreeLine>& tree, const std::vector<proo
           "{0}em\\else\\width\\fi}}{{!}}{{${1}$}}",
           page_room - static_cast<double>(indent),
           latex(equation(line.step.from, line.step.relation, line.step.to)));
-    text += "\\par}\n";
+    text += "\\par}\\smallskip\n";
   }
   return text;
 }

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = Formula::Kind;
 
-const Set thin_space{"\\thinspace", 0.17};
+const Set thin_space{"\\,", 0.17};
 
 Set braced(const Set& inside) { return {"{" + inside.code + "}", inside.width, inside.tall}; }
 
@@ -37,7 +37,9 @@ Set product(const Formula& formula, bool small) {
     if (i > 0 && head.kind != Kind::number &&
         (is_applied(formula.parts[i - 1]) || is_applied(part) || is_root(formula.parts[i - 1])))
       result += thin_space;
-    result += factor(part, small);
+    result += is_cross(formula, part)       ? Set{"\\times", 1.2}
+              : part.kind == Kind::adjacent ? fenced(set(part, small), "(", ")")
+                                            : factor(part, small);
   }
   return result;
 }
@@ -62,7 +64,7 @@ Set quotient(const Formula& formula, bool small) {
 Set power(const Formula& formula, bool small) {
   const Formula& base = formula.parts[0];
   const Set high = set(formula.parts[1], true);
-  if (is_applied(base) && formula.parts[1].kind == Kind::number)
+  if (is_applied(base))  // cos^n x, for cos x^n would be the cosine of x^n
     return call(base, small, "^{" + high.code + "}");
   if (is_root(base) && formula.parts[1].kind == Kind::number) {  // sqrt(x)^3
     const Set inside = factor(base.parts[0], true);
@@ -169,6 +171,17 @@ Set set(const Formula& formula, bool small) {
       return matrix(formula);
     case Kind::list:
       return fenced(arguments(formula), "(", ")");
+    case Kind::dot: {
+      Set result = factor(formula.parts[0], small);
+      result += {"\\cdot", 0.7};
+      result += factor(formula.parts[1], small);
+      return result;
+    }
+    case Kind::entry: {
+      Set result = fenced(set(formula.parts[0], small), "(", ")");
+      result.code += "_{" + formula.text + "}";
+      return result;
+    }
     case Kind::absolute:
       return fenced(set(formula.parts[0], small), "|", "|");
     case Kind::relation:

@@ -59,6 +59,10 @@ Symbol symbol_of(std::string_view name) {
   }
   const std::size_t underscore = name.find('_');
   symbol.base = name.substr(0, underscore);
+  while (symbol.base.ends_with('\'')) {  // e'_3
+    symbol.base.pop_back();
+    ++symbol.primes;
+  }
   if (underscore != std::string_view::npos) symbol.subscript = name.substr(underscore + 1);
   if (symbol.subscript == "prime") {
     symbol.subscript.clear();

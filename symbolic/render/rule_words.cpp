@@ -26,6 +26,15 @@ std::string rule_words(const std::string& rule) {
        "Collisions go on while the next two bodies approach: the last is found from the sign of a "
        "sine"},
       {"every other collision", "The collisions alternate, and A has the first"},
+      {"a square that is zero", "A real number whose square is zero is zero"},
+      {"smaller cosine on [0, pi]",
+       "Of two angles from 0 to pi the one with the smaller cosine is the larger"},
+      {"step by step, each with its own run",
+       "Induction over the links, each with its own collisions"},
+      {"limit", "The limit, from a form that is rational in what tends to zero"},
+      {"signs by induction",
+       "Induction: signs at the first index, and with each index at the next"},
+      {"sums, term by term", "Two sums are compared term by term"},
       {"threshold", "A count that is a ceiling changes where its argument is an integer"},
       {"step functions, piece by piece", "Step functions are compared on each piece of one period"},
   };

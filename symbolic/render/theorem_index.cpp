@@ -11,13 +11,42 @@ namespace {
 
 using proof::Step;
 
-std::vector<std::string> theorems_labelled(std::string_view label, const std::vector<Step>& steps) {
+std::vector<std::string> theorems_labelled(std::string_view listed,
+                                           const std::vector<Step>& steps) {
   std::vector<std::string> ids;
   for (const Step& step : steps) {
     const auto labels = labels_of(step);
-    if (std::find(labels.begin(), labels.end(), label) != labels.end()) ids.push_back(step.id);
+    if (std::any_of(labels.begin(), labels.end(),
+                    [&](const std::string& label) { return derivation::speaks_of(label, listed); }))
+      ids.push_back(step.id);
   }
   return ids;
+}
+
+bool is_displayed(std::string_view label) {
+  const auto& all = derivation::paper_equations();
+  return std::any_of(all.begin(), all.end(), [&](const auto& equation) {
+    return derivation::speaks_of(label, equation.label);
+  });
+}
+
+/// By section, in the paper's order; within one as the derivation comes to them.
+std::vector<IndexedRemark> remarks_in_the_text(const std::vector<Step>& steps) {
+  std::vector<IndexedRemark> remarks;
+  for (const auto& section : derivation::paper_sections()) {
+    const std::size_t first = remarks.size();
+    for (const Step& step : steps)
+      for (const std::string& label : labels_of(step)) {
+        if (is_displayed(label) || !derivation::speaks_of(label, section.label)) continue;
+        auto remark =
+            std::find_if(remarks.begin() + static_cast<std::ptrdiff_t>(first), remarks.end(),
+                         [&](const IndexedRemark& each) { return each.label == label; });
+        if (remark == remarks.end())
+          remark = remarks.insert(remarks.end(), {label, std::string(section.place), {}});
+        remark->theorems.push_back(step.id);
+      }
+  }
+  return remarks;
 }
 
 bool is_used(const std::string& id, const std::vector<Step>& chapter) {
@@ -42,7 +71,8 @@ std::vector<std::string> theorems_called(std::string_view name, const std::vecto
 }  // namespace
 
 TheoremIndex theorem_index(const std::vector<Step>& steps) {
-  TheoremIndex index{.steps = steps, .equations = {}, .beyond = {}};
+  TheoremIndex index{
+      .steps = steps, .equations = {}, .in_the_text = remarks_in_the_text(steps), .beyond = {}};
   for (const auto& equation : derivation::paper_equations()) {
     auto theorems = theorems_labelled(equation.label, steps);
     if (theorems.empty() && !equation.same_as.empty())

@@ -23,9 +23,17 @@ struct IndexedResult {
   std::vector<std::string> theorems;
 };
 
+/// What the paper says in its text: the label with its section's, and the theorems that carry it.
+struct IndexedRemark {
+  std::string label;
+  std::string place;
+  std::vector<std::string> theorems;
+};
+
 struct TheoremIndex {
   std::vector<proof::Step> steps;
   std::vector<IndexedEquation> equations;  // in the paper's order
+  std::vector<IndexedRemark> in_the_text;
   std::vector<IndexedResult> beyond;
 };
 

@@ -35,10 +35,93 @@ TEST_CASE("derive keeps to the chapters asked for", "[exam]") {
   CHECK(chapters == std::set<std::string>{"power", "counting"});
 }
 
+TEST_CASE("derive keeps to the steps asked for", "[exam]") {
+  const nlohmann::json steps = json_of({"derive", "contact.relative", "power.a"});
+  REQUIRE(steps.size() == 2);
+  CHECK(steps[0].at("id") == "contact.relative");
+  CHECK(steps[1].at("id") == "power.a");
+  CHECK(steps[1].at("latex").get<std::string>().find("\\frac{\\cos(n \\psi)}") !=
+        std::string::npos);
+}
+
 TEST_CASE("what is printed for reading fits 80 columns", "[exam]") {
-  for (const auto& arguments : {std::vector<std::string>{"derive"}, {"derive", "--summary"}})
-    for (const std::string& line : lines_of(run_program(arguments).output))
-      CHECK(line.size() <= 80);
+  const auto columns = [](const std::string& line) {
+    return std::count_if(line.begin(), line.end(), [](char byte) {
+      return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+    });
+  };
+  for (const auto& arguments : {std::vector<std::string>{"derive"},
+                                {"derive", "--summary"},
+                                {"derive", "--list"},
+                                {"derive", "--from", "c'_n"}})
+    for (const char* locale : {"LC_ALL=C", "LC_ALL=C.UTF-8"})
+      for (const std::string& line : lines_of(run_program(arguments, "", {"env", locale}).output)) {
+        INFO(line);
+        CHECK(columns(line) <= 80);
+      }
+}
+
+TEST_CASE("Unicode where the locale has it, plain characters elsewhere and with --ascii",
+          "[exam]") {
+  const std::vector<std::string> step{"derive", "power.a"};
+  CHECK(run_program(step, "", {"env", "LC_ALL=C.UTF-8"}).output.find("V_CM ⎜1 + ") !=
+        std::string::npos);
+  const std::string plain = run_program(step, "", {"env", "LC_ALL=C"}).output;
+  CHECK(std::all_of(plain.begin(), plain.end(),
+                    [](char byte) { return static_cast<unsigned char>(byte) < 0x80; }));
+  CHECK(run_program({"derive", "power.a", "--ascii"}, "", {"env", "LC_ALL=C.UTF-8"}).output ==
+        plain);
+}
+
+TEST_CASE("derive --from shows what a result rests on, from the laws on, and nothing else",
+          "[exam]") {
+  const nlohmann::json steps = json_of({"derive", "--from", "a_n"});
+  std::set<std::string> ids;
+  for (const nlohmann::json& step : steps) {
+    for (const nlohmann::json& premise : step.at("premises"))
+      CHECK(ids.contains(premise.get<std::string>()));
+    ids.insert(step.at("id").get<std::string>());
+  }
+  CHECK(steps.back().at("id") == "power.a");
+  CHECK(ids.contains("contact.energy"));
+  CHECK_FALSE(ids.contains("power.b"));
+  const std::string tree = run_program({"derive", "--from", "eq:a-final", "--ascii"}).output;
+  CHECK(tree.starts_with("power.a\n"));
+  CHECK(tree.find("contact.momentum (law), see above\n") != std::string::npos);
+  for (const char* format : {"html", "latex", "markdown"})
+    CHECK(run_program({"derive", "--from", "a_n", "--format", format})
+              .output.find("What it rests on") != std::string::npos);
+}
+
+TEST_CASE("derive --list names every theorem and every equation of the paper", "[exam]") {
+  const nlohmann::json index = json_of({"derive", "--list"});
+  CHECK(index.at("theorems").size() == json_of({"derive"}).size());
+  for (const nlohmann::json& equation : index.at("equations"))
+    CHECK((!equation.at("theorems").empty() || !equation.at("remark").get<std::string>().empty()));
+  CHECK_FALSE(index.at("beyond").empty());
+  const std::string text = run_program({"derive", "--list"}).output;
+  CHECK(text.find("\n  eq:a-final ") != std::string::npos);
+  const auto rows = lines_of(run_program({"derive", "--list", "--format", "csv"}).output);
+  CHECK(rows.size() == index.at("equations").size() + 1);
+}
+
+TEST_CASE("what derive does not know it refuses in one line, with the nearest name", "[exam]") {
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& message) {
+    const ProgramRun run = run_program(arguments);
+    CHECK(run.exit_code == 2);
+    CHECK(run.output.empty());
+    CHECK(run.errors == "magicmass: " + message + "\n");
+  };
+  refused({"derive", "powr"}, "no chapter or step is called \"powr\"; did you mean power?");
+  refused({"derive", "power.aa"},
+          "no chapter or step is called \"power.aa\"; did you mean power.a?");
+  refused({"derive", "--from", "alpha_kk"},
+          "no result is called \"alpha_kk\"; did you mean alpha_k?");
+  refused({"derive", "--list", "--format", "latex"},
+          "--list has no LaTeX; allowed with it: --format text, markdown, html, json, csv");
+  refused({"derive", "--format", "csv"}, "--format csv is for --list alone");
+  refused({"derive", "power", "--list"},
+          "chapters or steps, --from, --list and --summary exclude each other");
 }
 
 TEST_CASE("the same bytes from every derivation", "[check]") {
@@ -46,11 +129,19 @@ TEST_CASE("the same bytes from every derivation", "[check]") {
   for (int i = 0; i < 3; ++i) CHECK(run_program({"derive", "--format", "json"}).output == first);
 }
 
+TEST_CASE("the same pages from every run", "[check]") {
+  for (const char* format : {"text", "latex", "html", "markdown"}) {
+    const std::string first = run_program({"derive", "--format", format}).output;
+    CHECK(run_program({"derive", "--format", format}).output == first);
+  }
+}
+
 TEST_CASE("Markdown has a heading for each chapter and each step", "[exam]") {
   const std::string page = run_program({"derive", "--format", "markdown"}).output;
   CHECK(page.starts_with("# Derivation\n"));
-  CHECK(page.find("\n## counting\n") != std::string::npos);
-  CHECK(page.find("\n### `counting.N_A` (proved)\n") != std::string::npos);
+  CHECK(page.find("\n## How many collisions\n") != std::string::npos);
+  CHECK(page.find("\n### counting.N_A\n") != std::string::npos);
+  CHECK(page.find("\n$$\nN_{A} = \\left\\lceil") != std::string::npos);
 }
 
 TEST_CASE("verify proves every step", "[exam]") {

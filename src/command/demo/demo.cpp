@@ -19,7 +19,8 @@ void show_derivation(DemoReport& report) {
   report.heading("From the conservation laws to theorems");
   const derivation::Derivation derivation = derivation::derive();
   const std::vector<proof::Step> steps = render::steps_of(derivation);
-  report.print(render::derivation_summary(steps, {.unicode = false, .colourful = report.is_colourful()}));
+  report.print(
+      render::derivation_summary(steps, {.unicode = false, .colourful = report.is_colourful()}));
   const std::size_t proved = render::count_verdict(steps, "proved");
   report.check(
       fmt::format("{} steps proved, {} refused", proved, render::count_verdict(steps, "refused")),

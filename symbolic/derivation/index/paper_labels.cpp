@@ -86,10 +86,10 @@ const std::vector<PaperEquation>& paper_equations() {
       {"app:lam-n, axis", "App. C"},
       {"eq:R-app", "App. C"},
       {"def:psi-app", "App. C"},
-      {"sec:nx, cosine", "App. D 1"},
-      {"sec:nx, sine", "App. D 1"},
-      {"sec:nhx, cosine", "App. D 2"},
-      {"sec:nhx, sine", "App. D 2"},
+      {"sec:nx, cos", "App. D 1"},
+      {"sec:nx, sin", "App. D 1"},
+      {"sec:nhx, cos", "App. D 2"},
+      {"sec:nhx, sin", "App. D 2"},
       {"def:ceil", "App. E", {}, step_function},
       {"def:floor", "App. E", {}, step_function},
       {"def:sawtooth", "App. E", {}, step_function},
@@ -131,21 +131,50 @@ const std::vector<BeyondPaper>& beyond_the_paper() {
   return results;
 }
 
+const std::vector<PaperSection>& paper_sections() {
+  static const std::vector<PaperSection> sections{
+      {"subsec:model", "Sec. II A"},
+      {"subsec:term", "Sec. II B"},
+      {"subsec:conjecture", "Sec. II C"},
+      {"subsec:Euclid", "Sec. III A"},
+      {"sec:rec", "Sec. III B"},
+      {"sec:comparison", "Sec. III C"},
+      {"sec:Lambda", "Sec. III D"},
+      {"sec:Lambda-n", "Sec. III E"},
+      {"sec:result", "Sec. IV"},
+      {"app:orthogonal", "App. A"},
+      {"app:Vn", "App. B"},
+      {"app:lam-n", "App. C"},
+      {"sec:nx", "App. D 1"},
+      {"sec:nhx", "App. D 2"},
+      {"sec:N-app", "App. E"},
+      {"app:magic", "App. F"},
+      {"app:deficient", "App. G"},
+  };
+  return sections;
+}
+
+bool speaks_of(std::string_view label, std::string_view listed) {
+  if (!label.starts_with(listed)) return false;
+  const std::string_view rest = label.substr(listed.size());
+  return rest.empty() || rest.starts_with(' ') || rest.starts_with(", ");
+}
+
 std::vector<std::string> split_labels(const std::string& labels) {
   const auto is_label = [](std::string_view label) {
     const auto& all = paper_equations();
-    return std::any_of(all.begin(), all.end(),
+    return label.find(':') != std::string_view::npos ||
+           std::any_of(all.begin(), all.end(),
                        [&](const PaperEquation& equation) { return equation.label == label; });
   };
   std::vector<std::string> result;
   for (std::size_t begin = 0; begin < labels.size();) {
     const std::size_t end = std::min(labels.find(", ", begin), labels.size());
-    std::string label = labels.substr(begin, end - begin);
-    const bool continues = !result.empty() && is_label(result.back() + ", " + label);
-    if (continues)
-      result.back() += ", " + label;
+    const std::string label = labels.substr(begin, end - begin);
+    if (result.empty() || is_label(label))
+      result.push_back(label);
     else
-      result.push_back(std::move(label));
+      result.back() += ", " + label;
     begin = end + 2;
   }
   return result;

@@ -28,7 +28,17 @@ struct BeyondPaper {
 };
 const std::vector<BeyondPaper>& beyond_the_paper();
 
-// "eq:Lam-G-G, Lam-GAM" as two labels, "app:Vn, Gamma_A" as the one that the list has.
+// Where the paper says something in its text, without displaying it: "sec:comparison, projection".
+struct PaperSection {
+  std::string_view label;
+  std::string_view place;
+};
+const std::vector<PaperSection>& paper_sections();
+
+// A step's label is this listed one, or a part of it: "table:trig, cos psi", "sec:nhx, sin 1/2".
+bool speaks_of(std::string_view label, std::string_view listed);
+
+// "eq:Lam-G-G, Lam-GAM" as two labels, "app:Vn, Gamma_A" as one: a label has a colon, or the list has it.
 std::vector<std::string> split_labels(const std::string& labels);
 
 }  // namespace magicmass::derivation

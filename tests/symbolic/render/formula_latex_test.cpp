@@ -14,10 +14,11 @@ TEST_CASE("LaTeX of small formulas", "[exam]") {
         "V_{\\mathrm{CM}} \\left( 1 + \\frac{\\cos(n \\psi)}{\\cos(\\psi / 2)} \\right)");
   CHECK(shown("c'(n - 1)") == "c'_{n - 1}");
   CHECK(shown("t_P(n)") == "t_{P_{n}}");
-  CHECK(shown("cos(theta)*sin(theta)") == "\\cos \\theta \\thinspace \\sin \\theta");
+  CHECK(shown("cos(theta)*sin(theta)") == "\\cos \\theta \\, \\sin \\theta");
   CHECK(shown("sin((n + 1/2)*psi)") == "\\sin[(n + \\tfrac{1}{2}) \\psi]");
   CHECK(shown("sqrt(2 + alpha)^3") == "(2 + \\alpha)^{3/2}");
-  CHECK(shown("det Gamma_A") == "\\operatorname{det} \\thinspace \\Gamma_{A}");
+  CHECK(shown("det Gamma_A") == "\\operatorname{det} \\, \\Gamma_{A}");
+  CHECK(shown("cos(x)^(n - 2*k)") == "\\cos^{n - 2 k} x");
   CHECK(shown("e^n") == "e^{n}");
   CHECK(shown("(x^2)^n") == "(x^{2})^{n}");
   CHECK(latex(equation("x", "!=", "0")) == "x \\neq 0");

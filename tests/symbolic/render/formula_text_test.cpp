@@ -36,6 +36,12 @@ TEST_CASE("formulas on one line", "[exam]") {
   CHECK(shown("alpha_k") == "αₖ");
   CHECK(shown("a - (b - c)") == "a − (b − c)");
   CHECK(shown("(a + b)*2") == "(a + b)·2");
+  CHECK(shown("sum((-1)^k'*sin(x)^(2*k'), 0, floor(n/2))") == "Σ[k = 0, …, ⌊n/2⌋] (−1)ᵏ sin(x)²ᵏ");
+  CHECK(shown("lim(a(n), n)") == "lim[n → ∞] aₙ");
+  CHECK(shown("n_A x n_B") == "n_A × n_B");
+  CHECK(shown("x x^T") == "x xᵀ");
+  CHECK(shown("d_A . n_B") == "d_A·n_B");
+  CHECK(shown("(R R^T)_11") == "(R Rᵀ)₁₁");
   CHECK(shown("no such notation") == "no such notation");
   CHECK(inline_text(formula("a(n - 1)*sqrt(alpha)"), ascii) == "a(n - 1)*sqrt(alpha)");
 }

@@ -19,6 +19,8 @@ TEST_CASE("symbols among words are set as symbols, words are left alone", "[exam
   CHECK(shown("Lambda leaves it where it is") == "Λ leaves it where it is");
   CHECK(shown("n integer, n >= 1") == "n integer, n ≥ 1");
   CHECK(shown("a_n and c'_(n-1) put in") == "aₙ and c′ₙ₋₁ put in");
+  CHECK(shown("c'_n as a product") == "c′ₙ as a product");
+  CHECK(shown("e'_3 is the axis") == "e′₃ is the axis");
   CHECK(shown("divide by M_1 (u_1 - v_1): done") == "divide by M₁ (u₁ − v₁): done");
   CHECK(shown("kinetic energy (both sides times two)") == "kinetic energy (both sides times two)");
   CHECK(shown("(2 M + m) V_CM = M V") == "(2 M + m) V_CM = M V");
