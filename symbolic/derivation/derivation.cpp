@@ -14,23 +14,33 @@ const proof::Theorem& Derivation::at(const std::string& id) const {
 }
 
 const std::vector<std::string>& chapter_names() {
-  static const std::vector<std::string> names{"contact",   "cycle",    "rotation", "power",
-                                              "chebyshev", "counting", "ratios",   "times"};
+  static const std::vector<std::string> names{"orthogonal", "frame",     "contact",  "cycle",
+                                              "rotation",   "mapping",   "table",    "multiples",
+                                              "power",      "chebyshev", "counting", "ratios",
+                                              "times",      "unfolding", "chain"};
   return names;
 }
 
 Derivation derive(const Laws& laws, const Paper& paper) {
-  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
+  Kernel kernel(
+      {.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "m"}, .integer = {}});
   Derivation result;
   try {
+    orthogonal(kernel, paper);
+    frame(kernel, paper);
     const Contact first = contact(kernel, laws, paper);
     const Cycle second = cycle(kernel, first, paper);
     const Rotation third = rotation(kernel, second, paper);
+    const Mapping walls = mapping(kernel, first, second, third, paper);
+    const Table values = table(kernel, first, third, paper);
+    multiples(kernel, first, third, values, paper);
     const Power fourth = power(kernel, laws, first, second, third, paper);
     const Chebyshev polynomials = chebyshev(kernel, third, fourth);
     const Counting counts = counting(kernel, third, fourth, paper);
-    ratios(kernel, third, fourth, counts, paper);
-    times(kernel, laws, fourth, counts, polynomials);
+    const Ratios special = ratios(kernel, third, fourth, counts, paper);
+    const Times when = times(kernel, laws, fourth, counts, polynomials);
+    const Unfolding line = unfolding(kernel, second, fourth, walls, when);
+    chain(kernel, first, special, line);
   } catch (const proof::NotProved& refused) {
     result.refused = refused;
   } catch (const std::runtime_error& stuck) {  // a singular system, a null space that is not a line

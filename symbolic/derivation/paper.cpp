@@ -7,8 +7,10 @@ namespace magicmass::derivation {
 
 Paper paper() {
   Equations all;
-  for (Equations part : {contact_equations(), cycle_equations(), rotation_equations(),
-                         power_equations(), counting_equations(), ratios_equations()})
+  for (Equations part :
+       {orthogonal_equations(), frame_equations(), contact_equations(), cycle_equations(),
+        rotation_equations(), mapping_equations(), table_equations(), multiples_equations(),
+        power_equations(), counting_equations(), ratios_equations()})
     all.merge(part);
   return Paper(std::move(all));
 }

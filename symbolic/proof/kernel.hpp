@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -58,6 +59,25 @@ public:
   Theorem cases(const Claim& claim, const std::vector<std::pair<Values, Theorem>>& all);
   // lhs > 0 by signs of factors and coefficients; the right side must be 0.
   Theorem positivity(const Claim& claim);
+
+  // --- real numbers (rules_real.cpp) -------------------------------------------------------------------
+  // (lhs - rhs)^2 = 0 gives lhs = rhs.
+  Theorem vanishing_square(const Claim& claim, const Theorem& square);
+  // lhs > rhs for two angles in [0, pi]: cos(rhs) - cos(lhs) is a positive multiple of what `sign` says is > 0.
+  Theorem larger_angle(const Claim& claim, const Theorem& sign);
+
+  // --- finite sums (rules_sums.cpp) --------------------------------------------------------------------
+  // A sum over k is a combination of others, term by term: sum(f) = sum_i coefficient_i sum(f_i), where f(k)
+  // takes f_i at k + shift_i. Terms hold x^p y^q/(p! q!) with p, q affine in k; each sum runs over
+  // exactly the k with p, q >= 0.
+  using SumTerms = std::vector<std::tuple<GiNaC::ex, GiNaC::ex, long>>;  // coefficient, sum, shift
+  Theorem sum_recurrence(const Claim& claim, const SumTerms& combination);
+
+  // --- separate runs (rules_runs.cpp) ------------------------------------------------------------------
+  // v(j) = v(first) from v(j + 1) = v(j), where each step may have a run of its own: whatever else the
+  // step's conditions name is chosen anew for each j. The conditions of `supposing` are added to each step's.
+  Theorem unchanged_through_runs(const Claim& claim, const Theorem& step, const GiNaC::ex& j,
+                                 const std::vector<Theorem>& supposing = {});
 
   // --- induction (rules_induction.cpp) -----------------------------------------------------------------
   // M^n = F(n): F(0) = 1 and F(n + 1) = M F(n). Left side: power of the name that `matrix` defines.
