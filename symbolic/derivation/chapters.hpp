@@ -15,10 +15,15 @@ namespace magicmass::derivation {
 using proof::Kernel;
 using proof::Theorem;
 
+void orthogonal(Kernel& kernel, const Paper& paper);
+void frame(Kernel& kernel, const Paper& paper);
+
 struct Contact {
   Theorem momentum_P, energy_P, momentum_Q, energy_Q;  // the laws at P_n and Q_n
   Theorem a, c, b, c_prime;                            // each after its collision, from before
   Theorem Gamma, theta;
+  Theorem momentum, energy;  // of any two bodies
+  Theorem v_1, v_2;          // their velocities after, from before
 };
 Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper);
 
@@ -33,6 +38,21 @@ struct Rotation {
   Theorem cos_half_psi;                    // cos(psi/2) = 1/(1 + alpha)
 };
 Rotation rotation(Kernel& kernel, const Cycle& cycle, const Paper& paper);
+
+// Columns on (a, b, sqrt(alpha) c), for equal blocks: along the wall where C and B touch and across it, in the
+// plane that the motion is seen in.
+struct Mapping {
+  Theorem along_B, across_B;
+};
+Mapping mapping(Kernel& kernel, const Contact& contact, const Cycle& cycle,
+                const Rotation& rotation, const Paper& paper);
+
+struct Table {
+  Theorem cos_theta, sin_theta, cos_psi, sin_psi;
+};
+Table table(Kernel& kernel, const Contact& contact, const Rotation& rotation, const Paper& paper);
+void multiples(Kernel& kernel, const Contact& contact, const Rotation& rotation, const Table& table,
+               const Paper& paper);
 
 struct Power {
   Theorem a_initial, b_initial, c_initial;
@@ -70,6 +90,7 @@ struct Ratios {
   Theorem alpha_k, beta_k;                // the paper's forms
   Theorem alpha_k_stable, beta_k_stable;  // without cancellation
   RatioCase magic, deficient;
+  Theorem magic_b;  // b_k = V at alpha_k
 };
 Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
               const Counting& counting, const Paper& paper);
@@ -93,11 +114,22 @@ void small_alpha(Kernel& kernel, const Rotation& rotation, const Counting& count
 
 struct Times {
   Theorem t_P, t_Q, s_P, s_Q;
-  Theorem t, s;                    // of collision j = 0, 1, 2, ...
-  Theorem t_rational, s_rational;  // in T(1), T(j), T(j + 1)
+  Theorem t, s;                                // of collision j = 0, 1, 2, ...
+  Theorem t_rational, s_rational;              // in T(1), T(j), T(j + 1)
+  Theorem t_1, s_1, to_B, gap_Q, to_A, gap_P;  // the laws of uniform motion
+  Theorem towards_B, towards_A;                // approach speeds before Q_n and P_n
 };
 Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting& counting,
             const Chebyshev& chebyshev);
+
+struct Unfolding {
+  Theorem t_Q, s_Q;  // from the straight line
+};
+Unfolding unfolding(Kernel& kernel, const Cycle& cycle, const Power& power, const Mapping& mapping,
+                    const Times& times);
+
+void chain(Kernel& kernel, const Contact& contact, const Ratios& ratios,
+           const Unfolding& unfolding);
 
 // psi = 2 atan(s/(1 + c)): the angle in (0, pi) with cosine c and sine s > 0. Proves c^2 + s^2 = 1 and
 // s > 0 as steps `id`.circle and `id`.side, then defines `name`.

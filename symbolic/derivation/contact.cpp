@@ -205,7 +205,8 @@ Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
                    .words = "Gamma = lambda(theta) P_2",
                    .label = "def:gamma",
                    .shown_rhs = "lambda(theta) P_2"});
-  return {momentum_P, energy_P, momentum_Q, energy_Q, a_n, c_n, b_n, c_prime_n, Gamma, theta};
+  return {momentum_P, energy_P, momentum_Q, energy_Q, a_n,    c_n,     b_n,
+          c_prime_n,  Gamma,    theta,      momentum, energy, after_1, after_2};
 }
 
 }  // namespace magicmass::derivation

@@ -27,6 +27,9 @@ struct Results {
   std::optional<Ratios> ratios;
   std::optional<Terminal> terminal;
   std::optional<Times> times;
+  std::optional<Mapping> mapping;
+  std::optional<Table> table;
+  std::optional<Unfolding> unfolding;
 };
 
 struct Chapter {
@@ -36,12 +39,28 @@ struct Chapter {
 
 const std::vector<Chapter>& chapters() {
   static const std::vector<Chapter> all{
+      {"orthogonal", [](Kernel& kernel, Results&, const Laws&,
+                        const Paper& paper) { orthogonal(kernel, paper); }},
+      {"frame",
+       [](Kernel& kernel, Results&, const Laws&, const Paper& paper) { frame(kernel, paper); }},
       {"contact", [](Kernel& kernel, Results& r, const Laws& laws,
                      const Paper& paper) { r.contact = contact(kernel, laws, paper); }},
       {"cycle", [](Kernel& kernel, Results& r, const Laws&,
                    const Paper& paper) { r.cycle = cycle(kernel, *r.contact, paper); }},
       {"rotation", [](Kernel& kernel, Results& r, const Laws&,
                       const Paper& paper) { r.rotation = rotation(kernel, *r.cycle, paper); }},
+      {"mapping",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         r.mapping = mapping(kernel, *r.contact, *r.cycle, *r.rotation, paper);
+       }},
+      {"table",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         r.table = table(kernel, *r.contact, *r.rotation, paper);
+       }},
+      {"multiples",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         multiples(kernel, *r.contact, *r.rotation, *r.table, paper);
+       }},
       {"power",
        [](Kernel& kernel, Results& r, const Laws& laws, const Paper& paper) {
          r.power = power(kernel, laws, *r.contact, *r.cycle, *r.rotation, paper);
@@ -72,6 +91,12 @@ const std::vector<Chapter>& chapters() {
        [](Kernel& kernel, Results& r, const Laws& laws, const Paper&) {
          r.times = times(kernel, laws, *r.power, *r.counting, *r.chebyshev);
        }},
+      {"unfolding",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
+         r.unfolding = unfolding(kernel, *r.cycle, *r.power, *r.mapping, *r.times);
+       }},
+      {"chain", [](Kernel& kernel, Results& r, const Laws&,
+                   const Paper&) { chain(kernel, *r.contact, *r.ratios, *r.unfolding); }},
   };
   return all;
 }
@@ -88,7 +113,9 @@ const std::vector<std::string>& chapter_names() {
 }
 
 struct Beginning::Data {
-  Kernel kernel{{.positive = {"L", "M", "M_1", "M_2", "V", "alpha", "h_1", "h_2"}, .integer = {}}};
+  Kernel kernel{
+      {.positive = {"L", "M", "M_1", "M_2", "V", "M_A", "M_B", "alpha", "h_1", "h_2", "m"},
+       .integer = {}}};
   Results results;
   std::size_t done = 0;  // chapters
 

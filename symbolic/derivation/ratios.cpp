@@ -154,12 +154,13 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
   // At alpha_k everything goes to B; at beta_k, B and C end up together.
   const auto velocity_at = [&](const std::string& id, const Statement& statement,
                                const Threshold& at, const char* words) {
-    kernel.rewriting({.id = id, .statement = statement, .words = words, .indices = k_from_one},
-                     {power.a, power.b, power.c, power.c_prime, power.V_CM, at.angle, at.ratio});
+    return kernel.rewriting(
+        {.id = id, .statement = statement, .words = words, .indices = k_from_one},
+        {power.a, power.b, power.c, power.c_prime, power.V_CM, at.angle, at.ratio});
   };
   velocity_at("ratios.magic_a", {a(k), 0}, magic, "A stops");
   velocity_at("ratios.magic_c_prime", {c_prime(k), 0}, magic, "C stops");
-  velocity_at("ratios.magic_b", {b(k), V}, magic, "B carries all");
+  const Theorem magic_b = velocity_at("ratios.magic_b", {b(k), V}, magic, "B carries all");
   velocity_at("ratios.deficient_b", {b(k), 2 * V / (2 + alpha)}, deficient, "B");
   velocity_at("ratios.deficient_c", {c(k + 1), 2 * V / (2 + alpha)}, deficient, "C goes with B");
   velocity_at("ratios.deficient_a", {a(k + 1), -alpha * V / (2 + alpha)}, deficient, "A recoils");
@@ -272,7 +273,8 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
           magic.stable,
           deficient.stable,
           {magic.angle, magic.ratio, magic_N_A, magic_N_B},
-          {deficient.angle, deficient.ratio, deficient_N_A, deficient_N_B}};
+          {deficient.angle, deficient.ratio, deficient_N_A, deficient_N_B},
+          magic_b};
 }
 
 }  // namespace magicmass::derivation

@@ -168,7 +168,8 @@ Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting
                                                .words = "as a rational function of alpha",
                                                .indices = j_from_zero},
                                               {s_j, chebyshev.T});
-  return {t_P_n, t_Q_n, s_P_n, s_Q_n, t_j, s_j, t_rational, s_rational};
+  return {t_P_n, t_Q_n, s_P_n, s_Q_n, t_j,  s_j,   t_rational, s_rational,
+          t_1,   s_1,   to_B,  gap_Q, to_A, gap_P, towards_B,  towards_A};
 }
 
 }  // namespace magicmass::derivation

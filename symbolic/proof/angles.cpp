@@ -150,6 +150,12 @@ NormalForm::Generators::Pair NormalForm::Generators::base_pair(const ex& angle,
 NormalForm::Generators::Pair NormalForm::Generators::pair_of_arctangent(const ex& tangent,
                                                                         const numeric& factor) {
   const ex t = rewritten(tangent);
+  if (factor.is_integer() && factor.is_even()) {  // cos 2x and sin 2x need no root of 1 + tan^2 x
+    const ex below = 1 + GiNaC::pow(t, 2);
+    const auto [c, s] = multiple(reduced_fraction((1 - GiNaC::pow(t, 2)) / below),
+                                 reduced_fraction(2 * t / below), factor / 2);
+    return {reduced_fraction(c), reduced_fraction(s)};
+  }
   ex cosine = 1 / square_root(1 + GiNaC::pow(t, 2));
   ex sine = reduced_fraction(t * cosine);
   for (numeric halves = factor.denom(); !halves.is_equal(1); halves = GiNaC::iquo(halves, 2)) {

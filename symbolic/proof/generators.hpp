@@ -28,6 +28,7 @@ public:
   ex translate(const ex& e);  // collects the angles of e, then rewrites it
   ex back(const ex& e) const { return e.subs(originals_, GiNaC::subs_options::no_pattern); }
   ex rewritten(const ex& e);
+  ex opaque_sum(const ex& sum);
   ex opaque(const std::string& key, const ex& original, bool positive);
 
   // reduction.cpp: modulo the relations; polynomial and quotient.

@@ -20,7 +20,11 @@ using GiNaC::is_a;
 namespace {
 
 // Keys are printed names: two symbols of one name, or a complex one, would be taken for each other.
+// The index of a sum is known inside sums only.
 bool only_known_symbols(const ex& e) {
+  if (is_finite_sum(e))
+    return only_known_symbols(e.op(0).subs(summation_index() == 1)) &&
+           only_known_symbols(e.op(1)) && only_known_symbols(e.op(2));
   if (is_a<GiNaC::symbol>(e)) return e.is_equal(symbol(ex_to<GiNaC::symbol>(e).get_name()));
   return std::all_of(e.begin(), e.end(), only_known_symbols);
 }
@@ -33,7 +37,8 @@ bool may_be_an_inequality(const std::string& rule) {
                                            "strict",
                                            "ceiling",
                                            "angle below pi",
-                                           "cosine falls",
+
+                                           "smaller cosine on [0, pi]",
                                            "series",
                                            "series of a count",
                                            "condition proved",

@@ -60,6 +60,23 @@ public:
   // lhs > 0 by signs of factors and coefficients; the right side must be 0.
   Theorem positivity(const Claim& claim);
 
+  // --- real numbers (rules_real.cpp) -------------------------------------------------------------------
+  // (lhs - rhs)^2 = 0 gives lhs = rhs.
+  Theorem vanishing_square(const Claim& claim, const Theorem& square);
+
+  // --- finite sums (rules_sums.cpp) --------------------------------------------------------------------
+  // A sum over k is a combination of others, term by term: sum(f) = sum_i coefficient_i sum(f_i), where f(k)
+  // takes f_i at k + shift_i. Terms hold x^p y^q/(p! q!) with p, q affine in k; each sum runs over
+  // exactly the k with p, q >= 0.
+  using SumTerms = std::vector<std::tuple<GiNaC::ex, GiNaC::ex, long>>;  // coefficient, sum, shift
+  Theorem sum_recurrence(const Claim& claim, const SumTerms& combination);
+
+  // --- separate runs (rules_runs.cpp) ------------------------------------------------------------------
+  // v(j) = v(first) from v(j + 1) = v(j), where each step may have a run of its own: whatever else the
+  // step's conditions name is chosen anew for each j. The conditions of `supposing` are added to each step's.
+  Theorem unchanged_through_runs(const Claim& claim, const Theorem& step, const GiNaC::ex& j,
+                                 const std::vector<Theorem>& supposing = {});
+
   // --- induction (rules_induction.cpp) -----------------------------------------------------------------
   // M^n = F(n): F(0) = 1 and F(n + 1) = M F(n). Left side: power of the name that `matrix` defines.
   Theorem matrix_power(const Claim& claim, const Theorem& matrix, const GiNaC::ex& n);
@@ -114,8 +131,9 @@ public:
                         const Theorem& above);
   // pi > 2 atan(t), pi > pi/d with d > 1.
   Theorem angle_below_pi(const Claim& claim);
-  // cos y > cos x, both angles in [0, pi]: x > y; and cos y <= cos x: x <= y.
-  Theorem larger_angle(const Claim& claim, const Theorem& cosines);
+  // x > y or x <= y for two angles in [0, pi]: their cosines differ by a positive multiple of what the
+  // inequality `sign`, of the same kind, says.
+  Theorem larger_angle(const Claim& claim, const Theorem& sign);
   // sin x > 0, >= 0 on [0, pi] and < 0, <= 0 on [pi, 2 pi]; cos x = sin(x + pi/2). `bounds` confine x.
   Theorem sine_sign(const Claim& claim, const std::vector<Theorem>& bounds);
 

@@ -31,6 +31,8 @@ ex floor_eval(const ex& x);
 ex ceiling_eval(const ex& x);
 ex sawtooth_eval(const ex& x);
 
+ex finite_sum_eval(const ex& term, const ex& lower, const ex& upper);
+
 ex floor_evalf(const ex& x);
 ex ceiling_evalf(const ex& x);
 ex sawtooth_evalf(const ex& x);
@@ -48,6 +50,13 @@ DECLARE_FUNCTION_1P(seq_s_Q)
 DECLARE_FUNCTION_1P(seq_t)
 DECLARE_FUNCTION_1P(seq_s)
 DECLARE_FUNCTION_1P(seq_T)
+DECLARE_FUNCTION_1P(seq_C)
+DECLARE_FUNCTION_1P(seq_S)
+DECLARE_FUNCTION_1P(seq_X_P)
+DECLARE_FUNCTION_1P(seq_Y_P)
+DECLARE_FUNCTION_1P(seq_v)
+DECLARE_FUNCTION_1P(seq_w)
+DECLARE_FUNCTION_3P(sum_finite)
 DECLARE_FUNCTION_1P(step_ceil)
 DECLARE_FUNCTION_1P(step_floor)
 DECLARE_FUNCTION_1P(step_sawtooth)
@@ -63,6 +72,13 @@ REGISTER_FUNCTION(seq_s_Q, dummy())
 REGISTER_FUNCTION(seq_t, dummy())
 REGISTER_FUNCTION(seq_s, dummy())
 REGISTER_FUNCTION(seq_T, dummy())
+REGISTER_FUNCTION(seq_C, dummy())
+REGISTER_FUNCTION(seq_S, dummy())
+REGISTER_FUNCTION(seq_X_P, dummy())
+REGISTER_FUNCTION(seq_Y_P, dummy())
+REGISTER_FUNCTION(seq_v, dummy())
+REGISTER_FUNCTION(seq_w, dummy())
+REGISTER_FUNCTION(sum_finite, eval_func(finite_sum_eval))
 REGISTER_FUNCTION(step_ceil, eval_func(ceiling_eval).evalf_func(ceiling_evalf))
 REGISTER_FUNCTION(step_floor, eval_func(floor_eval).evalf_func(floor_evalf))
 REGISTER_FUNCTION(step_sawtooth, eval_func(sawtooth_eval).evalf_func(sawtooth_evalf))
@@ -80,6 +96,18 @@ ex ceiling_eval(const ex& x) {
 ex sawtooth_eval(const ex& x) {
   if (is_rational(x)) return ex_to<numeric>(x) - integer_below(ex_to<numeric>(x));
   return step_sawtooth(x).hold();
+}
+
+ex finite_sum_eval(const ex& term, const ex& lower, const ex& upper) {
+  constexpr int longest = 1000;
+  const bool bounded = is_a<numeric>(lower) && is_a<numeric>(upper) &&
+                       ex_to<numeric>(lower).is_integer() && ex_to<numeric>(upper).is_integer();
+  if (!bounded || ex_to<numeric>(upper - lower) > longest)
+    return sum_finite(term, lower, upper).hold();
+  ex sum = 0;
+  for (numeric k = ex_to<numeric>(lower); k <= ex_to<numeric>(upper); k += 1)
+    sum += term.subs(summation_index() == k, GiNaC::subs_options::no_pattern);
+  return sum;
 }
 
 // Floating-point arguments are exact binary rationals to these.
@@ -104,13 +132,13 @@ ex sawtooth_evalf(const ex& x) {
 
 const std::map<std::string, std::string>& printed_names() {
   static const std::map<std::string, std::string> names{
-      {"seq_a", "a"},          {"seq_b", "b"},
-      {"seq_c", "c"},          {"seq_c_prime", "c'"},
-      {"seq_t_P", "t_P"},      {"seq_t_Q", "t_Q"},
-      {"seq_s_P", "s_P"},      {"seq_s_Q", "s_Q"},
-      {"seq_T", "T"},          {"seq_t", "t"},
-      {"seq_s", "s"},          {"step_ceil", "ceil"},
-      {"step_floor", "floor"}, {"step_sawtooth", "sawtooth"},
+      {"seq_a", "a"},        {"seq_b", "b"},          {"seq_c", "c"},
+      {"seq_c_prime", "c'"}, {"seq_t_P", "t_P"},      {"seq_t_Q", "t_Q"},
+      {"seq_s_P", "s_P"},    {"seq_s_Q", "s_Q"},      {"seq_T", "T"},
+      {"seq_t", "t"},        {"seq_s", "s"},          {"step_ceil", "ceil"},
+      {"seq_C", "C"},        {"seq_S", "S"},          {"seq_X_P", "X_P"},
+      {"seq_Y_P", "Y_P"},    {"seq_v", "v"},          {"seq_w", "w"},
+      {"sum_finite", "sum"}, {"step_floor", "floor"}, {"step_sawtooth", "sawtooth"},
   };
   return names;
 }
@@ -143,6 +171,22 @@ ex s_Q(const ex& n) { return seq_s_Q(n); }
 ex t(const ex& j) { return seq_t(j); }
 ex s(const ex& j) { return seq_s(j); }
 ex T(const ex& m) { return seq_T(m); }
+ex C(const ex& n) { return seq_C(n); }
+ex S(const ex& n) { return seq_S(n); }
+ex X_P(const ex& n) { return seq_X_P(n); }
+ex Y_P(const ex& n) { return seq_Y_P(n); }
+ex v(const ex& j) { return seq_v(j); }
+ex w(const ex& j) { return seq_w(j); }
+ex finite_sum(const ex& term, const ex& lower, const ex& upper) {
+  return sum_finite(term, lower, upper);
+}
+const ex& summation_index() {
+  static const ex index = GiNaC::realsymbol("k'");
+  return index;
+}
+bool is_finite_sum(const ex& e) {
+  return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == "sum_finite";
+}
 ex ceiling(const ex& x) { return step_ceil(x); }
 ex floor(const ex& x) { return step_floor(x); }
 ex sawtooth(const ex& x) { return step_sawtooth(x); }

@@ -25,11 +25,24 @@ GiNaC::ex s_Q(const GiNaC::ex& n);
 GiNaC::ex t(const GiNaC::ex& j);  // of the collision counted j = 0, 1, 2, ... over P and Q
 GiNaC::ex s(const GiNaC::ex& j);
 GiNaC::ex T(const GiNaC::ex& m);
+GiNaC::ex C(const GiNaC::ex& n);  // cos(n x) and sin(n x) as sums of powers of cos(x) and sin(x)
+GiNaC::ex S(const GiNaC::ex& n);
+GiNaC::ex X_P(const GiNaC::ex& n);  // where P_n is in the unfolded plane
+GiNaC::ex Y_P(const GiNaC::ex& n);
+GiNaC::ex v(const GiNaC::ex& j);  // with which block j of a chain comes in; on the way back
+GiNaC::ex w(const GiNaC::ex& j);
 
 // Step functions, paper eqs. def:ceil, def:floor, def:sawtooth. They evaluate at rational numbers.
 GiNaC::ex ceiling(const GiNaC::ex& x);
 GiNaC::ex floor(const GiNaC::ex& x);
 GiNaC::ex sawtooth(const GiNaC::ex& x);
+
+// The sum of `term` over summation_index() = lower, lower + 1, ..., upper; zero when there is none. It is
+// written out once both bounds are numbers. The index is no symbol(name), so nothing outside is mistaken
+// for it.
+GiNaC::ex finite_sum(const GiNaC::ex& term, const GiNaC::ex& lower, const GiNaC::ex& upper);
+const GiNaC::ex& summation_index();
+bool is_finite_sum(const GiNaC::ex& e);
 
 bool is_sequence(const GiNaC::ex& e);  // a(...), b(...), ...: a function of an index
 bool contains_sequence(const GiNaC::ex& e);

@@ -80,13 +80,21 @@ Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initia
     require(from != recurrences[i].domain().integer.end() && from->second <= first + 1, claim, rule,
             recurrences[i].id() + " does not hold from the first step on");
     use(recurrences[i], claim, rule, evidence, text(n));
-    for (const Condition& condition : recurrences[i].conditions())
-      if (condition.statement && (condition.statement->lhs() - condition.statement->rhs()).has(n))
-        evidence.conditions.insert({condition.text + ", and so at every earlier " + text(n)});
+    Evidence of_step;  // needed at every index on the way, and not at the first
+    of_step.conditions = recurrences[i].conditions();
     const ex next = recurrences[i].rhs().subs(earlier, no_pattern);
     require(!contains_sequence(next), claim, rule,
             recurrences[i].id() + " uses more than the elements at " + text(n) + " - 1");
-    require_equal(next, right.op(i), step, rule, evidence);
+    require_equal(next, right.op(i), step, rule, of_step);
+    for (const Condition& condition : of_step.conditions) {
+      const bool of_n =
+          condition.statement && (condition.statement->lhs() - condition.statement->rhs()).has(n);
+      if (of_n)
+        evidence.conditions.insert({condition.text + " for every " + text(n) + " from " +
+                                    std::to_string(first + 1) + " up to there"});
+      else if (condition.index != text(n))
+        evidence.conditions.insert(condition);
+    }
   }
   std::erase_if(evidence.conditions,
                 [&](const Condition& condition) { return condition.index == text(n); });

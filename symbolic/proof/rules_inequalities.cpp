@@ -93,21 +93,33 @@ Theorem Kernel::angle_below_pi(const Claim& claim) {
   return accept(claim, rule, evidence);
 }
 
-Theorem Kernel::larger_angle(const Claim& claim, const Theorem& cosines) {
-  const std::string rule = "cosine falls";
+// The cosine falls strictly on [0, pi].
+Theorem Kernel::larger_angle(const Claim& claim, const Theorem& sign) {
+  const std::string rule = "smaller cosine on [0, pi]";
   Evidence evidence;
-  use(cosines, claim, rule, evidence);
+  use(sign, claim, rule, evidence);
   const Relation relation = claim.statement.relation();
-  require(relation == Relation::greater || relation == Relation::less_equal, claim, rule,
+  const bool strict = relation == Relation::greater;
+  require(strict || relation == Relation::less_equal, claim, rule,
           "the claim must read x > y or x <= y");
-  require(cosines.statement().relation() == relation, claim, rule,
-          cosines.id() + " does not read " +
-              (relation == Relation::greater ? "cos y > cos x" : "cos y <= cos x"));
+  require(sign.statement().relation() == relation, claim, rule,
+          sign.id() + " does not read x " + (strict ? ">" : "<=") + " y");
   for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
     require(is_angle_up_to_pi(side, claim, evidence), claim, rule,
             text(side) + " is not seen to lie in [0, pi]");
-  require_equal(cosines.lhs(), GiNaC::cos(claim.statement.rhs()), claim, rule, evidence);
-  require_equal(cosines.rhs(), GiNaC::cos(claim.statement.lhs()), claim, rule, evidence);
+  const auto excess = [strict](const ex& left, const ex& right) {
+    return strict ? left - right : right - left;
+  };
+  const ex fall = excess(cos(claim.statement.rhs()), cos(claim.statement.lhs()));
+  const ex known = excess(sign.lhs(), sign.rhs());
+  require_scalar(fall, claim, rule, evidence);
+  Evidence nonzero;  // the ratio is only looked for by division
+  require_scalar(1 / known, claim, rule, nonzero);
+  const ex ratio = simplified(fall / known, claim.indices);
+  require(is_positive(ratio, claim, evidence), claim, rule,
+          "the cosines differ by " + text(ratio) + " times the difference in " + sign.id() +
+              ", a factor of unknown sign");
+  require_equal(fall, known * ratio, claim, rule, evidence);
   return accept(claim, rule, evidence);
 }
 

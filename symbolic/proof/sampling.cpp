@@ -39,7 +39,7 @@ public:
   Point(const Domain& domain, std::mt19937_64& random) : domain_(domain), random_(random) {}
 
   void assign(const ex& e) {
-    if (is_a<GiNaC::symbol>(e)) assign_symbol(e);
+    if (is_a<GiNaC::symbol>(e) && !e.is_equal(summation_index())) assign_symbol(e);
     for (const ex& part : e) assign(part);
   }
 

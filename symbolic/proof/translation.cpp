@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/finite_sums.hpp"
 #include "proof/generators.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
@@ -89,12 +90,42 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
       const auto [above, below] = quotient(argument);
       return opaque("atan(" + text(above / below) + ")", e, positive(argument));
     }
+    if (is_finite_sum(e)) return opaque_sum(e);
     if (is_sequence(e)) {
       const ex index = e.op(0).expand();
       return opaque(function_name(e) + "(" + text(index) + ")", e, false);
     }
   }
   throw NotInClass("no normal form for " + text(e));
+}
+
+// A sum stands for itself; its bases and what stands in front of it must be defined.
+ex NormalForm::Generators::opaque_sum(const ex& sum) {
+  const auto shape = finite_sum_of(sum);
+  if (!shape) throw NotInClass("not a sum that the kernel understands: " + text(sum));
+  rewritten(shape->x);
+  rewritten(shape->y);
+  const auto visit = [this](const auto& self, const ex& part) -> void {
+    if (is_a<GiNaC::function>(part) && ex_to<GiNaC::function>(part).get_name() == "factorial") {
+      const ex argument = part.op(0);
+      for (const auto& [name, from] : domain_.integer) {
+        const ex surplus = (argument - symbol(name)).expand();
+        if (!is_a<numeric>(surplus) || !ex_to<numeric>(surplus).is_integer()) continue;
+        if (ex_to<numeric>(surplus) + from >= 0) {
+          conditions.insert(index_condition(name, from));
+          return;
+        }
+      }
+      throw NotInClass("not seen to be the factorial of an integer >= 0: " + text(part));
+    }
+    if (is_a<GiNaC::mul>(part)) {
+      for (const ex& factor : part) self(self, factor);
+    } else {
+      rewritten(part);
+    }
+  };
+  visit(visit, shape->front);
+  return opaque(text(sum), sum, false);
 }
 
 }  // namespace magicmass::proof

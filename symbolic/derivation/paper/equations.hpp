@@ -12,9 +12,14 @@ namespace magicmass::derivation {
 
 using Equations = std::map<std::string, proof::Statement>;
 
+Equations orthogonal_equations();
+Equations frame_equations();
 Equations contact_equations();
 Equations cycle_equations();
 Equations rotation_equations();
+Equations mapping_equations();
+Equations table_equations();
+Equations multiples_equations();
 Equations power_equations();
 Equations counting_equations();
 Equations ratios_equations();
