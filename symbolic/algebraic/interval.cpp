@@ -226,7 +226,7 @@ Interval real_root(const Interval& x, long n, long precision) {
     const Dyadic candidate = near_root(target, n, precision);
     for (long slack = precision + 8;; slack -= 8) {
       const Dyadic step = {up ? 1 : -1, candidate.top() - slack};
-      const Dyadic moved = sum(candidate, step, precision + 16, up);
+      Dyadic moved = sum(candidate, step, precision + 16, up);
       // power() errs to the safe side: below the target rounded up, or above it rounded down.
       const Dyadic powered = power(moved, n, precision + 32, !up);
       if (up ? !less(powered, target) : !less(target, powered)) return moved;

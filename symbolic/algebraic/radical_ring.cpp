@@ -17,7 +17,7 @@ using Number = RadicalRing::Number;
 
 namespace {
 
-constexpr unsigned long longest_coefficient = 100000;  // bits
+constexpr unsigned long longest_coefficient = 20000;  // bits
 
 Monomial trimmed(Monomial monomial) {
   while (!monomial.empty() && monomial.back() == 0) monomial.pop_back();
@@ -173,7 +173,7 @@ std::optional<bool> RadicalRing::is_zero(const Number& x) {
       product(power(product(B, number(-1)), q), power(generators_[last].power, k / d));
   const std::optional<bool> equal = is_zero(sum(power(A, q), product(right, number(-1))));
   if (!equal) return is_zero(B) == true ? is_zero(A) : std::nullopt;
-  if (*equal == false || q % 2 != 0) return equal;
+  if (!*equal || q % 2 != 0) return equal;
   const std::optional<int> sign_of_A = sign_of_nonzero(A);
   const std::optional<int> sign_of_B = sign_of_nonzero(B);
   if (sign_of_A && sign_of_B) return *sign_of_A == -*sign_of_B;

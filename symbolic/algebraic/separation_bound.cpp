@@ -102,11 +102,11 @@ class RationalRoots {
 public:
   void add(const cl_RA& radicand, const cl_I& index) {
     product_ *= cln::double_approx(index);
-    for (const auto& [prime, exponent] : prime_powers(radicand)) {
+    for (const auto& power : prime_powers(radicand)) {
       const auto same = std::find_if(indices_.begin(), indices_.end(),
-                                     [&](const auto& known) { return known.first == prime; });
+                                     [&](const auto& known) { return known.first == power.first; });
       if (same == indices_.end())
-        indices_.emplace_back(prime, index);
+        indices_.emplace_back(power.first, index);
       else
         same->second = cln::lcm(same->second, index);
     }
