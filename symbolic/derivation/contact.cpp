@@ -16,6 +16,7 @@ using GiNaC::matrix;
 namespace {
 
 const std::map<std::string, long> from_one{{"n", 1}};
+const std::set<std::string> any_two_bodies{"M_1", "M_2", "u_1", "u_2", "v_1", "v_2"};
 
 // The polynomial's factor that contains `sought`, divided by it; zero if there is none.
 ex cofactor_in_factorisation(const ex& polynomial, const ex& sought) {
@@ -44,18 +45,18 @@ Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
   const ex M_1 = symbol("M_1"), M_2 = symbol("M_2");
   const ex u_1 = symbol("u_1"), u_2 = symbol("u_2"), v_1 = symbol("v_1"), v_2 = symbol("v_2");
 
-  const Theorem momentum =
-      kernel.law({.id = "contact.momentum",
-                  .statement = laws.momentum,
-                  .words = "momentum is conserved in a contact of two bodies"});
-  const Theorem energy =
-      kernel.law({.id = "contact.energy",
-                  .statement = laws.energy,
-                  .words = "kinetic energy is conserved (both sides times two)"});
-  const Theorem changes =
-      kernel.law({.id = "contact.changes",
-                  .statement = laws.contact,
-                  .words = "a collision changes the velocity of who takes part"});
+  const Theorem momentum = kernel.law({.id = "contact.momentum",
+                                       .statement = laws.momentum,
+                                       .words = "momentum is conserved in a contact of two bodies",
+                                       .schematic = any_two_bodies});
+  const Theorem energy = kernel.law({.id = "contact.energy",
+                                     .statement = laws.energy,
+                                     .words = "kinetic energy is conserved (both sides times two)",
+                                     .schematic = any_two_bodies});
+  const Theorem changes = kernel.law({.id = "contact.changes",
+                                      .statement = laws.contact,
+                                      .words = "a collision changes the velocity of who takes part",
+                                      .schematic = any_two_bodies});
 
   // Energy: M_1 (u_1 - v_1)(u_1 + v_1) = M_2 (v_2 - u_2)(v_2 + u_2). Momentum: M_1 (u_1 - v_1) = M_2 (v_2 - u_2).
   const ex combined =

@@ -102,7 +102,7 @@ void frame(Kernel& kernel, const Paper& paper) {
                    .shown_rhs = "R lambda_3(phi) R^T"});
   for (unsigned i = 0; i < 3; ++i)
     kernel.consequence({.id = "frame.axis_" + std::to_string(i + 1),
-                        .statement = {(turn * z).evalm().op(i), z.op(i)},
+                        .statement = {(turn * z).evalm().op(i).expand(), z.op(i)},
                         .words = "the axis stays where it is",
                         .label = "eq:lambda-n",
                         .shown_lhs = "(lambda_n e'_3)_" + std::to_string(i + 1)},

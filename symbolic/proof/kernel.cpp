@@ -148,8 +148,8 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
   if (difference) refuse(claim, rule, *difference);
   NormalForm form(domain, definitions_);
   try {
-    form.is_zero(left);  // each side by itself: GiNaC drops poles that both have
-    form.is_zero(right);
+    form.require_defined(left);  // each side by itself: GiNaC drops poles that both have
+    form.require_defined(right);
     require(form.is_zero((left - right).evalm()), claim, rule,
             "the normal form of the difference of " + text(left) + " and " + text(right) +
                 " is not zero, though the sides agree at every point tried");
@@ -181,7 +181,19 @@ bool Kernel::is_zero(const ex& e, const Claim& claim, Evidence& evidence) const 
   return true;
 }
 
-Theorem Kernel::law(const Claim& claim) { return accept(claim, "law", {}, "law"); }
+Theorem Kernel::law(const Claim& claim) {
+  const Theorem result = accept(claim, "law", {}, "law");
+  const auto visit = [&](const auto& self, const ex& part) -> void {
+    if (is_a<GiNaC::symbol>(part)) {
+      const std::string name = ex_to<GiNaC::symbol>(part).get_name();
+      if (!claim.schematic.contains(name) && !claim.indices.contains(name)) fixed_.insert(name);
+    }
+    for (const ex& inner : part) self(self, inner);
+  };
+  visit(visit, definitions_.expand_all(claim.statement.lhs()));
+  visit(visit, definitions_.expand_all(claim.statement.rhs()));
+  return result;
+}
 
 Theorem Kernel::definition(const Claim& claim) {
   require_new_id(claim);

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -24,6 +25,9 @@ struct Claim {
   std::string shown_lhs =
       {};  // how to print a side that computes something: "det Gamma", "R^T Lambda R"
   std::string shown_rhs = {};
+  // A law's symbols that stand for anything of their kind, such as the masses of any two bodies. Its other
+  // symbols are that one thing from then on: no theorem may put a value in their place.
+  std::set<std::string> schematic = {};
 };
 
 // The trusted kernel: the only maker of theorems. Each member function below is a rule; each checks its
@@ -50,7 +54,7 @@ public:
   // product = 0 and product = factor * lhs with factor != 0 (proved sign or a law "x != y") give lhs = 0.
   Theorem cancellation(const Claim& claim, const Theorem& product, const GiNaC::ex& factor,
                        const std::optional<Theorem>& nonzero = std::nullopt);
-  // A theorem's symbols replaced by expressions of the same kind.
+  // A theorem's symbols replaced by expressions of the same kind; not those that a law speaks of.
   using Values = std::vector<std::pair<GiNaC::ex, GiNaC::ex>>;
   Theorem instance(const Claim& claim, const Theorem& general, const Values& values);
   // One entry of an equation of columns.
@@ -198,6 +202,7 @@ private:
   Domain domain_;
   Definitions definitions_;
   std::vector<Theorem> theorems_;
+  std::set<std::string> fixed_;  // symbols of laws that are not schematic
 };
 
 }  // namespace magicmass::proof

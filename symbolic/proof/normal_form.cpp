@@ -23,6 +23,14 @@ bool NormalForm::is_zero(const ex& e) {
   return generators_->reduced_quotient(generators_->translate(e)).first.is_zero();
 }
 
+void NormalForm::require_defined(const ex& e) {
+  if (!is_a<GiNaC::matrix>(e)) {
+    generators_->translate(e);
+    return;
+  }
+  for (const ex& element : e) require_defined(element);
+}
+
 ex NormalForm::simplified(const ex& e) {
   if (is_a<GiNaC::matrix>(e)) {
     GiNaC::matrix result = ex_to<GiNaC::matrix>(e);

@@ -34,6 +34,9 @@ public:
   // Throws NotInClass. Zero means: zero wherever the expression is defined; see conditions().
   bool is_zero(const GiNaC::ex& e);
 
+  // Collects the conditions under which e is defined. Throws NotInClass.
+  void require_defined(const GiNaC::ex& e);
+
   // An equal expression, cancelled and collected: what a derivation writes down as its result.
   GiNaC::ex simplified(const GiNaC::ex& e);
 

@@ -34,7 +34,7 @@ void Kernel::require_scalar(const ex& e, const Claim& claim, const std::string& 
   try {
     const ex scalar = definitions_.expand_except_angles(e);
     require(!is_a<GiNaC::matrix>(scalar), claim, rule, text(e) + " is a matrix");
-    form.is_zero(scalar);
+    form.require_defined(scalar);
   } catch (const NotInClass& outside) {
     refuse(claim, rule, outside.what());
   }

@@ -141,6 +141,8 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
     const std::string name = text(symbol);
     require(is_a<GiNaC::symbol>(symbol) && !definitions_.contains(name), claim, rule,
             name + " is not a free symbol");
+    require(!fixed_.contains(name) || general.domain().integer.contains(name), claim, rule,
+            "a law speaks of " + name + " itself, not of anything in its place");
     if (general.domain().positive.contains(name))
       require(is_positive(value, claim, evidence), claim, rule,
               text(value) + " is not known to be positive, as " + name + " must be");

@@ -71,7 +71,7 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
     require(part->x.is_equal(whole->x) && part->y.is_equal(whole->y) &&
                 part->alternating == whole->alternating && has_integer_exponents(*part),
             claim, rule, "the terms of " + text(sum) + " are not of the same kind");
-    const auto shifted = [&](const ex& e) { return e.subs(k == k + shift, no_pattern); };
+    const auto shifted = [&k, by = shift](const ex& e) { return e.subs(k == k + by, no_pattern); };
     const ex p = shifted(part->p), q = shifted(part->q);
     const auto p_steps = steps_between(p, whole->p), q_steps = steps_between(q, whole->q);
     require(p_steps && q_steps, claim, rule,

@@ -157,3 +157,52 @@ TEST_CASE("cases are conditions, and one name is one symbol", "[exam]") {
   CHECK_THROWS(symbol("cos(x)"));
   CHECK_THROWS(symbol("pi"));
 }
+
+TEST_CASE("a law speaks of its own symbols, save those that it leaves open", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem before = kernel.identity({.id = "b", .statement = {pow(x, 2), x * x}});
+  const Theorem speed = kernel.law({.id = "l", .statement = {x, 3}});
+  CHECK_THROWS_AS(kernel.instance({.id = "p", .statement = {5, 3}}, speed, {{x, ex(5)}}),
+                  NotProved);
+  const Theorem rests = kernel.consequence({.id = "r", .statement = {x + y, 3 + y}}, {{speed, 1}});
+  CHECK_THROWS_AS(kernel.instance({.id = "q", .statement = {5 + y, 3 + y}}, rests, {{x, ex(5)}}),
+                  NotProved);
+  CHECK_NOTHROW(kernel.instance({.id = "s", .statement = {x + 1, 4}}, rests, {{y, ex(1)}}));
+  CHECK_THROWS_AS(kernel.instance({.id = "t", .statement = {25, 25}}, before, {{x, ex(5)}}),
+                  NotProved);  // more careful than need be
+
+  // A name in a law fixes what it stands for.
+  kernel.definition({.id = "d", .statement = {symbol("D"), q + 1}});
+  const Theorem of_name = kernel.law({.id = "m", .statement = {symbol("D"), 7}});
+  const Theorem written = kernel.consequence({.id = "w", .statement = {q + 1, 7}}, {{of_name, 1}});
+  CHECK_THROWS_AS(kernel.instance({.id = "u", .statement = {3, 7}}, written, {{q, ex(2)}}),
+                  NotProved);
+
+  // What a law leaves open may be put in, and nothing else.
+  const Theorem any = kernel.law({.id = "a", .statement = {z * y, q}, .schematic = {"z", "y"}});
+  CHECK_NOTHROW(kernel.instance({.id = "v", .statement = {5 * y, q}}, any, {{z, ex(5)}}));
+  CHECK_THROWS_AS(kernel.instance({.id = "n", .statement = {z * y, 2 * q}}, any, {{q, 2 * q}}),
+                  NotProved);
+}
+
+TEST_CASE("the conditions of an inductive step are needed from the second index on", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem first = kernel.law({.id = "f", .statement = {a(1), 0}});
+  const Theorem next = kernel.law({.id = "n",
+                                   .statement = {a(n), a(n - 1) + x / sin(n * x) - x / sin(n * x)},
+                                   .indices = {{"n", 2}}});
+  const Theorem all = kernel.induction({.id = "a", .statement = {a(n), 0}, .indices = {{"n", 1}}},
+                                       {first}, {next}, n);
+  CHECK(all.step().conditions == std::vector<std::string>{"n integer, n >= 1"});
+  const Theorem product = kernel.law(
+      {.id = "p", .statement = {b(n) * sin(n * x), b(n - 1) * sin(n * x)}, .indices = {{"n", 2}}});
+  const Theorem recurrence =
+      kernel.consequence({.id = "r", .statement = {b(n), b(n - 1)}, .indices = {{"n", 2}}},
+                         {{product, 1 / sin(n * x)}});
+  const Theorem start = kernel.law({.id = "t", .statement = {b(1), 5}});
+  const Theorem constant = kernel.induction(
+      {.id = "c", .statement = {b(n), 5}, .indices = {{"n", 1}}}, {start}, {recurrence}, n);
+  CHECK(constant.step().conditions ==
+        std::vector<std::string>{"n integer, n >= 1",
+                                 "sin(n*x) != 0 for every n from 2 up to there"});
+}
