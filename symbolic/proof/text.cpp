@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 #include <sstream>
-#include <stdexcept>
 #include <vector>
 
 #include <ginac/ginac.h>
@@ -290,25 +289,5 @@ bool leads_with_minus(const ex& sum_of_terms) {
 }
 
 std::string text(const ex& e) { return print(e, sum); }
-
-std::string text(const Statement& statement) {
-  return text(statement.lhs()) + " " + text(statement.relation()) + " " + text(statement.rhs());
-}
-
-std::string text(Relation relation) {
-  switch (relation) {
-    case Relation::equal:
-      return "=";
-    case Relation::not_equal:
-      return "!=";
-    case Relation::less_equal:
-      return "<=";
-    case Relation::greater:
-      return ">";
-    case Relation::asymptotic:
-      return "~";
-  }
-  throw std::logic_error("a relation without a sign");
-}
 
 }  // namespace magicmass::proof

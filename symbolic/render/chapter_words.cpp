@@ -43,6 +43,18 @@ ChapterWords chapter_words(const std::string& chapter) {
         "The mass ratios alpha_k and beta_k at which the counts change are those at which B takes "
         "everything, and "
         "those at which C ends up moving with B."}},
+      {"terminal",
+       {"After the last collision",
+        "The counts confine the angles of the last collisions, and with them the signs of the "
+        "sines: who still moves away from whom, and how fast each body ends up."}},
+      {"minima",
+       {"Why the deficient ratios are minima",
+        "On both sides of beta_k block B ends up faster than at beta_k itself. No derivative is "
+        "needed: differences of products of cosines are products of sines."}},
+      {"small_alpha",
+       {"Light balls",
+        "As alpha tends to zero, psi is about 2 sqrt(2 alpha), and the number of collisions grows "
+        "as 1/sqrt(alpha)."}},
       {"times",
        {"When and where",
         "From the velocities between collisions follow the times of all collisions and the "

@@ -47,7 +47,7 @@ private:
   static bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
   Formula relation() {
-    static constexpr std::array<std::string_view, 6> signs{"=", "!=", "<=", ">=", "<", ">"};
+    static constexpr std::array<std::string_view, 7> signs{"=", "!=", "<=", ">=", "<", ">", "~"};
     Formula result{.kind = Kind::relation, .parts = {sum()}};
     for (bool more = true; more;) {
       more = false;

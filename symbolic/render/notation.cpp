@@ -37,10 +37,15 @@ constexpr std::array<Pair, 26> upright{
 constexpr std::array<std::string_view, 8> shaped{"sqrt",      "abs",      "ceil", "floor",
                                                  "factorial", "binomial", "sum",  "O"};
 
-constexpr std::array<Pair, 6> unicode_signs{
-    {{"=", "="}, {"!=", "≠"}, {"<=", "≤"}, {">=", "≥"}, {"<", "<"}, {">", ">"}}};
-constexpr std::array<Pair, 6> latex_signs{
-    {{"=", "="}, {"!=", "\\neq"}, {"<=", "\\le"}, {">=", "\\ge"}, {"<", "<"}, {">", ">"}}};
+constexpr std::array<Pair, 7> unicode_signs{
+    {{"=", "="}, {"!=", "≠"}, {"<=", "≤"}, {">=", "≥"}, {"<", "<"}, {">", ">"}, {"~", "∼"}}};
+constexpr std::array<Pair, 7> latex_signs{{{"=", "="},
+                                           {"!=", "\\neq"},
+                                           {"<=", "\\le"},
+                                           {">=", "\\ge"},
+                                           {"<", "<"},
+                                           {">", ">"},
+                                           {"~", "\\sim"}}};
 
 template <std::size_t size>
 std::string_view found(const std::array<Pair, size>& pairs, std::string_view name) {

@@ -9,14 +9,9 @@
 namespace magicmass::derivation {
 namespace {
 
-constexpr std::string_view rotation_matrix =
-    "defines a rotation matrix; the theorems that use it have its entries";
-constexpr std::string_view step_function =
-    "defines a step function; the kernel computes with it by this definition";
-constexpr std::string_view last_collision =
-    "a condition for the last collision, quoted on the way to the count: counting.N finds the "
-    "count from the "
-    "approach speeds themselves";
+constexpr std::string_view printed_decimals =
+    "decimal values: `magicmass ratios --digits` computes certified ones, and the demo compares "
+    "every digit that is printed";
 
 }  // namespace
 
@@ -61,10 +56,10 @@ const std::vector<PaperEquation>& paper_equations() {
       {"sec:result, inelastic restitution P", "Sec. IV"},
       {"sec:result, inelastic momentum Q", "Sec. IV"},
       {"sec:result, inelastic restitution Q", "Sec. IV"},
-      {"app:orthogonal, lambda", "App. A", {}, rotation_matrix},
-      {"eq:lambda-1", "App. A", {}, rotation_matrix},
-      {"eq:lambda-2", "App. A", {}, rotation_matrix},
-      {"eq:lambda-3", "App. A", {}, rotation_matrix},
+      {"app:orthogonal, lambda", "App. A"},
+      {"eq:lambda-1", "App. A"},
+      {"eq:lambda-2", "App. A"},
+      {"eq:lambda-3", "App. A"},
       {"eq:lambda-n", "App. A"},
       {"def:R", "App. A"},
       {"eq:abc-n", "App. B"},
@@ -90,14 +85,14 @@ const std::vector<PaperEquation>& paper_equations() {
       {"sec:nx, sin", "App. D 1"},
       {"sec:nhx, cos", "App. D 2"},
       {"sec:nhx, sin", "App. D 2"},
-      {"def:ceil", "App. E", {}, step_function},
-      {"def:floor", "App. E", {}, step_function},
-      {"def:sawtooth", "App. E", {}, step_function},
-      {"eq:NA-constraint", "App. E", {}, last_collision},
-      {"eq:NA-constraint-simple", "App. E", {}, last_collision},
+      {"def:ceil", "App. E"},
+      {"def:floor", "App. E"},
+      {"def:sawtooth", "App. E"},
+      {"eq:NA-constraint", "App. E"},
+      {"eq:NA-constraint-simple", "App. E"},
       {"eq:NA-ans", "App. E"},
-      {"eq:NB-constraint", "App. E", {}, last_collision},
-      {"eq:NB-constraint-simple", "App. E", {}, last_collision},
+      {"eq:NB-constraint", "App. E"},
+      {"eq:NB-constraint-simple", "App. E"},
       {"eq:NB-ans", "App. E"},
       {"eq:NANB-ans", "App. E"},
       {"eq:NA-approx", "App. E"},
@@ -110,7 +105,7 @@ const std::vector<PaperEquation>& paper_equations() {
       {"eq:def-b-cond", "App. G"},
       {"app:deficient, N_B", "App. G"},
       {"table:trig", "Table I"},
-      {"table:akbk", "Table II"},
+      {"table:akbk", "Table II", {}, printed_decimals},
   };
   return equations;
 }
@@ -126,6 +121,12 @@ const std::vector<BeyondPaper>& beyond_the_paper() {
       {"counting.N", "the number of all collisions in one formula"},
       {"ratios.alpha_k_stable", "magic ratios without cancellation"},
       {"ratios.beta_k_stable", "deficient ratios without cancellation"},
+      {"minima.least", "B never gets less than it would share with C at one velocity"},
+      {"minima.rises", "between a deficient and the next magic ratio b_t rises, without calculus"},
+      {"small_alpha.psi_further", "further terms of psi for light balls"},
+      {"small_alpha.cycles_further", "and of the number of cycles"},
+      {"unfolding", "times and distances from one straight line"},
+      {"chain", "transfer through a chain of balls of any magic ratios, and back from a wall"},
       {"times", "when each collision happens, and how far apart the blocks are then"},
   };
   return results;
