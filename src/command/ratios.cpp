@@ -87,9 +87,8 @@ void add_ratios(Program& program) {
           "--digits", [options](const std::string& text) { options->digits = text; },
           "1 to 10000 certified decimal digits")
       ->type_name("D");
-  command.add_flag(
-      "--exact", options->exact,
-      fmt::format("also minimal polynomials longer than a line, for k to {}", last_polynomial));
+  command.add_flag("--exact", options->exact,
+                   fmt::format("long minimal polynomials too, for k to {}", last_polynomial));
   add_output_options(command, options->output);
   on_run(program, command, [options] {
     std::optional<int> digits;
