@@ -73,6 +73,12 @@ struct Times {
 Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting& counting,
             const Chebyshev& chebyshev);
 
+struct Restitution {
+  Theorem momentum, restitution;  // the laws of one contact
+  Theorem v_1, v_2;               // solved for the velocities after
+};
+Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle, const Paper& paper);
+
 // psi = 2 atan(s/(1 + c)): the angle in (0, pi) with cosine c and sine s > 0. Proves c^2 + s^2 = 1 and
 // s > 0 as steps `id`.circle and `id`.side, then defines `name`.
 Theorem read_off_angle(Kernel& kernel, const std::string& id, const GiNaC::ex& name,

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "derivation/chapters.hpp"
+#include "derivation/wedge.hpp"
 
 namespace magicmass::derivation {
 
@@ -15,12 +16,12 @@ const proof::Theorem& Derivation::at(const std::string& id) const {
 
 const std::vector<std::string>& chapter_names() {
   static const std::vector<std::string> names{"contact",   "cycle",    "rotation", "power",
-                                              "chebyshev", "counting", "ratios",   "times"};
+                                              "chebyshev", "counting", "ratios",   "times", "restitution", "wedge", "special_cases", "collapse"};
   return names;
 }
 
 Derivation derive(const Laws& laws, const Paper& paper) {
-  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
+  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "e", "m", "mu_A", "mu_B"}, .integer = {}});
   Derivation result;
   try {
     const Contact first = contact(kernel, laws, paper);
@@ -30,7 +31,9 @@ Derivation derive(const Laws& laws, const Paper& paper) {
     const Chebyshev polynomials = chebyshev(kernel, third, fourth);
     const Counting counts = counting(kernel, third, fourth, paper);
     ratios(kernel, third, fourth, counts, paper);
-    times(kernel, laws, fourth, counts, polynomials);
+    const Times when = times(kernel, laws, fourth, counts, polynomials);
+    const Restitution inelastic = restitution(kernel, laws, second, paper);
+    const Wedge general = wedge(kernel, laws, inelastic);
   } catch (const proof::NotProved& refused) {
     result.refused = refused;
   } catch (const std::runtime_error& stuck) {  // a singular system, a null space that is not a line

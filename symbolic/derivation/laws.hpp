@@ -11,6 +11,8 @@ struct Laws {
   proof::Statement momentum;   // M_1 u_1 + M_2 u_2 = M_1 v_1 + M_2 v_2
   proof::Statement energy;     // the same with squares: twice the kinetic energy
   proof::Statement contact;    // v_1 != u_1: a collision changes velocities
+  proof::Statement restitution;  // v_2 - v_1 = e (u_1 - u_2) where energy is lost, 0 < e <= 1
+  proof::Statement wall;         // v_1 = u_1: a wall does not move
   proof::Statement a_initial;  // a_0 = V
   proof::Statement b_initial;  // b_0 = 0
   proof::Statement c_initial;  // c'_0 = 0

@@ -53,13 +53,14 @@ Kernel::Kernel(Domain domain) : domain_(std::move(domain)) {}
 Domain Kernel::domain_of(const Claim& claim) const {
   Domain domain = domain_;
   for (const auto& [name, from] : claim.indices) domain.integer[name] = from;
+  domain.assumed.insert(domain.assumed.end(), claim.assuming.begin(), claim.assuming.end());
   return domain;
 }
 
-ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices) const {
-  Domain domain = domain_;
-  for (const auto& [name, from] : indices) domain.integer[name] = from;
-  return NormalForm(domain, definitions_).simplified(e.evalm());
+ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices,
+                      const std::vector<Statement>& assuming) const {
+  const Claim setting{.id = {}, .statement = {e, e}, .indices = indices, .assuming = assuming};
+  return NormalForm(domain_of(setting), definitions_).simplified(e.evalm());
 }
 
 void Kernel::require_own(const Theorem& premise, const Claim& claim,
@@ -151,11 +152,14 @@ void Kernel::require_new_id(const Claim& claim) const {
     if (earlier.id() == claim.id) throw std::logic_error("two steps are called " + claim.id);
 }
 
-Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& evidence,
+Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& found,
                        const std::string& verdict) {
+  Evidence evidence = found;
+  require_assumptions(claim, rule, evidence);
   Step step = step_for(claim, rule, evidence);
   step.verdict = verdict;
-  if (verdict == "proved" && rule != "sign" && rule != "special case")
+  const bool inequality = rule == "sign" || rule == "signs by induction" || rule == "special case";
+  if (verdict == "proved" && !inequality)
     require(claim.statement.relation() == Relation::equal, claim, rule,
             "the claim is not an equation");
   for (const auto& [name, from] : claim.indices)
@@ -210,13 +214,17 @@ void Kernel::add_conditions_at(const Theorem& premise, const Values& values, con
   GiNaC::exmap replacements;
   for (const auto& [name, value] : values) replacements[name] = value;
   for (const Condition& general : premise.conditions()) {
+    if (!general.any_of.empty()) add_alternatives_at(general, values, claim, evidence);
     if (!general.statement) continue;
     const Statement& before = *general.statement;
     const Statement here(before.lhs().subs(replacements, GiNaC::subs_options::no_pattern),
                          before.relation(),
                          before.rhs().subs(replacements, GiNaC::subs_options::no_pattern));
-    const bool holds = here.relation() == Relation::greater &&
-                       is_positive(here.lhs() - here.rhs(), claim, evidence);
+    const ex surplus = here.lhs() - here.rhs();
+    const bool holds =
+        (here.relation() == Relation::greater && is_positive(surplus, claim, evidence)) ||
+        (here.relation() == Relation::not_equal &&
+         (is_positive(surplus, claim, evidence) || is_positive(-surplus, claim, evidence)));
     if (!holds) evidence.conditions.insert(condition(here));
   }
 }
@@ -232,10 +240,36 @@ bool Kernel::is_positive(const ex& e, const Claim& claim, Evidence& evidence) co
   return true;
 }
 
-Theorem Kernel::law(const Claim& claim) { return accept(claim, "law", {}, "law"); }
+bool Kernel::is_not_negative(const ex& e, const Claim& claim, Evidence& evidence) const {
+  NormalForm form(domain_of(claim), definitions_);
+  try {
+    if (!form.is_not_negative(e)) return false;
+  } catch (const NotInClass&) {
+    return false;
+  }
+  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
+  return true;
+}
+
+bool Kernel::vanishes(const ex& e, const Claim& claim, Evidence& evidence) const {
+  NormalForm form(domain_of(claim), definitions_);
+  try {
+    if (!form.is_zero(e)) return false;
+  } catch (const NotInClass&) {
+    return false;
+  }
+  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
+  return true;
+}
+
+Theorem Kernel::law(const Claim& claim) {
+  require_family_law(claim, "law");
+  return accept(claim, "law", {}, "law");
+}
 
 Theorem Kernel::definition(const Claim& claim) {
   require_new_id(claim);
+  require_family_law(claim, "definition");
   Evidence evidence;
   const ex& name = claim.statement.lhs();
   require(claim.statement.relation() == Relation::equal, claim, "definition",

@@ -48,6 +48,7 @@ DECLARE_FUNCTION_1P(seq_s_Q)
 DECLARE_FUNCTION_1P(seq_t)
 DECLARE_FUNCTION_1P(seq_s)
 DECLARE_FUNCTION_1P(seq_T)
+DECLARE_FUNCTION_2P(limit_infinity)
 DECLARE_FUNCTION_1P(step_ceil)
 DECLARE_FUNCTION_1P(step_floor)
 DECLARE_FUNCTION_1P(step_sawtooth)
@@ -63,6 +64,7 @@ REGISTER_FUNCTION(seq_s_Q, dummy())
 REGISTER_FUNCTION(seq_t, dummy())
 REGISTER_FUNCTION(seq_s, dummy())
 REGISTER_FUNCTION(seq_T, dummy())
+REGISTER_FUNCTION(limit_infinity, dummy())
 REGISTER_FUNCTION(step_ceil, eval_func(ceiling_eval).evalf_func(ceiling_evalf))
 REGISTER_FUNCTION(step_floor, eval_func(floor_eval).evalf_func(floor_evalf))
 REGISTER_FUNCTION(step_sawtooth, eval_func(sawtooth_eval).evalf_func(sawtooth_evalf))
@@ -104,6 +106,7 @@ ex sawtooth_evalf(const ex& x) {
 
 const std::map<std::string, std::string>& printed_names() {
   static const std::map<std::string, std::string> names{
+      {"seq_v_C_prime", "v_C'"}, {"limit_infinity", "lim"},
       {"seq_a", "a"},          {"seq_b", "b"},
       {"seq_c", "c"},          {"seq_c_prime", "c'"},
       {"seq_t_P", "t_P"},      {"seq_t_Q", "t_Q"},
@@ -143,6 +146,10 @@ ex s_Q(const ex& n) { return seq_s_Q(n); }
 ex t(const ex& j) { return seq_t(j); }
 ex s(const ex& j) { return seq_s(j); }
 ex T(const ex& m) { return seq_T(m); }
+ex limit_at_infinity(const ex& f, const ex& x) { return limit_infinity(f, x); }
+bool is_limit(const ex& e) {
+  return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == "limit_infinity";
+}
 ex ceiling(const ex& x) { return step_ceil(x); }
 ex floor(const ex& x) { return step_floor(x); }
 ex sawtooth(const ex& x) { return step_sawtooth(x); }
@@ -162,7 +169,10 @@ bool is_step_function(const ex& e) {
 std::string function_name(const ex& e) {
   const std::string name = ex_to<GiNaC::function>(e).get_name();
   const auto found = printed_names().find(name);
-  return found == printed_names().end() ? name : found->second;
+  if (found != printed_names().end()) return found->second;
+  for (const std::string prefix : {"seq_", "family_"})
+    if (name.starts_with(prefix)) return name.substr(prefix.size());
+  return name;
 }
 
 }  // namespace magicmass::proof

@@ -31,6 +31,10 @@ GiNaC::ex ceiling(const GiNaC::ex& x);
 GiNaC::ex floor(const GiNaC::ex& x);
 GiNaC::ex sawtooth(const GiNaC::ex& x);
 
+// lim(f, x): what f tends to as x grows without bound.
+GiNaC::ex limit_at_infinity(const GiNaC::ex& f, const GiNaC::ex& x);
+bool is_limit(const GiNaC::ex& e);
+
 bool is_sequence(const GiNaC::ex& e);  // a(...), b(...), ...: a function of an index
 bool contains_sequence(const GiNaC::ex& e);
 bool is_step_function(const GiNaC::ex& e);  // ceiling, floor, sawtooth

@@ -2,12 +2,14 @@
 #include "proof/text.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <tuple>
 #include <vector>
 
 #include <ginac/ginac.h>
 
+#include "proof/families.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::proof {
@@ -179,6 +181,19 @@ std::string print_matrix(const GiNaC::matrix& m) {
   return result + "]";
 }
 
+// v_A(n), or v_A(n; 1/2, 1, e) at other parameters than the general ones.
+std::string print_family(const ex& e) {
+  std::string arguments = is_sequence(e) ? print(e.op(0), sum) : "";
+  if (!families_are_general(e)) {
+    std::string separator = arguments.empty() ? "" : "; ";
+    for (const ex& argument : arguments_of_family(e)) {
+      arguments += separator + print(argument, sum);
+      separator = ", ";
+    }
+  }
+  return function_name(e) + (arguments.empty() ? "" : "(" + arguments + ")");
+}
+
 std::string print(const ex& e, Precedence outer) {
   if (is_a<numeric>(e)) {
     const numeric value = ex_to<numeric>(e);
@@ -194,6 +209,7 @@ std::string print(const ex& e, Precedence outer) {
     return print(e.op(0), power) + "^" + print(e.op(1), power);
   }
   if (is_a<GiNaC::matrix>(e)) return print_matrix(ex_to<GiNaC::matrix>(e));
+  if (is_family(e)) return print_family(e);
   if (is_a<GiNaC::function>(e)) {
     std::string arguments;
     for (const ex& argument : e)
@@ -229,6 +245,19 @@ std::string text(const Statement& statement) {
   static const char* const signs[] = {" = ", " != ", " <= ", " > "};
   return text(statement.lhs()) + signs[static_cast<int>(statement.relation())] +
          text(statement.rhs());
+}
+
+bool speaks_of(const std::string& words, const std::string& name) {
+  const auto part_of_name = [](char character) {
+    return std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_';
+  };
+  for (std::size_t at = words.find(name); at != std::string::npos; at = words.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !part_of_name(words[at - 1])) &&
+        (end == words.size() || !part_of_name(words[end])))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace magicmass::proof

@@ -18,6 +18,9 @@ std::string text(const Statement& statement);
 // its hashes fall; whoever prints or translates a sum as a factor asks this and turns the sign round.
 bool leads_with_minus(const GiNaC::ex& sum);
 
+// Whether words speak of a symbol by its name.
+bool speaks_of(const std::string& words, const std::string& name);
+
 inline Condition condition(const Statement& statement) { return {text(statement), statement}; }
 
 }  // namespace magicmass::proof

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/families.hpp"
 #include "proof/generators.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
@@ -9,10 +10,6 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
-
-namespace {
-constexpr int largest_exponent = 200;  // polynomials are expanded
-}
 
 ex NormalForm::Generators::translate(const ex& e) {
   const ex written_out = definitions_.expand_except_angles(e);
@@ -75,6 +72,7 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
     if (exponent.is_integer()) return GiNaC::power(base, exponent);
     return GiNaC::power(square_root(base), 2 * exponent);
   }
+  if (is_a<GiNaC::power>(e)) return symbolic_power(e.op(0), e.op(1));
   if (is_a<GiNaC::function>(e)) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
     if (name == "cos") return cosine_and_sine(e.op(0)).cosine;
@@ -88,6 +86,15 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
       const ex argument = rewritten(e.op(0));
       const auto [above, below] = quotient(argument);
       return opaque("atan(" + text(above / below) + ")", e, positive(argument));
+    }
+    if (is_family(e)) {
+      GiNaC::exvector expanded;  // arguments in one form, or two elements are taken for different
+      for (const ex& argument : e) {
+        rewritten(argument);
+        expanded.push_back(argument.normal().expand());
+      }
+      return opaque(text(GiNaC::function(ex_to<GiNaC::function>(e).get_serial(), expanded)), e,
+                    false);
     }
     if (is_sequence(e)) {
       const ex index = e.op(0).expand();
