@@ -21,7 +21,7 @@ const std::vector<std::string>& chapter_names() {
 }
 
 Derivation derive(const Laws& laws, const Paper& paper) {
-  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "e", "m", "mu_A", "mu_B"}, .integer = {}});
+  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "e", "m", "mu_A", "mu_B", "lambda"}, .integer = {}});
   Derivation result;
   try {
     const Contact first = contact(kernel, laws, paper);

@@ -82,7 +82,8 @@ void Kernel::require_replaceable(const Theorem& general, const ex& replaced, con
       require_open(part.lhs());
       require_open(part.rhs());
     }
-    require(!parts.empty() || !speaks_of(condition.text, name), claim, rule,
+    const bool in_words = parts.empty() && condition.index.empty();
+    require(!in_words || !definitions_.speaks_of(condition.text, name), claim, rule,
             "the condition \"" + condition.text + "\" is in words and speaks of " + name);
   }
   // Counts such as N_A are numbers that depend on all parameters.

@@ -27,6 +27,9 @@ public:
   // The meaning of an angle's name: a rational multiple of atan(t); nullptr for any other name.
   const GiNaC::ex* angle(const std::string& name) const;
 
+  // Whether words name this symbol, or a name with it in its meaning.
+  bool speaks_of(const std::string& words, const std::string& name) const;
+
   GiNaC::ex expand_all(const GiNaC::ex& e) const;  // every defined name written out
   GiNaC::ex expand_except_angles(const GiNaC::ex& e) const;
 

@@ -20,6 +20,11 @@ DECLARE_FUNCTION_4P(seq_v_C)
 DECLARE_FUNCTION_4P(seq_v_C_prime)
 DECLARE_FUNCTION_4P(seq_r_P)
 DECLARE_FUNCTION_4P(seq_r_Q)
+DECLARE_FUNCTION_4P(seq_p)
+DECLARE_FUNCTION_4P(seq_x_P)
+DECLARE_FUNCTION_4P(seq_x_Q)
+DECLARE_FUNCTION_4P(seq_D_P)
+DECLARE_FUNCTION_4P(seq_D_Q)
 DECLARE_FUNCTION_4P(seq_tau_P)
 DECLARE_FUNCTION_4P(seq_tau_Q)
 DECLARE_FUNCTION_4P(seq_tau)
@@ -33,6 +38,11 @@ REGISTER_FUNCTION(seq_v_C, dummy())
 REGISTER_FUNCTION(seq_v_C_prime, dummy())
 REGISTER_FUNCTION(seq_r_P, dummy())
 REGISTER_FUNCTION(seq_r_Q, dummy())
+REGISTER_FUNCTION(seq_p, dummy())
+REGISTER_FUNCTION(seq_x_P, dummy())
+REGISTER_FUNCTION(seq_x_Q, dummy())
+REGISTER_FUNCTION(seq_D_P, dummy())
+REGISTER_FUNCTION(seq_D_Q, dummy())
 REGISTER_FUNCTION(seq_tau_P, dummy())
 REGISTER_FUNCTION(seq_tau_Q, dummy())
 REGISTER_FUNCTION(seq_tau, dummy())
@@ -54,6 +64,11 @@ ex v_C(const ex& n) { return seq_v_C(n, mu_A(), mu_B(), e()); }
 ex v_C_prime(const ex& n) { return seq_v_C_prime(n, mu_A(), mu_B(), e()); }
 ex r_P(const ex& n) { return seq_r_P(n, mu_A(), mu_B(), e()); }
 ex r_Q(const ex& n) { return seq_r_Q(n, mu_A(), mu_B(), e()); }
+ex p(const ex& n) { return seq_p(n, mu_A(), mu_B(), e()); }
+ex x_P(const ex& n) { return seq_x_P(n, mu_A(), mu_B(), e()); }
+ex x_Q(const ex& n) { return seq_x_Q(n, mu_A(), mu_B(), e()); }
+ex D_P(const ex& n) { return seq_D_P(n, mu_A(), mu_B(), e()); }
+ex D_Q(const ex& n) { return seq_D_Q(n, mu_A(), mu_B(), e()); }
 ex tau_P(const ex& n) { return seq_tau_P(n, mu_A(), mu_B(), e()); }
 ex tau_Q(const ex& n) { return seq_tau_Q(n, mu_A(), mu_B(), e()); }
 ex tau(const ex& j) { return seq_tau(j, mu_A(), mu_B(), e()); }

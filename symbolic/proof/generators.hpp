@@ -38,6 +38,8 @@ public:
 
   // powers.cpp
   ex symbolic_power(const ex& base, const ex& exponent);
+  ex in_excesses(const ex& polynomial, GiNaC::exset& strict, GiNaC::exset& not_negative,
+                 Conditions& used) const;
 
   // radicals.cpp
   ex square_root(const ex& radicand);
@@ -86,6 +88,10 @@ private:
   GiNaC::exset positive_generators_;
   std::vector<std::pair<ex, ex>> pairs_;  // independent (C, S)
   std::map<std::string, GiNaC::numeric> denominators_;
+  struct SymbolicPower {
+    ex generator, base, exponent;  // base^(exponent/2)
+  };
+  std::vector<SymbolicPower> powers_;
   bool within_assumption_ = false;
 };
 

@@ -2,6 +2,8 @@
 #include "proof/kernel.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <cstdlib>
 
 #include <ginac/ginac.h>
 
@@ -154,6 +156,7 @@ void Kernel::require_new_id(const Claim& claim) const {
 
 Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& found,
                        const std::string& verdict) {
+  { static auto last = std::chrono::steady_clock::now(); auto now = std::chrono::steady_clock::now(); if (getenv("KT")) fprintf(stderr, "%8.4f %s\n", std::chrono::duration<double>(now-last).count(), claim.id.c_str()); last = now; }
   Evidence evidence = found;
   require_assumptions(claim, rule, evidence);
   Step step = step_for(claim, rule, evidence);
@@ -217,9 +220,10 @@ void Kernel::add_conditions_at(const Theorem& premise, const Values& values, con
     if (!general.any_of.empty()) add_alternatives_at(general, values, claim, evidence);
     if (!general.statement) continue;
     const Statement& before = *general.statement;
-    const Statement here(before.lhs().subs(replacements, GiNaC::subs_options::no_pattern),
-                         before.relation(),
-                         before.rhs().subs(replacements, GiNaC::subs_options::no_pattern));
+    const auto at_values = [&](const ex& side) {
+      return written_out(side, values).subs(replacements, GiNaC::subs_options::no_pattern);
+    };
+    const Statement here(at_values(before.lhs()), before.relation(), at_values(before.rhs()));
     const ex surplus = here.lhs() - here.rhs();
     const bool holds =
         (here.relation() == Relation::greater && is_positive(surplus, claim, evidence)) ||

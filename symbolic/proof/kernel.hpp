@@ -72,6 +72,10 @@ public:
   Theorem induction(const Claim& claim, const std::vector<Theorem>& initial,
                     const std::vector<Theorem>& recurrences, const GiNaC::ex& n);
 
+  // f(n) = F(n) from `first` on, from f(first) = F(first) and from the same for all later n.
+  Theorem first_and_later(const Claim& claim, const Theorem& at_first, const Theorem& later,
+                          const GiNaC::ex& n);
+
   // --- angles (rules_angles.cpp) -----------------------------------------------------------------------
   // Two angles in [0, pi] with the same cosine are equal.
   Theorem equal_angles(const Claim& claim);

@@ -41,8 +41,10 @@ ex NormalForm::Generators::symbolic_power(const ex& base, const ex& exponent) {
       throw NotInClass("only half and whole multiples of moderate size in exponents: " +
                        text(exponent));
     rewritten(monomial);  // real, and with what its roots and denominators ask for
-    const ex generator = opaque("(" + shown + ")^(" + text(monomial) + "/2)",
-                                GiNaC::power(root_base, monomial / 2), true);
+    const std::string key = "(" + shown + ")^(" + text(monomial) + "/2)";
+    const bool is_new = !by_key_.contains(key);
+    const ex generator = opaque(key, GiNaC::power(root_base, monomial / 2), true);
+    if (is_new) powers_.push_back({generator, root_base, monomial});
     product *= GiNaC::power(generator, halves);
   };
   if (is_a<GiNaC::add>(expanded))
@@ -50,6 +52,45 @@ ex NormalForm::Generators::symbolic_power(const ex& base, const ex& exponent) {
   else
     factor(expanded);
   return product;
+}
+
+// Where b > 1 is assumed for a symbol b: b = 1 + d with d > 0, and b^n = b^m (1 + x) with x >= 0 for n >= m >= 0.
+ex NormalForm::Generators::in_excesses(const ex& polynomial, GiNaC::exset& strict,
+                                       GiNaC::exset& not_negative, Conditions& used) const {
+  ex result = polynomial;
+  for (const Statement& assumption : domain_.assumed) {
+    const ex& base = assumption.lhs();
+    if (assumption.relation() != Relation::greater || !is_a<GiNaC::symbol>(base) ||
+        !assumption.rhs().is_equal(1) || definitions_.contains(text(base)) || !result.has(base))
+      continue;
+    for (const SymbolicPower& known : powers_) {
+      if (!known.base.is_equal(base) || !result.has(known.generator)) continue;
+      const auto from = domain_.integer.find(text(known.exponent));
+      if (!is_a<GiNaC::symbol>(known.exponent) || from == domain_.integer.end() ||
+          from->second < 0 || domain_.positive.contains(text(known.exponent)))
+        continue;
+      const ex expanded = result.expand();
+      const int degree = expanded.degree(known.generator);
+      const ex excess = GiNaC::realsymbol("excess");
+      const ex square = GiNaC::power(base, from->second) * (1 + excess);
+      ex even = 0;
+      bool only_even = true;
+      for (int power = 0; power <= degree; ++power) {
+        const ex coefficient = expanded.coeff(known.generator, power);
+        only_even = only_even && (power % 2 == 0 || coefficient.is_zero());
+        even += coefficient * GiNaC::power(square, power / 2);
+      }
+      if (!only_even) continue;
+      result = even;
+      not_negative.insert(excess);
+      used.insert(index_condition(text(known.exponent), from->second));
+    }
+    const ex surplus = GiNaC::realsymbol("surplus");
+    result = result.subs(base == 1 + surplus, GiNaC::subs_options::no_pattern);
+    strict.insert(surplus);
+    used.insert(condition(assumption));
+  }
+  return result;
 }
 
 }  // namespace magicmass::proof

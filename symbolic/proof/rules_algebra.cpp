@@ -155,10 +155,6 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
     replacements[symbol] = value;
     require_scalar(value, claim, rule, evidence);
     require_replaceable(general, symbol, claim, rule);
-    for (const Condition& condition : general.conditions())
-      if (condition.statement)
-        require_visible(condition.statement->lhs() - condition.statement->rhs(), symbol, claim,
-                        rule);
   }
   for (const auto& [name, from] : general.domain().integer) {
     const ex index = symbol(name);

@@ -55,7 +55,9 @@ bool NormalForm::Generators::positive_polynomial(const ex& polynomial) {
     }
   }
   if (within_unit_circle(polynomial) || assumed_positive(polynomial)) return true;
-  const ex shifted = polynomial.subs(shift, GiNaC::subs_options::no_pattern).expand();
+  const ex shifted = in_excesses(polynomial, strictly_positive, not_negative, used)
+                         .subs(shift, GiNaC::subs_options::no_pattern)
+                         .expand();
   bool some_positive = false;
   const auto inspect = [&](const ex& monomial) {
     bool strict = true;

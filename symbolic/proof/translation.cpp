@@ -88,13 +88,12 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
       return opaque("atan(" + text(above / below) + ")", e, positive(argument));
     }
     if (is_family(e)) {
-      GiNaC::exvector expanded;  // arguments in one form, or two elements are taken for different
+      std::string key = function_name(e);  // arguments in one form, or one element is taken for two
       for (const ex& argument : e) {
-        rewritten(argument);
-        expanded.push_back(argument.normal().expand());
+        const auto [above, below] = quotient(rewritten(argument));
+        key += ";" + text(above.expand()) + "/" + text(below.expand());
       }
-      return opaque(text(GiNaC::function(ex_to<GiNaC::function>(e).get_serial(), expanded)), e,
-                    false);
+      return opaque(key, e, false);
     }
     if (is_sequence(e)) {
       const ex index = e.op(0).expand();
