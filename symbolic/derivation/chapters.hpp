@@ -77,7 +77,7 @@ struct Restitution {
   Theorem momentum, restitution;  // the laws of one contact
   Theorem v_1, v_2;               // solved for the velocities after
 };
-Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle, const Paper& paper);
+Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle);
 
 // psi = 2 atan(s/(1 + c)): the angle in (0, pi) with cosine c and sine s > 0. Proves c^2 + s^2 = 1 and
 // s > 0 as steps `id`.circle and `id`.side, then defines `name`.

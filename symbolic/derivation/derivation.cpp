@@ -21,7 +21,7 @@ const std::vector<std::string>& chapter_names() {
 }
 
 Derivation derive(const Laws& laws, const Paper& paper) {
-  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "e", "m", "mu_A", "mu_B", "lambda"}, .integer = {}});
+  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "e", "m", "mu_A", "mu_B", "lambda", "tan_h", "C"}, .integer = {}});
   Derivation result;
   try {
     const Contact first = contact(kernel, laws, paper);
@@ -32,8 +32,10 @@ Derivation derive(const Laws& laws, const Paper& paper) {
     const Counting counts = counting(kernel, third, fourth, paper);
     ratios(kernel, third, fourth, counts, paper);
     const Times when = times(kernel, laws, fourth, counts, polynomials);
-    const Restitution inelastic = restitution(kernel, laws, second, paper);
+    const Restitution inelastic = restitution(kernel, laws, second);
     const Wedge general = wedge(kernel, laws, inelastic);
+    special_cases(kernel, general, inelastic, fourth, counts, when, paper);
+    collapse(kernel, general);
   } catch (const proof::NotProved& refused) {
     result.refused = refused;
   } catch (const std::runtime_error& stuck) {  // a singular system, a null space that is not a line

@@ -15,8 +15,7 @@ using GiNaC::matrix;
 namespace {
 
 // Gamma_A(e), Gamma_B(e) and their product on (a, b, sqrt(alpha) c'), from the contact's coefficients.
-void matrices_of_a_cycle(Kernel& kernel, const Restitution& contact, const Cycle& elastic,
-                         const Paper& paper) {
+void matrices_of_a_cycle(Kernel& kernel, const Restitution& contact, const Cycle& elastic) {
   const ex alpha = symbol("alpha"), e = symbol("e"), M = symbol("M"), x = symbol("x");
   const ex root = sqrt(alpha);
   const auto coefficient = [&](const Theorem& solved, const char* before, const ex& scale) {
@@ -75,12 +74,11 @@ void matrices_of_a_cycle(Kernel& kernel, const Restitution& contact, const Cycle
                      (1 - x) * (pow(x, 2) - trace_of_rest * x + whole_determinant)},
        .words = "the characteristic polynomial",
        .shown_lhs = "det(Lambda_e - x)"});
-  static_cast<void>(paper);
 }
 
 }  // namespace
 
-Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle, const Paper& paper) {
+Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle) {
   const ex M_1 = symbol("M_1"), M_2 = symbol("M_2"), e = symbol("e");
   const ex u_1 = symbol("u_1"), u_2 = symbol("u_2"), v_1 = symbol("v_1"), v_2 = symbol("v_2");
 
@@ -121,7 +119,7 @@ Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle, co
                       .statement = laws.energy,
                       .words = "so the energy law is the restitution law at e = 1"},
                      {{nothing_lost, 1}});
-  matrices_of_a_cycle(kernel, contact, cycle, paper);
+  matrices_of_a_cycle(kernel, contact, cycle);
   return contact;
 }
 

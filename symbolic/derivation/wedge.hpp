@@ -82,8 +82,8 @@ Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact);
 
 // Equal blocks, elastic contacts, the wall: the wedge theorem holds them all.
 void special_cases(Kernel& kernel, const Wedge& wedge, const Restitution& contact,
-                   const Rotation& rotation, const Power& power, const Counting& counting,
-                   const Times& times, const Paper& paper);
+                   const Power& power, const Counting& counting, const Times& times,
+                   const Paper& paper);
 
 // Where the collisions never end.
 void collapse(Kernel& kernel, const Wedge& wedge);

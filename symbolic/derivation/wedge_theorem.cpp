@@ -24,28 +24,57 @@ Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact) {
   const WedgeMotion motion = wedge_motion(kernel, laws, events, speeds);
   const std::vector<Statement> assuming{collisions_end()};
 
-  // r_(j+1) = (1 + e) mu r_j - e r_(j-1): with the growth sqrt(e) taken out it turns by h each time.
+
+  // r_(j+1) = (1 + e) mu r_j - e r_(j-1): with the growth sqrt(e) taken out it turns by an angle each time.
+  // Solved where mu_B is given by the tangent of that angle, tan_h > 0: only one root is left then.
+  const ex tan_h = symbol("tan_h"), turn = atan(tan_h);
   const ex cos_h = (1 + e) / (2 * sqrt(e)) * sqrt(mu_A * mu_B);
+  const ex share_of_B = 4 * e / (pow(1 + e, 2) * (1 + pow(tan_h, 2)) * mu_A);
+  const Regime regime{.id = "wedge.turning_",
+                      .parameters = {{mu_B, share_of_B}},
+                      .g = 2 * sqrt(e) / ((1 + e) * sqrt(1 + pow(tan_h, 2)) * mu_A),
+                      .sigma = [turn](const ex& k) { return sin(k * turn) / sin(turn); },
+                      .assuming = {}};
+  const WedgeSolution turning = wedge_solution(kernel, regime, speeds, motion);
+
+  const ex tangent = kernel.simplified(sqrt(1 - pow(cos_h, 2)) / cos_h, {}, assuming);
   const Theorem ratio =
       kernel.definition({.id = "wedge.g",
                          .statement = {g, sqrt(mu_B / mu_A)},
                          .words = "how the speeds towards A and B differ in size"});
-  const Theorem angle = kernel.definition(
-      {.id = "wedge.h",
-       .statement = {h, atan(kernel.simplified(sqrt(1 - pow(cos_h, 2)) / cos_h, {}, assuming))},
-       .words = "the angle of the wedge",
-       .assuming = assuming});
+  const Theorem angle = kernel.definition({.id = "wedge.h",
+                                           .statement = {h, atan(tangent)},
+                                           .words = "the angle of the wedge",
+                                           .assuming = assuming});
   kernel.identity({.id = "wedge.cos_h",
                    .statement = {cos(h), cos_h},
                    .words = "its cosine",
                    .assuming = assuming});
-
-  const Regime regime{.id = "wedge.",
-                      .parameters = {},
-                      .g = g,
-                      .sigma = [h](const ex& k) { return sin(k * h) / sin(h); },
-                      .assuming = assuming};
-  const WedgeSolution solution = wedge_solution(kernel, regime, speeds, motion);
+  // Back to the masses' shares.
+  const auto in_shares = [&](const std::string& name, const Theorem& theorem, const ex& element,
+                             const ex& form, const char* words) {
+    return kernel.instance({.id = "wedge." + name,
+                            .statement = {element, form},
+                            .words = words,
+                            .indices = from_one,
+                            .assuming = assuming},
+                           theorem, {{tan_h, tangent}});
+  };
+  const auto sigma = [h](const ex& k) { return sin(k * h) / sin(h); };
+  const ex growth = pow(e, n - 1), unit = L / V * g / sqrt(e);
+  const Theorem r_P_n = in_shares("r_P", turning.r_P, r_P(n), V * growth * sigma(2 * n - 1),
+                                  "the approach speed before P_n");
+  const Theorem r_Q_n = in_shares("r_Q", turning.r_Q, r_Q(n), V * growth * sqrt(e) / g * sigma(2 * n),
+                                  "the approach speed before Q_n");
+  const Theorem tau_P_n = in_shares("tau_P", turning.tau_P, tau_P(n),
+                                    unit * sigma(2 * n - 2) / sigma(2 * n - 1), "the time of P_n");
+  const Theorem tau_Q_n = in_shares("tau_Q", turning.tau_Q, tau_Q(n),
+                                    unit * sigma(2 * n - 1) / sigma(2 * n), "the time of Q_n");
+  const Theorem d_P_n = in_shares("d_P", turning.d_P, d_P(n), L * growth / sigma(2 * n - 1),
+                                  "the distance from A to B at P_n");
+  const Theorem d_Q_n = in_shares("d_Q", turning.d_Q, d_Q(n), L * g * growth * sqrt(e) / sigma(2 * n),
+                                  "the distance from A to B at Q_n");
+  const WedgeSolution solution{r_P_n, r_Q_n, tau_P_n, tau_Q_n, d_P_n, d_Q_n};
   const auto approach = [&](const std::string& id, const ex& speed, const Theorem& definition,
                             const Theorem& formula) {
     const Theorem defined = kernel.instance({.id = id + "_defined",

@@ -15,7 +15,8 @@ using GiNaC::ex;
 
 WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                  const WedgeTheorem& theorem) {
-  const std::map<std::string, long> from_zero{{"n", 0}}, from_one{{"n", 1}};
+  using Indices = std::map<std::string, long>;
+  const Indices from_zero{{"n", 0}}, from_one{{"n", 1}};
   const std::vector<Statement> assuming{collisions_end()};
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), g = symbol("g"), h = symbol("h");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
@@ -119,6 +120,26 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
        .indices = from_one,
        .assuming = assuming},
       {from_A, of_A, theorem.r_P});
+
+  // B keeps what its last collision gave it, and that is its floor(N_C/2)-th.
+  const ex k = symbol("k");
+  const Indices k_from_zero{{"k", 0}};
+  const Theorem last = kernel.hypothesis({.id = "wedge.last_of_B",
+                                          .statement = {k, floor(N_C() / 2)},
+                                          .words = "the number of collisions of B",
+                                          .indices = k_from_zero});
+  const Theorem of_B_last = kernel.instance({.id = "wedge.v_B_last",
+                                             .statement = {v_B(k), of_B.rhs().subs(n == k)},
+                                             .words = "B after its k-th collision",
+                                             .indices = k_from_zero,
+                                             .assuming = assuming},
+                                            of_B, {{n, k}});
+  kernel.rewriting({.id = "wedge.rho",
+                    .statement = {pow(v_B(k) / V, 2), pow(of_B_last.rhs() / V, 2)},
+                    .words = "the fraction rho of the energy that reaches B",
+                    .indices = k_from_zero,
+                    .assuming = assuming},
+                   {of_B_last, last});
   return {of_A, of_B, of_C, of_C_prime};
 }
 

@@ -97,12 +97,17 @@ void Kernel::require_replaceable(const Theorem& general, const ex& replaced, con
 // "x = 1 or x = y" where x and y are replaced; nothing is left of it where one holds by itself.
 void Kernel::add_alternatives_at(const Condition& general, const Values& values, const Claim& claim,
                                  Evidence& evidence) const {
+  const std::string rule = "special case";
   GiNaC::exmap replacements;
   for (const auto& [name, value] : values) replacements[name] = value;
   Condition here{{}};
   for (const Statement& before : general.any_of) {
-    const Statement after(before.lhs().subs(replacements, no_pattern),
-                          before.rhs().subs(replacements, no_pattern));
+    const auto at_values = [&](const ex& side) {
+      const ex value = written_out(side, values).subs(replacements, no_pattern);
+      require_scalar(value, claim, rule, evidence);
+      return simplified(value, claim.indices, claim.assuming);
+    };
+    const Statement after(at_values(before.lhs()), at_values(before.rhs()));
     if (vanishes(after.lhs() - after.rhs(), claim, evidence)) return;
     here.any_of.push_back(after);
     here.text += (here.text.empty() ? "" : " or ") + text(after);

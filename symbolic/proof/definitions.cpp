@@ -65,6 +65,13 @@ bool Definitions::speaks_of(const std::string& words, const std::string& name) c
          });
 }
 
+ex Definitions::with_angle_names(const ex& e) const {
+  GiNaC::exmap names;
+  for (const auto& [name, meaning] : data_->angles)
+    if (GiNaC::is_a<GiNaC::function>(meaning)) names[meaning] = symbol(name);
+  return e.subs(names, GiNaC::subs_options::no_pattern).evalm();
+}
+
 ex Definitions::expand_all(const ex& e) const { return substitute_until_stable(e, data_->all); }
 
 ex Definitions::expand_except_angles(const ex& e) const {

@@ -30,6 +30,9 @@ public:
   // Whether words name this symbol, or a name with it in its meaning.
   bool speaks_of(const std::string& words, const std::string& name) const;
 
+  // An angle that is written as its definition has it, by its name.
+  GiNaC::ex with_angle_names(const GiNaC::ex& e) const;
+
   GiNaC::ex expand_all(const GiNaC::ex& e) const;  // every defined name written out
   GiNaC::ex expand_except_angles(const GiNaC::ex& e) const;
 

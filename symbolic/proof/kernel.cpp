@@ -2,8 +2,6 @@
 #include "proof/kernel.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdlib>
 
 #include <ginac/ginac.h>
 
@@ -156,7 +154,6 @@ void Kernel::require_new_id(const Claim& claim) const {
 
 Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& found,
                        const std::string& verdict) {
-  { static auto last = std::chrono::steady_clock::now(); auto now = std::chrono::steady_clock::now(); if (getenv("KT")) fprintf(stderr, "%8.4f %s\n", std::chrono::duration<double>(now-last).count(), claim.id.c_str()); last = now; }
   Evidence evidence = found;
   require_assumptions(claim, rule, evidence);
   Step step = step_for(claim, rule, evidence);
@@ -202,8 +199,9 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
   NormalForm form(domain, definitions_);
   try {
     form.is_zero(left);  // each side by itself: GiNaC drops poles that both have
-    form.is_zero(right);
-    require(form.is_zero((left - right).evalm()), claim, rule,
+    const bool identical = left.is_equal(right);
+    if (!identical) form.is_zero(right);
+    require(identical || form.is_zero((left - right).evalm()), claim, rule,
             "the normal form of the difference of " + text(left) + " and " + text(right) +
                 " is not zero, though the sides agree at every point tried");
   } catch (const NotInClass& outside) {
@@ -221,7 +219,8 @@ void Kernel::add_conditions_at(const Theorem& premise, const Values& values, con
     if (!general.statement) continue;
     const Statement& before = *general.statement;
     const auto at_values = [&](const ex& side) {
-      return written_out(side, values).subs(replacements, GiNaC::subs_options::no_pattern);
+      return definitions_.with_angle_names(
+          written_out(side, values).subs(replacements, GiNaC::subs_options::no_pattern));
     };
     const Statement here(at_values(before.lhs()), before.relation(), at_values(before.rhs()));
     const ex surplus = here.lhs() - here.rhs();

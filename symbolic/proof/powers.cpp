@@ -54,14 +54,17 @@ ex NormalForm::Generators::symbolic_power(const ex& base, const ex& exponent) {
   return product;
 }
 
-// Where b > 1 is assumed for a symbol b: b = 1 + d with d > 0, and b^n = b^m (1 + x) with x >= 0 for n >= m >= 0.
+// Where b > 1 or b >= 1 is assumed for a symbol b: b = 1 + d with d > 0 or d >= 0, and
+// b^n = b^m (1 + x) with x >= 0 for n >= m >= 0.
 ex NormalForm::Generators::in_excesses(const ex& polynomial, GiNaC::exset& strict,
                                        GiNaC::exset& not_negative, Conditions& used) const {
   ex result = polynomial;
   for (const Statement& assumption : domain_.assumed) {
-    const ex& base = assumption.lhs();
-    if (assumption.relation() != Relation::greater || !is_a<GiNaC::symbol>(base) ||
-        !assumption.rhs().is_equal(1) || definitions_.contains(text(base)) || !result.has(base))
+    const bool greater = assumption.relation() == Relation::greater;
+    const ex& base = greater ? assumption.lhs() : assumption.rhs();
+    const ex& bound = greater ? assumption.rhs() : assumption.lhs();
+    if (!is_a<GiNaC::symbol>(base) || !bound.is_equal(1) || definitions_.contains(text(base)) ||
+        domain_.integer.contains(text(base)))
       continue;
     for (const SymbolicPower& known : powers_) {
       if (!known.base.is_equal(base) || !result.has(known.generator)) continue;
@@ -84,10 +87,12 @@ ex NormalForm::Generators::in_excesses(const ex& polynomial, GiNaC::exset& stric
       result = even;
       not_negative.insert(excess);
       used.insert(index_condition(text(known.exponent), from->second));
+      used.insert(condition(assumption));
     }
+    if (!result.has(base)) continue;
     const ex surplus = GiNaC::realsymbol("surplus");
     result = result.subs(base == 1 + surplus, GiNaC::subs_options::no_pattern);
-    strict.insert(surplus);
+    (greater ? strict : not_negative).insert(surplus);
     used.insert(condition(assumption));
   }
   return result;

@@ -162,10 +162,14 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
     const auto own = claim.indices.find(name);
     require(own != claim.indices.end() && own->second >= from, claim, rule,
             general.id() + " holds for " + name + " >= " + std::to_string(from) + " only");
+    evidence.conditions.insert(index_condition(name, own->second));
   }
-  require_equal(claim.statement.lhs(), written_out(general.lhs(), values).subs(replacements, no_pattern),
+  const auto at_values = [&](const ex& side) {
+    return definitions_.with_angle_names(written_out(side, values).subs(replacements, no_pattern));
+  };
+  require_equal(definitions_.with_angle_names(claim.statement.lhs()), at_values(general.lhs()),
                 claim, rule, evidence);
-  require_equal(claim.statement.rhs(), written_out(general.rhs(), values).subs(replacements, no_pattern),
+  require_equal(definitions_.with_angle_names(claim.statement.rhs()), at_values(general.rhs()),
                 claim, rule, evidence);
   for (const Condition& condition : general.conditions())
     if (!condition.statement && condition.any_of.empty() && (condition.index.empty() || !mentions(general, condition.index)))

@@ -87,6 +87,10 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
       const auto [above, below] = quotient(argument);
       return opaque("atan(" + text(above / below) + ")", e, positive(argument));
     }
+    if (is_step_function(e)) {  // equal arguments, equal values
+      const auto [above, below] = quotient(rewritten(e.op(0)));
+      return opaque(function_name(e) + "(" + text(above / below) + ")", e, false);
+    }
     if (is_family(e)) {
       std::string key = function_name(e);  // arguments in one form, or one element is taken for two
       for (const ex& argument : e) {

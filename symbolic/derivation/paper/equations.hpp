@@ -18,5 +18,6 @@ Equations rotation_equations();
 Equations power_equations();
 Equations counting_equations();
 Equations ratios_equations();
+Equations restitution_equations();
 
 }  // namespace magicmass::derivation
