@@ -131,6 +131,12 @@ Unfolding unfolding(Kernel& kernel, const Cycle& cycle, const Power& power, cons
 void chain(Kernel& kernel, const Contact& contact, const Ratios& ratios,
            const Unfolding& unfolding);
 
+struct Restitution {
+  Theorem momentum, restitution;  // the laws of one contact
+  Theorem v_1, v_2;               // solved for the velocities after
+};
+Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle);
+
 // psi = 2 atan(s/(1 + c)): the angle in (0, pi) with cosine c and sine s > 0. Proves c^2 + s^2 = 1 and
 // s > 0 as steps `id`.circle and `id`.side, then defines `name`.
 Theorem read_off_angle(Kernel& kernel, const std::string& id, const GiNaC::ex& name,

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "derivation/chapters.hpp"
+#include "derivation/wedge.hpp"
 
 namespace magicmass::derivation {
 
@@ -30,6 +31,8 @@ struct Results {
   std::optional<Mapping> mapping;
   std::optional<Table> table;
   std::optional<Unfolding> unfolding;
+  std::optional<Restitution> restitution;
+  std::optional<Wedge> wedge;
 };
 
 struct Chapter {
@@ -97,6 +100,16 @@ const std::vector<Chapter>& chapters() {
        }},
       {"chain", [](Kernel& kernel, Results& r, const Laws&,
                    const Paper&) { chain(kernel, *r.contact, *r.ratios, *r.unfolding); }},
+      {"restitution", [](Kernel& kernel, Results& r, const Laws& laws,
+                         const Paper&) { r.restitution = restitution(kernel, laws, *r.cycle); }},
+      {"wedge", [](Kernel& kernel, Results& r, const Laws& laws,
+                   const Paper&) { r.wedge = wedge(kernel, laws, *r.restitution); }},
+      {"special_cases",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
+         special_cases(kernel, *r.wedge, *r.restitution, *r.power, *r.counting, *r.times, paper);
+       }},
+      {"collapse",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper&) { collapse(kernel, *r.wedge); }},
   };
   return all;
 }
@@ -113,9 +126,9 @@ const std::vector<std::string>& chapter_names() {
 }
 
 struct Beginning::Data {
-  Kernel kernel{
-      {.positive = {"L", "M", "M_1", "M_2", "V", "M_A", "M_B", "alpha", "h_1", "h_2", "m"},
-       .integer = {}}};
+  Kernel kernel{{.positive = {"L", "M", "M_1", "M_2", "V", "M_A", "M_B", "alpha", "e", "h_1", "h_2",
+                              "m", "mu_A", "mu_B", "xi", "tan_h", "C"},
+                 .integer = {}}};
   Results results;
   std::size_t done = 0;  // chapters
 

@@ -17,6 +17,8 @@ Laws conservation_laws() {
       .momentum = {M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2},
       .energy = {M_1 * pow(u_1, 2) + M_2 * pow(u_2, 2), M_1 * pow(v_1, 2) + M_2 * pow(v_2, 2)},
       .contact = {v_1, Relation::not_equal, u_1},
+      .restitution = {v_2 - v_1, symbol("e") * (u_1 - u_2)},
+      .wall = {v_1, u_1},
       .a_initial = {a(0), symbol("V")},
       .b_initial = {b(0), 0},
       .c_initial = {c_prime(0), 0},

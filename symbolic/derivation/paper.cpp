@@ -7,19 +7,13 @@ namespace magicmass::derivation {
 
 const std::map<std::string, Equations>& paper_chapters() {
   static const std::map<std::string, Equations> chapters{
-      {"orthogonal", orthogonal_equations()},
-      {"frame", frame_equations()},
-      {"mapping", mapping_equations()},
-      {"table", table_equations()},
-      {"multiples", multiples_equations()},
-      {"contact", contact_equations()},
-      {"cycle", cycle_equations()},
-      {"rotation", rotation_equations()},
-      {"power", power_equations()},
-      {"counting", counting_equations()},
-      {"ratios", ratios_equations()},
-      {"terminal", terminal_equations()},
-      {"small_alpha", small_alpha_equations()},
+      {"orthogonal", orthogonal_equations()}, {"frame", frame_equations()},
+      {"mapping", mapping_equations()},       {"table", table_equations()},
+      {"multiples", multiples_equations()},   {"contact", contact_equations()},
+      {"cycle", cycle_equations()},           {"rotation", rotation_equations()},
+      {"power", power_equations()},           {"counting", counting_equations()},
+      {"ratios", ratios_equations()},         {"restitution", restitution_equations()},
+      {"terminal", terminal_equations()},     {"small_alpha", small_alpha_equations()},
   };
   return chapters;
 }

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "proof/definitions.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include <ginac/ginac.h>
 
 #include "proof/arctangent.hpp"
 #include "proof/names.hpp"
+#include "proof/text.hpp"
 
 namespace magicmass::proof {
 namespace {
@@ -54,6 +56,20 @@ bool Definitions::contains(const std::string& name) const { return data_->names.
 const ex* Definitions::angle(const std::string& name) const {
   const auto found = data_->angles.find(name);
   return found == data_->angles.end() ? nullptr : &found->second;
+}
+
+bool Definitions::speaks_of(const std::string& words, const std::string& name) const {
+  return proof::speaks_of(words, name) ||
+         std::any_of(data_->names.begin(), data_->names.end(), [&](const std::string& defined) {
+           return proof::speaks_of(words, defined) && expand_all(symbol(defined)).has(symbol(name));
+         });
+}
+
+ex Definitions::with_angle_names(const ex& e) const {
+  GiNaC::exmap names;
+  for (const auto& [name, meaning] : data_->angles)
+    if (GiNaC::is_a<GiNaC::function>(meaning)) names[meaning] = symbol(name);
+  return e.subs(names, GiNaC::subs_options::no_pattern).evalm();
 }
 
 ex Definitions::expand_all(const ex& e) const { return substitute_until_stable(e, data_->all); }

@@ -27,6 +27,12 @@ public:
   // The meaning of an angle's name: a rational multiple of atan(t); nullptr for any other name.
   const GiNaC::ex* angle(const std::string& name) const;
 
+  // Whether words name this symbol, or a name with it in its meaning.
+  bool speaks_of(const std::string& words, const std::string& name) const;
+
+  // An angle that is written as its definition has it, by its name.
+  GiNaC::ex with_angle_names(const GiNaC::ex& e) const;
+
   GiNaC::ex expand_all(const GiNaC::ex& e) const;  // every defined name written out
   GiNaC::ex expand_except_angles(const GiNaC::ex& e) const;
 

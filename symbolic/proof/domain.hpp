@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "proof/statement.hpp"
 
@@ -15,6 +16,7 @@ namespace magicmass::proof {
 struct Domain {
   std::set<std::string> positive;       // real and > 0
   std::map<std::string, long> integer;  // integers from the given value on
+  std::vector<Statement> assumed = {};  // inequalities ">" and "<="
 
   Domain with_integer(const std::string& name, long from) const {
     Domain result = *this;
@@ -30,6 +32,7 @@ struct Condition {
   std::optional<Statement> statement = std::nullopt;
   std::string index =
       {};  // "n" in "n integer, n >= 1": bound by the theorem, so not handed on as it stands
+  std::vector<Statement> any_of = {};  // "x = 1 or x = y", when the text says that
 
   friend bool operator<(const Condition& x, const Condition& y) { return x.text < y.text; }
 };

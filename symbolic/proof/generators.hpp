@@ -39,6 +39,11 @@ public:
   ex reduced_fraction(const ex& rational) const;
   ex tidied(const ex& polynomial) const;
 
+  // powers.cpp
+  ex symbolic_power(const ex& base, const ex& exponent);
+  ex in_excesses(const ex& polynomial, GiNaC::exset& strict, GiNaC::exset& not_negative,
+                 Conditions& used) const;
+
   // radicals.cpp
   ex square_root(const ex& radicand);
   ex radical(const ex& square, bool is_positive);
@@ -49,10 +54,12 @@ public:
 
   // sign.cpp
   bool positive(const ex& rational);
+  bool not_negative(const ex& rational);
   bool positive_at_fraction_of_pi(const ex& e);
   void require_nonzero(const ex& rational, const ex& shown);
 
   Conditions conditions;
+  static constexpr int largest_exponent = 200;  // polynomials are expanded
 
 private:
   struct Square {
@@ -71,6 +78,7 @@ private:
   Pair independent_pair(const ex& angle);
   bool within_unit_circle(const ex& polynomial) const;
   bool positive_polynomial(const ex& polynomial);
+  bool assumed_positive(const ex& polynomial);
   bool sine_product(ex& radicand, ex& root);
 
   Domain domain_;
@@ -83,6 +91,11 @@ private:
   GiNaC::exset positive_generators_;
   std::vector<std::pair<ex, ex>> pairs_;  // independent (C, S)
   std::map<std::string, GiNaC::numeric> denominators_;
+  struct SymbolicPower {
+    ex generator, base, exponent;  // base^(exponent/2)
+  };
+  std::vector<SymbolicPower> powers_;
+  bool within_assumption_ = false;
 };
 
 }  // namespace magicmass::proof

@@ -39,6 +39,7 @@ bool may_be_an_inequality(const std::string& rule) {
                                            "angle below pi",
 
                                            "smaller cosine on [0, pi]",
+                                           "signs by induction",
                                            "series",
                                            "series of a count",
                                            "condition proved",
@@ -75,13 +76,14 @@ Kernel::Kernel(Domain domain) : domain_(std::move(domain)) {}
 Domain Kernel::domain_of(const Claim& claim) const {
   Domain domain = domain_;
   for (const auto& [name, from] : claim.indices) domain.integer[name] = from;
+  domain.assumed.insert(domain.assumed.end(), claim.assuming.begin(), claim.assuming.end());
   return domain;
 }
 
-ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices) const {
-  Domain domain = domain_;
-  for (const auto& [name, from] : indices) domain.integer[name] = from;
-  return NormalForm(domain, definitions_).simplified(e.evalm());
+ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices,
+                      const std::vector<Statement>& assuming) const {
+  const Claim setting{.id = {}, .statement = {e, e}, .indices = indices, .assuming = assuming};
+  return NormalForm(domain_of(setting), definitions_).simplified(e.evalm());
 }
 
 Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const {
@@ -105,8 +107,10 @@ void Kernel::require_new_id(const Claim& claim) const {
     if (earlier.id() == claim.id) throw std::logic_error("two steps are called " + claim.id);
 }
 
-Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& evidence,
+Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Evidence& found,
                        const std::string& verdict) {
+  Evidence evidence = found;
+  require_assumptions(claim, rule, evidence);
   Step step = step_for(claim, rule, evidence);
   step.verdict = verdict;
   if (verdict == "proved" && !may_be_an_inequality(rule))
@@ -149,8 +153,9 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
   NormalForm form(domain, definitions_);
   try {
     form.require_defined(left);  // each side by itself: GiNaC drops poles that both have
-    form.require_defined(right);
-    require(form.is_zero((left - right).evalm()), claim, rule,
+    const bool identical = left.is_equal(right);
+    if (!identical) form.require_defined(right);
+    require(identical || form.is_zero((left - right).evalm()), claim, rule,
             "the normal form of the difference of " + text(left) + " and " + text(right) +
                 " is not zero, though the sides agree at every point tried");
   } catch (const NotInClass& outside) {
@@ -170,6 +175,17 @@ bool Kernel::is_positive(const ex& e, const Claim& claim, Evidence& evidence) co
   return true;
 }
 
+bool Kernel::is_not_negative(const ex& e, const Claim& claim, Evidence& evidence) const {
+  NormalForm form(domain_of(claim), definitions_);
+  try {
+    if (!form.is_not_negative(e)) return false;
+  } catch (const NotInClass&) {
+    return false;
+  }
+  evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
+  return true;
+}
+
 bool Kernel::is_zero(const ex& e, const Claim& claim, Evidence& evidence) const {
   NormalForm form(domain_of(claim), definitions_);
   try {
@@ -182,6 +198,7 @@ bool Kernel::is_zero(const ex& e, const Claim& claim, Evidence& evidence) const 
 }
 
 Theorem Kernel::law(const Claim& claim) {
+  require_family_law(claim, "law");
   const Theorem result = accept(claim, "law", {}, "law");
   const auto visit = [&](const auto& self, const ex& part) -> void {
     if (is_a<GiNaC::symbol>(part)) {
@@ -197,6 +214,7 @@ Theorem Kernel::law(const Claim& claim) {
 
 Theorem Kernel::definition(const Claim& claim) {
   require_new_id(claim);
+  require_family_law(claim, "definition");
   Evidence evidence;
   const ex& name = claim.statement.lhs();
   require(claim.statement.relation() == Relation::equal, claim, "definition",

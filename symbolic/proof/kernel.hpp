@@ -13,6 +13,10 @@
 #include "proof/domain.hpp"
 #include "proof/theorem.hpp"
 
+namespace GiNaC {
+class matrix;
+}
+
 namespace magicmass::proof {
 
 // What a derivation asks the kernel to accept.
@@ -22,6 +26,7 @@ struct Claim {
   std::string words = {};
   std::string label = {};
   std::map<std::string, long> indices = {};  // integers and where they start: {{"n", 1}}
+  std::vector<Statement> assuming = {};  // ">" and "<=" between constants; they become conditions
   std::string shown_lhs =
       {};  // how to print a side that computes something: "det Gamma", "R^T Lambda R"
   std::string shown_rhs = {};
@@ -89,6 +94,10 @@ public:
   Theorem induction(const Claim& claim, const std::vector<Theorem>& initial,
                     const std::vector<Theorem>& recurrences, const GiNaC::ex& n);
 
+  // f(n) = F(n) from `first` on, from f(first) = F(first) and from the same for all later n.
+  Theorem first_and_later(const Claim& claim, const Theorem& at_first, const Theorem& later,
+                          const GiNaC::ex& n);
+
   // --- angles (rules_angles.cpp) -----------------------------------------------------------------------
   // Two angles in [0, pi] with the same cosine are equal.
   Theorem equal_angles(const Claim& claim);
@@ -147,12 +156,26 @@ public:
   // The leading term of a count N = ceil(q f + number) + m from that of f, which grows beyond all bounds.
   Theorem expansion_of_count(const Claim& claim, const Theorem& count, const Theorem& expansion);
 
+  // --- signs by induction (rules_positivity_induction.cpp) ---------------------------------------------
+  // One of `values`, expressions in sequences at n, is > 0: all are at the first index, where `initial`
+  // gives the sequences, and each value at n is the sum of factors(i, k) >= 0 times value k at n - 1.
+  Theorem positivity_by_induction(const Claim& claim, const std::vector<GiNaC::ex>& values,
+                                  const GiNaC::matrix& factors, const std::vector<Theorem>& initial,
+                                  const std::vector<Theorem>& recurrences, const GiNaC::ex& n);
+
+  // --- limits (rules_limits.cpp) -----------------------------------------------------------------------
+  // lim(f, x) = value for x -> infinity: f, or what `closed` says it is, is `form` with p = `vanishing`,
+  // which is 1/x or b^(-c x), b > 1; the form is rational in p and defined at p = 0.
+  Theorem limit(const Claim& claim, const std::optional<Theorem>& closed, const GiNaC::ex& form,
+                const GiNaC::ex& p, const GiNaC::ex& vanishing);
+
   const std::vector<Theorem>& theorems() const { return theorems_; }  // all of them, in order
   const Definitions& definitions() const { return definitions_; }
   Domain domain_of(const Claim& claim) const;
 
   // A simplified, equal expression under this kernel's domain and definitions; a proposal, not a proof.
-  GiNaC::ex simplified(const GiNaC::ex& e, const std::map<std::string, long>& indices = {}) const;
+  GiNaC::ex simplified(const GiNaC::ex& e, const std::map<std::string, long>& indices = {},
+                       const std::vector<Statement>& assuming = {}) const;
 
 private:
   struct Evidence {
@@ -167,12 +190,22 @@ private:
   // The conditions of a premise that is used with its symbols at these values.
   void add_conditions_at(const Theorem& premise, const Values& values, const Claim& claim,
                          Evidence& evidence) const;
+  void add_alternatives_at(const Condition& general, const Values& values, const Claim& claim,
+                           Evidence& evidence) const;
+  // The claim's assumptions are inequalities between constants, and conditions of what is proved from them.
+  void require_assumptions(const Claim& claim, const std::string& rule, Evidence& evidence) const;
+  // Replacing this symbol in the theorem reaches all that depends on it.
+  void require_replaceable(const Theorem& general, const GiNaC::ex& symbol, const Claim& claim,
+                           const std::string& rule) const;
   // A premise of this kernel (definitions and domain are this one's), and an equation.
   void require_own(const Theorem& premise, const Claim& claim, const std::string& rule) const;
   void require_equation(const Theorem& premise, const Claim& claim, const std::string& rule) const;
   // e is a real scalar wherever the recorded conditions hold: what may stand for a symbol or multiply a premise.
   void require_scalar(const GiNaC::ex& e, const Claim& claim, const std::string& rule,
                       Evidence& evidence) const;
+  // A law or a definition of a family of sequences speaks of its parameters, V and L alone.
+  void require_family_law(const Claim& claim, const std::string& rule) const;
+  GiNaC::ex written_out(const GiNaC::ex& e, const Values& values) const;
   // No defined name in e hides `name`: so substituting for `name` in e reaches every occurrence.
   void require_visible(const GiNaC::ex& e, const GiNaC::ex& name, const Claim& claim,
                        const std::string& rule) const;
@@ -189,12 +222,16 @@ private:
   void require_equal(const GiNaC::ex& lhs, const GiNaC::ex& rhs, const Claim& claim,
                      const std::string& rule, Evidence& evidence) const;
   bool is_positive(const GiNaC::ex& e, const Claim& claim, Evidence& evidence) const;
+  bool is_not_negative(const GiNaC::ex& e, const Claim& claim, Evidence& evidence) const;
   bool is_integer(const GiNaC::ex& e, const Claim& claim) const;
   // e = 0 by normal form; outside of the class: not seen.
   bool is_zero(const GiNaC::ex& e, const Claim& claim, Evidence& evidence) const;
   // X = ceil(y) + m, taken apart: y and X - m.
   std::pair<GiNaC::ex, GiNaC::ex> ceiling_of(const Theorem& count, const Claim& claim,
                                              const std::string& rule) const;
+
+  bool tends_to_zero(const GiNaC::ex& vanishing, const GiNaC::ex& x, const Claim& claim,
+                     Evidence& evidence) const;
   bool is_angle_up_to_pi(const GiNaC::ex& angle, const Claim& claim, Evidence& evidence) const;
   GiNaC::ex applied(const Theorem& equation, const GiNaC::ex& e, const Claim& claim,
                     const std::string& rule, Evidence& evidence) const;

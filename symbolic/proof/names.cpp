@@ -57,6 +57,7 @@ DECLARE_FUNCTION_1P(seq_Y_P)
 DECLARE_FUNCTION_1P(seq_v)
 DECLARE_FUNCTION_1P(seq_w)
 DECLARE_FUNCTION_3P(sum_finite)
+DECLARE_FUNCTION_2P(limit_infinity)
 DECLARE_FUNCTION_1P(step_ceil)
 DECLARE_FUNCTION_1P(step_floor)
 DECLARE_FUNCTION_1P(step_sawtooth)
@@ -79,6 +80,7 @@ REGISTER_FUNCTION(seq_Y_P, dummy())
 REGISTER_FUNCTION(seq_v, dummy())
 REGISTER_FUNCTION(seq_w, dummy())
 REGISTER_FUNCTION(sum_finite, eval_func(finite_sum_eval))
+REGISTER_FUNCTION(limit_infinity, dummy())
 REGISTER_FUNCTION(step_ceil, eval_func(ceiling_eval).evalf_func(ceiling_evalf))
 REGISTER_FUNCTION(step_floor, eval_func(floor_eval).evalf_func(floor_evalf))
 REGISTER_FUNCTION(step_sawtooth, eval_func(sawtooth_eval).evalf_func(sawtooth_evalf))
@@ -132,13 +134,29 @@ ex sawtooth_evalf(const ex& x) {
 
 const std::map<std::string, std::string>& printed_names() {
   static const std::map<std::string, std::string> names{
-      {"seq_a", "a"},        {"seq_b", "b"},          {"seq_c", "c"},
-      {"seq_c_prime", "c'"}, {"seq_t_P", "t_P"},      {"seq_t_Q", "t_Q"},
-      {"seq_s_P", "s_P"},    {"seq_s_Q", "s_Q"},      {"seq_T", "T"},
-      {"seq_t", "t"},        {"seq_s", "s"},          {"step_ceil", "ceil"},
-      {"seq_C", "C"},        {"seq_S", "S"},          {"seq_X_P", "X_P"},
-      {"seq_Y_P", "Y_P"},    {"seq_v", "v"},          {"seq_w", "w"},
-      {"sum_finite", "sum"}, {"step_floor", "floor"}, {"step_sawtooth", "sawtooth"},
+      {"seq_a", "a"},
+      {"seq_b", "b"},
+      {"seq_c", "c"},
+      {"seq_c_prime", "c'"},
+      {"seq_t_P", "t_P"},
+      {"seq_t_Q", "t_Q"},
+      {"seq_s_P", "s_P"},
+      {"seq_s_Q", "s_Q"},
+      {"seq_T", "T"},
+      {"seq_t", "t"},
+      {"seq_s", "s"},
+      {"step_ceil", "ceil"},
+      {"seq_C", "C"},
+      {"seq_S", "S"},
+      {"seq_X_P", "X_P"},
+      {"seq_Y_P", "Y_P"},
+      {"seq_v", "v"},
+      {"seq_w", "w"},
+      {"sum_finite", "sum"},
+      {"step_floor", "floor"},
+      {"step_sawtooth", "sawtooth"},
+      {"seq_v_C_prime", "v_C'"},
+      {"limit_infinity", "lim"},
   };
   return names;
 }
@@ -187,6 +205,10 @@ const ex& summation_index() {
 bool is_finite_sum(const ex& e) {
   return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == "sum_finite";
 }
+ex limit_at_infinity(const ex& f, const ex& x) { return limit_infinity(f, x); }
+bool is_limit(const ex& e) {
+  return is_a<GiNaC::function>(e) && ex_to<GiNaC::function>(e).get_name() == "limit_infinity";
+}
 ex ceiling(const ex& x) { return step_ceil(x); }
 ex floor(const ex& x) { return step_floor(x); }
 ex sawtooth(const ex& x) { return step_sawtooth(x); }
@@ -206,7 +228,10 @@ bool is_step_function(const ex& e) {
 std::string function_name(const ex& e) {
   const std::string name = ex_to<GiNaC::function>(e).get_name();
   const auto found = printed_names().find(name);
-  return found == printed_names().end() ? name : found->second;
+  if (found != printed_names().end()) return found->second;
+  for (const std::string prefix : {"seq_", "family_"})
+    if (name.starts_with(prefix)) return name.substr(prefix.size());
+  return name;
 }
 
 }  // namespace magicmass::proof

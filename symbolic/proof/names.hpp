@@ -44,6 +44,10 @@ GiNaC::ex finite_sum(const GiNaC::ex& term, const GiNaC::ex& lower, const GiNaC:
 const GiNaC::ex& summation_index();
 bool is_finite_sum(const GiNaC::ex& e);
 
+// lim(f, x): what f tends to as x grows without bound.
+GiNaC::ex limit_at_infinity(const GiNaC::ex& f, const GiNaC::ex& x);
+bool is_limit(const GiNaC::ex& e);
+
 bool is_sequence(const GiNaC::ex& e);  // a(...), b(...), ...: a function of an index
 bool contains_sequence(const GiNaC::ex& e);
 bool is_step_function(const GiNaC::ex& e);  // ceiling, floor, sawtooth

@@ -47,6 +47,10 @@ bool NormalForm::is_positive(const ex& e) {
   return generators_->positive(generators_->translate(e));
 }
 
+bool NormalForm::is_not_negative(const ex& e) {
+  return generators_->not_negative(generators_->translate(e));
+}
+
 const Conditions& NormalForm::conditions() const { return generators_->conditions; }
 
 }  // namespace magicmass::proof

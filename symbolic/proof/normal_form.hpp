@@ -43,6 +43,9 @@ public:
   // Whether e > 0 follows from the domain by signs of factors and coefficients alone; false: not seen.
   bool is_positive(const GiNaC::ex& e);
 
+  // Whether e >= 0 follows in the same way.
+  bool is_not_negative(const GiNaC::ex& e);
+
   // Every assumption used so far, and every "d != 0" needed but not seen to follow from the domain.
   const Conditions& conditions() const;
 

@@ -87,13 +87,19 @@ void Kernel::add_conditions_at(const Theorem& premise, const Values& values, con
   GiNaC::exmap replacements;
   for (const auto& [name, value] : values) replacements[name] = value;
   for (const Condition& general : premise.conditions()) {
+    if (!general.any_of.empty()) add_alternatives_at(general, values, claim, evidence);
     if (!general.statement) continue;
     const Statement& before = *general.statement;
-    const Statement here(before.lhs().subs(replacements, GiNaC::subs_options::no_pattern),
-                         before.relation(),
-                         before.rhs().subs(replacements, GiNaC::subs_options::no_pattern));
-    const bool holds = here.relation() == Relation::greater &&
-                       is_positive(here.lhs() - here.rhs(), claim, evidence);
+    const auto at_values = [&](const ex& side) {
+      return definitions_.with_angle_names(
+          written_out(side, values).subs(replacements, GiNaC::subs_options::no_pattern));
+    };
+    const Statement here(at_values(before.lhs()), before.relation(), at_values(before.rhs()));
+    const ex surplus = here.lhs() - here.rhs();
+    const bool holds =
+        (here.relation() == Relation::greater && is_positive(surplus, claim, evidence)) ||
+        (here.relation() == Relation::not_equal &&
+         (is_positive(surplus, claim, evidence) || is_positive(-surplus, claim, evidence)));
     if (!holds) evidence.conditions.insert(condition(here));
   }
 }

@@ -70,6 +70,10 @@ ex Kernel::applied(const Theorem& equation, const ex& e, const Claim& claim,
     collect_elements(e, function_name(left), elements);
     for (const ex& element : elements) {
       const ex value = element.op(0);
+      bool same_family = element.nops() == left.nops();
+      for (size_t i = 1; same_family && i < left.nops(); ++i)
+        same_family = element.op(i).is_equal(left.op(i).subs(index == value, no_pattern));
+      if (!same_family) continue;
       const auto from = equation.domain().integer.find(index_name);
       require(from != equation.domain().integer.end(), claim, rule,
               "the index of " + equation.id() + " is not an integer");
@@ -154,14 +158,7 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
                   ", as " + name + " must be");
     replacements[symbol] = value;
     require_scalar(value, claim, rule, evidence);
-    require_visible(general.lhs() - general.rhs(), symbol, claim, rule);
-    for (const Condition& condition : general.conditions())
-      if (condition.statement)
-        require_visible(condition.statement->lhs() - condition.statement->rhs(), symbol, claim,
-                        rule);
-    require(general.domain().integer.contains(name) ||
-                !(contains_sequence(general.lhs()) || contains_sequence(general.rhs())),
-            claim, rule, "sequences may depend on " + name);
+    require_replaceable(general, symbol, claim, rule);
   }
   for (const auto& [name, from] : general.domain().integer) {
     const ex index = symbol(name);
@@ -169,13 +166,18 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
     const auto own = claim.indices.find(name);
     require(own != claim.indices.end() && own->second >= from, claim, rule,
             general.id() + " holds for " + name + " >= " + std::to_string(from) + " only");
+    evidence.conditions.insert(index_condition(name, own->second));
   }
-  require_equal(claim.statement.lhs(), general.lhs().subs(replacements, no_pattern), claim, rule,
-                evidence);
-  require_equal(claim.statement.rhs(), general.rhs().subs(replacements, no_pattern), claim, rule,
-                evidence);
+  const auto at_values = [&](const ex& side) {
+    return definitions_.with_angle_names(written_out(side, values).subs(replacements, no_pattern));
+  };
+  require_equal(definitions_.with_angle_names(claim.statement.lhs()), at_values(general.lhs()),
+                claim, rule, evidence);
+  require_equal(definitions_.with_angle_names(claim.statement.rhs()), at_values(general.rhs()),
+                claim, rule, evidence);
   for (const Condition& condition : general.conditions())
-    if (!condition.statement && (condition.index.empty() || !mentions(general, condition.index)))
+    if (!condition.statement && condition.any_of.empty() &&
+        (condition.index.empty() || !mentions(general, condition.index)))
       evidence.conditions.insert(condition);
   add_conditions_at(general, values, claim, evidence);
   return accept(claim, rule, evidence);
@@ -199,7 +201,8 @@ Theorem Kernel::cases(const Claim& claim, const std::vector<std::pair<Values, Th
   Evidence evidence;
   require(!all.empty() && claim.statement.relation() == Relation::equal, claim, rule,
           "no case, or not an equation");
-  std::string one_of;  // that these are all the cases is a condition, in words
+  Condition one_of{{}};  // that these are all the cases is a condition
+  bool by_value = true;
   for (const auto& [values, theorem] : all) {
     use(theorem, claim, rule, evidence);
     require_equation(theorem, claim, rule);
@@ -209,11 +212,14 @@ Theorem Kernel::cases(const Claim& claim, const std::vector<std::pair<Values, Th
       replacements[name] = value;
       shown += (shown.empty() ? "" : ", ") + text(name) + " = " + text(value);
     }
-    one_of += (one_of.empty() ? "" : " or ") + shown;
+    one_of.text += (one_of.text.empty() ? "" : " or ") + shown;
+    by_value = by_value && values.size() == 1;
+    if (by_value) one_of.any_of.emplace_back(values[0].first, values[0].second);
     require_equal(difference(claim.statement).subs(replacements, no_pattern),
                   difference(theorem.statement()), claim, rule, evidence);
   }
-  evidence.conditions.insert({one_of});
+  if (!by_value) one_of.any_of.clear();
+  evidence.conditions.insert(one_of);
   return accept(claim, rule, evidence);
 }
 

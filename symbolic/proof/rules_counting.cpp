@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <ginac/ginac.h>
 
+#include "proof/families.hpp"
 #include "proof/kernel.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
@@ -33,6 +34,10 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
                                 const Theorem& before_odd, const ex& n, const ex& h) {
   const std::string rule = "last collision";
   Evidence evidence;
+  Claim at_n = claim;  // the factors are positive at each n >= 0
+  at_n.indices[text(n)] = 0;
+  require(is_a<GiNaC::symbol>(n) && !domain_.positive.contains(text(n)), claim, rule,
+          text(n) + " is not an index");
   int shift = 1;
   for (const Theorem& speed : {before_even, before_odd}) {
     use(speed, claim, rule, evidence,
@@ -49,7 +54,7 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
     require(definitions_.expand_except_angles(angle - (2 * n + shift) * h).expand().is_zero(),
             claim, rule,
             speed.id() + " is not a multiple of sin((2 n + " + std::to_string(shift) + ") h)");
-    require(!rest.has(n) && is_positive(rest, claim, evidence), claim, rule,
+    require(is_positive(rest, at_n, evidence), claim, rule,
             "the factor " + text(rest) + " in " + speed.id() + " is not seen to be positive");
     const auto from = speed.domain().integer.find(text(n));
     require(from != speed.domain().integer.end() && from->second == 0, claim, rule,
@@ -58,10 +63,19 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
   }
   require(is_angle_up_to_pi(2 * h, claim, evidence), claim, rule,
           "2 h is not seen to lie in [0, pi]");
-  require(claim.statement.lhs().is_equal(symbol("N")), claim, rule, "the claim must be about N");
+  std::erase_if(evidence.conditions,
+                [&](const Condition& condition) { return condition.index == text(n); });
+  const ex& number = claim.statement.lhs();
+  const bool of_family = contains_family(before_even.lhs()) || contains_family(before_odd.lhs());
+  require(number.is_equal(of_family ? N_C() : symbol("N")), claim, rule,
+          std::string("the claim must be about ") + (of_family ? "N_C" : "N"));
+  require(families_are_general(before_even.lhs()) && families_are_general(before_odd.lhs()), claim,
+          rule, "the speeds are not those of the general wedge");
   require(!definitions_.expand_all(h).has(n), claim, rule, "h depends on n");
   for (const Theorem& earlier : theorems_)
-    require(!mentions(earlier, "N"), claim, rule, "N is in use already, in " + earlier.id());
+    require(of_family ? !(earlier.lhs().has(number) || earlier.rhs().has(number))
+                      : !mentions(earlier, "N"),
+            claim, rule, text(number) + " is in use already, in " + earlier.id());
   require(claim.statement.rhs().is_equal(ceiling(GiNaC::Pi / h) - 1), claim, rule,
           "the number of collisions is " + text(ceiling(GiNaC::Pi / h) - 1));
   evidence.conditions.insert({"the objects do not pass through each other"});

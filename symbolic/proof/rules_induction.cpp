@@ -102,4 +102,33 @@ Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initia
   return accept(claim, rule, evidence);
 }
 
+Theorem Kernel::first_and_later(const Claim& claim, const Theorem& at_first, const Theorem& later,
+                                const ex& n) {
+  const std::string rule = "the first and all later";
+  Evidence evidence;
+  require(is_a<GiNaC::symbol>(n) && claim.indices.contains(text(n)), claim, rule,
+          "the claim does not say where " + text(n) + " starts");
+  const long first = claim.indices.at(text(n));
+  Claim rest = claim;
+  rest.indices[text(n)] = first + 1;
+  use(at_first, claim, rule, evidence);
+  use(later, rest, rule, evidence);
+  require_equation(at_first, claim, rule);
+  require_equation(later, claim, rule);
+  for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
+    require_visible(side, n, claim, rule);
+  const auto difference_at = [&](const ex& value) {
+    return (claim.statement.lhs() - claim.statement.rhs()).subs(n == value, no_pattern);
+  };
+  require(later.lhs().is_equal(claim.statement.lhs()) &&
+              at_first.lhs().is_equal(claim.statement.lhs().subs(n == first, no_pattern)),
+          claim, rule, "the premises are about something else");
+  require_equal(later.lhs() - later.rhs(), difference_at(n), rest, rule, evidence);
+  require_equal(at_first.lhs() - at_first.rhs(), difference_at(first), claim, rule, evidence);
+  std::erase_if(evidence.conditions,
+                [&](const Condition& condition) { return condition.index == text(n); });
+  evidence.conditions.insert(index_condition(text(n), first));
+  return accept(claim, rule, evidence);
+}
+
 }  // namespace magicmass::proof

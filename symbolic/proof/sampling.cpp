@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "proof/sampling.hpp"
 
+#include <algorithm>
 #include <map>
 #include <random>
 #include <sstream>
 
 #include <ginac/ginac.h>
 
+#include "proof/families.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -50,6 +52,15 @@ public:
     return at_point.subs(sequence_values, GiNaC::subs_options::no_pattern).evalf();
   }
 
+  bool holds(const Statement& assumption, const Definitions& definitions) {
+    const ex surplus = definitions.expand_all(assumption.lhs() - assumption.rhs());
+    assign(surplus);
+    const ex at_point = value(surplus);
+    if (!is_a<numeric>(at_point) || !ex_to<numeric>(at_point).is_real()) return false;
+    const bool greater = ex_to<numeric>(at_point).is_positive();
+    return assumption.relation() == Relation::greater ? greater : !greater;
+  }
+
   std::string shown() const {
     std::string result;
     for (const auto& [name, value] : shown_)
@@ -77,7 +88,7 @@ private:
   }
 
   void assign_sequences(const ex& e, GiNaC::exmap& replacements) {
-    if (is_sequence(e)) {
+    if (is_sequence(e) || is_family(e)) {
       const std::string key = text(e);
       if (!sequences_.contains(key)) {
         sequences_[key] = numeric(between(-90, 90), between(1, 40));
@@ -141,11 +152,15 @@ std::optional<std::string> counterexample(const ex& lhs, const ex& rhs, const Do
   const ex left = definitions.expand_all(lhs);
   const ex right = definitions.expand_all(rhs);
   int compared = 0;
-  for (int i = 0; i < 8 * points && compared < points; ++i) {
+  const int tries = domain.assumed.empty() ? 8 * points : 100 * points;
+  for (int i = 0; i < tries && compared < points; ++i) {
     Point point(domain, random);
     point.assign(left);
     point.assign(right);
     try {
+      if (!std::all_of(domain.assumed.begin(), domain.assumed.end(),
+                       [&](const Statement& s) { return point.holds(s, definitions); }))
+        continue;
       const ex left_value = point.value(left);
       const ex right_value = point.value(right);
       ++compared;

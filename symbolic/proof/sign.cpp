@@ -54,7 +54,10 @@ bool NormalForm::Generators::positive_polynomial(const ex& polynomial) {
       used.insert(index_condition(name, found->second));
     }
   }
-  const ex shifted = polynomial.subs(shift, GiNaC::subs_options::no_pattern).expand();
+  if (within_unit_circle(polynomial) || assumed_positive(polynomial)) return true;
+  const ex shifted = in_excesses(polynomial, strictly_positive, not_negative, used)
+                         .subs(shift, GiNaC::subs_options::no_pattern)
+                         .expand();
   bool some_positive = false;
   const auto inspect = [&](const ex& monomial) {
     bool strict = true;
@@ -74,7 +77,6 @@ bool NormalForm::Generators::positive_polynomial(const ex& polynomial) {
     some_positive = some_positive || (fine && strict && !monomial.is_zero());
     return fine;
   };
-  if (within_unit_circle(polynomial)) return true;
   bool all = true;
   if (is_a<GiNaC::add>(shifted))
     for (const ex& monomial : shifted) all = all && inspect(monomial);
@@ -83,6 +85,44 @@ bool NormalForm::Generators::positive_polynomial(const ex& polynomial) {
   if (!all || !some_positive) return false;
   conditions.merge(used);
   return true;
+}
+
+// A positive multiple of lhs - rhs where lhs > rhs is assumed. Assumptions are free of angles.
+bool NormalForm::Generators::assumed_positive(const ex& polynomial) {
+  if (within_assumption_ || domain_.assumed.empty()) return false;
+  for (const Statement& assumption : domain_.assumed) {
+    if (assumption.relation() != Relation::greater) continue;
+    within_assumption_ = true;  // no assumption is seen to hold by itself
+    const auto [above, below] =
+        quotient(rewritten(definitions_.expand_except_angles(assumption.lhs() - assumption.rhs())));
+    const bool below_positive = positive(below);
+    const bool below_negative = !below_positive && positive(-below);
+    within_assumption_ = false;
+    if ((!below_positive && !below_negative) || above.is_zero()) continue;
+    const ex ratio = (polynomial / (below_positive ? above : ex(-above))).normal();
+    if (is_a<numeric>(ratio) && ex_to<numeric>(ratio).is_positive()) {
+      conditions.insert(condition(assumption));
+      return true;
+    }
+  }
+  return false;
+}
+
+// Zero, positive, or a positive multiple of rhs - lhs where lhs <= rhs is assumed.
+bool NormalForm::Generators::not_negative(const ex& rational) {
+  const auto [above, below] = quotient(rational);
+  if (above.is_zero() || positive(above / below)) return true;
+  for (const Statement& assumption : domain_.assumed) {
+    if (assumption.relation() != Relation::less_equal) continue;
+    const ex bound =
+        rewritten(definitions_.expand_except_angles(assumption.rhs() - assumption.lhs()));
+    if (quotient(bound).first.is_zero()) continue;
+    const auto [ratio_above, ratio_below] = quotient(rational / bound);
+    if (ratio_above.is_zero() || !positive(ratio_above / ratio_below)) continue;
+    conditions.insert(condition(assumption));
+    return true;
+  }
+  return false;
 }
 
 bool NormalForm::Generators::positive(const ex& rational) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <cctype>
 #include <stdexcept>
 
 #include <ginac/ginac.h>
@@ -25,6 +26,19 @@ std::string text(Relation relation) {
       return "~";
   }
   throw std::logic_error("a relation without a sign");
+}
+
+bool speaks_of(const std::string& words, const std::string& name) {
+  const auto part_of_name = [](char character) {
+    return std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_';
+  };
+  for (std::size_t at = words.find(name); at != std::string::npos; at = words.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !part_of_name(words[at - 1])) &&
+        (end == words.size() || !part_of_name(words[end])))
+      return true;
+  }
+  return false;
 }
 
 }  // namespace magicmass::proof

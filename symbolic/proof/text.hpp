@@ -19,6 +19,9 @@ std::string text(Relation relation);  // "=", "!=", "<=", ">", "~"
 // its hashes fall; whoever prints or translates a sum as a factor asks this and turns the sign round.
 bool leads_with_minus(const GiNaC::ex& sum);
 
+// Whether words speak of a symbol by its name.
+bool speaks_of(const std::string& words, const std::string& name);
+
 inline Condition condition(const Statement& statement) { return {text(statement), statement}; }
 
 }  // namespace magicmass::proof

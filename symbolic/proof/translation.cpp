@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/families.hpp"
 #include "proof/finite_sums.hpp"
 #include "proof/generators.hpp"
 #include "proof/names.hpp"
@@ -10,10 +11,6 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
-
-namespace {
-constexpr int largest_exponent = 200;  // polynomials are expanded
-}
 
 ex NormalForm::Generators::translate(const ex& e) {
   const ex written_out = definitions_.expand_except_angles(e);
@@ -76,6 +73,7 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
     if (exponent.is_integer()) return GiNaC::power(base, exponent);
     return GiNaC::power(square_root(base), 2 * exponent);
   }
+  if (is_a<GiNaC::power>(e)) return symbolic_power(e.op(0), e.op(1));
   if (is_a<GiNaC::function>(e)) {
     const std::string name = ex_to<GiNaC::function>(e).get_name();
     if (name == "cos") return cosine_and_sine(e.op(0)).cosine;
@@ -91,6 +89,19 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
       return opaque("atan(" + text(above / below) + ")", e, positive(argument));
     }
     if (is_finite_sum(e)) return opaque_sum(e);
+
+    if (is_step_function(e)) {  // equal arguments, equal values
+      const auto [above, below] = quotient(rewritten(e.op(0)));
+      return opaque(function_name(e) + "(" + text(above / below) + ")", e, false);
+    }
+    if (is_family(e)) {
+      std::string key = function_name(e);  // arguments in one form, or one element is taken for two
+      for (const ex& argument : e) {
+        const auto [above, below] = quotient(rewritten(argument));
+        key += ";" + text(above.expand()) + "/" + text(below.expand());
+      }
+      return opaque(key, e, false);
+    }
     if (is_sequence(e)) {
       const ex index = e.op(0).expand();
       return opaque(function_name(e) + "(" + text(index) + ")", e, false);

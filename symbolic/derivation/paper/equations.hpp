@@ -26,4 +26,6 @@ Equations ratios_equations();
 Equations small_alpha_equations();
 Equations terminal_equations();
 
+Equations restitution_equations();
+
 }  // namespace magicmass::derivation

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Chapter 12: all four velocities of the wedge, from total momentum and two relative velocities.
+#include <ginac/ginac.h>
+
+#include "derivation/chapters.hpp"
+#include "derivation/matrices.hpp"
+#include "derivation/wedge.hpp"
+#include "proof/families.hpp"
+#include "proof/names.hpp"
+
+namespace magicmass::derivation {
+
+using namespace proof;
+using GiNaC::ex;
+
+WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
+                                 const WedgeTheorem& theorem) {
+  using Indices = std::map<std::string, long>;
+  const Indices from_zero{{"n", 0}}, from_one{{"n", 1}};
+  const std::vector<Statement> assuming{collisions_end()};
+  const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), g = symbol("g"), h = symbol("h");
+  const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
+
+  // Masses M_A : M_B : m in shares, with no division by 1 - mu_B, which a wall has not.
+  const ex w_A = mu_A * (1 - mu_B), w_B = mu_B * (1 - mu_A), w_C = (1 - mu_A) * (1 - mu_B);
+  const ex total = w_A * v_A(n) + w_B * v_B(n) + w_C * v_C_prime(n);
+  const Theorem sum = kernel.definition({.id = "wedge.momentum",
+                                         .statement = {p(n), total},
+                                         .words = "total momentum after Q_n, up to a factor",
+                                         .indices = from_zero});
+  const Theorem at_0 = kernel.rewriting({.id = "wedge.momentum_0",
+                                         .statement = {p(0), w_A * events.a_0.rhs()},
+                                         .words = "at first A has all of it"},
+                                        {sum, events.a_0, events.b_0, events.c_0});
+  const Theorem next =
+      kernel.rewriting({.id = "wedge.momentum_next",
+                        .statement = {p(n), p(n - 1)},
+                        .words = "no collision changes it",
+                        .indices = from_one},
+                       {sum, events.after_B, events.after_C_prime, events.after_A, events.after_C});
+  const Theorem conserved = kernel.induction({.id = "wedge.momentum_conserved",
+                                              .statement = {p(n), w_A * V},
+                                              .words = "so it never changes",
+                                              .indices = from_zero},
+                                             {at_0}, {next}, n);
+
+  // After Q_n: A and the ball approach with y, B and the ball separate with x.
+  const ex growth = V * pow(e, n) / sin(h);
+  const ex y = growth * sin((2 * n + 1) * h), x = growth * sqrt(e) / g * sin(2 * n * h);
+  const ex apart = v_B(n) - v_C_prime(n);
+  const Theorem at_Q_0 = kernel.rewriting({.id = "wedge.apart_0",
+                                           .statement = {apart.subs(n == 0), x.subs(n == 0)},
+                                           .words = "at first B and the ball are at rest",
+                                           .assuming = assuming},
+                                          {events.b_0, events.c_0});
+  const Theorem at_Q = kernel.rewriting({.id = "wedge.apart_later",
+                                         .statement = {e * r_Q(n), x},
+                                         .words = "e of the approach speed is left",
+                                         .indices = from_one,
+                                         .assuming = assuming},
+                                        {theorem.r_Q});
+  const Theorem later =
+      kernel.rewriting({.id = "wedge.apart_restitution",
+                        .statement = {apart, e * r_Q(n)},
+                        .words = "restitution at Q_n",
+                        .indices = from_one},
+                       {theorem.r_Q_definition, events.after_B, events.after_C_prime});
+  const Theorem later_closed = kernel.consequence({.id = "wedge.apart_closed",
+                                                   .statement = {apart, x},
+                                                   .words = "in closed form",
+                                                   .indices = from_one,
+                                                   .assuming = assuming},
+                                                  {{later, 1}, {at_Q, 1}});
+  const Theorem apart_n = kernel.first_and_later({.id = "wedge.apart",
+                                                  .statement = {apart, x},
+                                                  .words = "how fast B and the ball separate",
+                                                  .indices = from_zero,
+                                                  .assuming = assuming},
+                                                 at_Q_0, later_closed, n);
+
+  // Three linear equations for three velocities.
+  const LinearSolution solution = solve_linear(
+      {{total, w_A * V}, {v_A(n) - v_C_prime(n), y}, {apart, x}}, {v_A(n), v_B(n), v_C_prime(n)});
+  const ex one = 1 - mu_A * mu_B;  // the masses' sum, in shares
+  const auto velocity = [&](const char* id, size_t which, const ex& element, const ex& form) {
+    const auto cofactor = [&](size_t equation) {
+      return kernel.simplified(solution.cofactors[which][equation], from_zero);
+    };
+    return kernel.consequence({.id = id,
+                               .statement = {element, form},
+                               .words = "three linear equations, solved",
+                               .indices = from_zero,
+                               .assuming = assuming},
+                              {{conserved, cofactor(0)},
+                               {sum, -cofactor(0)},
+                               {theorem.before_P, cofactor(1)},
+                               {apart_n, cofactor(2)}});
+  };
+  const ex centre = w_A * V;
+  const Theorem of_A =
+      velocity("wedge.v_A", 0, v_A(n), (centre + (1 - mu_A) * (y - mu_B * x)) / one);
+  const Theorem of_B =
+      velocity("wedge.v_B", 1, v_B(n), (centre + (1 - mu_B) * (x - mu_A * y)) / one);
+  const Theorem of_C_prime =
+      velocity("wedge.v_C_prime", 2, v_C_prime(n), (w_A * (V - y) - w_B * x) / one);
+  // The ball after P_n: e of what it was before is left between A and it.
+  const Theorem from_A = kernel.rewriting({.id = "wedge.v_C_from_A",
+                                           .statement = {v_C(n), v_A(n) + e * r_P(n)},
+                                           .words = "restitution at P_n",
+                                           .indices = from_one},
+                                          {theorem.r_P_definition, events.after_A, events.after_C});
+  const ex y_before = growth * sin((2 * n - 1) * h);
+  const Theorem of_C = kernel.rewriting(
+      {.id = "wedge.v_C",
+       .statement = {v_C(n), (centre + (1 - mu_A) * (y - mu_B * x)) / one + y_before},
+       .words = "the ball after P_n",
+       .indices = from_one,
+       .assuming = assuming},
+      {from_A, of_A, theorem.r_P});
+
+  // B keeps what its last collision gave it, and that is its floor(N_C/2)-th.
+  const ex k = symbol("k");
+  const Indices k_from_zero{{"k", 0}};
+  const Theorem last = kernel.hypothesis({.id = "wedge.last_of_B",
+                                          .statement = {k, floor(N_C() / 2)},
+                                          .words = "the number of collisions of B",
+                                          .indices = k_from_zero});
+  const Theorem of_B_last = kernel.instance({.id = "wedge.v_B_last",
+                                             .statement = {v_B(k), of_B.rhs().subs(n == k)},
+                                             .words = "B after its k-th collision",
+                                             .indices = k_from_zero,
+                                             .assuming = assuming},
+                                            of_B, {{n, k}});
+  kernel.rewriting({.id = "wedge.rho",
+                    .statement = {pow(v_B(k) / V, 2), pow(of_B_last.rhs() / V, 2)},
+                    .words = "the fraction rho of the energy that reaches B",
+                    .indices = k_from_zero,
+                    .assuming = assuming},
+                   {of_B_last, last});
+  return {of_A, of_B, of_C, of_C_prime};
+}
+
+}  // namespace magicmass::derivation
