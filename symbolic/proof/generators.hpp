@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,7 +76,9 @@ private:
   Pair independent_pair(const ex& angle);
   bool within_unit_circle(const ex& polynomial) const;
   bool positive_polynomial(const ex& polynomial);
+  const std::vector<std::pair<ex, Condition>>& assumptions();
   bool assumed_positive(const ex& polynomial);
+  bool takes_both_signs(const ex& polynomial);
   bool sine_product(ex& radicand, ex& root);
 
   Domain domain_;
@@ -92,7 +95,7 @@ private:
     ex generator, base, exponent;  // base^(exponent/2)
   };
   std::vector<SymbolicPower> powers_;
-  bool within_assumption_ = false;
+  std::optional<std::vector<std::pair<ex, Condition>>> assumptions_;
 };
 
 }  // namespace magicmass::proof

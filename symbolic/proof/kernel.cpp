@@ -198,10 +198,7 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
   if (difference) refuse(claim, rule, *difference);
   NormalForm form(domain, definitions_);
   try {
-    form.is_zero(left);  // each side by itself: GiNaC drops poles that both have
-    const bool identical = left.is_equal(right);
-    if (!identical) form.is_zero(right);
-    require(identical || form.is_zero((left - right).evalm()), claim, rule,
+    require(form.are_equal(left, right), claim, rule,
             "the normal form of the difference of " + text(left) + " and " + text(right) +
                 " is not zero, though the sides agree at every point tried");
   } catch (const NotInClass& outside) {
@@ -223,6 +220,10 @@ void Kernel::add_conditions_at(const Theorem& premise, const Values& values, con
           written_out(side, values).subs(replacements, GiNaC::subs_options::no_pattern));
     };
     const Statement here(at_values(before.lhs()), before.relation(), at_values(before.rhs()));
+    if (here.lhs().is_equal(before.lhs()) && here.rhs().is_equal(before.rhs())) {
+      evidence.conditions.insert(general);
+      continue;
+    }
     const ex surplus = here.lhs() - here.rhs();
     const bool holds =
         (here.relation() == Relation::greater && is_positive(surplus, claim, evidence)) ||

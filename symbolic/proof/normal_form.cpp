@@ -23,6 +23,19 @@ bool NormalForm::is_zero(const ex& e) {
   return generators_->quotient(generators_->translate(e)).first.is_zero();
 }
 
+bool NormalForm::are_equal(const ex& left, const ex& right) {
+  if (is_a<GiNaC::matrix>(left)) {
+    for (std::size_t i = 0; i < left.nops(); ++i)
+      if (!are_equal(left.op(i), right.op(i))) return false;
+    return true;
+  }
+  generators_->translate(right);  // for its angles: both sides must divide them alike
+  const auto [left_above, left_below] = generators_->quotient(generators_->translate(left));
+  if (left.is_equal(right)) return true;
+  const auto [right_above, right_below] = generators_->quotient(generators_->translate(right));
+  return generators_->reduced(left_above * right_below - right_above * left_below).is_zero();
+}
+
 ex NormalForm::simplified(const ex& e) {
   if (is_a<GiNaC::matrix>(e)) {
     GiNaC::matrix result = ex_to<GiNaC::matrix>(e);

@@ -34,6 +34,10 @@ public:
   // Throws NotInClass. Zero means: zero wherever the expression is defined; see conditions().
   bool is_zero(const GiNaC::ex& e);
 
+  // Whether both are equal wherever both are defined; each is translated by itself, for GiNaC drops poles
+  // that both have.
+  bool are_equal(const GiNaC::ex& left, const GiNaC::ex& right);
+
   // An equal expression, cancelled and collected: what a derivation writes down as its result.
   GiNaC::ex simplified(const GiNaC::ex& e);
 
