@@ -33,6 +33,7 @@ public:
 
   // reduction.cpp: modulo the relations; polynomial and quotient.
   ex reduced(const ex& polynomial) const;
+  std::pair<ex, ex> reduced_parts(const ex& rational) const;
   std::pair<ex, ex> quotient(const ex& rational) const;
   ex reduced_fraction(const ex& rational) const;
   ex tidied(const ex& polynomial) const;

@@ -2,6 +2,7 @@
 #include "proof/kernel.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include <ginac/ginac.h>
 
@@ -24,6 +25,11 @@ bool only_known_symbols(const ex& e) {
   return std::all_of(e.begin(), e.end(), only_known_symbols);
 }
 
+void collect_symbols(const ex& e, std::set<std::string>& names) {
+  if (is_a<GiNaC::symbol>(e)) names.insert(ex_to<GiNaC::symbol>(e).get_name());
+  for (const ex& part : e) collect_symbols(part, names);
+}
+
 bool uses_sequence(const ex& e, const std::string& name) {
   return (is_sequence(e) && function_name(e) == name) ||
          std::any_of(e.begin(), e.end(), [&](const ex& part) { return uses_sequence(part, name); });
@@ -36,6 +42,7 @@ struct Theorem::Data {
   Statement statement;
   Domain domain;
   Conditions conditions;
+  std::set<std::string> symbols;  // of both sides, all names written out
 };
 
 const Step& Theorem::step() const { return data_->step; }
@@ -101,9 +108,7 @@ void Kernel::require_visible(const ex& e, const ex& name, const Claim& claim,
 }
 
 bool Kernel::mentions(const Theorem& theorem, const std::string& name) const {
-  const ex index = symbol(name);
-  return definitions_.expand_all(theorem.lhs()).has(index) ||
-         definitions_.expand_all(theorem.rhs()).has(index);
+  return theorem.data_->symbols.contains(name);
 }
 
 void Kernel::use(const Theorem& premise, const Claim& claim, const std::string& rule,
@@ -167,8 +172,12 @@ Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Eviden
   require_new_id(claim);
   for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
     require(only_known_symbols(side), claim, rule, "a symbol that symbol(name) did not make");
-  theorems_.push_back(Theorem(std::make_shared<const Theorem::Data>(
-      Theorem::Data{step, claim.statement, domain_of(claim), evidence.conditions})));
+  // A name gets its meaning before its first use, so what is written out now stays so.
+  std::set<std::string> symbols;
+  for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
+    collect_symbols(definitions_.expand_all(side), symbols);
+  theorems_.push_back(Theorem(std::make_shared<const Theorem::Data>(Theorem::Data{
+      step, claim.statement, domain_of(claim), evidence.conditions, std::move(symbols)})));
   return theorems_.back();
 }
 

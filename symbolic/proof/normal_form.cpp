@@ -20,7 +20,7 @@ NormalForm::~NormalForm() = default;
 bool NormalForm::is_zero(const ex& e) {
   if (is_a<GiNaC::matrix>(e))
     return std::all_of(e.begin(), e.end(), [this](const ex& element) { return is_zero(element); });
-  return generators_->quotient(generators_->translate(e)).first.is_zero();
+  return generators_->reduced_parts(generators_->translate(e)).first.is_zero();
 }
 
 bool NormalForm::are_equal(const ex& left, const ex& right) {
@@ -30,9 +30,9 @@ bool NormalForm::are_equal(const ex& left, const ex& right) {
     return true;
   }
   generators_->translate(right);  // for its angles: both sides must divide them alike
-  const auto [left_above, left_below] = generators_->quotient(generators_->translate(left));
+  const auto [left_above, left_below] = generators_->reduced_parts(generators_->translate(left));
   if (left.is_equal(right)) return true;
-  const auto [right_above, right_below] = generators_->quotient(generators_->translate(right));
+  const auto [right_above, right_below] = generators_->reduced_parts(generators_->translate(right));
   return generators_->reduced(left_above * right_below - right_above * left_below).is_zero();
 }
 

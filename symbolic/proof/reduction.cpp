@@ -25,13 +25,19 @@ ex NormalForm::Generators::reduced(const ex& polynomial) const {
   return result;
 }
 
-std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
-  const ex fraction = rational.normal().numer_denom();
+// Numerator and denominator, each reduced: they may have common factors that the relations made.
+std::pair<ex, ex> NormalForm::Generators::reduced_parts(const ex& rational) const {
+  const ex fraction = rational.numer_denom();
   const ex above = reduced(fraction.op(0));
   const ex below = reduced(fraction.op(1));
   if (below.is_zero()) throw NotInClass("division by an expression that is identically zero");
+  return {above, below};
+}
+
+std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
+  const auto [above, below] = reduced_parts(rational);
   const ex again =
-      (above / below).normal().numer_denom();  // the relations may have made common factors
+      (above / below).numer_denom();  // the relations may have made common factors
   return {again.op(0), again.op(1)};
 }
 
