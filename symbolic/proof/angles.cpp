@@ -86,7 +86,7 @@ std::vector<NormalForm::Generators::Term> NormalForm::Generators::terms(const ex
     else
       add(expanded);
   };
-  const ex fraction = rational.normal().numer_denom();
+  const ex fraction = rational.numer_denom();
   const ex above = fraction.op(0).expand();
   const ex below = fraction.op(1).expand();
   if (is_a<numeric>(below)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,9 +34,8 @@ public:
 
   // reduction.cpp: modulo the relations; polynomial and quotient.
   ex reduced(const ex& polynomial) const;
-  std::pair<ex, ex> reduced_quotient(
-      const ex& rational) const;                         // zero exactly when its first part is
-  std::pair<ex, ex> quotient(const ex& rational) const;  // in lowest terms
+  std::pair<ex, ex> reduced_parts(const ex& rational) const;  // zero exactly when the first is
+  std::pair<ex, ex> quotient(const ex& rational) const;       // in lowest terms
   ex reduced_fraction(const ex& rational) const;
   ex tidied(const ex& polynomial) const;
 
@@ -78,7 +78,9 @@ private:
   Pair independent_pair(const ex& angle);
   bool within_unit_circle(const ex& polynomial) const;
   bool positive_polynomial(const ex& polynomial);
+  const std::vector<std::pair<ex, Condition>>& assumptions();
   bool assumed_positive(const ex& polynomial);
+  bool takes_both_signs(const ex& polynomial);
   bool sine_product(ex& radicand, ex& root);
 
   Domain domain_;
@@ -95,7 +97,7 @@ private:
     ex generator, base, exponent;  // base^(exponent/2)
   };
   std::vector<SymbolicPower> powers_;
-  bool within_assumption_ = false;
+  std::optional<std::vector<std::pair<ex, Condition>>> assumptions_;
 };
 
 }  // namespace magicmass::proof

@@ -47,6 +47,11 @@ bool may_be_an_inequality(const std::string& rule) {
   return rules.contains(rule);
 }
 
+void collect_symbols(const ex& e, std::set<std::string>& names) {
+  if (is_a<GiNaC::symbol>(e)) names.insert(ex_to<GiNaC::symbol>(e).get_name());
+  for (const ex& part : e) collect_symbols(part, names);
+}
+
 bool uses_sequence(const ex& e, const std::string& name) {
   return (is_sequence(e) && function_name(e) == name) ||
          std::any_of(e.begin(), e.end(), [&](const ex& part) { return uses_sequence(part, name); });
@@ -59,6 +64,7 @@ struct Theorem::Data {
   Statement statement;
   Domain domain;
   Conditions conditions;
+  std::set<std::string> symbols;  // of both sides, all names written out
 };
 
 const Step& Theorem::step() const { return data_->step; }
@@ -84,6 +90,10 @@ ex Kernel::simplified(const ex& e, const std::map<std::string, long>& indices,
                       const std::vector<Statement>& assuming) const {
   const Claim setting{.id = {}, .statement = {e, e}, .indices = indices, .assuming = assuming};
   return NormalForm(domain_of(setting), definitions_).simplified(e.evalm());
+}
+
+bool Kernel::mentions(const Theorem& theorem, const std::string& name) const {
+  return theorem.data_->symbols.contains(name);
 }
 
 Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const {
@@ -121,8 +131,12 @@ Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Eviden
   require_new_id(claim);
   for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
     require(only_known_symbols(side), claim, rule, "a symbol that symbol(name) did not make");
-  theorems_.push_back(Theorem(std::make_shared<const Theorem::Data>(
-      Theorem::Data{step, claim.statement, domain_of(claim), evidence.conditions})));
+  // A name gets its meaning before its first use, so what is written out now stays so.
+  std::set<std::string> symbols;
+  for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
+    collect_symbols(definitions_.expand_all(side), symbols);
+  theorems_.push_back(Theorem(std::make_shared<const Theorem::Data>(Theorem::Data{
+      step, claim.statement, domain_of(claim), evidence.conditions, std::move(symbols)})));
   return theorems_.back();
 }
 
@@ -148,14 +162,13 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
                 ex_to<GiNaC::matrix>(left).cols() == ex_to<GiNaC::matrix>(right).cols(),
             claim, rule, "the sides have different shapes");
   const Domain domain = domain_of(claim);
-  const auto difference = counterexample(left, right, domain, definitions_, claim.id);
+  // Of identical sides it only has to be seen that they are defined somewhere.
+  const int points = left.is_equal(right) ? 1 : sampled_points;
+  const auto difference = counterexample(left, right, domain, definitions_, claim.id, points);
   if (difference) refuse(claim, rule, *difference);
   NormalForm form(domain, definitions_);
   try {
-    form.require_defined(left);  // each side by itself: GiNaC drops poles that both have
-    const bool identical = left.is_equal(right);
-    if (!identical) form.require_defined(right);
-    require(identical || form.is_zero((left - right).evalm()), claim, rule,
+    require(form.are_equal(left, right), claim, rule,
             "the normal form of the difference of " + text(left) + " and " + text(right) +
                 " is not zero, though the sides agree at every point tried");
   } catch (const NotInClass& outside) {

@@ -20,7 +20,21 @@ NormalForm::~NormalForm() = default;
 bool NormalForm::is_zero(const ex& e) {
   if (is_a<GiNaC::matrix>(e))
     return std::all_of(e.begin(), e.end(), [this](const ex& element) { return is_zero(element); });
-  return generators_->reduced_quotient(generators_->translate(e)).first.is_zero();
+  return generators_->reduced_parts(generators_->translate(e)).first.is_zero();
+}
+
+bool NormalForm::are_equal(const ex& left, const ex& right) {
+  if (is_a<GiNaC::matrix>(left)) {
+    for (std::size_t i = 0; i < left.nops(); ++i)
+      if (!are_equal(left.op(i), right.op(i))) return false;
+    return true;
+  }
+  generators_->translate(right);  // for its angles: both sides must divide them alike
+  const ex one = generators_->translate(left);
+  if (left.is_equal(right)) return true;
+  const auto [left_above, left_below] = generators_->reduced_parts(one);
+  const auto [right_above, right_below] = generators_->reduced_parts(generators_->translate(right));
+  return generators_->reduced(left_above * right_below - right_above * left_below).is_zero();
 }
 
 void NormalForm::require_defined(const ex& e) {

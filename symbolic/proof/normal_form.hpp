@@ -37,6 +37,10 @@ public:
   // Collects the conditions under which e is defined. Throws NotInClass.
   void require_defined(const GiNaC::ex& e);
 
+  // Whether both are equal wherever both are defined; each is translated by itself, for GiNaC drops poles
+  // that both have.
+  bool are_equal(const GiNaC::ex& left, const GiNaC::ex& right);
+
   // An equal expression, cancelled and collected: what a derivation writes down as its result.
   GiNaC::ex simplified(const GiNaC::ex& e);
 

@@ -52,12 +52,6 @@ void Kernel::require_visible(const ex& e, const ex& name, const Claim& claim,
   visit(visit, e);
 }
 
-bool Kernel::mentions(const Theorem& theorem, const std::string& name) const {
-  const ex index = symbol(name);
-  return definitions_.expand_all(theorem.lhs()).has(index) ||
-         definitions_.expand_all(theorem.rhs()).has(index);
-}
-
 void Kernel::use(const Theorem& premise, const Claim& claim, const std::string& rule,
                  Evidence& evidence, const std::string& bound) const {
   require_own(premise, claim, rule);
@@ -95,6 +89,10 @@ void Kernel::add_conditions_at(const Theorem& premise, const Values& values, con
           written_out(side, values).subs(replacements, GiNaC::subs_options::no_pattern));
     };
     const Statement here(at_values(before.lhs()), before.relation(), at_values(before.rhs()));
+    if (here.lhs().is_equal(before.lhs()) && here.rhs().is_equal(before.rhs())) {
+      evidence.conditions.insert(general);
+      continue;
+    }
     const ex surplus = here.lhs() - here.rhs();
     const bool holds =
         (here.relation() == Relation::greater && is_positive(surplus, claim, evidence)) ||

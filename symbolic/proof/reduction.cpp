@@ -25,7 +25,8 @@ ex NormalForm::Generators::reduced(const ex& polynomial) const {
   return result;
 }
 
-std::pair<ex, ex> NormalForm::Generators::reduced_quotient(const ex& rational) const {
+// Numerator and denominator, each reduced: they may have common factors that the relations made.
+std::pair<ex, ex> NormalForm::Generators::reduced_parts(const ex& rational) const {
   const ex fraction = rational.numer_denom();
   const ex above = reduced(fraction.op(0));
   const ex below = reduced(fraction.op(1));
@@ -34,7 +35,7 @@ std::pair<ex, ex> NormalForm::Generators::reduced_quotient(const ex& rational) c
 }
 
 std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
-  const auto [above, below] = reduced_quotient(rational);
+  const auto [above, below] = reduced_parts(rational);
   if (above.is_zero()) return {0, 1};
   const ex again = (above / below).numer_denom();  // the relations may have made common factors
   return {again.op(0), again.op(1)};

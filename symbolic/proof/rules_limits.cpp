@@ -74,7 +74,7 @@ Theorem Kernel::limit(const Claim& claim, const std::optional<Theorem>& closed, 
   }
 
   GiNaC::exmap constants;  // roots and angles free of p count as constants
-  const ex fraction = open.to_rational(constants).normal().numer_denom();
+  const ex fraction = open.to_rational(constants).numer_denom();
   for (const auto& [placeholder, meaning] : constants)
     require(!meaning.has(p), claim, rule, "the form is not rational in " + text(p));
   const auto at_zero = [&](const ex& polynomial) {

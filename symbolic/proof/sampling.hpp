@@ -15,9 +15,10 @@ namespace magicmass::proof {
 //
 // Returns a point where the sides differ, with both values, as text; nothing when they agree at all of
 // `points` points. Entries of matrices are compared one by one.
+inline constexpr int sampled_points = 4;
 std::optional<std::string> counterexample(const GiNaC::ex& lhs, const GiNaC::ex& rhs,
                                           const Domain& domain, const Definitions& definitions,
-                                          const std::string& seed, int points = 4);
+                                          const std::string& seed, int points = sampled_points);
 
 // The second net for expansions: (function - terms)/s^last must vanish as s -> 0, so it is looked at for
 // two small s. Returns what was seen if it does not.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <random>
+
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -87,23 +90,35 @@ bool NormalForm::Generators::positive_polynomial(const ex& polynomial) {
   return true;
 }
 
-// A positive multiple of lhs - rhs where lhs > rhs is assumed. Assumptions are free of angles.
-bool NormalForm::Generators::assumed_positive(const ex& polynomial) {
-  if (within_assumption_ || domain_.assumed.empty()) return false;
+// The assumptions lhs > rhs as polynomials > 0, once; one is not used for another's denominator.
+const std::vector<std::pair<ex, Condition>>& NormalForm::Generators::assumptions() {
+  if (assumptions_) return *assumptions_;
+  assumptions_.emplace();
+  std::vector<std::pair<ex, Condition>> all;
   for (const Statement& assumption : domain_.assumed) {
     if (assumption.relation() != Relation::greater) continue;
-    within_assumption_ = true;  // no assumption is seen to hold by itself
     const auto [above, below] =
         quotient(rewritten(definitions_.expand_except_angles(assumption.lhs() - assumption.rhs())));
-    const bool below_positive = positive(below);
-    const bool below_negative = !below_positive && positive(-below);
-    within_assumption_ = false;
-    if ((!below_positive && !below_negative) || above.is_zero()) continue;
-    const ex ratio = (polynomial / (below_positive ? above : ex(-above))).normal();
-    if (is_a<numeric>(ratio) && ex_to<numeric>(ratio).is_positive()) {
-      conditions.insert(condition(assumption));
-      return true;
-    }
+    if (above.is_zero()) continue;
+    if (positive(below))
+      all.emplace_back(above.expand(), condition(assumption));
+    else if (positive(-below))
+      all.emplace_back((-above).expand(), condition(assumption));
+  }
+  assumptions_ = std::move(all);
+  return *assumptions_;
+}
+
+// A positive multiple of what is assumed to be positive.
+bool NormalForm::Generators::assumed_positive(const ex& polynomial) {
+  if (domain_.assumed.empty()) return false;
+  const ex expanded = polynomial.expand();
+  for (const auto& [assumed, assumption] : assumptions()) {
+    if (expanded.nops() != assumed.nops()) continue;  // no multiple
+    const ex ratio = (polynomial / assumed).normal();
+    if (!is_a<numeric>(ratio) || !ex_to<numeric>(ratio).is_positive()) continue;
+    conditions.insert(assumption);
+    return true;
   }
   return false;
 }
@@ -125,8 +140,60 @@ bool NormalForm::Generators::not_negative(const ex& rational) {
   return false;
 }
 
+// Both signs are seen at points where all that counts as positive is positive: then no proof by signs of
+// factors can succeed. A cheap way out before a polynomial in cosines and sines is factored.
+bool NormalForm::Generators::takes_both_signs(const ex& polynomial) {
+  const bool oscillates = std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
+    return polynomial.has(pair.first) || polynomial.has(pair.second);
+  });
+  const bool in_excess =
+      std::any_of(domain_.assumed.begin(), domain_.assumed.end(), [](const Statement& assumption) {
+        return assumption.lhs().is_equal(1) || assumption.rhs().is_equal(1);
+      });
+  if (!oscillates || in_excess) return false;
+  GiNaC::exset symbols;
+  collect_symbols(polynomial, symbols);
+  for (const auto& [assumed, assumption] : assumptions()) collect_symbols(assumed, symbols);
+  std::minstd_rand random(1);
+  bool above = false;
+  bool below = false;
+  for (int tries = 0; tries < 40 && !(above && below); ++tries) {
+    GiNaC::exmap point;
+    for (const ex& symbol : symbols) {
+      const numeric value(static_cast<long>(1 + random() % 60),
+                          static_cast<long>(1 + random() % 30));
+      const std::string name = name_of(symbol);
+      const auto integer = domain_.integer.find(name);
+      if (integer != domain_.integer.end())
+        point[symbol] = integer->second + static_cast<long>(random() % 10);
+      else
+        point[symbol] = value;
+    }
+    for (const auto& [cosine, sine] : pairs_) {  // a rational point of the circle
+      const numeric t(static_cast<long>(random() % 41) - 20, static_cast<long>(1 + random() % 20));
+      const numeric length = 1 + t * t;
+      const bool upper = positive_generators_.contains(sine);
+      const bool right = positive_generators_.contains(cosine);
+      point[cosine] = (right ? GiNaC::abs(1 - t * t) : 1 - t * t) / length;
+      point[sine] = (upper ? GiNaC::abs(2 * t) : 2 * t) / length;
+    }
+    const auto at = [&](const ex& e) {
+      return ex_to<numeric>(e.subs(point, GiNaC::subs_options::no_pattern));
+    };
+    const bool allowed =
+        std::all_of(assumptions().begin(), assumptions().end(),
+                    [&](const auto& known) { return at(known.first).is_positive(); });
+    if (!allowed) continue;
+    const numeric value = at(polynomial);
+    above = above || value.is_positive();
+    below = below || value.is_negative();
+  }
+  return above && below;
+}
+
 bool NormalForm::Generators::positive(const ex& rational) {
   const auto [above, below] = quotient(rational);
+  if (takes_both_signs(above)) return false;
   const auto product_positive = [this](const ex& polynomial) {
     if (positive_polynomial(polynomial)) return true;
     const ex factored = GiNaC::factor(polynomial);
