@@ -6,6 +6,7 @@
 #include <ginac/ginac.h>
 
 #include "proof/names.hpp"
+#include "proof/text.hpp"
 
 namespace magicmass::proof {
 
@@ -107,6 +108,18 @@ bool contains_family(const ex& e) {
 
 bool depends_on_hidden(const ex& family, const std::string& name) {
   return !is_family(family) || name == "V" || name == "L";
+}
+
+std::string family_text(const ex& e) {
+  std::string arguments = is_sequence(e) ? text(e.op(0)) : "";
+  if (!families_are_general(e)) {
+    std::string separator = arguments.empty() ? "" : "; ";
+    for (const ex& argument : arguments_of_family(e)) {
+      arguments += separator + text(argument);
+      separator = ", ";
+    }
+  }
+  return function_name(e) + (arguments.empty() ? "" : "(" + arguments + ")");
 }
 
 }  // namespace magicmass::proof

@@ -42,4 +42,7 @@ bool contains_family(const GiNaC::ex& e);
 // Whether its value may change with the symbol of this name other than by its arguments.
 bool depends_on_hidden(const GiNaC::ex& family, const std::string& name);
 
+// "f(n)" at the parameters themselves, "f(n; 1/2, 1, e)" elsewhere.
+std::string family_text(const GiNaC::ex& e);
+
 }  // namespace magicmass::proof

@@ -254,18 +254,6 @@ std::string print_matrix(const GiNaC::matrix& m) {
 }
 
 // v_A(n), or v_A(n; 1/2, 1, e) at other parameters than the general ones.
-std::string print_family(const ex& e) {
-  std::string arguments = is_sequence(e) ? print(e.op(0), sum) : "";
-  if (!families_are_general(e)) {
-    std::string separator = arguments.empty() ? "" : "; ";
-    for (const ex& argument : arguments_of_family(e)) {
-      arguments += separator + print(argument, sum);
-      separator = ", ";
-    }
-  }
-  return function_name(e) + (arguments.empty() ? "" : "(" + arguments + ")");
-}
-
 std::string print(const ex& e, Precedence outer) {
   if (is_a<numeric>(e)) {
     const numeric value = ex_to<numeric>(e);
@@ -285,7 +273,7 @@ std::string print(const ex& e, Precedence outer) {
     return parenthesised(outer == Precedence::power && open, print_product(shown, outer));
   }
   if (is_a<GiNaC::matrix>(e)) return print_matrix(ex_to<GiNaC::matrix>(e));
-  if (is_family(e)) return print_family(e);
+  if (is_family(e)) return family_text(e);
   if (is_a<GiNaC::function>(e)) {
     std::string arguments;
     for (const ex& argument : e)

@@ -51,6 +51,25 @@ ChapterWords chapter_words(const std::string& chapter) {
        {"Why the deficient ratios are minima",
         "On both sides of beta_k block B ends up faster than at beta_k itself. No derivative is "
         "needed: differences of products of cosines are products of sines."}},
+      {"restitution",
+       {"Contacts that lose energy",
+        "Momentum is conserved, and a contact leaves the part e of the relative velocity. One "
+        "cycle "
+        "is still a linear map, but no rotation: it shrinks as it turns."}},
+      {"wedge",
+       {"Any masses, any restitution",
+        "The approach speeds before one collision after the other obey one recurrence, whatever "
+        "the "
+        "masses: they are sines of multiples of one angle h, the angle of the wedge, times powers "
+        "of sqrt(e)."}},
+      {"special_cases",
+       {"What the wedge theorem holds",
+        "Equal blocks give the paper's inelastic case, e = 1 gives all that was proved before, and "
+        "a block of infinite mass is a wall: then collisions count the digits of pi."}},
+      {"collapse",
+       {"Collisions without end",
+        "Where the cosine of the wedge's angle would not be below one, the bodies always approach "
+        "again: infinitely many collisions in a finite time."}},
       {"small_alpha",
        {"Light balls",
         "As alpha tends to zero, psi is about 2 sqrt(2 alpha), and the number of collisions grows "

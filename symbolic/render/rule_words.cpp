@@ -38,6 +38,7 @@ std::string rule_words(const std::string& rule) {
       {"sum of what is positive",
        "The larger side minus the smaller one is a sum of terms that are known not to be negative"},
       {"condition proved", "A condition is proved elsewhere, so it is no condition any more"},
+      {"the first and all later", "It holds for the first index, and for all later ones"},
       {"strict", "What is not larger and not equal is smaller"},
       {"ceiling", "A ceiling is the one whole number from its argument up to one above"},
       {"angle below pi", "Twice an arctangent, or a part of pi, is less than pi"},

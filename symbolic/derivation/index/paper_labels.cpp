@@ -52,10 +52,10 @@ const std::vector<PaperEquation>& paper_equations() {
       {"eq:a-terminal", "Sec. IV"},
       {"eq:b-terminal", "Sec. IV"},
       {"eq:ct", "Sec. IV"},
-      {"sec:result, inelastic momentum P", "Sec. IV"},
-      {"sec:result, inelastic restitution P", "Sec. IV"},
-      {"sec:result, inelastic momentum Q", "Sec. IV"},
-      {"sec:result, inelastic restitution Q", "Sec. IV"},
+      {"sec:result, inelastic P momentum", "Sec. IV"},
+      {"sec:result, inelastic P restitution", "Sec. IV"},
+      {"sec:result, inelastic Q momentum", "Sec. IV"},
+      {"sec:result, inelastic Q restitution", "Sec. IV"},
       {"app:orthogonal, lambda", "App. A"},
       {"eq:lambda-1", "App. A"},
       {"eq:lambda-2", "App. A"},
@@ -127,6 +127,13 @@ const std::vector<BeyondPaper>& beyond_the_paper() {
       {"small_alpha.cycles_further", "and of the number of cycles"},
       {"unfolding", "times and distances from one straight line"},
       {"chain", "transfer through a chain of balls of any magic ratios, and back from a wall"},
+      {"restitution.energy_lost", "how much energy a contact with restitution e loses"},
+      {"restitution.characteristic", "the eigenvalues of one inelastic cycle"},
+      {"wedge", "any three masses, any restitution, or a wall: speeds, times, distances, count"},
+      {"special_cases",
+       "equal blocks, elastic contacts and the wall as cases of the wedge theorem; the digits of "
+       "pi"},
+      {"collapse", "where the collisions never end, and in what time"},
       {"times", "when each collision happens, and how far apart the blocks are then"},
   };
   return results;
