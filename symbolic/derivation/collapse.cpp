@@ -67,17 +67,17 @@ void never_ending(Kernel& kernel, const Wedge& wedge) {
       positive("collapse.always_P_C", growing[0], "A always catches up with the ball again");
   positive("collapse.growth_C", growing[1], "each speed exceeds the one before, rescaled");
   const std::vector<ex> also_Q{growing[0], growing[1], speed_Q};
-  const matrix with_Q{{factors(0, 0), factors(0, 1), 0},
-                      {factors(1, 0), factors(1, 1), 0},
-                      {(factors(0, 0) + factors(1, 0)) / ratio,
-                       (factors(0, 1) + factors(1, 1)) / ratio, 0}};
-  const Theorem always_Q = kernel.positivity_by_induction(
-      {.id = "collapse.always_Q_C",
-       .statement = {also_Q[2], Relation::greater, 0},
-       .words = "and the ball with B",
-       .indices = from_one,
-       .assuming = assuming},
-      also_Q, with_Q, {first_P, first_Q}, {next_P, cycle_Q}, n);
+  const matrix with_Q{
+      {factors(0, 0), factors(0, 1), 0},
+      {factors(1, 0), factors(1, 1), 0},
+      {(factors(0, 0) + factors(1, 0)) / ratio, (factors(0, 1) + factors(1, 1)) / ratio, 0}};
+  const Theorem always_Q =
+      kernel.positivity_by_induction({.id = "collapse.always_Q_C",
+                                      .statement = {also_Q[2], Relation::greater, 0},
+                                      .words = "and the ball with B",
+                                      .indices = from_one,
+                                      .assuming = assuming},
+                                     also_Q, with_Q, {first_P, first_Q}, {next_P, cycle_Q}, n);
 
   // For any shares with C = (1 + e)/(2 sqrt(e)) sqrt(mu_A mu_B) >= 1.
   const ex cosine = (1 + e) / (2 * sqrt(e)) * sqrt(mu_A * mu_B);
@@ -99,10 +99,11 @@ void threshold(Kernel& kernel) {
   const ex e = symbol("e"), alpha = symbol("alpha"), mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
   const ex front = (1 + e) / (2 * sqrt(e));
   const std::vector<Statement> below_one{{1, Relation::greater, e}};
-  kernel.positivity({.id = "collapse.one_sided",
-                     .statement = {-front.diff(GiNaC::ex_to<GiNaC::symbol>(e)), Relation::greater, 0},
-                     .words = "C falls as e grows to 1, so collapse is for small e",
-                     .assuming = below_one});
+  kernel.positivity(
+      {.id = "collapse.one_sided",
+       .statement = {-front.diff(GiNaC::ex_to<GiNaC::symbol>(e)), Relation::greater, 0},
+       .words = "C falls as e grows to 1, so collapse is for small e",
+       .assuming = below_one});
   // C = 1 where e + 1/e = 4/(mu_A mu_B) - 2.
   const ex share = mu_A * mu_B, root = sqrt(1 - share), at = symbol("e_c");
   const std::vector<Statement> lighter{{1, Relation::greater, share}};
@@ -146,20 +147,21 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B"), lambda = symbol("lambda");
   const ex twice_C = lambda + 1 / lambda;
   const std::vector<Statement> assuming{{lambda, Relation::greater, 1}};
-  const Regime regime{
-      .id = "collapse.",
-      .parameters = {{mu_B, e * pow(twice_C, 2) / (pow(1 + e, 2) * mu_A)}},
-      .g = sqrt(e) * twice_C / ((1 + e) * mu_A),
-      .sigma =
-          [lambda](const ex& k) { return (pow(lambda, k) - pow(lambda, -k)) / (lambda - 1 / lambda); },
-      .assuming = assuming};
-  const WedgeSolution solution =
-      wedge_solution(kernel, {.id = "collapse.lambda_",
-                              .parameters = regime.parameters,
-                              .g = regime.g,
-                              .sigma = regime.sigma,
-                              .assuming = regime.assuming},
-                     wedge.speeds, wedge.motion);
+  const Regime regime{.id = "collapse.",
+                      .parameters = {{mu_B, e * pow(twice_C, 2) / (pow(1 + e, 2) * mu_A)}},
+                      .g = sqrt(e) * twice_C / ((1 + e) * mu_A),
+                      .sigma =
+                          [lambda](const ex& k) {
+                            return (pow(lambda, k) - pow(lambda, -k)) / (lambda - 1 / lambda);
+                          },
+                      .assuming = assuming};
+  const WedgeSolution solution = wedge_solution(kernel,
+                                                {.id = "collapse.lambda_",
+                                                 .parameters = regime.parameters,
+                                                 .g = regime.g,
+                                                 .sigma = regime.sigma,
+                                                 .assuming = regime.assuming},
+                                                wedge.speeds, wedge.motion);
   const ex unit = L / V * regime.g / sqrt(e), end = unit / lambda;
   const ex small = pow(lambda, -4 * n);
   const auto limit = [&](const char* id, const Theorem& closed, const ex& form) {
@@ -174,13 +176,12 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
         unit * (1 / lambda - pow(lambda, 3) * p) / (1 - pow(lambda, 2) * p));
   limit("collapse.t_Q_infinity", solution.tau_Q, unit * (1 / lambda - lambda * p) / (1 - p));
   const auto left = [&](const std::string& id, const Theorem& closed, const ex& form) {
-    const Theorem remaining =
-        kernel.rewriting({.id = id,
-                          .statement = {end - closed.lhs(), form},
-                          .words = "what is left of the time",
-                          .indices = from_one,
-                          .assuming = assuming},
-                         {closed});
+    const Theorem remaining = kernel.rewriting({.id = id,
+                                                .statement = {end - closed.lhs(), form},
+                                                .words = "what is left of the time",
+                                                .indices = from_one,
+                                                .assuming = assuming},
+                                               {closed});
     kernel.positivity({.id = id + "_positive",
                        .statement = {remaining.rhs(), Relation::greater, 0},
                        .words = "no collision is later",
@@ -189,8 +190,7 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
   };
   left("collapse.left_P", solution.tau_P,
        unit * lambda * (pow(lambda, 2) - 1) / (pow(lambda, 4 * n) - pow(lambda, 2)));
-  left("collapse.left_Q", solution.tau_Q,
-       unit * (lambda - 1 / lambda) / (pow(lambda, 4 * n) - 1));
+  left("collapse.left_Q", solution.tau_Q, unit * (lambda - 1 / lambda) / (pow(lambda, 4 * n) - 1));
   // lambda from the shares.
   const ex C = (1 + e) / (2 * sqrt(e)) * sqrt(mu_A * mu_B);
   const std::vector<Statement> beyond{{pow(1 + e, 2) * mu_A * mu_B, Relation::greater, 4 * e}};
@@ -202,10 +202,11 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
                    .statement = {(base.lhs() + 1 / base.lhs()) / 2, C},
                    .words = "cosh(eta) = C",
                    .assuming = beyond});
-  kernel.identity({.id = "collapse.share_of_B",
-                   .statement = {regime.parameters.begin()->second.subs(lambda == base.lhs()), mu_B},
-                   .words = "so every pair of shares with C > 1 has its lambda",
-                   .assuming = beyond});
+  kernel.identity(
+      {.id = "collapse.share_of_B",
+       .statement = {regime.parameters.begin()->second.subs(lambda == base.lhs()), mu_B},
+       .words = "so every pair of shares with C > 1 has its lambda",
+       .assuming = beyond});
 }
 
 // C = 1, between the two: the speeds grow linearly.
@@ -213,14 +214,14 @@ void at_threshold(Kernel& kernel, const Wedge& wedge) {
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), L = symbol("L"), p = symbol("p");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
   const ex g = 2 * sqrt(e) / ((1 + e) * mu_A);
-  const WedgeSolution solution = wedge_solution(
-      kernel,
-      {.id = "collapse.threshold_",
-       .parameters = {{mu_B, 4 * e / (pow(1 + e, 2) * mu_A)}},
-       .g = g,
-       .sigma = [](const ex& k) { return k; },
-       .assuming = {}},
-      wedge.speeds, wedge.motion);
+  const WedgeSolution solution =
+      wedge_solution(kernel,
+                     {.id = "collapse.threshold_",
+                      .parameters = {{mu_B, 4 * e / (pow(1 + e, 2) * mu_A)}},
+                      .g = g,
+                      .sigma = [](const ex& k) { return k; },
+                      .assuming = {}},
+                     wedge.speeds, wedge.motion);
   const ex unit = L / V * g / sqrt(e);
   kernel.limit({.id = "collapse.threshold_t_infinity",
                 .statement = {limit_at_infinity(solution.tau_P.lhs(), n), unit},

@@ -15,13 +15,16 @@ const proof::Theorem& Derivation::at(const std::string& id) const {
 }
 
 const std::vector<std::string>& chapter_names() {
-  static const std::vector<std::string> names{"contact",   "cycle",    "rotation", "power",
-                                              "chebyshev", "counting", "ratios",   "times", "restitution", "wedge", "special_cases", "collapse"};
+  static const std::vector<std::string> names{
+      "contact", "cycle", "rotation",    "power", "chebyshev",     "counting",
+      "ratios",  "times", "restitution", "wedge", "special_cases", "collapse"};
   return names;
 }
 
 Derivation derive(const Laws& laws, const Paper& paper) {
-  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "e", "m", "mu_A", "mu_B", "lambda", "tan_h", "C"}, .integer = {}});
+  Kernel kernel({.positive = {"L", "M", "M_1", "M_2", "M_A", "M_B", "V", "alpha", "e", "m", "mu_A",
+                              "mu_B", "lambda", "tan_h", "C"},
+                 .integer = {}});
   Derivation result;
   try {
     const Contact first = contact(kernel, laws, paper);

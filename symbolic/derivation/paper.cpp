@@ -7,8 +7,9 @@ namespace magicmass::derivation {
 
 Paper paper() {
   Equations all;
-  for (Equations part : {contact_equations(), cycle_equations(), rotation_equations(),
-                         power_equations(), counting_equations(), ratios_equations(), restitution_equations()})
+  for (Equations part :
+       {contact_equations(), cycle_equations(), rotation_equations(), power_equations(),
+        counting_equations(), ratios_equations(), restitution_equations()})
     all.merge(part);
   return Paper(std::move(all));
 }

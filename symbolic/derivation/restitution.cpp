@@ -68,12 +68,11 @@ void matrices_of_a_cycle(Kernel& kernel, const Restitution& contact, const Cycle
                    .statement = {Lambda.trace() - 1, trace_of_rest},
                    .words = "and this sum",
                    .shown_lhs = "tr Lambda_e - 1"});
-  kernel.identity(
-      {.id = "restitution.characteristic",
-       .statement = {determinant((Lambda - x * ex(unit(3))).evalm()),
-                     (1 - x) * (pow(x, 2) - trace_of_rest * x + whole_determinant)},
-       .words = "the characteristic polynomial",
-       .shown_lhs = "det(Lambda_e - x)"});
+  kernel.identity({.id = "restitution.characteristic",
+                   .statement = {determinant((Lambda - x * ex(unit(3))).evalm()),
+                                 (1 - x) * (pow(x, 2) - trace_of_rest * x + whole_determinant)},
+                   .words = "the characteristic polynomial",
+                   .shown_lhs = "det(Lambda_e - x)"});
 }
 
 }  // namespace
@@ -82,10 +81,9 @@ Restitution restitution(Kernel& kernel, const Laws& laws, const Cycle& cycle) {
   const ex M_1 = symbol("M_1"), M_2 = symbol("M_2"), e = symbol("e");
   const ex u_1 = symbol("u_1"), u_2 = symbol("u_2"), v_1 = symbol("v_1"), v_2 = symbol("v_2");
 
-  const Theorem momentum =
-      kernel.law({.id = "restitution.momentum",
-                  .statement = laws.momentum,
-                  .words = "momentum is conserved, whether or not energy is"});
+  const Theorem momentum = kernel.law({.id = "restitution.momentum",
+                                       .statement = laws.momentum,
+                                       .words = "momentum is conserved, whether or not energy is"});
   const Theorem relative = kernel.law(
       {.id = "restitution.law",
        .statement = laws.restitution,

@@ -44,12 +44,12 @@ EqualBlocks equal_blocks(Kernel& kernel, const Wedge& wedge, const Paper& paper)
     std::string id = "special_cases.equal_" + name;
     for (char& character : id)
       if (character == ' ') character = '_';
-    const Theorem special =
-        kernel.instance({.id = id + "_shares",
-                         .statement = {put_in(general.lhs(), blocks), put_in(general.rhs(), blocks)},
-                         .words = "between equal blocks",
-                         .indices = from_one},
-                        general, blocks);
+    const Theorem special = kernel.instance(
+        {.id = id + "_shares",
+         .statement = {put_in(general.lhs(), blocks), put_in(general.rhs(), blocks)},
+         .words = "between equal blocks",
+         .indices = from_one},
+        general, blocks);
     kernel.consequence({.id = id,
                         .statement = paper.at(label),
                         .words = "as the paper writes it",
@@ -84,18 +84,19 @@ EqualBlocks equal_blocks(Kernel& kernel, const Wedge& wedge, const Paper& paper)
   const ex y_before = pow(e, n) * sine(2 * n - 1), unit = L / (V * sqrt(e));
   const ex growth = pow(e, n - 1);
   const char* const words = "equal blocks, any restitution for which the collisions end";
-  const Theorem of_A = special("a_e", wedge.velocities.v_A, V_CM * (1 + (1 + alpha) * y - x),
-                               from_zero, words);
-  const Theorem of_B = special("b_e", wedge.velocities.v_B, V_CM * (1 + (1 + alpha) * x - y),
-                               from_zero, words);
+  const Theorem of_A =
+      special("a_e", wedge.velocities.v_A, V_CM * (1 + (1 + alpha) * y - x), from_zero, words);
+  const Theorem of_B =
+      special("b_e", wedge.velocities.v_B, V_CM * (1 + (1 + alpha) * x - y), from_zero, words);
   const Theorem of_C =
       special("c_e", wedge.velocities.v_C,
               V_CM * (1 + (1 + alpha) * y - x + (2 + alpha) * y_before), from_one, words);
   const Theorem of_C_prime =
       special("c_prime_e", wedge.velocities.v_C_prime, V_CM * (1 - y - x), from_zero, words);
   const Theorem count = special("N_e", wedge.theorem.N_C, ceiling(Pi / h) - 1, {}, words);
-  const Theorem tau_P_n = special("tau_P_e", wedge.solution.tau_P,
-                                  unit * sin((2 * n - 2) * h) / sin((2 * n - 1) * h), from_one, words);
+  const Theorem tau_P_n =
+      special("tau_P_e", wedge.solution.tau_P, unit * sin((2 * n - 2) * h) / sin((2 * n - 1) * h),
+              from_one, words);
   const Theorem tau_Q_n = special("tau_Q_e", wedge.solution.tau_Q,
                                   unit * sin((2 * n - 1) * h) / sin(2 * n * h), from_one, words);
   const Theorem d_P_n =
@@ -116,12 +117,12 @@ void elastic(Kernel& kernel, const EqualBlocks& equal, const Power& power, const
   const auto same = [&](const std::string& name, const Theorem& general, const Theorem& known,
                         const ex& element, const Indices& indices) {
     const ex left = put_in(general.lhs(), one);
-    const Theorem there = kernel.instance(
-        {.id = "special_cases." + name + "_at_one",
-         .statement = {left, put_in(general.rhs().subs(h == equal.h.rhs()), one)},
-         .words = "at e = 1",
-         .indices = indices},
-        general, one);
+    const Theorem there =
+        kernel.instance({.id = "special_cases." + name + "_at_one",
+                         .statement = {left, put_in(general.rhs().subs(h == equal.h.rhs()), one)},
+                         .words = "at e = 1",
+                         .indices = indices},
+                        general, one);
     kernel.rewriting({.id = "special_cases." + name + "_elastic",
                       .statement = {left, element},
                       .words = "what elastic contacts gave",
@@ -151,17 +152,17 @@ void wall(Kernel& kernel, const Wedge& wedge, const Restitution& contact) {
     kernel.limit({.id = id, .statement = {limit_at_infinity(f, mass), value}, .words = words},
                  std::nullopt, f.subs(mass == 1 / p), p, 1 / mass);
   };
-  const Theorem off_wall =
-      kernel.consequence({.id = "special_cases.off_wall",
-                          .statement = {v_2, u_1 + e * (u_1 - u_2)},
-                          .words = "off a wall, which does not move",
-                          .indices = {}},
-                         {{contact.restitution, 1}, {wedge.events.wall, 1}});
+  const Theorem off_wall = kernel.consequence({.id = "special_cases.off_wall",
+                                               .statement = {v_2, u_1 + e * (u_1 - u_2)},
+                                               .words = "off a wall, which does not move",
+                                               .indices = {}},
+                                              {{contact.restitution, 1}, {wedge.events.wall, 1}});
   limit("special_cases.heavy_block", contact.v_1.rhs(), M_1, wedge.events.wall.rhs(),
         "a block that grows without bound stays as it is");
   limit("special_cases.off_heavy_block", contact.v_2.rhs(), M_1, off_wall.rhs(),
         "and the ball leaves it as it leaves a wall");
-  limit("special_cases.share_of_heavy_block", M_B / (M_B + m), M_B, 1, "its share is that of a wall");
+  limit("special_cases.share_of_heavy_block", M_B / (M_B + m), M_B, 1,
+        "its share is that of a wall");
 
   const Kernel::Values still{{mu_B, ex(1)}};
   const std::vector<Statement> assuming{{4 * e, Relation::greater, pow(1 + e, 2) * mu_A}};
@@ -199,19 +200,19 @@ void wall(Kernel& kernel, const Wedge& wedge, const Restitution& contact) {
   const Theorem slope = kernel.equal_angles({.id = "special_cases.wall_angle",
                                              .statement = {written, atan(sqrt(m / M_A))},
                                              .words = "its tangent is sqrt(m/M_A)"});
-  const Theorem elastic_count = kernel.rewriting(
-      {.id = "special_cases.wall_N_elastic",
-       .statement = {plain.lhs(), ceiling(Pi / atan(sqrt(m / M_A))) - 1},
-       .words = "collisions of a ball between a block and a wall"},
-      {plain, slope});
+  const Theorem elastic_count =
+      kernel.rewriting({.id = "special_cases.wall_N_elastic",
+                        .statement = {plain.lhs(), ceiling(Pi / atan(sqrt(m / M_A))) - 1},
+                        .words = "collisions of a ball between a block and a wall"},
+                       {plain, slope});
   const ex ten = ex(10);
   const Kernel::Values digits{{M_A, pow(ten, 2 * k) * m}};
-  kernel.instance({.id = "special_cases.digits_of_pi",
-                   .statement = {put_in(elastic_count.lhs(), digits),
-                                 ceiling(Pi / atan(pow(ten, -k))) - 1},
-                   .words = "with a block of 100^k times the ball's mass these are digits of pi",
-                   .indices = {{"k", 0}}},
-                  elastic_count, digits);
+  kernel.instance(
+      {.id = "special_cases.digits_of_pi",
+       .statement = {put_in(elastic_count.lhs(), digits), ceiling(Pi / atan(pow(ten, -k))) - 1},
+       .words = "with a block of 100^k times the ball's mass these are digits of pi",
+       .indices = {{"k", 0}}},
+      elastic_count, digits);
 }
 
 }  // namespace

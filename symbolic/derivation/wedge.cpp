@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Chapter 12: any three masses and any restitution, as one wedge of angle h: approach speeds and counts.
+#include "derivation/wedge.hpp"
+
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
-#include "derivation/wedge.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
 
@@ -58,12 +59,11 @@ WedgeEvents wedge_events(Kernel& kernel, const Laws& laws, const Restitution& co
     for (const auto& [name, value] : values) of_block.emplace_back(name, value.subs(mu == share));
     const Theorem with_masses =
         special(id + "_masses", contact.momentum, of_block, "momentum, here");
-    const Theorem block =
-        kernel.consequence({.id = id + "_block",
-                            .statement = at(share),
-                            .words = "divided by the mass of both",
-                            .indices = from_one},
-                           {{with_masses, 1 / (M + m)}});
+    const Theorem block = kernel.consequence({.id = id + "_block",
+                                              .statement = at(share),
+                                              .words = "divided by the mass of both",
+                                              .indices = from_one},
+                                             {{with_masses, 1 / (M + m)}});
     std::vector<std::pair<Kernel::Values, Theorem>> all{{{{mu, share}}, block}};
     if (or_wall) {
       Kernel::Values of_wall;
@@ -116,12 +116,12 @@ WedgeEvents wedge_events(Kernel& kernel, const Laws& laws, const Restitution& co
     };
     return std::pair{one(id_block, 0, block), one(id_ball, 1, ball)};
   };
-  const auto [after_A, after_C] = solved("wedge.after_A", "wedge.after_C", momentum_P,
-                                         restitution_P, v_A(n), v_C(n));
+  const auto [after_A, after_C] =
+      solved("wedge.after_A", "wedge.after_C", momentum_P, restitution_P, v_A(n), v_C(n));
   const auto [after_B, after_C_prime] = solved("wedge.after_B", "wedge.after_C_prime", momentum_Q,
                                                restitution_Q, v_B(n), v_C_prime(n));
-  return {wall, momentum_P, momentum_Q, restitution_P, restitution_Q, a_0,          b_0,
-          c_0,  after_A,    after_C,    after_B,       after_C_prime};
+  return {wall, momentum_P, momentum_Q, restitution_P, restitution_Q, a_0,
+          b_0,  c_0,        after_A,    after_C,       after_B,       after_C_prime};
 }
 
 WedgeSpeeds wedge_speeds(Kernel& kernel, const WedgeEvents& events) {
@@ -134,29 +134,29 @@ WedgeSpeeds wedge_speeds(Kernel& kernel, const WedgeEvents& events) {
                                            .statement = {r_Q(n), v_C(n) - v_B(n - 1)},
                                            .words = "how fast C catches up with B before Q_n",
                                            .indices = from_one});
-  const std::vector<Theorem> over_a_cycle{r_P_n,         r_Q_n,          events.after_C,
-                                          events.after_C_prime, events.after_B, events.after_A,
-                                          events.after_C};
-  const Theorem next_P = kernel.rewriting(
-      {.id = "wedge.next_P",
-       .statement = {r_P(n), (1 + e) * mu_B * r_Q(n - 1) - e * r_P(n - 1)},
-       .words = "the approach speed before P_n from the two before it",
-       .indices = from_two},
-      over_a_cycle);
-  const Theorem next_Q = kernel.rewriting(
-      {.id = "wedge.next_Q",
-       .statement = {r_Q(n), (1 + e) * mu_A * r_P(n) - e * r_Q(n - 1)},
-       .words = "the approach speed before Q_n from the two before it",
-       .indices = from_two},
-      over_a_cycle);
+  const std::vector<Theorem> over_a_cycle{
+      r_P_n,          r_Q_n,          events.after_C, events.after_C_prime,
+      events.after_B, events.after_A, events.after_C};
+  const Theorem next_P =
+      kernel.rewriting({.id = "wedge.next_P",
+                        .statement = {r_P(n), (1 + e) * mu_B * r_Q(n - 1) - e * r_P(n - 1)},
+                        .words = "the approach speed before P_n from the two before it",
+                        .indices = from_two},
+                       over_a_cycle);
+  const Theorem next_Q =
+      kernel.rewriting({.id = "wedge.next_Q",
+                        .statement = {r_Q(n), (1 + e) * mu_A * r_P(n) - e * r_Q(n - 1)},
+                        .words = "the approach speed before Q_n from the two before it",
+                        .indices = from_two},
+                       over_a_cycle);
   const Theorem cycle_Q =
       kernel.rewriting({.id = "wedge.cycle_Q",
                         .statement = {r_Q(n), next_Q.rhs().subs(r_P(n) == next_P.rhs()).expand()},
                         .words = "from those a cycle earlier",
                         .indices = from_two},
                        {next_Q, next_P});
-  const std::vector<Theorem> at_start{r_P_n, r_Q_n, events.after_C, events.a_0, events.b_0,
-                                      events.c_0};
+  const std::vector<Theorem> at_start{r_P_n,      r_Q_n,      events.after_C,
+                                      events.a_0, events.b_0, events.c_0};
   const Theorem first_P = kernel.rewriting({.id = "wedge.first_P",
                                             .statement = {r_P(1), events.a_0.rhs()},
                                             .words = "A approaches with V"},

@@ -30,7 +30,7 @@ struct WedgeSpeeds {
 };
 WedgeSpeeds wedge_speeds(Kernel& kernel, const WedgeEvents& events);
 
-struct WedgeMotion {  // between collisions, in approach speeds
+struct WedgeMotion {           // between collisions, in approach speeds
   Theorem x_P, x_Q, D_P, D_Q;  // by definition
   Theorem first_x_P, first_x_Q, x_P_next, x_Q_cycle;
   Theorem first_D, D_cycle, D_half;

@@ -24,7 +24,6 @@ Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact) {
   const WedgeMotion motion = wedge_motion(kernel, laws, events, speeds);
   const std::vector<Statement> assuming{collisions_end()};
 
-
   // r_(j+1) = (1 + e) mu r_j - e r_(j-1): with the growth sqrt(e) taken out it turns by an angle each time.
   // Solved where mu_B is given by the tangent of that angle, tan_h > 0: only one root is left then.
   const ex tan_h = symbol("tan_h"), turn = atan(tan_h);
@@ -64,30 +63,34 @@ Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact) {
   const ex growth = pow(e, n - 1), unit = L / V * g / sqrt(e);
   const Theorem r_P_n = in_shares("r_P", turning.r_P, r_P(n), V * growth * sigma(2 * n - 1),
                                   "the approach speed before P_n");
-  const Theorem r_Q_n = in_shares("r_Q", turning.r_Q, r_Q(n), V * growth * sqrt(e) / g * sigma(2 * n),
-                                  "the approach speed before Q_n");
+  const Theorem r_Q_n =
+      in_shares("r_Q", turning.r_Q, r_Q(n), V * growth * sqrt(e) / g * sigma(2 * n),
+                "the approach speed before Q_n");
   const Theorem tau_P_n = in_shares("tau_P", turning.tau_P, tau_P(n),
                                     unit * sigma(2 * n - 2) / sigma(2 * n - 1), "the time of P_n");
   const Theorem tau_Q_n = in_shares("tau_Q", turning.tau_Q, tau_Q(n),
                                     unit * sigma(2 * n - 1) / sigma(2 * n), "the time of Q_n");
   const Theorem d_P_n = in_shares("d_P", turning.d_P, d_P(n), L * growth / sigma(2 * n - 1),
                                   "the distance from A to B at P_n");
-  const Theorem d_Q_n = in_shares("d_Q", turning.d_Q, d_Q(n), L * g * growth * sqrt(e) / sigma(2 * n),
-                                  "the distance from A to B at Q_n");
+  const Theorem d_Q_n =
+      in_shares("d_Q", turning.d_Q, d_Q(n), L * g * growth * sqrt(e) / sigma(2 * n),
+                "the distance from A to B at Q_n");
   const WedgeSolution solution{r_P_n, r_Q_n, tau_P_n, tau_Q_n, d_P_n, d_Q_n};
   const auto approach = [&](const std::string& id, const ex& speed, const Theorem& definition,
                             const Theorem& formula) {
-    const Theorem defined = kernel.instance({.id = id + "_defined",
-                                             .statement = {definition.lhs().subs(n == n + 1), speed},
-                                             .words = "counted from 0",
-                                             .indices = from_zero},
-                                            definition, {{n, n + 1}});
-    const Theorem known = kernel.instance({.id = id + "_known",
-                                           .statement = {defined.lhs(), formula.rhs().subs(n == n + 1)},
-                                           .words = "counted from 0",
-                                           .indices = from_zero,
-                                           .assuming = assuming},
-                                          formula, {{n, n + 1}});
+    const Theorem defined =
+        kernel.instance({.id = id + "_defined",
+                         .statement = {definition.lhs().subs(n == n + 1), speed},
+                         .words = "counted from 0",
+                         .indices = from_zero},
+                        definition, {{n, n + 1}});
+    const Theorem known =
+        kernel.instance({.id = id + "_known",
+                         .statement = {defined.lhs(), formula.rhs().subs(n == n + 1)},
+                         .words = "counted from 0",
+                         .indices = from_zero,
+                         .assuming = assuming},
+                        formula, {{n, n + 1}});
     return kernel.consequence({.id = id,
                                .statement = {speed, known.rhs()},
                                .words = "the approach speed of the two",
@@ -97,23 +100,24 @@ Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact) {
   };
   const Theorem before_P =
       approach("wedge.before_P", v_A(n) - v_C_prime(n), speeds.r_P, solution.r_P);
-  const Theorem before_Q = approach("wedge.before_Q", v_C(n + 1) - v_B(n), speeds.r_Q, solution.r_Q);
-  const Theorem count = kernel.collision_count(
-      {.id = "wedge.N_C",
-       .statement = {N_C(), ceiling(Pi / h) - 1},
-       .words = "collisions go on while the next pair approaches",
-       .assuming = assuming},
-      before_P, before_Q, n, h);
-  const WedgeTheorem theorem{speeds.r_P, speeds.r_Q, ratio,    angle, solution.r_P,
-                             solution.r_Q, before_P, before_Q, count};
+  const Theorem before_Q =
+      approach("wedge.before_Q", v_C(n + 1) - v_B(n), speeds.r_Q, solution.r_Q);
+  const Theorem count =
+      kernel.collision_count({.id = "wedge.N_C",
+                              .statement = {N_C(), ceiling(Pi / h) - 1},
+                              .words = "collisions go on while the next pair approaches",
+                              .assuming = assuming},
+                             before_P, before_Q, n, h);
+  const WedgeTheorem theorem{speeds.r_P,   speeds.r_Q, ratio,    angle, solution.r_P,
+                             solution.r_Q, before_P,   before_Q, count};
   const WedgeVelocities velocities = wedge_velocities(kernel, events, theorem);
 
-  const Theorem all_times = kernel.definition(
-      {.id = "wedge.tau",
-       .statement = {tau(j), L / V * g / sqrt(e) * sin(j * h) / sin((j + 1) * h)},
-       .words = "one formula for all times, collisions counted from 0",
-       .indices = {{"j", 0}},
-       .assuming = assuming});
+  const Theorem all_times =
+      kernel.definition({.id = "wedge.tau",
+                         .statement = {tau(j), L / V * g / sqrt(e) * sin(j * h) / sin((j + 1) * h)},
+                         .words = "one formula for all times, collisions counted from 0",
+                         .indices = {{"j", 0}},
+                         .assuming = assuming});
   const auto same = [&](const char* id, const ex& element, const ex& counted,
                         const Theorem& closed) {
     kernel.rewriting({.id = id,

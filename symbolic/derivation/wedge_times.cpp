@@ -20,18 +20,16 @@ const std::map<std::string, long> from_one{{"n", 1}}, from_two{{"n", 2}};
 // The elastic chapters' laws of motion, for the wedge's sequences.
 Statement for_wedge(const Statement& law) {
   const ex n = symbol("n");
-  const GiNaC::exmap renamed{{a(n), v_A(n)},           {a(n - 1), v_A(n - 1)},
-                             {b(n), v_B(n)},           {b(n - 1), v_B(n - 1)},
-                             {c(n), v_C(n)},           {c_prime(n - 1), v_C_prime(n - 1)},
-                             {t_P(n), tau_P(n)},       {t_Q(n), tau_Q(n)},
-                             {t_Q(n - 1), tau_Q(n - 1)}, {t_P(1), tau_P(1)},
-                             {s_P(n), d_P(n)},         {s_Q(n), d_Q(n)},
-                             {s_Q(n - 1), d_Q(n - 1)}, {s_P(1), d_P(1)}};
+  const GiNaC::exmap renamed{
+      {a(n), v_A(n)},           {a(n - 1), v_A(n - 1)}, {b(n), v_B(n)},
+      {b(n - 1), v_B(n - 1)},   {c(n), v_C(n)},         {c_prime(n - 1), v_C_prime(n - 1)},
+      {t_P(n), tau_P(n)},       {t_Q(n), tau_Q(n)},     {t_Q(n - 1), tau_Q(n - 1)},
+      {t_P(1), tau_P(1)},       {s_P(n), d_P(n)},       {s_Q(n), d_Q(n)},
+      {s_Q(n - 1), d_Q(n - 1)}, {s_P(1), d_P(1)}};
   return {law.lhs().subs(renamed), law.rhs().subs(renamed)};
 }
 
 }  // namespace
-
 
 // Approach speed times time, r_j tau_j =: x_j, is the gap that the flight would have had at time 0. As speeds do, it
 // obeys x_(j+1) = (1 + e) mu x_j - e x_(j-1); and r_j d_j =: D_j loses a factor e each time.
@@ -73,14 +71,12 @@ WedgeMotion wedge_motion(Kernel& kernel, const Laws& laws, const WedgeEvents& ev
   const ex time_Q = tau_Q(n) - tau_P(n), time_P = tau_P(n) - tau_Q(n - 1);
   const Theorem speed_Q_earlier = earlier("wedge.approach_Q", speeds.r_Q);
   const Theorem restitution_Q_earlier = earlier("wedge.restitution_Q", events.restitution_Q);
-  const Theorem crossing_Q =
-      combined("wedge.crossing_Q", {r_Q(n) * time_Q, d_P(n)},
-               "approach speed times time is distance", from_one,
-               {{to_B, 1}, {speeds.r_Q, time_Q}});
-  const Theorem crossing_P =
-      combined("wedge.crossing_P", {r_P(n) * time_P, d_Q(n - 1)},
-               "approach speed times time is distance", from_two,
-               {{to_A, 1}, {speeds.r_P, time_P}});
+  const Theorem crossing_Q = combined("wedge.crossing_Q", {r_Q(n) * time_Q, d_P(n)},
+                                      "approach speed times time is distance", from_one,
+                                      {{to_B, 1}, {speeds.r_Q, time_Q}});
+  const Theorem crossing_P = combined("wedge.crossing_P", {r_P(n) * time_P, d_Q(n - 1)},
+                                      "approach speed times time is distance", from_two,
+                                      {{to_A, 1}, {speeds.r_P, time_P}});
   const Theorem opening_Q =
       combined("wedge.opening_Q", {d_Q(n), e * r_P(n) * time_Q},
                "A and the ball separate with e of their approach speed", from_one,
@@ -108,57 +104,54 @@ WedgeMotion wedge_motion(Kernel& kernel, const Laws& laws, const WedgeEvents& ev
   const char* const size = "approach speed times the distance of A and B";
   const Theorem D_P_n = product("wedge.D_P_definition", D_P(n), r_P(n) * d_P(n), size);
   const Theorem D_Q_n = product("wedge.D_Q_definition", D_Q(n), r_Q(n) * d_Q(n), size);
-  const Theorem x_P_earlier = earlier("wedge.x_P", x_P_n), x_Q_earlier = earlier("wedge.x_Q", x_Q_n),
+  const Theorem x_P_earlier = earlier("wedge.x_P", x_P_n),
+                x_Q_earlier = earlier("wedge.x_Q", x_Q_n),
                 D_Q_earlier = earlier("wedge.D_Q", D_Q_n),
                 opening_Q_earlier = earlier("wedge.opening_Q", opening_Q);
 
   const char* const alike = "the gaps at time 0 obey the recurrence of the speeds";
-  const Theorem x_P_next =
-      combined("wedge.x_P_next", {x_P(n), (1 + e) * mu_B * x_Q(n - 1) - e * x_P(n - 1)}, alike,
-               from_two,
-               {{x_P_n, 1},
-                {x_Q_earlier, -(1 + e) * mu_B},
-                {x_P_earlier, e},
-                {speeds.next_P, tau_Q(n - 1)},
-                {crossing_P, 1},
-                {opening_Q_earlier, 1}});
-  const Theorem x_Q_next =
-      combined("wedge.x_Q_next", {x_Q(n), (1 + e) * mu_A * x_P(n) - e * x_Q(n - 1)}, alike,
-               from_two,
-               {{x_Q_n, 1},
-                {x_P_n, -(1 + e) * mu_A},
-                {x_Q_earlier, e},
-                {speeds.next_Q, tau_P(n)},
-                {crossing_Q, 1},
-                {opening_P, 1}});
-  const Theorem x_Q_cycle = combined(
-      "wedge.x_Q_cycle", {x_Q(n), x_Q_next.rhs().subs(x_P(n) == x_P_next.rhs()).expand()},
-      "from those a cycle earlier", from_two, {{x_Q_next, 1}, {x_P_next, (1 + e) * mu_A}});
+  const Theorem x_P_next = combined(
+      "wedge.x_P_next", {x_P(n), (1 + e) * mu_B * x_Q(n - 1) - e * x_P(n - 1)}, alike, from_two,
+      {{x_P_n, 1},
+       {x_Q_earlier, -(1 + e) * mu_B},
+       {x_P_earlier, e},
+       {speeds.next_P, tau_Q(n - 1)},
+       {crossing_P, 1},
+       {opening_Q_earlier, 1}});
+  const Theorem x_Q_next = combined(
+      "wedge.x_Q_next", {x_Q(n), (1 + e) * mu_A * x_P(n) - e * x_Q(n - 1)}, alike, from_two,
+      {{x_Q_n, 1},
+       {x_P_n, -(1 + e) * mu_A},
+       {x_Q_earlier, e},
+       {speeds.next_Q, tau_P(n)},
+       {crossing_Q, 1},
+       {opening_P, 1}});
+  const Theorem x_Q_cycle =
+      combined("wedge.x_Q_cycle", {x_Q(n), x_Q_next.rhs().subs(x_P(n) == x_P_next.rhs()).expand()},
+               "from those a cycle earlier", from_two, {{x_Q_next, 1}, {x_P_next, (1 + e) * mu_A}});
   const Theorem D_half =
       combined("wedge.D_Q_next", {D_Q(n), e * D_P(n)}, "e of it is left", from_one,
                {{D_Q_n, 1}, {D_P_n, -e}, {opening_Q, r_Q(n)}, {crossing_Q, e * r_P(n)}});
   const Theorem D_half_earlier = earlier("wedge.D_Q_next", D_half);
-  const Theorem D_cycle =
-      combined("wedge.D_P_next", {D_P(n), pow(e, 2) * D_P(n - 1)}, "e^2 of it is left each cycle",
-               from_two,
-               {{D_P_n, 1},
-                {D_Q_earlier, -e},
-                {opening_P, r_P(n)},
-                {crossing_P, e * r_Q(n - 1)},
-                {D_half_earlier, e}});
+  const Theorem D_cycle = combined("wedge.D_P_next", {D_P(n), pow(e, 2) * D_P(n - 1)},
+                                   "e^2 of it is left each cycle", from_two,
+                                   {{D_P_n, 1},
+                                    {D_Q_earlier, -e},
+                                    {opening_P, r_P(n)},
+                                    {crossing_P, e * r_Q(n - 1)},
+                                    {D_half_earlier, e}});
 
   const Theorem x_P_1 = at("wedge.x_P_1", x_P_n, 1, {}), x_Q_1 = at("wedge.x_Q_1", x_Q_n, 1, {}),
                 D_P_1 = at("wedge.D_P_1", D_P_n, 1, {}),
                 crossing_1 = at("wedge.crossing_1", crossing_Q, 1, {});
   const Theorem first_x_P = combined("wedge.first_x_P", {x_P(1), 0}, "the clock starts there", {},
                                      {{x_P_1, 1}, {t_1, r_P(1)}});
-  const Theorem first_x_Q =
-      combined("wedge.first_x_Q", {x_Q(1), L}, "the ball starts from A then", {},
-               {{x_Q_1, 1}, {crossing_1, 1}, {t_1, r_Q(1)}, {d_1, 1}});
-  const Theorem first_D = combined("wedge.first_D_P", {D_P(1), L * speeds.first_P.rhs()},
-                                   "at the first collision", {},
-                                   {{D_P_1, 1}, {d_1, r_P(1)}, {speeds.first_P, L}});
-  return {x_P_n,    x_Q_n,     D_P_n,   D_Q_n,    first_x_P, first_x_Q,
+  const Theorem first_x_Q = combined("wedge.first_x_Q", {x_Q(1), L}, "the ball starts from A then",
+                                     {}, {{x_Q_1, 1}, {crossing_1, 1}, {t_1, r_Q(1)}, {d_1, 1}});
+  const Theorem first_D =
+      combined("wedge.first_D_P", {D_P(1), L * speeds.first_P.rhs()}, "at the first collision", {},
+               {{D_P_1, 1}, {d_1, r_P(1)}, {speeds.first_P, L}});
+  return {x_P_n,    x_Q_n,     D_P_n,   D_Q_n,   first_x_P, first_x_Q,
           x_P_next, x_Q_cycle, first_D, D_cycle, D_half};
 }
 
@@ -242,14 +235,13 @@ WedgeSolution wedge_solution(Kernel& kernel, const Regime& regime, const WedgeSp
                             const Theorem& definition, const Theorem& value, const Theorem& speed,
                             const char* words) {
     const ex one_over = 1 / speed.rhs();
-    return kernel.consequence({.id = named(name),
-                               .statement = {here(element), form},
-                               .words = words,
-                               .indices = from_one,
-                               .assuming = regime.assuming},
-                              {{definition, -one_over},
-                               {value, one_over},
-                               {speed, -here(element) * one_over}});
+    return kernel.consequence(
+        {.id = named(name),
+         .statement = {here(element), form},
+         .words = words,
+         .indices = from_one,
+         .assuming = regime.assuming},
+        {{definition, -one_over}, {value, one_over}, {speed, -here(element) * one_over}});
   };
   const Theorem of_x_P = premise("x_P_definition", motion.x_P, from_one),
                 of_x_Q = premise("x_Q_definition", motion.x_Q, from_one),

@@ -53,19 +53,18 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                            .words = "at first B and the ball are at rest",
                                            .assuming = assuming},
                                           {events.b_0, events.c_0});
-  const Theorem at_Q =
-      kernel.rewriting({.id = "wedge.apart_later",
-                        .statement = {e * r_Q(n), x},
-                        .words = "e of the approach speed is left",
-                        .indices = from_one,
-                        .assuming = assuming},
-                       {theorem.r_Q});
-  const Theorem later = kernel.rewriting(
-      {.id = "wedge.apart_restitution",
-       .statement = {apart, e * r_Q(n)},
-       .words = "restitution at Q_n",
-       .indices = from_one},
-      {theorem.r_Q_definition, events.after_B, events.after_C_prime});
+  const Theorem at_Q = kernel.rewriting({.id = "wedge.apart_later",
+                                         .statement = {e * r_Q(n), x},
+                                         .words = "e of the approach speed is left",
+                                         .indices = from_one,
+                                         .assuming = assuming},
+                                        {theorem.r_Q});
+  const Theorem later =
+      kernel.rewriting({.id = "wedge.apart_restitution",
+                        .statement = {apart, e * r_Q(n)},
+                        .words = "restitution at Q_n",
+                        .indices = from_one},
+                       {theorem.r_Q_definition, events.after_B, events.after_C_prime});
   const Theorem later_closed = kernel.consequence({.id = "wedge.apart_closed",
                                                    .statement = {apart, x},
                                                    .words = "in closed form",
@@ -80,9 +79,8 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                                  at_Q_0, later_closed, n);
 
   // Three linear equations for three velocities.
-  const LinearSolution solution =
-      solve_linear({{total, w_A * V}, {v_A(n) - v_C_prime(n), y}, {apart, x}},
-                   {v_A(n), v_B(n), v_C_prime(n)});
+  const LinearSolution solution = solve_linear(
+      {{total, w_A * V}, {v_A(n) - v_C_prime(n), y}, {apart, x}}, {v_A(n), v_B(n), v_C_prime(n)});
   const ex one = 1 - mu_A * mu_B;  // the masses' sum, in shares
   const auto velocity = [&](const char* id, size_t which, const ex& element, const ex& form) {
     const auto cofactor = [&](size_t equation) {
@@ -106,12 +104,11 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
   const Theorem of_C_prime =
       velocity("wedge.v_C_prime", 2, v_C_prime(n), (w_A * (V - y) - w_B * x) / one);
   // The ball after P_n: e of what it was before is left between A and it.
-  const Theorem from_A = kernel.rewriting(
-      {.id = "wedge.v_C_from_A",
-       .statement = {v_C(n), v_A(n) + e * r_P(n)},
-       .words = "restitution at P_n",
-       .indices = from_one},
-      {theorem.r_P_definition, events.after_A, events.after_C});
+  const Theorem from_A = kernel.rewriting({.id = "wedge.v_C_from_A",
+                                           .statement = {v_C(n), v_A(n) + e * r_P(n)},
+                                           .words = "restitution at P_n",
+                                           .indices = from_one},
+                                          {theorem.r_P_definition, events.after_A, events.after_C});
   const ex y_before = growth * sin((2 * n - 1) * h);
   const Theorem of_C = kernel.rewriting(
       {.id = "wedge.v_C",

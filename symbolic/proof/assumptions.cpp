@@ -35,9 +35,9 @@ bool hides_dependence(const ex& e, const std::string& name) {
 void Kernel::require_assumptions(const Claim& claim, const std::string& rule,
                                  Evidence& evidence) const {
   for (const Statement& assumption : claim.assuming) {
-    require(assumption.relation() == Relation::greater ||
-                assumption.relation() == Relation::less_equal,
-            claim, rule, "an assumption must read > or <=");
+    require(
+        assumption.relation() == Relation::greater || assumption.relation() == Relation::less_equal,
+        claim, rule, "an assumption must read > or <=");
     const ex surplus = definitions_.expand_all(assumption.lhs() - assumption.rhs());
     std::set<std::string> names;
     collect_symbols(surplus, names);
@@ -61,9 +61,9 @@ void Kernel::require_family_law(const Claim& claim, const std::string& rule) con
     require(parameter || claim.indices.contains(name) || name == "V" || name == "L", claim, rule,
             "a family does not depend on " + name);
   }
-  require(families_are_general(claim.statement.lhs()) &&
-              families_are_general(claim.statement.rhs()),
-          claim, rule, "a family is given for all parameters at once");
+  require(
+      families_are_general(claim.statement.lhs()) && families_are_general(claim.statement.rhs()),
+      claim, rule, "a family is given for all parameters at once");
 }
 
 void Kernel::require_replaceable(const Theorem& general, const ex& replaced, const Claim& claim,

@@ -19,8 +19,9 @@ GiNaC::ex v_C(const GiNaC::ex& n);
 GiNaC::ex v_C_prime(const GiNaC::ex& n);
 GiNaC::ex r_P(const GiNaC::ex& n);  // approach speeds just before P_n and Q_n
 GiNaC::ex r_Q(const GiNaC::ex& n);
-GiNaC::ex p(const GiNaC::ex& n);    // a total momentum
-GiNaC::ex x_P(const GiNaC::ex& n);  // approach speed times time: the gap that flight would have at time 0
+GiNaC::ex p(const GiNaC::ex& n);  // a total momentum
+GiNaC::ex x_P(
+    const GiNaC::ex& n);  // approach speed times time: the gap that flight would have at time 0
 GiNaC::ex x_Q(const GiNaC::ex& n);
 GiNaC::ex D_P(const GiNaC::ex& n);  // approach speed times the distance of A and B
 GiNaC::ex D_Q(const GiNaC::ex& n);

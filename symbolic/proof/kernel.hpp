@@ -107,8 +107,7 @@ public:
   // One of `values`, expressions in sequences at n, is > 0: all are at the first index, where `initial`
   // gives the sequences, and each value at n is the sum of factors(i, k) >= 0 times value k at n - 1.
   Theorem positivity_by_induction(const Claim& claim, const std::vector<GiNaC::ex>& values,
-                                  const GiNaC::matrix& factors,
-                                  const std::vector<Theorem>& initial,
+                                  const GiNaC::matrix& factors, const std::vector<Theorem>& initial,
                                   const std::vector<Theorem>& recurrences, const GiNaC::ex& n);
 
   // --- limits (rules_limits.cpp) -----------------------------------------------------------------------

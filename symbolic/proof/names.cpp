@@ -106,14 +106,22 @@ ex sawtooth_evalf(const ex& x) {
 
 const std::map<std::string, std::string>& printed_names() {
   static const std::map<std::string, std::string> names{
-      {"seq_v_C_prime", "v_C'"}, {"limit_infinity", "lim"},
-      {"seq_a", "a"},          {"seq_b", "b"},
-      {"seq_c", "c"},          {"seq_c_prime", "c'"},
-      {"seq_t_P", "t_P"},      {"seq_t_Q", "t_Q"},
-      {"seq_s_P", "s_P"},      {"seq_s_Q", "s_Q"},
-      {"seq_T", "T"},          {"seq_t", "t"},
-      {"seq_s", "s"},          {"step_ceil", "ceil"},
-      {"step_floor", "floor"}, {"step_sawtooth", "sawtooth"},
+      {"seq_v_C_prime", "v_C'"},
+      {"limit_infinity", "lim"},
+      {"seq_a", "a"},
+      {"seq_b", "b"},
+      {"seq_c", "c"},
+      {"seq_c_prime", "c'"},
+      {"seq_t_P", "t_P"},
+      {"seq_t_Q", "t_Q"},
+      {"seq_s_P", "s_P"},
+      {"seq_s_Q", "s_Q"},
+      {"seq_T", "T"},
+      {"seq_t", "t"},
+      {"seq_s", "s"},
+      {"step_ceil", "ceil"},
+      {"step_floor", "floor"},
+      {"step_sawtooth", "sawtooth"},
   };
   return names;
 }

@@ -36,8 +36,7 @@ std::pair<ex, ex> NormalForm::Generators::reduced_parts(const ex& rational) cons
 
 std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
   const auto [above, below] = reduced_parts(rational);
-  const ex again =
-      (above / below).numer_denom();  // the relations may have made common factors
+  const ex again = (above / below).numer_denom();  // the relations may have made common factors
   return {again.op(0), again.op(1)};
 }
 

@@ -172,7 +172,8 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
   require_equal(definitions_.with_angle_names(claim.statement.rhs()), at_values(general.rhs()),
                 claim, rule, evidence);
   for (const Condition& condition : general.conditions())
-    if (!condition.statement && condition.any_of.empty() && (condition.index.empty() || !mentions(general, condition.index)))
+    if (!condition.statement && condition.any_of.empty() &&
+        (condition.index.empty() || !mentions(general, condition.index)))
       evidence.conditions.insert(condition);
   add_conditions_at(general, values, claim, evidence);
   return accept(claim, rule, evidence);

@@ -82,8 +82,9 @@ Theorem Kernel::limit(const Claim& claim, const std::optional<Theorem>& closed, 
     return polynomial.subs(p == 0, no_pattern).subs(constants, no_pattern);
   };
   const ex below = at_zero(fraction.op(1));
-  require(is_positive(below, claim, evidence) || is_positive(-below, claim, evidence), claim, rule,
-          "the denominator " + text(below) + " is not seen to differ from 0 at " + text(p) + " = 0");
+  require(
+      is_positive(below, claim, evidence) || is_positive(-below, claim, evidence), claim, rule,
+      "the denominator " + text(below) + " is not seen to differ from 0 at " + text(p) + " = 0");
   require_equal(at_zero(fraction.op(0)) / below, claim.statement.rhs(), claim, rule, evidence);
   return accept(claim, rule, evidence);
 }

@@ -97,8 +97,8 @@ const std::vector<std::pair<ex, Condition>>& NormalForm::Generators::assumptions
   std::vector<std::pair<ex, Condition>> all;
   for (const Statement& assumption : domain_.assumed) {
     if (assumption.relation() != Relation::greater) continue;
-    const auto [above, below] = quotient(
-        rewritten(definitions_.expand_except_angles(assumption.lhs() - assumption.rhs())));
+    const auto [above, below] =
+        quotient(rewritten(definitions_.expand_except_angles(assumption.lhs() - assumption.rhs())));
     if (above.is_zero()) continue;
     if (positive(below))
       all.emplace_back(above.expand(), condition(assumption));
@@ -146,8 +146,8 @@ bool NormalForm::Generators::takes_both_signs(const ex& polynomial) {
   const bool oscillates = std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
     return polynomial.has(pair.first) || polynomial.has(pair.second);
   });
-  const bool in_excess = std::any_of(
-      domain_.assumed.begin(), domain_.assumed.end(), [](const Statement& assumption) {
+  const bool in_excess =
+      std::any_of(domain_.assumed.begin(), domain_.assumed.end(), [](const Statement& assumption) {
         return assumption.lhs().is_equal(1) || assumption.rhs().is_equal(1);
       });
   if (!oscillates || in_excess) return false;
@@ -160,7 +160,8 @@ bool NormalForm::Generators::takes_both_signs(const ex& polynomial) {
   for (int tries = 0; tries < 40 && !(above && below); ++tries) {
     GiNaC::exmap point;
     for (const ex& symbol : symbols) {
-      const numeric value(static_cast<long>(1 + random() % 60), static_cast<long>(1 + random() % 30));
+      const numeric value(static_cast<long>(1 + random() % 60),
+                          static_cast<long>(1 + random() % 30));
       const std::string name = name_of(symbol);
       const auto integer = domain_.integer.find(name);
       if (integer != domain_.integer.end())
@@ -179,8 +180,9 @@ bool NormalForm::Generators::takes_both_signs(const ex& polynomial) {
     const auto at = [&](const ex& e) {
       return ex_to<numeric>(e.subs(point, GiNaC::subs_options::no_pattern));
     };
-    const bool allowed = std::all_of(assumptions().begin(), assumptions().end(),
-                                     [&](const auto& known) { return at(known.first).is_positive(); });
+    const bool allowed =
+        std::all_of(assumptions().begin(), assumptions().end(),
+                    [&](const auto& known) { return at(known.first).is_positive(); });
     if (!allowed) continue;
     const numeric value = at(polynomial);
     above = above || value.is_positive();

@@ -37,13 +37,30 @@ TEST_CASE("the laws are the two conservation laws, the contact, the start and un
   std::set<std::string> laws;
   for (const proof::Theorem& theorem : whole().theorems)
     if (theorem.step().verdict == "law") laws.insert(theorem.id());
-  CHECK(laws == std::set<std::string>{"contact.momentum", "contact.energy", "contact.changes",
-                                      "power.a_0", "power.b_0", "power.c_0", "times.t_1",
-                                      "times.s_1", "times.to_B", "times.gap_Q", "times.to_A",
-                                      "times.gap_P", "restitution.momentum", "restitution.law",
-                                      "wedge.wall", "wedge.v_A_0", "wedge.v_B_0", "wedge.v_C_0",
-                                      "wedge.tau_1", "wedge.d_1", "wedge.to_B", "wedge.gap_Q",
-                                      "wedge.to_A", "wedge.gap_P"});
+  CHECK(laws == std::set<std::string>{"contact.momentum",
+                                      "contact.energy",
+                                      "contact.changes",
+                                      "power.a_0",
+                                      "power.b_0",
+                                      "power.c_0",
+                                      "times.t_1",
+                                      "times.s_1",
+                                      "times.to_B",
+                                      "times.gap_Q",
+                                      "times.to_A",
+                                      "times.gap_P",
+                                      "restitution.momentum",
+                                      "restitution.law",
+                                      "wedge.wall",
+                                      "wedge.v_A_0",
+                                      "wedge.v_B_0",
+                                      "wedge.v_C_0",
+                                      "wedge.tau_1",
+                                      "wedge.d_1",
+                                      "wedge.to_B",
+                                      "wedge.gap_Q",
+                                      "wedge.to_A",
+                                      "wedge.gap_P"});
 }
 
 TEST_CASE("main results rest on no hypothesis", "[exam]") {
@@ -51,10 +68,11 @@ TEST_CASE("main results rest on no hypothesis", "[exam]") {
   for (const proof::Theorem& theorem : whole().theorems)
     if (theorem.step().verdict == "hypothesis") hypotheses.insert(proof::text(theorem.statement()));
   CHECK(hypotheses.size() == 7);
-  for (const char* id : {"power.a", "power.b", "power.c", "power.c_prime", "power.a_product",
-                         "chebyshev.a", "counting.N_A", "counting.N_B", "ratios.alpha_k_range",
-                         "ratios.beta_k_range", "times.t_of_P", "times.t_of_Q", "wedge.v_A", "wedge.N_C",
-                         "wedge.tau_P", "special_cases.digits_of_pi", "collapse.always_P"})
+  for (const char* id :
+       {"power.a", "power.b", "power.c", "power.c_prime", "power.a_product", "chebyshev.a",
+        "counting.N_A", "counting.N_B", "ratios.alpha_k_range", "ratios.beta_k_range",
+        "times.t_of_P", "times.t_of_Q", "wedge.v_A", "wedge.N_C", "wedge.tau_P",
+        "special_cases.digits_of_pi", "collapse.always_P"})
     for (const std::string& condition : whole().at(id).step().conditions) {
       INFO(id << ": " << condition);
       CHECK_FALSE(hypotheses.contains(condition));

@@ -48,9 +48,10 @@ void check_refused(const derivation::Laws& laws, const derivation::Paper& paper,
 
 TEST_CASE("no spoiled law leads to the paper's results", "[exam]") {
   using derivation::Laws;
-  for (Statement Laws::*law : {&Laws::momentum, &Laws::energy, &Laws::contact, &Laws::restitution, &Laws::wall, &Laws::a_initial,
-                               &Laws::b_initial, &Laws::c_initial, &Laws::t_initial,
-                               &Laws::s_initial, &Laws::t_Q, &Laws::s_Q, &Laws::t_P, &Laws::s_P}) {
+  for (Statement Laws::*law :
+       {&Laws::momentum, &Laws::energy, &Laws::contact, &Laws::restitution, &Laws::wall,
+        &Laws::a_initial, &Laws::b_initial, &Laws::c_initial, &Laws::t_initial, &Laws::s_initial,
+        &Laws::t_Q, &Laws::s_Q, &Laws::t_P, &Laws::s_P}) {
     const Laws real = derivation::conservation_laws();
     for (const Statement& mutant : mutants(real.*law)) {
       // v_1 != -u_1, v_1 != 2 u_1 and so on are other conditions, and useless ones: they must be refused too.

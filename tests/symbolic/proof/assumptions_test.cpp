@@ -48,19 +48,18 @@ TEST_CASE("an assumption is used, recorded, and handed on", "[exam]") {
   const Theorem double_root = kernel.consequence(
       {.id = "double", .statement = {2 * sqrt(pow(1 - q, 2)), 2 - 2 * q}}, {{root, 2}});
   CHECK(has_condition(double_root, "1 > q"));
-  const Theorem at_two = kernel.instance(
-      {.id = "at two", .statement = {1, -1}}, root, {{q, ex(2)}});  // only if 1 > 2
+  const Theorem at_two =
+      kernel.instance({.id = "at two", .statement = {1, -1}}, root, {{q, ex(2)}});  // only if 1 > 2
   CHECK(has_condition(at_two, "1 > 2"));
 }
 
 TEST_CASE("assumptions are inequalities between constants", "[exam]") {
   Kernel kernel = new_kernel();
   const auto refused = [&](const Statement& assumption) {
-    CHECK_THROWS_AS(kernel.identity({.id = "p",
-                                     .statement = {x, x},
-                                     .indices = from_zero,
-                                     .assuming = {assumption}}),
-                    NotProved);
+    CHECK_THROWS_AS(
+        kernel.identity(
+            {.id = "p", .statement = {x, x}, .indices = from_zero, .assuming = {assumption}}),
+        NotProved);
   };
   refused({q, 1});
   refused({q, Relation::not_equal, 1});
@@ -82,26 +81,23 @@ TEST_CASE("a family is replaced in all it depends on, and in nothing else", "[ex
   CHECK(elastic.step().from == "v_A(n + 1; mu_A, mu_B, 1)");
   // The family at e = 1 is not the general one.
   CHECK_THROWS_AS(
-      kernel.consequence(
-          {.id = "mixed", .statement = {v_A(n + 1), v_A(n)}, .indices = from_zero}, {{elastic, 1}}),
+      kernel.consequence({.id = "mixed", .statement = {v_A(n + 1), v_A(n)}, .indices = from_zero},
+                         {{elastic, 1}}),
       NotProved);
-  CHECK_THROWS_AS(kernel.rewriting({.id = "applied",
-                                    .statement = {at_one, V},
-                                    .indices = from_zero},
-                                   {kernel.law({.id = "constant",
-                                                .statement = {v_A(n), V},
-                                                .indices = from_zero})}),
-                  NotProved);
+  CHECK_THROWS_AS(
+      kernel.rewriting(
+          {.id = "applied", .statement = {at_one, V}, .indices = from_zero},
+          {kernel.law({.id = "constant", .statement = {v_A(n), V}, .indices = from_zero})}),
+      NotProved);
 }
 
 TEST_CASE("laws and definitions of families speak of their parameters alone", "[exam]") {
   Kernel kernel = new_kernel();
   CHECK_THROWS_AS(kernel.law({.id = "a", .statement = {v_A(0), x}}), NotProved);
   CHECK_THROWS_AS(kernel.law({.id = "b", .statement = {v_A(0).subs(e == 1), e}}), NotProved);
-  CHECK_THROWS_AS(kernel.definition({.id = "c",
-                                     .statement = {r_P(n).subs(e == 1), e},
-                                     .indices = from_zero}),
-                  NotProved);
+  CHECK_THROWS_AS(
+      kernel.definition({.id = "c", .statement = {r_P(n).subs(e == 1), e}, .indices = from_zero}),
+      NotProved);
   CHECK_THROWS_AS(
       kernel.definition({.id = "d", .statement = {r_P(n), r_P(n) + e}, .indices = from_zero}),
       NotProved);
@@ -117,11 +113,11 @@ TEST_CASE("cases stay conditions when their symbols are replaced", "[exam]") {
   const Theorem fine =
       kernel.instance({.id = "fine", .statement = {3, 3}}, case_y, {{x, ex(3)}, {y, ex(3)}});
   CHECK(fine.step().conditions.empty());
-  const Theorem in_words = kernel.cases({.id = "two at once", .statement = {x, y}},
-                                        {{{{x, y}, {q, q}}, same}});
-  CHECK_THROWS_AS(kernel.instance({.id = "lost", .statement = {1, 2}}, in_words,
-                                  {{x, ex(1)}, {y, ex(2)}}),
-                  NotProved);
+  const Theorem in_words =
+      kernel.cases({.id = "two at once", .statement = {x, y}}, {{{{x, y}, {q, q}}, same}});
+  CHECK_THROWS_AS(
+      kernel.instance({.id = "lost", .statement = {1, 2}}, in_words, {{x, ex(1)}, {y, ex(2)}}),
+      NotProved);
 }
 
 TEST_CASE("a count is not the same for other parameters", "[exam]") {
@@ -136,7 +132,7 @@ TEST_CASE("a count is not the same for other parameters", "[exam]") {
   const Theorem count = kernel.collision_count(
       {.id = "N", .statement = {symbol("N"), ceiling(2 * GiNaC::Pi / psi) - 1}}, speed("P", 1),
       speed("Q", 2), n, psi / 2);
-  CHECK_THROWS_AS(kernel.instance({.id = "one", .statement = {symbol("N"), 2}}, count,
-                                  {{alpha, ex(1)}}),
-                  NotProved);
+  CHECK_THROWS_AS(
+      kernel.instance({.id = "one", .statement = {symbol("N"), 2}}, count, {{alpha, ex(1)}}),
+      NotProved);
 }

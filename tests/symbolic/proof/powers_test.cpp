@@ -57,7 +57,7 @@ TEST_CASE("powers of b > 1 grow, and no others", "[exam]") {
   CHECK(form.conditions().contains({"b > 1"}));
   CHECK_FALSE(form.is_positive(pow(lambda, n) - pow(lambda, 2)));      // n = 1
   CHECK_FALSE(form.is_positive(pow(lambda, 2 * n) - pow(lambda, 2)));  // zero at n = 1
-  CHECK_FALSE(form.is_positive(pow(lambda, 2 * k) - 1));          // k may be negative
+  CHECK_FALSE(form.is_positive(pow(lambda, 2 * k) - 1));               // k may be negative
   CHECK_FALSE(form.is_positive(pow(e, 2 * n) - 1));
   CHECK_FALSE(form.is_positive(1 - pow(lambda, n)));
   NormalForm without(domain, {});

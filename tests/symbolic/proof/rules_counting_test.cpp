@@ -20,19 +20,18 @@ void count(const ex& even, const ex& odd, const std::map<std::string, long>& ind
            const ex& number = symbol("N"), long from = 0) {
   Kernel kernel({.positive = {"V", "e"}, .integer = {}});
   kernel.definition({.id = "y", .statement = {y, n - 4}});
-  const Theorem one = kernel.law({.id = "one",
-                                  .statement = {a(n), even * sin((2 * n + 1) * h)},
-                                  .indices = {{"n", from}}});
-  const Theorem two = kernel.law({.id = "two",
-                                  .statement = {b(n), odd * sin((2 * n + 2) * h)},
-                                  .indices = {{"n", from}}});
+  const Theorem one = kernel.law(
+      {.id = "one", .statement = {a(n), even * sin((2 * n + 1) * h)}, .indices = {{"n", from}}});
+  const Theorem two = kernel.law(
+      {.id = "two", .statement = {b(n), odd * sin((2 * n + 2) * h)}, .indices = {{"n", from}}});
   kernel.collision_count(
       {.id = "N", .statement = {number, ceiling(Pi / h) - 1}, .indices = indices}, one, two, n, h);
 }
 
 }  // namespace
 
-TEST_CASE("factors of approach speeds may change from cycle to cycle, but not their sign", "[exam]") {
+TEST_CASE("factors of approach speeds may change from cycle to cycle, but not their sign",
+          "[exam]") {
   CHECK_NOTHROW(count(V * pow(e, n), V * sqrt(e) * pow(e, n)));
   CHECK_NOTHROW(count(V, V * (n + 1)));
   CHECK_THROWS_AS(count(V * (n - 3), V), NotProved);
