@@ -141,29 +141,27 @@ void threshold(Kernel& kernel) {
                    .words = "equal blocks: C >= 1 for alpha <= (1 + e)/(2 sqrt(e)) - 1"});
 }
 
-// C > 1: sinh takes the place of sin. With lambda = exp(eta), C = (lambda + 1/lambda)/2.
+// C > 1: sinh takes the place of sin. With xi = exp(eta), C = (xi + 1/xi)/2.
 void finite_time(Kernel& kernel, const Wedge& wedge) {
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), L = symbol("L"), p = symbol("p");
-  const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B"), lambda = symbol("xi");
-  const ex twice_C = lambda + 1 / lambda;
-  const std::vector<Statement> assuming{{lambda, Relation::greater, 1}};
-  const Regime regime{.id = "collapse.",
-                      .parameters = {{mu_B, e * pow(twice_C, 2) / (pow(1 + e, 2) * mu_A)}},
-                      .g = sqrt(e) * twice_C / ((1 + e) * mu_A),
-                      .sigma =
-                          [lambda](const ex& k) {
-                            return (pow(lambda, k) - pow(lambda, -k)) / (lambda - 1 / lambda);
-                          },
-                      .assuming = assuming};
+  const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B"), xi = symbol("xi");
+  const ex twice_C = xi + 1 / xi;
+  const std::vector<Statement> assuming{{xi, Relation::greater, 1}};
+  const Regime regime{
+      .id = "collapse.",
+      .parameters = {{mu_B, e * pow(twice_C, 2) / (pow(1 + e, 2) * mu_A)}},
+      .g = sqrt(e) * twice_C / ((1 + e) * mu_A),
+      .sigma = [xi](const ex& k) { return (pow(xi, k) - pow(xi, -k)) / (xi - 1 / xi); },
+      .assuming = assuming};
   const WedgeSolution solution = wedge_solution(kernel,
-                                                {.id = "collapse.lambda_",
+                                                {.id = "collapse.beyond_",
                                                  .parameters = regime.parameters,
                                                  .g = regime.g,
                                                  .sigma = regime.sigma,
                                                  .assuming = regime.assuming},
                                                 wedge.speeds, wedge.motion);
-  const ex unit = L / V * regime.g / sqrt(e), end = unit / lambda;
-  const ex small = pow(lambda, -4 * n);
+  const ex unit = L / V * regime.g / sqrt(e), end = unit / xi;
+  const ex small = pow(xi, -4 * n);
   const auto limit = [&](const char* id, const Theorem& closed, const ex& form) {
     kernel.limit({.id = id,
                   .statement = {limit_at_infinity(closed.lhs(), n), end},
@@ -173,8 +171,8 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
                  closed, form, p, small);
   };
   limit("collapse.t_P_infinity", solution.tau_P,
-        unit * (1 / lambda - pow(lambda, 3) * p) / (1 - pow(lambda, 2) * p));
-  limit("collapse.t_Q_infinity", solution.tau_Q, unit * (1 / lambda - lambda * p) / (1 - p));
+        unit * (1 / xi - pow(xi, 3) * p) / (1 - pow(xi, 2) * p));
+  limit("collapse.t_Q_infinity", solution.tau_Q, unit * (1 / xi - xi * p) / (1 - p));
   const auto left = [&](const std::string& id, const Theorem& closed, const ex& form) {
     const Theorem remaining = kernel.rewriting({.id = id,
                                                 .statement = {end - closed.lhs(), form},
@@ -189,12 +187,12 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
                        .assuming = assuming});
   };
   left("collapse.left_P", solution.tau_P,
-       unit * lambda * (pow(lambda, 2) - 1) / (pow(lambda, 4 * n) - pow(lambda, 2)));
-  left("collapse.left_Q", solution.tau_Q, unit * (lambda - 1 / lambda) / (pow(lambda, 4 * n) - 1));
-  // lambda from the shares.
+       unit * xi * (pow(xi, 2) - 1) / (pow(xi, 4 * n) - pow(xi, 2)));
+  left("collapse.left_Q", solution.tau_Q, unit * (xi - 1 / xi) / (pow(xi, 4 * n) - 1));
+  // xi from the shares.
   const ex C = (1 + e) / (2 * sqrt(e)) * sqrt(mu_A * mu_B);
   const std::vector<Statement> beyond{{pow(1 + e, 2) * mu_A * mu_B, Relation::greater, 4 * e}};
-  const Theorem base = kernel.definition({.id = "collapse.lambda",
+  const Theorem base = kernel.definition({.id = "collapse.exp_eta",
                                           .statement = {symbol("exp_eta"), C + sqrt(pow(C, 2) - 1)},
                                           .words = "exp(eta), where cosh(eta) = C",
                                           .assuming = beyond});
@@ -202,11 +200,10 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
                    .statement = {(base.lhs() + 1 / base.lhs()) / 2, C},
                    .words = "cosh(eta) = C",
                    .assuming = beyond});
-  kernel.identity(
-      {.id = "collapse.share_of_B",
-       .statement = {regime.parameters.begin()->second.subs(lambda == base.lhs()), mu_B},
-       .words = "so every pair of shares with C > 1 has its lambda",
-       .assuming = beyond});
+  kernel.identity({.id = "collapse.share_of_B",
+                   .statement = {regime.parameters.begin()->second.subs(xi == base.lhs()), mu_B},
+                   .words = "so every pair of shares with C > 1 has its xi",
+                   .assuming = beyond});
 }
 
 // C = 1, between the two: the speeds grow linearly.

@@ -64,9 +64,10 @@ void check_formulas_of(const std::string& chapter) {
 
 TEST_CASE("no spoiled law leads to the paper's results", "[exam]") {
   using derivation::Laws;
-  for (Statement Laws::*law : {&Laws::momentum, &Laws::energy, &Laws::contact, &Laws::a_initial,
-                               &Laws::b_initial, &Laws::c_initial, &Laws::t_initial,
-                               &Laws::s_initial, &Laws::t_Q, &Laws::s_Q, &Laws::t_P, &Laws::s_P}) {
+  for (Statement Laws::*law :
+       {&Laws::momentum, &Laws::energy, &Laws::contact, &Laws::restitution, &Laws::wall,
+        &Laws::a_initial, &Laws::b_initial, &Laws::c_initial, &Laws::t_initial, &Laws::s_initial,
+        &Laws::t_Q, &Laws::s_Q, &Laws::t_P, &Laws::s_P}) {
     const Laws real = derivation::conservation_laws();
     for (const Statement& mutant : mutants(real.*law)) {
       // v_1 != -u_1, v_1 != 2 u_1 and so on are other conditions, and useless ones: they must be refused too.
@@ -100,10 +101,14 @@ TEST_CASE("no spoiled formula of table is proved", "[exam]") { check_formulas_of
 
 TEST_CASE("no spoiled formula of multiples is proved", "[exam]") { check_formulas_of("multiples"); }
 
+TEST_CASE("no spoiled formula of restitution is proved", "[exam]") {
+  check_formulas_of("restitution");
+}
+
 TEST_CASE("every chapter's formulas are spoiled", "[exam]") {
-  const std::set<std::string> above{"multiples", "table",    "mapping",    "frame", "orthogonal",
-                                    "contact",   "cycle",    "rotation",   "power", "counting",
-                                    "ratios",    "terminal", "small_alpha"};
+  const std::set<std::string> above{"restitution", "multiples", "table",    "mapping",    "frame",
+                                    "orthogonal",  "contact",   "cycle",    "rotation",   "power",
+                                    "counting",    "ratios",    "terminal", "small_alpha"};
   for (const auto& [chapter, equations] : derivation::paper_chapters())
     CHECK(above.contains(chapter));
 }
