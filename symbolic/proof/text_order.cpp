@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string_view>
 
 #include <ginac/ginac.h>
@@ -34,7 +35,8 @@ bool contains(const std::array<std::string_view, size>& names, std::string_view 
 bool is_index(const ex& e) {
   if (!is_a<GiNaC::symbol>(e)) return false;
   const std::string name = ex_to<GiNaC::symbol>(e).get_name();
-  return name == "j" || name == "k" || name == "m" || name == "n" || name == "k'";
+  static const std::set<std::string> indices{"j", "k", "m", "n", "k'", "N", "N_A", "N_B"};
+  return indices.contains(name);
 }
 
 bool is_root(const ex& e) {

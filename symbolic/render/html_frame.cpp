@@ -38,7 +38,8 @@ math { font-size: 1.08em; }
 dl { margin: 0.75rem 0 0; font-size: 0.9rem; }
 dl div { display: flex; gap: 0.75rem; }
 dt { flex: 0 0 3rem; color: var(--quiet); font-style: italic; }
-dd { margin: 0; min-width: 0; }
+dd { margin: 0; min-width: 0; overflow-x: auto; overflow-y: hidden; }
+.step p { overflow-x: auto; overflow-y: hidden; }
 mtd { padding: 0.3em 0.6em; }
 .scroll { overflow-x: auto; }
 ul.tree { padding-left: 1.2rem; }

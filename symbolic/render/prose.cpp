@@ -82,6 +82,13 @@ std::size_t end_of_parentheses(std::string_view clause, std::size_t begin) {
 
 void append_clause(Prose& result, std::string_view clause) {
   if (auto relation = read_relation(clause)) return append(result, std::move(*relation), clause);
+  for (const std::string_view between : {" for every ", " or "}) {
+    const std::size_t end = clause.find(between);
+    if (end == std::string_view::npos || !read_relation(clause.substr(0, end))) continue;
+    append_clause(result, clause.substr(0, end));
+    append_words(result, between);
+    return append_clause(result, clause.substr(end + between.size()));
+  }
   std::size_t begin = 0;
   while (begin <= clause.size()) {
     if (const std::size_t end = end_of_parentheses(clause, begin); end > begin) {
