@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -39,6 +40,10 @@ struct Contestant {
   std::function<void(std::span<const Input>)> evaluate_all;
   /// The same, but each evaluation waits for the one before: latency.
   std::function<void(std::span<const Input>)> evaluate_chained;
+  /// Nanoseconds for so many repetitions of evaluate_all by a clock of its own: what runs in another process.
+  std::function<double(std::span<const Input>, std::size_t repetitions)> own_clock = {};
+  /// False where the order of operations changes from run to run (GiNaC's terms), and the last bits with it.
+  bool is_reproducible = true;
 };
 
 }  // namespace magicmass::report
