@@ -33,13 +33,13 @@ struct Contestant {
   std::string precision;  ///< "float", "double", "long double": what its errors are measured in
   bool is_naive = false;  ///< the known-bad canary, to which times are compared
   /// False where it would take too long or has no meaning (stepping at n = 2^40).
-  std::function<bool(const Input&)> can;
+  std::function<bool(const Input&)> can = {};
   /// One evaluation; writes the quantity's members in order.
-  std::function<void(const Input&, long double* members)> evaluate;
+  std::function<void(const Input&, long double* members)> evaluate = {};
   /// All inputs one after another, with nothing but the evaluator in the loop: throughput.
-  std::function<void(std::span<const Input>)> evaluate_all;
+  std::function<void(std::span<const Input>)> evaluate_all = {};
   /// The same, but each evaluation waits for the one before: latency.
-  std::function<void(std::span<const Input>)> evaluate_chained;
+  std::function<void(std::span<const Input>)> evaluate_chained = {};
   /// Nanoseconds for so many repetitions of evaluate_all by a clock of its own: what runs in another process.
   std::function<double(std::span<const Input>, std::size_t repetitions)> own_clock = {};
   /// False where the order of operations changes from run to run (GiNaC's terms), and the last bits with it.

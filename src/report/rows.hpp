@@ -34,7 +34,7 @@ struct TimeRow {
   double slowest_call_ns = 0.0;  ///< one single call
   Input slowest{};               ///< where that was
   std::optional<double> cycles;  ///< from a loop calibrated in the same run
-  std::size_t inputs = 0;        ///< timed: a contestant skips what it cannot do, a slow one samples
+  std::size_t inputs = 0;  ///< timed: a contestant skips what it cannot do, a slow one samples
   std::size_t rounds = 0;
 };
 
