@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +33,10 @@ struct Contestant {
       form;  ///< "closed", "product", ..., as in the manifest; "naive" and so on for the others
   std::string precision;  ///< "float", "double", "long double": what its errors are measured in
   bool is_naive = false;  ///< the known-bad canary, to which times are compared
+  /// Largest error that a generated header promises, in ulp of the exact value, and in eps of the body's largest
+  /// velocity at that alpha (beyond alpha = 1: of V). Infinity: nothing is promised.
+  double ulp_bound = std::numeric_limits<double>::infinity();
+  double eps_bound = std::numeric_limits<double>::infinity();
   /// False where it would take too long or has no meaning (stepping at n = 2^40).
   std::function<bool(const Input&)> can = {};
   /// One evaluation; writes the quantity's members in order.

@@ -9,10 +9,14 @@
 
 namespace magicmass::report {
 
+/// Where the exact value is 0 there is no ulp and no envelope: such a sample counts in correctly_rounded, wrong_signs
+/// and max_eps alone. A result that is not finite has infinite errors. max_ulp, over_envelope, max_eps and
+/// max_promise_eps include the climb; the other figures are of the family's own samples.
 /// Errors of one member of one contestant on one family; ulp are those of the contestant's precision.
 struct ErrorRow {
   std::string contestant, precision, quantity, member, family;
-  std::size_t samples = 0;
+  std::size_t samples = 0;  ///< inputs of the family that this contestant can take and that exist
+  std::size_t climbed = 0;  ///< further inputs tried on the way up from the worst samples
   double max_ulp = 0.0;
   Input worst{};         ///< where max_ulp was seen
   double ulp_999 = 0.0;  ///< 99.9 percentile
@@ -21,7 +25,10 @@ struct ErrorRow {
   std::size_t wrong_signs = 0;
   double over_envelope = 0.0;  ///< largest error over what rounding alpha alone would cost
   double max_eps = 0.0;        ///< largest absolute error in eps of the body's largest velocity
-  std::size_t wrong = 0;       ///< counts: answers that are not the exact ones
+  Input worst_over_envelope{};  ///< where over_envelope was seen
+  double max_promise_eps = 0.0;  ///< largest error in the unit of eps_bound: as max_eps, but eps V beyond alpha = 1
+  bool promise_kept = true;      ///< true where nothing is promised
+  std::size_t wrong = 0;         ///< counts: answers that are not the exact ones
 };
 
 /// Times of one contestant on one family.
