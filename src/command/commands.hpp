@@ -14,6 +14,7 @@ void add_count(Program& program);
 void add_terminal(Program& program);
 void add_ratios(Program& program);
 void add_simulate(Program& program);
+void add_report(Program& program);
 void add_demo(Program& program);
 
 }  // namespace magicmass::command

@@ -43,14 +43,8 @@ double clock_tick() {
 std::vector<std::size_t> RandomOrder::next(std::size_t size) {
   std::vector<std::size_t> order(size);
   std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t left = size; left > 1; --left) {
-    state_ += 0x9e3779b97f4a7c15U;  // splitmix64 (Steele, Lea, Flood)
-    std::uint64_t mixed = state_;
-    mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
-    mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
-    mixed ^= mixed >> 31U;
-    std::swap(order[left - 1], order[mixed % left]);
-  }
+  for (std::size_t left = size; left > 1; --left)
+    std::swap(order[left - 1], order[random_.next() % left]);
   return order;
 }
 

@@ -6,6 +6,8 @@
 #include <functional>
 #include <vector>
 
+#include "report/portable_random.hpp"
+
 namespace magicmass::report {
 
 /// A piece of work to be timed. One repetition makes `evaluations` evaluations.
@@ -42,11 +44,11 @@ double clock_tick();
 /// 0 ... size - 1 in an order that depends on the state of the generator alone, on every machine (unlike std::shuffle).
 class RandomOrder {
 public:
-  explicit RandomOrder(std::uint64_t seed) : state_(seed) {}
+  explicit RandomOrder(std::uint64_t seed) : random_(seed) {}
   std::vector<std::size_t> next(std::size_t size);
 
 private:
-  std::uint64_t state_;
+  PortableRandom random_;
 };
 
 }  // namespace magicmass::report
