@@ -119,15 +119,20 @@ std::vector<ExactValue> exact_encounter(const Input& input) {
   std::vector<ExactValue> values;
   constexpr std::int64_t stepped_up_to = 2;
   if (input.index <= stepped_up_to) {
-    for (const cl_RA& y : stepped(alpha, input.index)) values.push_back(exact_value(y));
-    if (input.index == 0) return values;  // t_0 = 0 and s_0 = L whatever alpha
-  } else {
-    const Encounter one = certain([&](long precision) {
-      const Encounter found = encounter(alpha, j, precision);
-      return std::pair(found, is_certain(found.t) && is_certain(found.s));
-    });
-    values = {exact_value(cln::rational(one.t.value)), exact_value(cln::rational(one.s.value))};
+    const auto there = stepped(moved(alpha), input.index);
+    for (const cl_RA& y : stepped(alpha, input.index)) {
+      values.push_back(exact_value(y));
+      if (input.index == 0) continue;  // t_0 = 0 and s_0 = L whatever alpha
+      const cl_RA change = (there[values.size() - 1] - y) / y * cl_RA(cln::ash(cl_I(1), step));
+      values.back().condition = reference::nearest<double>(cln::abs(change));
+    }
+    return values;
   }
+  const Encounter one = certain([&](long precision) {
+    const Encounter found = encounter(alpha, j, precision);
+    return std::pair(found, is_certain(found.t) && is_certain(found.s));
+  });
+  values = {exact_value(cln::rational(one.t.value)), exact_value(cln::rational(one.s.value))};
   // j up to 2^63 next to a pole costs 126 bits of the difference's own
   constexpr long precision = 3 * first_precision;
   const Encounter here = encounter(alpha, j, precision);

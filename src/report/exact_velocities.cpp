@@ -44,7 +44,7 @@ double condition(const Interval& here, const Interval& moved) {
   const cl_RA unit = size / cl_RA(cln::ash(cl_I(1), step));
   if (change + slack < unit / 16) return 0;
   if (slack * 1024 > change) return -1;
-  return cln::double_approx(change / unit);
+  return reference::nearest<double>(change / unit);
 }
 
 /// What rounding takes: both ends of an enclosure have the same nearest numbers. y is one of them.
@@ -93,24 +93,32 @@ std::vector<ExactValue> certain_velocities(double ratio, const cl_I& n) {
 }  // namespace
 
 LargestVelocities largest_velocities(double alpha) {
-  // The paper's formulas, typed: a unit of measure. psi = 4 atan sqrt(alpha/(2+alpha)); c_n = V_CM (1 + sin((n-1/4) psi)/sin(psi/4)) is largest near a quarter turn,
-  // and B gains by each of its collisions. Turns below 1e-6 in size can be taken as continuous.
-  const double V_CM = 1 / (2 + alpha);
-  const double psi = 4 * std::atan(std::sqrt(alpha * V_CM));
-  if (psi < 1e-6) return {1.0, V_CM * (1 + 1 / std::sin(psi / 4))};
+  // The paper's formulas, typed: a unit of measure. c_n = V_CM (1 + sin((n-1/4) psi)/sin(psi/4)) is largest near a
+  // quarter turn, and B gains by each of its collisions. Turns below 1e-6 in size can be taken as continuous.
+  using Real = long double;
+  const Real ratio = alpha;
+  const Real V_CM = 1 / (2 + ratio);
+  const Real psi = 4 * std::atan(std::sqrt(ratio * V_CM));
+  const Real c_1 = 2 / (1 + ratio);
+  LargestVelocities largest{1, static_cast<double>(V_CM * (1 + 1 / std::sin(psi / 4)))};
+  if (psi < 1e-6L) return largest;
   const LastCollision last = last_collision(alpha);
-  const auto quarter = static_cast<std::int64_t>(std::numbers::pi / (2 * psi) + 0.25);
-  LargestVelocities largest;
-  const auto turns_B = static_cast<double>(last.N_B) * psi / 2;
-  largest.B = 2 * V_CM * (1 + alpha) * std::sin(turns_B) * std::sin(turns_B + psi / 2);
+  const Real turns_B = static_cast<Real>(last.N_B) * psi / 2;
+  // sin(psi) has no digit left where psi is near pi
+  largest.B = static_cast<double>(last.N_B == 1 ? c_1 * (2 / (1 + 1 / ratio))
+                                                : 2 * V_CM * (1 + ratio) * std::sin(turns_B) *
+                                                      std::sin(turns_B + psi / 2));
+  const auto quarter = static_cast<std::int64_t>(std::numbers::pi_v<Real> / (2 * psi) + 0.25L);
+  Real of_C = c_1;
   for (std::int64_t n = std::max<std::int64_t>(1, quarter - 1);
        n <= std::min(last.N_A, quarter + 2); ++n) {
-    const auto at = [&](double quarters) {
-      return std::sin((static_cast<double>(n) + quarters) * psi) / std::sin(psi / 4);
+    const auto at = [&](Real quarters) {
+      return std::sin((static_cast<Real>(n) + quarters) * psi) / std::sin(psi / 4);
     };
-    largest.C = std::max(largest.C, V_CM * (1 + at(-0.25)));
-    if (n <= last.N_B) largest.C = std::max(largest.C, std::fabs(V_CM * (1 - at(0.25))));
+    of_C = std::max(of_C, V_CM * (1 + at(-0.25L)));
+    if (n <= last.N_B) of_C = std::max(of_C, std::fabs(V_CM * (1 - at(0.25L))));
   }
+  largest.C = static_cast<double>(of_C);
   return largest;
 }
 
