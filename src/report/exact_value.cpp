@@ -64,9 +64,9 @@ Deviation deviation(Real got, const ExactValue& exact) {
   result.has_ulp = exact.high != 0;
   result.correctly_rounded = got == nearest_of<Real>(exact);
   // A value too small for Real rounds to 0, which is then no wrong sign.
-  result.wrong_sign = std::isnan(got) || (sign_of(static_cast<long double>(got)) !=
-                                              sign_of(exact.high) &&
-                                          !result.correctly_rounded);
+  result.wrong_sign =
+      std::isnan(got) ||
+      (sign_of(static_cast<long double>(got)) != sign_of(exact.high) && !result.correctly_rounded);
   if (!std::isfinite(got)) {
     if (result.correctly_rounded) return result;  // the value itself is out of range
     result.ulp = result.over_envelope = result.has_ulp ? infinity : 0;
@@ -75,9 +75,9 @@ Deviation deviation(Real got, const ExactValue& exact) {
   }
   const long double error = std::fabs((static_cast<long double>(got) - exact.high) - exact.low);
   if (result.has_ulp) {
-    const int spacing = std::clamp(exact.binade - (Limits::digits - 1),
-                                   Limits::min_exponent - Limits::digits,
-                                   Limits::max_exponent - Limits::digits);
+    const int spacing =
+        std::clamp(exact.binade - (Limits::digits - 1), Limits::min_exponent - Limits::digits,
+                   Limits::max_exponent - Limits::digits);
     result.ulp = static_cast<double>(std::scalbn(error, -spacing));
     result.over_envelope = result.ulp / std::max(0.5, exact.condition / 2);
   }

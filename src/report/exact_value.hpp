@@ -10,12 +10,14 @@ namespace magicmass::report {
 /// What an evaluator should have returned for one member, ready to be compared with in machine numbers.
 struct ExactValue {
   bool exists = true;  ///< false: no such collision; the formula goes on, physics does not
-  long double high = 0, low = 0;  ///< their sum is the value within 2^-120 of it, high alone its nearest
-  float nearest_float = 0;        ///< the value correctly rounded
+  long double high = 0,
+              low = 0;      ///< their sum is the value within 2^-120 of it, high alone its nearest
+  float nearest_float = 0;  ///< the value correctly rounded
   double nearest_double = 0;
-  int binade = 0;  ///< floor(log2 |value|); of no meaning where the value is 0
-  double condition = 0;      ///< |alpha y'/y|: relative change for a relative change of alpha
-  double scale = 0;          ///< the body's largest velocity at that alpha; for what has no body the value itself
+  int binade = 0;        ///< floor(log2 |value|); of no meaning where the value is 0
+  double condition = 0;  ///< |alpha y'/y|: relative change for a relative change of alpha
+  double scale =
+      0;  ///< the body's largest velocity at that alpha; for what has no body the value itself
   double promise_scale = 0;  ///< the same, but V (1) for velocities beyond alpha = 1
 };
 

@@ -42,9 +42,8 @@ public:
 
   /// Any double from low to high, both included and positive, each as likely as the next.
   double ordinal(double low, double high) {
-    return std::bit_cast<double>(
-        static_cast<std::uint64_t>(whole(std::bit_cast<std::int64_t>(low),
-                                         std::bit_cast<std::int64_t>(high))));
+    return std::bit_cast<double>(static_cast<std::uint64_t>(
+        whole(std::bit_cast<std::int64_t>(low), std::bit_cast<std::int64_t>(high))));
   }
 
   /// A normal double from low to high, both positive and normal, with its logarithm uniform but for 0.3 %: a uniform

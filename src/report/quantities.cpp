@@ -7,11 +7,8 @@ namespace magicmass::report {
 
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all{
-      {"velocities", {"a", "b", "c", "c_prime"}},
-      {"encounters", {"t", "s"}},
-      {"angle", {"psi"}},
-      {"ratios", {"magic", "deficient"}},
-      {"counts", {"N_A", "N_B"}},
+      {"velocities", {"a", "b", "c", "c_prime"}}, {"encounters", {"t", "s"}}, {"angle", {"psi"}},
+      {"ratios", {"magic", "deficient"}},         {"counts", {"N_A", "N_B"}},
   };
   return all;
 }

@@ -23,12 +23,13 @@ struct ErrorRow {
   double ulp_median = 0.0;
   double correctly_rounded = 0.0;  ///< share, 0 to 1
   std::size_t wrong_signs = 0;
-  double over_envelope = 0.0;  ///< largest error over what rounding alpha alone would cost
-  double max_eps = 0.0;        ///< largest absolute error in eps of the body's largest velocity
+  double over_envelope = 0.0;   ///< largest error over what rounding alpha alone would cost
+  double max_eps = 0.0;         ///< largest absolute error in eps of the body's largest velocity
   Input worst_over_envelope{};  ///< where over_envelope was seen
-  double max_promise_eps = 0.0;  ///< largest error in the unit of eps_bound: as max_eps, but eps V beyond alpha = 1
-  bool promise_kept = true;      ///< true where nothing is promised
-  std::size_t wrong = 0;         ///< counts: answers that are not the exact ones
+  double max_promise_eps =
+      0.0;  ///< largest error in the unit of eps_bound: as max_eps, but eps V beyond alpha = 1
+  bool promise_kept = true;  ///< true where nothing is promised
+  std::size_t wrong = 0;     ///< counts: answers that are not the exact ones
 };
 
 /// Times of one contestant on one family.
