@@ -2,13 +2,15 @@
 #include "report/timing.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <numeric>
 #include <optional>
 
+#include "report/errors.hpp"
 #include "report/processor_clock.hpp"
+#include "report/quantities.hpp"
 #include "report/statistics.hpp"
 
 namespace magicmass::report {
@@ -154,12 +156,15 @@ std::vector<Input> timed_inputs(const Contestant& contestant, std::span<const In
     if (timed.size() == plan.inputs) break;
     // The rest would be sampled away: a slow contestant is not asked for it.
     if (spent > plan.longest_pass_ns * static_cast<double>(share * share * share)) break;
-    if (!contestant.can(inputs[i])) continue;
-    double ns = one_call(contestant, inputs[i]);
+    const Input input = rounded_input(inputs[i], contestant.quantity, contestant.precision);
+    const bool has_meaning =
+        !takes_alpha(contestant.quantity) || (input.alpha > 0 && std::isfinite(input.alpha));
+    if (!has_meaning || !contestant.can(input)) continue;
+    double ns = one_call(contestant, input);
     spent += ns;
     if (ns > plan.longest_call_ns) continue;
-    if (ns < plan.longest_pass_ns) ns = std::min(ns, one_call(contestant, inputs[i]));
-    timed.push_back(inputs[i]);
+    if (ns < plan.longest_pass_ns) ns = std::min(ns, one_call(contestant, input));
+    timed.push_back(input);
     calls.push_back(ns);
   }
   const auto pass_over = [&](std::size_t size) {  // an array may take less than its parts

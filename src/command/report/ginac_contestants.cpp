@@ -11,12 +11,14 @@
 #include <stdexcept>
 #include <utility>
 
+#include <cln/cln.h>
 #include <fcntl.h>
 #include <ginac/ginac.h>
 #include <unistd.h>
 
 #include "codegen/forms.hpp"
 #include "command/report/derived_formulas.hpp"
+#include "magicmass/reference/rational.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::command {
@@ -121,22 +123,28 @@ Contestant compiled_contestant(const codegen::Form& form, GiNaC::FUNCP_CUBA func
   return contestant(form, "compile_ex", call);
 }
 
+/// CLN's doubles know no subnormal numbers, its long floats have exponents enough.
+GiNaC::numeric widened(double x) {
+  const cln::float_format_t digits = cln::float_format(static_cast<unsigned>(GiNaC::Digits));
+  return GiNaC::numeric(cln::cl_float(reference::exact(x), digits));
+}
+
 Contestant evalf_contestant(const codegen::Form& form, const std::vector<GiNaC::ex>& formulas) {
   const auto shared = std::make_shared<const std::vector<GiNaC::ex>>(formulas);
   const auto call = [form, shared](double alpha, double, std::int64_t index, Outputs& outputs) {
     outputs.fill(std::numeric_limits<double>::quiet_NaN());
-    GiNaC::lst values;
-    if (!form.real_input.empty())
-      values.append(proof::symbol(form.real_input) == GiNaC::numeric(alpha));
-    if (!form.index.empty())
-      values.append(proof::symbol(form.index) == GiNaC::numeric(static_cast<long>(index)));
     try {
+      GiNaC::lst values;
+      if (!form.real_input.empty()) values.append(proof::symbol(form.real_input) == widened(alpha));
+      if (!form.index.empty())
+        values.append(proof::symbol(form.index) == GiNaC::numeric(static_cast<long>(index)));
       for (std::size_t i = 0; i < shared->size(); ++i) {
         const GiNaC::ex value = (*shared)[i].subs(values).evalf();
         if (GiNaC::is_a<GiNaC::numeric>(value))
-          outputs[i] = GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+          outputs[i] = cln::double_approx(
+              cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()));
       }
-    } catch (const std::exception&) {  // CLN: a number beyond doubles; the rest stays NaN
+    } catch (const std::exception&) {  // division by zero, 1/cos(Pi/2)
     }
   };
   return contestant(form, "evalf", call);

@@ -56,7 +56,7 @@ struct Task {
 };
 
 std::vector<Task> tasks(const ReportRequest& request, Measurement& measurement) {
-  const std::size_t size = request.size.value_or(request.quick ? 256 : 4096);
+  const std::size_t size = request.size.value_or(request.quick ? 128 : 4096);
   std::set<std::string> family_names;
   std::set<std::string> evaluator_names;
   std::set<std::string> quantity_names;
@@ -99,7 +99,7 @@ bool measure_errors(const Task& task, report::Oracle& oracle, Progress& progress
                   contestant.precision,
                   contestant.is_naive,
                   contestant.is_reproducible,
-                  report::measure_errors(contestant, family, oracle),
+                  report::measure(contestant, family, oracle),
                   {}};
       std::erase_if(entry.errors, [](const report::ErrorRow& row) { return row.samples == 0; });
       if (!entry.errors.empty()) one.entries.push_back(std::move(entry));

@@ -11,9 +11,9 @@ namespace magicmass::command {
 namespace {
 
 std::string row(const std::string& name, const std::string& type, const auto&... cells) {
-  std::string line = fmt::format("{:<20}{:<3}", name, type);
+  std::string line = fmt::format("{:<19}{:<3}", name, type);
   const std::vector<std::string> texts = {cells...};
-  constexpr std::size_t widths[] = {7, 7, 6, 7, 7, 7, 6, 10};
+  constexpr std::size_t widths[] = {7, 7, 6, 7, 7, 7, 6, 11};
   for (std::size_t i = 0; i < texts.size(); ++i) line += fmt::format("{:>{}}", texts[i], widths[i]);
   return line + "\n";
 }

@@ -7,6 +7,12 @@
 #include "command/report/report_tables.hpp"
 
 namespace magicmass::command {
+namespace {
+
+/// To the two decimals that are shown, so that none reads -0.00.
+double rounded(double exponent) { return std::round(exponent * 100) / 100 + 0.0; }
+
+}  // namespace
 
 std::string short_number(double value) {
   if (std::isnan(value)) return "-";
@@ -14,8 +20,8 @@ std::string short_number(double value) {
   if (value != 0 && value < 0.001) return fmt::format("{:.0e}", value);
   if (value < 10) return fmt::format("{:.2f}", value);
   if (value < 100) return fmt::format("{:.1f}", value);
-  if (value < 99999.5) return fmt::format("{:.0f}", value);
-  std::string text = fmt::format("{:.1e}", value);
+  if (value < 9999.5) return fmt::format("{:.0f}", value);
+  std::string text = fmt::format("{:.{}e}", value, value < 9.95e99 ? 1 : 0);
   const std::size_t plus = text.find('+');
   text.erase(plus, text[plus + 1] == '0' ? 2 : 1);
   return text;
@@ -40,8 +46,8 @@ std::string shown_input(const std::string& quantity, const report::Input& input)
 
 std::string shown_exponents(const report::Growth& growth) {
   const auto shown = [&](const char* what, const std::optional<report::PowerLaw>& law) {
-    return law ? fmt::format("{} ~ {}^({:.2f} +- {:.2f})", what, growth.scale, law->exponent,
-                             law->spread)
+    return law ? fmt::format("{} ~ {}^({:.2f} +- {:.2f})", what, growth.scale,
+                             rounded(law->exponent), law->spread)
                : std::string();
   };
   const std::string time = shown("time", growth.time);
