@@ -43,8 +43,8 @@ std::vector<AlphaSweep> alpha_sweeps(const std::vector<report::Contestant>& cont
   std::vector<const report::Contestant*> shown;
   AlphaSweep empty;
   for (const report::Contestant& one : contestants)
-    if (one.quantity == quantity && one.precision == "double" && one.is_reproducible &&
-        !one.own_clock) {
+    if (one.quantity == quantity && one.precision == "double" &&
+        (one.is_naive || one.name.starts_with(quantity + "_"))) {
       shown.push_back(&one);
       empty.evaluators.push_back(one.name);
     }

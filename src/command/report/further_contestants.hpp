@@ -9,7 +9,10 @@
 
 namespace magicmass::command {
 
-/// What is not there (a C compiler, SymPy) leaves a line in `remarks` instead. Peers other than GiNaC on request.
-std::vector<report::Contestant> further_contestants(bool peers, std::vector<std::string>& remarks);
+/// What is not there (a C compiler, SymPy) leaves a line in `remarks` instead. Peers other than GiNaC on
+/// request. Of these quantities alone.
+std::vector<report::Contestant> further_contestants(bool peers,
+                                                    const std::vector<std::string>& quantities,
+                                                    std::vector<std::string>& remarks);
 
 }  // namespace magicmass::command

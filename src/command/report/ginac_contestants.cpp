@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/report/ginac_contestants.hpp"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -75,6 +76,10 @@ double after(double x, double previous) {
   asm volatile("" : "+r"(mask));
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) |
                                (std::bit_cast<std::uint64_t>(previous) & mask));
+}
+
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 template <class Call>
@@ -153,11 +158,13 @@ Contestant evalf_contestant(const codegen::Form& form, const std::vector<GiNaC::
 }  // namespace
 
 std::vector<Contestant> ginac_contestants(const std::vector<proof::Theorem>& theorems,
+                                          const std::vector<std::string>& quantities,
                                           std::vector<std::string>& remarks) {
   std::vector<Contestant> all;
   bool has_compiler = true;
   for (const codegen::Form& form : codegen::forms()) {
-    if (form.exact || form.outputs.size() > most_outputs) continue;
+    if (form.exact || form.outputs.size() > most_outputs || !is_among(quantities, form.quantity))
+      continue;
     const std::vector<GiNaC::ex> formulas = derived_outputs(form, theorems);
     if (form.name == "closed") all.push_back(evalf_contestant(form, formulas));
     if (!has_compiler) continue;

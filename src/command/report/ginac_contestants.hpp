@@ -13,6 +13,7 @@ namespace magicmass::command {
 /// the paper's form. Their last bits are not reproducible: GiNaC's terms change places from run to run. Without
 /// compiler, or without Debian's ginac-tools, a line in `remarks` instead.
 std::vector<report::Contestant> ginac_contestants(const std::vector<proof::Theorem>& theorems,
+                                                  const std::vector<std::string>& quantities,
                                                   std::vector<std::string>& remarks);
 
 }  // namespace magicmass::command

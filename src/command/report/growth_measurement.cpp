@@ -53,7 +53,7 @@ void measure_growth(const std::vector<report::Contestant>& contestants, bool qui
         scale, contestants,
         [&](const report::Contestant& contestant, const report::Family& family) {
           if (!progress.step(words, 1.0)) return std::vector<report::ErrorRow>();
-          return report::measure(contestant, family, oracle);
+          return report::measure(contestant, family, oracle, report::Climb{0});
         },
         plan));
   }

@@ -61,13 +61,19 @@ std::vector<Task> tasks(const ReportRequest& request, Measurement& measurement) 
   std::set<std::string> evaluator_names;
   std::set<std::string> quantity_names;
   std::vector<Task> all;
-  std::vector<Contestant> further = further_contestants(request.peers, measurement.remarks);
+  std::vector<std::string> asked;
   for (const report::Quantity& quantity : report::quantities()) {
-    Task task{report::contestants(quantity.name), report::families(quantity.name, size)};
-    for (const Contestant& one : further)
-      if (one.quantity == quantity.name) task.contestants.push_back(one);
-    sort_for_reading(task.contestants);
     quantity_names.insert(quantity.name);
+    if (is_asked(request.quantities, quantity.name)) asked.push_back(quantity.name);
+  }
+  require_names("quantity", request.quantities, quantity_names);
+  const std::vector<Contestant> further =
+      further_contestants(request.peers, asked, measurement.remarks);
+  for (const std::string& quantity : asked) {
+    Task task{report::contestants(quantity), report::families(quantity, size)};
+    for (const Contestant& one : further)
+      if (one.quantity == quantity) task.contestants.push_back(one);
+    sort_for_reading(task.contestants);
     for (const Family& family : task.families) family_names.insert(family.name);
     for (const Contestant& one : task.contestants) evaluator_names.insert(one.name);
     std::erase_if(task.families,
@@ -75,11 +81,10 @@ std::vector<Task> tasks(const ReportRequest& request, Measurement& measurement) 
     std::erase_if(task.contestants, [&](const Contestant& one) {
       return !is_asked(request.evaluators, one.name) && !is_baseline(one);
     });
-    if (is_asked(request.quantities, quantity.name)) all.push_back(std::move(task));
+    all.push_back(std::move(task));
   }
   require_names("family", request.families, family_names);
   require_names("evaluator", request.evaluators, evaluator_names);
-  require_names("quantity", request.quantities, quantity_names);
   return all;
 }
 

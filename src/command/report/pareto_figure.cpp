@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -13,6 +15,9 @@ namespace {
 
 constexpr double lowest_ulp = 0.1;  // exact results have no logarithm
 constexpr double highest_ulp = 1e20;
+
+/// Where the number of a spot stands, in turn, so that those of neighbours seldom meet.
+constexpr const char* corners[] = {"1.0,0.6", "1.0,-0.6", "-1.0,0.6", "-1.0,-0.6"};
 
 struct Spot {
   std::string name;
@@ -52,7 +57,10 @@ std::string pareto_figure(const MeasuredFamily& measured, const std::string& fil
   for (std::size_t i = 0; i < spots.size(); ++i) {
     const Spot& spot = spots[i];
     const std::string place = fmt::format("{:.6g} {:.6g}", spot.ns, spot.ulp);
-    (spot.is_naive ? naive : all) += fmt::format("{} {}\n", place, i + 1);
+    (spot.is_naive ? naive : all) += place + "\n";
+    labels += fmt::format("set label {} '{}' at {:.6g},{:.6g} center offset {} font ',11'{}\n",
+                          i + 101, i + 1, spot.ns, spot.ulp, corners[i % std::size(corners)],
+                          spot.is_naive ? " tc rgb '#c00000'" : "");
     if (is_on_frontier(spots, i)) frontier += place + "\n";
     labels += fmt::format("set label {} {} at screen 0.665,{:.3f} font ',11' noenhanced{}\n", i + 1,
                           gnuplot_quoted(fmt::format("{:>2}  {}: {} ns, {} ulp", i + 1, spot.name,
@@ -84,12 +92,8 @@ std::string pareto_figure(const MeasuredFamily& measured, const std::string& fil
                      std::max(most->ulp, 1.0) * 10) +
          labels + "set key off\n" +
          "plot $frontier using 1:2 with steps lw 1.5 lc rgb '#0060ad', "
-         "$all using 1:2 with points pt 7 ps 0.7 lc rgb 'black', "
-         "$all using 1:2:3 with labels offset 0.9,0.5 font ',11', " +
-         (naive.empty() ? ""
-                        : "$naive using 1:2 with points pt 9 ps 1.2 lc rgb '#c00000', "
-                          "$naive using 1:2:3 with labels offset 0.9,0.5 font ',11' tc rgb "
-                          "'#c00000', ") +
+         "$all using 1:2 with points pt 7 ps 0.7 lc rgb 'black', " +
+         (naive.empty() ? "" : "$naive using 1:2 with points pt 9 ps 1.2 lc rgb '#c00000', ") +
          "0.5 with lines dt 3 lc rgb '#888888'\nunset output\n";
 }
 

@@ -117,6 +117,7 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
 }  // namespace
 
 std::vector<Contestant> sympy_contestants(const std::vector<proof::Theorem>& theorems,
+                                          const std::vector<std::string>& quantities,
                                           std::vector<std::string>& remarks) {
   const auto peer = std::make_shared<Peer>();
   const std::string greeting = peer->ask("");
@@ -127,7 +128,9 @@ std::vector<Contestant> sympy_contestants(const std::vector<proof::Theorem>& the
   }
   std::vector<Contestant> all;
   for (const codegen::Form& form : codegen::forms()) {
-    if (form.exact) continue;
+    if (form.exact ||
+        std::find(quantities.begin(), quantities.end(), form.quantity) == quantities.end())
+      continue;
     const std::string line = fmt::format("define {} {}", fmt::join(inputs_of(form), ","),
                                          fmt::join(derived_outputs_in_python(form, theorems), ";"));
     if (peer->ask(line) == "ok") {
