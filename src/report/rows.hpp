@@ -12,6 +12,7 @@ namespace magicmass::report {
 /// Where the exact value is 0 there is no ulp and no envelope: such a sample counts in correctly_rounded, wrong_signs
 /// and max_eps alone. A result that is not finite has infinite errors. max_ulp, over_envelope, max_eps and
 /// max_promise_eps include the climb; the other figures are of the family's own samples.
+/// Counts are whole numbers whatever they were computed in: for them ulp is the difference itself, the rest is 0.
 /// Errors of one member of one contestant on one family; ulp are those of the contestant's precision.
 struct ErrorRow {
   std::string contestant, precision, quantity, member, family;
