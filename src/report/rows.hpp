@@ -29,6 +29,7 @@ struct ErrorRow {
   Input worst_over_envelope{};  ///< where over_envelope was seen
   double max_promise_eps =
       0.0;  ///< largest error in the unit of eps_bound: as max_eps, but eps V beyond alpha = 1
+  Input worst_eps{};         ///< where max_promise_eps was seen
   bool promise_kept = true;  ///< true where nothing is promised
   std::size_t wrong = 0;     ///< counts: answers that are not the exact ones
 };

@@ -6,6 +6,7 @@
 #include <bit>
 #include <charconv>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
@@ -20,9 +21,17 @@ namespace {
 constexpr std::string_view header = "quantity,contestant,precision,member,figure,alpha,index,error";
 constexpr std::size_t columns = 8;
 
-using Place = std::tuple<std::string, std::string, std::string, std::string, std::string>;
+/// Subnormal numbers are a place of their own: what is lost there would hide everything else.
+bool is_subnormal(const WorstInput& one) {
+  const double least = one.precision == "float"
+                           ? static_cast<double>(std::numeric_limits<float>::min())
+                           : std::numeric_limits<double>::min();
+  return one.input.alpha > 0 && one.input.alpha < least;
+}
+
+using Place = std::tuple<std::string, std::string, std::string, std::string, std::string, bool>;
 Place place(const WorstInput& one) {
-  return {one.quantity, one.contestant, one.precision, one.member, one.figure};
+  return {one.quantity, one.contestant, one.precision, one.member, one.figure, is_subnormal(one)};
 }
 
 template <class Number, class... Format>
@@ -102,11 +111,15 @@ std::vector<WorstInput> merged(std::vector<WorstInput> known, const std::vector<
     const WorstInput by_ulp{row.contestant, row.precision, row.quantity, row.member,
                             "ulp",          row.worst,     row.max_ulp};
     offer(by_ulp);
-    WorstInput by_envelope = by_ulp;
-    by_envelope.figure = "envelope";
-    by_envelope.input = row.worst_over_envelope;
-    by_envelope.error = row.over_envelope;
-    offer(by_envelope);
+    WorstInput other = by_ulp;
+    other.figure = "envelope";
+    other.input = row.worst_over_envelope;
+    other.error = row.over_envelope;
+    offer(other);
+    other.figure = "eps";
+    other.input = row.worst_eps;
+    other.error = row.max_promise_eps;
+    offer(other);
   }
   known.clear();
   for (const auto& [where, one] : worst) known.push_back(one);

@@ -12,10 +12,11 @@
 
 namespace magicmass::report {
 
-/// A worst input ever seen, for one member of one contestant: by ulp or by envelope.
+/// A worst input ever seen, for one member of one contestant: by one figure.
 struct WorstInput {
   std::string contestant, precision, quantity, member;
-  std::string figure;  ///< "ulp" or "envelope"
+  std::string
+      figure;  ///< "ulp", "envelope" or "eps": max_ulp, over_envelope, max_promise_eps of ErrorRow
   Input input;
   double error = 0;  ///< that figure there, when it was found
 };
@@ -25,7 +26,8 @@ std::vector<WorstInput> read_worst_inputs(std::istream& file);
 /// The same back, one line each, sorted: the file's differences are the changes.
 void write_worst_inputs(std::ostream& file, std::vector<WorstInput> inputs);
 
-/// The worse of what was known and what these rows found, one for each contestant, precision, member and figure.
+/// The worse of what was known and what these rows found, one for each contestant, precision, member and figure, and
+/// another where alpha is subnormal in that precision.
 /// Infinite errors are kept like any other; an exact answer throughout has no worst input.
 std::vector<WorstInput> merged(std::vector<WorstInput> known, const std::vector<ErrorRow>& rows);
 
