@@ -2,6 +2,7 @@
 #include "report/errors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -18,7 +19,18 @@ namespace {
 using Key = std::pair<std::uint64_t, std::int64_t>;
 Key key(const Input& input) { return {std::bit_cast<std::uint64_t>(input.alpha), input.index}; }
 
-using Figure = double Deviation::*;
+/// What is climbed on: a figure of a sample, the largest in the row, and where that was.
+struct Figure {
+  double Deviation::*of_sample;
+  double ErrorRow::*largest;
+  Input ErrorRow::*where;
+};
+
+constexpr std::array<Figure, 3> figures{{
+    {&Deviation::ulp, &ErrorRow::max_ulp, &ErrorRow::worst},
+    {&Deviation::over_envelope, &ErrorRow::over_envelope, &ErrorRow::worst_over_envelope},
+    {&Deviation::promise_eps, &ErrorRow::max_promise_eps, &ErrorRow::worst_eps},
+}};
 
 /// One member's samples, in the family's order.
 struct Samples {
@@ -28,20 +40,17 @@ struct Samples {
 
   /// What the climb may raise.
   void raise(const Input& input, const Deviation& d) {
-    if (d.ulp > row.max_ulp) {
-      row.max_ulp = d.ulp;
-      row.worst = input;
-    }
-    if (d.over_envelope > row.over_envelope) {
-      row.over_envelope = d.over_envelope;
-      row.worst_over_envelope = input;
-    }
+    for (const Figure& figure : figures)
+      if (d.*figure.of_sample > row.*figure.largest) {
+        row.*figure.largest = d.*figure.of_sample;
+        row.*figure.where = input;
+      }
     row.max_eps = std::max(row.max_eps, d.eps);
-    row.max_promise_eps = std::max(row.max_promise_eps, d.promise_eps);
   }
 
   void add(const Input& input, const Deviation& d) {
-    if (row.samples++ == 0) row.worst = row.worst_over_envelope = input;
+    if (row.samples++ == 0)
+      for (const Figure& figure : figures) row.*figure.where = input;
     raise(input, d);
     if (d.has_ulp) ulps.push_back(d.ulp);
     correct += d.correctly_rounded ? 1 : 0;
@@ -86,12 +95,12 @@ std::vector<Input> neighbours(const Input& at, const Contestant& contestant) {
   return all;
 }
 
-/// From `from` to its worst neighbour, and on from there, while it gets worse and inputs are left.
-void climb(Samples& samples, std::size_t member, Figure figure, Input from,
-           const Contestant& contestant, Oracle& oracle, std::size_t most_inputs) {
+/// From the worst sample to its worst neighbour, and on from there, while it gets worse and inputs are left.
+void climb(Samples& samples, std::size_t member, const Figure& figure, const Contestant& contestant,
+           Oracle& oracle, std::size_t most_inputs) {
+  Input from = samples.row.*figure.where;
+  double height = samples.row.*figure.largest;
   std::set<Key> tried{key(from)};
-  double height =
-      samples.row.*(figure == &Deviation::ulp ? &ErrorRow::max_ulp : &ErrorRow::over_envelope);
   std::size_t left = most_inputs;
   for (bool is_higher = true; is_higher && std::isfinite(height);) {
     is_higher = false;
@@ -105,8 +114,8 @@ void climb(Samples& samples, std::size_t member, Figure figure, Input from,
       ++samples.row.climbed;
       const Deviation& d = *(*deviations)[member];
       samples.raise(next, d);
-      if (d.*figure > height) {
-        height = d.*figure;
+      if (d.*figure.of_sample > height) {
+        height = d.*figure.of_sample;
         from = next;
         is_higher = true;
       }
@@ -139,12 +148,9 @@ std::vector<ErrorRow> measure(const Contestant& contestant, const Family& family
   }
   std::vector<ErrorRow> rows;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    if (members[i].row.samples > 0 && limits.most_inputs > 0) {
-      climb(members[i], i, &Deviation::ulp, members[i].row.worst, contestant, oracle,
-            limits.most_inputs);
-      climb(members[i], i, &Deviation::over_envelope, members[i].row.worst_over_envelope,
-            contestant, oracle, limits.most_inputs);
-    }
+    if (members[i].row.samples > 0 && limits.most_inputs > 0)
+      for (const Figure& figure : figures)
+        climb(members[i], i, figure, contestant, oracle, limits.most_inputs);
     rows.push_back(members[i].finished(contestant));
   }
   return rows;

@@ -12,7 +12,7 @@
 
 namespace magicmass::report {
 
-/// How far the search goes on from the worst samples: so many inputs a member and a figure (ulp, envelope).
+/// How far the search goes on from the worst samples: so many inputs a member and a figure (ulp, envelope, eps).
 /// 0: not at all.
 struct Climb {
   std::size_t most_inputs = 60;

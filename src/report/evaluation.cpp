@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/evaluation.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "report/errors.hpp"
 #include "report/last_collision.hpp"
@@ -13,6 +15,15 @@ namespace magicmass::report {
 namespace {
 
 constexpr std::size_t most_members = 4;
+
+/// Counts are whole numbers whatever they were computed in: right or wrong by so many.
+Deviation compared_counts(long double got, const ExactValue& exact) {
+  Deviation result;
+  result.ulp = static_cast<double>(std::fabs(got - exact.high));
+  result.has_ulp = true;
+  result.correctly_rounded = got == exact.high;
+  return result;
+}
 
 Deviation compared_in(const std::string& precision, long double got, const ExactValue& exact) {
   if (precision == "float") return deviation(static_cast<float>(got), exact);
@@ -52,10 +63,13 @@ std::optional<std::vector<std::optional<Deviation>>> compared(const Contestant& 
   std::array<long double, most_members> got{};
   contestant.evaluate(input, got.data());
   std::vector<std::optional<Deviation>> deviations;
-  for (std::size_t i = 0; i < exact.size(); ++i)
-    deviations.push_back(exact[i].exists
-                             ? std::optional(compared_in(contestant.precision, got[i], exact[i]))
-                             : std::nullopt);
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    deviations.emplace_back();
+    if (exact[i].exists)
+      deviations.back() = contestant.quantity == "counts"
+                              ? compared_counts(got[i], exact[i])
+                              : compared_in(contestant.precision, got[i], exact[i]);
+  }
   return deviations;
 }
 

@@ -37,8 +37,8 @@ std::int64_t picked(Pick pick, const Alpha& alpha, std::int64_t last, bool is_cy
     case Pick::ends: {
       const std::int64_t ends[] = {0, std::min<std::int64_t>(1, last),
                                    std::max<std::int64_t>(0, last - 1), last};
-      // period 4 in i, shifted every 7: the neighbours of 1 get each of the ends
-      return ends[(i + i / 7) % 4];
+      // shifted every 7, so that the same alpha gets another end the next time
+      return ends[(i + 2 * (i / 7)) % 4];
     }
     case Pick::anywhere:
       return turn(2) == 0 ? random.whole(0, last)

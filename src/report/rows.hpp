@@ -12,6 +12,7 @@ namespace magicmass::report {
 /// Where the exact value is 0 there is no ulp and no envelope: such a sample counts in correctly_rounded, wrong_signs
 /// and max_eps alone. A result that is not finite has infinite errors. max_ulp, over_envelope, max_eps and
 /// max_promise_eps include the climb; the other figures are of the family's own samples.
+/// Counts are whole numbers whatever they were computed in: for them ulp is the difference itself, the rest is 0.
 /// Errors of one member of one contestant on one family; ulp are those of the contestant's precision.
 struct ErrorRow {
   std::string contestant, precision, quantity, member, family;
@@ -28,6 +29,7 @@ struct ErrorRow {
   Input worst_over_envelope{};  ///< where over_envelope was seen
   double max_promise_eps =
       0.0;  ///< largest error in the unit of eps_bound: as max_eps, but eps V beyond alpha = 1
+  Input worst_eps{};         ///< where max_promise_eps was seen
   bool promise_kept = true;  ///< true where nothing is promised
   std::size_t wrong = 0;     ///< counts: answers that are not the exact ones
 };
