@@ -160,10 +160,15 @@ std::vector<Input> timed_inputs(const Contestant& contestant, std::span<const In
     const bool has_meaning =
         !takes_alpha(contestant.quantity) || (input.alpha > 0 && std::isfinite(input.alpha));
     if (!has_meaning || !contestant.can(input)) continue;
+    // The shorter of two, so that an interruption does not make an input look slow.
     double ns = one_call(contestant, input);
     spent += ns;
+    if (ns < plan.longest_pass_ns || ns > plan.longest_call_ns) {
+      const double again = one_call(contestant, input);
+      spent += again;
+      ns = std::min(ns, again);
+    }
     if (ns > plan.longest_call_ns) continue;
-    if (ns < plan.longest_pass_ns) ns = std::min(ns, one_call(contestant, input));
     timed.push_back(input);
     calls.push_back(ns);
   }

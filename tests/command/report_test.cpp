@@ -217,6 +217,31 @@ TEST_CASE("Ctrl-C leaves a whole file with what was finished", "[exam]") {
   CHECK(folder.names() == std::vector<std::string>{"report.json"});
 }
 
+// Not gated on: a loaded machine disturbs.
+TEST_CASE("ratios of two runs are within their intervals", "[time]") {
+  const auto run = [] {
+    return json_of({"report", "--quick", "--no-growth", "--quantities", "angle,ratios"});
+  };
+  const nlohmann::json first = run();
+  const nlohmann::json second = run();
+  REQUIRE(first.size() == second.size());
+  int rows = 0;
+  int meet = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const auto& one = first[i];
+    const auto& other = second[i];
+    if (one["reproducible"] != true || !one["ratio"].is_number() || !other["ratio"].is_number())
+      continue;
+    ++rows;
+    meet += one["ratio_low"].get<double>() <= other["ratio_high"].get<double>() &&
+                    other["ratio_low"].get<double>() <= one["ratio_high"].get<double>()
+                ? 1
+                : 0;
+  }
+  WARN(meet << " of " << rows << " intervals meet");
+  CHECK(meet > 0.9 * rows);
+}
+
 TEST_CASE("the README's table has the error figures of a run", "[exam]") {
   const std::string mark = "<!-- written by `magicmass report --headline`: -->\n";
   const std::string readme = read_file(std::filesystem::path(MAGICMASS_SOURCE_DIR) / "README.md");
@@ -231,8 +256,9 @@ TEST_CASE("the README's table has the error figures of a run", "[exam]") {
     const std::size_t begin = text.find(mark);
     REQUIRE(begin != std::string::npos);
     std::vector<std::string> rows;
-    for (const std::string& line :
-         lines_of(text.substr(begin + mark.size(), text.find("<!-- end -->", begin) - begin))) {
+    const std::size_t first = begin + mark.size();
+    const std::size_t end = text.find("<!-- end -->", first);
+    for (const std::string& line : lines_of(text.substr(first, end - first))) {
       if (!line.starts_with("| ") || line.find('~') != std::string::npos) continue;
       std::vector<std::string> cells;
       std::size_t from = 0;
