@@ -188,6 +188,25 @@ TEST_CASE("peers that are not installed are said to be skipped", "[exam]") {
   CHECK(run.output.find("skipped: SymPy on NumPy needs python3") != std::string::npos);
 }
 
+TEST_CASE("SymPy computes the same formulas", "[exam]") {
+  const std::vector<std::string> words =
+      tiny({"--quantities", "ratios", "--families", "first k", "--peers", "--format", "json"});
+  const ProgramRun run = run_program(words);
+  REQUIRE(run.exit_code == 0);
+  if (run.errors.find("skipped: SymPy") != std::string::npos) {
+    WARN("skipped: needs python3-sympy and python3-numpy");
+    return;
+  }
+  int rows = 0;
+  for (const auto& one : nlohmann::json::parse(run.output))
+    if (one["evaluator"] == "sympy_product") {
+      ++rows;
+      CHECK(one["max_ulp"].get<double>() <= 8);  // eight operations of half an ulp, and two sines
+      CHECK(one["ns"].get<double>() > 0);
+    }
+  CHECK(rows == 2);
+}
+
 TEST_CASE("the headline goes between a file's marks and nowhere else", "[exam]") {
   const TemporaryFolder folder;
   const std::string begin = "before\n<!-- written by `magicmass report --headline`: -->\n";

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,9 +40,11 @@ for line in sys.stdin:
     words = line.split()
     if words[0] == "define":
         names = words[1].split(",")
-        outputs = [sympy.sympify(text, {name: sympy.Symbol(name, positive=True) for name in names})
-                   for text in line.split(None, 2)[2].split(";")]
         symbols = [sympy.Symbol(name, positive=True) for name in names]
+        meaning = {"Pi": sympy.pi, **dict(zip(names, symbols))}
+        outputs = [sympy.sympify(text, meaning) for text in line.split(None, 2)[2].split(";")]
+        if not all(one.free_symbols <= set(symbols) for one in outputs):
+            break
         functions.append(sympy.lambdify(symbols, outputs, "numpy"))
         print("ok", flush=True)
     elif words[0] == "load":
@@ -66,6 +69,13 @@ public:
 
   std::string ask(const std::string& line) { return process_.ask(line); }
 
+  /// A process that has ended is no error of SymPy's.
+  std::string answer(const std::string& line) {
+    std::string answer = ask(line);
+    if (answer.empty()) throw std::runtime_error("the peers' python3 has ended unexpectedly");
+    return answer;
+  }
+
   void load(std::span<const Input> inputs, bool takes_alpha, bool takes_index) {
     std::string line = "load";
     const auto column = [&](const auto& value) {
@@ -75,7 +85,7 @@ public:
     if (takes_alpha) column([](const Input& input) { return input.alpha; });
     if (takes_index) column([](const Input& input) { return static_cast<double>(input.index); });
     if (line == loaded_) return;
-    ask(line);
+    answer(line);
     loaded_ = std::move(line);
   }
 
@@ -97,7 +107,7 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
   const std::size_t size = form.outputs.size();
   one.evaluate = [=](const Input& input, long double* members) {
     peer->load({&input, 1}, takes_alpha, takes_index);
-    std::istringstream answer(peer->ask(fmt::format("values {}", number)));
+    std::istringstream answer(peer->answer(fmt::format("values {}", number)));
     for (std::size_t i = 0; i < size; ++i) {
       std::string word;
       members[i] = answer >> word ? static_cast<long double>(std::strtod(word.c_str(), nullptr))
@@ -106,9 +116,8 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
   };
   one.own_clock = [=](std::span<const Input> inputs, std::size_t repetitions) {
     peer->load(inputs, takes_alpha, takes_index);
-    const std::string answer = peer->ask(fmt::format("time {} {}", number, repetitions));
-    return answer.empty() ? std::numeric_limits<double>::infinity()
-                          : std::strtod(answer.c_str(), nullptr);
+    const std::string answer = peer->answer(fmt::format("time {} {}", number, repetitions));
+    return std::strtod(answer.c_str(), nullptr);
   };
   one.evaluate_all = [clock = one.own_clock](std::span<const Input> inputs) { clock(inputs, 1); };
   return one;
