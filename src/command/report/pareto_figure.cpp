@@ -13,8 +13,8 @@
 namespace magicmass::command {
 namespace {
 
-constexpr double lowest_ulp = 0.1;  // exact results have no logarithm
-constexpr double highest_ulp = 1e20;
+constexpr double lowest_ulp = 0.1;    // exact results have no logarithm
+constexpr double highest_ulp = 1e40;  // for infinity, too
 
 /// Where the number of a spot stands, in turn, so that those of neighbours seldom meet.
 constexpr const char* corners[] = {"1.0,0.6", "1.0,-0.6", "-1.0,0.6", "-1.0,-0.6"};

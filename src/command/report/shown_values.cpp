@@ -59,12 +59,12 @@ std::string report_legend(const Measurement& measurement) {
   const SelfComparison& self = measurement.self;
   std::string text =
       "Hard cases first, each kind by itself. f, d, ld: float, double, long double. ulp: largest "
-      "error in units in the last place, for counts how far off (~: the order of operations, and "
-      "so the last bits, change from run to run). eps: largest error in eps of the body's largest "
-      "velocity. wrong: signs, or counts. ns: median time of an evaluation, one after the other; "
-      "late: each waits for the one before (latency); slow: the slowest single call. ratio: to "
-      "naive in double on the same inputs, paired round by round, with a 95 % interval of its "
-      "median.";
+      "error in units in the last place, for counts how far off; behind a ~ the order of "
+      "operations, and so the last bits, change from run to run. eps: largest error in eps of the "
+      "body's largest velocity. wrong: signs, or counts. ns: median time of an evaluation, one "
+      "after the other; late: each waits for the one before, latency; slow: the slowest single "
+      "call. ratio: to naive in double on the same inputs, paired round by round, with a 95 % "
+      "interval of its median.";
   if (self.families > 0)
     text += fmt::format(
         " Naive against a second copy of itself: ratios {:.3f} to {:.3f}, {} of {} intervals hold "
