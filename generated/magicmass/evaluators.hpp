@@ -33,12 +33,14 @@ struct AngleEvaluator {
 };
 
 template <class Real>
-const auto& angle_evaluators() {
-  static constexpr std::array<AngleEvaluator<Real>, 2> all{{
-      {"angle_closed", "closed", &angle_closed<Real>, 2, no_bound},
-      {"angle_product", "product", &angle_product<Real>, 2, no_bound},
-  }};
-  return all;
+inline constexpr std::array<AngleEvaluator<Real>, 2> angle_table{{
+    {"angle_closed", "closed", &angle_closed<Real>, 2, no_bound},
+    {"angle_product", "product", &angle_product<Real>, 2, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& angle_evaluators() {
+  return angle_table<Real>;
 }
 
 template <class Real>
@@ -51,12 +53,14 @@ struct EncounterEvaluator {
 };
 
 template <class Real>
-const auto& encounter_evaluators() {
-  static constexpr std::array<EncounterEvaluator<Real>, 2> all{{
-      {"encounters_closed", "closed", &encounters_closed<Real>, no_bound, no_bound},
-      {"encounters_product", "product", &encounters_product<Real>, no_bound, no_bound},
-  }};
-  return all;
+inline constexpr std::array<EncounterEvaluator<Real>, 2> encounter_table{{
+    {"encounters_closed", "closed", &encounters_closed<Real>, no_bound, no_bound},
+    {"encounters_product", "product", &encounters_product<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& encounter_evaluators() {
+  return encounter_table<Real>;
 }
 
 template <class Real>
@@ -69,12 +73,14 @@ struct RatioEvaluator {
 };
 
 template <class Real>
-const auto& ratio_evaluators() {
-  static constexpr std::array<RatioEvaluator<Real>, 2> all{{
-      {"ratios_closed", "closed", &ratios_closed<Real>, no_bound, no_bound},
-      {"ratios_product", "product", &ratios_product<Real>, 5, no_bound},
-  }};
-  return all;
+inline constexpr std::array<RatioEvaluator<Real>, 2> ratio_table{{
+    {"ratios_closed", "closed", &ratios_closed<Real>, no_bound, no_bound},
+    {"ratios_product", "product", &ratios_product<Real>, 5, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& ratio_evaluators() {
+  return ratio_table<Real>;
 }
 
 template <class Real>
@@ -87,12 +93,14 @@ struct VelocityEvaluator {
 };
 
 template <class Real>
-const auto& velocity_evaluators() {
-  static constexpr std::array<VelocityEvaluator<Real>, 2> all{{
-      {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
-      {"velocities_product", "product", &velocities_product<Real>, no_bound, 4},
-  }};
-  return all;
+inline constexpr std::array<VelocityEvaluator<Real>, 2> velocity_table{{
+    {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
+    {"velocities_product", "product", &velocities_product<Real>, no_bound, 4},
+}};
+
+template <class Real>
+constexpr const auto& velocity_evaluators() {
+  return velocity_table<Real>;
 }
 
 }  // namespace magicmass::generated

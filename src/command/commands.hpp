@@ -20,6 +20,7 @@ void add_simulate(Program& program);
 void add_equal(Program& program);
 /// The words of a command line, where -x/2 after "equal" is an expression and no option.
 std::vector<std::string> with_expressions_marked(int argc, char** argv);
+void add_report(Program& program);
 void add_demo(Program& program);
 
 }  // namespace magicmass::command

@@ -9,17 +9,20 @@ namespace {
 struct Table {
   std::string quantity;
   std::string entry;      // "VelocityEvaluator"
+  std::string table;      // "velocity_table"
   std::string function;   // "velocity_evaluators"
   std::string signature;  // of the function pointer, with %RESULT%
 };
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all{
-      {"angle", "AngleEvaluator", "angle_evaluators", "Real (*evaluate)(Real alpha)"},
-      {"encounters", "EncounterEvaluator", "encounter_evaluators",
+      {"angle", "AngleEvaluator", "angle_table", "angle_evaluators",
+       "Real (*evaluate)(Real alpha)"},
+      {"encounters", "EncounterEvaluator", "encounter_table", "encounter_evaluators",
        "Encounters<Real> (*evaluate)(Real alpha, std::int64_t j)"},
-      {"ratios", "RatioEvaluator", "ratio_evaluators", "Ratios<Real> (*evaluate)(std::int64_t k)"},
-      {"velocities", "VelocityEvaluator", "velocity_evaluators",
+      {"ratios", "RatioEvaluator", "ratio_table", "ratio_evaluators",
+       "Ratios<Real> (*evaluate)(std::int64_t k)"},
+      {"velocities", "VelocityEvaluator", "velocity_table", "velocity_evaluators",
        "Velocities<Real> (*evaluate)(Real alpha, std::int64_t n)"},
   };
   return all;
@@ -51,16 +54,17 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
     for (const Evaluator& evaluator : evaluators) {
       const Form& form = evaluator.form;
       if (form.exact || form.quantity != table.quantity) continue;
-      rows += "      {\"" + form.function() + "\", \"" + form.name + "\", &" + form.function() +
+      rows += "    {\"" + form.function() + "\", \"" + form.name + "\", &" + form.function() +
               "<Real>, " + bound(form.bound.ulp) + ", " + bound(form.bound.eps) + "},\n";
       ++count;
     }
     text += "\ntemplate <class Real>\nstruct " + table.entry +
             " {\n  const char* name;\n  const char* form;\n  " + table.signature +
             ";\n  double ulp_bound;\n  double eps_bound;\n};\n";
-    text += "\ntemplate <class Real>\nconst auto& " + table.function +
-            "() {\n  static constexpr std::array<" + table.entry + "<Real>, " +
-            std::to_string(count) + "> all{{\n" + rows + "  }};\n  return all;\n}\n";
+    text += "\ntemplate <class Real>\ninline constexpr std::array<" + table.entry + "<Real>, " +
+            std::to_string(count) + "> " + table.table + "{{\n" + rows + "}};\n";
+    text += "\ntemplate <class Real>\nconstexpr const auto& " + table.function + "() {\n  return " +
+            table.table + "<Real>;\n}\n";
   }
   return text + "\n}  // namespace magicmass::generated\n";
 }

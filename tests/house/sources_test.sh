@@ -22,8 +22,9 @@ declare -A may_include=(
   [runtime]='generated library'
   [reference]='runtime cln library'
   [equality]='algebraic proof derivation ginac cln library'
-  [command]='algebraic proof derivation equality codegen render generated runtime reference ginac cln library'
-  [command-header]='algebraic proof derivation equality codegen render generated runtime reference cln library'
+  [report]='generated runtime reference cln library'
+  [command]='algebraic proof derivation equality codegen render generated runtime reference report ginac cln library'
+  [command-header]='algebraic proof derivation equality codegen render generated runtime reference report cln library'
 )
 
 part_of() { # file of the repository
@@ -32,6 +33,7 @@ part_of() { # file of the repository
     generated/*) part=generated ;;
     src/magicmass/reference/*) part=reference ;;
     src/magicmass/*) part=runtime ;;
+    src/report/*) part=report ;;
     src/command/*.hpp | src/command/*.h) part=command-header ;;
     src/command/*) part="command" ;;
     *) part=other ;;
@@ -181,6 +183,8 @@ good_tree() {
   plant src/magicmass/scenes/scene.cpp MIT '#include <toml++/toml.h>' '#include "magicmass/errors.hpp"'
   plant src/magicmass/evaluators/fast.hpp MIT '#include "magicmass/velocities.hpp"'
   plant src/magicmass/reference/exact.hpp GPL-2.0-or-later '#include <cln/cln.h>' '#include "magicmass/errors.hpp"'
+  plant src/report/oracle.hpp GPL-2.0-or-later
+  plant src/report/errors.cpp GPL-2.0-or-later '#include "magicmass/reference/exact.hpp"' '#include "magicmass/velocities.hpp"'
   plant src/command/derive.cpp GPL-2.0-or-later '#include <ginac/ginac.h>' '#include "derivation/contact.hpp"'
   plant tests/src/fast_test.cpp GPL-2.0-or-later '#include "magicmass/reference/exact.hpp"' 'using namespace std;'
 }
@@ -228,6 +232,9 @@ refused "runtime may not include cln: cln/cln.h" src/magicmass/evaluators/slow.h
 refused "runtime may not include ginac: ginac/ginac.h" src/magicmass/scenes/ratio.cpp MIT '#include <ginac/ginac.h>'
 refused "runtime may not include reference: magicmass/reference/exact.hpp" src/magicmass/scenes/ratio.cpp MIT '#include "magicmass/reference/exact.hpp"'
 refused "reference may not include ginac: ginac/ginac.h" src/magicmass/reference/digits.cpp $gpl '#include <ginac/ginac.h>'
+refused "report may not include ginac: ginac/ginac.h" src/report/contestants.cpp $gpl '#include <ginac/ginac.h>'
+refused "report may not include proof: proof/kernel.hpp" src/report/contestants.cpp $gpl '#include "proof/kernel.hpp"'
+refused "reference may not include report: report/oracle.hpp" src/magicmass/reference/digits.cpp $gpl '#include "report/oracle.hpp"'
 refused "command-header may not include ginac: ginac/ginac.h" src/command/derive.hpp $gpl '#include <ginac/ginac.h>'
 refused "generated may not include library: fmt/core.h" generated/magicmass/counts.hpp MIT '#include <fmt/core.h>'
 refused "generated may not include runtime: magicmass/errors.hpp" generated/magicmass/counts.hpp MIT '#include "magicmass/errors.hpp"'

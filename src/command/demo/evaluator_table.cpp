@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -12,9 +11,11 @@
 
 #include "command/demo/demo_report.hpp"
 #include "command/demo/evaluator_cases.hpp"
-#include "command/demo/interleaved_timing.hpp"
+#include "command/report/provenance.hpp"
 #include "magicmass/evaluators.hpp"
 #include "magicmass/reference/rational.hpp"
+#include "report/rounds.hpp"
+#include "report/statistics.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -91,11 +92,23 @@ std::string row(std::string_view name, const Errors& errors, const std::string& 
                      measure(errors.has_simulator, errors.from_simulator), timing, verdict);
 }
 
+const report::Plan timing_plan{.rounds = 31, .shortest_ns = 2e5};
+
+/// Median, least and largest time, and the median ratio to the baseline, round by round.
+std::string timing_cells(const std::vector<double>& mine, const std::vector<double>& baseline) {
+  std::vector<double> ratios;
+  for (std::size_t round = 0; round < mine.size(); ++round)
+    ratios.push_back(mine[round] / baseline[round]);
+  const auto [shortest, longest] = std::minmax_element(mine.begin(), mine.end());
+  return fmt::format("{:>7.0f}{:>10}{:>7.2f}", report::median(mine),
+                     fmt::format("{:.0f}..{:.0f}", *shortest, *longest), report::median(ratios));
+}
+
 /// Every evaluator of one table on these cases; the closed form is the timing's baseline.
 template <class Real, class Evaluators>
 void show_kind(DemoReport& report, const Evaluators& evaluators,
                const std::vector<EvaluatorCase<Real>>& cases, bool is_promised = true) {
-  std::vector<std::function<void()>> works;
+  report::Group works;
   std::vector<Errors> all_errors;
   std::size_t baseline = 0;
   for (const auto& evaluator : evaluators) {
@@ -106,29 +119,27 @@ void show_kind(DemoReport& report, const Evaluators& evaluators,
       for (std::size_t i = 0; i < got.size(); ++i) look(errors, got[i], one.values[i]);
     }
     all_errors.push_back(errors);
-    works.emplace_back([&cases, evaluate = evaluator.evaluate] {
+    const auto work = [&cases, evaluate = evaluator.evaluate] {
       for (const EvaluatorCase<Real>& one : cases) {
         const auto result = call(evaluate, one);
         asm volatile("" : : "m"(result) : "memory");  // the result counts as used
       }
-    });
+    };
+    works.push_back({report::on_steady_clock(work), static_cast<double>(cases.size())});
   }
-  const std::vector<Timing> timings = interleaved_timing(works, cases.size(), baseline);
+  const auto times = report::interleaved_rounds({works}, timing_plan).front();
   for (std::size_t i = 0; i < works.size(); ++i) {
-    const Timing& time = timings[i];
+    const std::string timing = timing_cells(times[i], times[baseline]);
     const auto& evaluator = evaluators[i];
     const bool has_bound =
         evaluator.ulp_bound != generated::no_bound || evaluator.eps_bound != generated::no_bound;
     const bool kept = !is_promised || (all_errors[i].ulp <= evaluator.ulp_bound &&
                                        all_errors[i].eps <= evaluator.eps_bound);
     report.count_in(kept);
-    report.print(
-        row(evaluator.name, all_errors[i],
-            fmt::format("{:>7.0f}{:>10}{:>7.2f}", time.median,
-                        fmt::format("{:.0f}..{:.0f}", time.shortest, time.longest), time.ratio),
-            !kept                      ? "BROKEN"
-            : is_promised && has_bound ? "kept"
-                                       : "-"));
+    report.print(row(evaluator.name, all_errors[i], timing,
+                     !kept                      ? "BROKEN"
+                     : is_promised && has_bound ? "kept"
+                                                : "-"));
   }
 }
 
@@ -156,19 +167,11 @@ void show_number_type(DemoReport& report, std::string_view name) {
   show_kind<Real>(report, generated::angle_evaluators<Real>(), angle_cases<Real>());
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name"))
-      return line.substr(std::min(line.find(':') + 2, line.size()));
-  return "processor unknown";
-}
-
 }  // namespace
 
 void show_evaluators(DemoReport& report) {
   report.heading("Generated evaluators against exact rationals and the simulator");
-  report.print(fmt::format("{}; {} interleaved rounds.\n", processor(), timing_rounds));
+  report.print(fmt::format("{}; {} interleaved rounds.\n", processor_name(), timing_plan.rounds));
   report.print(
       "Fixed cases: alpha from 1e-6 to 1, n from 0 to the last collision.\n"
       "ulp: largest error where the exact value is not 0. eps: largest error over eps\n"

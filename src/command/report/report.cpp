@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+
+#include "command/commands.hpp"
+#include "command/records.hpp"
+#include "command/report/figures.hpp"
+#include "command/report/measurement.hpp"
+#include "command/report/report_tables.hpp"
+#include "magicmass/errors.hpp"
+#include "magicmass/scenes/shown_text.hpp"
+
+namespace magicmass::command {
+namespace {
+
+struct ReportOptions {
+  ReportRequest request;
+  std::string figures;
+  std::string headline;
+  OutputOptions output;
+};
+
+std::string read_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file) throw InvalidInput("cannot read " + shown_text(path, 200));
+  return text;
+}
+
+void write_whole(const std::string& path, const std::string& text) {
+  Destination file(path);
+  file.write(text);
+  file.finish();
+}
+
+void write_report(Destination& output, const std::string& format, const Measurement& measurement) {
+  if (format == "text")
+    output.write(report_text(measurement));
+  else if (format == "markdown")
+    output.write(report_markdown(measurement));
+  else
+    write_report_records(output, format, measurement);
+  output.finish();
+}
+
+ExitCode report_command(const ReportOptions& options) {
+  // What cannot be written is found out before the minutes of measuring.
+  Destination output(options.output.path);
+  if (!options.figures.empty()) prepare_folder(options.figures);
+  if (!options.headline.empty()) with_headline(read_text(options.headline), "");
+  Measurement measurement;
+  {
+    Progress progress;
+    measurement = measure(options.request, progress);
+  }
+  write_report(output, options.output.format, measurement);
+  if (options.output.format != "text" && options.output.format != "markdown")
+    for (const std::string& remark : measurement.remarks)
+      std::cerr << "magicmass: " + remark + "\n";
+  if (!options.figures.empty())
+    if (const std::string missing = draw_figures(measurement, options.figures); !missing.empty())
+      std::cerr << "magicmass: " + missing + "\n";
+  if (!measurement.is_complete) {
+    std::cerr << "magicmass: interrupted; what was finished is there\n";
+    Progress::end_as_interrupted();
+  }
+  if (!options.headline.empty())
+    write_whole(options.headline,
+                with_headline(read_text(options.headline), report_headline(measurement)));
+  return ExitCode::done;
+}
+
+CLI::Option* add_names(CLI::App& command, const std::string& option,
+                       std::vector<std::string>& names, const std::string& words) {
+  return command.add_option(option, names, words)->type_name("NAME,...")->delimiter(',');
+}
+
+std::string not_empty(const std::string& path) { return path.empty() ? "no name" : ""; }
+
+}  // namespace
+
+void add_report(Program& program) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App& command = add_command(program, "report", "Speed against error of every evaluator",
+                                  "magicmass report --quick --figures build/report");
+  ReportRequest& request = options->request;
+  command.add_flag("--quick", request.quick, "in less than a minute, with fewer inputs");
+  add_names(command, "--families", request.families, "these kinds of inputs alone");
+  add_names(command, "--evaluators", request.evaluators, "these alone, and naive");
+  add_names(command, "--quantities", request.quantities, "velocities, counts, ... alone");
+  command
+      .add_option_function<std::size_t>(
+          "--size", [options](std::size_t size) { options->request.size = size; },
+          "inputs a family, at most (4096; 128 if quick)")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 20U).description(""));
+  command.add_option("--rounds", request.rounds, "of timing (51)")
+      ->type_name("N")
+      ->check(CLI::Range(std::size_t{6}, std::size_t{100000}).description(""));
+  command.add_flag("--growth,!--no-growth", request.growth, "error and time as the work grows");
+  command.add_flag("--peers", request.peers, "SymPy on NumPy too, where installed");
+  command.add_option("--figures", options->figures, "draw SVG figures into DIR")
+      ->type_name("DIR")
+      ->check(not_empty);
+  command.add_option("--headline", options->headline, "write the short table between FILE's marks")
+      ->type_name("FILE")
+      ->check(not_empty);
+  add_output_options(command, options->output, {"text", "markdown", "json", "csv"});
+  on_run(program, command, [options] {
+    options->request.sweeps = !options->figures.empty();
+    return report_command(*options);
+  });
+}
+
+}  // namespace magicmass::command

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A measurement as text, Markdown, JSON and CSV.
+#pragma once
+
+#include <string>
+
+#include "command/destination.hpp"
+#include "command/report/measurement.hpp"
+
+namespace magicmass::command {
+
+/// Tables of at most 80 columns, one for each family; speed and error in the same row.
+std::string report_text(const Measurement& measurement);
+std::string report_markdown(const Measurement& measurement);
+/// JSON or CSV: a record for each member of each evaluator on each family, then one for each point of the growth.
+void write_report_records(Destination& output, const std::string& format,
+                          const Measurement& measurement);
+
+/// A Markdown table in short: each evaluator in double where it does worst, and on the easiest family.
+std::string report_headline(const Measurement& measurement);
+/// `text` with what stands between its two marks replaced by the headline. Throws InvalidInput without the marks.
+std::string with_headline(const std::string& text, const std::string& headline);
+
+/// What the columns are, for readers of the tables.
+std::string report_legend(const Measurement& measurement);
+
+/// Seven characters at most: 0.51, 12.3, 4711, 1.2e15, inf, and - for what is not there.
+std::string short_number(double value);
+std::string short_precision(const std::string& precision);  ///< f, d, ld
+/// alpha = 0x1.8p-3, n = 7: as the quantity calls its index.
+std::string shown_input(const std::string& quantity, const report::Input& input);
+/// Slopes of a growth: "time ~ n^(1.00 +- 0.01), error ~ n^(0.98 +- 0.05)".
+std::string shown_exponents(const report::Growth& growth);
+
+}  // namespace magicmass::command

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/report/sympy_contestants.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "codegen/forms.hpp"
+#include "command/report/derived_formulas.hpp"
+#include "command/report/subprocess.hpp"
+
+namespace magicmass::command {
+namespace {
+
+using report::Contestant;
+using report::Input;
+
+/// Answers a line with a line. Doubles travel as hex floats.
+constexpr const char* script = R"(
+import signal, sys, time
+signal.signal(signal.SIGINT, signal.SIG_IGN)
+try:
+    import numpy, sympy
+except ImportError:
+    print("missing", flush=True)
+    sys.exit()
+numpy.seterr(all="ignore")
+print("ready", sympy.__version__, numpy.__version__, flush=True)
+functions, arrays = [], []
+def call(which):
+    return functions[which](*arrays[:functions[which].__code__.co_argcount])
+for line in sys.stdin:
+    words = line.split()
+    if words[0] == "define":
+        names = words[1].split(",")
+        symbols = [sympy.Symbol(name, positive=True) for name in names]
+        meaning = {"Pi": sympy.pi, **dict(zip(names, symbols))}
+        outputs = [sympy.sympify(text, meaning) for text in line.split(None, 2)[2].split(";")]
+        if not all(one.free_symbols <= set(symbols) for one in outputs):
+            break
+        functions.append(sympy.lambdify(symbols, outputs, "numpy"))
+        print("ok", flush=True)
+    elif words[0] == "load":
+        columns = [[float.fromhex(word) for word in column.split(",")] for column in words[1:]]
+        arrays = [numpy.array(column) for column in columns]
+        print("ok", flush=True)
+    elif words[0] == "values":
+        results = [numpy.broadcast_to(one, arrays[0].shape) for one in call(int(words[1]))]
+        print(" ".join(float(one[0]).hex() for one in results), flush=True)
+    elif words[0] == "time":
+        which, repetitions = int(words[1]), range(int(words[2]))
+        start = time.perf_counter_ns()
+        for _ in repetitions:
+            call(which)
+        print(time.perf_counter_ns() - start, flush=True)
+)";
+
+/// The process and what it has been given last.
+class Peer {
+public:
+  Peer() : process_({"python3", "-c", script}) {}
+
+  std::string ask(const std::string& line) { return process_.ask(line); }
+
+  /// A process that has ended is no error of SymPy's.
+  std::string answer(const std::string& line) {
+    std::string answer = ask(line);
+    if (answer.empty()) throw std::runtime_error("the peers' python3 has ended unexpectedly");
+    return answer;
+  }
+
+  void load(std::span<const Input> inputs, bool takes_alpha, bool takes_index) {
+    std::string line = "load";
+    const auto column = [&](const auto& value) {
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        line += fmt::format("{}{:a}", i == 0 ? " " : ",", value(inputs[i]));
+    };
+    if (takes_alpha) column([](const Input& input) { return input.alpha; });
+    if (takes_index) column([](const Input& input) { return static_cast<double>(input.index); });
+    if (line == loaded_) return;
+    answer(line);
+    loaded_ = std::move(line);
+  }
+
+private:
+  Subprocess process_;
+  std::string loaded_;
+};
+
+Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& peer,
+                      std::size_t number) {
+  Contestant one;
+  one.name = "sympy_" + form.name;
+  one.quantity = form.quantity;
+  one.form = "sympy";
+  one.precision = "double";
+  one.can = [](const Input&) { return true; };
+  const bool takes_alpha = !form.real_input.empty();
+  const bool takes_index = !form.index.empty();
+  const std::size_t size = form.outputs.size();
+  one.evaluate = [=](const Input& input, long double* members) {
+    peer->load({&input, 1}, takes_alpha, takes_index);
+    std::istringstream answer(peer->answer(fmt::format("values {}", number)));
+    for (std::size_t i = 0; i < size; ++i) {
+      std::string word;
+      members[i] = answer >> word ? static_cast<long double>(std::strtod(word.c_str(), nullptr))
+                                  : std::numeric_limits<long double>::quiet_NaN();
+    }
+  };
+  one.own_clock = [=](std::span<const Input> inputs, std::size_t repetitions) {
+    peer->load(inputs, takes_alpha, takes_index);
+    const std::string answer = peer->answer(fmt::format("time {} {}", number, repetitions));
+    return std::strtod(answer.c_str(), nullptr);
+  };
+  one.evaluate_all = [clock = one.own_clock](std::span<const Input> inputs) { clock(inputs, 1); };
+  return one;
+}
+
+}  // namespace
+
+std::vector<Contestant> sympy_contestants(const std::vector<proof::Theorem>& theorems,
+                                          const std::vector<std::string>& quantities,
+                                          std::vector<std::string>& remarks) {
+  const auto peer = std::make_shared<Peer>();
+  const std::string greeting = peer->ask("");
+  if (!greeting.starts_with("ready")) {
+    remarks.emplace_back(
+        "skipped: SymPy on NumPy needs python3 with both (Debian: python3-sympy, python3-numpy)");
+    return {};
+  }
+  std::vector<Contestant> all;
+  for (const codegen::Form& form : codegen::forms()) {
+    if (form.exact ||
+        std::find(quantities.begin(), quantities.end(), form.quantity) == quantities.end())
+      continue;
+    const std::string line = fmt::format("define {} {}", fmt::join(inputs_of(form), ","),
+                                         fmt::join(derived_outputs_in_python(form, theorems), ";"));
+    if (peer->ask(line) == "ok") {
+      all.push_back(contestant(form, peer, all.size()));
+    } else {
+      remarks.push_back("skipped: SymPy could not read " + form.function());
+      return all;  // the process has ended
+    }
+  }
+  std::string versions = greeting.substr(greeting.find(' ') + 1);
+  remarks.push_back("peers: SymPy and NumPy " + versions);
+  return all;
+}
+
+}  // namespace magicmass::command

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace magicmass::report {
+
+/// What an evaluator is asked: a mass ratio and a cycle n, a collision j or a ratio's k. A quantity that does not need
+/// one of the two ignores it.
+struct Input {
+  double alpha;
+  std::int64_t index;
+};
+
+/// "velocities" has the members a, b, c, c_prime.
+struct Quantity {
+  std::string name;
+  std::vector<std::string> members;
+};
+
+/// One way to get the numbers: a generated evaluator, the paper's formulas transcribed, event stepping, ...
+struct Contestant {
+  std::string
+      name;  ///< "velocities_product", "naive", "stepping": unique with quantity and precision
+  std::string quantity;  ///< Quantity::name
+  std::string
+      form;  ///< "closed", "product", ..., as in the manifest; "naive" and so on for the others
+  std::string precision;  ///< "float", "double", "long double": what its errors are measured in
+  bool is_naive = false;  ///< the known-bad canary, to which times are compared
+  /// Largest error that a generated header promises, in ulp of the exact value, and in eps of the body's largest
+  /// velocity at that alpha (beyond alpha = 1: of V). Infinity: nothing is promised.
+  double ulp_bound = std::numeric_limits<double>::infinity();
+  double eps_bound = std::numeric_limits<double>::infinity();
+  /// False where it would take too long or has no meaning (stepping at n = 2^40).
+  std::function<bool(const Input&)> can = {};
+  /// One evaluation; writes the quantity's members in order.
+  std::function<void(const Input&, long double* members)> evaluate = {};
+  /// All inputs one after another, with nothing but the evaluator in the loop: throughput.
+  std::function<void(std::span<const Input>)> evaluate_all = {};
+  /// The same, but each evaluation waits for the one before: latency.
+  std::function<void(std::span<const Input>)> evaluate_chained = {};
+  /// Nanoseconds for so many repetitions of evaluate_all by a clock of its own: what runs in another process.
+  std::function<double(std::span<const Input>, std::size_t repetitions)> own_clock = {};
+  /// False where the order of operations changes from run to run (GiNaC's terms), and the last bits with it.
+  bool is_reproducible = true;
+};
+
+}  // namespace magicmass::report

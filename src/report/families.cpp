@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cstdint>
+
+#include "report/alpha_sources.hpp"
+#include "report/family.hpp"
+#include "report/last_collision.hpp"
+#include "report/quantities.hpp"
+
+namespace magicmass::report {
+namespace {
+
+constexpr std::int64_t two_32 = std::int64_t{1} << 32U;
+
+/// Index i of a family: of a cycle n <= N_A, or of a collision j.
+std::int64_t picked(Pick pick, const Alpha& alpha, std::int64_t last, bool is_cycle, std::size_t i,
+                    PortableRandom& random) {
+  const auto turn = [&](std::int64_t count) { return static_cast<std::int64_t>(i) % count; };
+  switch (pick) {
+    case Pick::at_threshold:
+      return is_cycle ? std::min(alpha.k, last) : last;
+    case Pick::around_threshold: {
+      const std::int64_t near[] = {last, last - 1, is_cycle ? alpha.k : 2 * alpha.k,
+                                   random.whole(0, last), alpha.k - 1};
+      return std::clamp<std::int64_t>(near[turn(5)], 0, last);
+    }
+    case Pick::near_the_last: {
+      const std::int64_t near[] = {last, last - 1, last - random.whole(0, 1000),
+                                   random.whole(0, last)};
+      return near[turn(4)];
+    }
+    case Pick::beyond_2_32:
+      return random.whole(std::min(two_32, last), last);
+    case Pick::few:
+      return turn(2) == 0 ? std::min<std::int64_t>(random.whole(0, 9), last)
+                          : random.log_whole(last);
+    case Pick::ends: {
+      const std::int64_t ends[] = {0, std::min<std::int64_t>(1, last),
+                                   std::max<std::int64_t>(0, last - 1), last};
+      // shifted every 7, so that the same alpha gets another end the next time
+      return ends[(i + 2 * (i / 7)) % 4];
+    }
+    case Pick::anywhere:
+      return turn(2) == 0 ? random.whole(0, last)
+                          : random.log_whole(std::max<std::int64_t>(1, last));
+  }
+  return 0;
+}
+
+Family family_of(const AlphaSource& source, const std::string& quantity, std::size_t size) {
+  PortableRandom random(source.seed);
+  Family family{source.name, source.description, quantity, {}};
+  const bool is_cycle = quantity == "velocities";
+  std::size_t i = 0;
+  for (const Alpha& alpha : source.draw(random, size)) {
+    Input input{alpha.value, 0};
+    if (is_cycle || quantity == "encounters") {
+      const LastCollision collisions = last_collision(alpha.value);
+      const std::int64_t last = is_cycle ? collisions.N_A : collisions.total() - 1;
+      input.index = std::min(last, picked(source.pick, alpha, last, is_cycle, i++, random));
+    }
+    if (quantity == "counts" && !last_collision(alpha.value).is_known) continue;
+    family.inputs.push_back(input);
+  }
+  return family;
+}
+
+std::vector<Family> ratio_families(std::size_t size) {
+  std::vector<Family> all{
+      {"closest thresholds", "alpha_539 and beta_19530, the closest to a double", "ratios", {}},
+      {"k above 2^32", "k from 2^32 to 2^62", "ratios", {}},
+      {"k to 1e6", "k to 1e6 with a uniform number of digits", "ratios", {}},
+      {"first k", "k = 1, 2, 3, ...", "ratios", {}}};
+  PortableRandom random(21);
+  all[0].inputs = {{0.0, 539}, {0.0, 19530}};
+  for (std::size_t i = 0; i < size; ++i) {
+    all[1].inputs.push_back({0.0, random.log_whole(std::int64_t{1} << 30U) << 32U});
+    all[2].inputs.push_back({0.0, random.log_whole(1000000)});
+    all[3].inputs.push_back({0.0, static_cast<std::int64_t>(i) + 1});
+  }
+  for (Family& family : all)
+    if (family.inputs.size() > size) family.inputs.resize(size);
+  return all;
+}
+
+}  // namespace
+
+std::vector<Family> families(const std::string& quantity, std::size_t size) {
+  const std::string& name = quantity_named(quantity).name;
+  if (name == "ratios") return ratio_families(size);
+  std::vector<Family> all;
+  for (const AlphaSource& source : alpha_sources())
+    if (source.has_count || name != "counts") all.push_back(family_of(source, name, size));
+  return all;
+}
+
+}  // namespace magicmass::report

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/oracle.hpp"
+
+#include <cmath>
+
+#include <cln/integer.h>
+
+#include "magicmass/errors.hpp"
+#include "magicmass/reference/count.hpp"
+#include "magicmass/reference/rational.hpp"
+#include "magicmass/reference/ratios.hpp"
+#include "report/exact_angles.hpp"
+#include "report/exact_velocities.hpp"
+#include "report/quantities.hpp"
+
+namespace magicmass::report {
+namespace {
+
+/// alpha_k and beta_k; irrational but for alpha_1 = 1, so that the rounding ends.
+template <class Ratio>
+ExactValue exact_ratio(const Ratio& ratio) {
+  constexpr long most_bits = 3200;
+  for (long bits = 200; bits <= most_bits; bits *= 2) {
+    const cln::cl_RA y = reference::ratio_within(ratio, bits);
+    if (rounding_is_certain(y, bits)) return exact_value(y);
+  }
+  throw Undecided("the rounding of a ratio stays open at every precision tried");
+}
+
+std::vector<ExactValue> exact_counts(const Input& input) {
+  const reference::LargeCounts counts = reference::count_collisions(reference::exact(input.alpha));
+  return {exact_value(counts.N_A), exact_value(counts.N_B)};
+}
+
+std::vector<ExactValue> exact_members(const std::string& quantity, const Input& input) {
+  if (quantity == "velocities") return exact_velocities(input);
+  if (quantity == "encounters") return exact_encounter(input);
+  if (quantity == "angle") return exact_angle(input);
+  if (quantity == "ratios")
+    return {exact_ratio(Magic{input.index}), exact_ratio(Deficient{input.index})};
+  return exact_counts(input);
+}
+
+}  // namespace
+
+const std::vector<ExactValue>& Oracle::at(const std::string& quantity, const Input& input) {
+  const std::string& name = quantity_named(quantity).name;
+  const std::pair key(name, std::pair(takes_alpha(name) ? input.alpha : 0.0, input.index));
+  const auto found = known_.find(key);
+  if (found != known_.end()) return found->second;
+  return known_.emplace(key, exact_members(name, input)).first->second;
+}
+
+}  // namespace magicmass::report

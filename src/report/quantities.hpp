@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/contestant.hpp"
+
+namespace magicmass::report {
+
+/// Everything that is measured: velocities, encounters, angle, ratios, counts.
+const std::vector<Quantity>& quantities();
+
+/// The quantity of that name; throws InvalidInput for another.
+const Quantity& quantity_named(const std::string& name);
+
+/// Is the result a function of alpha, which the caller had to round? Ratios take k alone.
+bool takes_alpha(const std::string& quantity);
+
+}  // namespace magicmass::report

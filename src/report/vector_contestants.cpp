@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The paper's formulas four at a time through glibc's vector functions, as a compiler would call them if it were
+// allowed to guess (-ffast-math, which is not used): each is good to 4 ulp by glibc's own statement.
+#include "report/contestants.hpp"
+
+#ifdef MAGICMASS_HAS_LIBMVEC
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numbers>
+
+#include <immintrin.h>
+
+#include "report/make_contestant.hpp"
+
+// Vector ABI names: d for AVX2, N unmasked, 4 lanes.
+extern "C" {
+[[gnu::target("avx2")]] __m256d _ZGVdN4v_sin(__m256d);
+[[gnu::target("avx2")]] __m256d _ZGVdN4v_cos(__m256d);
+[[gnu::target("avx2")]] __m256d _ZGVdN4v_atan(__m256d);
+}
+
+namespace magicmass::report {
+namespace {
+
+constexpr std::size_t lanes = 4;
+
+[[gnu::target("avx2")]] inline __m256d all(double x) { return _mm256_set1_pd(x); }
+
+/// Ee & Lee eq. def:psi.
+[[gnu::target("avx2")]] inline __m256d psi(__m256d alpha) {
+  return all(2) * _ZGVdN4v_atan(_mm256_sqrt_pd(alpha * (all(2) + alpha)));
+}
+
+/// Ee & Lee eqs. eq:a-final to eq:c'-final.
+struct VelocityKernel {
+  static constexpr std::size_t members = 4;
+  [[gnu::target("avx2")]] static void four(__m256d alpha, __m256d n, __m256d* result) {
+    const __m256d V_CM = all(1) / (all(2) + alpha);
+    const __m256d turn = psi(alpha);
+    const __m256d half = _ZGVdN4v_cos(turn * all(0.5));
+    const __m256d quarter = _ZGVdN4v_sin(turn * all(0.25));
+    result[0] = V_CM * (all(1) + _ZGVdN4v_cos(n * turn) / half);
+    result[1] = V_CM * (all(1) - _ZGVdN4v_cos((n + all(0.5)) * turn) / half);
+    result[2] = V_CM * (all(1) + _ZGVdN4v_sin((n - all(0.25)) * turn) / quarter);
+    result[3] = V_CM * (all(1) - _ZGVdN4v_sin((n + all(0.25)) * turn) / quarter);
+  }
+};
+
+struct EncounterKernel {
+  static constexpr std::size_t members = 2;
+  [[gnu::target("avx2")]] static void four(__m256d alpha, __m256d j, __m256d* result) {
+    const __m256d half_turn = psi(alpha) * all(0.5);
+    const __m256d below = _ZGVdN4v_sin((j + all(1)) * half_turn);
+    result[0] = _ZGVdN4v_sin(j * half_turn) / below;
+    result[1] = _ZGVdN4v_sin(half_turn) / below;
+  }
+};
+
+struct AngleKernel {
+  static constexpr std::size_t members = 1;
+  [[gnu::target("avx2")]] static void four(__m256d alpha, __m256d, __m256d* result) {
+    result[0] = psi(alpha);
+  }
+};
+
+/// Ee & Lee eqs. exact:ak and exact:bk.
+struct RatioKernel {
+  static constexpr std::size_t members = 2;
+  [[gnu::target("avx2")]] static void four(__m256d, __m256d k, __m256d* result) {
+    const __m256d pi = all(std::numbers::pi);
+    result[0] = all(1) / _ZGVdN4v_cos(pi / (all(2) * k + all(1))) - all(1);
+    result[1] = all(1) / _ZGVdN4v_cos(pi / (all(2) * (k + all(1)))) - all(1);
+  }
+};
+
+/// Ee & Lee eq. eq:NA-ans.
+struct CountKernel {
+  static constexpr std::size_t members = 2;
+  [[gnu::target("avx2")]] static void four(__m256d alpha, __m256d, __m256d* result) {
+    const __m256d cycles = all(std::numbers::pi) / psi(alpha);
+    result[0] = _mm256_ceil_pd(cycles - all(0.5));
+    result[1] = _mm256_ceil_pd(cycles - all(1));
+  }
+};
+
+/// The four inputs from `first` on; past the end the last one again.
+struct FourInputs {
+  std::array<double, lanes> alpha;
+  std::array<double, lanes> index;
+
+  FourInputs(std::span<const Input> inputs, std::size_t first) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const Input& input = inputs[std::min(first + lane, inputs.size() - 1)];
+      alpha[lane] = input.alpha;
+      index[lane] = static_cast<double>(input.index);
+    }
+  }
+};
+
+template <class Kernel>
+[[gnu::target("avx2")]] void evaluate_one(const Input& input, long double* members) {
+  __m256d result[Kernel::members];
+  Kernel::four(all(input.alpha), all(static_cast<double>(input.index)), result);
+  for (std::size_t i = 0; i < Kernel::members; ++i)
+    members[i] = static_cast<long double>(_mm256_cvtsd_f64(result[i]));
+}
+
+/// A group waits for all of the one before if chained; the time of a group is shared by its four.
+template <class Kernel, bool is_chained>
+[[gnu::target("avx2")]] void evaluate_groups(std::span<const Input> inputs) {
+  const __m256d zero =
+      _mm256_castsi256_pd(_mm256_set1_epi64x(static_cast<std::int64_t>(opaque_zero())));
+  __m256d last = zero;
+  for (std::size_t first = 0; first < inputs.size(); first += lanes) {
+    const FourInputs four(inputs, first);
+    __m256d result[Kernel::members];
+    Kernel::four(_mm256_xor_pd(_mm256_loadu_pd(four.alpha.data()), last),
+                 _mm256_xor_pd(_mm256_loadu_pd(four.index.data()), last), result);
+    asm volatile("" : : "m"(result) : "memory");
+    if constexpr (is_chained) {
+      last = result[0];
+      for (std::size_t i = 1; i < Kernel::members; ++i) last = _mm256_xor_pd(last, result[i]);
+      last = _mm256_and_pd(last, zero);
+    }
+  }
+}
+
+template <class Kernel>
+std::vector<Contestant> vectorised(const std::string& quantity) {
+  Contestant one;
+  one.name = "naive_libmvec";
+  one.quantity = quantity;
+  one.form = "naive, glibc vector functions";
+  one.precision = "double";
+  one.can = [](const Input&) { return true; };
+  one.evaluate = evaluate_one<Kernel>;
+  one.evaluate_all = evaluate_groups<Kernel, false>;
+  one.evaluate_chained = evaluate_groups<Kernel, true>;
+  return {one};
+}
+
+}  // namespace
+
+std::vector<Contestant> vector_contestants(const std::string& quantity) {
+  if (!__builtin_cpu_supports("avx2")) return {};
+  if (quantity == "velocities") return vectorised<VelocityKernel>(quantity);
+  if (quantity == "encounters") return vectorised<EncounterKernel>(quantity);
+  if (quantity == "angle") return vectorised<AngleKernel>(quantity);
+  if (quantity == "ratios") return vectorised<RatioKernel>(quantity);
+  return vectorised<CountKernel>(quantity);
+}
+
+}  // namespace magicmass::report
+
+#else
+
+namespace magicmass::report {
+
+std::vector<Contestant> vector_contestants(const std::string&) { return {}; }
+
+}  // namespace magicmass::report
+
+#endif
