@@ -90,6 +90,7 @@ Contestant make_contestant(std::string name, std::string quantity, std::string f
     for (const Input& input : inputs) keep(evaluate(input));
   };
   contestant.evaluate_chained = [evaluate](std::span<const Input> inputs) {
+    if (inputs.empty()) return;
     const std::uint64_t zero = opaque_zero();
     auto last = evaluate(inputs[0]);
     for (const Input& input : inputs.subspan(1)) last = evaluate(after(input, last, zero));
