@@ -8,7 +8,7 @@
 namespace magicmass::generated {
 
 // The angle psi of one cycle, from a quarter of it.
-// Domain: alpha > 0 and finite.
+// Domain: alpha normal and finite, not subnormal.
 // Error: at most 2 ulp.
 // From: rotation.psi_half_angle.
 // Cost: 1 addition, 1 multiplication, 1 division, 1 square root, 1 arctangent.

@@ -95,7 +95,7 @@ struct VelocityEvaluator {
 template <class Real>
 inline constexpr std::array<VelocityEvaluator<Real>, 2> velocity_table{{
     {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
-    {"velocities_product", "product", &velocities_product<Real>, no_bound, 4},
+    {"velocities_product", "product", &velocities_product<Real>, no_bound, 5},
 }};
 
 template <class Real>

@@ -11,8 +11,9 @@
 namespace magicmass::generated {
 
 // All velocities as products, psi from a quarter of it.
-// Domain: alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
-// Error: at most 4 eps of the largest such value of the body at that alpha; beyond alpha = 1,
+// Domain: alpha normal and finite,
+//   not subnormal; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
+// Error: at most 5 eps of the largest such value of the body at that alpha; beyond alpha = 1,
 //   of V instead; all up to the last collision.
 // From: power.a_product, power.b_product, power.c_product, power.c_prime_product.
 // With: power.V_CM, rotation.psi_half_angle.

@@ -8,6 +8,10 @@ namespace {
 
 const char* const velocity_domain =
     "alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0)";
+// An infinity or a lost digit where alpha, or alpha V_CM, has fewer digits than the type.
+const char* const product_domain =
+    "alpha normal and finite, not subnormal; 0 <= n (c is proved for n >= 1 and is 0 at n = 0)";
+const char* const normal_alpha = "alpha normal and finite, not subnormal";
 const char* const encounter_domain = "alpha > 0 and finite; 0 <= j < number of collisions";
 const char* const encounter_error = "grows with j: the sines are taken at angles up to pi";
 const char* const ratio_domain = "k >= 1";
@@ -25,7 +29,7 @@ std::vector<Form> angle_forms() {
       {.quantity = "angle",
        .name = "product",
        .summary = "The angle psi of one cycle, from a quarter of it",
-       .domain = "alpha > 0 and finite",
+       .domain = normal_alpha,
        .bound = {.ulp = 2},
        .real_input = "alpha",
        .outputs = {{"psi", "rotation.psi_half_angle"}}},
@@ -120,8 +124,8 @@ std::vector<Form> velocity_forms() {
        .name = "product",
        .result = "Velocities",
        .summary = "All velocities as products, psi from a quarter of it",
-       .domain = velocity_domain,
-       .bound = {.eps = 4},
+       .domain = product_domain,
+       .bound = {.eps = 5},
        .error = "beyond alpha = 1, of V instead; all up to the last collision",
        .real_input = "alpha",
        .index = "n",

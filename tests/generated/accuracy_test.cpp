@@ -43,7 +43,7 @@ std::vector<Sample> samples(double low, double high, int count) {
 }
 
 // Largest error of any velocity in eps times the largest velocity that its body has at that alpha: V for the
-// blocks; for the ball its first velocity 2 V/(1 + alpha) or, after many collisions, about V/sqrt(alpha).
+// blocks; for the ball the top of the sine in c_n, V_CM (1 + 1/sin(psi/4)).
 // Beyond alpha = 1, where B and the ball are slow, in eps V.
 template <class Real>
 double largest_absolute_error(const generated::VelocityEvaluator<Real>& evaluator,
@@ -53,7 +53,8 @@ double largest_absolute_error(const generated::VelocityEvaluator<Real>& evaluato
     const auto got = evaluator.evaluate(static_cast<Real>(sample.alpha), sample.n);
     const auto exact = reference::velocities_within(MassRatio(sample.alpha),
                                                     cln::cl_I(static_cast<long>(sample.n)), 200);
-    const double ball = std::max(1 / std::sqrt(sample.alpha), 1.0);
+    const double ball =
+        std::max(1.0, (1 + std::sqrt(2 * (1 + sample.alpha) / sample.alpha)) / (2 + sample.alpha));
     const std::pair<Real, cln::cl_RA> pairs[] = {
         {got.a, exact.a}, {got.b, exact.b}, {got.c, exact.c}, {got.c_prime, exact.c_prime}};
     for (int which = 0; which < 4; ++which) {
