@@ -81,7 +81,10 @@ Kernel::Kernel(Domain domain) : domain_(std::move(domain)) {}
 
 Domain Kernel::domain_of(const Claim& claim) const {
   Domain domain = domain_;
-  for (const auto& [name, from] : claim.indices) domain.integer[name] = from;
+  for (const auto& [name, from] : claim.indices) {
+    domain.integer[name] = from;
+    domain.positive.erase(name);  // an index m >= 0 is no mass m > 0
+  }
   domain.assumed.insert(domain.assumed.end(), claim.assuming.begin(), claim.assuming.end());
   return domain;
 }

@@ -20,6 +20,9 @@ void Kernel::require_own(const Theorem& premise, const Claim& claim,
   require(std::any_of(theorems_.begin(), theorems_.end(),
                       [&](const Theorem& own) { return own.data_ == premise.data_; }),
           claim, rule, premise.id() + " is not a theorem of this kernel");
+  for (const auto& [name, from] : claim.indices)
+    require(!premise.domain().positive.contains(name) || !mentions(premise, name), claim, rule,
+            premise.id() + " means a positive number by " + name + ", not an index");
 }
 
 void Kernel::require_equation(const Theorem& premise, const Claim& claim,

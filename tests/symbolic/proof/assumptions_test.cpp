@@ -123,6 +123,25 @@ TEST_CASE("cases stay conditions when their symbols are replaced", "[exam]") {
       NotProved);
 }
 
+TEST_CASE("an index is no positive symbol of the same name", "[exam]") {
+  Kernel kernel = new_kernel();
+  const std::map<std::string, long> q_from_zero{{"q", 0}};
+  CHECK_THROWS_AS(
+      kernel.positivity(
+          {.id = "index", .statement = {q, Relation::greater, 0}, .indices = q_from_zero}),
+      NotProved);
+  const Theorem positive = kernel.identity({.id = "number", .statement = {sqrt(pow(q, 2)), q}});
+  CHECK_THROWS_AS(
+      kernel.consequence({.id = "mixed", .statement = {sqrt(pow(q, 2)), q}, .indices = q_from_zero},
+                         {{positive, 1}}),
+      NotProved);
+  CHECK_THROWS_AS(
+      kernel.instance(
+          {.id = "same name", .statement = {sqrt(pow(q, 2)), q}, .indices = q_from_zero}, positive,
+          {}),
+      NotProved);
+}
+
 TEST_CASE("a count is not the same for other parameters", "[exam]") {
   Kernel kernel({.positive = {"V", "alpha"}, .integer = {}});
   const ex alpha = symbol("alpha"), psi = symbol("psi");
