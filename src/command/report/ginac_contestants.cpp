@@ -6,10 +6,13 @@
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include <cln/cln.h>
@@ -52,6 +55,28 @@ private:
   int saved_;
 };
 
+/// A folder of our own, gone with the object: GiNaC would leave its files where the user stands when interrupted.
+class ScratchFolder {
+public:
+  ScratchFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "magicmass-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for scratch files");
+    path_ = name;
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder(ScratchFolder&&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
+  ~ScratchFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+private:
+  std::filesystem::path path_;
+};
+
 std::optional<GiNaC::FUNCP_CUBA> compiled(const std::vector<GiNaC::ex>& outputs,
                                           const std::vector<std::string>& inputs) {
   GiNaC::lst formulas;
@@ -63,7 +88,8 @@ std::optional<GiNaC::FUNCP_CUBA> compiled(const std::vector<GiNaC::ex>& outputs,
   // ginac-excompiler hands them to gcc; GiNaC leaves pi in C as the name that it has for it.
   ::setenv("CXXFLAGS", "-O2 -ffp-contract=off -DPi=M_PI", 1);
   try {
-    GiNaC::compile_ex(formulas, symbols, function);
+    const ScratchFolder scratch;  // what is loaded stays so without its file
+    GiNaC::compile_ex(formulas, symbols, function, scratch.file("formulas"));
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
