@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "magicmass/arithmetic/arctangent_table.hpp"
+#include "magicmass/arithmetic/bounded.hpp"
+#include "magicmass/arithmetic/estrin.hpp"
+#include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/polynomials.hpp"
+#include "magicmass/arithmetic/tracked.hpp"
+
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
+
+/// atan t for 0 <= t <= 0.577, within 0.2 2^-53 of itself.
+template <class T>
+[[gnu::always_inline]] inline Pair<T> arctangent(Pair<T> t) {
+  // atan t = t + t z p(z), z = t^2 <= 1/3. What is added is at most t/10, so its rounding (three steps and the
+  // polynomial's own, each 2^-53 of it) costs less than 0.2 2^-53 of the whole; t.low keeps its factor 1.
+  const T z = t.high * t.high;
+  return {t.high, t.low + (t.high * z) * polynomial(arctangent_coefficients, z)};
+}
+
+/// atan t for 0 <= t <= 1, within 2^-84 of itself and what the error of t makes of it.
+template <class T>
+[[gnu::always_inline]] inline Tracked<T> arctangent(Tracked<T> t) {
+  // As below with w = quotient + rest. w^3/3 is taken as a pair, its error 2^-20 2^-104 of w; the next term is below 2^-38 w and
+  // rounded at 2^-53 of itself.
+  const T j = nearest_whole(t.pair.high * T(256.0));
+  const T c = j * T(0x1p-8);
+  const T above = t.pair.high - c;  // exact, as c is near or t.high below 2^-9
+  const Sum<T> tc = two_product(t.pair.high, c);
+  const Sum<T> below = ordered_sum(T(1.0), tc.high);
+  const T inverse = T(1.0) / below.high;
+  const T quotient = above * inverse;
+  const T product = quotient * below.high;
+  const T rest = (((above - product) - product_error(quotient, below.high, product)) +
+                  (t.pair.low - quotient * (below.low + (tc.low + t.pair.low * c)))) *
+                 inverse;
+  const Sum<T> z = two_product(quotient, quotient);
+  const Sum<T> third = two_product(z.high, T(0x1.5555555555555p-2));
+  const T third_low = third.low + (z.low * T(0x1.5555555555555p-2) + z.high * T(0x1.5555555555555p-56));
+  const Sum<T> cubic = two_product(quotient, third.high);
+  const T cubic_low = cubic.low + (quotient * third_low + rest * z.high);
+  const T next = quotient * (z.high * z.high) * (T(0x1.999999999999ap-3) - z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
+  const Sum<T> head = ordered_sum(gather<2, 0>(arctangent_table, j), quotient);
+  const Sum<T> body = ordered_sum(head.high, -cubic.high);
+  const T low = ((head.low + body.low) + (gather<2, 1>(arctangent_table, j) + rest)) + (next - cubic_low);
+  return {{body.high, low}, body.high};
+}
+
+/// atan t for 0 <= t <= 1, within 2^-88 of itself and what the error of t makes of it (the slope is at most 1).
+template <class T>
+[[gnu::always_inline]] inline Bounded<T> arctangent(Bounded<T> t) {
+  // atan t = atan c + atan w with c = j/256 next to t and w = (t - c)/(1 + t c), |w| <= 2^-9.
+  // atan w = w - w^3 (1/3 - w^2 (1/5 - w^2/7)); 1/3 - ... is a pair, and its inner part, below 2^-18/5, is rounded at
+  // 2^-53 of itself: 2^-73 of w^2 <= 2^-18, so 2^-91 of w. The next term w^8/9 is below 2^-75 / 9 w^... of w: 2^-75.
+  const T j = nearest_whole(t.pair.high * T(256.0));
+  const T c = j * T(0x1p-8);
+  const Pair<T> w =
+      (t.pair + (-c)) / (Pair<T>::product(t.pair.high, c) + Pair<T>(t.pair.low * c) + T(1.0));
+  const Pair<T> z = w * w;
+  const T inner = z.high * (T(-0x1.999999999999ap-3) +
+                            z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
+  const Pair<T> cubic = z * (Pair<T>(T(0x1.5555555555555p-2), T(0x1.5555555555555p-56)) + inner);
+  const Pair<T> of_w = w - cubic * w;
+  const Pair<T> of_c{gather<2, 0>(arctangent_table, j), gather<2, 1>(arctangent_table, j)};
+  const Pair<T> sum = of_c + of_w;
+  return {normalised(sum), t.error + T(0x1p-88) * sum.high};
+}
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

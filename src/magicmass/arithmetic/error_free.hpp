@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "magicmass/arithmetic/lanes.hpp"
+
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
+
+/// The unevaluated sum high + low of two T, T being double or Lanes.
+template <class T>
+struct Sum {
+  T high;
+  T low;
+};
+
+/// x + y = high + low exactly (Knuth, The Art of Computer Programming, volume 2, 4.2.2).
+template <class T>
+[[gnu::always_inline]] inline Sum<T> two_sum(T x, T y) {
+  const T sum = x + y;
+  const T of_y = sum - x;
+  return {sum, (x - (sum - of_y)) + (y - of_y)};
+}
+
+/// The same where |x| >= |y| or x = 0 (Dekker 1971).
+template <class T>
+[[gnu::always_inline]] inline Sum<T> ordered_sum(T x, T y) {
+  const T sum = x + y;
+  return {sum, y - (sum - x)};
+}
+
+#ifndef __FMA__
+/// x = high + low with at most 26 bits each (Veltkamp), |x| < 2^996.
+template <class T>
+[[gnu::always_inline]] inline Sum<T> halves(T x) {
+  const T spread = x * T(0x1p27 + 1);
+  const T high = spread - (spread - x);
+  return {high, x - high};
+}
+#endif
+
+/// x y - z for z = x y rounded: the error of that rounding. It is a double where |x y| >= 2^-968 or so, so a fused
+/// instruction and Dekker's product give the same bits.
+template <class T>
+[[gnu::always_inline]] inline T product_error(T x, T y, T product) {
+#ifdef __FMA__
+  return fused_difference(x, y, product);
+#else
+  const Sum<T> a = halves(x), b = halves(y);
+  return a.low * b.low - (((product - a.high * b.high) - a.low * b.high) - a.high * b.low);
+#endif
+}
+
+/// x y = high + low exactly.
+template <class T>
+[[gnu::always_inline]] inline Sum<T> two_product(T x, T y) {
+  const T product = x * y;
+  return {product, product_error(x, y, product)};
+}
+
+/// 1 - x y where that is a double: |x y - 1| <= 2^-20, and x y has at most 72 significant bits.
+template <class T>
+[[gnu::always_inline]] inline T one_minus_product(T x, T y) {
+#ifdef __FMA__
+  return -fused_difference(x, y, T(1.0));
+#else
+  const Sum<T> product = two_product(x, y);
+  return (T(1.0) - product.high) - product.low;
+#endif
+}
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include <immintrin.h>
+
+#include "magicmass/arithmetic/target.hpp"
+
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
+
+template <int N>
+struct LaneTypes {
+  typedef double Doubles __attribute__((vector_size(8 * N)));
+  typedef std::int64_t Integers __attribute__((vector_size(8 * N)));
+};
+
+/// N doubles (2, 4 or 8) that do the same at once. Every operation is IEEE's, rounded to nearest, lane by lane, so that the
+/// number of lanes never shows in a result. With `double` in place of Lanes<N> all functions below work on one number.
+template <int N>
+struct Lanes {
+  using Doubles = typename LaneTypes<N>::Doubles;
+  using Mask = typename LaneTypes<N>::Integers;  ///< all bits set where true
+
+  Doubles v;
+
+  Lanes() = default;
+  Lanes(Doubles doubles) : v(doubles) {}
+  Lanes(double all) : v(all - Doubles{}) {}
+
+  friend Lanes operator+(Lanes x, Lanes y) { return x.v + y.v; }
+  friend Lanes operator-(Lanes x, Lanes y) { return x.v - y.v; }
+  friend Lanes operator*(Lanes x, Lanes y) { return x.v * y.v; }
+  friend Lanes operator/(Lanes x, Lanes y) { return x.v / y.v; }
+  friend Lanes operator-(Lanes x) { return -x.v; }
+  friend Mask operator<(Lanes x, Lanes y) { return x.v < y.v; }
+  friend Mask operator>(Lanes x, Lanes y) { return x.v > y.v; }
+  friend Mask operator<=(Lanes x, Lanes y) { return x.v <= y.v; }
+  friend Mask operator>=(Lanes x, Lanes y) { return x.v >= y.v; }
+  friend Mask operator==(Lanes x, Lanes y) { return x.v == y.v; }
+};
+
+template <class T>
+inline constexpr int lane_count = 1;
+template <int N>
+inline constexpr int lane_count<Lanes<N>> = N;
+
+/// From and to consecutive doubles, aligned or not.
+template <class T>
+[[gnu::always_inline]] inline T load(const double* from) {
+  T result;
+  std::memcpy(&result, from, sizeof result);
+  return result;
+}
+template <class T>
+[[gnu::always_inline]] inline void store(T x, double* to) {
+  std::memcpy(to, &x, sizeof x);
+}
+
+[[gnu::always_inline]] inline double select(bool condition, double yes, double no) {
+  return condition ? yes : no;
+}
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> select(typename Lanes<N>::Mask condition, Lanes<N> yes,
+                                              Lanes<N> no) {
+#ifdef __AVX512F__
+  return condition ? yes.v : no.v;
+#else
+  // three operations of logic: a blend by mask costs as much, and SSE2 has none
+  using Bits = typename Lanes<N>::Mask;
+  const Bits no_bits = std::bit_cast<Bits>(no.v);
+  return std::bit_cast<typename Lanes<N>::Doubles>(
+      no_bits ^ ((no_bits ^ std::bit_cast<Bits>(yes.v)) & condition));
+#endif
+}
+/// yes where the condition holds, else +0.
+[[gnu::always_inline]] inline double where(bool condition, double yes) {
+  return condition ? yes : 0.0;
+}
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> where(typename Lanes<N>::Mask condition, Lanes<N> yes) {
+#ifdef __AVX512F__
+  return condition ? yes.v : typename Lanes<N>::Doubles{};
+#else
+  using Bits = typename Lanes<N>::Mask;
+  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(yes.v) & condition);
+#endif
+}
+
+[[gnu::always_inline]] inline double magnitude(double x) { return std::fabs(x); }
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> magnitude(Lanes<N> x) {
+  using Bits = typename Lanes<N>::Mask;
+  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
+                                                   (Bits{} + 0x7fffffffffffffff));
+}
+
+[[gnu::always_inline]] inline double square_root(double x) { return __builtin_sqrt(x); }
+[[gnu::always_inline]] inline Lanes<2> square_root(Lanes<2> x) { return _mm_sqrt_pd(x.v); }
+#ifdef __AVX2__
+[[gnu::always_inline]] inline Lanes<4> square_root(Lanes<4> x) { return _mm256_sqrt_pd(x.v); }
+#endif
+#ifdef __AVX512F__
+[[gnu::always_inline]] inline Lanes<8> square_root(Lanes<8> x) { return _mm512_sqrt_pd(x.v); }
+#endif
+
+/// 1/sqrt(x) and 1/x within 2^-22.5, for x from 2^-126 to 2^126; a float's worth of digits, each step rounded as IEEE
+/// says, so that it is the same on every machine, which the processors' own estimates are not.
+[[gnu::always_inline]] inline double reciprocal_square_root_estimate(double x) {
+  return static_cast<double>(1.0F / std::sqrt(static_cast<float>(x)));
+}
+[[gnu::always_inline]] inline Lanes<2> reciprocal_square_root_estimate(Lanes<2> x) {
+  return _mm_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0F), _mm_sqrt_ps(_mm_cvtpd_ps(x.v))));
+}
+[[gnu::always_inline]] inline double reciprocal_estimate(double x) {
+  return static_cast<double>(1.0F / static_cast<float>(x));
+}
+[[gnu::always_inline]] inline Lanes<2> reciprocal_estimate(Lanes<2> x) {
+  return _mm_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0F), _mm_cvtpd_ps(x.v)));
+}
+#ifdef __AVX2__
+[[gnu::always_inline]] inline Lanes<4> reciprocal_square_root_estimate(Lanes<4> x) {
+  return _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0F), _mm_sqrt_ps(_mm256_cvtpd_ps(x.v))));
+}
+[[gnu::always_inline]] inline Lanes<4> reciprocal_estimate(Lanes<4> x) {
+  return _mm256_cvtps_pd(_mm_div_ps(_mm_set1_ps(1.0F), _mm256_cvtpd_ps(x.v)));
+}
+#endif
+#ifdef __AVX512F__
+[[gnu::always_inline]] inline Lanes<8> reciprocal_square_root_estimate(Lanes<8> x) {
+  return _mm512_cvtps_pd(
+      _mm256_div_ps(_mm256_set1_ps(1.0F), _mm256_sqrt_ps(_mm512_cvtpd_ps(x.v))));
+}
+[[gnu::always_inline]] inline Lanes<8> reciprocal_estimate(Lanes<8> x) {
+  return _mm512_cvtps_pd(_mm256_div_ps(_mm256_set1_ps(1.0F), _mm512_cvtpd_ps(x.v)));
+}
+#endif
+
+/// The whole number nearest to x, |x| < 2^51, ties to even.
+template <class T>
+[[gnu::always_inline]] inline T nearest_whole(T x) {
+  const T shift(0x1.8p52);
+  return (x + shift) - shift;
+}
+
+/// from[stride index + offset], a whole number in each lane.
+template <int stride, int offset>
+[[gnu::always_inline]] inline double gather(const double* from, double index) {
+  return from[stride * static_cast<std::int64_t>(index) + offset];
+}
+template <int stride, int offset>
+[[gnu::always_inline]] inline Lanes<2> gather(const double* from, Lanes<2> index) {
+  const __m128i i = _mm_cvttpd_epi32(index.v);
+  return _mm_set_pd(from[stride * _mm_cvtsi128_si32(_mm_shuffle_epi32(i, 1)) + offset],
+                    from[stride * _mm_cvtsi128_si32(i) + offset]);
+}
+#ifdef __AVX2__
+template <int stride, int offset>
+[[gnu::always_inline]] inline Lanes<4> gather(const double* from, Lanes<4> index) {
+  const __m128i i = _mm_mullo_epi32(_mm256_cvttpd_epi32(index.v), _mm_set1_epi32(stride));
+  return _mm256_i32gather_pd(from + offset, i, 8);
+}
+#endif
+#ifdef __AVX512F__
+template <int stride, int offset>
+[[gnu::always_inline]] inline Lanes<8> gather(const double* from, Lanes<8> index) {
+  const __m256i i = _mm256_mullo_epi32(_mm512_cvttpd_epi32(index.v), _mm256_set1_epi32(stride));
+  return _mm512_i32gather_pd(i, from + offset, 8);
+}
+#endif
+
+#ifdef __FMA__
+/// x y - z, rounded once.
+[[gnu::always_inline]] inline double fused_difference(double x, double y, double z) {
+  return __builtin_fma(x, y, -z);
+}
+[[gnu::always_inline]] inline Lanes<2> fused_difference(Lanes<2> x, Lanes<2> y, Lanes<2> z) {
+  return _mm_fmsub_pd(x.v, y.v, z.v);
+}
+[[gnu::always_inline]] inline Lanes<4> fused_difference(Lanes<4> x, Lanes<4> y, Lanes<4> z) {
+  return _mm256_fmsub_pd(x.v, y.v, z.v);
+}
+#ifdef __AVX512F__
+[[gnu::always_inline]] inline Lanes<8> fused_difference(Lanes<8> x, Lanes<8> y, Lanes<8> z) {
+  return _mm512_fmsub_pd(x.v, y.v, z.v);
+}
+#endif
+#endif
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

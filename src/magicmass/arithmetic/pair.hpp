@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "magicmass/arithmetic/error_free.hpp"
+
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
+
+/// A real number as the unevaluated sum of two T (double or Lanes): the number type of tier `fast`. With u = 2^-53,
+/// products, quotients and roots are within 2^-100 of themselves and sums within 2^-103 (|x| + |y|), as long as no
+/// product is below 2^-968 or beyond 2^996; arctangent, sine and cosine are good to a quarter of u. So a result
+/// is hardly worse than rounded once.
+template <class T>
+struct Pair {
+  using Real = T;
+
+  T high;
+  T low;
+
+  Pair() = default;
+  explicit Pair(T exact) : high(exact), low(0.0) {}
+  Pair(T high_part, T low_part) : high(high_part), low(low_part) {}
+
+  /// x + y and x y of doubles, exactly.
+  static Pair sum(T x, T y) {
+    const Sum<T> s = two_sum(x, y);
+    return {s.high, s.low};
+  }
+  static Pair product(T x, T y) {
+    const Sum<T> p = two_product(x, y);
+    return {p.high, p.low};
+  }
+  static Pair pi() { return {T(0x1.921fb54442d18p+1), T(0x1.1a62633145c07p-53)}; }
+
+  friend Pair operator-(Pair x) { return {-x.high, -x.low}; }
+  friend Pair operator+(Pair x, Pair y) {
+    const Sum<T> s = two_sum(x.high, y.high);
+    return {s.high, s.low + (x.low + y.low)};
+  }
+  friend Pair operator-(Pair x, Pair y) {
+    const Sum<T> s = two_sum(x.high, -y.high);
+    return {s.high, s.low + (x.low - y.low)};
+  }
+  friend Pair operator+(Pair x, T y) {
+    const Sum<T> s = two_sum(x.high, y);
+    return {s.high, s.low + x.low};
+  }
+  friend Pair operator*(Pair x, Pair y) {
+    const Sum<T> p = two_product(x.high, y.high);
+    return {p.high, p.low + (x.high * y.low + x.low * y.high)};
+  }
+  friend Pair operator*(Pair x, T y) {
+    const Sum<T> p = two_product(x.high, y);
+    return {p.high, p.low + x.low * y};
+  }
+  friend Pair operator/(Pair x, Pair y) {
+    const T inverse = T(1.0) / y.high;
+    const T quotient = x.high * inverse;
+    const T product = quotient * y.high;
+    const T rest = ((x.high - product) - product_error(quotient, y.high, product)) +
+                   (x.low - quotient * y.low);
+    return normalised(Pair{quotient, rest * inverse});
+  }
+
+  /// The same number, low at most half an ulp of high. Needs |high| >= |low|.
+  friend Pair normalised(Pair x) {
+    const Sum<T> s = ordered_sum(x.high, x.low);
+    return {s.high, s.low};
+  }
+  /// x 2^k, exactly, given 2^k.
+  friend Pair scaled(Pair x, double power_of_two) {
+    return {x.high * T(power_of_two), x.low * T(power_of_two)};
+  }
+  template <class Condition>
+  friend Pair select(Condition condition, Pair yes, Pair no) {
+    return {select(condition, yes.high, no.high), select(condition, yes.low, no.low)};
+  }
+  /// The nearest T, but for ties and near-ties.
+  friend T rounded(Pair x) { return x.high + x.low; }
+};
+
+/// 1/sqrt(w) for w from 2^-120 to 2^120 in lanes, for any positive w in a single double.
+template <class T>
+inline Pair<T> reciprocal_square_root(Pair<T> w) {
+  // y has 24 bits, so y^2 has 48 and one_minus_product is within an ulp of 2^-22; what is left out of the series of
+  // (1 - e)^(-1/2) is 5/16 e^3 < 2^-67. The second step, in pairs, brings that to 2^-100.
+  const T y = reciprocal_square_root_estimate(w.high);
+  const T square = y * y;
+  const T e = one_minus_product(w.high, square) - w.low * square;
+  const Sum<T> root = ordered_sum(y, y * (e * (T(0.5) + T(0.375) * e)));
+  return {root.high, root.low};
+}
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "magicmass/arithmetic/bounded.hpp"
+#include "magicmass/arithmetic/estrin.hpp"
+#include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/polynomials.hpp"
+#include "magicmass/arithmetic/sine_cosine_table.hpp"
+#include "magicmass/arithmetic/tracked.hpp"
+
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
+
+template <class Number>
+struct SineCosine {
+  Number sine;
+  Number cosine;
+};
+
+/// pi/2 as the sum of three doubles.
+inline constexpr double half_pi[] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
+                                     -0x1.f1976b7ed8fbcp-110};
+
+/// sin x and cos x for 0 <= x <= 2.35, within 0.3 2^-53 of themselves and what the error of x makes of them.
+template <class T>
+[[gnu::always_inline]] inline SineCosine<Pair<T>> sine_cosine(Pair<T> x) {
+  // x = r or x = r + pi/2 with |r| <= pi/4 + 1/64; the first subtraction is exact (Sterbenz).
+  const auto is_turned = x.high > T(0.8);
+  const Sum<T> r = ordered_sum(x.high - where(is_turned, T(half_pi[0])),
+                               x.low - where(is_turned, T(half_pi[1])));
+  // sin r = r + (r.low + r^3 p(r^2)): the bracket is at most 0.11 r, rounded three times. cos r = 1 - r^2/2 + (r^4 q(r^2) - r r.low):
+  // r^2/2 is exact but for the part of r^2 below its rounding, at most 2^-55, and the rest is below 0.02.
+  const T z = r.high * r.high;
+  const T half = T(0.5) * z;
+  const Sum<T> sine = ordered_sum(r.high, r.low + (r.high * z) * polynomial(sine_coefficients, z));
+  const Sum<T> top = ordered_sum(T(1.0), -half);
+  const Sum<T> cosine = ordered_sum(
+      top.high, top.low + ((z * z) * polynomial(cosine_coefficients, z) - r.high * r.low));
+  const Pair<T> s{sine.high, sine.low}, c{cosine.high, cosine.low};
+  return {select(is_turned, c, s), select(is_turned, -s, c)};
+}
+
+/// sin x and cos x for 0 <= x <= 3.14, within 2^-71 of themselves or 2^-80.
+template <class T>
+[[gnu::always_inline]] inline SineCosine<Tracked<T>> sine_cosine(Tracked<T> x) {
+  // x = c + d, c = j/256, |d| <= 2^-9, no reduction. sin d = d + (x.low - d^3/6 + d^5/120 - ...), the cube rounded at 2^-72.6 d; cos d -
+  // 1 = -d^2/2 + d^4/24 - d x.low, rounded at 2^-72.
+  const T j = nearest_whole(x.pair.high * T(256.0));
+  const T d = x.pair.high - j * T(0x1p-8);
+  const T z = d * d;
+  const T low = x.pair.low;
+  const T cube = d * z * (T(0x1.5555555555555p-3) - z * (T(0x1.1111111111111p-7) - z * T(0x1.a01a01a01a01ap-13)));
+  const T of_sine = low - ((T(0.5) * z) * low + cube);
+  const T of_cosine = z * (T(-0.5) + z * (T(0x1.5555555555555p-5) - z * T(0x1.6c16c16c16c17p-10))) - low * (d - cube);
+  const Pair<T> s{gather<4, 0>(sine_cosine_table, j), gather<4, 1>(sine_cosine_table, j)};
+  const Pair<T> c{gather<4, 2>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
+  const Sum<T> s_slope = two_product(c.high, d);
+  const Sum<T> s_head = two_sum(s.high, s_slope.high);
+  const Sum<T> sine = ordered_sum(s_head.high, (s_head.low + s_slope.low) + ((s.low + c.low * d) + (c.high * of_sine + s.high * of_cosine)));
+  const Sum<T> c_slope = two_product(s.high, d);
+  const Sum<T> c_head = two_sum(c.high, -c_slope.high);
+  const Sum<T> cosine = ordered_sum(c_head.high, (c_head.low - c_slope.low) + ((c.low - s.low * d) + (c.high * of_cosine - s.high * of_sine)));
+  return {{{sine.high, sine.low}, magnitude(sine.high)}, {{cosine.high, cosine.low}, magnitude(cosine.high) + T(0x1p-10)}};
+}
+
+/// sin x and cos x for |x| <= 3.9, within 2^-88 of themselves and what the error of x makes of them.
+template <class T>
+[[gnu::always_inline]] inline SineCosine<Bounded<T>> sine_cosine(Bounded<T> x) {
+  // x = r + q pi/2, |r| <= pi/4 + tiny, q = -2 to 2: q times a part of pi/2 is exact, and so is the first
+  // subtraction (Sterbenz, or q = 0). What is left of pi/2 is below 2^-161.
+  const T q = nearest_whole(x.pair.high * T(0x1.45f306dc9c883p-1));
+  const Sum<T> first = two_sum(x.pair.high - q * T(half_pi[0]), -(q * T(half_pi[1])));
+  const Sum<T> second = two_sum(first.high, x.pair.low);
+  const Sum<T> reduced = two_sum(second.high, (first.low + second.low) - q * T(half_pi[2]));
+  // |r| = c + d, c = j/256 next to it, |d| <= 2^-9.
+  const auto is_below = reduced.high < T(0.0);
+  const T r = magnitude(reduced.high);
+  const T j = nearest_whole(r * T(256.0));
+  const Sum<T> node = two_sum(r - j * T(0x1p-8), select(is_below, -reduced.low, reduced.low));
+  const Pair<T> d{node.high, node.low};
+  // sin d = d - d z/6 + d z^2 (1/120 - z/5040), z = d^2 <= 2^-18: d z/6 as a pair, the last term, below 2^-42 d, with
+  // three roundings; what follows it is below 2^-90 d. cos d - 1 = -z/2 + z^2 (1/24 - z/720 + z^2/40320) likewise.
+  const Pair<T> z = d * d;
+  const T square = z.high * z.high;
+  const Pair<T> sixth{T(-0x1.5555555555555p-3), T(-0x1.5555555555555p-57)};
+  const Pair<T> sine_d =
+      d + ((d * z) * sixth + d.high * square * (T(0x1.1111111111111p-7) - z.high * T(0x1.a01a01a01a01ap-13)));
+  const Pair<T> cosine_d_less_one =
+      scaled(z, -0.5) + square * (T(0x1.5555555555555p-5) -
+                                  z.high * (T(0x1.6c16c16c16c17p-10) - z.high * T(0x1.a01a01a01a01ap-16)));
+  const Pair<T> sine_c{gather<4, 0>(sine_cosine_table, j), gather<4, 1>(sine_cosine_table, j)};
+  const Pair<T> cosine_c{gather<4, 2>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
+  Pair<T> sine = normalised(sine_c + (sine_c * cosine_d_less_one + cosine_c * sine_d));
+  const Pair<T> cosine = normalised(cosine_c + (cosine_c * cosine_d_less_one - sine_c * sine_d));
+  sine = select(is_below, -sine, sine);
+  // by the number of quarter turns
+  const auto is_odd = magnitude(q) == T(1.0);
+  const auto is_half = magnitude(q) == T(2.0);
+  const auto is_back = q < T(0.0);
+  Pair<T> s = select(is_odd, select(is_back, -cosine, cosine), select(is_half, -sine, sine));
+  Pair<T> c = select(is_odd, select(is_back, sine, -sine), select(is_half, -cosine, cosine));
+  const auto bound = [&x](T of_value, T of_slope) {
+    return x.error * (magnitude(of_slope) + x.error) + (T(0x1p-88) * magnitude(of_value) + T(0x1p-158));
+  };
+  return {{s, bound(s.high, c.high)}, {c, bound(c.high, s.high)}};
+}
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

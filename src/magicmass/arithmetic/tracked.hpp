@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "magicmass/arithmetic/pair.hpp"
+
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
+
+/// A real number as a Pair, and `size`: |pair - number| <= degree * unit * size, where degree is the number of factors,
+/// counted like that of a polynomial, that went into it. Sizes are added in sums and multiplied in products (the
+/// same polynomial in the absolute values), so they cost one operation each: the number type of the first stage of tier
+/// `accurate`. Each primitive makes numbers of degree 1; rounding in pairs, 2^-100 of the sizes, is far below a unit.
+template <class T>
+struct Tracked {
+  using Real = T;
+
+  Pair<T> pair;
+  T size;
+
+  static constexpr double unit = 0x1p-70;
+  static constexpr double highest_degree = 8;  ///< of any generated formula
+
+  Tracked() = default;
+  explicit Tracked(T exact) : pair(exact), size(magnitude(exact)) {}
+  Tracked(Pair<T> value, T of_size) : pair(value), size(of_size) {}
+
+  static Tracked sum(T x, T y) {
+    const Pair<T> s = Pair<T>::sum(x, y);
+    return {s, magnitude(s.high)};
+  }
+  static Tracked product(T x, T y) {
+    const Pair<T> p = Pair<T>::product(x, y);
+    return {p, magnitude(p.high)};
+  }
+
+  friend Tracked operator-(Tracked x) { return {-x.pair, x.size}; }
+  friend Tracked operator+(Tracked x, Tracked y) { return {x.pair + y.pair, x.size + y.size}; }
+  friend Tracked operator-(Tracked x, Tracked y) { return {x.pair - y.pair, x.size + y.size}; }
+  friend Tracked operator+(Tracked x, T y) { return {x.pair + y, x.size + magnitude(y)}; }
+  friend Tracked operator*(Tracked x, Tracked y) { return {x.pair * y.pair, x.size * y.size}; }
+  friend Tracked operator*(Tracked x, T y) { return {x.pair * y, x.size * magnitude(y)}; }
+  friend Tracked scaled(Tracked x, double power_of_two) {
+    return {scaled(x.pair, power_of_two), x.size * T(std::fabs(power_of_two))};
+  }
+  template <class Condition>
+  friend Tracked select(Condition condition, Tracked yes, Tracked no) {
+    return {select(condition, yes.pair, no.pair), select(condition, yes.size, no.size)};
+  }
+  friend T rounded(Tracked x) { return rounded(x.pair); }
+  /// Whether the nearest double of the number is certainly rounded(x).
+  friend auto certainly_rounded(Tracked x) {
+    const Sum<T> y = two_sum(x.pair.high, x.pair.low);
+    const T margin = T(highest_degree * unit) * x.size;
+    return (y.high + (y.low + margin)) == (y.high + (y.low - margin));
+  }
+};
+
+/// 1/sqrt(w) within 2^-98, any w > 0 from 2^-960 to 2^960.
+template <class T>
+[[gnu::always_inline]] inline Tracked<T> reciprocal_square_root(Tracked<T> w) {
+  const T y = T(1.0) / square_root(w.pair.high);
+  const Sum<T> square = two_product(y, y);
+  const T e = one_minus_product(w.pair.high, square.high) -
+              (w.pair.high * square.low + w.pair.low * square.high);
+  return {{y, T(0.5) * y * e}, y};
+}
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic
