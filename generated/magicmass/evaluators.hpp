@@ -12,10 +12,12 @@
 #include "magicmass/angle_product.hpp"
 #include "magicmass/encounters_closed.hpp"
 #include "magicmass/encounters_product.hpp"
+#include "magicmass/encounters_tangent.hpp"
 #include "magicmass/ratios_closed.hpp"
 #include "magicmass/ratios_product.hpp"
 #include "magicmass/velocities_closed.hpp"
 #include "magicmass/velocities_product.hpp"
+#include "magicmass/velocities_tangent.hpp"
 
 namespace magicmass::generated {
 
@@ -53,9 +55,10 @@ struct EncounterEvaluator {
 };
 
 template <class Real>
-inline constexpr std::array<EncounterEvaluator<Real>, 2> encounter_table{{
+inline constexpr std::array<EncounterEvaluator<Real>, 3> encounter_table{{
     {"encounters_closed", "closed", &encounters_closed<Real>, no_bound, no_bound},
     {"encounters_product", "product", &encounters_product<Real>, no_bound, no_bound},
+    {"encounters_tangent", "tangent", &encounters_tangent<Real>, no_bound, no_bound},
 }};
 
 template <class Real>
@@ -93,9 +96,10 @@ struct VelocityEvaluator {
 };
 
 template <class Real>
-inline constexpr std::array<VelocityEvaluator<Real>, 2> velocity_table{{
+inline constexpr std::array<VelocityEvaluator<Real>, 3> velocity_table{{
     {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
     {"velocities_product", "product", &velocities_product<Real>, no_bound, 5},
+    {"velocities_tangent", "tangent", &velocities_tangent<Real>, no_bound, 5},
 }};
 
 template <class Real>

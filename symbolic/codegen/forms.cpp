@@ -69,6 +69,16 @@ std::vector<Form> encounter_forms() {
        .index = "j",
        .outputs = {{"t", "times.t"}, {"s", "times.s"}},
        .bindings = {"rotation.psi_half_angle"}},
+      {.quantity = "encounters",
+       .name = "tangent",
+       .result = "Encounters",
+       .summary = "Times and distances of the collisions from one sine and one cosine",
+       .domain = "alpha normal and finite, not subnormal; 0 <= j < number of collisions",
+       .error = encounter_error,
+       .real_input = "alpha",
+       .index = "j",
+       .outputs = {{"t", "tangent.t"}, {"s", "tangent.s"}},
+       .bindings = {"power.V_CM", "rotation.psi_half_angle", "tangent.tan_quarter"}},
   };
 }
 
@@ -134,6 +144,21 @@ std::vector<Form> velocity_forms() {
                    {"c", "power.c_product"},
                    {"c_prime", "power.c_prime_product"}},
        .bindings = {"power.V_CM", "rotation.psi_half_angle"}},
+      {.quantity = "velocities",
+       .name = "tangent",
+       .result = "Velocities",
+       .summary = "All velocities from one sine and one cosine",
+       .domain = product_domain,
+       .bound = {.eps = 5},
+       .error = "beyond alpha = 1, of V instead; all up to the last collision",
+       .real_input = "alpha",
+       .index = "n",
+       .outputs = {{"a", "tangent.a"},
+                   {"b", "tangent.b"},
+                   {"c", "tangent.c"},
+                   {"c_prime", "tangent.c_prime"}},
+       .bindings = {"power.V_CM", "rotation.psi_half_angle", "tangent.tan_quarter",
+                    "tangent.cot_half"}},
   };
 }
 

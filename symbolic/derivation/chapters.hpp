@@ -122,6 +122,14 @@ struct Times {
 Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting& counting,
             const Chebyshev& chebyshev);
 
+// From one sine and one cosine.
+struct Tangent {
+  Theorem tan_quarter, cot_half;  // tan(psi/4), cot(psi/2)
+  Theorem a, b, c, c_prime;
+  Theorem t, s;
+};
+Tangent tangent(Kernel& kernel, const Power& power, const Times& times);
+
 struct Unfolding {
   Theorem t_Q, s_Q;  // from the straight line
 };

@@ -28,6 +28,7 @@ struct Results {
   std::optional<Ratios> ratios;
   std::optional<Terminal> terminal;
   std::optional<Times> times;
+  std::optional<Tangent> tangent;
   std::optional<Mapping> mapping;
   std::optional<Table> table;
   std::optional<Unfolding> unfolding;
@@ -94,6 +95,8 @@ const std::vector<Chapter>& chapters() {
        [](Kernel& kernel, Results& r, const Laws& laws, const Paper&) {
          r.times = times(kernel, laws, *r.power, *r.counting, *r.chebyshev);
        }},
+      {"tangent", [](Kernel& kernel, Results& r, const Laws&,
+                     const Paper&) { r.tangent = tangent(kernel, *r.power, *r.times); }},
       {"unfolding",
        [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
          r.unfolding = unfolding(kernel, *r.cycle, *r.power, *r.mapping, *r.times);

@@ -79,6 +79,10 @@ ChapterWords chapter_words(const std::string& chapter) {
         "From the velocities between collisions follow the times of all collisions and the "
         "distances between the "
         "blocks then."}},
+      {"tangent",
+       {"One sine and one cosine",
+        "With t = tan(psi/4), the sine and the cosine of n psi/2 give all four velocities as "
+        "products, and those of j psi/2 the time and the place of collision j."}},
       {"orthogonal",
        {"Orthogonal matrices",
         "What keeps all lengths is a rotation, or a rotation times a reflection."}},
