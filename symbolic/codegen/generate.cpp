@@ -9,7 +9,10 @@
 #include "codegen/passes/canonical_order.hpp"
 #include "codegen/passes/common_subexpressions.hpp"
 #include "codegen/passes/dead_code.hpp"
+#include "codegen/passes/flat_products.hpp"
 #include "codegen/passes/paired_sine_cosine.hpp"
+#include "codegen/passes/reciprocal_square_roots.hpp"
+#include "codegen/passes/shared_products.hpp"
 #include "codegen/passes/shared_reciprocals.hpp"
 #include "codegen/passes/strength_reduction.hpp"
 
@@ -26,13 +29,33 @@ Program finished(const Program& program, const std::vector<std::string>& wanted)
   return paired_sine_cosine(shared_reciprocals(dead_code(program, wanted)));
 }
 
+const proof::Theorem& theorem_named(const std::vector<proof::Theorem>& theorems,
+                                    const std::string& id) {
+  const auto found =
+      std::find_if(theorems.begin(), theorems.end(),
+                   [&id](const proof::Theorem& theorem) { return theorem.id() == id; });
+  if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
+  return *found;
+}
+
+// Products as short as they can be: a kernel's number type rounds far below a double, so that their order is free.
+Program for_kernel(const Program& lowered) {
+  return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
+      flat_products(flat_products(reciprocal_square_roots(prepared(lowered))))))));
+}
+
+Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems) {
+  Source source{{}, {}, form.reals, form.integers.front(), {"V", "L"}};
+  source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
+  for (const auto& [name, id] : form.outputs)
+    source.outputs.emplace_back(name, theorem_named(theorems, id));
+  for (const std::string& id : form.bindings) source.bindings.push_back(theorem_named(theorems, id));
+  return {form, for_kernel(lower(source))};
+}
+
 Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& theorems) {
   const auto find = [&theorems](const std::string& id) -> const proof::Theorem& {
-    const auto found =
-        std::find_if(theorems.begin(), theorems.end(),
-                     [&id](const proof::Theorem& theorem) { return theorem.id() == id; });
-    if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
-    return *found;
+    return theorem_named(theorems, id);
   };
   Evaluator evaluator{form, {}, {}, {}, {}};
   Source source{{}, {}, {}, form.index, {"V", "L"}};
@@ -70,6 +93,8 @@ std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems)
                                    {"manifest.json", emit_manifest(evaluators)}};
   for (const Evaluator& evaluator : evaluators)
     files.push_back({evaluator.form.header(), emit_evaluator(evaluator)});
+  for (const KernelForm& form : kernel_forms())
+    files.push_back({"magicmass/kernels/" + form.name + ".hpp", emit_kernel(make_kernel(form, theorems))});
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& x, const GeneratedFile& y) { return x.path < y.path; });
   return files;

@@ -66,6 +66,8 @@ std::string print(const Program& program, int number, int outer, bool top) {
              parenthesised(node.denominator != 1, rational(node));
     case Op::square_root:
       return call(program, node, "sqrt");
+    case Op::reciprocal_square_root:
+      return parenthesised(outer > 1, "1/" + call(program, node, "sqrt"));
     case Op::sine:
       return call(program, node, "sin");
     case Op::cosine:
@@ -135,6 +137,7 @@ OperationCounts operation_counts(const Program& program) {
         ++counts.divisions;
         break;
       case Op::square_root:
+      case Op::reciprocal_square_root:
         ++counts.square_roots;
         break;
       case Op::sine:

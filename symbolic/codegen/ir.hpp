@@ -21,6 +21,7 @@ enum class Op {
   divide,  // made by shared_reciprocals
   power,   // args[0] ^ (numerator / denominator), denominator 1 or 2; removed by strength_reduction
   square_root,
+  reciprocal_square_root,  // made by reciprocal_square_roots
   sine,
   cosine,
   arctangent,

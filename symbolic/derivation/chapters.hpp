@@ -128,7 +128,7 @@ struct Tangent {
   Theorem a, b, c, c_prime;
   Theorem t, s;
 };
-Tangent tangent(Kernel& kernel, const Power& power, const Times& times);
+Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, const Times& times);
 
 struct Unfolding {
   Theorem t_Q, s_Q;  // from the straight line

@@ -96,7 +96,7 @@ const std::vector<Chapter>& chapters() {
          r.times = times(kernel, laws, *r.power, *r.counting, *r.chebyshev);
        }},
       {"tangent", [](Kernel& kernel, Results& r, const Laws&,
-                     const Paper&) { r.tangent = tangent(kernel, *r.power, *r.times); }},
+                     const Paper&) { r.tangent = tangent(kernel, *r.rotation, *r.power, *r.times); }},
       {"unfolding",
        [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
          r.unfolding = unfolding(kernel, *r.cycle, *r.power, *r.mapping, *r.times);

@@ -10,7 +10,7 @@ namespace magicmass::derivation {
 using namespace proof;
 using GiNaC::ex;
 
-Tangent tangent(Kernel& kernel, const Power& power, const Times& times) {
+Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, const Times& times) {
   const ex n = symbol("n"), j = symbol("j"), alpha = symbol("alpha"), psi = symbol("psi");
   const ex V = symbol("V"), L = symbol("L"), V_CM = symbol("V_CM");
   const ex t = symbol("tan_quarter"), cotangent = symbol("cot_half");
@@ -43,6 +43,39 @@ Tangent tangent(Kernel& kernel, const Power& power, const Times& times) {
   const Theorem c_n = velocity("tangent.c", c(n), 2 * V * cotangent * S * (C + t * S), power.c, 1);
   const Theorem c_prime_n = velocity("tangent.c_prime", c_prime(n),
                                      -2 * V * cotangent * S * (C - t * S), power.c_prime, 0);
+
+  // With one root and no quotient but its own: t S and cot(psi/2) S serve all four.
+  kernel.rewriting({.id = "tangent.root",
+                    .statement = {cotangent, 1 / sqrt(alpha * (2 + alpha))},
+                    .words = "the cotangent as the reciprocal of one root"},
+                   {half, quarter});
+  kernel.rewriting({.id = "tangent.tan_from_root",
+                    .statement = {t, alpha * cotangent},
+                    .words = "and the tangent from it"},
+                   {half});
+  kernel.rewriting({.id = "tangent.psi",
+                    .statement = {psi, 4 * atan(t)},
+                    .words = "psi from the tangent of its quarter"},
+                   {rotation.psi_half_angle, quarter});
+  velocity("tangent.b_product", b(n), 2 * V * (t * S) * (cotangent * S + C), power.b, 0);
+
+  // The first collisions, all there are beyond alpha = 1, in the same shape: S is 1, and C and cot(psi/2) are 1/(1 + alpha).
+  const ex q = 1 / (1 + alpha);
+  const auto first = [&](const std::string& id, const Theorem& general, const ex& form) {
+    const Theorem at_one =
+        kernel.instance({.id = id + "_at_1",
+                         .statement = {general.lhs().subs(n == 1), general.rhs().subs(n == 1)},
+                         .words = "at n = 1"},
+                        general, {{n, 1}});
+    kernel.rewriting({.id = id,
+                      .statement = {at_one.lhs(), form},
+                      .words = "the same products without roots"},
+                     {at_one});
+  };
+  first("tangent.first_a", power.a, V * (q - alpha * q) * (q + alpha * q));
+  first("tangent.first_b", power.b, 2 * V * (alpha * q) * (q + q));
+  first("tangent.first_c", power.c, 2 * V * q * (q + alpha * q));
+  first("tangent.first_c_prime", power.c_prime, -2 * V * q * (q - alpha * q));
 
   const ex S_j = sin(j * psi / 2), C_j = cos(j * psi / 2), D = V_CM * S_j + V * t * C_j;
   const auto encounter = [&](const char* id, const ex& element, const ex& form,

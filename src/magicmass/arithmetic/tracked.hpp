@@ -55,7 +55,14 @@ struct Tracked {
   }
 };
 
-/// 1/sqrt(w) within 2^-98, any w > 0 from 2^-960 to 2^960.
+/// 1/y, a number of degree 1 again: for y without cancellation.
+template <class T>
+[[gnu::always_inline]] inline Tracked<T> reciprocal(Tracked<T> y) {
+  const Pair<T> inverse = reciprocal(y.pair);
+  return {inverse, magnitude(inverse.high)};
+}
+
+/// 1/sqrt(w) within 2^-98, a number of degree 1: for w without cancellation, as for Pair.
 template <class T>
 [[gnu::always_inline]] inline Tracked<T> reciprocal_square_root(Tracked<T> w) {
   const T y = T(1.0) / square_root(w.pair.high);
