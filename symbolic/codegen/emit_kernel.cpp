@@ -80,13 +80,14 @@ private:
       if (!printer_.is_kept(number) || stage(number) != s || done.contains(number)) continue;
       const Op op = node(number).op;
       if (op == Op::sine || op == Op::cosine) {
-        text += line(indent + "const auto turned = " + printer_.right_side(number) + ";");
+        const std::string turned = "turned" + (done.empty() ? "" : fmt::format("_{}", done.size()));
+        text += line(indent + "const auto " + turned + " = " + printer_.right_side(number) + ";");
         for (std::size_t j = i; j < program_.nodes.size(); ++j) {
           const Node& other = program_.nodes[j];
           if ((other.op != Op::sine && other.op != Op::cosine) || other.args != node(number).args)
             continue;
           done.insert(static_cast<int>(j));
-          text += indent + printer_.name(static_cast<int>(j)) + " = turned." +
+          text += indent + printer_.name(static_cast<int>(j)) + " = " + turned + "." +
                   (other.op == Op::sine ? "sine" : "cosine") + ";\n";
         }
         if (!form_.first.empty()) text += replaced_turn(indent);
@@ -110,8 +111,8 @@ private:
   std::string replaced_turn(const std::string& indent) const {
     return indent + "if constexpr (in_lanes) {  // n is 0 or 1 there\n" + indent +
            "  const auto is_beyond = alpha > Real(1.0);\n" + indent +
-           "  sine = select(is_beyond, Number(n), sine);\n" + indent +
-           "  cosine = select(is_beyond, select(n > Real(0.0), cot_half, Number(Real(1.0))), "
+           "  sine = select(is_beyond, Number(" + form_.integers[0] + "), sine);\n" + indent +
+           "  cosine = select(is_beyond, select(" + form_.integers[0] + " > Real(0.0), cot_half, Number(Real(1.0))), "
            "cosine);\n" +
            indent + "}\n";
   }
@@ -121,9 +122,16 @@ private:
            assignments(s, "    ") + "  }\n";
   }
 
+  std::string result_type() const {
+    return form_.result.empty() ? "Number" : form_.result + "<Number>";
+  }
+
   std::string result_function() const {
-    std::string text = "  [[gnu::always_inline]] " + form_.result + "<Number> result() const {\n" +
-                       assignments(stages_.count - 1, "    ") + "    return {\n";
+    std::string text = "  [[gnu::always_inline]] " + result_type() + " result() const {\n" +
+                       assignments(stages_.count - 1, "    ");
+    if (form_.result.empty())
+      return text + line("    return " + printer_.value(program_.outputs[0].node) + ";") + "  }\n";
+    text += "    return {\n";
     for (const Output& output : program_.outputs)
       text += line("        ." + output.name + " = " + printer_.value(output.node) + ",");
     return text + "    };\n  }\n";
@@ -135,10 +143,10 @@ private:
         "  // Beyond alpha = 1, where n is 0 or 1.\n  [[gnu::always_inline]] void first() {\n"
         "    cot_half = reciprocal(Number::sum(Real(1.0), alpha));\n";
     for (const int number : carried_)
-      if (node(number).op == Op::multiply)
+      if (node(number).op == Op::multiply || node(number).op == Op::add)
         text += line("    " + printer_.name(number) + " = " + printer_.right_side(number) + ";");
     return text +
-           "    sine = Number(n);\n    cosine = n > 0.0 ? cot_half : Number(Real(1.0));\n  }\n";
+           "    sine = Number(" + form_.integers[0] + ");\n    cosine = " + form_.integers[0] + " > 0.0 ? cot_half : Number(Real(1.0));\n  }\n";
   }
 
   std::string evaluate_function() const {
@@ -147,7 +155,7 @@ private:
       parameters += (parameters.empty() ? "Real " : ", Real ") + input;
       members += "    kernel." + input + " = " + input + ";\n";
     }
-    std::string text = "  [[gnu::always_inline]] static " + form_.result + "<Number> evaluate(" +
+    std::string text = "  [[gnu::always_inline]] static " + result_type() + " evaluate(" +
                        parameters + ") {\n    " + form_.kernel + " kernel;\n" + members;
     if (!form_.first.empty())
       text +=
@@ -159,6 +167,7 @@ private:
 
   // Loops over a block, a stage each, with the carried values in between.
   std::string block_function() const {
+    if (form_.result.empty()) return "";
     std::string text = "// A block of at most arithmetic::block_size elements, a whole number of vectors; `certain` "
                        "is for types that know.\ntemplate <class Number>\nvoid " +
                        form_.name + "_block(std::size_t size";

@@ -45,7 +45,7 @@ Program for_kernel(const Program& lowered) {
 }
 
 Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems) {
-  Source source{{}, {}, form.reals, form.integers.front(), {"V", "L"}};
+  Source source{{}, {}, form.reals, {}, {"V", "L"}};
   source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
   for (const auto& [name, id] : form.outputs)
     source.outputs.emplace_back(name, theorem_named(theorems, id));

@@ -86,12 +86,18 @@ bool KernelPrinter::is_kept(int number) const {
 std::string KernelPrinter::name(int number) const {
   return names_[static_cast<std::size_t>(number)];
 }
+// Also a power of two times an input.
 bool KernelPrinter::is_exact(int number) const {
-  const Op op = node(number).op;
-  return op == Op::input || op == Op::index || op == Op::constant;
+  const Node& made = node(number);
+  if (made.op == Op::multiply)
+    return made.args.size() == 2 && is_power_of_two(node(made.args[0])) &&
+           (node(made.args[1]).op == Op::input || node(made.args[1]).op == Op::index);
+  return made.op == Op::input || made.op == Op::index || made.op == Op::constant;
 }
 std::string KernelPrinter::exact(int number) const {
-  return node(number).op == Op::constant ? real(node(number)) : node(number).name;
+  const Node& made = node(number);
+  if (made.op == Op::multiply) return exact(made.args[0]) + " * " + exact(made.args[1]);
+  return made.op == Op::constant ? real(made) : made.name;
 }
 
 std::string KernelPrinter::value(int number) const {
@@ -178,7 +184,7 @@ std::string KernelPrinter::right_side(int number) const {
     case Op::negate:
       return "-" + factor(made.args[0]);
     case Op::reciprocal:
-      return "Number(Real(1.0)) / " + factor(made.args[0]);
+      return "reciprocal(" + value(made.args[0]) + ")";
     case Op::divide:
       return factor(made.args[0]) + " / " + factor(made.args[1]);
     case Op::reciprocal_square_root:

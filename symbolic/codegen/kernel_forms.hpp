@@ -12,13 +12,13 @@ namespace magicmass::codegen {
 struct KernelForm {
   std::string name;     // "velocities": generated/magicmass/kernels/velocities.hpp
   std::string kernel;   // "VelocitiesKernel"
-  std::string result;   // the struct in quantities.hpp
+  std::string result = {};  // the struct in quantities.hpp; empty for a single number
   std::string summary;  // for its docstring
   std::string domain;
-  std::vector<std::string> reals;                            // exact inputs: "alpha"
-  std::vector<std::string> integers;                         // whole numbers below 2^51: "n"
+  std::vector<std::string> reals = {};                       // exact inputs: "alpha"
+  std::vector<std::string> integers = {};                    // whole numbers below 2^51: "n"
   std::vector<std::pair<std::string, std::string>> outputs;  // member -> theorem id
-  std::vector<std::string> bindings;                         // theorem ids
+  std::vector<std::string> bindings = {};                    // theorem ids
   // Beyond alpha = 1, where n is 0 or 1: the theorems of the first collisions, outputs' order. They are the outputs' right
   // sides with cot_half = 1/(1 + alpha), tan_quarter = alpha cot_half, sine n and cosine cot_half (n = 1), which is checked.
   std::vector<std::string> first = {};

@@ -62,11 +62,13 @@ Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, co
   // The first collisions, all there are beyond alpha = 1, in the same shape: S is 1, and C and cot(psi/2) are 1/(1 + alpha).
   const ex q = 1 / (1 + alpha);
   const auto first = [&](const std::string& id, const Theorem& general, const ex& form) {
+    const GiNaC::lst at{n == 1, j == 1};
+    const ex& index = general.lhs().has(n) ? n : j;
     const Theorem at_one =
         kernel.instance({.id = id + "_at_1",
-                         .statement = {general.lhs().subs(n == 1), general.rhs().subs(n == 1)},
-                         .words = "at n = 1"},
-                        general, {{n, 1}});
+                         .statement = {general.lhs().subs(at), general.rhs().subs(at)},
+                         .words = "at the first"},
+                        general, {{index, 1}});
     kernel.rewriting({.id = id,
                       .statement = {at_one.lhs(), form},
                       .words = "the same products without roots"},
@@ -89,6 +91,12 @@ Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, co
   const Theorem t_j =
       encounter("tangent.t", proof::t(j), L / V * (1 + alpha) * V_CM * S_j / D, times.t);
   const Theorem s_j = encounter("tangent.s", s(j), L * V * t / D, times.s);
+  // The same through the root alone.
+  encounter("tangent.t_product", proof::t(j),
+            L / V * (1 + alpha) * cotangent * S_j / (cotangent * S_j + C_j), times.t);
+  encounter("tangent.s_product", s(j), L / (cotangent * S_j + C_j), times.s);
+  first("tangent.first_t", times.t, L / V * (1 + alpha) * q / (q + q));
+  first("tangent.first_s", times.s, L / (q + q));
   return {quarter, half, a_n, b_n, c_n, c_prime_n, t_j, s_j};
 }
 
