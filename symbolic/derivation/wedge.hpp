@@ -63,11 +63,14 @@ struct WedgeTheorem {
   Theorem r_P_definition, r_Q_definition;
   Theorem g, h;
   Theorem r_P, r_Q;
+  Theorem next_P_defined;  // r_P(n + 1) = v_A(n) - v_C'(n)
   Theorem before_P, before_Q;
   Theorem N_C;
 };
 struct WedgeVelocities {
   Theorem v_A, v_B, v_C, v_C_prime;
+  // From the approach speeds alone, whether collisions end or not, n >= 1; v_C from v_A.
+  Theorem v_A_from_speeds, v_B_from_speeds, v_C_prime_from_speeds, v_C_from_A;
 };
 WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                  const WedgeTheorem& theorem);

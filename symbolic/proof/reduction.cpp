@@ -35,8 +35,12 @@ std::pair<ex, ex> NormalForm::Generators::reduced_parts(const ex& rational) cons
 }
 
 std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
-  const auto [above, below] = reduced_parts(rational);
+  const ex fraction = rational.numer_denom();
+  const ex first_above = fraction.op(0).expand(), first_below = fraction.op(1).expand();
+  const ex above = reduced(first_above), below = reduced(first_below);
+  if (below.is_zero()) throw NotInClass("division by an expression that is identically zero");
   if (above.is_zero()) return {0, 1};
+  if (above.is_equal(first_above) && below.is_equal(first_below)) return {above, below};
   const ex again = (above / below).numer_denom();  // the relations may have made common factors
   return {again.op(0), again.op(1)};
 }

@@ -42,11 +42,13 @@ public:
 
   void assign(const ex& e) {
     if (is_a<GiNaC::symbol>(e) && !e.is_equal(summation_index())) assign_symbol(e);
+    has_sequences_ = has_sequences_ || is_sequence(e) || is_family(e);
     for (const ex& part : e) assign(part);
   }
 
   ex value(const ex& e) {
     const ex at_point = e.subs(values_, GiNaC::subs_options::no_pattern);
+    if (!has_sequences_) return at_point.evalf();
     GiNaC::exmap sequence_values;
     assign_sequences(at_point, sequence_values);
     return at_point.subs(sequence_values, GiNaC::subs_options::no_pattern).evalf();
@@ -102,6 +104,7 @@ private:
   const Domain& domain_;
   std::mt19937_64& random_;
   GiNaC::exmap values_;
+  bool has_sequences_ = false;
   std::map<std::string, ex> sequences_;
   std::map<std::string, std::string> shown_;
 };

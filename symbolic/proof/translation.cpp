@@ -19,6 +19,7 @@ ex NormalForm::Generators::translate(const ex& e) {
   if (denominators_ != before) {  // angles are divided further than before
     rewritten_.clear();
     multiples_.clear();
+    pairs_of_angles_.clear();
   }
   return rewritten(written_out);
 }
