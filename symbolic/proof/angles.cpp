@@ -123,8 +123,7 @@ NormalForm::Generators::Pair NormalForm::Generators::cosine_and_sine(const ex& a
       const numeric denominator = denominators_.at(name);
       const Pair base = base_pair(term.angle, denominator);
       const auto [cosine, sine] = multiple(base.cosine, base.sine, term.factor * denominator);
-      known =
-          multiples_.emplace(key, Pair{reduced_fraction(cosine), reduced_fraction(sine)}).first;
+      known = multiples_.emplace(key, Pair{reduced_fraction(cosine), reduced_fraction(sine)}).first;
     }
     const auto& [c, s] = known->second;
     sum = first ? known->second

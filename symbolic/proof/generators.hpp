@@ -88,6 +88,7 @@ private:
   std::map<std::string, ex> by_key_;
   std::vector<Square> relations_;
   GiNaC::exmap originals_;
+  GiNaC::exmap translated_;
   GiNaC::exmap rewritten_;  // known already: powers and functions, and multiples of angles
   std::map<std::string, Pair> multiples_;
   std::map<ex, Pair, GiNaC::ex_is_less> pairs_of_angles_;
