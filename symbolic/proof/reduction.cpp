@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/factored.hpp"
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -72,15 +73,15 @@ ex NormalForm::Generators::tidied(const ex& polynomial) const {
     }
     return result;
   };
-  const ex factored = GiNaC::factor(polynomial);
+  const ex factors = factored(polynomial);
   const auto tidy_factor = [&](const ex& factor) {
     if (GiNaC::is_a<GiNaC::power>(factor))
       return ex(GiNaC::power(tidy_sum(factor.op(0)), factor.op(1)));
     return tidy_sum(factor);
   };
-  if (!GiNaC::is_a<GiNaC::mul>(factored)) return tidy_factor(factored);
+  if (!GiNaC::is_a<GiNaC::mul>(factors)) return tidy_factor(factors);
   ex product = 1;
-  for (const ex& factor : factored) product *= tidy_factor(factor);
+  for (const ex& factor : factors) product *= tidy_factor(factor);
   return product;
 }
 
