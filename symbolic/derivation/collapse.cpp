@@ -95,7 +95,7 @@ void never_ending(Kernel& kernel, const Wedge& wedge) {
   for_shares("collapse.always_Q", r_Q(n), always_Q, "and none with B");
 }
 
-void threshold(Kernel& kernel) {
+Theorem threshold(Kernel& kernel) {
   const ex e = symbol("e"), alpha = symbol("alpha"), mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
   const ex front = (1 + e) / (2 * sqrt(e));
   const std::vector<Statement> below_one{{1, Relation::greater, e}};
@@ -136,12 +136,14 @@ void threshold(Kernel& kernel) {
   value("collapse.wall_equal_masses", half, 1, 3 - 2 * sqrt(ex(2)),
         "a ball as heavy as the block, and a wall");
   const ex heaviest = symbol("alpha_c");
-  kernel.definition({.id = "collapse.alpha_c",
-                     .statement = {heaviest, front - 1},
-                     .words = "equal blocks: the heaviest ball with a collapse"});
+  const Theorem alpha_c =
+      kernel.definition({.id = "collapse.alpha_c",
+                         .statement = {heaviest, front - 1},
+                         .words = "equal blocks: the heaviest ball with a collapse"});
   kernel.identity({.id = "collapse.alpha_c_sign",
                    .statement = {front / (1 + alpha) - 1, (heaviest - alpha) / (1 + alpha)},
                    .words = "C - 1 has the sign of alpha_c - alpha"});
+  return alpha_c;
 }
 
 // All four velocities after n collisions, from a regime's approach speeds.
@@ -178,7 +180,7 @@ void velocities(Kernel& kernel, const Wedge& wedge, const Regime& regime,
 }
 
 // C > 1: sinh takes the place of sin. With xi = exp(eta), C = (xi + 1/xi)/2.
-void finite_time(Kernel& kernel, const Wedge& wedge) {
+std::pair<Theorem, ex> finite_time(Kernel& kernel, const Wedge& wedge) {
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), L = symbol("L"), p = symbol("p");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B"), xi = symbol("xi");
   const ex twice_C = xi + 1 / xi;
@@ -194,15 +196,15 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
   const ex unit = L / V * regime.g / sqrt(e), end = unit / xi;
   const ex small = pow(xi, -4 * n);
   const auto limit = [&](const char* id, const Theorem& closed, const ex& form) {
-    kernel.limit({.id = id,
-                  .statement = {limit_at_infinity(closed.lhs(), n), end},
-                  .words = "infinitely many collisions in a finite time",
-                  .indices = from_one,
-                  .assuming = assuming},
-                 closed, form, p, small);
+    return kernel.limit({.id = id,
+                         .statement = {limit_at_infinity(closed.lhs(), n), end},
+                         .words = "infinitely many collisions in a finite time",
+                         .indices = from_one,
+                         .assuming = assuming},
+                        closed, form, p, small);
   };
-  limit("collapse.t_P_infinity", solution.tau_P,
-        unit * (1 / xi - pow(xi, 3) * p) / (1 - pow(xi, 2) * p));
+  const Theorem t_infinity = limit("collapse.t_P_infinity", solution.tau_P,
+                                   unit * (1 / xi - pow(xi, 3) * p) / (1 - pow(xi, 2) * p));
   limit("collapse.t_Q_infinity", solution.tau_Q, unit * (1 / xi - xi * p) / (1 - p));
   const auto left = [&](const std::string& id, const Theorem& closed, const ex& form) {
     const Theorem remaining = kernel.rewriting({.id = id,
@@ -235,6 +237,7 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
                    .statement = {regime.parameters.begin()->second.subs(xi == base.lhs()), mu_B},
                    .words = "so every pair of shares with C > 1 has its xi",
                    .assuming = beyond});
+  return {t_infinity, regime.parameters.begin()->second};
 }
 
 // C = 1, between the two: the speeds grow linearly.
@@ -258,11 +261,12 @@ void at_threshold(Kernel& kernel, const Wedge& wedge) {
 
 }  // namespace
 
-void collapse(Kernel& kernel, const Wedge& wedge) {
+Collapse collapse(Kernel& kernel, const Wedge& wedge) {
   never_ending(kernel, wedge);
-  threshold(kernel);
+  const Theorem alpha_c = threshold(kernel);
   at_threshold(kernel, wedge);
-  finite_time(kernel, wedge);
+  const auto [t_infinity, share_of_B] = finite_time(kernel, wedge);
+  return {alpha_c, t_infinity, share_of_B};
 }
 
 }  // namespace magicmass::derivation
