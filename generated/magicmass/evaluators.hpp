@@ -17,6 +17,7 @@
 #include "magicmass/collapse_product.hpp"
 #include "magicmass/terminal_after_P.hpp"
 #include "magicmass/terminal_after_Q.hpp"
+#include "magicmass/two_collisions_rational.hpp"
 #include "magicmass/velocities_closed.hpp"
 #include "magicmass/velocities_product.hpp"
 
@@ -123,6 +124,25 @@ inline constexpr std::array<TerminalEvaluator<Real>, 2> terminal_table{{
 template <class Real>
 constexpr const auto& terminal_evaluators() {
   return terminal_table<Real>;
+}
+
+template <class Real>
+struct TwoCollisionsEvaluator {
+  const char* name;
+  const char* form;
+  Terminal<Real> (*evaluate)(Real alpha, Real e);
+  double ulp_bound;
+  double eps_bound;
+};
+
+template <class Real>
+inline constexpr std::array<TwoCollisionsEvaluator<Real>, 1> two_collisions_table{{
+    {"two_collisions_rational", "rational", &two_collisions_rational<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& two_collisions_evaluators() {
+  return two_collisions_table<Real>;
 }
 
 template <class Real>

@@ -9,14 +9,12 @@
 
 #include <cln/integer.h>
 
-#include "magicmass/collapse_product.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/evaluators/inelastic.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/ratios.hpp"
 #include "magicmass/reference/restitution.hpp"
 #include "magicmass/scenes/shown_text.hpp"
-#include "magicmass/terminal_after_P.hpp"
-#include "magicmass/terminal_after_Q.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -30,12 +28,10 @@ Wide nearest_wide(const MassRatio& alpha) {
   return reference::nearest<Wide>(*reference::exact(alpha));
 }
 
-/// Rounded once; not finite where the evaluator's domain ends.
-double rounded(Wide value) {
+void require_told_apart(double value) {
   if (!std::isfinite(value))
     throw Undecided(
-        "alpha is too close to alpha_c(e), where collisions begin to have an end, for long double");
-  return static_cast<double>(value);
+        "alpha is too close to alpha_c(e), up to which there is a collapse, for long double");
 }
 
 }  // namespace
@@ -59,17 +55,18 @@ InelasticEnd inelastic_end(const MassRatio& alpha, const cln::cl_RA& e) {
   const Wide ratio = nearest_wide(alpha);
   const Wide restitution = reference::nearest<Wide>(e);
   if (!end.counts) {
-    end.collapse_time = rounded(generated::collapse_product(ratio, restitution));
+    end.collapse_time = collapse_time(ratio, restitution);
+    require_told_apart(end.collapse_time);
     return end;
   }
   const auto& [N_A, N_B] = *end.counts;
   if (N_A > cln::cl_I(std::numeric_limits<std::int64_t>::max()))
     throw Undecided("N_A = " + reference::to_text(N_A) + " does not fit 64 bits");
-  const std::int64_t k = cln::cl_I_to_long(N_B);
-  const generated::Terminal<Wide> v = N_A == N_B
-                                          ? generated::terminal_after_Q(ratio, restitution, k)
-                                          : generated::terminal_after_P(ratio, restitution, k);
-  end.terminal = {rounded(v.a_t), rounded(v.b_t), rounded(v.c_t), rounded(v.rho)};
+  end.terminal =
+      inelastic_terminal(ratio, restitution, {cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B)});
+  for (const double value :
+       {end.terminal.a_t, end.terminal.b_t, end.terminal.c_t, end.terminal.rho})
+    require_told_apart(value);
   return end;
 }
 

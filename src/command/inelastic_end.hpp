@@ -24,9 +24,8 @@ struct InelasticEnd {
   double collapse_time = 0.0;
 };
 
-/// For 0 < e <= 1. Counts, and whether there is a collapse, are exact. Numbers come from the generated evaluators in
-/// long double, rounded once: within 4 max(1/2, cond/2) ulp, where cond is the sum of the relative condition numbers
-/// in alpha and e. Throws Undecided where the counts do not fit 64 bits or alpha is closer to alpha_c(e) than
+/// For 0 < e <= 1. Counts, and whether there is a collapse, are exact; numbers are as good as those of
+/// inelastic_terminal and collapse_time. Throws Undecided where the counts do not fit 64 bits or alpha is closer to alpha_c(e) than
 /// long double can tell.
 InelasticEnd inelastic_end(const MassRatio& alpha, const cln::cl_RA& e);
 

@@ -19,6 +19,7 @@ const char* const inelastic_domain =
     "0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions";
 const char* const terminal_error = "TBD";
 const char* const collapse_error = "TBD";
+const char* const two_error = "TBD";
 const char* const exact_error = "none in an exact field";
 
 std::vector<Form> angle_forms() {
@@ -127,7 +128,19 @@ std::vector<Form> restitution_forms() {
            .outputs = {{"t", "inelastic_end.t_infinity"}},
            .bindings = {"inelastic_end.alpha_c"}},
           after("P", "2k + 1"),
-          after("Q", "2k")};
+          after("Q", "2k"),
+          {.quantity = "two_collisions",
+           .name = "rational",
+           .result = "Terminal",
+           .summary = "With restitution e: velocities after P_1 and Q_1, the only collisions",
+           .domain = "0 < e <= 1; alpha such that these are all collisions; (1 + alpha)^4 finite",
+           .error = two_error,
+           .real_input = "alpha",
+           .restitution = "e",
+           .outputs = {{"a_t", "inelastic_end.two_a_t"},
+                       {"b_t", "inelastic_end.two_b_t"},
+                       {"c_t", "inelastic_end.two_c_t"},
+                       {"rho", "inelastic_end.two_rho"}}}};
 }
 
 std::vector<Form> velocity_forms() {

@@ -75,6 +75,27 @@ void after_last(Kernel& kernel, const EqualBlocks& equal, const Statement& endin
   }
 }
 
+// P_1 and Q_1 alone: rational functions, right also where h is so near pi/2 that pi - 2 h would lose its digits.
+void two_collisions(Kernel& kernel, const EqualBlocks& equal, const Statement& ending) {
+  const ex n = symbol("n"), e = symbol("e"), alpha = symbol("alpha"), V = symbol("V");
+  const auto velocity = [&](const std::string& name, const Theorem& general, const ex& form) {
+    return kernel.instance({.id = "inelastic_end.two_" + name,
+                            .statement = {general.lhs().subs(n == 1), V * form},
+                            .words = "after P_1 and Q_1",
+                            .assuming = {ending}},
+                           general, {{n, ex(1)}});
+  };
+  const ex to_ball = (1 + e) / (1 + alpha);
+  velocity("a_t", equal.a, (1 - e * alpha) / (1 + alpha));
+  velocity("c_t", equal.c_prime, to_ball * (alpha - e) / (1 + alpha));
+  const Theorem of_B = velocity("b_t", equal.b, alpha * pow(to_ball, 2));
+  kernel.rewriting({.id = "inelastic_end.two_rho",
+                    .statement = {pow(of_B.lhs() / V, 2), pow(of_B.rhs() / V, 2)},
+                    .words = "the fraction rho of the energy that reaches B",
+                    .assuming = {ending}},
+                   {of_B});
+}
+
 }  // namespace
 
 void inelastic_end(Kernel& kernel, const EqualBlocks& equal, const Collapse& collapse) {
@@ -90,6 +111,7 @@ void inelastic_end(Kernel& kernel, const EqualBlocks& equal, const Collapse& col
        .words = "the angle of the wedge from half of it",
        .assuming = {{alpha, Relation::greater, alpha_c}, ending}});
   after_last(kernel, equal, ending);
+  two_collisions(kernel, equal, ending);
 
   // The collapse, at the share of equal blocks and their xi = exp(eta).
   const ex above = sqrt((alpha_c - alpha) * (2 + alpha + alpha_c));  // (1 + alpha) sinh(eta)
