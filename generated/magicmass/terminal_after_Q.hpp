@@ -12,8 +12,10 @@
 namespace magicmass::generated {
 
 // With restitution e: velocities after 2k collisions, of which a Q is the last.
-// Domain: 0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions.
-// Error: TBD.
+// Domain: 0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions,
+//   at least three: h close to pi/2 would cost digits.
+// Error: in double at most 16 max(1/2, cond/2) ulp,
+//   where cond adds up the condition numbers in alpha and e.
 // From: inelastic_end.after_Q_a_t, inelastic_end.after_Q_b_t, inelastic_end.after_Q_c_t,
 //   inelastic_end.after_Q_rho.
 // With: power.V_CM, inelastic_end.h, inelastic_end.alpha_c, inelastic_end.after_Q_rest.

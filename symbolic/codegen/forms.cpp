@@ -16,10 +16,11 @@ const char* const encounter_domain = "alpha > 0 and finite; 0 <= j < number of c
 const char* const encounter_error = "grows with j: the sines are taken at angles up to pi";
 const char* const ratio_domain = "k >= 1";
 const char* const inelastic_domain =
-    "0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions";
-const char* const terminal_error = "TBD";
-const char* const collapse_error = "TBD";
-const char* const two_error = "TBD";
+    "0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions, at "
+    "least three: h close to pi/2 would cost digits";
+const char* const inelastic_error =
+    "in double at most 16 max(1/2, cond/2) ulp, where cond adds up the condition numbers in alpha "
+    "and e";
 const char* const exact_error = "none in an exact field";
 
 std::vector<Form> angle_forms() {
@@ -108,7 +109,7 @@ std::vector<Form> restitution_forms() {
         .summary = "With restitution e: velocities after " + collisions +
                    " collisions, of which a " + last + " is the last",
         .domain = inelastic_domain,
-        .error = terminal_error,
+        .error = inelastic_error,
         .real_input = "alpha",
         .restitution = "e",
         .index = "k",
@@ -122,7 +123,7 @@ std::vector<Form> restitution_forms() {
            .name = "product",
            .summary = "The time, in units of L/V, in which infinitely many collisions happen",
            .domain = "0 < e < 1, 0 < alpha <= alpha_c(e): where the collisions never end",
-           .error = collapse_error,
+           .error = inelastic_error,
            .real_input = "alpha",
            .restitution = "e",
            .outputs = {{"t", "inelastic_end.t_infinity"}},
@@ -134,7 +135,7 @@ std::vector<Form> restitution_forms() {
            .result = "Terminal",
            .summary = "With restitution e: velocities after P_1 and Q_1, the only collisions",
            .domain = "0 < e <= 1; alpha such that these are all collisions; (1 + alpha)^4 finite",
-           .error = two_error,
+           .error = inelastic_error,
            .real_input = "alpha",
            .restitution = "e",
            .outputs = {{"a_t", "inelastic_end.two_a_t"},
