@@ -90,13 +90,13 @@ void add_terminal(Program& program) {
   add_question_options(command, options->asked);
   command
       .add_option("--restitution", options->restitution,
-                  "0 < E <= 1: 0.9, 9/10, ...; below 1 adds status and t_collapse")
+                  "0 < E <= 1; below 1 adds status and t_collapse")
       ->type_name("E");
   add_accuracy_options(command, options->accuracy);
   add_output_options(command, options->output);
   command.footer(
-      "status is complete or collapse: infinitely many collisions in the time t_collapse\n"
-      "(in L/V), so there are no counts and no last velocities; exit code 0 all the same.");
+      "status is complete or collapse: infinitely many collisions in the time\n"
+      "t_collapse, in L/V, so no counts and no last velocities; exit code 0, too.");
   on_run(program, command, [options] {
     const cln::cl_RA e = parse_restitution(options->restitution);
     if (e == 1)

@@ -19,7 +19,7 @@ struct ErrorBound {
 // One way to compute a quantity: which theorems give its outputs, and which say what their symbols are.
 // The table in forms.cpp is the whole list; a new row appears in generated/, manifest, tests and demo.
 struct Form {
-  std::string quantity;     // "velocities", "encounters", "ratios", "angle"
+  std::string quantity;     // "velocities", "encounters", "ratios", "terminal", ...
   std::string name;         // "closed", "product", "exact"
   std::string result = {};  // the struct in quantities.hpp; empty for a single number
   std::string summary;      // what it computes, for its docstring

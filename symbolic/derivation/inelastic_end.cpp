@@ -47,19 +47,12 @@ void after_last(Kernel& kernel, const EqualBlocks& equal, const Statement& endin
     const ex back = (is_Q ? odd : ex(pow(e, k + 1))) * sin(rest) / sin(h);
     const auto velocity = [&](const std::string& name, const Theorem& general, const ex& index,
                               const ex& form) {
-      const Theorem there = kernel.instance(
-          {.id = id + "_" + name + "_there",
-           .statement = {general.lhs().subs(n == index), general.rhs().subs(n == index)},
-           .words = "at its last collision",
-           .indices = from_zero,
-           .assuming = assuming},
-          general, {{n, index}});
       return kernel.rewriting({.id = id + "_" + name,
-                               .statement = {there.lhs(), V_CM * form},
+                               .statement = {general.lhs().subs(n == index), V_CM * form},
                                .words = "if " + last.name + " is the last collision of all",
                                .indices = from_zero,
                                .assuming = assuming},
-                              {there, left});
+                              {general, left});
     };
     const ex heavy = 1 + alpha;
     velocity("a_t", equal.a, last.of_A, is_Q ? 1 - heavy * away - back : 1 - away - heavy * back);
