@@ -121,8 +121,11 @@ NormalForm::Generators::Pair NormalForm::Generators::cosine_and_sine(const ex& a
     auto known = multiples_.find(key);
     if (known == multiples_.end()) {
       const numeric denominator = denominators_.at(name);
-      const Pair base = base_pair(term.angle, denominator);
-      const auto [cosine, sine] = multiple(base.cosine, base.sine, term.factor * denominator);
+      const bool whole = is_function(term.angle, "atan") && term.factor.is_even();
+      const Pair base = whole ? base_pair(term.factor * term.angle, 1)  // no root of 1 + tan^2
+                              : base_pair(term.angle, denominator);
+      const auto [cosine, sine] =
+          multiple(base.cosine, base.sine, whole ? numeric(1) : term.factor * denominator);
       known = multiples_.emplace(key, Pair{reduced_fraction(cosine), reduced_fraction(sine)}).first;
     }
     const auto& [c, s] = known->second;
