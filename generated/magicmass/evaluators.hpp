@@ -15,6 +15,10 @@
 #include "magicmass/encounters_tangent.hpp"
 #include "magicmass/ratios_closed.hpp"
 #include "magicmass/ratios_product.hpp"
+#include "magicmass/collapse_product.hpp"
+#include "magicmass/terminal_after_P.hpp"
+#include "magicmass/terminal_after_Q.hpp"
+#include "magicmass/two_collisions_rational.hpp"
 #include "magicmass/velocities_closed.hpp"
 #include "magicmass/velocities_product.hpp"
 #include "magicmass/velocities_tangent.hpp"
@@ -43,6 +47,25 @@ inline constexpr std::array<AngleEvaluator<Real>, 2> angle_table{{
 template <class Real>
 constexpr const auto& angle_evaluators() {
   return angle_table<Real>;
+}
+
+template <class Real>
+struct CollapseEvaluator {
+  const char* name;
+  const char* form;
+  Real (*evaluate)(Real alpha, Real e);
+  double ulp_bound;
+  double eps_bound;
+};
+
+template <class Real>
+inline constexpr std::array<CollapseEvaluator<Real>, 1> collapse_table{{
+    {"collapse_product", "product", &collapse_product<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& collapse_evaluators() {
+  return collapse_table<Real>;
 }
 
 template <class Real>
@@ -84,6 +107,45 @@ inline constexpr std::array<RatioEvaluator<Real>, 2> ratio_table{{
 template <class Real>
 constexpr const auto& ratio_evaluators() {
   return ratio_table<Real>;
+}
+
+template <class Real>
+struct TerminalEvaluator {
+  const char* name;
+  const char* form;
+  Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k);
+  double ulp_bound;
+  double eps_bound;
+};
+
+template <class Real>
+inline constexpr std::array<TerminalEvaluator<Real>, 2> terminal_table{{
+    {"terminal_after_P", "after_P", &terminal_after_P<Real>, no_bound, no_bound},
+    {"terminal_after_Q", "after_Q", &terminal_after_Q<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& terminal_evaluators() {
+  return terminal_table<Real>;
+}
+
+template <class Real>
+struct TwoCollisionsEvaluator {
+  const char* name;
+  const char* form;
+  Terminal<Real> (*evaluate)(Real alpha, Real e);
+  double ulp_bound;
+  double eps_bound;
+};
+
+template <class Real>
+inline constexpr std::array<TwoCollisionsEvaluator<Real>, 1> two_collisions_table{{
+    {"two_collisions_rational", "rational", &two_collisions_rational<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& two_collisions_evaluators() {
+  return two_collisions_table<Real>;
 }
 
 template <class Real>

@@ -28,4 +28,13 @@ struct Ratios {
   Number deficient;  // beta_k, where C ends up with B
 };
 
+// Velocities after the last collision, in units of V, and what B got of the energy.
+template <class Number>
+struct Terminal {
+  Number a_t;  // of A
+  Number b_t;  // of B
+  Number c_t;  // of C
+  Number rho;  // (b_t/V)^2
+};
+
 }  // namespace magicmass::generated

@@ -18,10 +18,16 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all{
       {"angle", "AngleEvaluator", "angle_table", "angle_evaluators",
        "Real (*evaluate)(Real alpha)"},
+      {"collapse", "CollapseEvaluator", "collapse_table", "collapse_evaluators",
+       "Real (*evaluate)(Real alpha, Real e)"},
       {"encounters", "EncounterEvaluator", "encounter_table", "encounter_evaluators",
        "Encounters<Real> (*evaluate)(Real alpha, std::int64_t j)"},
       {"ratios", "RatioEvaluator", "ratio_table", "ratio_evaluators",
        "Ratios<Real> (*evaluate)(std::int64_t k)"},
+      {"terminal", "TerminalEvaluator", "terminal_table", "terminal_evaluators",
+       "Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k)"},
+      {"two_collisions", "TwoCollisionsEvaluator", "two_collisions_table",
+       "two_collisions_evaluators", "Terminal<Real> (*evaluate)(Real alpha, Real e)"},
       {"velocities", "VelocityEvaluator", "velocity_table", "velocity_evaluators",
        "Velocities<Real> (*evaluate)(Real alpha, std::int64_t n)"},
   };

@@ -62,9 +62,9 @@ private:
   std::string new_name(int number) {
     const Node& made = node(number);
     static const std::map<Op, std::string> kinds{
-        {Op::sine, "sine"},        {Op::cosine, "cosine"},   {Op::reciprocal, "reciprocal"},
-        {Op::divide, "ratio"},     {Op::add, "sum"},         {Op::multiply, "product"},
-        {Op::square_root, "root"}, {Op::arctangent, "angle"}};
+        {Op::sine, "sine"},        {Op::cosine, "cosine"},    {Op::reciprocal, "reciprocal"},
+        {Op::divide, "ratio"},     {Op::add, "sum"},          {Op::multiply, "product"},
+        {Op::square_root, "root"}, {Op::arctangent, "angle"}, {Op::indexed_power, "power"}};
     if (!made.name.empty()) {
       std::string name;
       for (const char character : made.name)
@@ -168,6 +168,8 @@ private:
       case Op::divide:
         return parenthesised(outer > product,
                              print(made.args[0], product) + " / " + print(made.args[1], factor));
+      case Op::indexed_power:
+        return "std::pow(" + print(made.args[0], sum) + ", " + print(made.args[1], sum) + ")";
       case Op::square_root:
         return call("sqrt");
       case Op::sine:

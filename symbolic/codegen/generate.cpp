@@ -59,7 +59,8 @@ Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& th
   };
   Evaluator evaluator{form, {}, {}, {}, {}};
   Source source{{}, {}, {}, form.index, {"V", "L"}};
-  if (!form.real_input.empty()) source.real_inputs.push_back(form.real_input);
+  for (const std::string& input : {form.real_input, form.restitution})
+    if (!input.empty()) source.real_inputs.push_back(input);
   std::vector<std::string> names;
   for (const auto& [name, id] : form.outputs) {
     evaluator.outputs.push_back(find(id));

@@ -34,6 +34,8 @@ struct Results {
   std::optional<Unfolding> unfolding;
   std::optional<Restitution> restitution;
   std::optional<Wedge> wedge;
+  std::optional<EqualBlocks> equal_blocks;
+  std::optional<Collapse> collapse;
 };
 
 struct Chapter {
@@ -109,10 +111,13 @@ const std::vector<Chapter>& chapters() {
                    const Paper&) { r.wedge = wedge(kernel, laws, *r.restitution); }},
       {"special_cases",
        [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
-         special_cases(kernel, *r.wedge, *r.restitution, *r.power, *r.counting, *r.times, paper);
+         r.equal_blocks = special_cases(kernel, *r.wedge, *r.restitution, *r.power, *r.counting,
+                                        *r.times, paper);
        }},
-      {"collapse",
-       [](Kernel& kernel, Results& r, const Laws&, const Paper&) { collapse(kernel, *r.wedge); }},
+      {"collapse", [](Kernel& kernel, Results& r, const Laws&,
+                      const Paper&) { r.collapse = collapse(kernel, *r.wedge); }},
+      {"inelastic_end", [](Kernel& kernel, Results& r, const Laws&,
+                           const Paper&) { inelastic_end(kernel, *r.equal_blocks, *r.collapse); }},
   };
   return all;
 }

@@ -70,6 +70,10 @@ ChapterWords chapter_words(const std::string& chapter) {
        {"Collisions without end",
         "Where the cosine of the wedge's angle would not be below one, the bodies always approach "
         "again: infinitely many collisions in a finite time."}},
+      {"inelastic_end",
+       {"The end between equal blocks",
+        "What restitution leaves after the last collision, or the time at which collisions have "
+        "collapsed, written so that a computer loses no digits."}},
       {"small_alpha",
        {"Light balls",
         "As alpha tends to zero, psi is about 2 sqrt(2 alpha), and the number of collisions grows "

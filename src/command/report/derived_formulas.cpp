@@ -30,7 +30,7 @@ void require_no_other_symbol(const GiNaC::ex& formula, const GiNaC::lst& inputs)
 
 std::vector<std::string> inputs_of(const codegen::Form& form) {
   std::vector<std::string> names;
-  for (const std::string& name : {form.real_input, form.index})
+  for (const std::string& name : {form.real_input, form.restitution, form.index})
     if (!name.empty()) names.push_back(name);
   return names;
 }

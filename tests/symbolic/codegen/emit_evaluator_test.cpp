@@ -49,6 +49,16 @@ TEST_CASE("no pass undoes the stable forms", "[exam]") {
   CHECK_THAT(generated("magicmass/ratios_closed.hpp"), Catch::Contains(" - Real(1)"));
 }
 
+TEST_CASE("with restitution the one difference of near numbers is that from alpha_c", "[exam]") {
+  for (const char* last : {"P", "Q"}) {
+    const std::string name = std::string("terminal_after_") + last;
+    const std::string body = body_of(generated("magicmass/" + name + ".hpp"), name);
+    CHECK_THAT(body, Catch::Contains("(alpha - alpha_c) / (Real(2) + alpha_c + alpha)"));
+    CHECK_THAT(body, Catch::Contains("(sum_2 * sum_2) / root_1"));  // alpha_c, a square
+    CHECK_THAT(body, Catch::Contains("std::pow(e, "));
+  }
+}
+
 TEST_CASE("a function for one output does not compute the others", "[exam]") {
   const std::string text = generated("magicmass/velocities_product.hpp");
   const auto sines = [&](const std::string& function) {
