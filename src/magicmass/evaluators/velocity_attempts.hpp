@@ -31,16 +31,15 @@
 namespace magicmass {
 
 /// Where 1 + alpha is a power of two, 2^j: polynomials in x of that degree with integer coefficients are multiples of
-/// 2^-grid, grid = j degree. nullopt for other alpha, and where grid is of no use.
-inline std::optional<int> grid_at(double alpha, std::uint64_t degree) {
-  constexpr double largest = 0x1p53;
-  constexpr std::uint64_t largest_degree = 1U << 20U;
-  if (!(alpha >= 1.0 && alpha < largest) || degree > largest_degree) {
-    return std::nullopt;
+/// 2^-grid, grid = j degree. no_grid for other alpha, and where it is of no use.
+inline int grid_at(double alpha, std::uint64_t degree) {
+  constexpr std::uint64_t largest_degree = 4096;
+  if (!(alpha >= 1.0 && alpha < 0x1p53) || degree > largest_degree) {
+    return no_grid;
   }
-  int j = 0;
-  const bool is_power = std::frexp(alpha + 1.0, &j) == 0.5 && std::trunc(alpha) == alpha;
-  return is_power ? std::optional((j - 1) * static_cast<int>(degree)) : std::nullopt;
+  int exponent = 0;
+  const bool is_power = std::frexp(alpha + 1.0, &exponent) == 0.5 && std::trunc(alpha) == alpha;
+  return is_power ? (exponent - 1) * static_cast<int>(degree) : no_grid;
 }
 
 /// a, b, c or c' as `Form` computes it from alpha and n >= 1.
@@ -53,7 +52,7 @@ std::optional<double> attempt_velocity(const Form& form, double alpha, std::uint
 template <std::size_t Words>
 std::optional<generated::Velocities<double>> attempt_velocities(double alpha, std::uint64_t n) {
   const auto v = generated::velocities_exact(NearInteger<Words>(alpha), n);
-  const std::optional<int> grid = grid_at(alpha, 2 * n);
+  const int grid = grid_at(alpha, 2 * n);
   const auto a = rounded(v.a, grid);
   const auto b = rounded(v.b, grid);
   const auto c = rounded(v.c, grid);

@@ -33,10 +33,13 @@ auto certain(const char* what, const Attempt& attempt) {
   return until_certain<4, 8, 24>(what, attempt);
 }
 
-/// The double nearest to a number that, if `grid` is given, is a multiple of 2^-grid; nullopt if that is not certain.
+/// A grid too fine for any number to be found on it.
+inline constexpr int no_grid = 1 << 20;
+
+/// The double nearest to a number that is a multiple of 2^-grid; nullopt if that is not certain.
 template <std::size_t Words>
-std::optional<double> rounded(const NearInteger<Words>& x, std::optional<int> grid = {}) {
-  return nearest_double(grid ? on_grid(x.together(), *grid) : x.together());
+std::optional<double> rounded(const NearInteger<Words>& x, int grid = no_grid) {
+  return nearest_double(grid == no_grid ? x.together() : on_grid(x.together(), grid));
 }
 
 }  // namespace magicmass
