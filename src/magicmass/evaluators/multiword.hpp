@@ -57,11 +57,15 @@ Bound words_down(std::size_t words) {
 /// Upper and lower bound of the stored magnitude in units of 2^(64 exponent): between 2^-64 and 1 unless 0.
 template <std::size_t Words>
 double size_above(const Multiword<Words>& x) {
-  return (static_cast<double>(x.top()) + 1.0) * (0x1p-64 * (1.0 + 0x1p-50));
+  const double leading =
+      static_cast<double>(x.top()) + (static_cast<double>(x.words[Words - 2]) + 1.0) * 0x1p-64;
+  return x.top() == 0 ? 0.0 : leading * (0x1p-64 * (1.0 + 0x1p-50));
 }
 template <std::size_t Words>
 double size_below(const Multiword<Words>& x) {
-  return static_cast<double>(x.top()) * (0x1p-64 * (1.0 - 0x1p-50));
+  const double leading =
+      static_cast<double>(x.top()) + static_cast<double>(x.words[Words - 2]) * 0x1p-64;
+  return leading * (0x1p-64 * (1.0 - 0x1p-50));
 }
 
 /// magnitude 2^bit, exactly.

@@ -25,7 +25,7 @@ Multiword<Words> from_double(double value) {
 
 /// A double near the number: within 2^-50 relative, or an infinity or 0 beyond its range. A hint, no bound.
 template <std::size_t Words>
-double near(const Multiword<Words>& x) {
+double hint(const Multiword<Words>& x) {
   const double leading = std::ldexp(static_cast<double>(x.words[Words - 2]), -64);
   const double size = std::ldexp(static_cast<double>(x.top()) + leading, 64 * (x.exponent - 1));
   return x.negative ? -size : size;
@@ -117,7 +117,7 @@ NearInteger<Words> operator*(const NearInteger<Words>& x, const NearInteger<Word
 template <std::size_t Words>
 NearInteger<Words> operator/(const NearInteger<Words>& x, const NearInteger<Words>& y) {
   const Multiword<Words> divisor = y.together();
-  const double quotient = std::nearbyint(near(x.together()) / near(divisor));
+  const double quotient = std::nearbyint(hint(x.together()) / hint(divisor));
   constexpr double largest = 0x1p30;
   if (!(std::fabs(quotient) >= 1.0 && std::fabs(quotient) < largest)) {
     return {0, x.together() / divisor};
