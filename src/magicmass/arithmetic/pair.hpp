@@ -85,11 +85,13 @@ template <class T>
   return Pair<T>(T(1.0)) / y;
 }
 
-/// 1/sqrt(w) within 2^-66, for w from 2^-120 to 2^120 in lanes, and any w > 0 of a single double that is not subnormal or twice
-/// an exact subnormal.
+/// 1/sqrt(w) within 2^-66, for w from 2^-120 to 2^120 in lanes, and any w > 0 of a single double.
 template <class T>
 [[gnu::always_inline]] inline Pair<T> reciprocal_square_root(Pair<T> w) {
   if constexpr (lane_count<T> == 1) {
+    // no square of the root may overflow or underflow: powers of 4 move w, exactly
+    if (w.high < 0x1p-900) return scaled(reciprocal_square_root(scaled(w, 0x1p512)), 0x1p256);
+    if (w.high > 0x1p900) return scaled(reciprocal_square_root(scaled(w, 0x1p-512)), 0x1p-256);
     // one Newton step from the rounded root: its square's error and that of w count
     const double y = 1.0 / square_root(w.high);
     const Sum<T> square = two_product(y, y);
