@@ -39,6 +39,9 @@ struct Contestant {
   double eps_bound = std::numeric_limits<double>::infinity();
   /// False where it would take too long or has no meaning (stepping at n = 2^40).
   std::function<bool(const Input&)> can = {};
+  /// Roughly the nanoseconds of one evaluation, by rule and not by clock: from it follows on which inputs a slow one
+  /// is timed, the same in every run. Empty: it is fast.
+  std::function<double(const Input&)> expected_ns = {};
   /// One evaluation; writes the quantity's members in order.
   std::function<void(const Input&, long double* members)> evaluate = {};
   /// All inputs one after another, with nothing but the evaluator in the loop: throughput.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/report/ginac_contestants.hpp"
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -104,10 +103,6 @@ double after(double x, double previous) {
                                (std::bit_cast<std::uint64_t>(previous) & mask));
 }
 
-bool is_among(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 template <class Call>
 Contestant contestant(const codegen::Form& form, const std::string& how, const Call& call) {
   Contestant one;
@@ -160,8 +155,8 @@ GiNaC::numeric widened(double x) {
   return GiNaC::numeric(cln::cl_float(reference::exact(x), digits));
 }
 
-Contestant evalf_contestant(const codegen::Form& form, const std::vector<GiNaC::ex>& formulas) {
-  const auto shared = std::make_shared<const std::vector<GiNaC::ex>>(formulas);
+Contestant evalf_contestant(const codegen::Form& form,
+                            const std::shared_ptr<const std::vector<GiNaC::ex>>& shared) {
   const auto call = [form, shared](double alpha, double, std::int64_t index, Outputs& outputs) {
     outputs.fill(std::numeric_limits<double>::quiet_NaN());
     try {
@@ -178,23 +173,24 @@ Contestant evalf_contestant(const codegen::Form& form, const std::vector<GiNaC::
     } catch (const std::exception&) {  // division by zero, 1/cos(Pi/2)
     }
   };
-  return contestant(form, "evalf", call);
+  Contestant one = contestant(form, "evalf", call);
+  one.expected_ns = [size = form.outputs.size()](const Input&) {
+    return 1e4 * static_cast<double>(size);
+  };
+  return one;
 }
 
 }  // namespace
 
-std::vector<Contestant> ginac_contestants(const std::vector<proof::Theorem>& theorems,
-                                          const std::vector<std::string>& quantities,
+std::vector<Contestant> ginac_contestants(const std::vector<DerivedForm>& forms,
                                           std::vector<std::string>& remarks) {
   std::vector<Contestant> all;
   bool has_compiler = true;
-  for (const codegen::Form& form : codegen::forms()) {
-    if (form.exact || form.outputs.size() > most_outputs || !is_among(quantities, form.quantity))
-      continue;
-    const std::vector<GiNaC::ex> formulas = derived_outputs(form, theorems);
-    if (form.name == "closed") all.push_back(evalf_contestant(form, formulas));
+  for (const auto& [form, outputs] : forms) {
+    if (form.outputs.size() > most_outputs) continue;
+    if (form.name == "closed") all.push_back(evalf_contestant(form, outputs));
     if (!has_compiler) continue;
-    if (const auto function = compiled(formulas, inputs_of(form)))
+    if (const auto function = compiled(*outputs, inputs_of(form)))
       all.push_back(compiled_contestant(form, *function));
     else
       has_compiler = false;

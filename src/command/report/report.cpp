@@ -4,6 +4,7 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "command/commands.hpp"
@@ -11,6 +12,7 @@
 #include "command/report/figures.hpp"
 #include "command/report/measurement.hpp"
 #include "command/report/report_tables.hpp"
+#include "command/report/timing_batch.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
@@ -19,6 +21,7 @@ namespace {
 
 struct ReportOptions {
   ReportRequest request;
+  std::optional<std::size_t> timing_batch;
   std::string figures;
   std::string headline;
   OutputOptions output;
@@ -48,6 +51,10 @@ void write_report(Destination& output, const std::string& format, const Measurem
 }
 
 ExitCode report_command(const ReportOptions& options) {
+  if (options.timing_batch) {
+    run_timing_batch(options.request, *options.timing_batch, std::cin, std::cout);
+    return ExitCode::done;
+  }
   // What cannot be written is found out before the minutes of measuring.
   Destination output(options.output.path);
   if (!options.figures.empty()) prepare_folder(options.figures);
@@ -109,6 +116,11 @@ void add_report(Program& program) {
   command.add_option("--headline", options->headline, "write the short table between FILE's marks")
       ->type_name("FILE")
       ->check(not_empty);
+  command
+      .add_option_function<std::size_t>(
+          "--timing-batch", [options](std::size_t batch) { options->timing_batch = batch; },
+          "what the program asks of its own copies")
+      ->group("");
   add_output_options(command, options->output, {"text", "markdown", "json", "csv"});
   on_run(program, command, [options] {
     options->request.sweeps = !options->figures.empty();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/report/sympy_contestants.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -12,8 +11,6 @@
 
 #include <fmt/format.h>
 
-#include "codegen/forms.hpp"
-#include "command/report/derived_formulas.hpp"
 #include "command/report/subprocess.hpp"
 
 namespace magicmass::command {
@@ -125,8 +122,7 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
 
 }  // namespace
 
-std::vector<Contestant> sympy_contestants(const std::vector<proof::Theorem>& theorems,
-                                          const std::vector<std::string>& quantities,
+std::vector<Contestant> sympy_contestants(const std::vector<DerivedForm>& forms,
                                           std::vector<std::string>& remarks) {
   const auto peer = std::make_shared<Peer>();
   const std::string greeting = peer->ask("");
@@ -136,12 +132,10 @@ std::vector<Contestant> sympy_contestants(const std::vector<proof::Theorem>& the
     return {};
   }
   std::vector<Contestant> all;
-  for (const codegen::Form& form : codegen::forms()) {
-    if (form.exact ||
-        std::find(quantities.begin(), quantities.end(), form.quantity) == quantities.end())
-      continue;
+  for (const DerivedForm& derived : forms) {
+    const codegen::Form& form = derived.form;
     const std::string line = fmt::format("define {} {}", fmt::join(inputs_of(form), ","),
-                                         fmt::join(derived_outputs_in_python(form, theorems), ";"));
+                                         fmt::join(outputs_in_python(derived), ";"));
     if (peer->ask(line) == "ok") {
       all.push_back(contestant(form, peer, all.size()));
     } else {
