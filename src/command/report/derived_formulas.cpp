@@ -33,6 +33,15 @@ GiNaC::lst symbols_of(const codegen::Form& form) {
   return symbols;
 }
 
+/// An archive brings symbols of its own along.
+GiNaC::exmap to_our_symbols(const GiNaC::ex& formulas) {
+  GiNaC::exmap map;
+  for (auto part = formulas.preorder_begin(); part != formulas.preorder_end(); ++part)
+    if (GiNaC::is_a<GiNaC::symbol>(*part))
+      map[*part] = proof::symbol(GiNaC::ex_to<GiNaC::symbol>(*part).get_name());
+  return map;
+}
+
 }  // namespace
 
 std::vector<std::string> inputs_of(const codegen::Form& form) {
@@ -101,13 +110,14 @@ std::vector<DerivedForm> forms_from_line(const std::string& line) {
   std::vector<DerivedForm> all;
   for (unsigned i = 0; i < archive.num_expressions(); ++i) {
     std::string function;
-    archive.unarchive_ex({}, function, i);
+    const GiNaC::ex outputs = archive.unarchive_ex({}, function, i);
     const auto form =
         std::find_if(codegen::forms().begin(), codegen::forms().end(),
                      [&](const codegen::Form& one) { return one.function() == function; });
-    const GiNaC::ex outputs = archive.unarchive_ex(symbols_of(*form), i);
-    all.push_back(
-        {*form, std::make_shared<const std::vector<GiNaC::ex>>(outputs.begin(), outputs.end())});
+    const GiNaC::exmap ours = to_our_symbols(outputs);
+    std::vector<GiNaC::ex> formulas;
+    for (const GiNaC::ex& formula : outputs) formulas.push_back(formula.subs(ours));
+    all.push_back({*form, std::make_shared<const std::vector<GiNaC::ex>>(std::move(formulas))});
   }
   return all;
 }
