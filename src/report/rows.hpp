@@ -41,9 +41,9 @@ struct TimeRow {
   double latency_ns = 0.0;
   double ratio = 0.0;  ///< paired, to naive in double: the median of the batches
   double ratio_low = 0.0, ratio_high = 0.0;  ///< 95 % interval; NaN for a batch by itself
-  double slowest_call_ns = 0.0;  ///< one single call
-  Input slowest{};               ///< where that was
-  std::optional<double> cycles;  ///< from a loop calibrated in the same run
+  double slowest_call_ns = 0.0;              ///< one single call
+  Input slowest{};                           ///< where that was
+  std::optional<double> cycles;              ///< from a loop calibrated in the same run
   std::size_t inputs = 0;  ///< timed: a contestant skips what it cannot do, a slow one samples
   std::size_t rounds = 0;
   std::size_t batches = 1;  ///< of rounds, each in a process of its own

@@ -27,6 +27,10 @@ std::string short_number(double value) {
   return text;
 }
 
+std::string shown_ratio(const report::TimeRow& time) {
+  return (time.is_steady ? "" : "?") + short_number(time.ratio);
+}
+
 std::string short_precision(const std::string& precision) {
   return precision == "double"        ? "d"
          : precision == "float"       ? "f"
@@ -64,7 +68,8 @@ std::string report_legend(const Measurement& measurement) {
       "body's largest velocity. wrong: signs, or counts. ns: median time of an evaluation, one "
       "after the other; late: each waits for the one before, latency; slow: the slowest single "
       "call. ratio: to naive in double on the same inputs, paired round by round, with a 95 % "
-      "interval of its median.";
+      "interval over batches of rounds, each in a process of its own; behind a ? it is wider than "
+      "a tenth, as the batches disagree.";
   if (self.families > 0)
     text += fmt::format(
         " Naive against a second copy of itself: ratios {:.3f} to {:.3f}, {} of {} intervals hold "

@@ -21,9 +21,9 @@ constexpr const char* nothing = "-";
 
 /// The words that make another process ask for the same.
 std::vector<std::string> words_of(const ReportRequest& request, std::size_t batch) {
-  std::vector<std::string> words = {
-      "/proc/self/exe", "report",   "--timing-batch",
-      std::to_string(batch), "--rounds", std::to_string(request.rounds)};
+  std::vector<std::string> words = {"/proc/self/exe", "report",
+                                    "--timing-batch", std::to_string(batch),
+                                    "--rounds",       std::to_string(request.rounds)};
   if (request.quick) words.emplace_back("--quick");
   if (request.peers) words.emplace_back("--peers");
   if (request.size) words.push_back("--size=" + std::to_string(*request.size));
@@ -58,12 +58,11 @@ private:
 }  // namespace
 
 std::string line_of(const TimeRow& row) {
-  return fmt::format("row\t{}\t{}\t{}\t{}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{}\t{}\t{}\t{}",
-                     row.contestant, row.precision, row.quantity, row.family, row.ns_median,
-                     row.ns_minimum, row.latency_ns, row.ratio, row.slowest_call_ns,
-                     row.slowest.alpha, row.slowest.index,
-                     row.cycles ? fmt::format("{:a}", *row.cycles) : nothing, row.inputs,
-                     row.rounds);
+  return fmt::format(
+      "row\t{}\t{}\t{}\t{}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{}\t{}\t{}\t{}", row.contestant,
+      row.precision, row.quantity, row.family, row.ns_median, row.ns_minimum, row.latency_ns,
+      row.ratio, row.slowest_call_ns, row.slowest.alpha, row.slowest.index,
+      row.cycles ? fmt::format("{:a}", *row.cycles) : nothing, row.inputs, row.rounds);
 }
 
 std::optional<TimeRow> row_from_line(const std::string& line) {
@@ -100,10 +99,10 @@ void run_timing_batch(const ReportRequest& request, std::size_t batch, std::istr
   std::string formulas;
   std::getline(in, formulas);
   std::vector<std::string> remarks;  // the parent has them, too
-  const std::vector<Task> tasks = report_tasks(
-      request,
-      further_contestants(formulas == nothing ? std::vector<DerivedForm>() : forms_from_line(formulas),
-                          request.peers, remarks));
+  const std::vector<Task> tasks =
+      report_tasks(request, further_contestants(formulas == nothing ? std::vector<DerivedForm>()
+                                                                    : forms_from_line(formulas),
+                                                request.peers, remarks));
   report::TimingPlan plan = timing_plan(request);
   plan.rounds.rounds = report::batch_plan(request.rounds).rounds;
   plan.rounds.seed += batch;
@@ -133,8 +132,9 @@ std::optional<std::vector<TimeRow>> timing_batch(const ReportRequest& request,
   std::string line = child.ask(call.formulas.empty() ? nothing : call.formulas);
   for (;; line = child.ask("")) {
     if (line.starts_with("done ")) done = std::strtod(line.c_str() + 5, nullptr);
-    if (!progress.step(fmt::format("times: batch {} of {}", call.batch + 1, call.batches),
-                       (static_cast<double>(call.batch) + done) / static_cast<double>(call.batches)))
+    if (!progress.step(
+            fmt::format("times: batch {} of {}", call.batch + 1, call.batches),
+            (static_cast<double>(call.batch) + done) / static_cast<double>(call.batches)))
       return std::nullopt;
     if (line == "finished") return rows;
     if (line.empty()) throw std::runtime_error("a timing batch has ended unexpectedly");

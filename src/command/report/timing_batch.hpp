@@ -32,8 +32,7 @@ struct BatchCall {
   std::string formulas;  ///< in_one_line
 };
 std::optional<std::vector<report::TimeRow>> timing_batch(const ReportRequest& request,
-                                                         const BatchCall& call,
-                                                         Progress& progress);
+                                                         const BatchCall& call, Progress& progress);
 
 /// A row as a line and back; std::nullopt for a line that is no row.
 std::string line_of(const report::TimeRow& row);
