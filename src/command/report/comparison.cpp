@@ -108,9 +108,8 @@ Findings compare_ratios(const Rows& old_rows, const Rows& new_rows, double& wide
     if (miss <= 1.0) continue;
     widest = std::max(widest, miss);
     const auto interval = [](const Record& one) {
-      return fmt::format("{} ({} to {})", short_number(*number_of(one, "ratio")),
-                         short_number(*number_of(one, "ratio_low")),
-                         short_number(*number_of(one, "ratio_high")));
+      return fmt::format("{:.4g} ({:.4g} to {:.4g})", *number_of(one, "ratio"),
+                         *number_of(one, "ratio_low"), *number_of(one, "ratio_high"));
     };
     findings.lines.push_back(
         fmt::format("{}: ratio was {}, is {}", key, interval(*found->second), interval(*record)));

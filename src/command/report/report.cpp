@@ -139,8 +139,7 @@ void add_report(Program& program) {
       ->check(not_empty);
   command
       .add_option("--compare", options->compare,
-                  "does this run agree with what FILE has in JSON, or two FILEs with each other? 1 "
-                  "if not")
+                  "does this run agree with FILE (JSON), or FILE with FILE? 1 if not")
       ->type_name("FILE [FILE]")
       ->expected(1, 2);
   command
