@@ -21,7 +21,8 @@ using report::Contestant;
 using report::Family;
 
 /// Every contestant's errors on one family; nothing if Ctrl-C ended it.
-std::optional<MeasuredFamily> measure_errors(const Task& task, const Family& family, double done,
+std::optional<MeasuredFamily> measure_errors(const Task& task, const Family& family,
+                                             const report::Climb& climb, double done,
                                              report::Oracle& oracle, Progress& progress) {
   MeasuredFamily one{family, {}};
   for (const Contestant& contestant : task.contestants) {
@@ -33,7 +34,7 @@ std::optional<MeasuredFamily> measure_errors(const Task& task, const Family& fam
                 contestant.precision,
                 contestant.is_naive,
                 contestant.is_reproducible,
-                report::measure(contestant, family, oracle),
+                report::measure(contestant, family, oracle, climb),
                 {}};
     std::erase_if(entry.errors, [](const report::ErrorRow& row) { return row.samples == 0; });
     if (!entry.errors.empty()) one.entries.push_back(std::move(entry));
@@ -62,6 +63,7 @@ void measure_families(const ReportRequest& request, const std::vector<Task>& tas
                       const std::string& formulas, Progress& progress, Measurement& measurement) {
   const std::size_t batches = report::batch_plan(request.rounds).batches;
   std::vector<std::vector<report::TimeRow>> times;
+  const report::Climb climb{request.quick ? std::size_t{20} : std::size_t{60}};
   std::size_t all = 0;
   for (const Task& task : tasks) all += task.families.size();
   const auto go_on = [&] {
@@ -70,7 +72,7 @@ void measure_families(const ReportRequest& request, const std::vector<Task>& tas
       for (const Family& family : task.families) {
         const std::size_t done = measurement.families.size();
         const double share = static_cast<double>(done) / static_cast<double>(all);
-        auto errors = measure_errors(task, family, share, oracle, progress);
+        auto errors = measure_errors(task, family, climb, share, oracle, progress);
         if (!errors) return;
         measurement.families.push_back(std::move(*errors));
         while (times.size() * all < batches * (done + 1)) {
