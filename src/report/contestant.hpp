@@ -12,16 +12,24 @@
 namespace magicmass::report {
 
 /// What an evaluator is asked: a mass ratio and a cycle n, a collision j or a ratio's k. A quantity that does not need
-/// one of the two ignores it.
+/// one of them ignores it.
 struct Input {
   double alpha;
   std::int64_t index;
+  double e = 1.0;  ///< coefficient of restitution
 };
 
-/// "velocities" has the members a, b, c, c_prime.
+/// "velocities" has the members a, b, c, c_prime and the inputs alpha, n.
 struct Quantity {
   std::string name;
   std::vector<std::string> members;
+  std::vector<std::string> inputs = {};
+  /// There is a transcription of the paper to compare with and an oracle; else it is known from the generated tables
+  /// alone.
+  bool is_known = true;
+  bool takes(const std::string& input) const;
+  /// n, j or k, or nothing.
+  std::string index() const;
 };
 
 /// One way to get the numbers: a generated evaluator, the paper's formulas transcribed, event stepping, ...

@@ -21,7 +21,8 @@ using Inputs = std::shared_ptr<const std::vector<Input>>;
 bool same(const std::vector<Input>& left, const std::vector<Input>& right) {
   return std::equal(left.begin(), left.end(), right.begin(), right.end(),
                     [](const Input& one, const Input& other) {
-                      return one.alpha == other.alpha && one.index == other.index;
+                      return one.alpha == other.alpha && one.index == other.index &&
+                             one.e == other.e;
                     });
 }
 

@@ -15,10 +15,10 @@
 namespace magicmass::command {
 namespace {
 
-constexpr std::array error_columns = {"samples",     "climbed", "max_ulp",    "worst_alpha",
-                                      "worst_index", "ulp_999", "ulp_median", "correctly_rounded",
-                                      "wrong_signs", "max_eps", "wrong",      "over_envelope",
-                                      "promise_kept"};
+constexpr std::array error_columns = {"samples",           "climbed",     "max_ulp", "worst_alpha",
+                                      "worst_index",       "worst_e",     "ulp_999", "ulp_median",
+                                      "correctly_rounded", "wrong_signs", "max_eps", "wrong",
+                                      "over_envelope",     "promise_kept"};
 constexpr std::array conditions = {"machine", "compiler", "flags", "libraries"};
 constexpr std::size_t most_shown = 20;
 constexpr double widest_gap = 1.1;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "command/report/exact_formulas.hpp"
 #include "command/report/further_contestants.hpp"
 #include "command/report/growth_measurement.hpp"
 #include "command/report/timing_batch.hpp"
@@ -60,8 +61,10 @@ void put_in_place(const report::TimeRow& row, Measurement& measurement) {
 
 /// Errors family after family, and in between, spread over the whole time that takes, the batches of times.
 void measure_families(const ReportRequest& request, const std::vector<Task>& tasks,
-                      const std::string& formulas, Progress& progress, Measurement& measurement) {
+                      const std::vector<DerivedForm>& forms, Progress& progress,
+                      Measurement& measurement) {
   const std::size_t batches = report::batch_plan(request.rounds).batches;
+  const std::string formulas = in_one_line(forms);
   std::vector<std::vector<report::TimeRow>> times;
   const report::Climb climb{request.quick ? std::size_t{20} : std::size_t{60}};
   std::size_t all = 0;
@@ -69,6 +72,7 @@ void measure_families(const ReportRequest& request, const std::vector<Task>& tas
   const auto go_on = [&] {
     for (const Task& task : tasks) {
       report::Oracle oracle;
+      teach(oracle, forms);
       for (const Family& family : task.families) {
         const std::size_t done = measurement.families.size();
         const double share = static_cast<double>(done) / static_cast<double>(all);
@@ -103,7 +107,12 @@ Measurement measure(const ReportRequest& request, Progress& progress) {
       forms_from_derivation(asked_quantities(request), measurement.remarks);
   const std::vector<Task> tasks =
       report_tasks(request, further_contestants(forms, request.peers, measurement.remarks));
-  measure_families(request, tasks, in_one_line(forms), progress, measurement);
+  for (const std::string& quantity : unknown_quantities(forms))
+    measurement.remarks.push_back(
+        quantity +
+        ": known from the generated tables alone, so no transcription to compare with; errors are "
+        "against its own theorem, evaluated with more and more digits");
+  measure_families(request, tasks, forms, progress, measurement);
   report::Oracle oracle;
   if (request.growth && !Progress::was_interrupted())
     for (const Task& task : tasks)

@@ -22,6 +22,7 @@ const std::vector<std::string>& columns() {
                                                  "max_ulp",
                                                  "worst_alpha",
                                                  "worst_index",
+                                                 "worst_e",
                                                  "ulp_999",
                                                  "ulp_median",
                                                  "correctly_rounded",
@@ -37,6 +38,7 @@ const std::vector<std::string>& columns() {
                                                  "slowest_call_ns",
                                                  "slowest_alpha",
                                                  "slowest_index",
+                                                 "slowest_e",
                                                  "cycles",
                                                  "ratio",
                                                  "ratio_low",
@@ -68,6 +70,7 @@ Cell truth_cell(bool value) { return digits_cell(value ? "true" : "false"); }
 void set_input(Record& record, const std::string& name, const report::Input& input) {
   record[name + "_alpha"] = text_cell(fmt::format("{:a}", input.alpha));
   record[name + "_index"] = number_cell(input.index);
+  record[name + "_e"] = text_cell(fmt::format("{:a}", input.e));
 }
 
 void set_error(Record& record, const report::ErrorRow& error) {

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "command/report/exact_formulas.hpp"
 #include "command/report/subprocess.hpp"
 
 namespace magicmass::command {
@@ -73,14 +74,11 @@ public:
     return answer;
   }
 
-  void load(std::span<const Input> inputs, bool takes_alpha, bool takes_index) {
+  void load(std::span<const Input> inputs, const std::vector<std::string>& names) {
     std::string line = "load";
-    const auto column = [&](const auto& value) {
+    for (const std::string& name : names)
       for (std::size_t i = 0; i < inputs.size(); ++i)
-        line += fmt::format("{}{:a}", i == 0 ? " " : ",", value(inputs[i]));
-    };
-    if (takes_alpha) column([](const Input& input) { return input.alpha; });
-    if (takes_index) column([](const Input& input) { return static_cast<double>(input.index); });
+        line += fmt::format("{}{:a}", i == 0 ? " " : ",", input_named(name, inputs[i]));
     if (line == loaded_) return;
     answer(line);
     loaded_ = std::move(line);
@@ -99,11 +97,10 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
   one.form = "sympy";
   one.precision = "double";
   one.can = [](const Input&) { return true; };
-  const bool takes_alpha = !form.real_input.empty();
-  const bool takes_index = !form.index.empty();
+  const std::vector<std::string> names = inputs_of(form);
   const std::size_t size = form.outputs.size();
   one.evaluate = [=](const Input& input, long double* members) {
-    peer->load({&input, 1}, takes_alpha, takes_index);
+    peer->load({&input, 1}, names);
     std::istringstream answer(peer->answer(fmt::format("values {}", number)));
     for (std::size_t i = 0; i < size; ++i) {
       std::string word;
@@ -112,7 +109,7 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
     }
   };
   one.own_clock = [=](std::span<const Input> inputs, std::size_t repetitions) {
-    peer->load(inputs, takes_alpha, takes_index);
+    peer->load(inputs, names);
     const std::string answer = peer->answer(fmt::format("time {} {}", number, repetitions));
     return std::strtod(answer.c_str(), nullptr);
   };

@@ -59,10 +59,11 @@ private:
 
 std::string line_of(const TimeRow& row) {
   return fmt::format(
-      "row\t{}\t{}\t{}\t{}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{}\t{}\t{}\t{}", row.contestant,
-      row.precision, row.quantity, row.family, row.ns_median, row.ns_minimum, row.latency_ns,
-      row.ratio, row.slowest_call_ns, row.slowest.alpha, row.slowest.index,
-      row.cycles ? fmt::format("{:a}", *row.cycles) : nothing, row.inputs, row.rounds);
+      "row\t{}\t{}\t{}\t{}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{:a}\t{}\t{}\t{}\t{}\t{:a}",
+      row.contestant, row.precision, row.quantity, row.family, row.ns_median, row.ns_minimum,
+      row.latency_ns, row.ratio, row.slowest_call_ns, row.slowest.alpha, row.slowest.index,
+      row.cycles ? fmt::format("{:a}", *row.cycles) : nothing, row.inputs, row.rounds,
+      row.slowest.e);
 }
 
 std::optional<TimeRow> row_from_line(const std::string& line) {
@@ -72,7 +73,7 @@ std::optional<TimeRow> row_from_line(const std::string& line) {
     fields.push_back(line.substr(from, tab - from));
     from = tab + 1;
   }
-  if (fields.size() != 15 || fields[0] != "row") return std::nullopt;
+  if (fields.size() != 16 || fields[0] != "row") return std::nullopt;
   const auto real = [&](std::size_t i) { return std::strtod(fields[i].c_str(), nullptr); };
   const auto whole = [&](std::size_t i) { return std::strtoll(fields[i].c_str(), nullptr, 10); };
   TimeRow row;
@@ -86,7 +87,7 @@ std::optional<TimeRow> row_from_line(const std::string& line) {
   row.ratio = real(8);
   row.ratio_low = row.ratio_high = std::numeric_limits<double>::quiet_NaN();
   row.slowest_call_ns = real(9);
-  row.slowest = {real(10), whole(11)};
+  row.slowest = {real(10), whole(11), real(15)};
   if (fields[12] != nothing) row.cycles = real(12);
   row.inputs = static_cast<std::size_t>(whole(13));
   row.rounds = static_cast<std::size_t>(whole(14));

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
-# What an engineer does who adds a formula: a theorem in a chapter, a row in the table of forms; nothing else. Writes
+# What an engineer does who adds a formula: a theorem in a chapter, a row in the table of forms; nothing else. Here two
+# rows: another form of the angle, and a form of a new quantity. Writes
 # rotation.cpp and forms.cpp with these edits into OUT.
 #   cmake -D SYMBOLIC=symbolic -D OUT=FOLDER -P plant.cmake
 function(plant file anchor text)
@@ -25,4 +26,10 @@ plant(codegen/forms.cpp "      {.quantity = \"angle\",\n       .name = \"closed\
        .domain = "alpha > 0 and finite",
        .real_input = "alpha",
        .outputs = {{"psi", "rotation.psi_planted"}}},
+      {.quantity = "half_turn",
+       .name = "planted",
+       .summary = "A quantity that nobody knows: the cosine of half of psi",
+       .domain = "alpha > 0 and finite",
+       .real_input = "alpha",
+       .outputs = {{"cosine", "rotation.cos_half_psi"}}},
 ]])
