@@ -169,4 +169,13 @@ constexpr const auto& velocity_evaluators() {
   return velocity_table<Real>;
 }
 
+// visitor.operator()<table>(quantity, outputs, inputs) for each table.
+template <class Real, class Visitor>
+constexpr void visit_tables(Visitor&& visitor) {
+  visitor.template operator()<angle_table<Real>>("angle", "psi", "alpha");
+  visitor.template operator()<encounter_table<Real>>("encounters", "t,s", "alpha,j");
+  visitor.template operator()<ratio_table<Real>>("ratios", "magic,deficient", "k");
+  visitor.template operator()<velocity_table<Real>>("velocities", "a,b,c,c_prime", "alpha,n");
+}
+
 }  // namespace magicmass::generated

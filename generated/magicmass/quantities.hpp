@@ -3,6 +3,8 @@
 // What the evaluators return.
 #pragma once
 
+#include <array>
+
 namespace magicmass::generated {
 
 // Velocities just after the n-th collisions, in units of V.
@@ -14,12 +16,22 @@ struct Velocities {
   Number c_prime;  // of C just after Q_n
 };
 
+template <class Number>
+constexpr std::array<Number, 4> as_array(const Velocities<Number>& all) {
+  return {all.a, all.b, all.c, all.c_prime};
+}
+
 // Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
 template <class Number>
 struct Encounters {
   Number t;  // its time, in units of L/V, from the first collision on
   Number s;  // the distance from A to B then, in units of L
 };
+
+template <class Number>
+constexpr std::array<Number, 2> as_array(const Encounters<Number>& all) {
+  return {all.t, all.s};
+}
 
 // The k-th threshold mass ratios.
 template <class Number>
@@ -36,5 +48,9 @@ struct Terminal {
   Number c_t;  // of C
   Number rho;  // (b_t/V)^2
 };
+template <class Number>
+constexpr std::array<Number, 2> as_array(const Ratios<Number>& all) {
+  return {all.magic, all.deficient};
+}
 
 }  // namespace magicmass::generated

@@ -100,12 +100,18 @@ std::string emit_evaluator(const Evaluator& evaluator) {
 
 std::string emit_quantities() {
   std::string text = file_header("What the evaluators return");
-  text += "\nnamespace magicmass::generated {\n";
+  text += "\n#include <array>\n\nnamespace magicmass::generated {\n";
   for (const QuantityStruct& made : quantity_structs()) {
     text += "\n// " + made.words + "\ntemplate <class Number>\nstruct " + made.name + " {\n";
     for (const auto& [member, words] : made.members)
       text.append("  Number ").append(member).append(";  // ").append(words).append("\n");
-    text += "};\n";
+    text += "};\n\ntemplate <class Number>\nconstexpr std::array<Number, " +
+            std::to_string(made.members.size()) + "> as_array(const " + made.name +
+            "<Number>& all) {\n";
+    std::string names;
+    for (const auto& [member, words] : made.members)
+      names += (names.empty() ? "all." : ", all.") + member;
+    text += "  return {" + names + "};\n}\n";
   }
   return text + "\n}  // namespace magicmass::generated\n";
 }
