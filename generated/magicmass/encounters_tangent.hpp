@@ -12,7 +12,8 @@ namespace magicmass::generated {
 
 // Times and distances of the collisions from one sine and one cosine.
 // Domain: alpha normal and finite, not subnormal; 0 <= j < number of collisions.
-// Error: grows with j: the sines are taken at angles up to pi.
+// Error: grows with j: a sum cancels where the next collision all but fails to take place,
+//   and may be 0 there.
 // From: tangent.t, tangent.s.
 // With: power.V_CM, rotation.psi_half_angle, tangent.tan_quarter.
 // Cost: 3 additions, 10 multiplications, 2 divisions, 1 square root, 1 sine-cosine pair,

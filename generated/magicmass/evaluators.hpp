@@ -99,7 +99,7 @@ template <class Real>
 inline constexpr std::array<VelocityEvaluator<Real>, 3> velocity_table{{
     {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
     {"velocities_product", "product", &velocities_product<Real>, no_bound, 5},
-    {"velocities_tangent", "tangent", &velocities_tangent<Real>, no_bound, 5},
+    {"velocities_tangent", "tangent", &velocities_tangent<Real>, no_bound, 6},
 }};
 
 template <class Real>

@@ -14,6 +14,15 @@ struct Velocities {
   Number c_prime;  // of C just after Q_n
 };
 
+// After the last collision, velocities in units of V.
+template <class Number>
+struct Terminal {
+  Number a;  // a_t, of A
+  Number b;  // b_t, of B
+  Number c;  // c_t, of C
+  Number rho;  // the fraction of the energy that B takes
+};
+
 // Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
 template <class Number>
 struct Encounters {

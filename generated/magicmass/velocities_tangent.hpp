@@ -13,7 +13,7 @@ namespace magicmass::generated {
 // All velocities from one sine and one cosine.
 // Domain: alpha normal and finite,
 //   not subnormal; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
-// Error: at most 5 eps of the largest such value of the body at that alpha; beyond alpha = 1,
+// Error: at most 6 eps of the largest such value of the body at that alpha; beyond alpha = 1,
 //   of V instead; all up to the last collision.
 // From: tangent.a, tangent.b, tangent.c, tangent.c_prime.
 // With: power.V_CM, rotation.psi_half_angle, tangent.tan_quarter, tangent.cot_half.

@@ -4,21 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "codegen/forms.hpp"
-#include "codegen/ir.hpp"
+#include "codegen/evaluator.hpp"
 #include "proof/theorem.hpp"
 
 // One function a generated file; each returns the whole text.
 namespace magicmass::codegen {
-
-// A form with its theorems and its program after the passes; one more for each output alone.
-struct Evaluator {
-  Form form;
-  std::vector<proof::Theorem> outputs;
-  std::vector<proof::Theorem> bindings;
-  Program program;
-  std::vector<Program> single;  // as many as outputs; the same program when there is one output
-};
 
 std::string emit_evaluator(const Evaluator& evaluator);
 std::string emit_quantities();

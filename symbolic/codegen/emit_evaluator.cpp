@@ -7,13 +7,14 @@ namespace {
 
 std::string line(const std::string& text) { return wrapped(text) + "\n"; }
 
-std::string theorem_list(const std::vector<proof::Theorem>& theorems) {
+std::string theorem_list(const std::vector<std::vector<proof::Theorem>>& groups) {
   std::string result;
-  for (const proof::Theorem& theorem : theorems) {
-    const std::string& label = theorem.step().label;
-    result +=
-        (result.empty() ? "" : ", ") + theorem.id() + (label.empty() ? "" : " (" + label + ")");
-  }
+  for (const std::vector<proof::Theorem>& theorems : groups)
+    for (const proof::Theorem& theorem : theorems) {
+      const std::string& label = theorem.step().label;
+      result +=
+          (result.empty() ? "" : ", ") + theorem.id() + (label.empty() ? "" : " (" + label + ")");
+    }
   return result;
 }
 
@@ -21,13 +22,14 @@ std::string parameters(const Form& form) {
   std::string result =
       form.exact ? "template <class Field, class Integer>\n" : "template <class Real>\n";
   result += "%RESULT% %NAME%(";
-  if (!form.real_input.empty())
-    result += (form.exact ? "const Field& " : "Real ") + form.real_input;
-  if (!form.index.empty()) {
-    if (!form.real_input.empty()) result += ", ";
-    result += (form.exact ? "const Integer& " : "std::int64_t ") + form.index;
-  }
-  return result + ") {\n";
+  std::string inputs;
+  for (const std::string& name : form.real_inputs)
+    inputs +=
+        (inputs.empty() ? "" : ", ") + std::string(form.exact ? "const Field& " : "Real ") + name;
+  for (const std::string& name : form.indices)
+    inputs += (inputs.empty() ? "" : ", ") +
+              std::string(form.exact ? "const Integer& " : "std::int64_t ") + name;
+  return result + inputs + ") {\n";
 }
 
 void replace(std::string& text, const std::string& from, const std::string& to) {
@@ -65,20 +67,20 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   std::string text = file_header(form.summary);
   std::string standard, own;
   if (uses_cmath) standard += "#include <cmath>\n";
-  if (!form.exact && !form.index.empty()) standard += "#include <cstdint>\n";
+  if (!form.exact && !form.indices.empty()) standard += "#include <cstdint>\n";
   if (uses_pi) standard += "#include <numbers>\n";
   if (uses_ladder) own += "#include \"magicmass/cosine_ladder.hpp\"\n";
   if (!form.result.empty()) own += "#include \"magicmass/quantities.hpp\"\n";
   text += (standard.empty() ? "" : "\n" + standard) + (own.empty() ? "" : "\n" + own);
   text += "\nnamespace magicmass::generated {\n\n";
   const auto documentation = [&](const std::string& what, const Program& program,
-                                 const std::vector<proof::Theorem>& from) {
+                                 const std::vector<std::vector<proof::Theorem>>& from) {
     return line("// " + what + ".") + line("// Domain: " + form.domain + ".") +
            line("// Error: " + form.stated_error() + ".") +
            line("// From: " + theorem_list(from) + ".") +
            (evaluator.bindings.empty()
                 ? ""
-                : line("// With: " + theorem_list(evaluator.bindings) + ".")) +
+                : line("// With: " + theorem_list({evaluator.bindings}) + ".")) +
            line("// Cost: " + codegen::text(operation_counts(program)) + ".");
   };
   const std::string result = form.result.empty() ? type : form.result + "<" + type + ">";

@@ -11,14 +11,17 @@ std::string emit_manifest(const std::vector<Evaluator>& evaluators) {
   for (const Evaluator& evaluator : evaluators) {
     const Form& form = evaluator.form;
     Json inputs = Json::array();
-    if (!form.real_input.empty()) inputs.push_back(form.real_input);
-    if (!form.index.empty()) inputs.push_back(form.index);
+    for (const auto* names : {&form.real_inputs, &form.indices})
+      for (const std::string& name : *names) inputs.push_back(name);
     Json outputs = Json::array();
-    for (std::size_t i = 0; i < form.outputs.size(); ++i)
-      outputs.push_back({{"name", form.outputs[i].first},
-                         {"theorem", evaluator.outputs[i].id()},
-                         {"label", evaluator.outputs[i].step().label},
+    for (std::size_t i = 0; i < form.outputs.size(); ++i) {
+      const FormOutput& output = form.outputs[i];
+      outputs.push_back({{"name", output.name},
+                         {"theorem", output.theorem},
+                         {"label", evaluator.outputs[i].front().step().label},
                          {"operations", text(operation_counts(evaluator.single[i]))}});
+      if (!output.other_cases.empty()) outputs.back()["other_cases"] = output.other_cases;
+    }
     Json bindings = Json::array();
     for (const proof::Theorem& theorem : evaluator.bindings) bindings.push_back(theorem.id());
     all.push_back(

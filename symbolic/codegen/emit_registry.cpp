@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "codegen/emit.hpp"
@@ -28,6 +30,12 @@ const std::vector<Table>& tables() {
   return all;
 }
 
+bool is_in_a_table(const Form& form) {
+  return !form.exact && std::any_of(tables().begin(), tables().end(), [&](const Table& table) {
+    return table.quantity == form.quantity;
+  });
+}
+
 std::string bound(double value) {
   return value == no_bound ? "no_bound" : fmt::format("{}", value);
 }
@@ -41,7 +49,7 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
       "\n#include <array>\n#include <cstdint>\n#include <limits>\n\n#include "
       "\"magicmass/quantities.hpp\"\n";
   for (const Evaluator& evaluator : evaluators)
-    if (!evaluator.form.exact) text += "#include \"" + evaluator.form.header() + "\"\n";
+    if (is_in_a_table(evaluator.form)) text += "#include \"" + evaluator.form.header() + "\"\n";
   text +=
       "\nnamespace magicmass::generated {\n\n"
       "// In a table: the largest error that a form promises, in ulp of the exact value or in eps "

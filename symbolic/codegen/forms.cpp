@@ -24,14 +24,14 @@ std::vector<Form> angle_forms() {
        .summary = "The angle psi of one cycle, as the paper writes it",
        .domain = "alpha > 0 and finite",
        .bound = {.ulp = 2},
-       .real_input = "alpha",
+       .real_inputs = {"alpha"},
        .outputs = {{"psi", "rotation.psi_paper"}}},
       {.quantity = "angle",
        .name = "product",
        .summary = "The angle psi of one cycle, from a quarter of it",
        .domain = normal_alpha,
        .bound = {.ulp = 2},
-       .real_input = "alpha",
+       .real_inputs = {"alpha"},
        .outputs = {{"psi", "rotation.psi_half_angle"}}},
   };
 }
@@ -44,8 +44,8 @@ std::vector<Form> encounter_forms() {
        .summary = "Times and distances of the collisions, psi as the paper writes it",
        .domain = encounter_domain,
        .error = encounter_error,
-       .real_input = "alpha",
-       .index = "j",
+       .real_inputs = {"alpha"},
+       .indices = {"j"},
        .outputs = {{"t", "times.t"}, {"s", "times.s"}},
        .bindings = {"rotation.psi_paper"}},
       {.quantity = "encounters",
@@ -54,8 +54,8 @@ std::vector<Form> encounter_forms() {
        .summary = "Times and distances of the collisions as rational functions of alpha",
        .domain = encounter_domain,
        .error = exact_error,
-       .real_input = "alpha",
-       .index = "j",
+       .real_inputs = {"alpha"},
+       .indices = {"j"},
        .exact = true,
        .outputs = {{"t", "times.t_rational"}, {"s", "times.s_rational"}},
        .bindings = {"chebyshev.T_1"}},
@@ -65,8 +65,8 @@ std::vector<Form> encounter_forms() {
        .summary = "Times and distances of the collisions, psi from a quarter of it",
        .domain = encounter_domain,
        .error = encounter_error,
-       .real_input = "alpha",
-       .index = "j",
+       .real_inputs = {"alpha"},
+       .indices = {"j"},
        .outputs = {{"t", "times.t"}, {"s", "times.s"}},
        .bindings = {"rotation.psi_half_angle"}},
       {.quantity = "encounters",
@@ -74,9 +74,10 @@ std::vector<Form> encounter_forms() {
        .result = "Encounters",
        .summary = "Times and distances of the collisions from one sine and one cosine",
        .domain = "alpha normal and finite, not subnormal; 0 <= j < number of collisions",
-       .error = encounter_error,
-       .real_input = "alpha",
-       .index = "j",
+       .error = "grows with j: a sum cancels where the next collision all but fails to take place,"
+                " and may be 0 there",
+       .real_inputs = {"alpha"},
+       .indices = {"j"},
        .outputs = {{"t", "tangent.t"}, {"s", "tangent.s"}},
        .bindings = {"power.V_CM", "rotation.psi_half_angle", "tangent.tan_quarter"}},
   };
@@ -90,7 +91,7 @@ std::vector<Form> ratio_forms() {
        .summary = "Magic and deficient mass ratios as the paper writes them",
        .domain = ratio_domain,
        .error = "about 1 eps of 1, so no digit is left from k of about 1e8 on in double",
-       .index = "k",
+       .indices = {"k"},
        .outputs = {{"magic", "ratios.alpha_k_paper"}, {"deficient", "ratios.beta_k_paper"}}},
       {.quantity = "ratios",
        .name = "product",
@@ -98,8 +99,30 @@ std::vector<Form> ratio_forms() {
        .summary = "Magic and deficient mass ratios without cancellation",
        .domain = ratio_domain,
        .bound = {.ulp = 5},
-       .index = "k",
+       .indices = {"k"},
        .outputs = {{"magic", "ratios.alpha_k_stable"}, {"deficient", "ratios.beta_k_stable"}}},
+  };
+}
+
+std::vector<Form> terminal_forms() {
+  const auto cases = [](const std::string& name) {
+    const std::string id = "offset." + name + "_after_";
+    return FormOutput{name, id + "Q", {id + "P", id + "P_whole"}};
+  };
+  return {
+      {.quantity = "terminal",
+       .name = "offset",
+       .result = "Terminal",
+       .summary = "Terminal velocities from how far the last cycle is from a quarter turn",
+       .domain = "alpha normal and finite, not subnormal; N_A and N_B its numbers of collisions",
+       .bound = {.eps = 6},
+       .error = "beyond alpha = 1, of V instead",
+       .real_inputs = {"alpha"},
+       .indices = {"N_A", "N_B"},
+       .outputs = {cases("a"), cases("b"), cases("c"), {"rho", "offset.rho"}},
+       .bindings = {"power.V_CM", "rotation.psi_half_angle", "tangent.tan_quarter",
+                    "tangent.cot_half", "offset.is_P", "offset.r_t", "offset.b_after_Q",
+                    "offset.b_after_P", "offset.b_after_P_whole"}},
   };
 }
 
@@ -111,8 +134,8 @@ std::vector<Form> velocity_forms() {
        .summary = "All velocities as the paper writes them",
        .domain = velocity_domain,
        .error = "nearly equal numbers are subtracted where a velocity is small",
-       .real_input = "alpha",
-       .index = "n",
+       .real_inputs = {"alpha"},
+       .indices = {"n"},
        .outputs =
            {{"a", "power.a"}, {"b", "power.b"}, {"c", "power.c"}, {"c_prime", "power.c_prime"}},
        .bindings = {"power.V_CM", "rotation.psi_paper"}},
@@ -122,8 +145,8 @@ std::vector<Form> velocity_forms() {
        .summary = "All velocities as rational functions of alpha",
        .domain = velocity_domain,
        .error = exact_error,
-       .real_input = "alpha",
-       .index = "n",
+       .real_inputs = {"alpha"},
+       .indices = {"n"},
        .exact = true,
        .outputs = {{"a", "chebyshev.a"},
                    {"b", "chebyshev.b"},
@@ -137,8 +160,8 @@ std::vector<Form> velocity_forms() {
        .domain = product_domain,
        .bound = {.eps = 5},
        .error = "beyond alpha = 1, of V instead; all up to the last collision",
-       .real_input = "alpha",
-       .index = "n",
+       .real_inputs = {"alpha"},
+       .indices = {"n"},
        .outputs = {{"a", "power.a_product"},
                    {"b", "power.b_product"},
                    {"c", "power.c_product"},
@@ -149,10 +172,10 @@ std::vector<Form> velocity_forms() {
        .result = "Velocities",
        .summary = "All velocities from one sine and one cosine",
        .domain = product_domain,
-       .bound = {.eps = 5},
+       .bound = {.eps = 6},
        .error = "beyond alpha = 1, of V instead; all up to the last collision",
-       .real_input = "alpha",
-       .index = "n",
+       .real_inputs = {"alpha"},
+       .indices = {"n"},
        .outputs = {{"a", "tangent.a"},
                    {"b", "tangent.b"},
                    {"c", "tangent.c"},
@@ -182,6 +205,12 @@ const std::vector<QuantityStruct>& quantity_structs() {
         {"b", "of B just after Q_n"},
         {"c", "of C just after P_n"},
         {"c_prime", "of C just after Q_n"}}},
+      {"Terminal",
+       "After the last collision, velocities in units of V.",
+       {{"a", "a_t, of A"},
+        {"b", "b_t, of B"},
+        {"c", "c_t, of C"},
+        {"rho", "the fraction of the energy that B takes"}}},
       {"Encounters",
        "Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...",
        {{"t", "its time, in units of L/V, from the first collision on"},
@@ -198,7 +227,7 @@ const std::vector<Form>& forms() {
   static const std::vector<Form> all = [] {
     std::vector<Form> collected;
     for (const std::vector<Form>& part :
-         {angle_forms(), encounter_forms(), ratio_forms(), velocity_forms()})
+         {angle_forms(), encounter_forms(), ratio_forms(), terminal_forms(), velocity_forms()})
       collected.insert(collected.end(), part.begin(), part.end());
     return collected;
   }();

@@ -13,8 +13,15 @@ inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 // The largest error that a form promises, in two measures; what it does not promise is no_bound.
 struct ErrorBound {
   double ulp = no_bound;  // in units in the last place of the exact value
-  double eps =
-      no_bound;  // in machine epsilons of the largest value of the body at that alpha <= 1
+  double eps = no_bound;  // in machine epsilons of the largest value of the body at that alpha <= 1
+};
+
+// A member of the result and the theorem whose right side it is. Where that holds in one of several cases,
+// the theorems of the others, with the same right side, are named too.
+struct FormOutput {
+  std::string name;
+  std::string theorem;
+  std::vector<std::string> other_cases = {};
 };
 
 // One way to compute a quantity: which theorems give its outputs, and which say what their symbols are.
@@ -26,12 +33,12 @@ struct Form {
   std::string summary;      // what it computes, for its docstring
   std::string domain;
   ErrorBound bound = {};
-  std::string error = {};       // what is to be said of its error besides
-  std::string real_input = {};  // "alpha", or empty
-  std::string index = {};       // "n", "j", "k", or empty
-  bool exact = false;           // for any field instead of float, double, long double
-  std::vector<std::pair<std::string, std::string>> outputs;  // member -> theorem id
-  std::vector<std::string> bindings = {};                    // theorem ids
+  std::string error = {};                     // what is to be said of its error besides
+  std::vector<std::string> real_inputs = {};  // "alpha"
+  std::vector<std::string> indices = {};      // "n", "j", "k", or "N_A" and "N_B"
+  bool exact = false;                         // for any field instead of float, double, long double
+  std::vector<FormOutput> outputs;
+  std::vector<std::string> bindings = {};  // theorem ids; several for one symbol are its cases
 
   std::string function() const { return quantity + "_" + name; }
   std::string header() const { return "magicmass/" + function() + ".hpp"; }

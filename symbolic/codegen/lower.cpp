@@ -23,6 +23,10 @@ std::int64_t whole(const numeric& value) {
   return value.to_long();
 }
 
+bool is_among(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
 class Lowering {
 public:
   explicit Lowering(const Source& source) : source_(source) {}
@@ -58,9 +62,7 @@ private:
   }
 
   bool is_unit(const ex& e) const {
-    return is_a<GiNaC::symbol>(e) &&
-           std::find(source_.units.begin(), source_.units.end(),
-                     ex_to<GiNaC::symbol>(e).get_name()) != source_.units.end();
+    return is_a<GiNaC::symbol>(e) && is_among(source_.units, ex_to<GiNaC::symbol>(e).get_name());
   }
 
   const proof::Theorem* binding(const ex& e) const {
@@ -81,10 +83,9 @@ private:
     const std::string name = ex_to<GiNaC::symbol>(e).get_name();
     if (const proof::Theorem* theorem = binding(e)) return bound(*theorem);
     if (is_unit(e)) return constant(1);
-    if (std::find(source_.real_inputs.begin(), source_.real_inputs.end(), name) !=
-        source_.real_inputs.end())
+    if (is_among(source_.real_inputs, name))
       return append(program_, {.op = Op::input, .name = name});
-    if (name == source_.index) return append(program_, {.op = Op::index, .name = name});
+    if (is_among(source_.indices, name)) return append(program_, {.op = Op::index, .name = name});
     throw std::logic_error("nothing says what " + name + " is");
   }
 
@@ -143,7 +144,9 @@ private:
 
   // T(c n) and T(c n + 1) come from one ladder at c n.
   int cosine_of_multiple(const ex& multiple) {
-    const ex index = proof::symbol(source_.index);
+    if (source_.indices.size() != 1)
+      throw std::logic_error("a ladder goes up one index: " + proof::text(multiple));
+    const ex index = proof::symbol(source_.indices.front());
     const numeric scale = ex_to<numeric>(multiple.coeff(index, 1));
     const numeric offset = ex_to<numeric>(multiple.coeff(index, 0));
     if (offset != 0 && offset != 1)
@@ -154,7 +157,7 @@ private:
                              .args = {bound(*first)},
                              .numerator = whole(scale),
                              .denominator = 0,
-                             .name = source_.index});
+                             .name = source_.indices.front()});
   }
 
   const Source& source_;

@@ -17,7 +17,7 @@ struct Source {
   std::vector<std::pair<std::string, proof::Theorem>> outputs;
   std::vector<proof::Theorem> bindings;
   std::vector<std::string> real_inputs;  // "alpha"
-  std::string index;                     // "n": the integer input, if there is one
+  std::vector<std::string> indices;      // "n": the integer inputs
   std::vector<std::string> units;        // symbols that are 1 in the units of the outputs: "V", "L"
 };
 

@@ -35,10 +35,12 @@ TEST_CASE("the manifest names every evaluator with its form, inputs, outputs and
   }
 }
 
-TEST_CASE("the tables hold what the manifest lists", "[exam]") {
+TEST_CASE("the tables hold what the manifest lists of their quantities", "[exam]") {
+  const std::set<std::string> with_a_table{"angle", "encounters", "ratios", "velocities"};
   std::set<std::string> listed, in_tables;
   for (const auto& entry : evaluators_in_manifest())
-    if (entry.at("precisions").size() == 3) listed.insert(entry.at("name"));
+    if (entry.at("precisions").size() == 3 && with_a_table.contains(entry.at("quantity")))
+      listed.insert(entry.at("name"));
   for (const auto& evaluator : generated::angle_evaluators<double>())
     in_tables.insert(evaluator.name);
   for (const auto& evaluator : generated::encounter_evaluators<double>())

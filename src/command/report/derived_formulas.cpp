@@ -29,9 +29,8 @@ void require_no_other_symbol(const GiNaC::ex& formula, const GiNaC::lst& inputs)
 }  // namespace
 
 std::vector<std::string> inputs_of(const codegen::Form& form) {
-  std::vector<std::string> names;
-  for (const std::string& name : {form.real_input, form.index})
-    if (!name.empty()) names.push_back(name);
+  std::vector<std::string> names = form.real_inputs;
+  names.insert(names.end(), form.indices.begin(), form.indices.end());
   return names;
 }
 
@@ -40,8 +39,8 @@ std::vector<GiNaC::ex> derived_outputs(const codegen::Form& form,
   GiNaC::lst inputs;
   for (const std::string& name : inputs_of(form)) inputs.append(proof::symbol(name));
   std::vector<GiNaC::ex> outputs;
-  for (const auto& [name, id] : form.outputs) {
-    GiNaC::ex formula = theorem(theorems, id).rhs();
+  for (const codegen::FormOutput& output : form.outputs) {
+    GiNaC::ex formula = theorem(theorems, output.theorem).rhs();
     for (std::size_t i = 0; i < form.bindings.size(); ++i)  // one may need another
       for (const std::string& binding : form.bindings) {
         const proof::Theorem& bound = theorem(theorems, binding);

@@ -142,8 +142,8 @@ Contestant contestant(const codegen::Form& form, const std::string& how, const C
 
 Contestant compiled_contestant(const codegen::Form& form, GiNaC::FUNCP_CUBA function) {
   const int outputs_size = static_cast<int>(form.outputs.size());
-  const bool takes_alpha = !form.real_input.empty();
-  const bool takes_index = !form.index.empty();
+  const bool takes_alpha = !form.real_inputs.empty();
+  const bool takes_index = !form.indices.empty();
   const auto call = [=](double alpha, double index, std::int64_t, Outputs& outputs) {
     double x[2];
     int size = 0;
@@ -166,9 +166,10 @@ Contestant evalf_contestant(const codegen::Form& form, const std::vector<GiNaC::
     outputs.fill(std::numeric_limits<double>::quiet_NaN());
     try {
       GiNaC::lst values;
-      if (!form.real_input.empty()) values.append(proof::symbol(form.real_input) == widened(alpha));
-      if (!form.index.empty())
-        values.append(proof::symbol(form.index) == GiNaC::numeric(static_cast<long>(index)));
+      for (const std::string& name : form.real_inputs)
+        values.append(proof::symbol(name) == widened(alpha));
+      for (const std::string& name : form.indices)
+        values.append(proof::symbol(name) == GiNaC::numeric(static_cast<long>(index)));
       for (std::size_t i = 0; i < shared->size(); ++i) {
         const GiNaC::ex value = (*shared)[i].subs(values).evalf();
         if (GiNaC::is_a<GiNaC::numeric>(value))

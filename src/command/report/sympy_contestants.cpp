@@ -102,8 +102,8 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
   one.form = "sympy";
   one.precision = "double";
   one.can = [](const Input&) { return true; };
-  const bool takes_alpha = !form.real_input.empty();
-  const bool takes_index = !form.index.empty();
+  const bool takes_alpha = !form.real_inputs.empty();
+  const bool takes_index = !form.indices.empty();
   const std::size_t size = form.outputs.size();
   one.evaluate = [=](const Input& input, long double* members) {
     peer->load({&input, 1}, takes_alpha, takes_index);
