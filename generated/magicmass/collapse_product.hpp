@@ -16,14 +16,15 @@ namespace magicmass::generated {
 // Cost: 7 additions, 6 multiplications, 2 divisions, 2 square roots.
 template <class Real>
 Real collapse_product(Real alpha, Real e) {
+  using std::sqrt;
   // root_1 = sqrt(e)
-  const Real root_1 = std::sqrt(e);
+  const Real root_1 = sqrt(e);
   // sum_1 = 1 - sqrt(e)
   const Real sum_1 = Real(1) - root_1;
   // alpha_c = (1/2)*(1 - sqrt(e))*(1 - sqrt(e))/sqrt(e), step inelastic_end.alpha_c
   const Real alpha_c = Real(0.5) * (sum_1 * sum_1) / root_1;
-  return Real(2) * (Real(1) + alpha) / (Real(1) + e + Real(2) * std::sqrt(-((Real(2) + alpha_c +
-      alpha) * (alpha - alpha_c))) * root_1);
+  return Real(2) * (Real(1) + alpha) / (Real(1) + e + Real(2) * sqrt(-((Real(2) + alpha_c + alpha) *
+      (alpha - alpha_c))) * root_1);
 }
 
 }  // namespace magicmass::generated

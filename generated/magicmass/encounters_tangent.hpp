@@ -19,19 +19,23 @@ namespace magicmass::generated {
 //   1 arctangent.
 template <class Real>
 Encounters<Real> encounters_tangent(Real alpha, std::int64_t j) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real j_ = static_cast<Real>(j);
   // product_1 = (1/2)*psi*j
   const Real product_1 = Real(0.5) * psi * j_;
   // cosine_1 = cos((1/2)*psi*j)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   // sine_1 = sin((1/2)*psi*j)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   // reciprocal_1 = 1/(tan_quarter*cos((1/2)*psi*j) + V_CM*sin((1/2)*psi*j))
   const Real reciprocal_1 = Real(1) / (tan_quarter * cosine_1 + V_CM * sine_1);
   return {
@@ -44,19 +48,23 @@ Encounters<Real> encounters_tangent(Real alpha, std::int64_t j) {
 //   1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real t_tangent(Real alpha, std::int64_t j) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real j_ = static_cast<Real>(j);
   // product_1 = (1/2)*psi*j
   const Real product_1 = Real(0.5) * psi * j_;
   // sine_1 = sin((1/2)*psi*j)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   // cosine_1 = cos((1/2)*psi*j)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   return V_CM * (Real(1) + alpha) * sine_1 / (tan_quarter * cosine_1 + V_CM * sine_1);
 }
 
@@ -64,19 +72,23 @@ Real t_tangent(Real alpha, std::int64_t j) {
 //   1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real s_tangent(Real alpha, std::int64_t j) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real j_ = static_cast<Real>(j);
   // product_1 = (1/2)*psi*j
   const Real product_1 = Real(0.5) * psi * j_;
   // cosine_1 = cos((1/2)*psi*j)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   // sine_1 = sin((1/2)*psi*j)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   return tan_quarter / (tan_quarter * cosine_1 + V_CM * sine_1);
 }
 

@@ -173,8 +173,11 @@ constexpr const auto& velocity_evaluators() {
 template <class Real, class Visitor>
 constexpr void visit_tables(Visitor&& visitor) {
   visitor.template operator()<angle_table<Real>>("angle", "psi", "alpha");
+  visitor.template operator()<collapse_table<Real>>("collapse", "t", "alpha,e");
   visitor.template operator()<encounter_table<Real>>("encounters", "t,s", "alpha,j");
   visitor.template operator()<ratio_table<Real>>("ratios", "magic,deficient", "k");
+  visitor.template operator()<terminal_table<Real>>("terminal", "a_t,b_t,c_t,rho", "alpha,e,k");
+  visitor.template operator()<two_collisions_table<Real>>("two_collisions", "a_t,b_t,c_t,rho", "alpha,e");
   visitor.template operator()<velocity_table<Real>>("velocities", "a,b,c,c_prime", "alpha,n");
 }
 

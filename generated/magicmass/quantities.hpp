@@ -40,6 +40,11 @@ struct Ratios {
   Number deficient;  // beta_k, where C ends up with B
 };
 
+template <class Number>
+constexpr std::array<Number, 2> as_array(const Ratios<Number>& all) {
+  return {all.magic, all.deficient};
+}
+
 // Velocities after the last collision, in units of V, and what B got of the energy.
 template <class Number>
 struct Terminal {
@@ -48,9 +53,10 @@ struct Terminal {
   Number c_t;  // of C
   Number rho;  // (b_t/V)^2
 };
+
 template <class Number>
-constexpr std::array<Number, 2> as_array(const Ratios<Number>& all) {
-  return {all.magic, all.deficient};
+constexpr std::array<Number, 4> as_array(const Terminal<Number>& all) {
+  return {all.a_t, all.b_t, all.c_t, all.rho};
 }
 
 }  // namespace magicmass::generated

@@ -23,31 +23,34 @@ namespace magicmass::generated {
 //   1 arctangent, 2 powers.
 template <class Real>
 Terminal<Real> terminal_after_P(Real alpha, Real e, std::int64_t k) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // sum_1 = 1 + alpha
   const Real sum_1 = Real(1) + alpha;
   // root_1 = sqrt(e)
-  const Real root_1 = std::sqrt(e);
+  const Real root_1 = sqrt(e);
   // sum_2 = 1 - sqrt(e)
   const Real sum_2 = Real(1) - root_1;
   // alpha_c = (1/2)*(1 - sqrt(e))*(1 - sqrt(e))/sqrt(e), step inelastic_end.alpha_c
   const Real alpha_c = Real(0.5) * (sum_2 * sum_2) / root_1;
   // h_e = 2*atan(sqrt((alpha - alpha_c)/(2 + alpha_c + alpha))), step inelastic_end.h
-  const Real h_e = Real(2) * std::atan(std::sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
+  const Real h_e = Real(2) * atan(sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
   // reciprocal_1 = 1/sin(h_e)
-  const Real reciprocal_1 = Real(1) / std::sin(h_e);
+  const Real reciprocal_1 = Real(1) / sin(h_e);
   const Real k_ = static_cast<Real>(k);
   // power_1 = e^(1 + k)
   const Real power_1 = std::pow(e, Real(1) + k_);
   // delta_P = pi - h_e*(1 + 2*k), step inelastic_end.after_P_rest
   const Real delta_P = std::numbers::pi_v<Real> - h_e * (Real(1) + Real(2) * k_);
   // sine_1 = sin(delta_P)
-  const Real sine_1 = std::sin(delta_P);
+  const Real sine_1 = sin(delta_P);
   // power_2 = e^(k)
   const Real power_2 = std::pow(e, k_);
   // sine_2 = sin(h_e - delta_P)
-  const Real sine_2 = std::sin(h_e - delta_P);
+  const Real sine_2 = sin(h_e - delta_P);
   // product_1 = (1/sin(h_e))*sqrt(e)*e^(k)*sin(h_e - delta_P)
   const Real product_1 = reciprocal_1 * root_1 * power_2 * sine_2;
   // product_2 = (1/sin(h_e))*e^(1 + k)*sin(delta_P)
@@ -67,92 +70,104 @@ Terminal<Real> terminal_after_P(Real alpha, Real e, std::int64_t k) {
 //   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real a_t_after_P(Real alpha, Real e, std::int64_t k) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // root_1 = sqrt(e)
-  const Real root_1 = std::sqrt(e);
+  const Real root_1 = sqrt(e);
   // sum_1 = 1 - sqrt(e)
   const Real sum_1 = Real(1) - root_1;
   // alpha_c = (1/2)*(1 - sqrt(e))*(1 - sqrt(e))/sqrt(e), step inelastic_end.alpha_c
   const Real alpha_c = Real(0.5) * (sum_1 * sum_1) / root_1;
   // h_e = 2*atan(sqrt((alpha - alpha_c)/(2 + alpha_c + alpha))), step inelastic_end.h
-  const Real h_e = Real(2) * std::atan(std::sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
+  const Real h_e = Real(2) * atan(sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
   // reciprocal_1 = 1/sin(h_e)
-  const Real reciprocal_1 = Real(1) / std::sin(h_e);
+  const Real reciprocal_1 = Real(1) / sin(h_e);
   const Real k_ = static_cast<Real>(k);
   // delta_P = pi - h_e*(1 + 2*k), step inelastic_end.after_P_rest
   const Real delta_P = std::numbers::pi_v<Real> - h_e * (Real(1) + Real(2) * k_);
   return V_CM * (Real(1) - (Real(1) + alpha) * reciprocal_1 * std::pow(e, Real(1) + k_) *
-      std::sin(delta_P) - reciprocal_1 * root_1 * std::pow(e, k_) * std::sin(h_e - delta_P));
+      sin(delta_P) - reciprocal_1 * root_1 * std::pow(e, k_) * sin(h_e - delta_P));
 }
 
 // Only b_t, from inelastic_end.after_P_b_t; cost: 12 additions, 12 multiplications, 4 divisions,
 //   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real b_t_after_P(Real alpha, Real e, std::int64_t k) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // root_1 = sqrt(e)
-  const Real root_1 = std::sqrt(e);
+  const Real root_1 = sqrt(e);
   // sum_1 = 1 - sqrt(e)
   const Real sum_1 = Real(1) - root_1;
   // alpha_c = (1/2)*(1 - sqrt(e))*(1 - sqrt(e))/sqrt(e), step inelastic_end.alpha_c
   const Real alpha_c = Real(0.5) * (sum_1 * sum_1) / root_1;
   // h_e = 2*atan(sqrt((alpha - alpha_c)/(2 + alpha_c + alpha))), step inelastic_end.h
-  const Real h_e = Real(2) * std::atan(std::sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
+  const Real h_e = Real(2) * atan(sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
   // reciprocal_1 = 1/sin(h_e)
-  const Real reciprocal_1 = Real(1) / std::sin(h_e);
+  const Real reciprocal_1 = Real(1) / sin(h_e);
   const Real k_ = static_cast<Real>(k);
   // delta_P = pi - h_e*(1 + 2*k), step inelastic_end.after_P_rest
   const Real delta_P = std::numbers::pi_v<Real> - h_e * (Real(1) + Real(2) * k_);
-  return V_CM * (Real(1) + (Real(1) + alpha) * reciprocal_1 * root_1 * std::pow(e, k_) *
-      std::sin(h_e - delta_P) + reciprocal_1 * std::pow(e, Real(1) + k_) * std::sin(delta_P));
+  return V_CM * (Real(1) + (Real(1) + alpha) * reciprocal_1 * root_1 * std::pow(e, k_) * sin(h_e -
+      delta_P) + reciprocal_1 * std::pow(e, Real(1) + k_) * sin(delta_P));
 }
 
 // Only c_t, from inelastic_end.after_P_c_t; cost: 11 additions, 11 multiplications, 4 divisions,
 //   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real c_t_after_P(Real alpha, Real e, std::int64_t k) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // root_1 = sqrt(e)
-  const Real root_1 = std::sqrt(e);
+  const Real root_1 = sqrt(e);
   // sum_1 = 1 - sqrt(e)
   const Real sum_1 = Real(1) - root_1;
   // alpha_c = (1/2)*(1 - sqrt(e))*(1 - sqrt(e))/sqrt(e), step inelastic_end.alpha_c
   const Real alpha_c = Real(0.5) * (sum_1 * sum_1) / root_1;
   // h_e = 2*atan(sqrt((alpha - alpha_c)/(2 + alpha_c + alpha))), step inelastic_end.h
-  const Real h_e = Real(2) * std::atan(std::sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
+  const Real h_e = Real(2) * atan(sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
   // reciprocal_1 = 1/sin(h_e)
-  const Real reciprocal_1 = Real(1) / std::sin(h_e);
+  const Real reciprocal_1 = Real(1) / sin(h_e);
   const Real k_ = static_cast<Real>(k);
   // delta_P = pi - h_e*(1 + 2*k), step inelastic_end.after_P_rest
   const Real delta_P = std::numbers::pi_v<Real> - h_e * (Real(1) + Real(2) * k_);
-  return V_CM * (Real(1) + reciprocal_1 * std::pow(e, Real(1) + k_) * std::sin(delta_P) -
-      reciprocal_1 * root_1 * std::pow(e, k_) * std::sin(h_e - delta_P));
+  return V_CM * (Real(1) + reciprocal_1 * std::pow(e, Real(1) + k_) * sin(delta_P) - reciprocal_1 *
+      root_1 * std::pow(e, k_) * sin(h_e - delta_P));
 }
 
 // Only rho, from inelastic_end.after_P_rho; cost: 12 additions, 14 multiplications, 4 divisions,
 //   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real rho_after_P(Real alpha, Real e, std::int64_t k) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // root_1 = sqrt(e)
-  const Real root_1 = std::sqrt(e);
+  const Real root_1 = sqrt(e);
   // sum_1 = 1 - sqrt(e)
   const Real sum_1 = Real(1) - root_1;
   // alpha_c = (1/2)*(1 - sqrt(e))*(1 - sqrt(e))/sqrt(e), step inelastic_end.alpha_c
   const Real alpha_c = Real(0.5) * (sum_1 * sum_1) / root_1;
   // h_e = 2*atan(sqrt((alpha - alpha_c)/(2 + alpha_c + alpha))), step inelastic_end.h
-  const Real h_e = Real(2) * std::atan(std::sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
+  const Real h_e = Real(2) * atan(sqrt((alpha - alpha_c) / (Real(2) + alpha_c + alpha)));
   // reciprocal_1 = 1/sin(h_e)
-  const Real reciprocal_1 = Real(1) / std::sin(h_e);
+  const Real reciprocal_1 = Real(1) / sin(h_e);
   const Real k_ = static_cast<Real>(k);
   // delta_P = pi - h_e*(1 + 2*k), step inelastic_end.after_P_rest
   const Real delta_P = std::numbers::pi_v<Real> - h_e * (Real(1) + Real(2) * k_);
   // sum_2 = 1 + (1 + alpha)*(1/sin(h_e))*sqrt(e)*e^(k)*sin(h_e - delta_P) + (1/sin(h_e))*e^(1 +
   //   k)*sin(delta_P)
   const Real sum_2 = Real(1) + (Real(1) + alpha) * reciprocal_1 * root_1 * std::pow(e, k_) *
-      std::sin(h_e - delta_P) + reciprocal_1 * std::pow(e, Real(1) + k_) * std::sin(delta_P);
+      sin(h_e - delta_P) + reciprocal_1 * std::pow(e, Real(1) + k_) * sin(delta_P);
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   return sum_2 * sum_2 * (V_CM * V_CM);

@@ -21,19 +21,23 @@ namespace magicmass::generated {
 //   1 arctangent.
 template <class Real>
 Velocities<Real> velocities_tangent(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real n_ = static_cast<Real>(n);
   // product_1 = (1/2)*psi*n
   const Real product_1 = Real(0.5) * psi * n_;
   // cosine_1 = cos((1/2)*psi*n)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   // sine_1 = sin((1/2)*psi*n)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   // product_2 = tan_quarter*sin((1/2)*psi*n)
   const Real product_2 = tan_quarter * sine_1;
   // sum_1 = cos((1/2)*psi*n) + tan_quarter*sin((1/2)*psi*n)
@@ -54,19 +58,23 @@ Velocities<Real> velocities_tangent(Real alpha, std::int64_t n) {
 //   1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real a_tangent(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real n_ = static_cast<Real>(n);
   // product_1 = (1/2)*psi*n
   const Real product_1 = Real(0.5) * psi * n_;
   // cosine_1 = cos((1/2)*psi*n)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   // sine_1 = sin((1/2)*psi*n)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   // product_2 = tan_quarter*sin((1/2)*psi*n)
   const Real product_2 = tan_quarter * sine_1;
   return (cosine_1 + product_2) * (cosine_1 - product_2);
@@ -76,19 +84,23 @@ Real a_tangent(Real alpha, std::int64_t n) {
 //   1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real b_tangent(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real n_ = static_cast<Real>(n);
   // product_1 = (1/2)*psi*n
   const Real product_1 = Real(0.5) * psi * n_;
   // cosine_1 = cos((1/2)*psi*n)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   // sine_1 = sin((1/2)*psi*n)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   return Real(2) * (tan_quarter * cosine_1 + V_CM * sine_1) * sine_1;
 }
 
@@ -96,21 +108,25 @@ Real b_tangent(Real alpha, std::int64_t n) {
 //   1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real c_tangent(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // cot_half = tan_quarter/alpha, step tangent.cot_half
   const Real cot_half = tan_quarter / alpha;
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real n_ = static_cast<Real>(n);
   // product_1 = (1/2)*psi*n
   const Real product_1 = Real(0.5) * psi * n_;
   // cosine_1 = cos((1/2)*psi*n)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   // sine_1 = sin((1/2)*psi*n)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   return Real(2) * cot_half * (cosine_1 + tan_quarter * sine_1) * sine_1;
 }
 
@@ -118,21 +134,25 @@ Real c_tangent(Real alpha, std::int64_t n) {
 //   1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real c_prime_tangent(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // tan_quarter = sqrt(alpha*V_CM), step tangent.tan_quarter
-  const Real tan_quarter = std::sqrt(alpha * V_CM);
+  const Real tan_quarter = sqrt(alpha * V_CM);
   // cot_half = tan_quarter/alpha, step tangent.cot_half
   const Real cot_half = tan_quarter / alpha;
   // psi = 4*atan(tan_quarter), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(tan_quarter);
+  const Real psi = Real(4) * atan(tan_quarter);
   const Real n_ = static_cast<Real>(n);
   // product_1 = (1/2)*psi*n
   const Real product_1 = Real(0.5) * psi * n_;
   // cosine_1 = cos((1/2)*psi*n)
-  const Real cosine_1 = std::cos(product_1);
+  const Real cosine_1 = cos(product_1);
   // sine_1 = sin((1/2)*psi*n)
-  const Real sine_1 = std::sin(product_1);
+  const Real sine_1 = sin(product_1);
   return -(Real(2) * cot_half * (cosine_1 - tan_quarter * sine_1) * sine_1);
 }
 

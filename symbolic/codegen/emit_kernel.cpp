@@ -67,7 +67,7 @@ private:
     for (const std::string& id : form_.first) first += (first.empty() ? "" : ", ") + id;
     return line("// " + form_.summary + ".") + line("// Domain: " + form_.domain + ".") +
            line("// From: " + from + ".") + line("// With: " + with + ".") +
-           (first.empty() ? "" : line("// Beyond alpha = 1: " + first + ".")) +
+           (first.empty() ? "" : line("// From alpha = 1 on: " + first + ".")) +
            line("// Cost: " + codegen::text(operation_counts(program_)) + ".");
   }
 
@@ -97,9 +97,9 @@ private:
       std::string value = printer_.right_side(number);
       if (op == Op::reciprocal_square_root && !form_.first.empty()) {
         text += line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
-        text += indent + "if constexpr (in_lanes) {  // beyond alpha = 1: 1/(1 + alpha)\n" + indent +
+        text += indent + "if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)\n" + indent +
                 "  const Number first = Number::sum(Real(1.0), alpha);\n" + indent +
-                "  square = select(alpha > Real(1.0), first * first, square);\n" + indent + "}\n";
+                "  square = select(alpha >= Real(1.0), first * first, square);\n" + indent + "}\n";
         value = "reciprocal_square_root(square)";
       }
       text += line(indent + (carried ? "" : "const Number ") + printer_.name(number) + " = " +
@@ -109,11 +109,10 @@ private:
   }
 
   std::string replaced_turn(const std::string& indent) const {
-    return indent + "if constexpr (in_lanes) {  // n is 0 or 1 there\n" + indent +
-           "  const auto is_beyond = alpha > Real(1.0);\n" + indent +
-           "  sine = select(is_beyond, Number(" + form_.integers[0] + "), sine);\n" + indent +
-           "  cosine = select(is_beyond, select(" + form_.integers[0] + " > Real(0.0), cot_half, Number(Real(1.0))), "
-           "cosine);\n" +
+    return indent + "if constexpr (in_lanes) {  // two collisions\n" + indent +
+           "  const auto is_beyond = alpha >= Real(1.0);\n" + indent +
+           "  sine = select(is_beyond, " + form_.first_sine + ", sine);\n" + indent +
+           "  cosine = select(is_beyond, " + form_.first_cosine + ", cosine);\n" +
            indent + "}\n";
   }
 
@@ -140,13 +139,13 @@ private:
   // The first collisions in a single number: what the selections above do in lanes.
   std::string first_function() const {
     std::string text =
-        "  // Beyond alpha = 1, where n is 0 or 1.\n  [[gnu::always_inline]] void first() {\n"
+        "  // From alpha = 1 on, where there are two collisions.\n  [[gnu::always_inline]] void first() {\n"
         "    cot_half = reciprocal(Number::sum(Real(1.0), alpha));\n";
     for (const int number : carried_)
       if (node(number).op == Op::multiply || node(number).op == Op::add)
         text += line("    " + printer_.name(number) + " = " + printer_.right_side(number) + ";");
-    return text +
-           "    sine = Number(" + form_.integers[0] + ");\n    cosine = " + form_.integers[0] + " > 0.0 ? cot_half : Number(Real(1.0));\n  }\n";
+    return text + "    sine = " + form_.first_sine + ";\n    cosine = " + form_.first_cosine +
+           ";\n  }\n";
   }
 
   std::string evaluate_function() const {
@@ -159,7 +158,7 @@ private:
                        parameters + ") {\n    " + form_.kernel + " kernel;\n" + members;
     if (!form_.first.empty())
       text +=
-          "    if constexpr (!in_lanes)\n      if (alpha > 1.0) {\n        kernel.first();\n        "
+          "    if constexpr (!in_lanes)\n      if (alpha >= 1.0) {\n        kernel.first();\n        "
           "return kernel.result();\n      }\n";
     for (int s = 1; s < stages_.count; ++s) text += fmt::format("    kernel.stage_{}();\n", s);
     return text + "    return kernel.result();\n  }\n";
@@ -210,7 +209,7 @@ private:
       if (stages_.stage[i] == s && std::find(args.begin(), args.end(), number) != args.end())
         return true;
     }
-    // the selections beyond alpha = 1 use the root where the turn is known
+    // the selections from alpha = 1 on use the root where the turn is known
     return !form_.first.empty() && node(number).op == Op::reciprocal_square_root &&
            std::any_of(program_.nodes.begin(), program_.nodes.end(), [&](const Node& other) {
              return other.op == Op::sine && stage(static_cast<int>(&other - program_.nodes.data())) == s;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "codegen/generate.hpp"
 
+#include <ginac/ginac.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -44,12 +46,22 @@ Program for_kernel(const Program& lowered) {
       flat_products(flat_products(reciprocal_square_roots(prepared(lowered))))))));
 }
 
+// One formula is emitted for all cases of an output.
+void require_same_right_side(const Source& source, const std::string& member,
+                             const proof::Theorem& other) {
+  for (const auto& [name, theorem] : source.outputs)
+    if (name == member && !theorem.rhs().is_equal(other.rhs()))
+      throw std::logic_error(theorem.id() + " and " + other.id() + " have different right sides");
+}
+
 Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems) {
   Source source{{}, {}, form.reals, {}, {"V", "L"}};
   source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
   for (const auto& [name, id] : form.outputs)
     source.outputs.emplace_back(name, theorem_named(theorems, id));
   for (const std::string& id : form.bindings) source.bindings.push_back(theorem_named(theorems, id));
+  for (const auto& [member, ids] : form.other_cases)
+    for (const std::string& id : ids) require_same_right_side(source, member, theorem_named(theorems, id));
   return {form, for_kernel(lower(source))};
 }
 

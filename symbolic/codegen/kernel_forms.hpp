@@ -19,9 +19,12 @@ struct KernelForm {
   std::vector<std::string> integers = {};                    // whole numbers below 2^51: "n"
   std::vector<std::pair<std::string, std::string>> outputs;  // member -> theorem id
   std::vector<std::string> bindings = {};                    // theorem ids
-  // Beyond alpha = 1, where n is 0 or 1: the theorems of the first collisions, outputs' order. They are the outputs' right
-  // sides with cot_half = 1/(1 + alpha), tan_quarter = alpha cot_half, sine n and cosine cot_half (n = 1), which is checked.
+  // The same right sides for the other cases of an output, which is checked: member -> theorem ids.
+  std::vector<std::pair<std::string, std::vector<std::string>>> other_cases = {};
+  // From alpha = 1 on, where n is 0 or 1: the theorems of the first collisions, outputs' order. They are the outputs' right
+  // sides at n = 1 with cot_half = 1/(1 + alpha), tan_quarter = alpha cot_half and one of sine and cosine 1, the other cot_half.
   std::vector<std::string> first = {};
+  std::string first_sine = {}, first_cosine = {};  // the two there, in C++
 };
 
 const std::vector<KernelForm>& kernel_forms();

@@ -97,7 +97,8 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
 
 struct Terminal {
   Theorem psi_below_pi;
-  Theorem reached, not_before;  // pi <= (N_B + 1) psi, pi > N_B psi
+  Theorem reached, not_before;      // pi <= (N_B + 1) psi, pi > N_B psi
+  Theorem A_reached, A_not_before;  // pi <= (N_A + 1/2) psi, pi > (N_A - 1/2) psi
   Theorem b_below_V;
   Theorem b_at_beta_k;
 };
@@ -129,6 +130,9 @@ struct Tangent {
   Theorem t, s;
 };
 Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, const Times& times);
+
+// Terminal velocities.
+void offset(Kernel& kernel, const Power& power, const Counting& counting, const Terminal& terminal);
 
 struct Unfolding {
   Theorem t_Q, s_Q;  // from the straight line

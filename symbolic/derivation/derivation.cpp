@@ -99,6 +99,8 @@ const std::vector<Chapter>& chapters() {
        }},
       {"tangent", [](Kernel& kernel, Results& r, const Laws&,
                      const Paper&) { r.tangent = tangent(kernel, *r.rotation, *r.power, *r.times); }},
+      {"offset", [](Kernel& kernel, Results& r, const Laws&,
+                    const Paper&) { offset(kernel, *r.power, *r.counting, *r.terminal); }},
       {"unfolding",
        [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
          r.unfolding = unfolding(kernel, *r.cycle, *r.power, *r.mapping, *r.times);

@@ -87,6 +87,11 @@ ChapterWords chapter_words(const std::string& chapter) {
        {"One sine and one cosine",
         "With t = tan(psi/4), the sine and the cosine of n psi/2 give all four velocities as "
         "products, and those of j psi/2 the time and the place of collision j."}},
+      {"offset",
+       {"The last cycle's offset",
+        "After the last collision N_A psi/2 is within psi/4 of a quarter turn. In the sine and the "
+        "cosine of that small offset the terminal velocities are one formula, whichever collision "
+        "is the last."}},
       {"orthogonal",
        {"Orthogonal matrices",
         "What keeps all lengths is a rotation, or a rotation times a reflection."}},

@@ -17,7 +17,7 @@ inline namespace MAGICMASS_TARGET {
 // Domain: alpha > 0 of a single double; 0 <= j < number of collisions, j < 2^51.
 // From: tangent.t_product, tangent.s_product.
 // With: tangent.psi, tangent.tan_from_root, tangent.root.
-// Beyond alpha = 1: tangent.first_t, tangent.first_s.
+// From alpha = 1 on: tangent.first_t, tangent.first_s.
 // Cost: 3 additions, 7 multiplications, 1 division, 1 square root, 1 sine-cosine pair,
 //   1 arctangent.
 template <class Number>
@@ -36,9 +36,9 @@ struct EncountersKernel {
   [[gnu::always_inline]] void stage_1() {
     sum = Number::sum(Real(1.0), alpha);
     Number square = (Number::sum(Real(2.0), alpha)) * alpha;
-    if constexpr (in_lanes) {  // beyond alpha = 1: 1/(1 + alpha)
+    if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
       const Number first = Number::sum(Real(1.0), alpha);
-      square = select(alpha > Real(1.0), first * first, square);
+      square = select(alpha >= Real(1.0), first * first, square);
     }
     cot_half = reciprocal_square_root(square);
   }
@@ -52,8 +52,8 @@ struct EncountersKernel {
     const auto turned = sine_cosine(product);
     cosine = turned.cosine;
     sine = turned.sine;
-    if constexpr (in_lanes) {  // n is 0 or 1 there
-      const auto is_beyond = alpha > Real(1.0);
+    if constexpr (in_lanes) {  // two collisions
+      const auto is_beyond = alpha >= Real(1.0);
       sine = select(is_beyond, Number(j), sine);
       cosine = select(is_beyond, select(j > Real(0.0), cot_half, Number(Real(1.0))), cosine);
     }
@@ -68,12 +68,12 @@ struct EncountersKernel {
     };
   }
 
-  // Beyond alpha = 1, where n is 0 or 1.
+  // From alpha = 1 on, where there are two collisions.
   [[gnu::always_inline]] void first() {
     cot_half = reciprocal(Number::sum(Real(1.0), alpha));
     sum = Number::sum(Real(1.0), alpha);
     sine = Number(j);
-    cosine = j > 0.0 ? cot_half : Number(Real(1.0));
+    cosine = select(j > Real(0.0), cot_half, Number(Real(1.0)));
   }
 
   [[gnu::always_inline]] static Encounters<Number> evaluate(Real alpha, Real j) {
@@ -81,7 +81,7 @@ struct EncountersKernel {
     kernel.alpha = alpha;
     kernel.j = j;
     if constexpr (!in_lanes)
-      if (alpha > 1.0) {
+      if (alpha >= 1.0) {
         kernel.first();
         return kernel.result();
       }

@@ -18,7 +18,7 @@ inline namespace MAGICMASS_TARGET {
 //   n < 2^51.
 // From: tangent.a, tangent.b_product, tangent.c, tangent.c_prime.
 // With: tangent.psi, tangent.tan_from_root, tangent.root.
-// Beyond alpha = 1: tangent.first_a, tangent.first_b, tangent.first_c, tangent.first_c_prime.
+// From alpha = 1 on: tangent.first_a, tangent.first_b, tangent.first_c, tangent.first_c_prime.
 // Cost: 4 additions, 13 multiplications, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Number>
 struct VelocitiesKernel {
@@ -35,9 +35,9 @@ struct VelocitiesKernel {
 
   [[gnu::always_inline]] void stage_1() {
     Number square = (Number::sum(Real(2.0), alpha)) * alpha;
-    if constexpr (in_lanes) {  // beyond alpha = 1: 1/(1 + alpha)
+    if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
       const Number first = Number::sum(Real(1.0), alpha);
-      square = select(alpha > Real(1.0), first * first, square);
+      square = select(alpha >= Real(1.0), first * first, square);
     }
     cot_half = reciprocal_square_root(square);
   }
@@ -52,8 +52,8 @@ struct VelocitiesKernel {
     const auto turned = sine_cosine(product);
     cosine = turned.cosine;
     sine = turned.sine;
-    if constexpr (in_lanes) {  // n is 0 or 1 there
-      const auto is_beyond = alpha > Real(1.0);
+    if constexpr (in_lanes) {  // two collisions
+      const auto is_beyond = alpha >= Real(1.0);
       sine = select(is_beyond, Number(n), sine);
       cosine = select(is_beyond, select(n > Real(0.0), cot_half, Number(Real(1.0))), cosine);
     }
@@ -72,12 +72,12 @@ struct VelocitiesKernel {
     };
   }
 
-  // Beyond alpha = 1, where n is 0 or 1.
+  // From alpha = 1 on, where there are two collisions.
   [[gnu::always_inline]] void first() {
     cot_half = reciprocal(Number::sum(Real(1.0), alpha));
     tan_quarter = cot_half * alpha;
     sine = Number(n);
-    cosine = n > 0.0 ? cot_half : Number(Real(1.0));
+    cosine = select(n > Real(0.0), cot_half, Number(Real(1.0)));
   }
 
   [[gnu::always_inline]] static Velocities<Number> evaluate(Real alpha, Real n) {
@@ -85,7 +85,7 @@ struct VelocitiesKernel {
     kernel.alpha = alpha;
     kernel.n = n;
     if constexpr (!in_lanes)
-      if (alpha > 1.0) {
+      if (alpha >= 1.0) {
         kernel.first();
         return kernel.result();
       }

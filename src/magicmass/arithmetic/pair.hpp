@@ -89,15 +89,18 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline Pair<T> reciprocal_square_root(Pair<T> w) {
   if constexpr (lane_count<T> == 1) {
-    // no square of the root may overflow or underflow: powers of 4 move w, exactly
-    if (w.high < 0x1p-900) return scaled(reciprocal_square_root(scaled(w, 0x1p512)), 0x1p256);
-    if (w.high > 0x1p900) return scaled(reciprocal_square_root(scaled(w, 0x1p-512)), 0x1p-256);
+    // no square of the root may overflow or underflow: a power of 4 moves w, exactly
+    double shift = 1.0;
+    if (!(w.high >= 0x1p-900 && w.high <= 0x1p900)) [[unlikely]] {
+      shift = w.high < 1.0 ? 0x1p256 : 0x1p-256;
+      w = scaled(w, shift * shift);
+    }
     // one Newton step from the rounded root: its square's error and that of w count
     const double y = 1.0 / square_root(w.high);
     const Sum<T> square = two_product(y, y);
     const double e =
         one_minus_product(w.high, square.high) - (w.high * square.low + w.low * square.high);
-    return {y, 0.5 * y * e};
+    return {y * shift, 0.5 * y * e * shift};
   } else {
     // y has 24 bits, so y^2 has 48 and e is within 2^-74; what is left out of the series of (1 - e)^(-1/2), which
     // begins 1 + e/2 + 3/8 e^2, is 5/16 e^3 < 2^-66.

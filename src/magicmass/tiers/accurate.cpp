@@ -18,7 +18,7 @@ constexpr std::int64_t most_index = std::int64_t{1} << 51U;
 }  // namespace
 
 generated::Velocities<double> velocities(double alpha, std::int64_t n) {
-  if (is_in_range(alpha) && n >= 0 && n <= (alpha > 1.0 ? 1 : most_index)) [[likely]] {
+  if (is_in_range(alpha) && n >= 0 && n <= (alpha >= 1.0 ? 1 : most_index)) [[likely]] {
     if (n == 0) return {1.0, 0.0, 0.0, 0.0};
     generated::Velocities<double> result;
     if (tiers::single_kernels().velocities(alpha, static_cast<double>(n), result)) return result;

@@ -24,8 +24,8 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
   require_positive_finite("alpha", alpha);
   require_not_negative("n", n);
   if (n == 0) return {1.0, 0.0, 0.0, 0.0};
-  if (alpha > 1.0 && n > 1) {
-    throw InvalidInput("n must be 0 or 1 beyond alpha = 1, where there are two collisions, got " +
+  if (alpha >= 1.0 && n > 1) {
+    throw InvalidInput("n must be 0 or 1 from alpha = 1 on, where there are two collisions, got " +
                        std::to_string(n));
   }
   const auto high = static_cast<double>(n);
