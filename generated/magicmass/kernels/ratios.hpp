@@ -28,11 +28,11 @@ struct RatiosKernel {
   Number sine_2;  // sin((1/4)*pi*(1/(1 + k)))
 
   [[gnu::always_inline]] void stage_1() {
-    const Number value = Number::pi();
-    const auto turned = sine_cosine(scaled(value * reciprocal(Number::sum(Real(1.0), Real(2.0) *
-        k)), 0.5));
+    const auto turned = sine_cosine(scaled(Number::pi() * reciprocal(Number::sum(Real(1.0),
+        Real(2.0) * k)), 0.5));
     sine = turned.sine;
-    const auto turned_1 = sine_cosine(scaled(value * reciprocal(Number::sum(Real(1.0), k)), 0.25));
+    const auto turned_1 = sine_cosine(scaled(Number::pi() * reciprocal(Number::sum(Real(1.0), k)),
+        0.25));
     sine_2 = turned_1.sine;
   }
 

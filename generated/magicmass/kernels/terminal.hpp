@@ -30,7 +30,6 @@ struct TerminalKernel {
   Real alpha;
   Real N_A;
   Real turn;
-  Number value;  // pi
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   Number angle;  // atan(tan_quarter)
@@ -38,7 +37,6 @@ struct TerminalKernel {
   Number cosine;  // cos(r_t)
 
   [[gnu::always_inline]] void stage_1() {
-    value = Number::pi();
     Number square = (Number::sum(Real(2.0), alpha)) * alpha;
     if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
       const Number first = Number::sum(Real(1.0), alpha);
@@ -53,7 +51,7 @@ struct TerminalKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number r_t = (value - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
+    const Number r_t = (Number::pi() - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
     const auto turned = sine_cosine(r_t);
     sine = turned.sine;
     cosine = turned.cosine;
@@ -109,7 +107,6 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
   using Kernel = TerminalKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
-  arithmetic::Block<Number> values;
   arithmetic::Block<Number> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
   arithmetic::Block<Number> angles;
@@ -121,7 +118,6 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
     kernel.N_A = arithmetic::load<Real>(N_A + i);
     kernel.turn = arithmetic::load<Real>(turn + i);
     kernel.stage_1();
-    values.put(i, kernel.value);
     cot_halfs.put(i, kernel.cot_half);
   }
   for (std::size_t i = 0; i < size; i += lanes) {
@@ -139,7 +135,6 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
     kernel.alpha = arithmetic::load<Real>(alpha + i);
     kernel.N_A = arithmetic::load<Real>(N_A + i);
     kernel.turn = arithmetic::load<Real>(turn + i);
-    kernel.value = values.get(i);
     kernel.cot_half = cot_halfs.get(i);
     kernel.angle = angles.get(i);
     kernel.stage_3();

@@ -13,11 +13,13 @@ struct SingleKernels {
   generated::Encounters<double> (*fast_encounters)(double alpha, double j);
   double (*fast_angle)(double alpha);
   generated::Ratios<double> (*fast_ratios)(double k);
+  generated::Terminal<double> (*fast_terminal)(double alpha, double N_A, double turn);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);
   bool (*angle)(double alpha, double& result);
   bool (*ratios)(double k, generated::Ratios<double>& result);
+  bool (*terminal)(double alpha, double N_A, double turn, generated::Terminal<double>& result);
 };
 
 /// Those for this machine.
