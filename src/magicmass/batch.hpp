@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Many inputs at once: one contiguous span a quantity, in and out. Nothing is allocated and nothing is
+// modified but the outputs. Spans may be of any length and alignment, but all of a call have the same size, and
+// outputs overlap neither each other nor an input: else InvalidInput is thrown and nothing is written.
+// An input without an answer (alpha not positive and finite, n negative) gets NaN, or -1 for a count, in its
+// place. The last argument is for tests and measurements; results are the same bits with every instruction set.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "magicmass/batch/instruction_set.hpp"
+
+namespace magicmass {
+
+/// N_A and N_B, exact for every positive finite alpha, as those of count_collisions(alpha); -1 also where N_A + N_B is 2^63 or
+/// more, which is so for alpha below about 5.8e-38.
+void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A,
+                      std::span<std::int64_t> N_B,
+                      InstructionSet instruction_set = best_instruction_set());
+
+}  // namespace magicmass
