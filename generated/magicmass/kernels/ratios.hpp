@@ -54,7 +54,8 @@ struct RatiosKernel {
 };
 
 // A block of at most arithmetic::block_size elements,
-//   a whole number of vectors; `certain` is for types that know.
+//   a whole number of vectors. An output that is not
+// wanted is null; `certain` is for number types that know.
 template <class Number>
 void ratios_block(std::size_t size, const double* k, double* magic, double* deficient, arithmetic::Certainty<Number>& certain) {
   using Kernel = RatiosKernel<Number>;
@@ -75,8 +76,8 @@ void ratios_block(std::size_t size, const double* k, double* magic, double* defi
     kernel.sine = sines.get(i);
     kernel.sine_2 = sine_2s.get(i);
     const auto result = kernel.result();
-    certain.store(result.magic, magic, i);
-    certain.store(result.deficient, deficient, i);
+    if (magic != nullptr) certain.store(result.magic, magic, i);
+    if (deficient != nullptr) certain.store(result.deficient, deficient, i);
   }
 }
 

@@ -101,7 +101,8 @@ struct TerminalKernel {
 };
 
 // A block of at most arithmetic::block_size elements,
-//   a whole number of vectors; `certain` is for types that know.
+//   a whole number of vectors. An output that is not
+// wanted is null; `certain` is for number types that know.
 template <class Number>
 void terminal_block(std::size_t size, const double* alpha, const double* N_A, const double* turn, double* a_t, double* b_t, double* c_t, double* rho, arithmetic::Certainty<Number>& certain) {
   using Kernel = TerminalKernel<Number>;
@@ -151,10 +152,10 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
     kernel.sine = sines.get(i);
     kernel.cosine = cosines.get(i);
     const auto result = kernel.result();
-    certain.store(result.a_t, a_t, i);
-    certain.store(result.b_t, b_t, i);
-    certain.store(result.c_t, c_t, i);
-    certain.store(result.rho, rho, i);
+    if (a_t != nullptr) certain.store(result.a_t, a_t, i);
+    if (b_t != nullptr) certain.store(result.b_t, b_t, i);
+    if (c_t != nullptr) certain.store(result.c_t, c_t, i);
+    if (rho != nullptr) certain.store(result.rho, rho, i);
   }
 }
 

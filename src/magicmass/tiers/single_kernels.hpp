@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "magicmass/batch/instruction_set.hpp"
 #include "magicmass/quantities.hpp"
 
 namespace magicmass::tiers {
@@ -22,11 +23,18 @@ struct SingleKernels {
   bool (*terminal)(double alpha, double N_A, double turn, generated::Terminal<double>& result);
 };
 
-/// Those for this machine.
-const SingleKernels& single_kernels();
+/// single_kernels_for_target.cpp, compiled once for each instruction set: constants, so that asking for one runs none of
+/// its code.
+namespace tables {
+extern const SingleKernels baseline;
+extern const SingleKernels avx2;
+extern const SingleKernels avx512;
+}  // namespace tables
 
-/// Each, for tests and reports; the second only where the processor has AVX2 and FMA.
-const SingleKernels& single_kernels_baseline();
-const SingleKernels& single_kernels_avx2();
+/// Those for an instruction set that this machine has.
+const SingleKernels& single_kernels(InstructionSet instruction_set);
+
+/// Those for the best it has.
+const SingleKernels& single_kernels();
 
 }  // namespace magicmass::tiers

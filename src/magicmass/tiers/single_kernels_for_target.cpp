@@ -10,9 +10,6 @@
 #include "magicmass/kernels/velocities.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
-#define MAGICMASS_JOINED(a, b) a##b
-#define MAGICMASS_NAMED(name, target) MAGICMASS_JOINED(name, target)
-
 namespace magicmass::tiers {
 namespace {
 
@@ -109,12 +106,17 @@ bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
 
 }  // namespace
 
-const SingleKernels& MAGICMASS_NAMED(single_kernels_, MAGICMASS_TARGET)() {
-  static constexpr SingleKernels kernels{fast_velocities, fast_encounters, fast_angle,
-                                         fast_ratios,     fast_terminal,   velocities,
-                                         encounters,      angle,           ratios,
-                                         terminal};
-  return kernels;
-}
-
 }  // namespace magicmass::tiers
+
+const magicmass::tiers::SingleKernels magicmass::tiers::tables::MAGICMASS_TARGET = {
+    .fast_velocities = fast_velocities,
+    .fast_encounters = fast_encounters,
+    .fast_angle = fast_angle,
+    .fast_ratios = fast_ratios,
+    .fast_terminal = fast_terminal,
+    .velocities = velocities,
+    .encounters = encounters,
+    .angle = angle,
+    .ratios = ratios,
+    .terminal = terminal,
+};

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// Many inputs at once: one contiguous span a quantity, in and out. Nothing is allocated and nothing is
+// modified but the outputs. Spans may be of any length and alignment, but all of a call have the same size, and
+// outputs overlap neither each other nor an input: else InvalidInput is thrown and nothing is written.
+// An input without an answer (alpha not positive and finite, n negative) gets NaN, or -1 for a count, in its
+// place. The last argument is for tests and measurements; results are the same bits with every instruction set.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "magicmass/batch/instruction_set.hpp"
+
+namespace magicmass {
+
+/// N_A and N_B, exact for every positive finite alpha, as those of count_collisions(alpha); -1 also where N_A + N_B is 2^63 or
+/// more, which is so for alpha below about 5.8e-38.
+void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A,
+                      std::span<std::int64_t> N_B,
+                      InstructionSet instruction_set = best_instruction_set());
+
+/// All velocities just after the n-th collisions of alpha, in units of V, where 0 <= n <= N_A(alpha). In tier fast each within 4 times
+/// max(1/2, cond/2) ulp, cond = |alpha y'/y|; in tier accurate the nearest doubles. From theorems tangent.*.
+namespace fast {
+void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
+                std::span<double> b, std::span<double> c, std::span<double> c_prime,
+                InstructionSet instruction_set = best_instruction_set());
+}
+namespace accurate {
+void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
+                std::span<double> b, std::span<double> c, std::span<double> c_prime,
+                InstructionSet instruction_set = best_instruction_set());
+}
+
+/// Exact counts and the velocities after the last collision, in units of V, with the errors as above. From theorems
+/// offset.*. Where the counts do not fit 64 bits they are -1 and the velocities NaN.
+namespace fast {
+void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A, std::span<std::int64_t> N_B,
+              std::span<double> a_t, std::span<double> b_t, std::span<double> c_t,
+              InstructionSet instruction_set = best_instruction_set());
+}
+namespace accurate {
+void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A, std::span<std::int64_t> N_B,
+              std::span<double> a_t, std::span<double> b_t, std::span<double> c_t,
+              InstructionSet instruction_set = best_instruction_set());
+}
+
+}  // namespace magicmass

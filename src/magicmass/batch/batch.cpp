@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "magicmass/batch.hpp"
+
+#include <string>
+
+#include "magicmass/batch/columns.hpp"
+#include "magicmass/batch/kernels.hpp"
+#include "magicmass/errors.hpp"
+
+namespace magicmass {
+namespace batch {
+
+const Kernels& kernels(InstructionSet instruction_set) {
+  if (!is_available(instruction_set)) {
+    throw InvalidInput("this machine does not have the instruction set " +
+                       std::string(name(instruction_set)) + "; the best it has is " +
+                       name(best_instruction_set()));
+  }
+  switch (instruction_set) {
+    case InstructionSet::avx512:
+      return tables::avx512;
+    case InstructionSet::avx2:
+      return tables::avx2;
+    case InstructionSet::baseline:
+      break;
+  }
+  return tables::baseline;
+}
+
+}  // namespace batch
+
+void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A,
+                      std::span<std::int64_t> N_B, InstructionSet instruction_set) {
+  batch::require_separate_columns(
+      {batch::input("alpha", alpha), batch::output("N_A", N_A), batch::output("N_B", N_B)});
+  batch::kernels(instruction_set).counts(alpha.data(), N_A.data(), N_B.data(), alpha.size());
+}
+
+namespace {
+
+using Doubles = std::span<double>;
+using Integers = std::span<std::int64_t>;
+
+void check_and_run(batch::Kernels::Velocities run, std::span<const double> alpha,
+                   std::span<const std::int64_t> n, Doubles a, Doubles b, Doubles c,
+                   Doubles c_prime) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::input("n", n),
+                                   batch::output("a", a), batch::output("b", b),
+                                   batch::output("c", c), batch::output("c_prime", c_prime)});
+  run(alpha.data(), n.data(), a.data(), b.data(), c.data(), c_prime.data(), alpha.size());
+}
+
+void check_and_run(batch::Kernels::Terminal run, std::span<const double> alpha, Integers N_A,
+                   Integers N_B, Doubles a_t, Doubles b_t, Doubles c_t) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("N_A", N_A),
+                                   batch::output("N_B", N_B), batch::output("a_t", a_t),
+                                   batch::output("b_t", b_t), batch::output("c_t", c_t)});
+  run(alpha.data(), N_A.data(), N_B.data(), a_t.data(), b_t.data(), c_t.data(), alpha.size());
+}
+
+}  // namespace
+
+void fast::velocities(std::span<const double> alpha, std::span<const std::int64_t> n, Doubles a,
+                      Doubles b, Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_velocities, alpha, n, a, b, c, c_prime);
+}
+void accurate::velocities(std::span<const double> alpha, std::span<const std::int64_t> n, Doubles a,
+                          Doubles b, Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_velocities, alpha, n, a, b, c, c_prime);
+}
+void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
+                    Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
+}
+void accurate::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
+                        Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
+}
+
+}  // namespace magicmass

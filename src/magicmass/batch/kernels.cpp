@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Compiled once for each instruction set. Whatever is included here and is not always inlined has to live in the
+// namespace MAGICMASS_TARGET: the linker keeps one copy of any other inline function, which another processor may not run.
+#include "magicmass/batch/kernels.hpp"
+
+#include "magicmass/batch/counts.hpp"
+#include "magicmass/batch/terminal.hpp"
+#include "magicmass/batch/velocities.hpp"
+
+namespace magicmass::batch {
+namespace {
+using Lanes = arithmetic::Lanes<arithmetic::widest>;
+using Fast = arithmetic::Pair<Lanes>;
+using Accurate = arithmetic::Tracked<Lanes>;
+}  // namespace
+}  // namespace magicmass::batch
+
+const magicmass::batch::Kernels magicmass::batch::tables::MAGICMASS_TARGET = {
+    .counts = count_block_by_block,
+    .fast_velocities = velocities_block_by_block<Fast>,
+    .accurate_velocities = velocities_block_by_block<Accurate>,
+    .fast_terminal = terminal_block_by_block<Fast>,
+    .accurate_terminal = terminal_block_by_block<Accurate>,
+};
