@@ -18,16 +18,15 @@ namespace magicmass {
 template <Field Scalar>
 void require_positive_finite(std::string_view name, const Scalar& value) {
   bool valid = Scalar(0) < value;
+  if constexpr (std::is_floating_point_v<Scalar>) valid = valid && std::isfinite(value);
+  if (valid) return;  // the message costs more than most of what is called with it
   std::string got;
   if constexpr (std::is_floating_point_v<Scalar>) {
-    valid = valid && std::isfinite(value);
     std::array<char, 64> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     got = ", got " + std::string(text.data(), end);
   }
-  if (!valid) {
-    throw InvalidInput(std::string(name) + " must be a positive finite number" + got);
-  }
+  throw InvalidInput(std::string(name) + " must be a positive finite number" + got);
 }
 
 /// Throws Undecided if results in units of V, L and L/V could leave the range of a floating-point type.
