@@ -45,7 +45,7 @@ double certified_velocity(Velocity member, double alpha, std::int64_t n) {
   if (n == 0) {
     return member == Velocity::a ? 1.0 : 0.0;
   }
-  return certain("a velocity", [&]<std::size_t Words>() {
+  return certain("the rounding of a velocity", [&]<std::size_t Words>() {
     return attempt_member<Words>(member, alpha, static_cast<std::uint64_t>(n));
   });
 }
@@ -55,7 +55,7 @@ generated::Velocities<double> certified_velocities(double alpha, std::int64_t n)
   if (n == 0) {
     return {1.0, 0.0, 0.0, 0.0};
   }
-  return certain("a velocity", [&]<std::size_t Words>() {
+  return certain("the rounding of a velocity", [&]<std::size_t Words>() {
     return attempt_velocities<Words>(alpha, static_cast<std::uint64_t>(n));
   });
 }
@@ -67,7 +67,7 @@ double certified_energy_fraction(double alpha) {
   if (!counts) {
     return 1.0;
   }
-  return certain("the energy fraction", [&]<std::size_t Words>() {
+  return certain("the rounding of the energy fraction", [&]<std::size_t Words>() {
     return attempt_energy_fraction<Words>(alpha, static_cast<std::uint64_t>(counts->N_B));
   });
 }

@@ -21,8 +21,7 @@ auto until_certain(const char* what, const Attempt& attempt) {
   if constexpr (sizeof...(More) > 0) {
     return until_certain<More...>(what, attempt);
   } else {
-    throw Undecided(std::string(what) + " is closer to half way between two doubles than " +
-                    std::to_string(64 * Words) + " bits can tell");
+    throw Undecided(std::string(what) + " stays open at " + std::to_string(64 * Words) + " bits");
   }
 }
 

@@ -200,6 +200,5 @@ TEST_CASE("what is no mass ratio or no cycle is refused", "[exam]") {
   CHECK_THROWS_AS(certified_velocities(std::numeric_limits<double>::quiet_NaN(), 1), InvalidInput);
   CHECK_THROWS_AS(certified_energy_fraction(0.0), InvalidInput);
   const auto never = []<std::size_t Words>() { return std::optional<double>(); };
-  CHECK_THROWS_WITH((until_certain<2, 3>("this", never)),
-                    "this is closer to half way between two doubles than 192 bits can tell");
+  CHECK_THROWS_WITH((until_certain<2, 3>("this", never)), "this stays open at 192 bits");
 }
