@@ -29,7 +29,7 @@ auto until_certain(const char* what, const Attempt& attempt) {
 /// that nothing rests on "nearly".
 template <class Attempt>
 auto certain(const char* what, const Attempt& attempt) {
-  return until_certain<4, 8, 24>(what, attempt);
+  return until_certain<4, 8, 16, 24>(what, attempt);
 }
 
 /// A grid too fine for any number to be found on it.
