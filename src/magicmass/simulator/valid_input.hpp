@@ -14,12 +14,10 @@
 
 namespace magicmass {
 
-/// Throws InvalidInput, naming the quantity, unless 0 < value and, in floating point, value is finite.
+/// Throws InvalidInput, naming the quantity and, in floating point, its value.
 template <Field Scalar>
-void require_positive_finite(std::string_view name, const Scalar& value) {
-  bool valid = Scalar(0) < value;
-  if constexpr (std::is_floating_point_v<Scalar>) valid = valid && std::isfinite(value);
-  if (valid) return;  // the message costs more than most of what is called with it
+[[noreturn]] void refuse_as_not_positive_finite(std::string_view name,
+                                                [[maybe_unused]] const Scalar& value) {
   std::string got;
   if constexpr (std::is_floating_point_v<Scalar>) {
     std::array<char, 64> text{};
@@ -27,6 +25,18 @@ void require_positive_finite(std::string_view name, const Scalar& value) {
     got = ", got " + std::string(text.data(), end);
   }
   throw InvalidInput(std::string(name) + " must be a positive finite number" + got);
+}
+
+/// Throws InvalidInput, naming the quantity, unless 0 < value and, in floating point, value is finite.
+template <Field Scalar>
+void require_positive_finite(std::string_view name, const Scalar& value) {
+  bool valid = Scalar(0) < value;
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    valid = valid && std::isfinite(value);
+  }
+  if (!valid) {
+    refuse_as_not_positive_finite(name, value);
+  }
 }
 
 /// Throws Undecided if results in units of V, L and L/V could leave the range of a floating-point type.
