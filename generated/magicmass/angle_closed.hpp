@@ -14,7 +14,9 @@ namespace magicmass::generated {
 // Cost: 1 addition, 2 multiplications, 1 square root, 1 arctangent.
 template <class Real>
 Real angle_closed(Real alpha) {
-  return Real(2) * std::atan(std::sqrt(alpha * (Real(2) + alpha)));
+  using std::atan;
+  using std::sqrt;
+  return Real(2) * atan(sqrt(alpha * (Real(2) + alpha)));
 }
 
 }  // namespace magicmass::generated

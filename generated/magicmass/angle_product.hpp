@@ -14,7 +14,9 @@ namespace magicmass::generated {
 // Cost: 1 addition, 1 multiplication, 1 division, 1 square root, 1 arctangent.
 template <class Real>
 Real angle_product(Real alpha) {
-  return Real(4) * std::atan(std::sqrt(alpha / (Real(2) + alpha)));
+  using std::atan;
+  using std::sqrt;
+  return Real(4) * atan(sqrt(alpha / (Real(2) + alpha)));
 }
 
 }  // namespace magicmass::generated

@@ -19,14 +19,17 @@ namespace magicmass::generated {
 //   1 arctangent.
 template <class Real>
 Encounters<Real> encounters_product(Real alpha, std::int64_t j) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // psi = 4*atan(sqrt(alpha/(2 + alpha))), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha / (Real(2) + alpha)));
+  const Real psi = Real(4) * atan(sqrt(alpha / (Real(2) + alpha)));
   const Real j_ = static_cast<Real>(j);
   // reciprocal_1 = 1/sin((1/2)*psi*(1 + j))
-  const Real reciprocal_1 = Real(1) / std::sin(Real(0.5) * psi * (Real(1) + j_));
+  const Real reciprocal_1 = Real(1) / sin(Real(0.5) * psi * (Real(1) + j_));
   return {
-      .t = reciprocal_1 * std::sin(Real(0.5) * psi * j_),
-      .s = reciprocal_1 * std::sin(Real(0.5) * psi),
+      .t = reciprocal_1 * sin(Real(0.5) * psi * j_),
+      .s = reciprocal_1 * sin(Real(0.5) * psi),
   };
 }
 
@@ -34,20 +37,26 @@ Encounters<Real> encounters_product(Real alpha, std::int64_t j) {
 //   2 sines or cosines, 1 arctangent.
 template <class Real>
 Real t_product(Real alpha, std::int64_t j) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // psi = 4*atan(sqrt(alpha/(2 + alpha))), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha / (Real(2) + alpha)));
+  const Real psi = Real(4) * atan(sqrt(alpha / (Real(2) + alpha)));
   const Real j_ = static_cast<Real>(j);
-  return std::sin(Real(0.5) * psi * j_) / std::sin(Real(0.5) * psi * (Real(1) + j_));
+  return sin(Real(0.5) * psi * j_) / sin(Real(0.5) * psi * (Real(1) + j_));
 }
 
 // Only s, from times.s; cost: 2 additions, 4 multiplications, 2 divisions, 1 square root,
 //   2 sines or cosines, 1 arctangent.
 template <class Real>
 Real s_product(Real alpha, std::int64_t j) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // psi = 4*atan(sqrt(alpha/(2 + alpha))), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha / (Real(2) + alpha)));
+  const Real psi = Real(4) * atan(sqrt(alpha / (Real(2) + alpha)));
   const Real j_ = static_cast<Real>(j);
-  return std::sin(Real(0.5) * psi) / std::sin(Real(0.5) * psi * (Real(1) + j_));
+  return sin(Real(0.5) * psi) / sin(Real(0.5) * psi * (Real(1) + j_));
 }
 
 }  // namespace magicmass::generated

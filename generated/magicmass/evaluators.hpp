@@ -12,10 +12,16 @@
 #include "magicmass/angle_product.hpp"
 #include "magicmass/encounters_closed.hpp"
 #include "magicmass/encounters_product.hpp"
+#include "magicmass/encounters_tangent.hpp"
 #include "magicmass/ratios_closed.hpp"
 #include "magicmass/ratios_product.hpp"
+#include "magicmass/collapse_product.hpp"
+#include "magicmass/terminal_after_P.hpp"
+#include "magicmass/terminal_after_Q.hpp"
+#include "magicmass/two_collisions_rational.hpp"
 #include "magicmass/velocities_closed.hpp"
 #include "magicmass/velocities_product.hpp"
+#include "magicmass/velocities_tangent.hpp"
 
 namespace magicmass::generated {
 
@@ -44,6 +50,25 @@ constexpr const auto& angle_evaluators() {
 }
 
 template <class Real>
+struct CollapseEvaluator {
+  const char* name;
+  const char* form;
+  Real (*evaluate)(Real alpha, Real e);
+  double ulp_bound;
+  double eps_bound;
+};
+
+template <class Real>
+inline constexpr std::array<CollapseEvaluator<Real>, 1> collapse_table{{
+    {"collapse_product", "product", &collapse_product<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& collapse_evaluators() {
+  return collapse_table<Real>;
+}
+
+template <class Real>
 struct EncounterEvaluator {
   const char* name;
   const char* form;
@@ -53,9 +78,10 @@ struct EncounterEvaluator {
 };
 
 template <class Real>
-inline constexpr std::array<EncounterEvaluator<Real>, 2> encounter_table{{
+inline constexpr std::array<EncounterEvaluator<Real>, 3> encounter_table{{
     {"encounters_closed", "closed", &encounters_closed<Real>, no_bound, no_bound},
     {"encounters_product", "product", &encounters_product<Real>, no_bound, no_bound},
+    {"encounters_tangent", "tangent", &encounters_tangent<Real>, no_bound, no_bound},
 }};
 
 template <class Real>
@@ -84,6 +110,45 @@ constexpr const auto& ratio_evaluators() {
 }
 
 template <class Real>
+struct TerminalEvaluator {
+  const char* name;
+  const char* form;
+  Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k);
+  double ulp_bound;
+  double eps_bound;
+};
+
+template <class Real>
+inline constexpr std::array<TerminalEvaluator<Real>, 2> terminal_table{{
+    {"terminal_after_P", "after_P", &terminal_after_P<Real>, no_bound, no_bound},
+    {"terminal_after_Q", "after_Q", &terminal_after_Q<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& terminal_evaluators() {
+  return terminal_table<Real>;
+}
+
+template <class Real>
+struct TwoCollisionsEvaluator {
+  const char* name;
+  const char* form;
+  Terminal<Real> (*evaluate)(Real alpha, Real e);
+  double ulp_bound;
+  double eps_bound;
+};
+
+template <class Real>
+inline constexpr std::array<TwoCollisionsEvaluator<Real>, 1> two_collisions_table{{
+    {"two_collisions_rational", "rational", &two_collisions_rational<Real>, no_bound, no_bound},
+}};
+
+template <class Real>
+constexpr const auto& two_collisions_evaluators() {
+  return two_collisions_table<Real>;
+}
+
+template <class Real>
 struct VelocityEvaluator {
   const char* name;
   const char* form;
@@ -93,14 +158,27 @@ struct VelocityEvaluator {
 };
 
 template <class Real>
-inline constexpr std::array<VelocityEvaluator<Real>, 2> velocity_table{{
+inline constexpr std::array<VelocityEvaluator<Real>, 3> velocity_table{{
     {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
     {"velocities_product", "product", &velocities_product<Real>, no_bound, 5},
+    {"velocities_tangent", "tangent", &velocities_tangent<Real>, no_bound, 5},
 }};
 
 template <class Real>
 constexpr const auto& velocity_evaluators() {
   return velocity_table<Real>;
+}
+
+// visitor.operator()<table>(quantity, outputs, inputs) for each table.
+template <class Real, class Visitor>
+constexpr void visit_tables(Visitor&& visitor) {
+  visitor.template operator()<angle_table<Real>>("angle", "psi", "alpha");
+  visitor.template operator()<collapse_table<Real>>("collapse", "t", "alpha,e");
+  visitor.template operator()<encounter_table<Real>>("encounters", "t,s", "alpha,j");
+  visitor.template operator()<ratio_table<Real>>("ratios", "magic,deficient", "k");
+  visitor.template operator()<terminal_table<Real>>("terminal", "a_t,b_t,c_t,rho", "alpha,e,k");
+  visitor.template operator()<two_collisions_table<Real>>("two_collisions", "a_t,b_t,c_t,rho", "alpha,e");
+  visitor.template operator()<velocity_table<Real>>("velocities", "a,b,c,c_prime", "alpha,n");
 }
 
 }  // namespace magicmass::generated

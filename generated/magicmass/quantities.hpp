@@ -3,6 +3,8 @@
 // What the evaluators return.
 #pragma once
 
+#include <array>
+
 namespace magicmass::generated {
 
 // Velocities just after the n-th collisions, in units of V.
@@ -14,6 +16,11 @@ struct Velocities {
   Number c_prime;  // of C just after Q_n
 };
 
+template <class Number>
+constexpr std::array<Number, 4> as_array(const Velocities<Number>& all) {
+  return {all.a, all.b, all.c, all.c_prime};
+}
+
 // Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
 template <class Number>
 struct Encounters {
@@ -21,11 +28,35 @@ struct Encounters {
   Number s;  // the distance from A to B then, in units of L
 };
 
+template <class Number>
+constexpr std::array<Number, 2> as_array(const Encounters<Number>& all) {
+  return {all.t, all.s};
+}
+
 // The k-th threshold mass ratios.
 template <class Number>
 struct Ratios {
   Number magic;  // alpha_k, where B takes everything
   Number deficient;  // beta_k, where C ends up with B
 };
+
+template <class Number>
+constexpr std::array<Number, 2> as_array(const Ratios<Number>& all) {
+  return {all.magic, all.deficient};
+}
+
+// Velocities after the last collision, in units of V, and what B got of the energy.
+template <class Number>
+struct Terminal {
+  Number a_t;  // of A
+  Number b_t;  // of B
+  Number c_t;  // of C
+  Number rho;  // (b_t/V)^2
+};
+
+template <class Number>
+constexpr std::array<Number, 4> as_array(const Terminal<Number>& all) {
+  return {all.a_t, all.b_t, all.c_t, all.rho};
+}
 
 }  // namespace magicmass::generated

@@ -18,11 +18,11 @@ namespace magicmass::generated {
 // Cost: 4 additions, 2 multiplications, 4 divisions, 2 sines or cosines.
 template <class Real>
 Ratios<Real> ratios_closed(std::int64_t k) {
+  using std::cos;
   const Real k_ = static_cast<Real>(k);
   return {
-      .magic = Real(1) / std::cos(std::numbers::pi_v<Real> / (Real(1) + Real(2) * k_)) - Real(1),
-      .deficient = Real(1) / std::cos(Real(0.5) * std::numbers::pi_v<Real> / (Real(1) + k_)) -
-          Real(1),
+      .magic = Real(1) / cos(std::numbers::pi_v<Real> / (Real(1) + Real(2) * k_)) - Real(1),
+      .deficient = Real(1) / cos(Real(0.5) * std::numbers::pi_v<Real> / (Real(1) + k_)) - Real(1),
   };
 }
 
@@ -30,16 +30,18 @@ Ratios<Real> ratios_closed(std::int64_t k) {
 //   2 divisions, 1 sine or cosine.
 template <class Real>
 Real magic_closed(std::int64_t k) {
+  using std::cos;
   const Real k_ = static_cast<Real>(k);
-  return Real(1) / std::cos(std::numbers::pi_v<Real> / (Real(1) + Real(2) * k_)) - Real(1);
+  return Real(1) / cos(std::numbers::pi_v<Real> / (Real(1) + Real(2) * k_)) - Real(1);
 }
 
 // Only deficient, from ratios.beta_k_paper (exact:bk); cost: 2 additions, 1 multiplication,
 //   2 divisions, 1 sine or cosine.
 template <class Real>
 Real deficient_closed(std::int64_t k) {
+  using std::cos;
   const Real k_ = static_cast<Real>(k);
-  return Real(1) / std::cos(Real(0.5) * std::numbers::pi_v<Real> / (Real(1) + k_)) - Real(1);
+  return Real(1) / cos(Real(0.5) * std::numbers::pi_v<Real> / (Real(1) + k_)) - Real(1);
 }
 
 }  // namespace magicmass::generated

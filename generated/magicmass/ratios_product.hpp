@@ -18,18 +18,20 @@ namespace magicmass::generated {
 // Cost: 2 additions, 8 multiplications, 4 divisions, 4 sines or cosines.
 template <class Real>
 Ratios<Real> ratios_product(std::int64_t k) {
+  using std::cos;
+  using std::sin;
   const Real k_ = static_cast<Real>(k);
   // ratio_1 = pi/(1 + 2*k)
   const Real ratio_1 = std::numbers::pi_v<Real> / (Real(1) + Real(2) * k_);
   // sine_1 = sin((1/2)*(pi/(1 + 2*k)))
-  const Real sine_1 = std::sin(Real(0.5) * ratio_1);
+  const Real sine_1 = sin(Real(0.5) * ratio_1);
   // ratio_2 = pi/(1 + k)
   const Real ratio_2 = std::numbers::pi_v<Real> / (Real(1) + k_);
   // sine_2 = sin((1/4)*(pi/(1 + k)))
-  const Real sine_2 = std::sin(Real(0.25) * ratio_2);
+  const Real sine_2 = sin(Real(0.25) * ratio_2);
   return {
-      .magic = Real(2) * (sine_1 * sine_1) / std::cos(ratio_1),
-      .deficient = Real(2) * (sine_2 * sine_2) / std::cos(Real(0.5) * ratio_2),
+      .magic = Real(2) * (sine_1 * sine_1) / cos(ratio_1),
+      .deficient = Real(2) * (sine_2 * sine_2) / cos(Real(0.5) * ratio_2),
   };
 }
 
@@ -37,24 +39,28 @@ Ratios<Real> ratios_product(std::int64_t k) {
 //   2 sines or cosines.
 template <class Real>
 Real magic_product(std::int64_t k) {
+  using std::cos;
+  using std::sin;
   const Real k_ = static_cast<Real>(k);
   // ratio_1 = pi/(1 + 2*k)
   const Real ratio_1 = std::numbers::pi_v<Real> / (Real(1) + Real(2) * k_);
   // sine_1 = sin((1/2)*(pi/(1 + 2*k)))
-  const Real sine_1 = std::sin(Real(0.5) * ratio_1);
-  return Real(2) * (sine_1 * sine_1) / std::cos(ratio_1);
+  const Real sine_1 = sin(Real(0.5) * ratio_1);
+  return Real(2) * (sine_1 * sine_1) / cos(ratio_1);
 }
 
 // Only deficient, from ratios.beta_k_stable; cost: 1 addition, 4 multiplications, 2 divisions,
 //   2 sines or cosines.
 template <class Real>
 Real deficient_product(std::int64_t k) {
+  using std::cos;
+  using std::sin;
   const Real k_ = static_cast<Real>(k);
   // ratio_1 = pi/(1 + k)
   const Real ratio_1 = std::numbers::pi_v<Real> / (Real(1) + k_);
   // sine_1 = sin((1/4)*(pi/(1 + k)))
-  const Real sine_1 = std::sin(Real(0.25) * ratio_1);
-  return Real(2) * (sine_1 * sine_1) / std::cos(Real(0.5) * ratio_1);
+  const Real sine_1 = sin(Real(0.25) * ratio_1);
+  return Real(2) * (sine_1 * sine_1) / cos(Real(0.5) * ratio_1);
 }
 
 }  // namespace magicmass::generated

@@ -20,25 +20,28 @@ namespace magicmass::generated {
 //   1 arctangent.
 template <class Real>
 Velocities<Real> velocities_closed(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // sum_1 = 2 + alpha
   const Real sum_1 = Real(2) + alpha;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / sum_1;
   // psi = 2*atan(sqrt(alpha*(2 + alpha))), step rotation.psi_paper
-  const Real psi = Real(2) * std::atan(std::sqrt(alpha * sum_1));
+  const Real psi = Real(2) * atan(sqrt(alpha * sum_1));
   // reciprocal_1 = 1/cos((1/2)*psi)
-  const Real reciprocal_1 = Real(1) / std::cos(Real(0.5) * psi);
+  const Real reciprocal_1 = Real(1) / cos(Real(0.5) * psi);
   const Real n_ = static_cast<Real>(n);
   // reciprocal_2 = 1/sin((1/4)*psi)
-  const Real reciprocal_2 = Real(1) / std::sin(Real(0.25) * psi);
+  const Real reciprocal_2 = Real(1) / sin(Real(0.25) * psi);
   // product_1 = 4*n
   const Real product_1 = Real(4) * n_;
   return {
-      .a = V_CM * (Real(1) + reciprocal_1 * std::cos(psi * n_)),
-      .b = V_CM * (Real(1) - reciprocal_1 * std::cos(Real(0.5) * psi * (Real(1) + Real(2) * n_))),
-      .c = V_CM * (Real(1) + reciprocal_2 * std::sin(Real(0.25) * psi * (product_1 - Real(1)))),
-      .c_prime = V_CM * (Real(1) - reciprocal_2 * std::sin(Real(0.25) * psi * (Real(1) +
-          product_1))),
+      .a = V_CM * (Real(1) + reciprocal_1 * cos(psi * n_)),
+      .b = V_CM * (Real(1) - reciprocal_1 * cos(Real(0.5) * psi * (Real(1) + Real(2) * n_))),
+      .c = V_CM * (Real(1) + reciprocal_2 * sin(Real(0.25) * psi * (product_1 - Real(1)))),
+      .c_prime = V_CM * (Real(1) - reciprocal_2 * sin(Real(0.25) * psi * (Real(1) + product_1))),
   };
 }
 
@@ -46,59 +49,70 @@ Velocities<Real> velocities_closed(Real alpha, std::int64_t n) {
 //   1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real a_closed(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sqrt;
   // sum_1 = 2 + alpha
   const Real sum_1 = Real(2) + alpha;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / sum_1;
   // psi = 2*atan(sqrt(alpha*(2 + alpha))), step rotation.psi_paper
-  const Real psi = Real(2) * std::atan(std::sqrt(alpha * sum_1));
+  const Real psi = Real(2) * atan(sqrt(alpha * sum_1));
   const Real n_ = static_cast<Real>(n);
-  return V_CM * (Real(1) + std::cos(psi * n_) / std::cos(Real(0.5) * psi));
+  return V_CM * (Real(1) + cos(psi * n_) / cos(Real(0.5) * psi));
 }
 
 // Only b, from power.b (eq:b-final); cost: 3 additions, 7 multiplications, 2 divisions,
 //   1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real b_closed(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sqrt;
   // sum_1 = 2 + alpha
   const Real sum_1 = Real(2) + alpha;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / sum_1;
   // psi = 2*atan(sqrt(alpha*(2 + alpha))), step rotation.psi_paper
-  const Real psi = Real(2) * std::atan(std::sqrt(alpha * sum_1));
+  const Real psi = Real(2) * atan(sqrt(alpha * sum_1));
   const Real n_ = static_cast<Real>(n);
-  return V_CM * (Real(1) - std::cos(Real(0.5) * psi * (Real(1) + Real(2) * n_)) /
-      std::cos(Real(0.5) * psi));
+  return V_CM * (Real(1) - cos(Real(0.5) * psi * (Real(1) + Real(2) * n_)) / cos(Real(0.5) * psi));
 }
 
 // Only c, from power.c (eq:c-final); cost: 3 additions, 7 multiplications, 2 divisions,
 //   1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_closed(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // sum_1 = 2 + alpha
   const Real sum_1 = Real(2) + alpha;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / sum_1;
   // psi = 2*atan(sqrt(alpha*(2 + alpha))), step rotation.psi_paper
-  const Real psi = Real(2) * std::atan(std::sqrt(alpha * sum_1));
+  const Real psi = Real(2) * atan(sqrt(alpha * sum_1));
   const Real n_ = static_cast<Real>(n);
-  return V_CM * (Real(1) + std::sin(Real(0.25) * psi * (Real(4) * n_ - Real(1))) /
-      std::sin(Real(0.25) * psi));
+  return V_CM * (Real(1) + sin(Real(0.25) * psi * (Real(4) * n_ - Real(1))) / sin(Real(0.25) *
+      psi));
 }
 
 // Only c_prime, from power.c_prime (eq:c'-final); cost: 3 additions, 7 multiplications,
 //   2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_prime_closed(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // sum_1 = 2 + alpha
   const Real sum_1 = Real(2) + alpha;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / sum_1;
   // psi = 2*atan(sqrt(alpha*(2 + alpha))), step rotation.psi_paper
-  const Real psi = Real(2) * std::atan(std::sqrt(alpha * sum_1));
+  const Real psi = Real(2) * atan(sqrt(alpha * sum_1));
   const Real n_ = static_cast<Real>(n);
-  return V_CM * (Real(1) - std::sin(Real(0.25) * psi * (Real(1) + Real(4) * n_)) /
-      std::sin(Real(0.25) * psi));
+  return V_CM * (Real(1) - sin(Real(0.25) * psi * (Real(1) + Real(4) * n_)) / sin(Real(0.25) *
+      psi));
 }
 
 }  // namespace magicmass::generated

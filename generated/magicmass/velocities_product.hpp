@@ -21,26 +21,30 @@ namespace magicmass::generated {
 //   1 arctangent.
 template <class Real>
 Velocities<Real> velocities_product(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // sum_1 = 1 + alpha
   const Real sum_1 = Real(1) + alpha;
   // psi = 4*atan(sqrt(alpha*V_CM)), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha * V_CM));
+  const Real psi = Real(4) * atan(sqrt(alpha * V_CM));
   const Real n_ = static_cast<Real>(n);
   // product_1 = 2*n
   const Real product_1 = Real(2) * n_;
   // cosine_1 = cos((1/4)*psi*(1 + 2*n))
-  const Real cosine_1 = std::cos(Real(0.25) * psi * (Real(1) + product_1));
+  const Real cosine_1 = cos(Real(0.25) * psi * (Real(1) + product_1));
   // cosine_2 = cos((1/4)*psi*(2*n - 1))
-  const Real cosine_2 = std::cos(Real(0.25) * psi * (product_1 - Real(1)));
+  const Real cosine_2 = cos(Real(0.25) * psi * (product_1 - Real(1)));
   // sine_1 = sin((1/2)*psi*n)
-  const Real sine_1 = std::sin(Real(0.5) * psi * n_);
+  const Real sine_1 = sin(Real(0.5) * psi * n_);
   // reciprocal_1 = 1/sin((1/4)*psi)
-  const Real reciprocal_1 = Real(1) / std::sin(Real(0.25) * psi);
+  const Real reciprocal_1 = Real(1) / sin(Real(0.25) * psi);
   return {
       .a = Real(2) * V_CM * sum_1 * cosine_1 * cosine_2,
-      .b = Real(2) * V_CM * sum_1 * std::sin(Real(0.5) * psi * (Real(1) + n_)) * sine_1,
+      .b = Real(2) * V_CM * sum_1 * sin(Real(0.5) * psi * (Real(1) + n_)) * sine_1,
       .c = Real(2) * V_CM * reciprocal_1 * cosine_2 * sine_1,
       .c_prime = -(Real(2) * V_CM * reciprocal_1 * cosine_1 * sine_1),
   };
@@ -50,54 +54,68 @@ Velocities<Real> velocities_product(Real alpha, std::int64_t n) {
 //   2 sines or cosines, 1 arctangent.
 template <class Real>
 Real a_product(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // psi = 4*atan(sqrt(alpha*V_CM)), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha * V_CM));
+  const Real psi = Real(4) * atan(sqrt(alpha * V_CM));
   const Real n_ = static_cast<Real>(n);
   // product_1 = 2*n
   const Real product_1 = Real(2) * n_;
-  return Real(2) * V_CM * (Real(1) + alpha) * std::cos(Real(0.25) * psi * (Real(1) + product_1)) *
-      std::cos(Real(0.25) * psi * (product_1 - Real(1)));
+  return Real(2) * V_CM * (Real(1) + alpha) * cos(Real(0.25) * psi * (Real(1) + product_1)) *
+      cos(Real(0.25) * psi * (product_1 - Real(1)));
 }
 
 // Only b, from power.b_product; cost: 3 additions, 10 multiplications, 1 division, 1 square root,
 //   2 sines or cosines, 1 arctangent.
 template <class Real>
 Real b_product(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // psi = 4*atan(sqrt(alpha*V_CM)), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha * V_CM));
+  const Real psi = Real(4) * atan(sqrt(alpha * V_CM));
   const Real n_ = static_cast<Real>(n);
-  return Real(2) * V_CM * (Real(1) + alpha) * std::sin(Real(0.5) * psi * (Real(1) + n_)) *
-      std::sin(Real(0.5) * psi * n_);
+  return Real(2) * V_CM * (Real(1) + alpha) * sin(Real(0.5) * psi * (Real(1) + n_)) *
+      sin(Real(0.5) * psi * n_);
 }
 
 // Only c, from power.c_product; cost: 2 additions, 11 multiplications, 2 divisions, 1 square root,
 //   3 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_product(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // psi = 4*atan(sqrt(alpha*V_CM)), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha * V_CM));
+  const Real psi = Real(4) * atan(sqrt(alpha * V_CM));
   const Real n_ = static_cast<Real>(n);
-  return Real(2) * V_CM * std::cos(Real(0.25) * psi * (Real(2) * n_ - Real(1))) *
-      std::sin(Real(0.5) * psi * n_) / std::sin(Real(0.25) * psi);
+  return Real(2) * V_CM * cos(Real(0.25) * psi * (Real(2) * n_ - Real(1))) * sin(Real(0.5) * psi *
+      n_) / sin(Real(0.25) * psi);
 }
 
 // Only c_prime, from power.c_prime_product; cost: 2 additions, 11 multiplications, 2 divisions,
 //   1 square root, 3 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_prime_product(Real alpha, std::int64_t n) {
+  using std::atan;
+  using std::cos;
+  using std::sin;
+  using std::sqrt;
   // V_CM = 1/(2 + alpha), step power.V_CM
   const Real V_CM = Real(1) / (Real(2) + alpha);
   // psi = 4*atan(sqrt(alpha*V_CM)), step rotation.psi_half_angle
-  const Real psi = Real(4) * std::atan(std::sqrt(alpha * V_CM));
+  const Real psi = Real(4) * atan(sqrt(alpha * V_CM));
   const Real n_ = static_cast<Real>(n);
-  return -(Real(2) * V_CM * std::cos(Real(0.25) * psi * (Real(1) + Real(2) * n_)) *
-      std::sin(Real(0.5) * psi * n_) / std::sin(Real(0.25) * psi));
+  return -(Real(2) * V_CM * cos(Real(0.25) * psi * (Real(1) + Real(2) * n_)) * sin(Real(0.5) * psi *
+      n_) / sin(Real(0.25) * psi));
 }
 
 }  // namespace magicmass::generated

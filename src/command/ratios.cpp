@@ -85,7 +85,7 @@ void add_ratios(Program& program) {
   command
       .add_option_function<std::string>(
           "--digits", [options](const std::string& text) { options->digits = text; },
-          "1 to 10000 certified decimal digits")
+          "1 to 100000 certified decimal digits")
       ->type_name("D");
   command.add_flag("--exact", options->exact,
                    fmt::format("long minimal polynomials too, for k to {}", last_polynomial));

@@ -104,15 +104,15 @@ void add_accuracy_options(CLI::App& command, AccuracyOptions& options) {
   command
       .add_option_function<std::string>(
           "--digits", [&options](const std::string& text) { options.digits = text; },
-          "1 to 10000 certified digits (tier exact)")
+          "1 to 100000 certified digits (tier exact)")
       ->type_name("D");
 }
 
 int parse_digits(const std::string& text) {
   int digits = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), digits);
-  if (error != std::errc{} || end != text.data() + text.size() || digits < 1 || digits > 10000)
-    throw InvalidInput("--digits must be a whole number from 1 to 10000, got " + shown_text(text));
+  if (error != std::errc{} || end != text.data() + text.size() || digits < 1 || digits > 100000)
+    throw InvalidInput("--digits must be a whole number from 1 to 100000, got " + shown_text(text));
   return digits;
 }
 

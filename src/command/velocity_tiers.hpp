@@ -28,7 +28,7 @@ void add_accuracy_options(CLI::App& command, AccuracyOptions& options);
 /// Without --tier: exact if --digits is given, else fast. Throws InvalidInput for an unknown tier.
 Accuracy accuracy(const AccuracyOptions& options);
 
-/// A number of decimal digits from 1 to 10000. Throws InvalidInput.
+/// A number of decimal digits from 1 to 100000, which take seconds. Throws InvalidInput.
 int parse_digits(const std::string& text);
 
 /// a_n, b_n, c_n and c'_n in units of V.

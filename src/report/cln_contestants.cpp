@@ -31,6 +31,8 @@ bool stays_short(const Input& in) {
   return in.index < most_bits && 2 * (in.index + 1) * length <= most_bits;
 }
 
+double rational_ns(const Input& in) { return 4e3 * static_cast<double>(in.index + 1); }
+
 // Ee & Lee eqs. def:psi, eq:a-final to eq:c'-final, exact:ak, exact:bk, eq:NA-ans, typed by hand once more, in 50
 // decimal digits.
 struct Digits {
@@ -101,6 +103,7 @@ std::vector<Contestant> rational_contestants(const std::string& quantity) {
     Contestant one =
         make_contestant("exact_rational", quantity, "exact, rounded", "double", evaluate);
     one.can = stays_short;
+    one.expected_ns = rational_ns;
     one.ulp_bound = 0.5;
     return std::vector<Contestant>{one};
   };
@@ -121,8 +124,9 @@ std::vector<Contestant> rational_contestants(const std::string& quantity) {
 
 std::vector<Contestant> digits_contestants(const std::string& quantity) {
   const auto make = [&](auto evaluate) {
-    return std::vector<Contestant>{
-        make_contestant("digits_50", quantity, "naive, 50 digits", "double", evaluate)};
+    Contestant one = make_contestant("digits_50", quantity, "naive, 50 digits", "double", evaluate);
+    one.expected_ns = [](const Input&) { return 1e4; };
+    return std::vector<Contestant>{one};
   };
   if (quantity == "velocities") return make(velocities_in_digits);
   if (quantity == "encounters") return make(encounters_in_digits);

@@ -12,16 +12,24 @@
 namespace magicmass::report {
 
 /// What an evaluator is asked: a mass ratio and a cycle n, a collision j or a ratio's k. A quantity that does not need
-/// one of the two ignores it.
+/// one of them ignores it.
 struct Input {
   double alpha;
   std::int64_t index;
+  double e = 1.0;  ///< coefficient of restitution
 };
 
-/// "velocities" has the members a, b, c, c_prime.
+/// "velocities" has the members a, b, c, c_prime and the inputs alpha, n.
 struct Quantity {
   std::string name;
   std::vector<std::string> members;
+  std::vector<std::string> inputs = {};
+  /// There is a transcription of the paper to compare with and an oracle; else it is known from the generated tables
+  /// alone.
+  bool is_known = true;
+  bool takes(const std::string& input) const;
+  /// n, j or k, or nothing.
+  std::string index() const;
 };
 
 /// One way to get the numbers: a generated evaluator, the paper's formulas transcribed, event stepping, ...
@@ -39,6 +47,9 @@ struct Contestant {
   double eps_bound = std::numeric_limits<double>::infinity();
   /// False where it would take too long or has no meaning (stepping at n = 2^40).
   std::function<bool(const Input&)> can = {};
+  /// Roughly the nanoseconds of one evaluation, by rule and not by clock: from it follows on which inputs a slow one
+  /// is timed, the same in every run. Empty: it is fast.
+  std::function<double(const Input&)> expected_ns = {};
   /// One evaluation; writes the quantity's members in order.
   std::function<void(const Input&, long double* members)> evaluate = {};
   /// All inputs one after another, with nothing but the evaluator in the loop: throughput.

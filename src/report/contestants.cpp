@@ -21,12 +21,12 @@ void append(std::vector<Contestant>& all, std::vector<Contestant> more) {
 
 template <class Real>
 std::vector<Contestant> generated_in(const std::string& quantity) {
-  using namespace generated;
-  if (quantity == "velocities") return table_contestants<Real, velocity_table<Real>>(quantity);
-  if (quantity == "encounters") return table_contestants<Real, encounter_table<Real>>(quantity);
-  if (quantity == "ratios") return table_contestants<Real, ratio_table<Real>>(quantity);
-  if (quantity == "angle") return table_contestants<Real, angle_table<Real>>(quantity);
-  return {};
+  std::vector<Contestant> all;
+  const auto add = [&]<const auto & table>(const char* name, const char*, const char*) {
+    if (name == quantity) all = table_contestants<Real, table>(quantity);
+  };
+  generated::visit_tables<Real>(add);
+  return all;
 }
 
 /// The transcription of a quantity with these types.
@@ -84,7 +84,8 @@ std::vector<Contestant> certified_contestants(const std::string& quantity) {
 }
 
 std::vector<Contestant> contestants(const std::string& quantity) {
-  const std::string& name = quantity_named(quantity).name;
+  const auto& [name, members, inputs, is_known] = quantity_named(quantity);
+  if (!is_known) return generated_contestants(name);
   std::vector<Contestant> all;
   for (const auto& part :
        {naive_contestants, generated_contestants, certified_contestants, stepping_contestants,

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "report/evaluation.hpp"
@@ -16,8 +17,11 @@
 namespace magicmass::report {
 namespace {
 
-using Key = std::pair<std::uint64_t, std::int64_t>;
-Key key(const Input& input) { return {std::bit_cast<std::uint64_t>(input.alpha), input.index}; }
+using Key = std::tuple<std::uint64_t, std::int64_t, std::uint64_t>;
+Key key(const Input& input) {
+  return {std::bit_cast<std::uint64_t>(input.alpha), input.index,
+          std::bit_cast<std::uint64_t>(input.e)};
+}
 
 /// What is climbed on: a figure of a sample, the largest in the row, and where that was.
 struct Figure {
@@ -88,10 +92,10 @@ std::vector<Input> neighbours(const Input& at, const Contestant& contestant) {
   std::vector<Input> all;
   if (takes_alpha(contestant.quantity))
     for (const std::int64_t steps : {1, -1, 2, -2, 5, -5, 17, -17, 1000, -1000})
-      all.push_back({moved(at.alpha, steps * ulp), at.index});
-  if (contestant.quantity != "angle" && contestant.quantity != "counts")
+      all.push_back({moved(at.alpha, steps * ulp), at.index, at.e});
+  if (!quantity_named(contestant.quantity).index().empty())
     for (const std::int64_t step : {1, -1, 2, -2, 3, -3, 10, -10})
-      all.push_back({at.alpha, at.index + step});
+      all.push_back({at.alpha, at.index + step, at.e});
   return all;
 }
 

@@ -14,7 +14,7 @@
 namespace magicmass::report {
 namespace {
 
-constexpr std::size_t most_members = 4;
+constexpr std::size_t most_members = 16;
 
 /// Counts are whole numbers whatever they were computed in: right or wrong by so many.
 Deviation compared_counts(long double got, const ExactValue& exact) {
@@ -33,19 +33,16 @@ Deviation compared_in(const std::string& precision, long double got, const Exact
 
 std::int64_t last_index(const std::string& quantity, double alpha) {
   const LastCollision last = last_collision(alpha);
-  return quantity == "velocities" ? last.N_A : last.total() - 1;
-}
-
-bool has_index(const std::string& quantity) {
-  return quantity == "velocities" || quantity == "encounters";
+  return quantity_named(quantity).takes("n") ? last.N_A : last.total() - 1;
 }
 
 }  // namespace
 
 Input rounded_input(const Input& input, const std::string& quantity, const std::string& precision) {
   if (precision != "float" || !takes_alpha(quantity)) return input;
-  Input rounded{static_cast<double>(static_cast<float>(input.alpha)), input.index};
-  if (has_index(quantity) && rounded.alpha > 0 && std::isfinite(rounded.alpha))
+  Input rounded{static_cast<double>(static_cast<float>(input.alpha)), input.index,
+                static_cast<double>(static_cast<float>(input.e))};
+  if (has_last_index(quantity) && rounded.alpha > 0 && std::isfinite(rounded.alpha))
     rounded.index = std::min(rounded.index, last_index(quantity, rounded.alpha));
   return rounded;
 }
@@ -55,7 +52,8 @@ std::optional<std::vector<std::optional<Deviation>>> compared(const Contestant& 
   if (takes_alpha(contestant.quantity) && !(input.alpha > 0 && std::isfinite(input.alpha)))
     return std::nullopt;
   if (input.index < (takes_alpha(contestant.quantity) ? 0 : 1)) return std::nullopt;
-  if (has_index(contestant.quantity) && input.index > last_index(contestant.quantity, input.alpha))
+  if (has_last_index(contestant.quantity) &&
+      input.index > last_index(contestant.quantity, input.alpha))
     return std::nullopt;
   if (contestant.quantity == "counts" && !last_collision(input.alpha).is_known) return std::nullopt;
   if (!contestant.can(input)) return std::nullopt;

@@ -50,27 +50,31 @@ std::int64_t picked(Pick pick, const Alpha& alpha, std::int64_t last, bool is_cy
 Family family_of(const AlphaSource& source, const std::string& quantity, std::size_t size) {
   PortableRandom random(source.seed);
   Family family{source.name, source.description, quantity, {}};
-  const bool is_cycle = quantity == "velocities";
+  const Quantity& asked = quantity_named(quantity);
+  const bool is_cycle = asked.takes("n");
   std::size_t i = 0;
   for (const Alpha& alpha : source.draw(random, size)) {
     Input input{alpha.value, 0};
-    if (is_cycle || quantity == "encounters") {
+    if (!asked.index().empty()) {
       const LastCollision collisions = last_collision(alpha.value);
       const std::int64_t last = is_cycle ? collisions.N_A : collisions.total() - 1;
       input.index = std::min(last, picked(source.pick, alpha, last, is_cycle, i++, random));
     }
     if (quantity == "counts" && !last_collision(alpha.value).is_known) continue;
+    if (asked.takes("e"))
+      input.e = family.inputs.size() % 4 == 0 ? 1.0 : random.log_uniform(0.01, 1.0);
     family.inputs.push_back(input);
   }
   return family;
 }
 
-std::vector<Family> ratio_families(std::size_t size) {
+/// Of what takes k alone.
+std::vector<Family> ratio_families(const std::string& quantity, std::size_t size) {
   std::vector<Family> all{
-      {"closest thresholds", "alpha_539 and beta_19530, the closest to a double", "ratios", {}},
-      {"k above 2^32", "k from 2^32 to 2^62", "ratios", {}},
-      {"k to 1e6", "k to 1e6 with a uniform number of digits", "ratios", {}},
-      {"first k", "k = 1, 2, 3, ...", "ratios", {}}};
+      {"closest thresholds", "alpha_539 and beta_19530, the closest to a double", quantity, {}},
+      {"k above 2^32", "k from 2^32 to 2^62", quantity, {}},
+      {"k to 1e6", "k to 1e6 with a uniform number of digits", quantity, {}},
+      {"first k", "k = 1, 2, 3, ...", quantity, {}}};
   PortableRandom random(21);
   all[0].inputs = {{0.0, 539}, {0.0, 19530}};
   for (std::size_t i = 0; i < size; ++i) {
@@ -87,7 +91,7 @@ std::vector<Family> ratio_families(std::size_t size) {
 
 std::vector<Family> families(const std::string& quantity, std::size_t size) {
   const std::string& name = quantity_named(quantity).name;
-  if (name == "ratios") return ratio_families(size);
+  if (!takes_alpha(name)) return ratio_families(name, size);
   std::vector<Family> all;
   for (const AlphaSource& source : alpha_sources())
     if (source.has_count || name != "counts") all.push_back(family_of(source, name, size));

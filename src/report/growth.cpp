@@ -103,7 +103,8 @@ std::vector<Growth> growth_along(const Scale& scale, const std::vector<Contestan
                   scale.words,
                   {},
                   {},
-                  {}};
+                  {},
+                  contestant.is_reproducible};
     for (std::size_t i = 0; i < scale.families.size(); ++i) {
       const Family& family = scale.families[i];
       const auto time = std::find_if(times.begin(), times.end(), [&](const TimeRow& row) {
@@ -148,7 +149,8 @@ std::vector<Growth> growth_with_array_length(const std::string& quantity,
                    "length of the array of inputs",
                    {},
                    {},
-                   {}});
+                   {},
+                   contestant.is_reproducible});
     for (std::size_t i = 0; i < lengths.size(); ++i) {
       const auto window = std::make_shared<Window>(longest, lengths[i]);
       groups[i].push_back(

@@ -40,6 +40,7 @@ struct Growth {
   std::string scale, words;  ///< of the Scale
   std::vector<GrowthPoint> points;
   std::optional<PowerLaw> time, error;
+  bool is_reproducible = true;  ///< as the Contestant says
 };
 
 using MeasureErrors = std::function<std::vector<ErrorRow>(const Contestant&, const Family&)>;

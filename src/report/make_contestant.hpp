@@ -26,18 +26,9 @@ constexpr const char* precision_name() {
 }
 
 /// Members of any result, in order.
-template <class Real>
-std::array<Real, 4> members_of(const generated::Velocities<Real>& v) {
-  return {v.a, v.b, v.c, v.c_prime};
-}
-template <class Real>
-std::array<Real, 2> members_of(const generated::Encounters<Real>& e) {
-  return {e.t, e.s};
-}
-template <class Real>
-std::array<Real, 2> members_of(const generated::Ratios<Real>& r) {
-  return {r.magic, r.deficient};
-}
+template <class Result>
+requires std::is_class_v<Result>
+auto members_of(const Result& result) { return generated::as_array(result); }
 inline std::array<std::int64_t, 2> members_of(const Counts& n) { return {n.N_A, n.N_B}; }
 template <class Real>
 requires std::is_floating_point_v<Real> std::array<Real, 1> members_of(Real x) { return {x}; }
@@ -69,7 +60,7 @@ Input after(const Input& input, const Result& result, std::uint64_t zero) {
   for (const auto member : members_of(result)) bits ^= bits_of(member);
   bits &= zero;
   return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(input.alpha) ^ bits),
-          static_cast<std::int64_t>(static_cast<std::uint64_t>(input.index) ^ bits)};
+          static_cast<std::int64_t>(static_cast<std::uint64_t>(input.index) ^ bits), input.e};
 }
 
 /// A contestant whose one evaluation is evaluate(Input).

@@ -2,6 +2,8 @@
 #include "report/oracle.hpp"
 
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include <cln/integer.h>
 
@@ -45,10 +47,21 @@ std::vector<ExactValue> exact_members(const std::string& quantity, const Input& 
 
 const std::vector<ExactValue>& Oracle::at(const std::string& quantity, const Input& input) {
   const std::string& name = quantity_named(quantity).name;
-  const std::pair key(name, std::pair(takes_alpha(name) ? input.alpha : 0.0, input.index));
+  const std::tuple key(name, takes_alpha(name) ? input.alpha : 0.0, input.index, input.e);
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
-  return known_.emplace(key, exact_members(name, input)).first->second;
+  const auto learnt = learnt_.find(name);
+  if (learnt == learnt_.end() && !quantity_named(name).is_known)
+    throw std::logic_error("the oracle has not learnt what " + name + " are");
+  return known_
+      .emplace(key, learnt == learnt_.end() ? exact_members(name, input) : learnt->second(input))
+      .first->second;
+}
+
+void Oracle::learn(const std::string& quantity, Formula formula) {
+  if (quantity_named(quantity).is_known)
+    throw std::logic_error("the oracle knows what " + quantity + " are");
+  learnt_[quantity] = std::move(formula);
 }
 
 }  // namespace magicmass::report

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "report/contestant.hpp"
@@ -19,14 +21,17 @@ class Oracle {
 public:
   /// The quantity's members in order. alpha positive and finite, index in the quantity's domain, else throws
   /// InvalidInput; Undecided if a rounding stayed open at a precision far beyond what it takes (never seen). The
-  /// reference lives until forget.
+  /// reference lives as long as the oracle.
   const std::vector<ExactValue>& at(const std::string& quantity, const Input& input);
 
-  /// Drops what was kept.
-  void forget() { known_.clear(); }
+  /// Exact values of a quantity that the oracle does not know by itself, from a formula evaluated elsewhere; members that
+  /// have no value at an input do not exist there. Throws std::logic_error for a quantity that it knows.
+  using Formula = std::function<std::vector<ExactValue>(const Input&)>;
+  void learn(const std::string& quantity, Formula formula);
 
 private:
-  std::map<std::pair<std::string, std::pair<double, std::int64_t>>, std::vector<ExactValue>> known_;
+  std::map<std::tuple<std::string, double, std::int64_t, double>, std::vector<ExactValue>> known_;
+  std::map<std::string, Formula> learnt_;
 };
 
 }  // namespace magicmass::report

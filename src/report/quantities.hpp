@@ -8,13 +8,16 @@
 
 namespace magicmass::report {
 
-/// Everything that is measured: velocities, encounters, angle, ratios, counts.
+/// Everything that is measured: velocities, encounters, angle, ratios, counts, and what the generated tables have besides.
 const std::vector<Quantity>& quantities();
 
 /// The quantity of that name; throws InvalidInput for another.
 const Quantity& quantity_named(const std::string& name);
 
-/// Is the result a function of alpha, which the caller had to round? Ratios take k alone.
+/// Is the result a function of alpha, which the caller had to round? Ratios take k alone. True for a name that is none.
 bool takes_alpha(const std::string& quantity);
+
+/// Does it take n or j, of which there is a last one for each alpha?
+bool has_last_index(const std::string& quantity);
 
 }  // namespace magicmass::report

@@ -39,13 +39,15 @@ struct TimeRow {
   std::string contestant, precision, quantity, family;
   double ns_median = 0.0, ns_minimum = 0.0;  ///< throughput, per evaluation
   double latency_ns = 0.0;
-  double ratio = 0.0, ratio_low = 0.0,
-         ratio_high = 0.0;       ///< paired, to naive in double; 95 % interval
-  double slowest_call_ns = 0.0;  ///< one single call
-  Input slowest{};               ///< where that was
-  std::optional<double> cycles;  ///< from a loop calibrated in the same run
+  double ratio = 0.0;  ///< paired, to naive in double: the median of the batches
+  double ratio_low = 0.0, ratio_high = 0.0;  ///< 95 % interval; NaN for a batch by itself
+  double slowest_call_ns = 0.0;              ///< one single call
+  Input slowest{};                           ///< where that was
+  std::optional<double> cycles;              ///< from a loop calibrated in the same run
   std::size_t inputs = 0;  ///< timed: a contestant skips what it cannot do, a slow one samples
   std::size_t rounds = 0;
+  std::size_t batches = 1;  ///< of rounds, each in a process of its own
+  bool is_steady = true;    ///< false: the batches disagree, the interval is wider than a tenth
 };
 
 }  // namespace magicmass::report

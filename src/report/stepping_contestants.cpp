@@ -12,6 +12,12 @@ namespace magicmass::report {
 namespace {
 
 constexpr std::int64_t most_collisions = 4096;
+constexpr double ns_per_collision = 6.0;
+constexpr double ns_per_event = 10.0;
+
+auto expected(double ns, std::int64_t (*collisions)(const Input&)) {
+  return [=](const Input& in) { return ns * static_cast<double>(collisions(in) + 10); };
+}
 
 /// Where rounding ends the run too early there is no answer: NaN.
 template <class Real>
@@ -64,15 +70,19 @@ Contestant stepping(const std::string& quantity) {
   if (quantity == "velocities") {
     Contestant one = make([](const Input& in) { return velocities<Real>(in); });
     one.can = [](const Input& in) { return 2 * in.index <= most_collisions; };
+    one.expected_ns = expected(ns_per_collision, [](const Input& in) { return 2 * in.index; });
     return one;
   }
   if (quantity == "encounters") {
     Contestant one = make([](const Input& in) { return encounters<Real>(in); });
     one.can = [](const Input& in) { return in.index < most_collisions; };
+    one.expected_ns = expected(ns_per_event, [](const Input& in) { return in.index; });
     return one;
   }
   Contestant one = make([](const Input& in) { return counts<Real>(in); });
   one.can = [](const Input& in) { return last_collision(in.alpha).total() <= most_collisions; };
+  one.expected_ns =
+      expected(ns_per_collision, [](const Input& in) { return last_collision(in.alpha).total(); });
   return one;
 }
 

@@ -21,7 +21,8 @@ using Inputs = std::shared_ptr<const std::vector<Input>>;
 bool same(const std::vector<Input>& left, const std::vector<Input>& right) {
   return std::equal(left.begin(), left.end(), right.begin(), right.end(),
                     [](const Input& one, const Input& other) {
-                      return one.alpha == other.alpha && one.index == other.index;
+                      return one.alpha == other.alpha && one.index == other.index &&
+                             one.e == other.e;
                     });
 }
 
@@ -125,13 +126,7 @@ std::vector<TimeRow> rows_of(const Comparison& one, const std::vector<std::vecto
     row.latency_ns = row.ratio = row.ratio_low = row.ratio_high =
         std::numeric_limits<double>::quiet_NaN();
     if (contestant.evaluate_chained) row.latency_ns = median(times[next_latency++]);
-    if (one.baseline) {
-      const std::vector<double> ratios = paired_ratios(mine, times[*one.baseline]);
-      const Range range = median_interval(ratios).value();
-      row.ratio = median(ratios);
-      row.ratio_low = range.low;
-      row.ratio_high = range.high;
-    }
+    if (one.baseline) row.ratio = median(paired_ratios(mine, times[*one.baseline]));
     const SlowestCall slowest = slowest_call(contestant, *one.inputs);
     row.slowest_call_ns = slowest.ns;
     row.slowest = slowest.input;
@@ -148,42 +143,31 @@ std::vector<TimeRow> rows_of(const Comparison& one, const std::vector<std::vecto
 std::vector<Input> timed_inputs(const Contestant& contestant, std::span<const Input> inputs,
                                 const TimingPlan& plan) {
   constexpr std::uint64_t seed = 1;
-  constexpr std::size_t share = 8;  // coarse, so that two runs seldom differ in what they sample
+  constexpr double usual_ns = 100.0;
   std::vector<Input> timed;
-  double spent = 0.0;
   std::vector<double> calls;
   for (const std::size_t i : RandomOrder(seed).next(inputs.size())) {
     if (timed.size() == plan.inputs) break;
-    // The rest would be sampled away: a slow contestant is not asked for it.
-    if (spent > plan.longest_pass_ns * static_cast<double>(share * share * share)) break;
     const Input input = rounded_input(inputs[i], contestant.quantity, contestant.precision);
     const bool has_meaning =
         !takes_alpha(contestant.quantity) || (input.alpha > 0 && std::isfinite(input.alpha));
     if (!has_meaning || !contestant.can(input)) continue;
-    // The shorter of two, so that an interruption does not make an input look slow.
-    double ns = one_call(contestant, input);
-    spent += ns;
-    if (ns < plan.longest_pass_ns || ns > plan.longest_call_ns) {
-      const double again = one_call(contestant, input);
-      spent += again;
-      ns = std::min(ns, again);
-    }
+    const double ns = contestant.expected_ns ? contestant.expected_ns(input) : usual_ns;
     if (ns > plan.longest_call_ns) continue;
     timed.push_back(input);
     calls.push_back(ns);
   }
-  const auto pass_over = [&](std::size_t size) {  // an array may take less than its parts
-    if (contestant.own_clock) return contestant.own_clock(std::span(timed).first(size), 1);
+  const auto pass_over = [&](std::size_t size) {
     return std::accumulate(calls.begin(), calls.begin() + static_cast<std::ptrdiff_t>(size), 0.0);
   };
   std::size_t kept = timed.size();
-  while (kept > 1 && pass_over(kept) > plan.longest_pass_ns) kept = (kept + share - 1) / share;
+  while (kept > 1 && pass_over(kept) > plan.longest_pass_ns) kept = (kept + 1) / 2;
   timed.resize(kept);
   return timed;
 }
 
 SlowestCall slowest_call(const Contestant& contestant, std::span<const Input> inputs) {
-  constexpr int visits = 7;
+  constexpr int visits = 3;
   std::vector<double> shortest(inputs.size(), std::numeric_limits<double>::infinity());
   double clock = std::numeric_limits<double>::infinity();
   for (int visit = 0; visit < visits; ++visit)
@@ -200,7 +184,7 @@ SlowestCall slowest_call(const Contestant& contestant, std::span<const Input> in
 
 std::vector<TimeRow> time_families(const std::vector<Contestant>& contestants,
                                    const std::vector<Family>& families, const TimingPlan& plan) {
-  constexpr std::size_t fewest_rounds = 6;  // see median_interval
+  const std::size_t fewest_rounds = std::min<std::size_t>(6, plan.rounds.rounds);
   const std::vector<Comparison> all = comparisons(contestants, families, plan);
   std::vector<Group> groups;
   groups.reserve(all.size());

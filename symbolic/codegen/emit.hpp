@@ -6,6 +6,7 @@
 
 #include "codegen/forms.hpp"
 #include "codegen/ir.hpp"
+#include "codegen/kernel_forms.hpp"
 #include "proof/theorem.hpp"
 
 // One function a generated file; each returns the whole text.
@@ -20,7 +21,14 @@ struct Evaluator {
   std::vector<Program> single;  // as many as outputs; the same program when there is one output
 };
 
+// The same for a kernel.
+struct Kernel {
+  KernelForm form;
+  Program program;
+};
+
 std::string emit_evaluator(const Evaluator& evaluator);
+std::string emit_kernel(const Kernel& kernel);
 std::string emit_quantities();
 std::string emit_cosine_ladder(const std::vector<proof::Theorem>& theorems);
 std::string emit_registry(const std::vector<Evaluator>& evaluators);

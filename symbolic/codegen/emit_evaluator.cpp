@@ -21,12 +21,15 @@ std::string parameters(const Form& form) {
   std::string result =
       form.exact ? "template <class Field, class Integer>\n" : "template <class Real>\n";
   result += "%RESULT% %NAME%(";
-  if (!form.real_input.empty())
-    result += (form.exact ? "const Field& " : "Real ") + form.real_input;
-  if (!form.index.empty()) {
-    if (!form.real_input.empty()) result += ", ";
-    result += (form.exact ? "const Integer& " : "std::int64_t ") + form.index;
-  }
+  std::string separator;
+  const auto add = [&](const std::string& type, const std::string& name) {
+    if (name.empty()) return;
+    result += separator + type + name;
+    separator = ", ";
+  };
+  add(form.exact ? "const Field& " : "Real ", form.real_input);
+  add(form.exact ? "const Field& " : "Real ", form.restitution);
+  add(form.exact ? "const Integer& " : "std::int64_t ", form.index);
   return result + ") {\n";
 }
 
@@ -58,7 +61,8 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   bool uses_cmath = false, uses_pi = false, uses_ladder = false;
   for (const Node& node : evaluator.program.nodes) {
     uses_cmath = uses_cmath || node.op == Op::sine || node.op == Op::cosine ||
-                 node.op == Op::arctangent || node.op == Op::square_root;
+                 node.op == Op::arctangent || node.op == Op::square_root ||
+                 node.op == Op::indexed_power;
     uses_pi = uses_pi || node.op == Op::pi;
     uses_ladder = uses_ladder || node.op == Op::ladder_low;
   }
@@ -96,12 +100,18 @@ std::string emit_evaluator(const Evaluator& evaluator) {
 
 std::string emit_quantities() {
   std::string text = file_header("What the evaluators return");
-  text += "\nnamespace magicmass::generated {\n";
+  text += "\n#include <array>\n\nnamespace magicmass::generated {\n";
   for (const QuantityStruct& made : quantity_structs()) {
     text += "\n// " + made.words + "\ntemplate <class Number>\nstruct " + made.name + " {\n";
     for (const auto& [member, words] : made.members)
       text.append("  Number ").append(member).append(";  // ").append(words).append("\n");
-    text += "};\n";
+    text += "};\n\ntemplate <class Number>\nconstexpr std::array<Number, " +
+            std::to_string(made.members.size()) + "> as_array(const " + made.name +
+            "<Number>& all) {\n";
+    std::string names;
+    for (const auto& [member, words] : made.members)
+      names += (names.empty() ? "all." : ", all.") + member;
+    text += "  return {" + names + "};\n}\n";
   }
   return text + "\n}  // namespace magicmass::generated\n";
 }

@@ -12,6 +12,7 @@ std::string emit_manifest(const std::vector<Evaluator>& evaluators) {
     const Form& form = evaluator.form;
     Json inputs = Json::array();
     if (!form.real_input.empty()) inputs.push_back(form.real_input);
+    if (!form.restitution.empty()) inputs.push_back(form.restitution);
     if (!form.index.empty()) inputs.push_back(form.index);
     Json outputs = Json::array();
     for (std::size_t i = 0; i < form.outputs.size(); ++i)

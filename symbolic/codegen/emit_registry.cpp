@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <cctype>
+
 #include <fmt/format.h>
 
 #include "codegen/emit.hpp"
@@ -18,14 +21,93 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all{
       {"angle", "AngleEvaluator", "angle_table", "angle_evaluators",
        "Real (*evaluate)(Real alpha)"},
+      {"collapse", "CollapseEvaluator", "collapse_table", "collapse_evaluators",
+       "Real (*evaluate)(Real alpha, Real e)"},
       {"encounters", "EncounterEvaluator", "encounter_table", "encounter_evaluators",
        "Encounters<Real> (*evaluate)(Real alpha, std::int64_t j)"},
       {"ratios", "RatioEvaluator", "ratio_table", "ratio_evaluators",
        "Ratios<Real> (*evaluate)(std::int64_t k)"},
+      {"terminal", "TerminalEvaluator", "terminal_table", "terminal_evaluators",
+       "Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k)"},
+      {"two_collisions", "TwoCollisionsEvaluator", "two_collisions_table",
+       "two_collisions_evaluators", "Terminal<Real> (*evaluate)(Real alpha, Real e)"},
       {"velocities", "VelocityEvaluator", "velocity_table", "velocity_evaluators",
        "Velocities<Real> (*evaluate)(Real alpha, std::int64_t n)"},
   };
   return all;
+}
+
+/// "terminal_speed" as part of a type's name: "TerminalSpeed".
+std::string capitalised(const std::string& words) {
+  std::string name;
+  bool is_first = true;
+  for (const char character : words) {
+    if (character != '_')
+      name += is_first ? static_cast<char>(std::toupper(static_cast<unsigned char>(character)))
+                       : character;
+    is_first = character == '_';
+  }
+  return name;
+}
+
+// A quantity that nobody has named a table for.
+Table table_for(const Form& form) {
+  std::string parameters;
+  if (!form.real_input.empty()) parameters += "Real " + form.real_input;
+  if (!form.index.empty())
+    parameters += (parameters.empty() ? "" : ", ") + ("std::int64_t " + form.index);
+  const std::string result = form.result.empty() ? "Real" : form.result + "<Real>";
+  return {form.quantity, capitalised(form.quantity) + "Evaluator", form.quantity + "_table",
+          form.quantity + "_evaluators", result + " (*evaluate)(" + parameters + ")"};
+}
+
+std::vector<Table> tables_for(const std::vector<Evaluator>& evaluators) {
+  std::vector<Table> all = tables();
+  for (const Evaluator& evaluator : evaluators) {
+    const Form& form = evaluator.form;
+    const bool has_table = std::any_of(all.begin(), all.end(), [&](const Table& table) {
+      return table.quantity == form.quantity;
+    });
+    if (!form.exact && !has_table) all.push_back(table_for(form));
+  }
+  return all;
+}
+
+// "alpha,n" of "Velocities<Real> (*evaluate)(Real alpha, std::int64_t n)".
+std::string inputs_of(const std::string& signature) {
+  std::string names;
+  std::string parameters = signature.substr(signature.rfind('(') + 1);
+  parameters.back() = ',';
+  for (std::size_t from = 0; from < parameters.size();) {
+    const std::size_t end = parameters.find(',', from);
+    const std::size_t name = parameters.rfind(' ', end) + 1;
+    names += (names.empty() ? "" : ",") + parameters.substr(name, end - name);
+    from = end + 1;
+  }
+  return names;
+}
+
+std::string outputs_of(const std::string& quantity, const std::vector<Evaluator>& evaluators) {
+  for (const Evaluator& evaluator : evaluators) {
+    if (evaluator.form.quantity != quantity) continue;
+    std::string names;
+    for (const auto& [name, theorem] : evaluator.form.outputs)
+      names += (names.empty() ? "" : ",") + name;
+    return names;
+  }
+  return "";
+}
+
+// A function that calls a visitor with each table, so that a new quantity is met by those who know none.
+std::string visit(const std::vector<Table>& tables, const std::vector<Evaluator>& evaluators) {
+  std::string text =
+      "\n// visitor.operator()<table>(quantity, outputs, inputs) for each table.\n"
+      "template <class Real, class Visitor>\nconstexpr void visit_tables(Visitor&& visitor) {\n";
+  for (const Table& table : tables)
+    text += "  visitor.template operator()<" + table.table + "<Real>>(\"" + table.quantity +
+            "\", \"" + outputs_of(table.quantity, evaluators) + "\", \"" +
+            inputs_of(table.signature) + "\");\n";
+  return text + "}\n";
 }
 
 std::string bound(double value) {
@@ -48,7 +130,8 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
       "of the\n"
       "// largest such value of the body at that alpha <= 1; infinity where it promises none.\n"
       "inline constexpr double no_bound = std::numeric_limits<double>::infinity();\n";
-  for (const Table& table : tables()) {
+  const std::vector<Table> tables = tables_for(evaluators);
+  for (const Table& table : tables) {
     std::string rows;
     int count = 0;
     for (const Evaluator& evaluator : evaluators) {
@@ -66,7 +149,7 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
     text += "\ntemplate <class Real>\nconstexpr const auto& " + table.function + "() {\n  return " +
             table.table + "<Real>;\n}\n";
   }
-  return text + "\n}  // namespace magicmass::generated\n";
+  return text + visit(tables, evaluators) + "\n}  // namespace magicmass::generated\n";
 }
 
 }  // namespace magicmass::codegen

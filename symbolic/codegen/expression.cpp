@@ -26,6 +26,10 @@ public:
       if (is_temporary(static_cast<int>(i))) define(static_cast<int>(i));
     for (const Output& output : program_.outputs)
       emitted_.outputs.push_back(print(output.node, sum));
+    std::vector<std::string> declarations;
+    for (const std::string& function : called_)
+      declarations.push_back("using std::" + function + ";");
+    emitted_.lines.insert(emitted_.lines.begin(), declarations.begin(), declarations.end());
     return std::move(emitted_);
   }
 
@@ -62,9 +66,9 @@ private:
   std::string new_name(int number) {
     const Node& made = node(number);
     static const std::map<Op, std::string> kinds{
-        {Op::sine, "sine"},        {Op::cosine, "cosine"},   {Op::reciprocal, "reciprocal"},
-        {Op::divide, "ratio"},     {Op::add, "sum"},         {Op::multiply, "product"},
-        {Op::square_root, "root"}, {Op::arctangent, "angle"}};
+        {Op::sine, "sine"},        {Op::cosine, "cosine"},    {Op::reciprocal, "reciprocal"},
+        {Op::divide, "ratio"},     {Op::add, "sum"},          {Op::multiply, "product"},
+        {Op::square_root, "root"}, {Op::arctangent, "angle"}, {Op::indexed_power, "power"}};
     if (!made.name.empty()) {
       std::string name;
       for (const char character : made.name)
@@ -134,7 +138,8 @@ private:
     if (const auto named = names_.find(number); named != names_.end()) return named->second;
     const Node& made = node(number);
     const auto call = [&](const char* name) {
-      return std::string("std::") + name + "(" + print(made.args[0], sum) + ")";
+      called_.insert(name);
+      return std::string(name) + "(" + print(made.args[0], sum) + ")";
     };
     switch (made.op) {
       case Op::input:
@@ -168,6 +173,8 @@ private:
       case Op::divide:
         return parenthesised(outer > product,
                              print(made.args[0], product) + " / " + print(made.args[1], factor));
+      case Op::indexed_power:
+        return "std::pow(" + print(made.args[0], sum) + ", " + print(made.args[1], sum) + ")";
       case Op::square_root:
         return call("sqrt");
       case Op::sine:
@@ -187,6 +194,7 @@ private:
   std::map<int, std::string> names_;
   std::map<std::string, int> numbered_;
   std::set<std::string> ladders_;
+  std::set<std::string> called_;
   Emitted emitted_;
 };
 

@@ -10,11 +10,13 @@ namespace magicmass::codegen {
 
 // C++ for a program's nodes: temporaries for what is used twice or has a name, expressions for the rest.
 struct Emitted {
-  std::vector<std::string> lines;    // definitions of temporaries with the formula each stands for
+  std::vector<std::string>
+      lines;  // declarations, then temporaries with the formula each stands for
   std::vector<std::string> outputs;  // one expression an output
 };
 
-// `type` is the template parameter ("Real", "Field"); functions of <cmath> are called with std::.
+// `type` is the template parameter ("Real", "Field"). Functions of <cmath> are declared first and called by their bare
+// names, so that a number type of one's own brings its own.
 Emitted emit_expressions(const Program& program, const std::string& type);
 
 // Broken after an operator so that no line is longer than 100 columns.

@@ -15,6 +15,12 @@ const char* const normal_alpha = "alpha normal and finite, not subnormal";
 const char* const encounter_domain = "alpha > 0 and finite; 0 <= j < number of collisions";
 const char* const encounter_error = "grows with j: the sines are taken at angles up to pi";
 const char* const ratio_domain = "k >= 1";
+const char* const inelastic_domain =
+    "0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions, at "
+    "least three: h close to pi/2 would cost digits";
+const char* const inelastic_error =
+    "in double at most 16 max(1/2, cond/2) ulp, where cond adds up the condition numbers in alpha "
+    "and e";
 const char* const exact_error = "none in an exact field";
 
 std::vector<Form> angle_forms() {
@@ -69,6 +75,16 @@ std::vector<Form> encounter_forms() {
        .index = "j",
        .outputs = {{"t", "times.t"}, {"s", "times.s"}},
        .bindings = {"rotation.psi_half_angle"}},
+      {.quantity = "encounters",
+       .name = "tangent",
+       .result = "Encounters",
+       .summary = "Times and distances of the collisions from one sine and one cosine",
+       .domain = "alpha normal and finite, not subnormal; 0 <= j < number of collisions",
+       .error = encounter_error,
+       .real_input = "alpha",
+       .index = "j",
+       .outputs = {{"t", "tangent.t"}, {"s", "tangent.s"}},
+       .bindings = {"power.V_CM", "rotation.psi_half_angle", "tangent.tan_quarter"}},
   };
 }
 
@@ -91,6 +107,51 @@ std::vector<Form> ratio_forms() {
        .index = "k",
        .outputs = {{"magic", "ratios.alpha_k_stable"}, {"deficient", "ratios.beta_k_stable"}}},
   };
+}
+
+std::vector<Form> restitution_forms() {
+  const auto after = [](const std::string& last, const std::string& collisions) {
+    const std::string id = "inelastic_end.after_" + last + "_";
+    return Form{
+        .quantity = "terminal",
+        .name = "after_" + last,
+        .result = "Terminal",
+        .summary = "With restitution e: velocities after " + collisions +
+                   " collisions, of which a " + last + " is the last",
+        .domain = inelastic_domain,
+        .error = inelastic_error,
+        .real_input = "alpha",
+        .restitution = "e",
+        .index = "k",
+        .outputs = {{"a_t", id + "a_t"},
+                    {"b_t", id + "b_t"},
+                    {"c_t", id + "c_t"},
+                    {"rho", id + "rho"}},
+        .bindings = {"power.V_CM", "inelastic_end.h", "inelastic_end.alpha_c", id + "rest"}};
+  };
+  return {{.quantity = "collapse",
+           .name = "product",
+           .summary = "The time, in units of L/V, in which infinitely many collisions happen",
+           .domain = "0 < e < 1, 0 < alpha <= alpha_c(e): where the collisions never end",
+           .error = inelastic_error,
+           .real_input = "alpha",
+           .restitution = "e",
+           .outputs = {{"t", "inelastic_end.t_infinity"}},
+           .bindings = {"inelastic_end.alpha_c"}},
+          after("P", "2k + 1"),
+          after("Q", "2k"),
+          {.quantity = "two_collisions",
+           .name = "rational",
+           .result = "Terminal",
+           .summary = "With restitution e: velocities after P_1 and Q_1, the only collisions",
+           .domain = "0 < e <= 1; alpha such that these are all collisions; (1 + alpha)^4 finite",
+           .error = inelastic_error,
+           .real_input = "alpha",
+           .restitution = "e",
+           .outputs = {{"a_t", "inelastic_end.two_a_t"},
+                       {"b_t", "inelastic_end.two_b_t"},
+                       {"c_t", "inelastic_end.two_c_t"},
+                       {"rho", "inelastic_end.two_rho"}}}};
 }
 
 std::vector<Form> velocity_forms() {
@@ -134,6 +195,21 @@ std::vector<Form> velocity_forms() {
                    {"c", "power.c_product"},
                    {"c_prime", "power.c_prime_product"}},
        .bindings = {"power.V_CM", "rotation.psi_half_angle"}},
+      {.quantity = "velocities",
+       .name = "tangent",
+       .result = "Velocities",
+       .summary = "All velocities from one sine and one cosine",
+       .domain = product_domain,
+       .bound = {.eps = 5},
+       .error = "beyond alpha = 1, of V instead; all up to the last collision",
+       .real_input = "alpha",
+       .index = "n",
+       .outputs = {{"a", "tangent.a"},
+                   {"b", "tangent.b"},
+                   {"c", "tangent.c"},
+                   {"c_prime", "tangent.c_prime"}},
+       .bindings = {"power.V_CM", "rotation.psi_half_angle", "tangent.tan_quarter",
+                    "tangent.cot_half"}},
   };
 }
 
@@ -165,6 +241,9 @@ const std::vector<QuantityStruct>& quantity_structs() {
        "The k-th threshold mass ratios.",
        {{"magic", "alpha_k, where B takes everything"},
         {"deficient", "beta_k, where C ends up with B"}}},
+      {"Terminal",
+       "Velocities after the last collision, in units of V, and what B got of the energy.",
+       {{"a_t", "of A"}, {"b_t", "of B"}, {"c_t", "of C"}, {"rho", "(b_t/V)^2"}}},
   };
   return all;
 }
@@ -173,7 +252,7 @@ const std::vector<Form>& forms() {
   static const std::vector<Form> all = [] {
     std::vector<Form> collected;
     for (const std::vector<Form>& part :
-         {angle_forms(), encounter_forms(), ratio_forms(), velocity_forms()})
+         {angle_forms(), encounter_forms(), ratio_forms(), restitution_forms(), velocity_forms()})
       collected.insert(collected.end(), part.begin(), part.end());
     return collected;
   }();

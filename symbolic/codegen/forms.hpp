@@ -13,23 +13,23 @@ inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 // The largest error that a form promises, in two measures; what it does not promise is no_bound.
 struct ErrorBound {
   double ulp = no_bound;  // in units in the last place of the exact value
-  double eps =
-      no_bound;  // in machine epsilons of the largest value of the body at that alpha <= 1
+  double eps = no_bound;  // in machine epsilons of the largest value of the body at that alpha <= 1
 };
 
 // One way to compute a quantity: which theorems give its outputs, and which say what their symbols are.
 // The table in forms.cpp is the whole list; a new row appears in generated/, manifest, tests and demo.
 struct Form {
-  std::string quantity;     // "velocities", "encounters", "ratios", "angle"
+  std::string quantity;     // "velocities", "encounters", "ratios", "terminal", ...
   std::string name;         // "closed", "product", "exact"
   std::string result = {};  // the struct in quantities.hpp; empty for a single number
   std::string summary;      // what it computes, for its docstring
   std::string domain;
   ErrorBound bound = {};
-  std::string error = {};       // what is to be said of its error besides
-  std::string real_input = {};  // "alpha", or empty
-  std::string index = {};       // "n", "j", "k", or empty
-  bool exact = false;           // for any field instead of float, double, long double
+  std::string error = {};        // what is to be said of its error besides
+  std::string real_input = {};   // "alpha", or empty
+  std::string restitution = {};  // "e", or empty
+  std::string index = {};        // "n", "j", "k", or empty
+  bool exact = false;            // for any field instead of float, double, long double
   std::vector<std::pair<std::string, std::string>> outputs;  // member -> theorem id
   std::vector<std::string> bindings = {};                    // theorem ids
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "codegen/generate.hpp"
 
+#include <ginac/ginac.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,7 +11,10 @@
 #include "codegen/passes/canonical_order.hpp"
 #include "codegen/passes/common_subexpressions.hpp"
 #include "codegen/passes/dead_code.hpp"
+#include "codegen/passes/flat_products.hpp"
 #include "codegen/passes/paired_sine_cosine.hpp"
+#include "codegen/passes/reciprocal_square_roots.hpp"
+#include "codegen/passes/shared_products.hpp"
 #include "codegen/passes/shared_reciprocals.hpp"
 #include "codegen/passes/strength_reduction.hpp"
 
@@ -26,17 +31,48 @@ Program finished(const Program& program, const std::vector<std::string>& wanted)
   return paired_sine_cosine(shared_reciprocals(dead_code(program, wanted)));
 }
 
+const proof::Theorem& theorem_named(const std::vector<proof::Theorem>& theorems,
+                                    const std::string& id) {
+  const auto found =
+      std::find_if(theorems.begin(), theorems.end(),
+                   [&id](const proof::Theorem& theorem) { return theorem.id() == id; });
+  if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
+  return *found;
+}
+
+// Products as short as they can be: a kernel's number type rounds far below a double, so that their order is free.
+Program for_kernel(const Program& lowered) {
+  return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
+      flat_products(flat_products(reciprocal_square_roots(prepared(lowered))))))));
+}
+
+// One formula is emitted for all cases of an output.
+void require_same_right_side(const Source& source, const std::string& member,
+                             const proof::Theorem& other) {
+  for (const auto& [name, theorem] : source.outputs)
+    if (name == member && !theorem.rhs().is_equal(other.rhs()))
+      throw std::logic_error(theorem.id() + " and " + other.id() + " have different right sides");
+}
+
+Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems) {
+  Source source{{}, {}, form.reals, {}, {"V", "L"}};
+  source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
+  for (const auto& [name, id] : form.outputs)
+    source.outputs.emplace_back(name, theorem_named(theorems, id));
+  for (const std::string& id : form.bindings) source.bindings.push_back(theorem_named(theorems, id));
+  for (const auto& [member, ids] : form.other_cases)
+    for (const std::string& id : ids) require_same_right_side(source, member, theorem_named(theorems, id));
+  return {form, for_kernel(lower(source))};
+}
+
 Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& theorems) {
   const auto find = [&theorems](const std::string& id) -> const proof::Theorem& {
-    const auto found =
-        std::find_if(theorems.begin(), theorems.end(),
-                     [&id](const proof::Theorem& theorem) { return theorem.id() == id; });
-    if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
-    return *found;
+    return theorem_named(theorems, id);
   };
   Evaluator evaluator{form, {}, {}, {}, {}};
   Source source{{}, {}, {}, form.index, {"V", "L"}};
-  if (!form.real_input.empty()) source.real_inputs.push_back(form.real_input);
+  for (const std::string& input : {form.real_input, form.restitution})
+    if (!input.empty()) source.real_inputs.push_back(input);
   std::vector<std::string> names;
   for (const auto& [name, id] : form.outputs) {
     evaluator.outputs.push_back(find(id));
@@ -70,6 +106,8 @@ std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems)
                                    {"manifest.json", emit_manifest(evaluators)}};
   for (const Evaluator& evaluator : evaluators)
     files.push_back({evaluator.form.header(), emit_evaluator(evaluator)});
+  for (const KernelForm& form : kernel_forms())
+    files.push_back({"magicmass/kernels/" + form.name + ".hpp", emit_kernel(make_kernel(form, theorems))});
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& x, const GeneratedFile& y) { return x.path < y.path; });
   return files;

@@ -64,8 +64,13 @@ std::string print(const Program& program, int number, int outer, bool top) {
     case Op::power:
       return print(program, node.args[0], 3, false) + "^" +
              parenthesised(node.denominator != 1, rational(node));
+    case Op::indexed_power:
+      return print(program, node.args[0], 3, false) + "^" +
+             parenthesised(true, print(program, node.args[1], 0, false));
     case Op::square_root:
       return call(program, node, "sqrt");
+    case Op::reciprocal_square_root:
+      return parenthesised(outer > 1, "1/" + call(program, node, "sqrt"));
     case Op::sine:
       return call(program, node, "sin");
     case Op::cosine:
@@ -134,7 +139,11 @@ OperationCounts operation_counts(const Program& program) {
       case Op::divide:
         ++counts.divisions;
         break;
+      case Op::indexed_power:
+        ++counts.indexed_powers;
+        break;
       case Op::square_root:
+      case Op::reciprocal_square_root:
         ++counts.square_roots;
         break;
       case Op::sine:
@@ -177,6 +186,7 @@ std::string text(const OperationCounts& counts) {
       {counts.sines_or_cosines, "sine or cosine", "sines or cosines"},
       {counts.arctangents, "arctangent", "arctangents"},
       {counts.ladders, "cosine ladder", "cosine ladders"},
+      {counts.indexed_powers, "power", "powers"},
   };
   std::string result;
   for (const auto& [count, one, several] : named) {

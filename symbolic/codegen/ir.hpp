@@ -20,7 +20,9 @@ enum class Op {
   reciprocal,
   divide,  // made by shared_reciprocals
   power,   // args[0] ^ (numerator / denominator), denominator 1 or 2; removed by strength_reduction
+  indexed_power,  // args[0] ^ args[1], the exponent a sum with an index in it
   square_root,
+  reciprocal_square_root,  // made by reciprocal_square_roots
   sine,
   cosine,
   arctangent,
@@ -68,6 +70,7 @@ Program rebuilt(const Program& program, const Rewrite& rewrite);
 struct OperationCounts {
   int additions = 0, multiplications = 0, divisions = 0, square_roots = 0;
   int sine_cosine_pairs = 0, sines_or_cosines = 0, arctangents = 0, ladders = 0;
+  int indexed_powers = 0;
 };
 OperationCounts operation_counts(const Program& program);
 std::string text(const OperationCounts& counts);  // "3 additions, 5 multiplications, ..."

@@ -44,6 +44,9 @@ private:
     if (is_a<GiNaC::mul>(e)) return product(e);
     if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)))
       return power(e.op(0), ex_to<numeric>(e.op(1)));
+    if (is_a<GiNaC::power>(e))
+      return append(program_,
+                    {.op = Op::indexed_power, .args = {lowered(e.op(0)), lowered(e.op(1))}});
     if (is_a<GiNaC::function>(e)) return function(e);
     throw std::logic_error("no operation for " + proof::text(e));
   }

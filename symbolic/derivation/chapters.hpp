@@ -97,7 +97,8 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
 
 struct Terminal {
   Theorem psi_below_pi;
-  Theorem reached, not_before;  // pi <= (N_B + 1) psi, pi > N_B psi
+  Theorem reached, not_before;      // pi <= (N_B + 1) psi, pi > N_B psi
+  Theorem A_reached, A_not_before;  // pi <= (N_A + 1/2) psi, pi > (N_A - 1/2) psi
   Theorem b_below_V;
   Theorem b_at_beta_k;
 };
@@ -121,6 +122,17 @@ struct Times {
 };
 Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting& counting,
             const Chebyshev& chebyshev);
+
+// From one sine and one cosine.
+struct Tangent {
+  Theorem tan_quarter, cot_half;  // tan(psi/4), cot(psi/2)
+  Theorem a, b, c, c_prime;
+  Theorem t, s;
+};
+Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, const Times& times);
+
+// Terminal velocities.
+void offset(Kernel& kernel, const Power& power, const Counting& counting, const Terminal& terminal);
 
 struct Unfolding {
   Theorem t_Q, s_Q;  // from the straight line

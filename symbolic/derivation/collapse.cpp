@@ -95,7 +95,7 @@ void never_ending(Kernel& kernel, const Wedge& wedge) {
   for_shares("collapse.always_Q", r_Q(n), always_Q, "and none with B");
 }
 
-void threshold(Kernel& kernel) {
+Theorem threshold(Kernel& kernel) {
   const ex e = symbol("e"), alpha = symbol("alpha"), mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
   const ex front = (1 + e) / (2 * sqrt(e));
   const std::vector<Statement> below_one{{1, Relation::greater, e}};
@@ -135,43 +135,76 @@ void threshold(Kernel& kernel) {
   value("collapse.equal_masses", half, half, 7 - 4 * sqrt(ex(3)), "three equal masses");
   value("collapse.wall_equal_masses", half, 1, 3 - 2 * sqrt(ex(2)),
         "a ball as heavy as the block, and a wall");
-  const ex at_blocks = front / (1 + alpha);
-  kernel.identity({.id = "collapse.alpha_c",
-                   .statement = {at_blocks - 1, (front - 1 - alpha) / (1 + alpha)},
-                   .words = "equal blocks: C >= 1 for alpha <= (1 + e)/(2 sqrt(e)) - 1"});
+  const ex heaviest = symbol("alpha_c");
+  const Theorem alpha_c =
+      kernel.definition({.id = "collapse.alpha_c",
+                         .statement = {heaviest, front - 1},
+                         .words = "equal blocks: the heaviest ball with a collapse"});
+  kernel.identity({.id = "collapse.alpha_c_sign",
+                   .statement = {front / (1 + alpha) - 1, (heaviest - alpha) / (1 + alpha)},
+                   .words = "C - 1 has the sign of alpha_c - alpha"});
+  return alpha_c;
+}
+
+// All four velocities after n collisions, from a regime's approach speeds.
+void velocities(Kernel& kernel, const Wedge& wedge, const Regime& regime,
+                const WedgeSolution& solution) {
+  const ex n = symbol("n");
+  Kernel::Values values;
+  for (const auto& [name, value] : regime.parameters) values.emplace_back(name, value);
+  const std::vector<ex> next{solution.r_P.lhs().subs(n == n + 1),
+                             solution.r_P.rhs().subs(n == n + 1)};
+  const GiNaC::exmap speeds{{next[0], next[1]},
+                            {solution.r_P.lhs(), solution.r_P.rhs()},
+                            {solution.r_Q.lhs(), solution.r_Q.rhs()}};
+  const auto closed = [&](const std::string& name, const Theorem& general,
+                          const std::vector<Theorem>& before) {
+    const Theorem here = at_parameters(kernel, regime.id + name + "_from_speeds", general, values,
+                                       from_one, regime.assuming);
+    std::vector<Theorem> equations{here};
+    equations.insert(equations.end(), before.begin(), before.end());
+    equations.insert(equations.end(), {solution.r_P, solution.r_Q});
+    ex form = here.rhs();
+    for (const Theorem& known : before) form = form.subs(known.lhs() == known.rhs());
+    return kernel.rewriting({.id = regime.id + name,
+                             .statement = {here.lhs(), form.subs(speeds)},
+                             .words = "in closed form",
+                             .indices = from_one,
+                             .assuming = regime.assuming},
+                            equations);
+  };
+  const Theorem of_A = closed("v_A", wedge.velocities.v_A_from_speeds, {});
+  closed("v_B", wedge.velocities.v_B_from_speeds, {});
+  closed("v_C", wedge.velocities.v_C_from_A, {of_A});
+  closed("v_C_prime", wedge.velocities.v_C_prime_from_speeds, {});
 }
 
 // C > 1: sinh takes the place of sin. With xi = exp(eta), C = (xi + 1/xi)/2.
-void finite_time(Kernel& kernel, const Wedge& wedge) {
+std::pair<Theorem, ex> finite_time(Kernel& kernel, const Wedge& wedge) {
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), L = symbol("L"), p = symbol("p");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B"), xi = symbol("xi");
   const ex twice_C = xi + 1 / xi;
   const std::vector<Statement> assuming{{xi, Relation::greater, 1}};
   const Regime regime{
-      .id = "collapse.",
+      .id = "collapse.beyond_",
       .parameters = {{mu_B, e * pow(twice_C, 2) / (pow(1 + e, 2) * mu_A)}},
       .g = sqrt(e) * twice_C / ((1 + e) * mu_A),
       .sigma = [xi](const ex& k) { return (pow(xi, k) - pow(xi, -k)) / (xi - 1 / xi); },
       .assuming = assuming};
-  const WedgeSolution solution = wedge_solution(kernel,
-                                                {.id = "collapse.beyond_",
-                                                 .parameters = regime.parameters,
-                                                 .g = regime.g,
-                                                 .sigma = regime.sigma,
-                                                 .assuming = regime.assuming},
-                                                wedge.speeds, wedge.motion);
+  const WedgeSolution solution = wedge_solution(kernel, regime, wedge.speeds, wedge.motion);
+  velocities(kernel, wedge, regime, solution);
   const ex unit = L / V * regime.g / sqrt(e), end = unit / xi;
   const ex small = pow(xi, -4 * n);
   const auto limit = [&](const char* id, const Theorem& closed, const ex& form) {
-    kernel.limit({.id = id,
-                  .statement = {limit_at_infinity(closed.lhs(), n), end},
-                  .words = "infinitely many collisions in a finite time",
-                  .indices = from_one,
-                  .assuming = assuming},
-                 closed, form, p, small);
+    return kernel.limit({.id = id,
+                         .statement = {limit_at_infinity(closed.lhs(), n), end},
+                         .words = "infinitely many collisions in a finite time",
+                         .indices = from_one,
+                         .assuming = assuming},
+                        closed, form, p, small);
   };
-  limit("collapse.t_P_infinity", solution.tau_P,
-        unit * (1 / xi - pow(xi, 3) * p) / (1 - pow(xi, 2) * p));
+  const Theorem t_infinity = limit("collapse.t_P_infinity", solution.tau_P,
+                                   unit * (1 / xi - pow(xi, 3) * p) / (1 - pow(xi, 2) * p));
   limit("collapse.t_Q_infinity", solution.tau_Q, unit * (1 / xi - xi * p) / (1 - p));
   const auto left = [&](const std::string& id, const Theorem& closed, const ex& form) {
     const Theorem remaining = kernel.rewriting({.id = id,
@@ -204,22 +237,21 @@ void finite_time(Kernel& kernel, const Wedge& wedge) {
                    .statement = {regime.parameters.begin()->second.subs(xi == base.lhs()), mu_B},
                    .words = "so every pair of shares with C > 1 has its xi",
                    .assuming = beyond});
+  return {t_infinity, regime.parameters.begin()->second};
 }
 
 // C = 1, between the two: the speeds grow linearly.
 void at_threshold(Kernel& kernel, const Wedge& wedge) {
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), L = symbol("L"), p = symbol("p");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
-  const ex g = 2 * sqrt(e) / ((1 + e) * mu_A);
-  const WedgeSolution solution =
-      wedge_solution(kernel,
-                     {.id = "collapse.threshold_",
+  const Regime regime{.id = "collapse.threshold_",
                       .parameters = {{mu_B, 4 * e / (pow(1 + e, 2) * mu_A)}},
-                      .g = g,
+                      .g = 2 * sqrt(e) / ((1 + e) * mu_A),
                       .sigma = [](const ex& k) { return k; },
-                      .assuming = {}},
-                     wedge.speeds, wedge.motion);
-  const ex unit = L / V * g / sqrt(e);
+                      .assuming = {}};
+  const WedgeSolution solution = wedge_solution(kernel, regime, wedge.speeds, wedge.motion);
+  velocities(kernel, wedge, regime, solution);
+  const ex unit = L / V * regime.g / sqrt(e);
   kernel.limit({.id = "collapse.threshold_t_infinity",
                 .statement = {limit_at_infinity(solution.tau_P.lhs(), n), unit},
                 .words = "the time in which they all happen",
@@ -229,11 +261,12 @@ void at_threshold(Kernel& kernel, const Wedge& wedge) {
 
 }  // namespace
 
-void collapse(Kernel& kernel, const Wedge& wedge) {
+Collapse collapse(Kernel& kernel, const Wedge& wedge) {
   never_ending(kernel, wedge);
-  threshold(kernel);
+  const Theorem alpha_c = threshold(kernel);
   at_threshold(kernel, wedge);
-  finite_time(kernel, wedge);
+  const auto [t_infinity, share_of_B] = finite_time(kernel, wedge);
+  return {alpha_c, t_infinity, share_of_B};
 }
 
 }  // namespace magicmass::derivation

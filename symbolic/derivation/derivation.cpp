@@ -28,11 +28,14 @@ struct Results {
   std::optional<Ratios> ratios;
   std::optional<Terminal> terminal;
   std::optional<Times> times;
+  std::optional<Tangent> tangent;
   std::optional<Mapping> mapping;
   std::optional<Table> table;
   std::optional<Unfolding> unfolding;
   std::optional<Restitution> restitution;
   std::optional<Wedge> wedge;
+  std::optional<EqualBlocks> equal_blocks;
+  std::optional<Collapse> collapse;
 };
 
 struct Chapter {
@@ -94,6 +97,10 @@ const std::vector<Chapter>& chapters() {
        [](Kernel& kernel, Results& r, const Laws& laws, const Paper&) {
          r.times = times(kernel, laws, *r.power, *r.counting, *r.chebyshev);
        }},
+      {"tangent", [](Kernel& kernel, Results& r, const Laws&,
+                     const Paper&) { r.tangent = tangent(kernel, *r.rotation, *r.power, *r.times); }},
+      {"offset", [](Kernel& kernel, Results& r, const Laws&,
+                    const Paper&) { offset(kernel, *r.power, *r.counting, *r.terminal); }},
       {"unfolding",
        [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
          r.unfolding = unfolding(kernel, *r.cycle, *r.power, *r.mapping, *r.times);
@@ -106,10 +113,13 @@ const std::vector<Chapter>& chapters() {
                    const Paper&) { r.wedge = wedge(kernel, laws, *r.restitution); }},
       {"special_cases",
        [](Kernel& kernel, Results& r, const Laws&, const Paper& paper) {
-         special_cases(kernel, *r.wedge, *r.restitution, *r.power, *r.counting, *r.times, paper);
+         r.equal_blocks = special_cases(kernel, *r.wedge, *r.restitution, *r.power, *r.counting,
+                                        *r.times, paper);
        }},
-      {"collapse",
-       [](Kernel& kernel, Results& r, const Laws&, const Paper&) { collapse(kernel, *r.wedge); }},
+      {"collapse", [](Kernel& kernel, Results& r, const Laws&,
+                      const Paper&) { r.collapse = collapse(kernel, *r.wedge); }},
+      {"inelastic_end", [](Kernel& kernel, Results& r, const Laws&,
+                           const Paper&) { inelastic_end(kernel, *r.equal_blocks, *r.collapse); }},
   };
   return all;
 }

@@ -82,6 +82,11 @@ Threshold threshold(Kernel& kernel, const Rotation& rotation, const Theorem& cou
                        .statement = {symbol(name), 2 * pow(sin(x / 2), 2) / cos(x)},
                        .words = "without the difference of nearly equal numbers",
                        .indices = k_from_one});
+  const ex square = pow(sin(x / 2), 2);
+  kernel.identity({.id = id + "_from_sine",
+                   .statement = {symbol(name), 2 * square / (1 - 2 * square)},
+                   .words = "from one sine",
+                   .indices = k_from_one});
   return {angle, ratio, named, stable};
 }
 

@@ -24,10 +24,6 @@ ex put_in(const ex& e, const Kernel::Values& values) {
   return e.subs(replacements);
 }
 
-struct EqualBlocks {
-  Theorem h, a, b, c, c_prime, N_C, tau_P, tau_Q, d_P, d_Q;
-};
-
 EqualBlocks equal_blocks(Kernel& kernel, const Wedge& wedge, const Paper& paper) {
   const ex n = symbol("n"), e = symbol("e"), alpha = symbol("alpha"), M = symbol("M"),
            h = symbol("h_e"), V = symbol("V"), V_CM = symbol("V_CM"), L = symbol("L");
@@ -217,12 +213,13 @@ void wall(Kernel& kernel, const Wedge& wedge, const Restitution& contact) {
 
 }  // namespace
 
-void special_cases(Kernel& kernel, const Wedge& wedge, const Restitution& contact,
-                   const Power& power, const Counting& counting, const Times& times,
-                   const Paper& paper) {
+EqualBlocks special_cases(Kernel& kernel, const Wedge& wedge, const Restitution& contact,
+                          const Power& power, const Counting& counting, const Times& times,
+                          const Paper& paper) {
   const EqualBlocks equal = equal_blocks(kernel, wedge, paper);
   elastic(kernel, equal, power, counting, times);
   wall(kernel, wedge, contact);
+  return equal;
 }
 
 }  // namespace magicmass::derivation

@@ -209,7 +209,8 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
   const Theorem b_at_beta =
       value_at("deficient_b", "b_t at beta_k", ratios.deficient, "at beta_k B keeps this");
   value_at("deficient_c", "c_t at beta_k", ratios.deficient, "and C goes with it");
-  return {psi_below_pi, of_B.reached, of_B.not_before, b_below_V, b_at_beta};
+  return {psi_below_pi,    of_B.reached, of_B.not_before, of_A.reached,
+          of_A.not_before, b_below_V,    b_at_beta};
 }
 
 }  // namespace magicmass::derivation

@@ -63,11 +63,14 @@ struct WedgeTheorem {
   Theorem r_P_definition, r_Q_definition;
   Theorem g, h;
   Theorem r_P, r_Q;
+  Theorem next_P_defined;  // r_P(n + 1) = v_A(n) - v_C'(n)
   Theorem before_P, before_Q;
   Theorem N_C;
 };
 struct WedgeVelocities {
   Theorem v_A, v_B, v_C, v_C_prime;
+  // From the approach speeds alone, whether collisions end or not, n >= 1; v_C from v_A.
+  Theorem v_A_from_speeds, v_B_from_speeds, v_C_prime_from_speeds, v_C_from_A;
 };
 WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                  const WedgeTheorem& theorem);
@@ -85,11 +88,22 @@ struct Wedge {
 Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact);
 
 // Equal blocks, elastic contacts, the wall: the wedge theorem holds them all.
-void special_cases(Kernel& kernel, const Wedge& wedge, const Restitution& contact,
-                   const Power& power, const Counting& counting, const Times& times,
-                   const Paper& paper);
+struct EqualBlocks {  // with restitution e, where the collisions end
+  Theorem h, a, b, c, c_prime, N_C, tau_P, tau_Q, d_P, d_Q;
+};
+EqualBlocks special_cases(Kernel& kernel, const Wedge& wedge, const Restitution& contact,
+                          const Power& power, const Counting& counting, const Times& times,
+                          const Paper& paper);
 
 // Where the collisions never end.
-void collapse(Kernel& kernel, const Wedge& wedge);
+struct Collapse {
+  Theorem alpha_c;     // equal blocks: the heaviest ball with a collapse
+  Theorem t_infinity;  // in mu_A and xi, with
+  GiNaC::ex share_of_B;
+};
+Collapse collapse(Kernel& kernel, const Wedge& wedge);
+
+// Equal blocks and restitution: what is left after the last collision, or when collisions have collapsed.
+void inelastic_end(Kernel& kernel, const EqualBlocks& equal, const Collapse& collapse);
 
 }  // namespace magicmass::derivation

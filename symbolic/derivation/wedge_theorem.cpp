@@ -76,14 +76,15 @@ Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact) {
       in_shares("d_Q", turning.d_Q, d_Q(n), L * g * growth * sqrt(e) / sigma(2 * n),
                 "the distance from A to B at Q_n");
   const WedgeSolution solution{r_P_n, r_Q_n, tau_P_n, tau_Q_n, d_P_n, d_Q_n};
-  const auto approach = [&](const std::string& id, const ex& speed, const Theorem& definition,
-                            const Theorem& formula) {
-    const Theorem defined =
-        kernel.instance({.id = id + "_defined",
-                         .statement = {definition.lhs().subs(n == n + 1), speed},
-                         .words = "counted from 0",
-                         .indices = from_zero},
-                        definition, {{n, n + 1}});
+  const auto counted_from_0 = [&](const std::string& id, const ex& speed,
+                                  const Theorem& definition) {
+    return kernel.instance({.id = id + "_defined",
+                            .statement = {definition.lhs().subs(n == n + 1), speed},
+                            .words = "counted from 0",
+                            .indices = from_zero},
+                           definition, {{n, n + 1}});
+  };
+  const auto approach = [&](const std::string& id, const Theorem& defined, const Theorem& formula) {
     const Theorem known =
         kernel.instance({.id = id + "_known",
                          .statement = {defined.lhs(), formula.rhs().subs(n == n + 1)},
@@ -92,24 +93,24 @@ Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact) {
                          .assuming = assuming},
                         formula, {{n, n + 1}});
     return kernel.consequence({.id = id,
-                               .statement = {speed, known.rhs()},
+                               .statement = {defined.rhs(), known.rhs()},
                                .words = "the approach speed of the two",
                                .indices = from_zero,
                                .assuming = assuming},
                               {{known, 1}, {defined, -1}});
   };
-  const Theorem before_P =
-      approach("wedge.before_P", v_A(n) - v_C_prime(n), speeds.r_P, solution.r_P);
-  const Theorem before_Q =
-      approach("wedge.before_Q", v_C(n + 1) - v_B(n), speeds.r_Q, solution.r_Q);
+  const Theorem next_P = counted_from_0("wedge.before_P", v_A(n) - v_C_prime(n), speeds.r_P),
+                next_Q = counted_from_0("wedge.before_Q", v_C(n + 1) - v_B(n), speeds.r_Q);
+  const Theorem before_P = approach("wedge.before_P", next_P, solution.r_P);
+  const Theorem before_Q = approach("wedge.before_Q", next_Q, solution.r_Q);
   const Theorem count =
       kernel.collision_count({.id = "wedge.N_C",
                               .statement = {N_C(), ceiling(Pi / h) - 1},
                               .words = "collisions go on while the next pair approaches",
                               .assuming = assuming},
                              before_P, before_Q, n, h);
-  const WedgeTheorem theorem{speeds.r_P,   speeds.r_Q, ratio,    angle, solution.r_P,
-                             solution.r_Q, before_P,   before_Q, count};
+  const WedgeTheorem theorem{speeds.r_P,   speeds.r_Q, ratio,    angle,    solution.r_P,
+                             solution.r_Q, next_P,     before_P, before_Q, count};
   const WedgeVelocities velocities = wedge_velocities(kernel, events, theorem);
 
   const Theorem all_times =

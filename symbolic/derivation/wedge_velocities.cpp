@@ -78,31 +78,48 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                                   .assuming = assuming},
                                                  at_Q_0, later_closed, n);
 
-  // Three linear equations for three velocities.
+  // Three linear equations for three velocities: from the approach speeds, whatever these are, and in closed form.
   const LinearSolution solution = solve_linear(
       {{total, w_A * V}, {v_A(n) - v_C_prime(n), y}, {apart, x}}, {v_A(n), v_B(n), v_C_prime(n)});
   const ex one = 1 - mu_A * mu_B;  // the masses' sum, in shares
-  const auto velocity = [&](const char* id, size_t which, const ex& element, const ex& form) {
+  const ex centre = w_A * V;
+  const auto forms = [&](const ex& towards, const ex& away) {
+    return std::vector<ex>{(centre + (1 - mu_A) * (towards - mu_B * away)) / one,
+                           (centre + (1 - mu_B) * (away - mu_A * towards)) / one,
+                           (w_A * (V - towards) - w_B * away) / one};
+  };
+  const std::vector<std::pair<const char*, ex>> elements{
+      {"wedge.v_A", v_A(n)}, {"wedge.v_B", v_B(n)}, {"wedge.v_C_prime", v_C_prime(n)}};
+  const auto velocity = [&](const std::string& suffix, size_t which, const ex& form,
+                            const Theorem& towards, const Theorem& away, const Indices& indices,
+                            const std::vector<Statement>& where) {
     const auto cofactor = [&](size_t equation) {
-      return kernel.simplified(solution.cofactors[which][equation], from_zero);
+      return kernel.simplified(solution.cofactors[which][equation], indices);
     };
-    return kernel.consequence({.id = id,
-                               .statement = {element, form},
+    return kernel.consequence({.id = elements[which].first + suffix,
+                               .statement = {elements[which].second, form},
                                .words = "three linear equations, solved",
-                               .indices = from_zero,
-                               .assuming = assuming},
+                               .indices = indices,
+                               .assuming = where},
                               {{conserved, cofactor(0)},
                                {sum, -cofactor(0)},
-                               {theorem.before_P, cofactor(1)},
-                               {apart_n, cofactor(2)}});
+                               {towards, cofactor(1)},
+                               {away, cofactor(2)}});
   };
-  const ex centre = w_A * V;
-  const Theorem of_A =
-      velocity("wedge.v_A", 0, v_A(n), (centre + (1 - mu_A) * (y - mu_B * x)) / one);
-  const Theorem of_B =
-      velocity("wedge.v_B", 1, v_B(n), (centre + (1 - mu_B) * (x - mu_A * y)) / one);
-  const Theorem of_C_prime =
-      velocity("wedge.v_C_prime", 2, v_C_prime(n), (w_A * (V - y) - w_B * x) / one);
+  const Theorem towards = kernel.consequence({.id = "wedge.towards",
+                                              .statement = {v_A(n) - v_C_prime(n), r_P(n + 1)},
+                                              .words = "A and the ball approach",
+                                              .indices = from_zero},
+                                             {{theorem.next_P_defined, -1}});
+  const std::vector<ex> by_speeds = forms(r_P(n + 1), e * r_Q(n)), closed = forms(y, x);
+  const auto from_speeds = [&](size_t which) {
+    return velocity("_from_speeds", which, by_speeds[which], towards, later, from_one, {});
+  };
+  const auto in_closed_form = [&](size_t which) {
+    return velocity("", which, closed[which], theorem.before_P, apart_n, from_zero, assuming);
+  };
+  const Theorem speeds_A = from_speeds(0), speeds_B = from_speeds(1), speeds_C = from_speeds(2);
+  const Theorem of_A = in_closed_form(0), of_B = in_closed_form(1), of_C_prime = in_closed_form(2);
   // The ball after P_n: e of what it was before is left between A and it.
   const Theorem from_A = kernel.rewriting({.id = "wedge.v_C_from_A",
                                            .statement = {v_C(n), v_A(n) + e * r_P(n)},
@@ -110,13 +127,12 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                            .indices = from_one},
                                           {theorem.r_P_definition, events.after_A, events.after_C});
   const ex y_before = growth * sin((2 * n - 1) * h);
-  const Theorem of_C = kernel.rewriting(
-      {.id = "wedge.v_C",
-       .statement = {v_C(n), (centre + (1 - mu_A) * (y - mu_B * x)) / one + y_before},
-       .words = "the ball after P_n",
-       .indices = from_one,
-       .assuming = assuming},
-      {from_A, of_A, theorem.r_P});
+  const Theorem of_C = kernel.rewriting({.id = "wedge.v_C",
+                                         .statement = {v_C(n), closed[0] + y_before},
+                                         .words = "the ball after P_n",
+                                         .indices = from_one,
+                                         .assuming = assuming},
+                                        {from_A, of_A, theorem.r_P});
 
   // B keeps what its last collision gave it, and that is its floor(N_C/2)-th.
   const ex k = symbol("k");
@@ -137,7 +153,7 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                     .indices = k_from_zero,
                     .assuming = assuming},
                    {of_B_last, last});
-  return {of_A, of_B, of_C, of_C_prime};
+  return {of_A, of_B, of_C, of_C_prime, speeds_A, speeds_B, speeds_C, from_A};
 }
 
 }  // namespace magicmass::derivation

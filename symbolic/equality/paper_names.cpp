@@ -7,6 +7,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/paper.hpp"
+#include "equality/edit_distance.hpp"
 #include "equality/from_ginac.hpp"
 #include "proof/text.hpp"
 
@@ -35,21 +36,6 @@ const proof::Statement* equation_for(const std::string& name) {
   for (const auto& [defined, label] : defined_names())
     if (defined == name) return &paper.at(label);
   return nullptr;
-}
-
-std::size_t edits(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  for (std::size_t j = 0; j < row.size(); ++j) row[j] = j;
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
 }
 
 }  // namespace
@@ -94,7 +80,8 @@ std::string nearest_paper_name(const std::string& name) {
   for (const auto& [known, condition] : usual_conditions()) names.push_back(known);
   for (const auto& [known, label] : defined_names()) names.push_back(known);
   for (const std::string& known : names)
-    if (known.size() >= 3 && edits(name, known) <= (known.size() > 4 ? 2U : 1U)) return known;
+    if (known.size() >= 3 && edit_distance(name, known) <= (known.size() > 4 ? 2U : 1U))
+      return known;
   return {};
 }
 

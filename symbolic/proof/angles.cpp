@@ -111,21 +111,30 @@ void NormalForm::Generators::collect_angles(const ex& e) {
 }
 
 NormalForm::Generators::Pair NormalForm::Generators::cosine_and_sine(const ex& angle) {
+  if (const auto known = pairs_of_angles_.find(angle); known != pairs_of_angles_.end())
+    return known->second;  // most angles come with a cosine and a sine
   Pair sum{1, 0};
+  bool first = true;
   for (const Term& term : terms(angle)) {
     const std::string name = text(term.angle);
     const std::string key = text(term.factor) + " " + name;
     auto known = multiples_.find(key);
     if (known == multiples_.end()) {
       const numeric denominator = denominators_.at(name);
-      const Pair base = base_pair(term.angle, denominator);
-      const auto [cosine, sine] = multiple(base.cosine, base.sine, term.factor * denominator);
-      known = multiples_.emplace(key, Pair{cosine, sine}).first;
+      const bool whole = is_function(term.angle, "atan") && term.factor.is_even();
+      const Pair base = whole ? base_pair(term.factor * term.angle, 1)  // no root of 1 + tan^2
+                              : base_pair(term.angle, denominator);
+      const auto [cosine, sine] =
+          multiple(base.cosine, base.sine, whole ? numeric(1) : term.factor * denominator);
+      known = multiples_.emplace(key, Pair{reduced_fraction(cosine), reduced_fraction(sine)}).first;
     }
     const auto& [c, s] = known->second;
-    sum = Pair{reduced_fraction(sum.cosine * c - sum.sine * s),
-               reduced_fraction(sum.sine * c + sum.cosine * s)};
+    sum = first ? known->second
+                : Pair{reduced_fraction(sum.cosine * c - sum.sine * s),
+                       reduced_fraction(sum.sine * c + sum.cosine * s)};
+    first = false;
   }
+  pairs_of_angles_[angle] = sum;
   return sum;
 }
 

@@ -18,8 +18,8 @@ using GiNaC::ex;
 ex substitute_until_stable(const ex& e, const GiNaC::exmap& meanings) {
   ex current = e;
   for (;;) {  // ends: a meaning uses earlier names only
-    ex next = current.subs(meanings, GiNaC::subs_options::no_pattern).evalm();
-    if (next.is_equal(current)) return next;
+    const ex next = current.subs(meanings, GiNaC::subs_options::no_pattern);
+    if (next.is_equal(current)) return next.evalm();
     current = next;
   }
 }

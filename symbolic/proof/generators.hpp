@@ -88,8 +88,10 @@ private:
   std::map<std::string, ex> by_key_;
   std::vector<Square> relations_;
   GiNaC::exmap originals_;
+  GiNaC::exmap translated_;
   GiNaC::exmap rewritten_;  // known already: powers and functions, and multiples of angles
   std::map<std::string, Pair> multiples_;
+  std::map<ex, Pair, GiNaC::ex_is_less> pairs_of_angles_;
   GiNaC::exset positive_generators_;
   std::vector<std::pair<ex, ex>> pairs_;  // independent (C, S)
   std::map<std::string, GiNaC::numeric> denominators_;

@@ -102,17 +102,19 @@ bool Kernel::mentions(const Theorem& theorem, const std::string& name) const {
 Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const {
   std::vector<std::string> conditions;
   for (const Condition& condition : evidence.conditions) conditions.push_back(condition.text);
+  const std::string left = text(claim.statement.lhs()), right = text(claim.statement.rhs());
+  const std::string relation = text(claim.statement.relation());
   return {claim.id,
           rule,
-          claim.shown_lhs.empty() ? text(claim.statement.lhs()) : claim.shown_lhs,
-          text(claim.statement.relation()),
-          claim.shown_rhs.empty() ? text(claim.statement.rhs()) : claim.shown_rhs,
+          claim.shown_lhs.empty() ? left : claim.shown_lhs,
+          relation,
+          claim.shown_rhs.empty() ? right : claim.shown_rhs,
           conditions,
           claim.label,
           claim.words,
           "proved",
           evidence.premises,
-          text(claim.statement)};
+          left + " " + relation + " " + right};
 }
 
 void Kernel::require_new_id(const Claim& claim) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <map>
 
+#include "proof/factored.hpp"
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -100,7 +101,7 @@ ex NormalForm::Generators::square_root(const ex& radicand) {
   }
 
   Factors factors;
-  const numeric content = add_factors(GiNaC::factor(under_root), 1, factors);
+  const numeric content = add_factors(factored(under_root), 1, factors);
   root /= content.denom();
   add_prime_factors(GiNaC::abs(content.numer() * content.denom()), factors);
   ex unsigned_part = content.is_negative() ? -1 : 1;

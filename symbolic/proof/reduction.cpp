@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "proof/factored.hpp"
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -35,8 +36,12 @@ std::pair<ex, ex> NormalForm::Generators::reduced_parts(const ex& rational) cons
 }
 
 std::pair<ex, ex> NormalForm::Generators::quotient(const ex& rational) const {
-  const auto [above, below] = reduced_parts(rational);
+  const ex fraction = rational.numer_denom();
+  const ex first_above = fraction.op(0).expand(), first_below = fraction.op(1).expand();
+  const ex above = reduced(first_above), below = reduced(first_below);
+  if (below.is_zero()) throw NotInClass("division by an expression that is identically zero");
   if (above.is_zero()) return {0, 1};
+  if (above.is_equal(first_above) && below.is_equal(first_below)) return {above, below};
   const ex again = (above / below).numer_denom();  // the relations may have made common factors
   return {again.op(0), again.op(1)};
 }
@@ -68,15 +73,15 @@ ex NormalForm::Generators::tidied(const ex& polynomial) const {
     }
     return result;
   };
-  const ex factored = GiNaC::factor(polynomial);
+  const ex factors = factored(polynomial);
   const auto tidy_factor = [&](const ex& factor) {
     if (GiNaC::is_a<GiNaC::power>(factor))
       return ex(GiNaC::power(tidy_sum(factor.op(0)), factor.op(1)));
     return tidy_sum(factor);
   };
-  if (!GiNaC::is_a<GiNaC::mul>(factored)) return tidy_factor(factored);
+  if (!GiNaC::is_a<GiNaC::mul>(factors)) return tidy_factor(factors);
   ex product = 1;
-  for (const ex& factor : factored) product *= tidy_factor(factor);
+  for (const ex& factor : factors) product *= tidy_factor(factor);
   return product;
 }
 

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <map>
 #include <random>
+#include <set>
 #include <sstream>
+#include <vector>
 
 #include <ginac/ginac.h>
 
@@ -36,29 +38,52 @@ private:
   long before_;
 };
 
+// What an expression is about, gathered once for all points.
+struct Contents {
+  std::vector<ex> symbols;  // in the order in which they get their values
+  bool sequences = false;
+
+  explicit Contents(const std::vector<ex>& expressions) {
+    for (const ex& e : expressions) collect(e);
+  }
+
+private:
+  std::set<std::string> names_;
+
+  void collect(const ex& e) {
+    if (is_a<GiNaC::symbol>(e)) {
+      if (!e.is_equal(summation_index()) &&
+          names_.insert(ex_to<GiNaC::symbol>(e).get_name()).second)
+        symbols.push_back(e);
+    } else if (is_a<GiNaC::function>(e)) {
+      sequences = sequences || is_sequence(e) || is_family(e);
+    }
+    for (const ex& part : e) collect(part);
+  }
+};
+
 class Point {
 public:
   Point(const Domain& domain, std::mt19937_64& random) : domain_(domain), random_(random) {}
 
-  void assign(const ex& e) {
-    if (is_a<GiNaC::symbol>(e) && !e.is_equal(summation_index())) assign_symbol(e);
-    for (const ex& part : e) assign(part);
+  void assign(const Contents& contents) {
+    for (const ex& symbol : contents.symbols) assign_symbol(symbol);
+    has_sequences_ = has_sequences_ || contents.sequences;
   }
 
   ex value(const ex& e) {
     const ex at_point = e.subs(values_, GiNaC::subs_options::no_pattern);
+    if (!has_sequences_) return at_point.evalf();
     GiNaC::exmap sequence_values;
     assign_sequences(at_point, sequence_values);
     return at_point.subs(sequence_values, GiNaC::subs_options::no_pattern).evalf();
   }
 
-  bool holds(const Statement& assumption, const Definitions& definitions) {
-    const ex surplus = definitions.expand_all(assumption.lhs() - assumption.rhs());
-    assign(surplus);
+  bool holds(const ex& surplus, Relation relation) {
     const ex at_point = value(surplus);
     if (!is_a<numeric>(at_point) || !ex_to<numeric>(at_point).is_real()) return false;
     const bool greater = ex_to<numeric>(at_point).is_positive();
-    return assumption.relation() == Relation::greater ? greater : !greater;
+    return relation == Relation::greater ? greater : !greater;
   }
 
   std::string shown() const {
@@ -102,6 +127,7 @@ private:
   const Domain& domain_;
   std::mt19937_64& random_;
   GiNaC::exmap values_;
+  bool has_sequences_ = false;
   std::map<std::string, ex> sequences_;
   std::map<std::string, std::string> shown_;
 };
@@ -151,15 +177,27 @@ std::optional<std::string> counterexample(const ex& lhs, const ex& rhs, const Do
   std::mt19937_64 random(hash(seed));
   const ex left = definitions.expand_all(lhs);
   const ex right = definitions.expand_all(rhs);
+  const Contents sides({left, right});
+  struct Assumed {
+    ex surplus;
+    Contents contents;
+    Relation relation;
+  };
+  std::vector<Assumed> assumed;
+  for (const Statement& assumption : domain.assumed) {
+    const ex surplus = definitions.expand_all(assumption.lhs() - assumption.rhs());
+    assumed.push_back({surplus, Contents({surplus}), assumption.relation()});
+  }
   int compared = 0;
   const int tries = domain.assumed.empty() ? 8 * points : 100 * points;
   for (int i = 0; i < tries && compared < points; ++i) {
     Point point(domain, random);
-    point.assign(left);
-    point.assign(right);
+    point.assign(sides);
     try {
-      if (!std::all_of(domain.assumed.begin(), domain.assumed.end(),
-                       [&](const Statement& s) { return point.holds(s, definitions); }))
+      if (!std::all_of(assumed.begin(), assumed.end(), [&](const Assumed& each) {
+            point.assign(each.contents);
+            return point.holds(each.surplus, each.relation);
+          }))
         continue;
       const ex left_value = point.value(left);
       const ex right_value = point.value(right);

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <random>
 
+#include "proof/factored.hpp"
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
 
@@ -196,8 +197,8 @@ bool NormalForm::Generators::positive(const ex& rational) {
   if (takes_both_signs(above)) return false;
   const auto product_positive = [this](const ex& polynomial) {
     if (positive_polynomial(polynomial)) return true;
-    const ex factored = GiNaC::factor(polynomial);
-    if (!is_a<GiNaC::mul>(factored) && !is_a<GiNaC::power>(factored)) return false;
+    const ex factors = factored(polynomial);
+    if (!is_a<GiNaC::mul>(factors) && !is_a<GiNaC::power>(factors)) return false;
     const auto part_sign = [this](const ex& part) {
       const ex base = is_a<GiNaC::power>(part) ? part.op(0) : part;
       if (positive_polynomial(base)) return 1;
@@ -205,9 +206,9 @@ bool NormalForm::Generators::positive(const ex& rational) {
         return is_a<GiNaC::power>(part) && part.op(1).info(GiNaC::info_flags::even) ? 1 : -1;
       return 0;
     };
-    if (is_a<GiNaC::power>(factored)) return part_sign(factored) > 0;
+    if (is_a<GiNaC::power>(factors)) return part_sign(factors) > 0;
     int sign = 1;
-    for (const ex& part : factored) sign *= part_sign(part);
+    for (const ex& part : factors) sign *= part_sign(part);
     return sign > 0;
   };
   return (product_positive(above) && product_positive(below)) ||

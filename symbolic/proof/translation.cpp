@@ -13,14 +13,17 @@ using GiNaC::is_a;
 using GiNaC::numeric;
 
 ex NormalForm::Generators::translate(const ex& e) {
+  if (const auto known = translated_.find(e); known != translated_.end()) return known->second;
   const ex written_out = definitions_.expand_except_angles(e);
   const auto before = denominators_;
   collect_angles(written_out);
   if (denominators_ != before) {  // angles are divided further than before
+    translated_.clear();
     rewritten_.clear();
     multiples_.clear();
+    pairs_of_angles_.clear();
   }
-  return rewritten(written_out);
+  return translated_[e] = rewritten(written_out);
 }
 
 // A transcendental generator that stands for `original`; one a key.

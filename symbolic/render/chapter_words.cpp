@@ -70,6 +70,10 @@ ChapterWords chapter_words(const std::string& chapter) {
        {"Collisions without end",
         "Where the cosine of the wedge's angle would not be below one, the bodies always approach "
         "again: infinitely many collisions in a finite time."}},
+      {"inelastic_end",
+       {"The end between equal blocks",
+        "What restitution leaves after the last collision, or the time at which collisions have "
+        "collapsed, written so that a computer loses no digits."}},
       {"small_alpha",
        {"Light balls",
         "As alpha tends to zero, psi is about 2 sqrt(2 alpha), and the number of collisions grows "
@@ -79,6 +83,15 @@ ChapterWords chapter_words(const std::string& chapter) {
         "From the velocities between collisions follow the times of all collisions and the "
         "distances between the "
         "blocks then."}},
+      {"tangent",
+       {"One sine and one cosine",
+        "With t = tan(psi/4), the sine and the cosine of n psi/2 give all four velocities as "
+        "products, and those of j psi/2 the time and the place of collision j."}},
+      {"offset",
+       {"The last cycle's offset",
+        "After the last collision N_A psi/2 is within psi/4 of a quarter turn. In the sine and the "
+        "cosine of that small offset the terminal velocities are one formula, whichever collision "
+        "is the last."}},
       {"orthogonal",
        {"Orthogonal matrices",
         "What keeps all lengths is a rotation, or a rotation times a reflection."}},

@@ -58,7 +58,7 @@ TEST_CASE("tiers and digits", "[exam]") {
                 "unknown tier \"turbo\"; allowed: fast, exact");
   check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "accurate"}, "not available yet");
   for (const std::string digits : {"0", "-3", "10001", "ten", ""})
-    check_refused({"eval", "--alpha", "0.1", "--n", "1", "--digits", digits}, "from 1 to 10000");
+    check_refused({"eval", "--alpha", "0.1", "--n", "1", "--digits", digits}, "from 1 to 100000,");
   check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "fast", "--digits", "5"},
                 "--digits goes with");
 }

@@ -47,5 +47,11 @@ TEST_CASE("the tables hold what the manifest lists", "[exam]") {
     in_tables.insert(evaluator.name);
   for (const auto& evaluator : generated::velocity_evaluators<double>())
     in_tables.insert(evaluator.name);
+  for (const auto& evaluator : generated::collapse_evaluators<double>())
+    in_tables.insert(evaluator.name);
+  for (const auto& evaluator : generated::terminal_evaluators<double>())
+    in_tables.insert(evaluator.name);
+  for (const auto& evaluator : generated::two_collisions_evaluators<double>())
+    in_tables.insert(evaluator.name);
   CHECK(listed == in_tables);
 }

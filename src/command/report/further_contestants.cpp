@@ -7,19 +7,19 @@
 
 namespace magicmass::command {
 
-std::vector<report::Contestant> further_contestants(bool peers,
-                                                    const std::vector<std::string>& quantities,
-                                                    std::vector<std::string>& remarks) {
+std::vector<DerivedForm> forms_from_derivation(const std::vector<std::string>& quantities,
+                                               std::vector<std::string>& remarks) {
   const derivation::Derivation derivation = derivation::derive();
-  if (derivation.refused) {
-    remarks.push_back(std::string("skipped: GiNaC and peers, because ") +
-                      derivation.refused->what());
-    return {};
-  }
-  std::vector<report::Contestant> all = ginac_contestants(derivation.theorems, quantities, remarks);
+  if (!derivation.refused) return derived_forms(derivation.theorems, quantities);
+  remarks.push_back(std::string("skipped: GiNaC and peers, because ") + derivation.refused->what());
+  return {};
+}
+
+std::vector<report::Contestant> further_contestants(const std::vector<DerivedForm>& forms,
+                                                    bool peers, std::vector<std::string>& remarks) {
+  std::vector<report::Contestant> all = ginac_contestants(forms, remarks);
   if (peers)
-    for (report::Contestant& one : sympy_contestants(derivation.theorems, quantities, remarks))
-      all.push_back(std::move(one));
+    for (report::Contestant& one : sympy_contestants(forms, remarks)) all.push_back(std::move(one));
   return all;
 }
 

@@ -5,14 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "command/report/derived_formulas.hpp"
 #include "report/contestant.hpp"
 
 namespace magicmass::command {
 
+/// The forms of these quantities; none, and a line in `remarks`, if the derivation is refused.
+std::vector<DerivedForm> forms_from_derivation(const std::vector<std::string>& quantities,
+                                               std::vector<std::string>& remarks);
+
 /// What is not there (a C compiler, SymPy) leaves a line in `remarks` instead. Peers other than GiNaC on
-/// request. Of these quantities alone.
-std::vector<report::Contestant> further_contestants(bool peers,
-                                                    const std::vector<std::string>& quantities,
-                                                    std::vector<std::string>& remarks);
+/// request.
+std::vector<report::Contestant> further_contestants(const std::vector<DerivedForm>& forms,
+                                                    bool peers, std::vector<std::string>& remarks);
 
 }  // namespace magicmass::command

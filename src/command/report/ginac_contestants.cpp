@@ -21,7 +21,7 @@
 #include <unistd.h>
 
 #include "codegen/forms.hpp"
-#include "command/report/derived_formulas.hpp"
+#include "command/report/exact_formulas.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "proof/names.hpp"
 
@@ -96,16 +96,14 @@ std::optional<GiNaC::FUNCP_CUBA> compiled(const std::vector<GiNaC::ex>& outputs,
   return function;
 }
 
-/// x alone: the compiler is not to know that the mask is 0.
-double after(double x, double previous) {
+/// input alone: the compiler is not to know that the mask is 0.
+Input after(Input input, double previous) {
   std::uint64_t mask = 0;
   asm volatile("" : "+r"(mask));
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) |
-                               (std::bit_cast<std::uint64_t>(previous) & mask));
-}
-
-bool is_among(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  mask &= std::bit_cast<std::uint64_t>(previous);
+  input.alpha = std::bit_cast<double>(std::bit_cast<std::uint64_t>(input.alpha) | mask);
+  input.index = static_cast<std::int64_t>(static_cast<std::uint64_t>(input.index) | mask);
+  return input;
 }
 
 template <class Call>
@@ -120,21 +118,19 @@ Contestant contestant(const codegen::Form& form, const std::string& how, const C
   const std::size_t size = form.outputs.size();
   one.evaluate = [call, size](const Input& input, long double* members) {
     Outputs outputs{};
-    call(input.alpha, static_cast<double>(input.index), input.index, outputs);
+    call(input, outputs);
     for (std::size_t i = 0; i < size; ++i) members[i] = static_cast<long double>(outputs[i]);
   };
   one.evaluate_all = [call](std::span<const Input> inputs) {
     Outputs outputs{};
     for (const Input& input : inputs) {
-      call(input.alpha, static_cast<double>(input.index), input.index, outputs);
+      call(input, outputs);
       asm volatile("" : : "m"(outputs) : "memory");
     }
   };
   one.evaluate_chained = [call](std::span<const Input> inputs) {
     Outputs outputs{};
-    for (const Input& input : inputs)
-      call(after(input.alpha, outputs[0]), after(static_cast<double>(input.index), outputs[0]),
-           input.index, outputs);
+    for (const Input& input : inputs) call(after(input, outputs[0]), outputs);
     asm volatile("" : : "m"(outputs) : "memory");
   };
   return one;
@@ -142,13 +138,19 @@ Contestant contestant(const codegen::Form& form, const std::string& how, const C
 
 Contestant compiled_contestant(const codegen::Form& form, GiNaC::FUNCP_CUBA function) {
   const int outputs_size = static_cast<int>(form.outputs.size());
-  const bool takes_alpha = !form.real_input.empty();
+  const std::vector<std::string> names = inputs_of(form);
+  const auto takes = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  const bool takes_alpha = takes("alpha");
+  const bool takes_e = takes("e");
   const bool takes_index = !form.index.empty();
-  const auto call = [=](double alpha, double index, std::int64_t, Outputs& outputs) {
-    double x[2];
+  const auto call = [=](const Input& input, Outputs& outputs) {
+    double x[3];
     int size = 0;
-    if (takes_alpha) x[size++] = alpha;
-    if (takes_index) x[size++] = index;
+    if (takes_alpha) x[size++] = input.alpha;
+    if (takes_e) x[size++] = input.e;
+    if (takes_index) x[size++] = static_cast<double>(input.index);
     function(&size, x, &outputs_size, outputs.data());
   };
   return contestant(form, "compile_ex", call);
@@ -160,41 +162,43 @@ GiNaC::numeric widened(double x) {
   return GiNaC::numeric(cln::cl_float(reference::exact(x), digits));
 }
 
-Contestant evalf_contestant(const codegen::Form& form, const std::vector<GiNaC::ex>& formulas) {
-  const auto shared = std::make_shared<const std::vector<GiNaC::ex>>(formulas);
-  const auto call = [form, shared](double alpha, double, std::int64_t index, Outputs& outputs) {
+Contestant evalf_contestant(const codegen::Form& form,
+                            const std::shared_ptr<const std::vector<GiNaC::ex>>& shared) {
+  const auto call = [form, shared](const Input& input, Outputs& outputs) {
     outputs.fill(std::numeric_limits<double>::quiet_NaN());
     try {
       GiNaC::lst values;
-      if (!form.real_input.empty()) values.append(proof::symbol(form.real_input) == widened(alpha));
-      if (!form.index.empty())
-        values.append(proof::symbol(form.index) == GiNaC::numeric(static_cast<long>(index)));
+      for (const std::string& name : inputs_of(form))
+        values.append(proof::symbol(name) == (name == form.index
+                                                  ? GiNaC::numeric(static_cast<long>(input.index))
+                                                  : widened(input_named(name, input))));
       for (std::size_t i = 0; i < shared->size(); ++i) {
         const GiNaC::ex value = (*shared)[i].subs(values).evalf();
-        if (GiNaC::is_a<GiNaC::numeric>(value))
+        if (GiNaC::is_a<GiNaC::numeric>(value) && value.info(GiNaC::info_flags::real))
           outputs[i] = cln::double_approx(
               cln::the<cln::cl_R>(GiNaC::ex_to<GiNaC::numeric>(value).to_cl_N()));
       }
     } catch (const std::exception&) {  // division by zero, 1/cos(Pi/2)
     }
   };
-  return contestant(form, "evalf", call);
+  Contestant one = contestant(form, "evalf", call);
+  one.expected_ns = [size = form.outputs.size()](const Input&) {
+    return 1e4 * static_cast<double>(size);
+  };
+  return one;
 }
 
 }  // namespace
 
-std::vector<Contestant> ginac_contestants(const std::vector<proof::Theorem>& theorems,
-                                          const std::vector<std::string>& quantities,
+std::vector<Contestant> ginac_contestants(const std::vector<DerivedForm>& forms,
                                           std::vector<std::string>& remarks) {
   std::vector<Contestant> all;
   bool has_compiler = true;
-  for (const codegen::Form& form : codegen::forms()) {
-    if (form.exact || form.outputs.size() > most_outputs || !is_among(quantities, form.quantity))
-      continue;
-    const std::vector<GiNaC::ex> formulas = derived_outputs(form, theorems);
-    if (form.name == "closed") all.push_back(evalf_contestant(form, formulas));
+  for (const auto& [form, outputs] : forms) {
+    if (form.outputs.size() > most_outputs) continue;
+    if (form.name == "closed") all.push_back(evalf_contestant(form, outputs));
     if (!has_compiler) continue;
-    if (const auto function = compiled(formulas, inputs_of(form)))
+    if (const auto function = compiled(*outputs, inputs_of(form)))
       all.push_back(compiled_contestant(form, *function));
     else
       has_compiler = false;

@@ -3,7 +3,12 @@
 
 #include <iterator>
 
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+#include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/velocities.hpp"
+#include "magicmass/velocities_exact.hpp"
 #include "report/errors.hpp"
 
 namespace magicmass::command {
@@ -31,6 +36,20 @@ report::Growth growth_with_digits(bool quick, const report::Plan& plan) {
       "certified_digits", scale,
       [](double digits) {
         reference::certified_digits(MassRatio(1e-12), 1000, static_cast<int>(digits));
+      },
+      plan);
+}
+
+/// The exact tier's rational numbers: digits grow with n, and the time with them.
+report::Growth rationals_with_n(bool quick, const report::Plan& plan) {
+  const double alpha = 0.3;  // all of 52 fraction bits
+  report::Scale scale{"n", "n, exact rationals at alpha = 0.3", "velocities", {}, {}};
+  for (double n = 1; n <= (quick ? 256 : 4096); n *= 2) scale.x.push_back(n);
+  return report::growth_of_work(
+      "velocities_exact", scale,
+      [alpha](double n) {
+        generated::velocities_exact<cln::cl_RA, cln::cl_I>(reference::exact(alpha),
+                                                           static_cast<long>(n));
       },
       plan);
 }
@@ -63,6 +82,8 @@ void measure_growth(const std::vector<report::Contestant>& contestants, bool qui
                                          array_lengths(quick), plan.rounds));
   words = "growth: against digits";
   if (progress.step(words, 0.0)) add({growth_with_digits(quick, plan.rounds)});
+  words = "growth: exact rationals against n";
+  if (progress.step(words, 0.0)) add({rationals_with_n(quick, plan.rounds)});
   std::erase_if(growths, [](const report::Growth& growth) { return growth.points.empty(); });
 }
 

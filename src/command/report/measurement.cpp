@@ -3,19 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "command/nearest_name.hpp"
+#include "command/report/exact_formulas.hpp"
 #include "command/report/further_contestants.hpp"
 #include "command/report/growth_measurement.hpp"
-#include "report/contestants.hpp"
+#include "command/report/timing_batch.hpp"
+#include "report/batches.hpp"
 #include "report/errors.hpp"
 #include "report/oracle.hpp"
-#include "report/quantities.hpp"
-#include "report/timing.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -23,95 +21,26 @@ namespace {
 using report::Contestant;
 using report::Family;
 
-constexpr const char* twin = "naive again";
-
-bool is_asked(const std::vector<std::string>& names, const std::string& name) {
-  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
-}
-
-void require_names(const std::string& kind, const std::vector<std::string>& asked,
-                   const std::set<std::string>& known) {
-  for (const std::string& name : asked) require_name(kind, name, {known.begin(), known.end()});
-}
-
-/// Naive first, double before the other precisions, else as they come.
-void sort_for_reading(std::vector<Contestant>& contestants) {
-  const auto place = [](const Contestant& one) {
-    return std::pair(one.precision == "double"  ? 0
-                     : one.precision == "float" ? 1
-                                                : 2,
-                     !one.is_naive);
-  };
-  std::stable_sort(
-      contestants.begin(), contestants.end(),
-      [&](const Contestant& left, const Contestant& right) { return place(left) < place(right); });
-}
-
-bool is_baseline(const Contestant& one) { return one.is_naive && one.precision == "double"; }
-
-/// Everything of one quantity.
-struct Task {
-  std::vector<Contestant> contestants;
-  std::vector<Family> families;
-};
-
-std::vector<Task> tasks(const ReportRequest& request, Measurement& measurement) {
-  const std::size_t size = request.size.value_or(request.quick ? 128 : 4096);
-  std::set<std::string> family_names;
-  std::set<std::string> evaluator_names;
-  std::set<std::string> quantity_names;
-  std::vector<Task> all;
-  std::vector<std::string> asked;
-  for (const report::Quantity& quantity : report::quantities()) {
-    quantity_names.insert(quantity.name);
-    if (is_asked(request.quantities, quantity.name)) asked.push_back(quantity.name);
+/// Every contestant's errors on one family; nothing if Ctrl-C ended it.
+std::optional<MeasuredFamily> measure_errors(const Task& task, const Family& family,
+                                             const report::Climb& climb, double done,
+                                             report::Oracle& oracle, Progress& progress) {
+  MeasuredFamily one{family, {}};
+  for (const Contestant& contestant : task.contestants) {
+    if (!progress.step(fmt::format("errors: {}, {}: {} in {}", family.quantity, family.name,
+                                   contestant.name, contestant.precision),
+                       done))
+      return std::nullopt;
+    Entry entry{contestant.name,
+                contestant.precision,
+                contestant.is_naive,
+                contestant.is_reproducible,
+                report::measure(contestant, family, oracle, climb),
+                {}};
+    std::erase_if(entry.errors, [](const report::ErrorRow& row) { return row.samples == 0; });
+    if (!entry.errors.empty()) one.entries.push_back(std::move(entry));
   }
-  require_names("quantity", request.quantities, quantity_names);
-  const std::vector<Contestant> further =
-      further_contestants(request.peers, asked, measurement.remarks);
-  for (const std::string& quantity : asked) {
-    Task task{report::contestants(quantity), report::families(quantity, size)};
-    for (const Contestant& one : further)
-      if (one.quantity == quantity) task.contestants.push_back(one);
-    sort_for_reading(task.contestants);
-    for (const Family& family : task.families) family_names.insert(family.name);
-    for (const Contestant& one : task.contestants) evaluator_names.insert(one.name);
-    std::erase_if(task.families,
-                  [&](const Family& one) { return !is_asked(request.families, one.name); });
-    std::erase_if(task.contestants, [&](const Contestant& one) {
-      return !is_asked(request.evaluators, one.name) && !is_baseline(one);
-    });
-    all.push_back(std::move(task));
-  }
-  require_names("family", request.families, family_names);
-  require_names("evaluator", request.evaluators, evaluator_names);
-  return all;
-}
-
-/// Families whose errors are all there; false if Ctrl-C ended it.
-bool measure_errors(const Task& task, report::Oracle& oracle, Progress& progress,
-                    std::vector<MeasuredFamily>& measured) {
-  for (const Family& family : task.families) {
-    MeasuredFamily one{family, {}};
-    const auto done = static_cast<double>(&family - task.families.data()) /
-                      static_cast<double>(task.families.size());
-    for (const Contestant& contestant : task.contestants) {
-      if (!progress.step(fmt::format("errors: {}, {}: {} in {}", family.quantity, family.name,
-                                     contestant.name, contestant.precision),
-                         done))
-        return false;
-      Entry entry{contestant.name,
-                  contestant.precision,
-                  contestant.is_naive,
-                  contestant.is_reproducible,
-                  report::measure(contestant, family, oracle),
-                  {}};
-      std::erase_if(entry.errors, [](const report::ErrorRow& row) { return row.samples == 0; });
-      if (!entry.errors.empty()) one.entries.push_back(std::move(entry));
-    }
-    measured.push_back(std::move(one));
-  }
-  return true;
+  return one;
 }
 
 void look_at_self(SelfComparison& self, const report::TimeRow& row) {
@@ -122,27 +51,44 @@ void look_at_self(SelfComparison& self, const report::TimeRow& row) {
   self.highest = std::max(self.highest, row.ratio);
 }
 
-void measure_times(const Task& task, const report::TimingPlan& plan,
-                   std::vector<MeasuredFamily>& measured, SelfComparison& self) {
-  std::vector<Contestant> contestants = task.contestants;
-  for (const Contestant& one : task.contestants)
-    if (is_baseline(one)) {
-      Contestant again = one;
-      again.name = twin;
-      again.is_naive = false;
-      contestants.push_back(std::move(again));
+void put_in_place(const report::TimeRow& row, Measurement& measurement) {
+  if (row.contestant == twin) return look_at_self(measurement.self, row);
+  for (MeasuredFamily& one : measurement.families)
+    if (one.family.name == row.family && one.family.quantity == row.quantity)
+      for (Entry& entry : one.entries)
+        if (entry.evaluator == row.contestant && entry.precision == row.precision) entry.time = row;
+}
+
+/// Errors family after family, and in between, spread over the whole time that takes, the batches of times.
+void measure_families(const ReportRequest& request, const std::vector<Task>& tasks,
+                      const std::vector<DerivedForm>& forms, Progress& progress,
+                      Measurement& measurement) {
+  const std::size_t batches = report::batch_plan(request.rounds).batches;
+  const std::string formulas = in_one_line(forms);
+  std::vector<std::vector<report::TimeRow>> times;
+  const report::Climb climb{request.quick ? std::size_t{20} : std::size_t{60}};
+  std::size_t all = 0;
+  for (const Task& task : tasks) all += task.families.size();
+  const auto go_on = [&] {
+    for (const Task& task : tasks) {
+      report::Oracle oracle;
+      teach(oracle, forms);
+      for (const Family& family : task.families) {
+        const std::size_t done = measurement.families.size();
+        const double share = static_cast<double>(done) / static_cast<double>(all);
+        auto errors = measure_errors(task, family, climb, share, oracle, progress);
+        if (!errors) return;
+        measurement.families.push_back(std::move(*errors));
+        while (times.size() * all < batches * (done + 1)) {
+          auto rows = timing_batch(request, {times.size(), batches, formulas}, progress);
+          if (!rows) return;
+          times.push_back(std::move(*rows));
+        }
+      }
     }
-  for (report::TimeRow& row : report::time_families(contestants, task.families, plan)) {
-    if (row.contestant == twin) {
-      look_at_self(self, row);
-      continue;
-    }
-    for (MeasuredFamily& one : measured)
-      if (one.family.name == row.family && one.family.quantity == row.quantity)
-        for (Entry& entry : one.entries)
-          if (entry.evaluator == row.contestant && entry.precision == row.precision)
-            entry.time = row;
-  }
+  };
+  go_on();
+  for (const report::TimeRow& row : report::combined(times)) put_in_place(row, measurement);
 }
 
 }  // namespace
@@ -157,28 +103,23 @@ Measurement measure(const ReportRequest& request, Progress& progress) {
   Measurement measurement;
   measurement.provenance = provenance();
   progress.step("deriving", 0.0);
-  const std::vector<Task> all = tasks(request, measurement);
-  report::TimingPlan plan;
-  plan.rounds.rounds = request.rounds;
-  plan.longest_pass_ns = request.quick ? 2e5 : 2e6;
-  plan.longest_call_ns = request.quick ? 1e6 : 2e7;
-  if (request.quick) plan.rounds.shortest_ns = 2e4;
+  const std::vector<DerivedForm> forms =
+      forms_from_derivation(asked_quantities(request), measurement.remarks);
+  const std::vector<Task> tasks =
+      report_tasks(request, further_contestants(forms, request.peers, measurement.remarks));
+  for (const std::string& quantity : unknown_quantities(forms))
+    measurement.remarks.push_back(
+        quantity +
+        ": known from the generated tables alone, so no transcription to compare with; errors are "
+        "against its own theorem, evaluated with more and more digits");
+  measure_families(request, tasks, forms, progress, measurement);
   report::Oracle oracle;
-  for (const Task& task : all) {
-    if (task.families.empty()) continue;
-    std::vector<MeasuredFamily> measured;
-    const bool has_errors = measure_errors(task, oracle, progress, measured);
-    const std::string words = "times: " + task.families.front().quantity;
-    plan.rounds.go_on = [&](double done) { return progress.step(words, done); };
-    if (has_errors) measure_times(task, plan, measured, measurement.self);
-    for (MeasuredFamily& one : measured) measurement.families.push_back(std::move(one));
-    oracle.forget();
-  }
   if (request.growth && !Progress::was_interrupted())
-    for (const Task& task : all)
-      measure_growth(task.contestants, request.quick, oracle, plan, progress, measurement.growths);
+    for (const Task& task : tasks)
+      measure_growth(task.contestants, request.quick, oracle, timing_plan(request), progress,
+                     measurement.growths);
   if (request.sweeps)
-    for (const Task& task : all)
+    for (const Task& task : tasks)
       if (measurement.sweeps.empty())
         measurement.sweeps =
             alpha_sweeps(task.contestants, request.quick ? 400 : 1200, oracle, progress);

@@ -10,24 +10,13 @@
 #include "command/report/alpha_sweep.hpp"
 #include "command/report/progress.hpp"
 #include "command/report/provenance.hpp"
+#include "command/report/report_tasks.hpp"
 #include "report/contestant.hpp"
 #include "report/family.hpp"
 #include "report/growth.hpp"
 #include "report/rows.hpp"
 
 namespace magicmass::command {
-
-struct ReportRequest {
-  bool quick = false;
-  bool peers = false;
-  std::vector<std::string> families;    ///< empty: all
-  std::vector<std::string> evaluators;  ///< empty: all; naive is always there
-  std::vector<std::string> quantities;  ///< empty: all
-  std::optional<std::size_t> size;      ///< inputs a family
-  std::size_t rounds = 51;
-  bool growth = true;
-  bool sweeps = false;  ///< errors against alpha, for a figure
-};
 
 /// One contestant on one family: its members' errors and its times.
 struct Entry {

@@ -4,13 +4,16 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <sstream>
 
 #include "command/commands.hpp"
 #include "command/records.hpp"
+#include "command/report/comparison.hpp"
 #include "command/report/figures.hpp"
 #include "command/report/measurement.hpp"
 #include "command/report/report_tables.hpp"
+#include "command/report/timing_batch.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
@@ -19,6 +22,8 @@ namespace {
 
 struct ReportOptions {
   ReportRequest request;
+  std::optional<std::size_t> timing_batch;
+  std::vector<std::string> compare;  ///< one file: with this run; two: with each other
   std::string figures;
   std::string headline;
   OutputOptions output;
@@ -47,7 +52,27 @@ void write_report(Destination& output, const std::string& format, const Measurem
   output.finish();
 }
 
+ExitCode say_comparison(Destination& output, const KnownReport& old_report,
+                        const KnownReport& new_report) {
+  const Comparison comparison = compare_reports(old_report, new_report);
+  output.write(comparison.text);
+  output.finish();
+  if (comparison.agrees) return ExitCode::done;
+  std::cerr << "magicmass: the two reports do not agree\n";
+  return ExitCode::check_failed;
+}
+
 ExitCode report_command(const ReportOptions& options) {
+  if (options.timing_batch) {
+    run_timing_batch(options.request, *options.timing_batch, std::cin, std::cout);
+    return ExitCode::done;
+  }
+  std::vector<KnownReport> known;
+  for (const std::string& path : options.compare) known.push_back(read_report(path));
+  if (known.size() == 2) {
+    Destination output(options.output.path);
+    return say_comparison(output, known[0], known[1]);
+  }
   // What cannot be written is found out before the minutes of measuring.
   Destination output(options.output.path);
   if (!options.figures.empty()) prepare_folder(options.figures);
@@ -57,7 +82,8 @@ ExitCode report_command(const ReportOptions& options) {
     Progress progress;
     measurement = measure(options.request, progress);
   }
-  write_report(output, options.output.format, measurement);
+  if (known.empty() || !options.output.path.empty())
+    write_report(output, options.output.format, measurement);
   if (options.output.format != "text" && options.output.format != "markdown")
     for (const std::string& remark : measurement.remarks)
       std::cerr << "magicmass: " + remark + "\n";
@@ -71,7 +97,9 @@ ExitCode report_command(const ReportOptions& options) {
   if (!options.headline.empty())
     write_whole(options.headline,
                 with_headline(read_text(options.headline), report_headline(measurement)));
-  return ExitCode::done;
+  if (known.empty()) return ExitCode::done;
+  Destination comparison("");
+  return say_comparison(comparison, known[0], {"this run", report_records(measurement)});
 }
 
 CLI::Option* add_names(CLI::App& command, const std::string& option,
@@ -109,6 +137,16 @@ void add_report(Program& program) {
   command.add_option("--headline", options->headline, "write the short table between FILE's marks")
       ->type_name("FILE")
       ->check(not_empty);
+  command
+      .add_option("--compare", options->compare,
+                  "does this run agree with FILE (JSON), or FILE with FILE? 1 if not")
+      ->type_name("FILE [FILE]")
+      ->expected(1, 2);
+  command
+      .add_option_function<std::size_t>(
+          "--timing-batch", [options](std::size_t batch) { options->timing_batch = batch; },
+          "what the program asks of its own copies")
+      ->group("");
   add_output_options(command, options->output, {"text", "markdown", "json", "csv"});
   on_run(program, command, [options] {
     options->request.sweeps = !options->figures.empty();

@@ -34,7 +34,7 @@ std::string head(const std::vector<std::string>& names, std::size_t words) {
 
 std::string ratio(const std::optional<report::TimeRow>& time) {
   if (!time || std::isnan(time->ratio)) return "-";
-  return fmt::format("{} ({} to {})", short_number(time->ratio), short_number(time->ratio_low),
+  return fmt::format("{} ({} to {})", shown_ratio(*time), short_number(time->ratio_low),
                      short_number(time->ratio_high));
 }
 

@@ -11,9 +11,6 @@
 namespace magicmass::command {
 namespace {
 
-/// Cells by the name of their column; what is not set is missing.
-using Record = std::map<std::string, Cell>;
-
 const std::vector<std::string>& columns() {
   static const std::vector<std::string> names = {"evaluator",
                                                  "family",
@@ -25,6 +22,7 @@ const std::vector<std::string>& columns() {
                                                  "max_ulp",
                                                  "worst_alpha",
                                                  "worst_index",
+                                                 "worst_e",
                                                  "ulp_999",
                                                  "ulp_median",
                                                  "correctly_rounded",
@@ -40,12 +38,15 @@ const std::vector<std::string>& columns() {
                                                  "slowest_call_ns",
                                                  "slowest_alpha",
                                                  "slowest_index",
+                                                 "slowest_e",
                                                  "cycles",
                                                  "ratio",
                                                  "ratio_low",
                                                  "ratio_high",
+                                                 "steady",
                                                  "inputs",
                                                  "rounds",
+                                                 "batches",
                                                  "scale",
                                                  "x",
                                                  "time_exponent",
@@ -69,6 +70,7 @@ Cell truth_cell(bool value) { return digits_cell(value ? "true" : "false"); }
 void set_input(Record& record, const std::string& name, const report::Input& input) {
   record[name + "_alpha"] = text_cell(fmt::format("{:a}", input.alpha));
   record[name + "_index"] = number_cell(input.index);
+  record[name + "_e"] = text_cell(fmt::format("{:a}", input.e));
 }
 
 void set_error(Record& record, const report::ErrorRow& error) {
@@ -97,8 +99,10 @@ void set_time(Record& record, const report::TimeRow& time) {
   record["ratio"] = number_cell(time.ratio);
   record["ratio_low"] = number_cell(time.ratio_low);
   record["ratio_high"] = number_cell(time.ratio_high);
+  if (!std::isnan(time.ratio_low)) record["steady"] = truth_cell(time.is_steady);
   record["inputs"] = whole_cell(time.inputs);
   record["rounds"] = whole_cell(time.rounds);
+  record["batches"] = whole_cell(time.batches);
 }
 
 void set_law(Record& record, const std::string& name, const std::optional<report::PowerLaw>& law) {
@@ -107,52 +111,62 @@ void set_law(Record& record, const std::string& name, const std::optional<report
   record[name + "_spread"] = number_cell(law->spread);
 }
 
-void write(RecordWriter& writer, const Record& record) {
-  std::vector<Cell> cells;
-  for (const std::string& name : columns()) {
-    const auto found = record.find(name);
-    cells.push_back(found == record.end() ? missing_cell() : found->second);
-  }
-  writer.write(cells);
+/// What every record begins with.
+Record record_of(const Measurement& measurement, const std::string& evaluator,
+                 const std::string& precision, const std::string& quantity,
+                 const std::string& family, bool is_reproducible) {
+  Record record;
+  for (const auto& [name, value] : measurement.provenance) record[name] = text_cell(value);
+  record["evaluator"] = text_cell(evaluator);
+  record["precision"] = text_cell(precision);
+  record["quantity"] = text_cell(quantity);
+  record["family"] = text_cell(family);
+  record["reproducible"] = truth_cell(is_reproducible);
+  return record;
 }
 
 }  // namespace
 
-void write_report_records(Destination& output, const std::string& format,
-                          const Measurement& measurement) {
-  RecordWriter writer(output, format, columns(), false);
-  Record common;
-  for (const auto& [name, value] : measurement.provenance) common[name] = text_cell(value);
+std::vector<Record> report_records(const Measurement& measurement) {
+  std::vector<Record> records;
   for (const MeasuredFamily& one : measurement.families)
     for (const Entry& entry : one.entries) {
-      Record record = common;
-      record["evaluator"] = text_cell(entry.evaluator);
-      record["family"] = text_cell(one.family.name);
-      record["quantity"] = text_cell(one.family.quantity);
-      record["precision"] = text_cell(entry.precision);
-      record["reproducible"] = truth_cell(entry.is_reproducible);
+      Record record = record_of(measurement, entry.evaluator, entry.precision, one.family.quantity,
+                                one.family.name, entry.is_reproducible);
       if (entry.time) set_time(record, *entry.time);
       for (const report::ErrorRow& error : entry.errors) {
         set_error(record, error);
-        write(writer, record);
+        records.push_back(record);
       }
     }
-  for (const report::Growth& growth : measurement.growths)
+  for (const report::Growth& growth : measurement.growths) {
+    Record record = record_of(measurement, growth.contestant, growth.precision, growth.quantity,
+                              "against " + growth.words, growth.is_reproducible);
+    record["scale"] = text_cell(growth.scale);
+    set_law(record, "time_exponent", growth.time);
+    set_law(record, "error_exponent", growth.error);
     for (const report::GrowthPoint& point : growth.points) {
-      Record record = common;
-      record["evaluator"] = text_cell(growth.contestant);
-      record["family"] = text_cell("against " + growth.words);
-      record["quantity"] = text_cell(growth.quantity);
-      record["precision"] = text_cell(growth.precision);
-      record["scale"] = text_cell(growth.scale);
       record["x"] = number_cell(point.x);
       record["ns"] = number_cell(point.ns);
       record["max_ulp"] = error_cell(point.max_ulp);
       record["over_envelope"] = error_cell(point.over_envelope);
-      set_law(record, "time_exponent", growth.time);
-      set_law(record, "error_exponent", growth.error);
-      write(writer, record);
+      records.push_back(record);
     }
+  }
+  return records;
+}
+
+void write_report_records(Destination& output, const std::string& format,
+                          const Measurement& measurement) {
+  RecordWriter writer(output, format, columns(), false);
+  for (const Record& record : report_records(measurement)) {
+    std::vector<Cell> cells;
+    for (const std::string& name : columns()) {
+      const auto found = record.find(name);
+      cells.push_back(found == record.end() ? missing_cell() : found->second);
+    }
+    writer.write(cells);
+  }
   writer.finish();
 }
 

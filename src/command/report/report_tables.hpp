@@ -2,9 +2,12 @@
 // A measurement as text, Markdown, JSON and CSV.
 #pragma once
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "command/destination.hpp"
+#include "command/records.hpp"
 #include "command/report/measurement.hpp"
 
 namespace magicmass::command {
@@ -12,7 +15,11 @@ namespace magicmass::command {
 /// Tables of at most 80 columns, one for each family; speed and error in the same row.
 std::string report_text(const Measurement& measurement);
 std::string report_markdown(const Measurement& measurement);
-/// JSON or CSV: a record for each member of each evaluator on each family, then one for each point of the growth.
+/// Cells by the name of their column; what is not set is missing.
+using Record = std::map<std::string, Cell>;
+/// A record for each member of each evaluator on each family, then one for each point of the growth.
+std::vector<Record> report_records(const Measurement& measurement);
+/// The same as JSON or CSV.
 void write_report_records(Destination& output, const std::string& format,
                           const Measurement& measurement);
 
@@ -26,6 +33,8 @@ std::string report_legend(const Measurement& measurement);
 
 /// Seven characters at most: 0.51, 12.3, 4711, 1.2e15, inf, and - for what is not there.
 std::string short_number(double value);
+/// The ratio, with a ? in front where its batches disagree.
+std::string shown_ratio(const report::TimeRow& time);
 std::string short_precision(const std::string& precision);  ///< f, d, ld
 /// alpha = 0x1.8p-3, n = 7: as the quantity calls its index.
 std::string shown_input(const std::string& quantity, const report::Input& input);

@@ -39,7 +39,7 @@ std::string line_of(const Entry& entry) {
   const report::TimeRow& time = *entry.time;
   return row(entry.evaluator, type, ulp, short_number(eps), std::to_string(wrong),
              short_number(time.ns_median), short_number(time.latency_ns),
-             short_number(time.slowest_call_ns), short_number(time.ratio), interval(time));
+             short_number(time.slowest_call_ns), shown_ratio(time), interval(time));
 }
 
 std::string growth_text(const std::vector<report::Growth>& growths) {

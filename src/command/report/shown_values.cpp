@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
-#include <map>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "command/report/report_tables.hpp"
+#include "report/quantities.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -27,6 +29,10 @@ std::string short_number(double value) {
   return text;
 }
 
+std::string shown_ratio(const report::TimeRow& time) {
+  return (time.is_steady ? "" : "?") + short_number(time.ratio);
+}
+
 std::string short_precision(const std::string& precision) {
   return precision == "double"        ? "d"
          : precision == "float"       ? "f"
@@ -35,13 +41,12 @@ std::string short_precision(const std::string& precision) {
 }
 
 std::string shown_input(const std::string& quantity, const report::Input& input) {
-  static const std::map<std::string, std::string> index = {
-      {"velocities", "n"}, {"encounters", "j"}, {"ratios", "k"}};
-  const auto found = index.find(quantity);
-  if (quantity == "ratios") return fmt::format("k = {}", input.index);
-  const std::string alpha = fmt::format("alpha = {:a}", input.alpha);
-  return found == index.end() ? alpha
-                              : fmt::format("{}, {} = {}", alpha, found->second, input.index);
+  const report::Quantity& one = report::quantity_named(quantity);
+  std::vector<std::string> parts;
+  if (one.takes("alpha")) parts.push_back(fmt::format("alpha = {:a}", input.alpha));
+  if (one.takes("e")) parts.push_back(fmt::format("e = {:a}", input.e));
+  if (!one.index().empty()) parts.push_back(fmt::format("{} = {}", one.index(), input.index));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string shown_exponents(const report::Growth& growth) {
@@ -64,7 +69,8 @@ std::string report_legend(const Measurement& measurement) {
       "body's largest velocity. wrong: signs, or counts. ns: median time of an evaluation, one "
       "after the other; late: each waits for the one before, latency; slow: the slowest single "
       "call. ratio: to naive in double on the same inputs, paired round by round, with a 95 % "
-      "interval of its median.";
+      "interval over batches of rounds, each in a process of its own; behind a ? it is wider than "
+      "a tenth, as the batches disagree.";
   if (self.families > 0)
     text += fmt::format(
         " Naive against a second copy of itself: ratios {:.3f} to {:.3f}, {} of {} intervals hold "

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/report/sympy_contestants.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -12,8 +11,7 @@
 
 #include <fmt/format.h>
 
-#include "codegen/forms.hpp"
-#include "command/report/derived_formulas.hpp"
+#include "command/report/exact_formulas.hpp"
 #include "command/report/subprocess.hpp"
 
 namespace magicmass::command {
@@ -76,14 +74,11 @@ public:
     return answer;
   }
 
-  void load(std::span<const Input> inputs, bool takes_alpha, bool takes_index) {
+  void load(std::span<const Input> inputs, const std::vector<std::string>& names) {
     std::string line = "load";
-    const auto column = [&](const auto& value) {
+    for (const std::string& name : names)
       for (std::size_t i = 0; i < inputs.size(); ++i)
-        line += fmt::format("{}{:a}", i == 0 ? " " : ",", value(inputs[i]));
-    };
-    if (takes_alpha) column([](const Input& input) { return input.alpha; });
-    if (takes_index) column([](const Input& input) { return static_cast<double>(input.index); });
+        line += fmt::format("{}{:a}", i == 0 ? " " : ",", input_named(name, inputs[i]));
     if (line == loaded_) return;
     answer(line);
     loaded_ = std::move(line);
@@ -102,11 +97,10 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
   one.form = "sympy";
   one.precision = "double";
   one.can = [](const Input&) { return true; };
-  const bool takes_alpha = !form.real_input.empty();
-  const bool takes_index = !form.index.empty();
+  const std::vector<std::string> names = inputs_of(form);
   const std::size_t size = form.outputs.size();
   one.evaluate = [=](const Input& input, long double* members) {
-    peer->load({&input, 1}, takes_alpha, takes_index);
+    peer->load({&input, 1}, names);
     std::istringstream answer(peer->answer(fmt::format("values {}", number)));
     for (std::size_t i = 0; i < size; ++i) {
       std::string word;
@@ -115,7 +109,7 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
     }
   };
   one.own_clock = [=](std::span<const Input> inputs, std::size_t repetitions) {
-    peer->load(inputs, takes_alpha, takes_index);
+    peer->load(inputs, names);
     const std::string answer = peer->answer(fmt::format("time {} {}", number, repetitions));
     return std::strtod(answer.c_str(), nullptr);
   };
@@ -125,8 +119,7 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
 
 }  // namespace
 
-std::vector<Contestant> sympy_contestants(const std::vector<proof::Theorem>& theorems,
-                                          const std::vector<std::string>& quantities,
+std::vector<Contestant> sympy_contestants(const std::vector<DerivedForm>& forms,
                                           std::vector<std::string>& remarks) {
   const auto peer = std::make_shared<Peer>();
   const std::string greeting = peer->ask("");
@@ -136,12 +129,10 @@ std::vector<Contestant> sympy_contestants(const std::vector<proof::Theorem>& the
     return {};
   }
   std::vector<Contestant> all;
-  for (const codegen::Form& form : codegen::forms()) {
-    if (form.exact ||
-        std::find(quantities.begin(), quantities.end(), form.quantity) == quantities.end())
-      continue;
+  for (const DerivedForm& derived : forms) {
+    const codegen::Form& form = derived.form;
     const std::string line = fmt::format("define {} {}", fmt::join(inputs_of(form), ","),
-                                         fmt::join(derived_outputs_in_python(form, theorems), ";"));
+                                         fmt::join(outputs_in_python(derived), ";"));
     if (peer->ask(line) == "ok") {
       all.push_back(contestant(form, peer, all.size()));
     } else {

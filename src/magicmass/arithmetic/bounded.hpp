@@ -75,6 +75,11 @@ struct Bounded {
   }
 };
 
+template <class T>
+[[gnu::always_inline]] inline Bounded<T> reciprocal(Bounded<T> y) {
+  return Bounded<T>(T(1.0)) / y;
+}
+
 /// 1/sqrt(w), as for Pair.
 template <class T>
 inline Bounded<T> reciprocal_square_root(Bounded<T> w) {

@@ -79,16 +79,37 @@ struct Pair {
   friend T rounded(Pair x) { return x.high + x.low; }
 };
 
-/// 1/sqrt(w) for w from 2^-120 to 2^120 in lanes, for any positive w in a single double.
+/// 1/y within 2^-100.
 template <class T>
-inline Pair<T> reciprocal_square_root(Pair<T> w) {
-  // y has 24 bits, so y^2 has 48 and one_minus_product is within an ulp of 2^-22; what is left out of the series of
-  // (1 - e)^(-1/2) is 5/16 e^3 < 2^-67. The second step, in pairs, brings that to 2^-100.
-  const T y = reciprocal_square_root_estimate(w.high);
-  const T square = y * y;
-  const T e = one_minus_product(w.high, square) - w.low * square;
-  const Sum<T> root = ordered_sum(y, y * (e * (T(0.5) + T(0.375) * e)));
-  return {root.high, root.low};
+[[gnu::always_inline]] inline Pair<T> reciprocal(Pair<T> y) {
+  return Pair<T>(T(1.0)) / y;
+}
+
+/// 1/sqrt(w) within 2^-66, for w from 2^-120 to 2^120 in lanes, and any w > 0 of a single double.
+template <class T>
+[[gnu::always_inline]] inline Pair<T> reciprocal_square_root(Pair<T> w) {
+  if constexpr (lane_count<T> == 1) {
+    // no square of the root may overflow or underflow: a power of 4 moves w, exactly
+    double shift = 1.0;
+    if (!(w.high >= 0x1p-900 && w.high <= 0x1p900)) [[unlikely]] {
+      shift = w.high < 1.0 ? 0x1p256 : 0x1p-256;
+      w = scaled(w, shift * shift);
+    }
+    // one Newton step from the rounded root: its square's error and that of w count
+    const double y = 1.0 / square_root(w.high);
+    const Sum<T> square = two_product(y, y);
+    const double e =
+        one_minus_product(w.high, square.high) - (w.high * square.low + w.low * square.high);
+    return {y * shift, 0.5 * y * e * shift};
+  } else {
+    // y has 24 bits, so y^2 has 48 and e is within 2^-74; what is left out of the series of (1 - e)^(-1/2), which
+    // begins 1 + e/2 + 3/8 e^2, is 5/16 e^3 < 2^-66.
+    const T y = reciprocal_square_root_estimate(w.high);
+    const T square = y * y;
+    const T e = one_minus_product(w.high, square) - w.low * square;
+    const Sum<T> root = ordered_sum(y, y * (e * (T(0.5) + T(0.375) * e)));
+    return {root.high, root.low};
+  }
 }
 
 }  // namespace MAGICMASS_TARGET

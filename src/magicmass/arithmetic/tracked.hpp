@@ -32,6 +32,7 @@ struct Tracked {
     const Pair<T> p = Pair<T>::product(x, y);
     return {p, magnitude(p.high)};
   }
+  static Tracked pi() { return {Pair<T>::pi(), T(4.0)}; }
 
   friend Tracked operator-(Tracked x) { return {-x.pair, x.size}; }
   friend Tracked operator+(Tracked x, Tracked y) { return {x.pair + y.pair, x.size + y.size}; }
@@ -39,6 +40,14 @@ struct Tracked {
   friend Tracked operator+(Tracked x, T y) { return {x.pair + y, x.size + magnitude(y)}; }
   friend Tracked operator*(Tracked x, Tracked y) { return {x.pair * y.pair, x.size * y.size}; }
   friend Tracked operator*(Tracked x, T y) { return {x.pair * y, x.size * magnitude(y)}; }
+  /// |x/y - q| <= (ex + |q| ey)/(|y| - ey), so the size is that sum over a little less than |y|; infinite where y is not known
+  /// to 2^-20 of itself. Its degree is that of x and y together.
+  friend Tracked operator/(Tracked x, Tracked y) {
+    const Pair<T> q = x.pair / y.pair;
+    const T divisor = magnitude(y.pair.high);
+    const T size = (x.size + magnitude(q.high) * y.size) / (divisor * T(1 - 0x1p-18));
+    return {q, select(y.size * T(highest_degree * unit) < divisor * T(0x1p-20), size, T(HUGE_VAL))};
+  }
   friend Tracked scaled(Tracked x, double power_of_two) {
     return {scaled(x.pair, power_of_two), x.size * T(std::fabs(power_of_two))};
   }
@@ -55,7 +64,12 @@ struct Tracked {
   }
 };
 
-/// 1/sqrt(w) within 2^-98, any w > 0 from 2^-960 to 2^960.
+template <class T>
+[[gnu::always_inline]] inline Tracked<T> reciprocal(Tracked<T> y) {
+  return Tracked<T>(T(1.0)) / y;
+}
+
+/// 1/sqrt(w) within 2^-98, a number of degree 1: for w without cancellation, as for Pair.
 template <class T>
 [[gnu::always_inline]] inline Tracked<T> reciprocal_square_root(Tracked<T> w) {
   const T y = T(1.0) / square_root(w.pair.high);

@@ -134,6 +134,7 @@ const std::vector<BeyondPaper>& beyond_the_paper() {
        "equal blocks, elastic contacts and the wall as cases of the wedge theorem; the digits of "
        "pi"},
       {"collapse", "where the collisions never end, and in what time"},
+      {"inelastic_end", "terminal velocities with restitution, and the time of the collapse"},
       {"times", "when each collision happens, and how far apart the blocks are then"},
   };
   return results;

@@ -50,13 +50,14 @@ TEST_CASE("each has a name of its own, and one is naive in double", "[exam]") {
       CHECK(names.emplace(one.name, one.precision).second);
       naive += one.is_naive && one.precision == "double" ? 1 : 0;
     }
-    CHECK(naive == 1);
-    CHECK(names.size() >= 5);
+    CHECK(naive == (quantity.is_known ? 1 : 0));
+    CHECK(names.size() >= 3);
   }
 }
 
 TEST_CASE("on an easy input each is right to a thousandth, one by one and in its loops", "[exam]") {
   for (const Quantity& quantity : quantities()) {
+    if (!quantity.is_known) continue;  // nor does the oracle know it by itself
     const std::vector<Input> inputs(6, Input{0.125, 2});
     for (const Contestant& one : contestants(quantity.name)) {
       INFO(one.name << " " << one.precision);

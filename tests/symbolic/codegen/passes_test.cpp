@@ -124,3 +124,14 @@ TEST_CASE("only what is wanted is paid for", "[exam]") {
   CHECK(dead_code(build.program, {"cheap"}).nodes.size() == 1);
   CHECK(dead_code(build.program, {"cheap", "dear"}).nodes.size() == 2);
 }
+
+TEST_CASE("a power whose exponent is an index is shown and counted, and stays one", "[exam]") {
+  Builder build;
+  const int k = append(build.program, {.op = Op::index, .name = "k"});
+  const int exponent = build.make(Op::add, {k, build.constant(1)});
+  build.output("f", build.make(Op::indexed_power, {build.input("e"), exponent}));
+  const Program reduced = strength_reduction(common_subexpressions(canonical_order(build.program)));
+  CHECK(shown(reduced) == "e^(1 + k)");
+  CHECK(count(reduced, Op::indexed_power) == 1);
+  CHECK(text(operation_counts(reduced)) == "1 addition, 1 power");
+}

@@ -114,6 +114,14 @@ private:
   std::mt19937_64 engine_;
 };
 
+// After P_n the formulas for v_A and v_C hold, after Q_n those for v_A, v_B and v_C'.
+template <class Closed>
+void check_velocities(const Event& event, bool with_A, const Closed& closed) {
+  check_equal(closed("v_A"), event.a);
+  check_equal(closed(with_A ? "v_C" : "v_C_prime"), event.c);
+  if (!with_A) check_equal(closed("v_B"), event.b);
+}
+
 }  // namespace
 
 TEST_CASE("the wedge theorem agrees with stepping event by event", "[check]") {
@@ -226,8 +234,22 @@ TEST_CASE("where collisions never end, times approach the collapse", "[check]") 
       check_equal(closed(with_A ? "beyond_tau_P" : "beyond_tau_Q"), event.time);
       check_equal(closed(with_A ? "beyond_d_P" : "beyond_d_Q"), event.distance);
       check_equal(closed(with_A ? "left_P" : "left_Q"), end - event.time);
+      check_velocities(event, with_A,
+                       [&](const char* id) { return closed(std::string("beyond_") + id); });
       CHECK(event.time < end);
     }
+  }
+}
+
+TEST_CASE("the heaviest ball with a collapse", "[check]") {
+  const Precision precision;
+  Random random(4);
+  for (int tries = 0; tries < 40; ++tries) {
+    Wedge w = random.wedge();
+    w.M_B = w.M_A;
+    w.wall = false;
+    const numeric heaviest = value(whole().at("collapse.alpha_c").rhs(), {{symbol("e"), w.e}});
+    CHECK((w.m / w.M_A > heaviest) == ending(w).is_positive());
   }
 }
 
@@ -248,6 +270,7 @@ TEST_CASE("at the threshold itself speeds grow linearly", "[exam]") {
     check_equal(closed(with_A ? "tau_P" : "tau_Q"), events[j].time);
     check_equal(closed(with_A ? "r_P" : "r_Q"), events[j].approach);
     check_equal(closed(with_A ? "d_P" : "d_Q"), events[j].distance);
+    check_velocities(events[j], with_A, closed);
     CHECK(events[j].time < closed("t_infinity"));
   }
 }

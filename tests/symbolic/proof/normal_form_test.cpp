@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <ginac/ginac.h>
 
+#include "proof/factored.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -79,6 +80,24 @@ TEST_CASE("independent angles obey addition theorems", "[exam]") {
                  cos(n * psi) - cos(psi / 2)));
   CHECK(vanishes(cos(5 * beta) - 16 * pow(cos(beta), 5) + 20 * pow(cos(beta), 3) - 5 * cos(beta)));
   CHECK_FALSE(vanishes(sin((n + 1) * psi) - sin(n * psi) * cos(psi) + cos(n * psi) * sin(psi)));
+}
+
+TEST_CASE("angles that are divided further later stay the same angles", "[exam]") {
+  NormalForm form(positive_alpha, {});
+  CHECK(form.is_zero(sin(2 * beta) - 2 * sin(beta) * cos(beta)));
+  CHECK(form.is_zero(cos(beta) - 2 * pow(cos(beta / 2), 2) + 1));
+  CHECK(form.is_zero(sin(2 * beta) - 4 * sin(beta / 2) * cos(beta / 2) * cos(beta)));
+  CHECK_FALSE(form.is_zero(sin(2 * beta) - 4 * sin(beta / 2) * cos(beta / 2) * cos(beta / 2)));
+}
+
+TEST_CASE("factors that are remembered are those of that very polynomial", "[exam]") {
+  const GiNaC::realsymbol other("alpha");
+  for (int times = 0; times < 2; ++times)
+    for (const ex& x : {ex(alpha), ex(other)}) {
+      const ex factors = factored((pow(x, 2) - 1).expand());
+      CHECK(GiNaC::is_a<GiNaC::mul>(factors));
+      CHECK((factors - pow(x, 2) + 1).expand().is_zero());
+    }
 }
 
 TEST_CASE("fractions of pi with an integer in the denominator", "[exam]") {

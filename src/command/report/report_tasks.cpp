@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/report/report_tasks.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "command/nearest_name.hpp"
+#include "report/contestants.hpp"
+#include "report/quantities.hpp"
+
+namespace magicmass::command {
+namespace {
+
+using report::Contestant;
+using report::Family;
+
+bool is_asked(const std::vector<std::string>& names, const std::string& name) {
+  return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void require_names(const std::string& kind, const std::vector<std::string>& asked,
+                   const std::set<std::string>& known) {
+  for (const std::string& name : asked) require_name(kind, name, {known.begin(), known.end()});
+}
+
+/// Naive first, double before the other precisions, else as they come.
+void sort_for_reading(std::vector<Contestant>& contestants) {
+  const auto place = [](const Contestant& one) {
+    return std::pair(one.precision == "double"  ? 0
+                     : one.precision == "float" ? 1
+                                                : 2,
+                     !one.is_naive);
+  };
+  std::stable_sort(
+      contestants.begin(), contestants.end(),
+      [&](const Contestant& left, const Contestant& right) { return place(left) < place(right); });
+}
+
+}  // namespace
+
+bool is_baseline(const Contestant& one) { return one.is_naive && one.precision == "double"; }
+
+std::vector<std::string> asked_quantities(const ReportRequest& request) {
+  std::set<std::string> known;
+  std::vector<std::string> asked;
+  for (const report::Quantity& quantity : report::quantities()) {
+    known.insert(quantity.name);
+    if (is_asked(request.quantities, quantity.name)) asked.push_back(quantity.name);
+  }
+  require_names("quantity", request.quantities, known);
+  return asked;
+}
+
+std::vector<Task> report_tasks(const ReportRequest& request,
+                               const std::vector<Contestant>& further) {
+  const std::size_t size = request.size.value_or(request.quick ? 128 : 4096);
+  std::set<std::string> family_names;
+  std::set<std::string> evaluator_names;
+  std::vector<Task> all;
+  for (const std::string& quantity : asked_quantities(request)) {
+    Task task{report::contestants(quantity), report::families(quantity, size)};
+    for (const Contestant& one : further)
+      if (one.quantity == quantity) task.contestants.push_back(one);
+    sort_for_reading(task.contestants);
+    for (const Family& family : task.families) family_names.insert(family.name);
+    for (const Contestant& one : task.contestants) evaluator_names.insert(one.name);
+    std::erase_if(task.families,
+                  [&](const Family& one) { return !is_asked(request.families, one.name); });
+    std::erase_if(task.contestants, [&](const Contestant& one) {
+      return !is_asked(request.evaluators, one.name) && !is_baseline(one);
+    });
+    all.push_back(std::move(task));
+  }
+  require_names("family", request.families, family_names);
+  require_names("evaluator", request.evaluators, evaluator_names);
+  return all;
+}
+
+report::TimingPlan timing_plan(const ReportRequest& request) {
+  report::TimingPlan plan;
+  plan.rounds.rounds = request.rounds;
+  plan.longest_pass_ns = request.quick ? 2e5 : 2e6;
+  plan.longest_call_ns = request.quick ? 1e6 : 2e7;
+  if (request.quick) plan.rounds.shortest_ns = 2e4;
+  return plan;
+}
+
+}  // namespace magicmass::command

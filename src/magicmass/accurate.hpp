@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "magicmass/quantities.hpp"
+
+/// Tier `accurate`: the double nearest to the exact value, ties to even, for every positive finite double alpha (V = L =
+/// 1, e = 1), on every machine the same. Throws InvalidInput outside the domains given. Ziv's strategy in three
+/// stages: numbers within 2^-67 of what they stand for with a rounding test, within about 2^-84 with one, and certified
+/// multiword arithmetic, which ends (see certified_velocities.cpp). From theorems tangent.* and ratios.*.
+namespace magicmass::accurate {
+
+/// All velocities just after the n-th collisions, in units of V; 0 <= n.
+generated::Velocities<double> velocities(double alpha, std::int64_t n);
+
+/// Time, in units of L/V, and distance from A to B, in units of L, at collision j = 0 (P_1), 1 (Q_1), ...; j below the
+/// number of collisions.
+generated::Encounters<double> encounters(double alpha, std::int64_t j);
+
+/// The angle psi of one cycle, in rad.
+double angle(double alpha);
+
+/// Magic and deficient mass ratio alpha_k and beta_k, k >= 1.
+generated::Ratios<double> ratios(std::int64_t k);
+
+}  // namespace magicmass::accurate

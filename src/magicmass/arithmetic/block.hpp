@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "magicmass/arithmetic/bounded.hpp"
+#include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/tracked.hpp"
+
+namespace magicmass::arithmetic {
+
+/// Elements that a batch kernel works on stage by stage: few enough for the first-level cache.
+inline constexpr std::size_t block_size = 128;
+
+inline namespace MAGICMASS_TARGET {
+
+using BlockOfDoubles = std::array<double, block_size>;
+
+/// A block of numbers between two stages.
+template <class Number>
+struct Block;
+
+template <class T>
+struct Block<Pair<T>> {
+  alignas(64) BlockOfDoubles high;
+  alignas(64) BlockOfDoubles low;
+
+  Pair<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
+  void put(std::size_t i, Pair<T> x) {
+    store(x.high, &high[i]);
+    store(x.low, &low[i]);
+  }
+};
+
+template <class T>
+struct Block<Tracked<T>> {
+  Block<Pair<T>> pairs;
+  alignas(64) BlockOfDoubles sizes;
+
+  Tracked<T> get(std::size_t i) const { return {pairs.get(i), load<T>(&sizes[i])}; }
+  void put(std::size_t i, Tracked<T> x) {
+    pairs.put(i, x.pair);
+    store(x.size, &sizes[i]);
+  }
+};
+
+/// Where results go: rounded, ...
+template <class Number>
+struct Certainty;
+
+template <class T>
+struct Certainty<Pair<T>> {
+  void store(Pair<T> x, double* to, std::size_t i) { arithmetic::store(rounded(x), to + i); }
+};
+
+/// ... and, of numbers that know, whether all of an element's are certainly the nearest doubles: all bits set where so.
+template <class T>
+struct Certainty<Tracked<T>> {
+  alignas(64) std::array<std::int64_t, block_size> all;
+
+  Certainty() { all.fill(-1); }
+  void store(Tracked<T> x, double* to, std::size_t i) {
+    arithmetic::store(rounded(x), to + i);
+    typename T::Mask known;
+    std::memcpy(&known, &all[i], sizeof known);
+    known &= certainly_rounded(x);
+    std::memcpy(&all[i], &known, sizeof known);
+  }
+};
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

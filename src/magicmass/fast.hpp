@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "magicmass/quantities.hpp"
+
+/// Tier `fast`: each number within 4 times what rounding alpha alone would cost, max(1/2, cond/2) ulp with
+/// cond = |alpha y'/y|, for every positive finite double alpha (V = L = 1, e = 1). Throws InvalidInput outside the domains
+/// given. From theorems tangent.* and ratios.* (generated/magicmass/kernels).
+namespace magicmass::fast {
+
+/// All velocities just after the n-th collisions, in units of V; 0 <= n <= N_A.
+generated::Velocities<double> velocities(double alpha, std::int64_t n);
+
+/// Time, in units of L/V, and distance from A to B, in units of L, at collision j = 0 (P_1), 1 (Q_1), ...; j below the
+/// number of collisions.
+generated::Encounters<double> encounters(double alpha, std::int64_t j);
+
+/// The angle psi of one cycle, in rad.
+double angle(double alpha);
+
+/// Magic and deficient mass ratio alpha_k and beta_k, k >= 1, within 1 ulp.
+generated::Ratios<double> ratios(std::int64_t k);
+
+}  // namespace magicmass::fast

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "magicmass/accurate.hpp"
+
+#include "magicmass/evaluators/certified_angles.hpp"
+#include "magicmass/evaluators/certified_encounters.hpp"
+#include "magicmass/evaluators/certified_velocities.hpp"
+#include "magicmass/tiers/single_kernels.hpp"
+
+namespace magicmass::accurate {
+namespace {
+
+/// No product of a kernel is below 2^-960 or beyond 2^960 for these; false for NaN.
+bool is_in_range(double alpha) { return alpha >= 0x1p-900 && alpha <= 0x1p400; }
+
+/// Twice it is a double, exactly.
+constexpr std::int64_t most_index = std::int64_t{1} << 51U;
+
+}  // namespace
+
+generated::Velocities<double> velocities(double alpha, std::int64_t n) {
+  if (is_in_range(alpha) && n >= 0 && n <= (alpha >= 1.0 ? 1 : most_index)) [[likely]] {
+    if (n == 0) return {1.0, 0.0, 0.0, 0.0};
+    generated::Velocities<double> result;
+    if (tiers::single_kernels().velocities(alpha, static_cast<double>(n), result)) return result;
+  }
+  return certified_velocities(alpha, n);
+}
+
+generated::Encounters<double> encounters(double alpha, std::int64_t j) {
+  // at j = 1 both are (1 + alpha)/2, which may be a double or halfway between two
+  if (is_in_range(alpha) && j >= 2 && j <= most_index && alpha < 1.0) [[likely]] {
+    generated::Encounters<double> result;
+    if (tiers::single_kernels().encounters(alpha, static_cast<double>(j), result) &&
+        result.s > 0.0)
+      return result;
+  }
+  return certified_encounters(alpha, j);
+}
+
+double angle(double alpha) {
+  double result;
+  if (is_in_range(alpha) && tiers::single_kernels().angle(alpha, result)) [[likely]]
+    return result;
+  return certified_angle(alpha);
+}
+
+generated::Ratios<double> ratios(std::int64_t k) {
+  generated::Ratios<double> result;
+  if (k >= 2 && k <= most_index && tiers::single_kernels().ratios(static_cast<double>(k), result))
+      [[likely]]
+    return result;
+  return certified_ratios(k);
+}
+
+}  // namespace magicmass::accurate

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "magicmass/fast.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "magicmass/errors.hpp"
+#include "magicmass/evaluators/certified_encounters.hpp"
+#include "magicmass/simulator/valid_input.hpp"
+#include "magicmass/tiers/single_kernels.hpp"
+
+namespace magicmass::fast {
+namespace {
+
+void require_not_negative(const char* name, std::int64_t index) {
+  if (index < 0) {
+    throw InvalidInput(std::string(name) + " must be 0 or more, got " + std::to_string(index));
+  }
+}
+
+}  // namespace
+
+generated::Velocities<double> velocities(double alpha, std::int64_t n) {
+  require_positive_finite("alpha", alpha);
+  require_not_negative("n", n);
+  if (n == 0) return {1.0, 0.0, 0.0, 0.0};
+  if (alpha >= 1.0 && n > 1) {
+    throw InvalidInput("n must be 0 or 1 from alpha = 1 on, where there are two collisions, got " +
+                       std::to_string(n));
+  }
+  const auto high = static_cast<double>(n);
+  // 2^63 itself is not an int64
+  const double low = high < 0x1p63 ? static_cast<double>(n - static_cast<std::int64_t>(high)) : 0.0;
+  return tiers::single_kernels().fast_velocities(alpha, high, low);
+}
+
+generated::Encounters<double> encounters(double alpha, std::int64_t j) {
+  require_positive_finite("alpha", alpha);
+  require_not_negative("j", j);
+  if (j == 0) return {0.0, 1.0};
+  if (j == 1 || alpha > 1.0 || j >= std::int64_t{1} << 51U) return certified_encounters(alpha, j);
+  return tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
+}
+
+double angle(double alpha) {
+  require_positive_finite("alpha", alpha);
+  // psi is within 2^-98 of pi from 2^100 on, and pi is not so close to halfway between two doubles
+  return tiers::single_kernels().fast_angle(std::min(alpha, 0x1p100));
+}
+
+generated::Ratios<double> ratios(std::int64_t k) {
+  if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
+  return tiers::single_kernels().fast_ratios(static_cast<double>(k));
+}
+
+}  // namespace magicmass::fast

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Compiled once for each instruction set.
+#include "magicmass/arithmetic/bounded.hpp"
+#include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/tracked.hpp"
+#include "magicmass/kernels/angle.hpp"
+#include "magicmass/kernels/encounters.hpp"
+#include "magicmass/kernels/ratios.hpp"
+#include "magicmass/kernels/velocities.hpp"
+#include "magicmass/tiers/single_kernels.hpp"
+
+#define MAGICMASS_JOINED(a, b) a##b
+#define MAGICMASS_NAMED(name, target) MAGICMASS_JOINED(name, target)
+
+namespace magicmass::tiers {
+namespace {
+
+using arithmetic::Bounded;
+using arithmetic::Pair;
+using arithmetic::Tracked;
+using generated::AngleKernel;
+using generated::Encounters;
+using generated::EncountersKernel;
+using generated::Ratios;
+using generated::RatiosKernel;
+using generated::Velocities;
+using generated::VelocitiesKernel;
+
+template <class Number>
+Velocities<double> nearest(const Velocities<Number>& x) {
+  return {rounded(x.a), rounded(x.b), rounded(x.c), rounded(x.c_prime)};
+}
+template <class Number>
+Encounters<double> nearest(const Encounters<Number>& x) {
+  return {rounded(x.t), rounded(x.s)};
+}
+template <class Number>
+Ratios<double> nearest(const Ratios<Number>& x) {
+  return {rounded(x.magic), rounded(x.deficient)};
+}
+template <class Number>
+double nearest(const Number& x) {
+  return rounded(x);
+}
+
+template <class Number>
+bool is_certain(const Velocities<Number>& x) {
+  return (certainly_rounded(x.a) & certainly_rounded(x.b)) &
+         (certainly_rounded(x.c) & certainly_rounded(x.c_prime));
+}
+template <class Number>
+bool is_certain(const Encounters<Number>& x) {
+  return certainly_rounded(x.t) & certainly_rounded(x.s);
+}
+template <class Number>
+bool is_certain(const Ratios<Number>& x) {
+  return certainly_rounded(x.magic) & certainly_rounded(x.deficient);
+}
+template <class Number>
+bool is_certain(const Number& x) {
+  return certainly_rounded(x);
+}
+
+/// Ziv's first two stages: numbers within 2^-67, then numbers within some 2^-84.
+template <template <class> class Kernel, class Result, class... Inputs>
+bool in_two_stages(Result& result, Inputs... inputs) {
+  const auto first = Kernel<Tracked<double>>::evaluate(inputs...);
+  result = nearest(first);
+  if (is_certain(first)) [[likely]]
+    return true;
+  const auto second = Kernel<Bounded<double>>::evaluate(inputs...);
+  result = nearest(second);
+  return is_certain(second);
+}
+
+Velocities<double> fast_velocities(double alpha, double n, double n_low) {
+  if (n_low == 0.0 || alpha >= 1.0) return nearest(VelocitiesKernel<Pair<double>>::evaluate(alpha, n));
+  // n is beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that n multiplies
+  VelocitiesKernel<Pair<double>> kernel;
+  kernel.alpha = alpha;
+  kernel.n = n;
+  kernel.stage_1();
+  kernel.stage_2();
+  kernel.angle.low += kernel.angle.high * (n_low / n);
+  kernel.stage_3();
+  return nearest(kernel.result());
+}
+Encounters<double> fast_encounters(double alpha, double j) {
+  return nearest(EncountersKernel<Tracked<double>>::evaluate(alpha, j));
+}
+double fast_angle(double alpha) { return nearest(AngleKernel<Tracked<double>>::evaluate(alpha)); }
+Ratios<double> fast_ratios(double k) { return nearest(RatiosKernel<Tracked<double>>::evaluate(k)); }
+
+bool velocities(double alpha, double n, Velocities<double>& result) {
+  return in_two_stages<VelocitiesKernel>(result, alpha, n);
+}
+bool encounters(double alpha, double j, Encounters<double>& result) {
+  return in_two_stages<EncountersKernel>(result, alpha, j);
+}
+bool angle(double alpha, double& result) { return in_two_stages<AngleKernel>(result, alpha); }
+bool ratios(double k, Ratios<double>& result) { return in_two_stages<RatiosKernel>(result, k); }
+
+}  // namespace
+
+const SingleKernels& MAGICMASS_NAMED(single_kernels_, MAGICMASS_TARGET)() {
+  static constexpr SingleKernels kernels{fast_velocities, fast_encounters, fast_angle, fast_ratios,
+                                         velocities,      encounters,      angle,      ratios};
+  return kernels;
+}
+
+}  // namespace magicmass::tiers

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "codegen/ir.hpp"
+
+namespace magicmass::codegen {
+
+// A program cut into stages: each ends where a root, an arctangent or a sine-cosine pair is known, so that in a loop
+// over a block nothing waits for the last step of the same element. `stage[i]` of node i counts from 0.
+struct Stages {
+  std::vector<int> stage;
+  int count = 0;
+};
+Stages stages_of(const Program& program);
+
+// Prints a program in the operators of magicmass/arithmetic: inputs and constants are exact (Real), all else Number.
+class KernelPrinter {
+public:
+  explicit KernelPrinter(const Program& program);
+
+  // Whether a node's value is kept in a variable; its name.
+  bool is_kept(int number) const;
+  std::string name(int number) const;
+  // Whether a node is exact: an input or a constant.
+  bool is_exact(int number) const;
+  // The right side of a node that is kept or an output.
+  std::string right_side(int number) const;
+  std::string value(int number) const;  // its name if kept, else its right side
+
+private:
+  std::string sum(const Node& node) const;
+  std::string product(const Node& node) const;
+  std::string factor(int number) const;
+  std::string exact(int number) const;
+  const Node& node(int number) const;
+
+  const Program& program_;
+  std::vector<std::string> names_;
+};
+
+}  // namespace magicmass::codegen

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "codegen/kernel_forms.hpp"
+
+namespace magicmass::codegen {
+
+const std::vector<KernelForm>& kernel_forms() {
+  static const std::vector<KernelForm> all{
+      {.name = "angle",
+       .kernel = "AngleKernel",
+       .summary = "The angle psi of one cycle",
+       .domain = "alpha > 0 and finite, of a single double",
+       .reals = {"alpha"},
+       .outputs = {{"psi", "tangent.psi"}},
+       .bindings = {"tangent.tan_from_root", "tangent.root"}},
+      {.name = "encounters",
+       .kernel = "EncountersKernel",
+       .result = "Encounters",
+       .summary = "Time and distance at a collision",
+       .domain = "alpha > 0 of a single double; 0 <= j < number of collisions, j < 2^51",
+       .reals = {"alpha"},
+       .integers = {"j"},
+       .outputs = {{"t", "tangent.t_product"}, {"s", "tangent.s_product"}},
+       .bindings = {"tangent.psi", "tangent.tan_from_root", "tangent.root"},
+       .first = {"tangent.first_t", "tangent.first_s"},
+       .first_sine = "Number(j)",
+       .first_cosine = "select(j > Real(0.0), cot_half, Number(Real(1.0)))"},
+      {.name = "ratios",
+       .kernel = "RatiosKernel",
+       .result = "Ratios",
+       .summary = "Magic and deficient mass ratios",
+       .domain = "1 <= k < 2^50",
+       .integers = {"k"},
+       .outputs = {{"magic", "ratios.alpha_k_from_sine"}, {"deficient", "ratios.beta_k_from_sine"}}},
+      {.name = "terminal",
+       .kernel = "TerminalKernel",
+       .result = "Terminal",
+       .summary = "Velocities after the last collision, and the energy that B takes",
+       .domain = "2^-120 <= alpha <= 2^60 in lanes, any positive alpha of a single double; N_A of "
+                 "that alpha, below 2^51; turn = 1 if N_B = N_A and -1 if N_B = N_A - 1",
+       .reals = {"alpha"},
+       .integers = {"N_A", "turn"},
+       .outputs = {{"a_t", "offset.a_after_Q"},
+                   {"b_t", "offset.b_product_after_Q"},
+                   {"c_t", "offset.c_after_Q"},
+                   {"rho", "offset.rho"}},
+       .bindings = {"tangent.psi", "tangent.tan_from_root", "tangent.root", "offset.r_from_turn",
+                    "offset.b_product_after_Q"},
+       .other_cases = {{"a_t", {"offset.a_after_P", "offset.a_after_P_whole"}},
+                       {"b_t", {"offset.b_product_after_P", "offset.b_product_after_P_whole"}},
+                       {"c_t", {"offset.c_after_P", "offset.c_after_P_whole"}}},
+       .first = {"tangent.first_a", "tangent.first_b", "tangent.first_c_prime"},
+       .first_sine = "cot_half",
+       .first_cosine = "Number(Real(1.0))"},
+      {.name = "velocities",
+       .kernel = "VelocitiesKernel",
+       .result = "Velocities",
+       .summary = "All velocities from one root, one arctangent and one sine-cosine pair",
+       .domain = "2^-120 <= alpha <= 2^60 in lanes, any positive alpha of a single double; 0 <= n "
+                 "<= N_A, n < 2^51",
+       .reals = {"alpha"},
+       .integers = {"n"},
+       .outputs = {{"a", "tangent.a"},
+                   {"b", "tangent.b_product"},
+                   {"c", "tangent.c"},
+                   {"c_prime", "tangent.c_prime"}},
+       .bindings = {"tangent.psi", "tangent.tan_from_root", "tangent.root"},
+       .first = {"tangent.first_a", "tangent.first_b", "tangent.first_c", "tangent.first_c_prime"},
+       .first_sine = "Number(n)",
+       .first_cosine = "select(n > Real(0.0), cot_half, Number(Real(1.0)))"},
+  };
+  return all;
+}
+
+}  // namespace magicmass::codegen

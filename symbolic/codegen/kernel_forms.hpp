@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace magicmass::codegen {
+
+// A quantity computed in a number type of src/magicmass/arithmetic, one input at a time or block by block: the tiers
+// `fast` and `accurate`. The table in kernel_forms.cpp is the whole list.
+struct KernelForm {
+  std::string name;     // "velocities": generated/magicmass/kernels/velocities.hpp
+  std::string kernel;   // "VelocitiesKernel"
+  std::string result = {};  // the struct in quantities.hpp; empty for a single number
+  std::string summary;  // for its docstring
+  std::string domain;
+  std::vector<std::string> reals = {};                       // exact inputs: "alpha"
+  std::vector<std::string> integers = {};                    // whole numbers below 2^51: "n"
+  std::vector<std::pair<std::string, std::string>> outputs;  // member -> theorem id
+  std::vector<std::string> bindings = {};                    // theorem ids
+  // The same right sides for the other cases of an output, which is checked: member -> theorem ids.
+  std::vector<std::pair<std::string, std::vector<std::string>>> other_cases = {};
+  // From alpha = 1 on, where n is 0 or 1: the theorems of the first collisions, outputs' order. They are the outputs' right
+  // sides at n = 1 with cot_half = 1/(1 + alpha), tan_quarter = alpha cot_half and one of sine and cosine 1, the other cot_half.
+  std::vector<std::string> first = {};
+  std::string first_sine = {}, first_cosine = {};  // the two there, in C++
+};
+
+const std::vector<KernelForm>& kernel_forms();
+
+}  // namespace magicmass::codegen
