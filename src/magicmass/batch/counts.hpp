@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Exact counts by the block. With q = pi/h and cos h = 1/(1+alpha) the total is ceil(q) - 1, and q = P(alpha)/sqrt(alpha) with
-// P analytic for alpha > -1. Single precision decides nearly all; a block that it leaves open is done again in double
+// P analytic for alpha > -1. Single precision decides nearly all; a group of rows that it leaves open is done again in double
 // precision, and a row that this leaves open by the exact function for one alpha.
 #pragma once
 
@@ -8,12 +8,10 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "magicmass/arithmetic/error_free.hpp"
-#include "magicmass/arithmetic/estrin.hpp"
 #include "magicmass/batch/blocks.hpp"
 #include "magicmass/batch/count_polynomials.hpp"
+#include "magicmass/batch/decision_lanes.hpp"
 #include "magicmass/batch/exact_count.hpp"
-#include "magicmass/batch/single_lanes.hpp"
 
 namespace magicmass::batch {
 inline namespace MAGICMASS_TARGET {
@@ -42,10 +40,7 @@ inline namespace MAGICMASS_TARGET {
     const Singles newton = subtract_product(all(3.0F), x * root, root);
     Singles p = all(single_coefficients[7]);
     for (int k = 6; k >= 0; --k) p = multiply_add(p, x, all(single_coefficients[k]));
-    // past 2^24 the two below differ, so no conversion overflows unseen
-    const Singles q = smaller((root * p) * newton, all(0x1p24F));
-    const Words total = truncated(q);
-    open = collect_difference(open, total, truncated(q * all(widening)));
+    const Words total = whole_part((root * p) * newton, widening, open);
     const Words half = total >> 1U;
     const Longs of_A = (Longs)(total - half);
     const Longs of_B = (Longs)half;
@@ -60,21 +55,25 @@ inline namespace MAGICMASS_TARGET {
 /// Writes -1 for a row left open.
 [[gnu::always_inline]] inline void count_in_doubles(std::size_t rows, const double* alpha,
                                                     std::int64_t* N_A, std::int64_t* N_B) {
-  using T = arithmetic::Lanes<arithmetic::widest>;
-  using Mask = T::Mask;
+  using T = Doubles;
   for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
     const T given = arithmetic::load<T>(alpha + i);
     const T x = select(given < T(highest_alpha), given, T(highest_alpha));
-    // 1/sqrt(x) as for Pair: within 2^-67 before rounding.
-    const T y = reciprocal_square_root_estimate(x);
-    const T e = one_minus_product(x, y * y);
-    const T root = y + y * (e * (T(0.5) + T(0.375) * e));
-    // In units of 2^-53: the minimax error 7, Estrin's scheme 4, root 1.5, product 1; less than 2^-49, and q is below 2^47.
-    const T q = root * arithmetic::polynomial(double_coefficients, x);
+    T root = root_guess(x);
+    if constexpr (double_root_guess_error > 0x1p-20) {  // Newton's step: within 3/2 2^-28
+      root = root * subtract_product(T(1.5), (T(0.5) * x) * root, root);
+    }
+    T p(double_coefficients[16]);
+    for (int k = 15; k >= 0; --k) p = multiply_add(p, x, T(double_coefficients[k]));
+    // 1/sqrt(x) = root (1 - e)^(-1/2) = root (1 + e/2 + 3/8 e^2 + 5/16 e^3 + ...), |e| <= 2^-21.
+    // In units of 2^-53: the minimax error 7, Horner's scheme 3, the series 1, e 1.5, products and sums 3; less than 2^-49.
+    const T e = subtract_product(T(1.0), x * root, root);
+    const T before = root * p;
+    const T q = multiply_add(before, e * multiply_add(T(0.375), e, T(0.5)), before);
     const T nearest = arithmetic::nearest_whole(q);
-    const Mask decided = (magnitude(q - nearest) > T(0x1p-48) * q) & (given >= T(0x1p-90)) &
-                         (given <= T(0x1.fffffffffffffp+1023));
-    const T total = nearest - where(nearest > q, T(1.0));
+    const T::Mask decided = (magnitude(q - nearest) > T(0x1p-48) * q) & (given >= T(0x1p-90)) &
+                            (given <= T(0x1.fffffffffffffp+1023));
+    const T total = nearest - where(nearest > q, T(1.0));  // q is below 2^47
     const Longs whole =
         std::bit_cast<Longs>((total + T(0x1p52)).v) - std::bit_cast<std::uint64_t>(0x1p52);
     const Longs half = whole >> 1U;
@@ -83,13 +82,26 @@ inline namespace MAGICMASS_TARGET {
   }
 }
 
-/// One block: rows a multiple of group_rows.
-inline void count_block(std::size_t rows, const double* alpha, std::int64_t* N_A,
-                        std::int64_t* N_B) {
-  if (count_in_singles(rows, alpha, N_A, N_B)) return;
+/// Exact in every row.
+inline void count_with_care(std::size_t rows, const double* alpha, std::int64_t* N_A,
+                            std::int64_t* N_B) {
   count_in_doubles(rows, alpha, N_A, N_B);
   for (std::size_t i = 0; i < rows; ++i) {
     if (N_A[i] < 0) count_exactly(alpha[i], N_A + i, N_B + i);
+  }
+}
+
+/// One block: rows a multiple of group_rows.
+inline void count_block(std::size_t rows, const double* alpha, std::int64_t* N_A,
+                        std::int64_t* N_B) {
+  // Everyday blocks are decided at once, but for one in thirty; far down, and past its range, single
+  // precision decides nothing, which the first row foretells.
+  const bool is_single = alpha[0] >= 0x1p-28 && alpha[0] <= 0x1p100;
+  if (!is_single) return count_with_care(rows, alpha, N_A, N_B);
+  if (count_in_singles(rows, alpha, N_A, N_B)) return;
+  for (std::size_t i = 0; i < rows; i += group_rows) {
+    if (count_in_singles(group_rows, alpha + i, N_A + i, N_B + i)) continue;
+    count_with_care(group_rows, alpha + i, N_A + i, N_B + i);
   }
 }
 
