@@ -98,8 +98,8 @@ private:
       if (op == Op::reciprocal_square_root && !form_.first.empty()) {
         text += line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
         text += indent + "if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)\n" + indent +
-                "  const Number first = Number::sum(Real(1.0), alpha);\n" + indent +
-                "  square = select(alpha >= Real(1.0), first * first, square);\n" + indent + "}\n";
+                "  square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2\n" +
+                indent + "}\n";
         value = "reciprocal_square_root(square)";
       }
       text += line(indent + (carried ? "" : "const Number ") + printer_.name(number) + " = " +
@@ -121,8 +121,15 @@ private:
            assignments(s, "    ") + "  }\n";
   }
 
+  // Where all outputs are products they are handed out unevaluated: rounding one costs less than evaluating it.
   std::string result_type() const {
-    return form_.result.empty() ? "Number" : form_.result + "<Number>";
+    if (form_.result.empty()) return "Number";
+    return form_.result + (has_products() ? "<arithmetic::Product<Number>>" : "<Number>");
+  }
+  bool has_products() const {
+    return std::all_of(program_.outputs.begin(), program_.outputs.end(), [&](const Output& output) {
+      return printer_.as_product(output.node).has_value();
+    });
   }
 
   std::string result_function() const {
@@ -132,7 +139,10 @@ private:
       return text + line("    return " + printer_.value(program_.outputs[0].node) + ";") + "  }\n";
     text += "    return {\n";
     for (const Output& output : program_.outputs)
-      text += line("        ." + output.name + " = " + printer_.value(output.node) + ",");
+      text += line("        ." + output.name + " = " +
+                   (has_products() ? "{" + *printer_.as_product(output.node) + "}"
+                                   : printer_.value(output.node)) +
+                   ",");
     return text + "    };\n  }\n";
   }
 

@@ -169,6 +169,26 @@ std::string KernelPrinter::product(const Node& made) const {
   return "scaled(" + text + ", " + scale.substr(5, scale.size() - 6) + ")";  // Real(2.0) -> 2.0
 }
 
+std::optional<std::string> KernelPrinter::as_product(int number) const {
+  const bool is_negative = node(number).op == Op::negate;
+  const int of = is_negative ? node(number).args[0] : number;
+  const Node& made = node(of);
+  if (made.op != Op::multiply || is_kept(of) || is_exact(of)) return std::nullopt;
+  double scale = is_negative ? -1.0 : 1.0;
+  std::vector<std::string> factors;
+  for (const int argument : made.args) {
+    if (is_power_of_two(node(argument)))
+      scale *= static_cast<double>(node(argument).numerator) /
+               static_cast<double>(node(argument).denominator);
+    else if (is_exact(argument))
+      return std::nullopt;
+    else
+      factors.push_back(value(argument));
+  }
+  if (factors.size() != 2) return std::nullopt;
+  return factors[0] + ", " + factors[1] + ", " + fmt::format("{:.1f}", scale);
+}
+
 std::string KernelPrinter::right_side(int number) const {
   const Node& made = node(number);
   switch (made.op) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ public:
   // The right side of a node that is kept or an output.
   std::string right_side(int number) const;
   std::string value(int number) const;  // its name if kept, else its right side
+  // "x, y, scale" of an output that is not kept and is scale x y, scale plus or minus a power of two.
+  std::optional<std::string> as_product(int number) const;
 
 private:
   std::string sum(const Node& node) const;

@@ -37,8 +37,7 @@ struct EncountersKernel {
     sum = Number::sum(Real(1.0), alpha);
     Number square = (Number::sum(Real(2.0), alpha)) * alpha;
     if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
-      const Number first = Number::sum(Real(1.0), alpha);
-      square = select(alpha >= Real(1.0), first * first, square);
+      square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2
     }
     cot_half = reciprocal_square_root(square);
   }

@@ -36,16 +36,16 @@ struct RatiosKernel {
     sine_2 = turned_1.sine;
   }
 
-  [[gnu::always_inline]] Ratios<Number> result() const {
+  [[gnu::always_inline]] Ratios<arithmetic::Product<Number>> result() const {
     const Number product = scaled(sine * sine, 2.0);
     const Number product_2 = scaled(sine_2 * sine_2, 2.0);
     return {
-        .magic = reciprocal(-product + Real(1.0)) * product,
-        .deficient = reciprocal(-product_2 + Real(1.0)) * product_2,
+        .magic = {reciprocal(-product + Real(1.0)), product, 1.0},
+        .deficient = {reciprocal(-product_2 + Real(1.0)), product_2, 1.0},
     };
   }
 
-  [[gnu::always_inline]] static Ratios<Number> evaluate(Real k) {
+  [[gnu::always_inline]] static Ratios<arithmetic::Product<Number>> evaluate(Real k) {
     RatiosKernel kernel;
     kernel.k = k;
     kernel.stage_1();

@@ -36,8 +36,7 @@ struct VelocitiesKernel {
   [[gnu::always_inline]] void stage_1() {
     Number square = (Number::sum(Real(2.0), alpha)) * alpha;
     if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
-      const Number first = Number::sum(Real(1.0), alpha);
-      square = select(alpha >= Real(1.0), first * first, square);
+      square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2
     }
     cot_half = reciprocal_square_root(square);
   }
@@ -59,16 +58,16 @@ struct VelocitiesKernel {
     }
   }
 
-  [[gnu::always_inline]] Velocities<Number> result() const {
+  [[gnu::always_inline]] Velocities<arithmetic::Product<Number>> result() const {
     const Number product_2 = tan_quarter * sine;
     const Number sum = cosine + product_2;
     const Number sum_2 = cosine - product_2;
     const Number product_3 = cot_half * sine;
     return {
-        .a = sum * sum_2,
-        .b = scaled((cosine + product_3) * product_2, 2.0),
-        .c = scaled(sum * product_3, 2.0),
-        .c_prime = -scaled(sum_2 * product_3, 2.0),
+        .a = {sum, sum_2, 1.0},
+        .b = {cosine + product_3, product_2, 2.0},
+        .c = {sum, product_3, 2.0},
+        .c_prime = {sum_2, product_3, -2.0},
     };
   }
 
@@ -80,7 +79,7 @@ struct VelocitiesKernel {
     cosine = select(n > Real(0.0), cot_half, Number(Real(1.0)));
   }
 
-  [[gnu::always_inline]] static Velocities<Number> evaluate(Real alpha, Real n) {
+  [[gnu::always_inline]] static Velocities<arithmetic::Product<Number>> evaluate(Real alpha, Real n) {
     VelocitiesKernel kernel;
     kernel.alpha = alpha;
     kernel.n = n;

@@ -8,6 +8,7 @@
 
 #include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
 
 namespace magicmass::arithmetic {
@@ -53,7 +54,10 @@ struct Certainty;
 
 template <class T>
 struct Certainty<Pair<T>> {
-  void store(Pair<T> x, double* to, std::size_t i) { arithmetic::store(rounded(x), to + i); }
+  template <class Result>
+  void store(Result x, double* to, std::size_t i) {
+    arithmetic::store(rounded(x), to + i);
+  }
   bool is_all(std::size_t) const { return true; }
 };
 
@@ -63,6 +67,7 @@ struct Certainty<Tracked<T>> {
   alignas(64) std::array<std::int64_t, block_size> all;
 
   Certainty() { all.fill(-1); }
+  void store(Product<Tracked<T>> x, double* to, std::size_t i) { store(evaluated(x), to, i); }
   void store(Tracked<T> x, double* to, std::size_t i) {
     arithmetic::store(rounded(x), to + i);
     typename T::Mask known;

@@ -29,13 +29,15 @@ template <class T>
   const Sum<T> r = ordered_sum(x.high - where(is_turned, T(half_pi[0])),
                                x.low - where(is_turned, T(half_pi[1])));
   // sin r = r + (r.low + r^3 p(r^2)): the bracket is at most 0.11 r, rounded three times. cos r = 1 - r^2/2 + (r^4 q(r^2) - r r.low):
-  // r^2/2 is exact but for the part of r^2 below its rounding, at most 2^-55, and the rest is below 0.02.
+  // r^2/2 in two parts, and the rest is below 0.02.
   const T z = r.high * r.high;
+  const T z_low = product_error(r.high, r.high, z);
   const T half = T(0.5) * z;
   const Sum<T> sine = ordered_sum(r.high, r.low + (r.high * z) * polynomial(sine_coefficients, z));
   const Sum<T> top = ordered_sum(T(1.0), -half);
   const Sum<T> cosine = ordered_sum(
-      top.high, top.low + ((z * z) * polynomial(cosine_coefficients, z) - r.high * r.low));
+      top.high, top.low + ((z * z) * polynomial(cosine_coefficients, z) -
+                           (r.high * r.low + T(0.5) * z_low)));
   const Pair<T> s{sine.high, sine.low}, c{cosine.high, cosine.low};
   return {select(is_turned, c, s), select(is_turned, -s, c)};
 }

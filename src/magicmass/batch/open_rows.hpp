@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -13,39 +12,46 @@ namespace magicmass::batch {
 inline namespace MAGICMASS_TARGET {
 
 using Row = arithmetic::Lanes<arithmetic::widest>;
-using RowMask = Row::Mask;
+using RowBits = Row::Mask;  ///< as many 64-bit integers
 
-/// Whole numbers 0 <= n < 2^52 as doubles plus 2^52; anything else gives a double out of [2^52, 2^53).
-[[gnu::always_inline]] inline Row above_2_52(const std::int64_t* from) {
-  RowMask bits;
-  std::memcpy(&bits, from, sizeof bits);
-  return Row(std::bit_cast<Row::Doubles>(bits ^ (RowMask{} + std::bit_cast<std::int64_t>(0x1p52))));
+[[gnu::always_inline]] inline RowBits load_bits(const void* from) {
+  RowBits words;
+  std::memcpy(&words, from, sizeof words);
+  return words;
 }
 
-[[gnu::always_inline]] inline bool is_all_set(RowMask mask) {
-  std::int64_t all = -1;
-  for (int lane = 0; lane < arithmetic::widest; ++lane) all &= mask[lane];
-  return all == -1;
+/// Whole numbers 0 <= n <= 2^51 as doubles; of others anything.
+[[gnu::always_inline]] inline Row as_doubles(RowBits n) {
+  const RowBits above_2_52 = n ^ (RowBits{} + std::bit_cast<std::int64_t>(0x1p52));
+  return Row(std::bit_cast<Row::Doubles>(above_2_52)) - Row(0x1p52);
 }
 
-/// Which rows are in a kernel's domain; the others, and those whose rounding it leaves open, are done one by one.
-struct OpenRows {
-  alignas(64) std::array<std::int64_t, arithmetic::block_size> is_in_domain;
-  bool any = false;
+/// What the kernels take: 2^-120 <= alpha <= 2^60, 0 <= n <= 2^51, and n <= 1 from alpha = 1 on.
+[[gnu::always_inline]] inline bool is_in_domain(double alpha, std::int64_t n) {
+  return alpha >= 0x1p-120 && alpha <= 0x1p60 && n >= 0 &&
+         n <= (alpha >= 1.0 ? 1 : std::int64_t{1} << 51U);
+}
+/// The same of many: negative where one is not. Doubles compare like their bits, and those of a negative double are negative.
+[[gnu::always_inline]] inline RowBits out_of_domain(RowBits alpha, RowBits n) {
+  const auto bits = [](double x) { return RowBits{} + std::bit_cast<std::int64_t>(x); };
+  return (alpha - bits(0x1p-120)) | (bits(0x1p60) - alpha) | n | ((std::int64_t{1} << 51U) - n) |
+         ((bits(1.0) - 1 - alpha) & (1 - n));
+}
+[[gnu::always_inline]] inline bool has_negative(RowBits words) {
+  std::int64_t all = 0;
+  for (int lane = 0; lane < arithmetic::widest; ++lane) all |= words[lane];
+  return all < 0;
+}
 
-  [[gnu::always_inline]] void put(std::size_t i, RowMask in_domain) {
-    std::memcpy(&is_in_domain[i], &in_domain, sizeof in_domain);
-    any = any || !is_all_set(in_domain);
-  }
-  template <class Number>
-  [[gnu::always_inline]] bool is_open(std::size_t i,
-                                      const arithmetic::Certainty<Number>& certain) const {
-    if constexpr (requires { certain.all; })
-      return is_in_domain[i] == 0 || certain.all[i] == 0;
-    else
-      return is_in_domain[i] == 0;
-  }
-};
+/// Whether a number type left the rounding of row i open.
+template <class Number>
+[[gnu::always_inline]] inline bool is_open(const arithmetic::Certainty<Number>& certain,
+                                           std::size_t i) {
+  if constexpr (requires { certain.all; })
+    return certain.all[i] == 0;
+  else
+    return false;
+}
 
 template <class Number>
 constexpr bool rounding_is_tested = requires(arithmetic::Certainty<Number> certain) { certain.all; };

@@ -25,23 +25,22 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         count_block(rows, of_alpha, of_N_A, of_N_B);
         alignas(64) arithmetic::BlockOfDoubles cycles;
         alignas(64) arithmetic::BlockOfDoubles turns;
-        OpenRows open;
+        RowBits outside{};
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
-          const Row x = arithmetic::load<Row>(of_alpha + i);
-          const Row A = above_2_52(of_N_A + i);
-          const Row B = above_2_52(of_N_B + i);
-          const Row of_cycle = A - Row(0x1p52);
-          arithmetic::store(of_cycle, &cycles[i]);
-          arithmetic::store(Row(1.0) - Row(2.0) * (A - B), &turns[i]);  // 1 after a Q, -1 after a P
-          open.put(i, (x >= Row(0x1p-120)) & (x <= Row(0x1p60)) & (A >= Row(0x1p52)) &
-                          (of_cycle <= Row(0x1p51)));
+          const RowBits A = load_bits(of_N_A + i);
+          outside |= out_of_domain(load_bits(of_alpha + i), A);
+          arithmetic::store(as_doubles(A), &cycles[i]);
+          // 1 after a Q, -1 after a P
+          const Row A_after_B = as_doubles(A - load_bits(of_N_B + i));
+          arithmetic::store(Row(1.0) - Row(2.0) * A_after_B, &turns[i]);
         }
+        const bool is_any_outside = has_negative(outside);
         arithmetic::Certainty<Number> certain;
         generated::terminal_block<Number>(rows, of_alpha, cycles.data(), turns.data(), of_a, of_b, of_c,
                                           nullptr, certain);
-        if (!open.any && certain.is_all(rows)) return;
+        if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {
-          if (!open.is_open(i, certain)) continue;
+          if (is_in_domain(of_alpha[i], of_N_A[i]) && !is_open(certain, i)) continue;
           const auto one = rounding_is_tested<Number> ? accurate_terminal(of_alpha[i])
                                                       : fast_terminal(of_alpha[i]);
           of_a[i] = one.a_t;

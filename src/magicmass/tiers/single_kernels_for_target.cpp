@@ -71,7 +71,8 @@ bool in_two_stages(Result& result, Inputs... inputs) {
 }
 
 Velocities<double> fast_velocities(double alpha, double n, double n_low) {
-  if (n_low == 0.0 || alpha >= 1.0) return nearest(VelocitiesKernel<Pair<double>>::evaluate(alpha, n));
+  if (n_low == 0.0 || alpha >= 1.0)
+    return nearest(VelocitiesKernel<Pair<double>>::evaluate(alpha, n));
   // n is beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that n multiplies
   VelocitiesKernel<Pair<double>> kernel;
   kernel.alpha = alpha;
