@@ -35,14 +35,14 @@ void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, 
 /// Exact counts and the velocities after the last collision, in units of V, with the errors as above. From theorems
 /// offset.*. Where the counts do not fit 64 bits they are -1 and the velocities NaN.
 namespace fast {
-void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A, std::span<std::int64_t> N_B,
-              std::span<double> a_t, std::span<double> b_t, std::span<double> c_t,
-              InstructionSet instruction_set = best_instruction_set());
+void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
+              std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
+              std::span<double> c_t, InstructionSet instruction_set = best_instruction_set());
 }
 namespace accurate {
-void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A, std::span<std::int64_t> N_B,
-              std::span<double> a_t, std::span<double> b_t, std::span<double> c_t,
-              InstructionSet instruction_set = best_instruction_set());
+void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
+              std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
+              std::span<double> c_t, InstructionSet instruction_set = best_instruction_set());
 }
 
 }  // namespace magicmass

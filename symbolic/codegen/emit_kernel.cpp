@@ -32,11 +32,13 @@ public:
     text +=
         "\n#include <cstddef>\n\n#include \"magicmass/arithmetic/arctangent.hpp\"\n#include "
         "\"magicmass/arithmetic/block.hpp\"\n#include \"magicmass/arithmetic/sine_cosine.hpp\"\n"
-        "#include \"magicmass/quantities.hpp\"\n\nnamespace magicmass::generated {\ninline namespace "
+        "#include \"magicmass/quantities.hpp\"\n\nnamespace magicmass::generated {\ninline "
+        "namespace "
         "MAGICMASS_TARGET {\n\n";
     text += documentation() + "template <class Number>\nstruct " + form_.kernel + " {\n";
-    text += "  using Real = typename Number::Real;\n  static constexpr bool in_lanes = "
-            "arithmetic::lane_count<Real> > 1;\n\n";
+    text +=
+        "  using Real = typename Number::Real;\n  static constexpr bool in_lanes = "
+        "arithmetic::lane_count<Real> > 1;\n\n";
     for (const std::string& input : inputs()) text += "  Real " + input + ";\n";
     for (const int number : carried_)
       text += line("  Number " + printer_.name(number) + ";  // " + formula(program_, number) +
@@ -97,8 +99,10 @@ private:
       std::string value = printer_.right_side(number);
       if (op == Op::reciprocal_square_root && !form_.first.empty()) {
         text += line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
-        text += indent + "if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)\n" + indent +
-                "  square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2\n" +
+        text += indent + "if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)\n" +
+                indent +
+                "  square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + "
+                "alpha)^2\n" +
                 indent + "}\n";
         value = "reciprocal_square_root(square)";
       }
@@ -112,8 +116,7 @@ private:
     return indent + "if constexpr (in_lanes) {  // two collisions\n" + indent +
            "  const auto is_beyond = alpha >= Real(1.0);\n" + indent +
            "  sine = select(is_beyond, " + form_.first_sine + ", sine);\n" + indent +
-           "  cosine = select(is_beyond, " + form_.first_cosine + ", cosine);\n" +
-           indent + "}\n";
+           "  cosine = select(is_beyond, " + form_.first_cosine + ", cosine);\n" + indent + "}\n";
   }
 
   std::string stage_function(int s) const {
@@ -149,7 +152,8 @@ private:
   // The first collisions in a single number: what the selections above do in lanes.
   std::string first_function() const {
     std::string text =
-        "  // From alpha = 1 on, where there are two collisions.\n  [[gnu::always_inline]] void first() {\n"
+        "  // From alpha = 1 on, where there are two collisions.\n  [[gnu::always_inline]] void "
+        "first() {\n"
         "    cot_half = reciprocal(Number::sum(Real(1.0), alpha));\n";
     for (const int number : carried_)
       if (node(number).op == Op::multiply || node(number).op == Op::add)
@@ -168,7 +172,8 @@ private:
                        parameters + ") {\n    " + form_.kernel + " kernel;\n" + members;
     if (!form_.first.empty())
       text +=
-          "    if constexpr (!in_lanes)\n      if (alpha >= 1.0) {\n        kernel.first();\n        "
+          "    if constexpr (!in_lanes)\n      if (alpha >= 1.0) {\n        kernel.first();\n      "
+          "  "
           "return kernel.result();\n      }\n";
     for (int s = 1; s < stages_.count; ++s) text += fmt::format("    kernel.stage_{}();\n", s);
     return text + "    return kernel.result();\n  }\n";
@@ -177,9 +182,11 @@ private:
   // Loops over a block, a stage each, with the carried values in between.
   std::string block_function() const {
     if (form_.result.empty()) return "";
-    std::string text = "// A block of at most arithmetic::block_size elements, a whole number of vectors. "
-                       "An output that is not\n// wanted is null; `certain` is for number types that know.\ntemplate <class Number>\nvoid " +
-                       form_.name + "_block(std::size_t size";
+    std::string text =
+        "// A block of at most arithmetic::block_size elements, a whole number of vectors. "
+        "An output that is not\n// wanted is null; `certain` is for number types that "
+        "know.\ntemplate <class Number>\nvoid " +
+        form_.name + "_block(std::size_t size";
     for (const std::string& input : inputs()) text += ", const double* " + input;
     for (const Output& output : program_.outputs) text += ", double* " + output.name;
     text = wrapped(text + ", arithmetic::Certainty<Number>& certain) {") + "\n";
@@ -194,8 +201,8 @@ private:
         text += "    kernel." + input + " = arithmetic::load<Real>(" + input + " + i);\n";
       for (const int number : carried_)
         if (is_needed(number, s))
-          text += "    kernel." + printer_.name(number) + " = " + printer_.name(number) +
-                  "s.get(i);\n";
+          text +=
+              "    kernel." + printer_.name(number) + " = " + printer_.name(number) + "s.get(i);\n";
       if (s + 1 < stages_.count) {
         text += fmt::format("    kernel.stage_{}();\n", s + 1);
         for (const int number : carried_)
@@ -205,8 +212,8 @@ private:
       } else {
         text += "    const auto result = kernel.result();\n";
         for (const Output& output : program_.outputs)
-          text += "    if (" + output.name + " != nullptr) certain.store(result." + output.name + ", " +
-                  output.name + ", i);\n";
+          text += "    if (" + output.name + " != nullptr) certain.store(result." + output.name +
+                  ", " + output.name + ", i);\n";
       }
       text += "  }\n";
     }
@@ -223,7 +230,8 @@ private:
     // the selections from alpha = 1 on use the root where the turn is known
     return !form_.first.empty() && node(number).op == Op::reciprocal_square_root &&
            std::any_of(program_.nodes.begin(), program_.nodes.end(), [&](const Node& other) {
-             return other.op == Op::sine && stage(static_cast<int>(&other - program_.nodes.data())) == s;
+             return other.op == Op::sine &&
+                    stage(static_cast<int>(&other - program_.nodes.data())) == s;
            });
   }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "codegen/generate.hpp"
 
-#include <ginac/ginac.h>
-
 #include <algorithm>
 #include <stdexcept>
+
+#include <ginac/ginac.h>
 
 #include "codegen/emit.hpp"
 #include "codegen/lower.hpp"
@@ -59,9 +59,11 @@ Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& th
   source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
   for (const auto& [name, id] : form.outputs)
     source.outputs.emplace_back(name, theorem_named(theorems, id));
-  for (const std::string& id : form.bindings) source.bindings.push_back(theorem_named(theorems, id));
+  for (const std::string& id : form.bindings)
+    source.bindings.push_back(theorem_named(theorems, id));
   for (const auto& [member, ids] : form.other_cases)
-    for (const std::string& id : ids) require_same_right_side(source, member, theorem_named(theorems, id));
+    for (const std::string& id : ids)
+      require_same_right_side(source, member, theorem_named(theorems, id));
   return {form, for_kernel(lower(source))};
 }
 
@@ -107,7 +109,8 @@ std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems)
   for (const Evaluator& evaluator : evaluators)
     files.push_back({evaluator.form.header(), emit_evaluator(evaluator)});
   for (const KernelForm& form : kernel_forms())
-    files.push_back({"magicmass/kernels/" + form.name + ".hpp", emit_kernel(make_kernel(form, theorems))});
+    files.push_back(
+        {"magicmass/kernels/" + form.name + ".hpp", emit_kernel(make_kernel(form, theorems))});
   std::sort(files.begin(), files.end(),
             [](const GeneratedFile& x, const GeneratedFile& y) { return x.path < y.path; });
   return files;

@@ -64,15 +64,15 @@ KernelPrinter::KernelPrinter(const Program& program)
   std::map<std::string, int> numbered;
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     const Node& made = program.nodes[i];
-    if (is_exact(static_cast<int>(i)) || made.op == Op::negate || made.op == Op::pi)
-      continue;
+    if (is_exact(static_cast<int>(i)) || made.op == Op::negate || made.op == Op::pi) continue;
     if (uses[i] < 2 && !crosses[i] && !ends_a_stage(made)) continue;
     static const std::map<Op, std::string> kinds{
-        {Op::sine, "sine"},      {Op::cosine, "cosine"},          {Op::add, "sum"},
+        {Op::sine, "sine"},        {Op::cosine, "cosine"},    {Op::add, "sum"},
         {Op::multiply, "product"}, {Op::arctangent, "angle"}, {Op::reciprocal_square_root, "root"}};
     const auto kind = kinds.find(made.op);
-    const std::string base =
-        !made.name.empty() ? plain_name(made) : kind == kinds.end() ? "value" : kind->second;
+    const std::string base = !made.name.empty()    ? plain_name(made)
+                             : kind == kinds.end() ? "value"
+                                                   : kind->second;
     const int count = ++numbered[base];
     names_[i] = count == 1 ? base : base + "_" + std::to_string(count);
   }

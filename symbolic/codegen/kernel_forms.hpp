@@ -10,10 +10,10 @@ namespace magicmass::codegen {
 // A quantity computed in a number type of src/magicmass/arithmetic, one input at a time or block by block: the tiers
 // `fast` and `accurate`. The table in kernel_forms.cpp is the whole list.
 struct KernelForm {
-  std::string name;     // "velocities": generated/magicmass/kernels/velocities.hpp
-  std::string kernel;   // "VelocitiesKernel"
+  std::string name;         // "velocities": generated/magicmass/kernels/velocities.hpp
+  std::string kernel;       // "VelocitiesKernel"
   std::string result = {};  // the struct in quantities.hpp; empty for a single number
-  std::string summary;  // for its docstring
+  std::string summary;      // for its docstring
   std::string domain;
   std::vector<std::string> reals = {};                       // exact inputs: "alpha"
   std::vector<std::string> integers = {};                    // whole numbers below 2^51: "n"

@@ -97,8 +97,10 @@ const std::vector<Chapter>& chapters() {
        [](Kernel& kernel, Results& r, const Laws& laws, const Paper&) {
          r.times = times(kernel, laws, *r.power, *r.counting, *r.chebyshev);
        }},
-      {"tangent", [](Kernel& kernel, Results& r, const Laws&,
-                     const Paper&) { r.tangent = tangent(kernel, *r.rotation, *r.power, *r.times); }},
+      {"tangent",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
+         r.tangent = tangent(kernel, *r.rotation, *r.power, *r.times);
+       }},
       {"offset", [](Kernel& kernel, Results& r, const Laws&,
                     const Paper&) { offset(kernel, *r.power, *r.counting, *r.terminal); }},
       {"unfolding",

@@ -44,10 +44,11 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
                          .statement = {r, (1 - 2 * is_P) * (Pi / 2 - N_A * psi / 2)},
                          .words = "from N_A psi/2 to a quarter turn, or back from there",
                          .indices = last});
-  const Theorem turn = kernel.definition({.id = "offset.turn",
-                                          .statement = {symbol("turn"), 1 - 2 * is_P},
-                                          .words = "1 when the last collision is a Q, -1 when it is a P",
-                                          .indices = last});
+  const Theorem turn =
+      kernel.definition({.id = "offset.turn",
+                         .statement = {symbol("turn"), 1 - 2 * is_P},
+                         .words = "1 when the last collision is a Q, -1 when it is a P",
+                         .indices = last});
   kernel.rewriting({.id = "offset.r_from_turn",
                     .statement = {r, symbol("turn") * (Pi / 2 - N_A * psi / 2)},
                     .words = "the offset with its sign",

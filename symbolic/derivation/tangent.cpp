@@ -69,10 +69,9 @@ Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, co
                          .statement = {general.lhs().subs(at), general.rhs().subs(at)},
                          .words = "at the first"},
                         general, {{index, 1}});
-    kernel.rewriting({.id = id,
-                      .statement = {at_one.lhs(), form},
-                      .words = "the same products without roots"},
-                     {at_one});
+    kernel.rewriting(
+        {.id = id, .statement = {at_one.lhs(), form}, .words = "the same products without roots"},
+        {at_one});
   };
   first("tangent.first_a", power.a, V * (q - alpha * q) * (q + alpha * q));
   first("tangent.first_b", power.b, 2 * V * (alpha * q) * (q + q));

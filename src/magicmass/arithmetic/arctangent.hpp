@@ -38,13 +38,17 @@ template <class T>
                  inverse;
   const Sum<T> z = two_product(quotient, quotient);
   const Sum<T> third = two_product(z.high, T(0x1.5555555555555p-2));
-  const T third_low = third.low + (z.low * T(0x1.5555555555555p-2) + z.high * T(0x1.5555555555555p-56));
+  const T third_low =
+      third.low + (z.low * T(0x1.5555555555555p-2) + z.high * T(0x1.5555555555555p-56));
   const Sum<T> cubic = two_product(quotient, third.high);
   const T cubic_low = cubic.low + (quotient * third_low + rest * z.high);
-  const T next = quotient * (z.high * z.high) * (T(0x1.999999999999ap-3) - z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
+  const T next = quotient * (z.high * z.high) *
+                 (T(0x1.999999999999ap-3) -
+                  z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
   const Sum<T> head = ordered_sum(gather<2, 0>(arctangent_table, j), quotient);
   const Sum<T> body = ordered_sum(head.high, -cubic.high);
-  const T low = ((head.low + body.low) + (gather<2, 1>(arctangent_table, j) + rest)) + (next - cubic_low);
+  const T low =
+      ((head.low + body.low) + (gather<2, 1>(arctangent_table, j) + rest)) + (next - cubic_low);
   return {{body.high, low}, body.high};
 }
 

@@ -33,8 +33,8 @@ struct Bounded {
   friend Bounded operator-(Bounded x) { return {-x.pair, x.error}; }
   friend Bounded operator+(Bounded x, Bounded y) {
     const Pair<T> s = x.pair + y.pair;
-    return {normalised(s), (x.error + y.error) +
-                               T(rounding) * (magnitude(x.pair.high) + magnitude(y.pair.high))};
+    return {normalised(s),
+            (x.error + y.error) + T(rounding) * (magnitude(x.pair.high) + magnitude(y.pair.high))};
   }
   friend Bounded operator-(Bounded x, Bounded y) { return x + (-y); }
   friend Bounded operator+(Bounded x, T y) {
@@ -89,7 +89,8 @@ inline Bounded<T> reciprocal_square_root(Bounded<T> w) {
   const T e = (T(1.0) - product.high) - product.low;
   const Pair<T> root = normalised(Pair<T>{y.high, y.low + T(0.5) * y.high * e});
   // half of the relative error of w
-  return {root, w.error * root.high * (root.high * root.high) + T(Bounded<T>::rounding) * root.high};
+  return {root,
+          w.error * root.high * (root.high * root.high) + T(Bounded<T>::rounding) * root.high};
 }
 
 }  // namespace MAGICMASS_TARGET

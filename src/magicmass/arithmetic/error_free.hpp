@@ -21,11 +21,26 @@ template <class T>
   return {sum, (x - (sum - of_y)) + (y - of_y)};
 }
 
-/// The same where |x| >= |y| or x = 0 (Dekker 1971).
+/// x - y = high + low exactly.
+template <class T>
+[[gnu::always_inline]] inline Sum<T> two_difference(T x, T y) {
+  const T difference = x - y;
+  const T of_y = x - difference;
+  return {difference, (x - (difference + of_y)) + (of_y - y)};
+}
+
+/// x + y where |x| >= |y| or x = 0 (Dekker 1971).
 template <class T>
 [[gnu::always_inline]] inline Sum<T> ordered_sum(T x, T y) {
   const T sum = x + y;
   return {sum, y - (sum - x)};
+}
+
+/// x - y where |x| >= |y|.
+template <class T>
+[[gnu::always_inline]] inline Sum<T> ordered_difference(T x, T y) {
+  const T difference = x - y;
+  return {difference, (x - difference) - y};
 }
 
 #ifndef __FMA__
@@ -61,7 +76,7 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline T one_minus_product(T x, T y) {
 #ifdef __FMA__
-  return -fused_difference(x, y, T(1.0));
+  return fused_remainder(T(1.0), x, y);
 #else
   const Sum<T> product = two_product(x, y);
   return (T(1.0) - product.high) - product.low;

@@ -132,8 +132,7 @@ template <int N>
 #endif
 #ifdef __AVX512F__
 [[gnu::always_inline]] inline Lanes<8> reciprocal_square_root_estimate(Lanes<8> x) {
-  return _mm512_cvtps_pd(
-      _mm256_div_ps(_mm256_set1_ps(1.0F), _mm256_sqrt_ps(_mm512_cvtpd_ps(x.v))));
+  return _mm512_cvtps_pd(_mm256_div_ps(_mm256_set1_ps(1.0F), _mm256_sqrt_ps(_mm512_cvtpd_ps(x.v))));
 }
 [[gnu::always_inline]] inline Lanes<8> reciprocal_estimate(Lanes<8> x) {
   return _mm512_cvtps_pd(_mm256_div_ps(_mm256_set1_ps(1.0F), _mm512_cvtpd_ps(x.v)));
@@ -187,6 +186,21 @@ template <int stride, int offset>
 #ifdef __AVX512F__
 [[gnu::always_inline]] inline Lanes<8> fused_difference(Lanes<8> x, Lanes<8> y, Lanes<8> z) {
   return _mm512_fmsub_pd(x.v, y.v, z.v);
+}
+#endif
+/// z - x y, rounded once.
+[[gnu::always_inline]] inline double fused_remainder(double z, double x, double y) {
+  return __builtin_fma(-x, y, z);
+}
+[[gnu::always_inline]] inline Lanes<2> fused_remainder(Lanes<2> z, Lanes<2> x, Lanes<2> y) {
+  return _mm_fnmadd_pd(x.v, y.v, z.v);
+}
+[[gnu::always_inline]] inline Lanes<4> fused_remainder(Lanes<4> z, Lanes<4> x, Lanes<4> y) {
+  return _mm256_fnmadd_pd(x.v, y.v, z.v);
+}
+#ifdef __AVX512F__
+[[gnu::always_inline]] inline Lanes<8> fused_remainder(Lanes<8> z, Lanes<8> x, Lanes<8> y) {
+  return _mm512_fnmadd_pd(x.v, y.v, z.v);
 }
 #endif
 #endif

@@ -38,7 +38,7 @@ struct Pair {
     return {s.high, s.low + (x.low + y.low)};
   }
   friend Pair operator-(Pair x, Pair y) {
-    const Sum<T> s = two_sum(x.high, -y.high);
+    const Sum<T> s = two_difference(x.high, y.high);
     return {s.high, s.low + (x.low - y.low)};
   }
   friend Pair operator+(Pair x, T y) {

@@ -26,8 +26,7 @@ template <class Number>
 /// Half an ulp for the product of the high parts and half for the sum.
 template <class T>
 [[gnu::always_inline]] inline T rounded(Product<Pair<T>> p) {
-  return T(p.scale) *
-         (p.x.high * p.y.high + (p.x.high * p.y.low + p.x.low * p.y.high));
+  return T(p.scale) * (p.x.high * p.y.high + (p.x.high * p.y.low + p.x.low * p.y.high));
 }
 
 }  // namespace MAGICMASS_TARGET

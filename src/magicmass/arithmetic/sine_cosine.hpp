@@ -24,22 +24,22 @@ inline constexpr double half_pi[] = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54
 /// sin x and cos x for 0 <= x <= 2.35, within 0.3 2^-53 of themselves and what the error of x makes of them.
 template <class T>
 [[gnu::always_inline]] inline SineCosine<Pair<T>> sine_cosine(Pair<T> x) {
-  // x = r or x = r + pi/2 with |r| <= pi/4 + 1/64; the first subtraction is exact (Sterbenz).
+  // x = r or x = pi/2 - r with |r| <= pi/4 + 1/64; the subtraction of the high parts is exact (Sterbenz).
   const auto is_turned = x.high > T(0.8);
-  const Sum<T> r = ordered_sum(x.high - where(is_turned, T(half_pi[0])),
-                               x.low - where(is_turned, T(half_pi[1])));
+  const Sum<T> r = ordered_sum(select(is_turned, T(half_pi[0]) - x.high, x.high),
+                               select(is_turned, T(half_pi[1]) - x.low, x.low));
   // sin r = r + (r.low + r^3 p(r^2)): the bracket is at most 0.11 r, rounded three times. cos r = 1 - r^2/2 + (r^4 q(r^2) - r r.low):
   // r^2/2 in two parts, and the rest is below 0.02.
   const T z = r.high * r.high;
   const T z_low = product_error(r.high, r.high, z);
   const T half = T(0.5) * z;
   const Sum<T> sine = ordered_sum(r.high, r.low + (r.high * z) * polynomial(sine_coefficients, z));
-  const Sum<T> top = ordered_sum(T(1.0), -half);
+  const Sum<T> top = ordered_difference(T(1.0), half);
   const Sum<T> cosine = ordered_sum(
-      top.high, top.low + ((z * z) * polynomial(cosine_coefficients, z) -
-                           (r.high * r.low + T(0.5) * z_low)));
+      top.high,
+      top.low + ((z * z) * polynomial(cosine_coefficients, z) - (r.high * r.low + T(0.5) * z_low)));
   const Pair<T> s{sine.high, sine.low}, c{cosine.high, cosine.low};
-  return {select(is_turned, c, s), select(is_turned, -s, c)};
+  return {select(is_turned, c, s), select(is_turned, s, c)};
 }
 
 /// sin x and cos x for 0 <= x <= 3.14, within 2^-71 of themselves or 2^-80, and what the error of x makes of them, for x
@@ -53,23 +53,25 @@ template <class T>
   const T d = x.pair.high - j * T(0x1p-8);
   const T low = x.pair.low;
   const T z = d * d;
-  const T cube = d * z * (T(0x1.5555555555555p-3) -
-                          z * (T(0x1.1111111111111p-7) - z * T(0x1.a01a01a01a01ap-13)));
+  const T cube =
+      d * z *
+      (T(0x1.5555555555555p-3) - z * (T(0x1.1111111111111p-7) - z * T(0x1.a01a01a01a01ap-13)));
   const T of_sine = low - ((T(0.5) * z) * low + cube);
-  const T of_cosine =
-      z * (T(-0.5) + z * (T(0x1.5555555555555p-5) - z * T(0x1.6c16c16c16c17p-10))) -
-      low * (d - cube);
+  const T of_cosine = z * (T(-0.5) + z * (T(0x1.5555555555555p-5) - z * T(0x1.6c16c16c16c17p-10))) -
+                      low * (d - cube);
   const Pair<T> s{gather<4, 0>(sine_cosine_table, j), gather<4, 1>(sine_cosine_table, j)};
   const Pair<T> c{gather<4, 2>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
   // the leading products and sums without error, then all that is below 2^-18 of them
   const Sum<T> c_d = two_product(c.high, d);
   const Sum<T> s_head = two_sum(s.high, c_d.high);
-  const Sum<T> sine = ordered_sum(
-      s_head.high, (s_head.low + c_d.low) + ((s.low + c.low * d) + (c.high * of_sine + s.high * of_cosine)));
+  const Sum<T> sine =
+      ordered_sum(s_head.high, (s_head.low + c_d.low) +
+                                   ((s.low + c.low * d) + (c.high * of_sine + s.high * of_cosine)));
   const Sum<T> s_d = two_product(s.high, d);
   const Sum<T> c_head = two_sum(c.high, -s_d.high);
-  const Sum<T> cosine = ordered_sum(
-      c_head.high, (c_head.low - s_d.low) + ((c.low - s.low * d) + (c.high * of_cosine - s.high * of_sine)));
+  const Sum<T> cosine =
+      ordered_sum(c_head.high, (c_head.low - s_d.low) +
+                                   ((c.low - s.low * d) + (c.high * of_cosine - s.high * of_sine)));
   const T of_argument = select(is_known, T(0x1p-14) * x.size, T(HUGE_VAL));
   return {{{sine.high, sine.low}, magnitude(sine.high) + of_argument},
           {{cosine.high, cosine.low}, (magnitude(cosine.high) + T(0x1p-10)) + of_argument}};
@@ -96,10 +98,12 @@ template <class T>
   const T square = z.high * z.high;
   const Pair<T> sixth{T(-0x1.5555555555555p-3), T(-0x1.5555555555555p-57)};
   const Pair<T> sine_d =
-      d + ((d * z) * sixth + d.high * square * (T(0x1.1111111111111p-7) - z.high * T(0x1.a01a01a01a01ap-13)));
+      d + ((d * z) * sixth +
+           d.high * square * (T(0x1.1111111111111p-7) - z.high * T(0x1.a01a01a01a01ap-13)));
   const Pair<T> cosine_d_less_one =
-      scaled(z, -0.5) + square * (T(0x1.5555555555555p-5) -
-                                  z.high * (T(0x1.6c16c16c16c17p-10) - z.high * T(0x1.a01a01a01a01ap-16)));
+      scaled(z, -0.5) +
+      square * (T(0x1.5555555555555p-5) -
+                z.high * (T(0x1.6c16c16c16c17p-10) - z.high * T(0x1.a01a01a01a01ap-16)));
   const Pair<T> sine_c{gather<4, 0>(sine_cosine_table, j), gather<4, 1>(sine_cosine_table, j)};
   const Pair<T> cosine_c{gather<4, 2>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
   Pair<T> sine = normalised(sine_c + (sine_c * cosine_d_less_one + cosine_c * sine_d));
@@ -112,7 +116,8 @@ template <class T>
   Pair<T> s = select(is_odd, select(is_back, -cosine, cosine), select(is_half, -sine, sine));
   Pair<T> c = select(is_odd, select(is_back, sine, -sine), select(is_half, -cosine, cosine));
   const auto bound = [&x](T of_value, T of_slope) {
-    return x.error * (magnitude(of_slope) + x.error) + (T(0x1p-88) * magnitude(of_value) + T(0x1p-158));
+    return x.error * (magnitude(of_slope) + x.error) +
+           (T(0x1p-88) * magnitude(of_value) + T(0x1p-158));
   };
   return {{s, bound(s.high, c.high)}, {c, bound(c.high, s.high)}};
 }

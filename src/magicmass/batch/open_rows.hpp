@@ -54,7 +54,9 @@ template <class Number>
 }
 
 template <class Number>
-constexpr bool rounding_is_tested = requires(arithmetic::Certainty<Number> certain) { certain.all; };
+constexpr bool rounding_is_tested = requires(arithmetic::Certainty<Number> certain) {
+  certain.all;
+};
 
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::batch

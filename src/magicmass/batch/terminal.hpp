@@ -36,8 +36,8 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         }
         const bool is_any_outside = has_negative(outside);
         arithmetic::Certainty<Number> certain;
-        generated::terminal_block<Number>(rows, of_alpha, cycles.data(), turns.data(), of_a, of_b, of_c,
-                                          nullptr, certain);
+        generated::terminal_block<Number>(rows, of_alpha, cycles.data(), turns.data(), of_a, of_b,
+                                          of_c, nullptr, certain);
         if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {
           if (is_in_domain(of_alpha[i], of_N_A[i]) && !is_open(certain, i)) continue;

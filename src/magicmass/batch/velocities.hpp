@@ -19,8 +19,8 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
                                double* c, double* c_prime, std::size_t size) {
   block_by_block(
       size,
-      [](std::size_t rows, const double* of_alpha, const std::int64_t* of_n, double* of_a, double* of_b,
-         double* of_c, double* of_c_prime) {
+      [](std::size_t rows, const double* of_alpha, const std::int64_t* of_n, double* of_a,
+         double* of_b, double* of_c, double* of_c_prime) {
         alignas(64) arithmetic::BlockOfDoubles index;
         RowBits outside{};
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
@@ -30,8 +30,8 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
         }
         const bool is_any_outside = has_negative(outside);
         arithmetic::Certainty<Number> certain;
-        generated::velocities_block<Number>(rows, of_alpha, index.data(), of_a, of_b, of_c, of_c_prime,
-                                            certain);
+        generated::velocities_block<Number>(rows, of_alpha, index.data(), of_a, of_b, of_c,
+                                            of_c_prime, certain);
         if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {
           if (is_in_domain(of_alpha[i], of_n[i]) && !is_open(certain, i)) continue;

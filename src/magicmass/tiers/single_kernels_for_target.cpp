@@ -48,7 +48,10 @@ double nearest(const Number& x) {
 }
 
 template <template <class> class Result, class Number>
-bool is_certain(const Result<Number>& x) requires requires { as_array(x); } {
+bool is_certain(const Result<Number>& x) requires requires {
+  as_array(x);
+}
+{
   bool all = true;
   for (const Number& member : as_array(x)) all &= certainly_rounded(member);
   return all;
