@@ -36,4 +36,13 @@ void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A
   batch::kernels(instruction_set).counts(alpha.data(), N_A.data(), N_B.data(), alpha.size());
 }
 
+void velocity_stream(double alpha, std::int64_t first_n, std::span<double> a, std::span<double> b,
+                     std::span<double> c, std::span<double> c_prime,
+                     InstructionSet instruction_set) {
+  batch::require_separate_columns({batch::output("a", a), batch::output("b", b),
+                                   batch::output("c", c), batch::output("c_prime", c_prime)});
+  batch::kernels(instruction_set)
+      .stream(alpha, first_n, a.data(), b.data(), c.data(), c_prime.data(), a.size());
+}
+
 }  // namespace magicmass

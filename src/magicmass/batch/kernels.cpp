@@ -4,7 +4,9 @@
 #include "magicmass/batch/kernels.hpp"
 
 #include "magicmass/batch/counts.hpp"
+#include "magicmass/batch/stream.hpp"
 
 const magicmass::batch::Kernels magicmass::batch::tables::MAGICMASS_TARGET = {
     .counts = count_block_by_block,
+    .stream = stream_velocities,
 };

@@ -12,6 +12,8 @@ namespace magicmass::batch {
 /// apart from each other and from the inputs.
 struct Kernels {
   void (*counts)(const double* alpha, std::int64_t* N_A, std::int64_t* N_B, std::size_t size);
+  void (*stream)(double alpha, std::int64_t first_n, double* a, double* b, double* c,
+                 double* c_prime, std::size_t size);
 };
 
 /// kernels.cpp, compiled once for each: constants, so that asking for one runs none of its code.
