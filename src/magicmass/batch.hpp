@@ -19,9 +19,9 @@ void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A
                       std::span<std::int64_t> N_B,
                       InstructionSet instruction_set = best_instruction_set());
 
-/// All velocities just after the n-th collisions in units of V, n = first_n, first_n + 1, ...: NaN past the last collision, n = N_A. An element is
-/// within 4 eps of the largest velocity of its body, whatever n. A call costs about as much as a thousand elements
-/// before the first, so long spans pay.
+/// All velocities just after the n-th collisions in units of V, n = first_n, first_n + 1, ...; NaN before n = 0 and past n = N_A.
+/// Each is within 3 eps of the largest velocity of its body in the whole sequence (c and c' are those of one body), whatever n. A
+/// call begins with a few hundred nanoseconds of work, so long spans pay.
 void velocity_stream(double alpha, std::int64_t first_n, std::span<double> a, std::span<double> b,
                      std::span<double> c, std::span<double> c_prime,
                      InstructionSet instruction_set = best_instruction_set());

@@ -4,9 +4,9 @@
 // are a table, and j and -j share their products. From block to block the anchors turn as pairs.
 //
 // Error, with u = 2^-53 and r^2 = k_1^2 + k_2^2 = A^2 + B^2: A, B, the table and the products are good for 3 u r in all (|A cos| + |B sin| <= r),
-// k_0 for u |k_0|, and the two sums for u (|k_0| + r) each: 5 u r + 3 u |k_0|. Of all four bodies |k_0| <= r, and the largest velocity is
-// hardly less than |k_0| + r, at least that over 1.3, at alpha = 1: below 8 u = 4 eps of it. The anchors' angle is within 2^-68 of itself,
-// that is of pi, and M blocks later within M 2^-97 more, so that n does not show.
+// k_0 for u |k_0|, and the two sums for u (|k_0| + r) each: 5 u r + 3 u |k_0|. The largest velocity of a body is about r + |k_0|, and never so small
+// (worst where C has the most of it to go, at alpha = 0.236) that this is above 5.4 u = 2.7 eps of it. The anchors' angle
+// is within 2^-68 of itself, that is of pi, and M blocks later within M 2^-97 more, so that n does not show.
 #pragma once
 
 #include <cstddef>
