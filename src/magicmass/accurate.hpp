@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/quantities.hpp"
+#include "magicmass/terminal.hpp"
 
 /// Tier `accurate`: the double nearest to the exact value, ties to even, for every positive finite double alpha (V = L =
 /// 1, e = 1), on every machine the same. Throws InvalidInput outside the domains given. Ziv's strategy in three
@@ -23,5 +26,8 @@ double angle(double alpha);
 
 /// Magic and deficient mass ratio alpha_k and beta_k, k >= 1.
 generated::Ratios<double> ratios(std::int64_t k);
+
+/// After the last collision; none where the counts do not fit 64 bits.
+std::optional<Terminal> terminal(double alpha);
 
 }  // namespace magicmass::accurate

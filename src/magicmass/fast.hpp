@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/quantities.hpp"
+#include "magicmass/terminal.hpp"
 
 /// Tier `fast`: each number within 4 times what rounding alpha alone would cost, max(1/2, cond/2) ulp with
 /// cond = |alpha y'/y|, for every positive finite double alpha (V = L = 1, e = 1). Throws InvalidInput outside the domains
@@ -22,5 +25,8 @@ double angle(double alpha);
 
 /// Magic and deficient mass ratio alpha_k and beta_k, k >= 1, within 1 ulp.
 generated::Ratios<double> ratios(std::int64_t k);
+
+/// After the last collision; none where the counts do not fit 64 bits.
+std::optional<Terminal> terminal(double alpha);
 
 }  // namespace magicmass::fast

@@ -40,7 +40,8 @@ struct Contestant {
   std::string
       form;  ///< "closed", "product", ..., as in the manifest; "naive" and so on for the others
   std::string precision;  ///< "float", "double", "long double": what its errors are measured in
-  bool is_naive = false;  ///< the known-bad canary, to which times are compared
+  std::string derived_form = {};  ///< of the theorem that it computes, where it computes one
+  bool is_naive = false;          ///< the known-bad canary, to which times are compared
   /// Largest error that a generated header promises, in ulp of the exact value, and in eps of the body's largest
   /// velocity at that alpha (beyond alpha = 1: of V). Infinity: nothing is promised.
   double ulp_bound = std::numeric_limits<double>::infinity();

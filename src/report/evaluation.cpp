@@ -57,7 +57,8 @@ std::optional<std::vector<std::optional<Deviation>>> compared(const Contestant& 
     return std::nullopt;
   if (contestant.quantity == "counts" && !last_collision(input.alpha).is_known) return std::nullopt;
   if (!contestant.can(input)) return std::nullopt;
-  const std::vector<ExactValue>& exact = oracle.at(contestant.quantity, input);
+  const std::vector<ExactValue>& exact =
+      oracle.at(contestant.quantity, input, contestant.derived_form);
   std::array<long double, most_members> got{};
   contestant.evaluate(input, got.data());
   std::vector<std::optional<Deviation>> deviations;

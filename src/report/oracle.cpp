@@ -45,23 +45,25 @@ std::vector<ExactValue> exact_members(const std::string& quantity, const Input& 
 
 }  // namespace
 
-const std::vector<ExactValue>& Oracle::at(const std::string& quantity, const Input& input) {
-  const std::string& name = quantity_named(quantity).name;
-  const std::tuple key(name, takes_alpha(name) ? input.alpha : 0.0, input.index, input.e);
+const std::vector<ExactValue>& Oracle::at(const std::string& quantity, const Input& input,
+                                          const std::string& derived_form) {
+  const Quantity& asked = quantity_named(quantity);
+  const std::string form = asked.is_known ? "" : derived_form;
+  const std::tuple key(asked.name, form, asked.takes("alpha") ? input.alpha : 0.0, input.index,
+                       input.e);
   const auto found = known_.find(key);
   if (found != known_.end()) return found->second;
-  const auto learnt = learnt_.find(name);
-  if (learnt == learnt_.end() && !quantity_named(name).is_known)
-    throw std::logic_error("the oracle has not learnt what " + name + " are");
-  return known_
-      .emplace(key, learnt == learnt_.end() ? exact_members(name, input) : learnt->second(input))
-      .first->second;
+  if (asked.is_known) return known_.emplace(key, exact_members(quantity, input)).first->second;
+  const auto learnt = learnt_.find({quantity, form});
+  if (learnt == learnt_.end())
+    throw std::logic_error("the oracle has not learnt what " + quantity + " are");
+  return known_.emplace(key, learnt->second(input)).first->second;
 }
 
-void Oracle::learn(const std::string& quantity, Formula formula) {
+void Oracle::learn(const std::string& quantity, const std::string& derived_form, Formula formula) {
   if (quantity_named(quantity).is_known)
     throw std::logic_error("the oracle knows what " + quantity + " are");
-  learnt_[quantity] = std::move(formula);
+  learnt_[{quantity, derived_form}] = std::move(formula);
 }
 
 }  // namespace magicmass::report

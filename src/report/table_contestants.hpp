@@ -42,6 +42,7 @@ std::vector<Contestant> table_contestants(const std::string& quantity) {
     Contestant one =
         make_contestant(row.name, quantity, row.form, precision_name<Real>(),
                         [](const Input& input) { return call(table[index].evaluate, input); });
+    one.derived_form = row.form;
     one.ulp_bound = row.ulp_bound;
     one.eps_bound = row.eps_bound;
     contestants.push_back(std::move(one));

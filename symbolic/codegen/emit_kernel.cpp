@@ -167,8 +167,8 @@ private:
   // Loops over a block, a stage each, with the carried values in between.
   std::string block_function() const {
     if (form_.result.empty()) return "";
-    std::string text = "// A block of at most arithmetic::block_size elements, a whole number of vectors; `certain` "
-                       "is for types that know.\ntemplate <class Number>\nvoid " +
+    std::string text = "// A block of at most arithmetic::block_size elements, a whole number of vectors. "
+                       "An output that is not\n// wanted is null; `certain` is for number types that know.\ntemplate <class Number>\nvoid " +
                        form_.name + "_block(std::size_t size";
     for (const std::string& input : inputs()) text += ", const double* " + input;
     for (const Output& output : program_.outputs) text += ", double* " + output.name;
@@ -195,7 +195,8 @@ private:
       } else {
         text += "    const auto result = kernel.result();\n";
         for (const Output& output : program_.outputs)
-          text += "    certain.store(result." + output.name + ", " + output.name + ", i);\n";
+          text += "    if (" + output.name + " != nullptr) certain.store(result." + output.name + ", " +
+                  output.name + ", i);\n";
       }
       text += "  }\n";
     }

@@ -64,7 +64,8 @@ KernelPrinter::KernelPrinter(const Program& program)
   std::map<std::string, int> numbered;
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     const Node& made = program.nodes[i];
-    if (is_exact(static_cast<int>(i)) || made.op == Op::negate) continue;
+    if (is_exact(static_cast<int>(i)) || made.op == Op::negate || made.op == Op::pi)
+      continue;
     if (uses[i] < 2 && !crosses[i] && !ends_a_stage(made)) continue;
     static const std::map<Op, std::string> kinds{
         {Op::sine, "sine"},      {Op::cosine, "cosine"},          {Op::add, "sum"},

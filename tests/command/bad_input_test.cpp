@@ -57,7 +57,7 @@ TEST_CASE("tiers and digits", "[exam]") {
   check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "turbo"},
                 "unknown tier \"turbo\"; allowed: fast, exact");
   check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "accurate"}, "not available yet");
-  for (const std::string digits : {"0", "-3", "10001", "ten", ""})
+  for (const std::string digits : {"0", "-3", "100001", "ten", ""})
     check_refused({"eval", "--alpha", "0.1", "--n", "1", "--digits", digits}, "from 1 to 100000,");
   check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "fast", "--digits", "5"},
                 "--digits goes with");

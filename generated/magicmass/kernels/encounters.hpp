@@ -93,7 +93,8 @@ struct EncountersKernel {
 };
 
 // A block of at most arithmetic::block_size elements,
-//   a whole number of vectors; `certain` is for types that know.
+//   a whole number of vectors. An output that is not
+// wanted is null; `certain` is for number types that know.
 template <class Number>
 void encounters_block(std::size_t size, const double* alpha, const double* j, double* t, double* s, arithmetic::Certainty<Number>& certain) {
   using Kernel = EncountersKernel<Number>;
@@ -139,8 +140,8 @@ void encounters_block(std::size_t size, const double* alpha, const double* j, do
     kernel.cosine = cosines.get(i);
     kernel.sine = sines.get(i);
     const auto result = kernel.result();
-    certain.store(result.t, t, i);
-    certain.store(result.s, s, i);
+    if (t != nullptr) certain.store(result.t, t, i);
+    if (s != nullptr) certain.store(result.s, s, i);
   }
 }
 

@@ -28,11 +28,11 @@ struct RatiosKernel {
   Number sine_2;  // sin((1/4)*pi*(1/(1 + k)))
 
   [[gnu::always_inline]] void stage_1() {
-    const Number value = Number::pi();
-    const auto turned = sine_cosine(scaled(value * reciprocal(Number::sum(Real(1.0), Real(2.0) *
-        k)), 0.5));
+    const auto turned = sine_cosine(scaled(Number::pi() * reciprocal(Number::sum(Real(1.0),
+        Real(2.0) * k)), 0.5));
     sine = turned.sine;
-    const auto turned_1 = sine_cosine(scaled(value * reciprocal(Number::sum(Real(1.0), k)), 0.25));
+    const auto turned_1 = sine_cosine(scaled(Number::pi() * reciprocal(Number::sum(Real(1.0), k)),
+        0.25));
     sine_2 = turned_1.sine;
   }
 
@@ -54,7 +54,8 @@ struct RatiosKernel {
 };
 
 // A block of at most arithmetic::block_size elements,
-//   a whole number of vectors; `certain` is for types that know.
+//   a whole number of vectors. An output that is not
+// wanted is null; `certain` is for number types that know.
 template <class Number>
 void ratios_block(std::size_t size, const double* k, double* magic, double* deficient, arithmetic::Certainty<Number>& certain) {
   using Kernel = RatiosKernel<Number>;
@@ -75,8 +76,8 @@ void ratios_block(std::size_t size, const double* k, double* magic, double* defi
     kernel.sine = sines.get(i);
     kernel.sine_2 = sine_2s.get(i);
     const auto result = kernel.result();
-    certain.store(result.magic, magic, i);
-    certain.store(result.deficient, deficient, i);
+    if (magic != nullptr) certain.store(result.magic, magic, i);
+    if (deficient != nullptr) certain.store(result.deficient, deficient, i);
   }
 }
 

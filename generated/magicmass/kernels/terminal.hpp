@@ -30,7 +30,6 @@ struct TerminalKernel {
   Real alpha;
   Real N_A;
   Real turn;
-  Number value;  // pi
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   Number angle;  // atan(tan_quarter)
@@ -38,7 +37,6 @@ struct TerminalKernel {
   Number cosine;  // cos(r_t)
 
   [[gnu::always_inline]] void stage_1() {
-    value = Number::pi();
     Number square = (Number::sum(Real(2.0), alpha)) * alpha;
     if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
       const Number first = Number::sum(Real(1.0), alpha);
@@ -53,7 +51,7 @@ struct TerminalKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number r_t = (value - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
+    const Number r_t = (Number::pi() - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
     const auto turned = sine_cosine(r_t);
     sine = turned.sine;
     cosine = turned.cosine;
@@ -103,13 +101,13 @@ struct TerminalKernel {
 };
 
 // A block of at most arithmetic::block_size elements,
-//   a whole number of vectors; `certain` is for types that know.
+//   a whole number of vectors. An output that is not
+// wanted is null; `certain` is for number types that know.
 template <class Number>
 void terminal_block(std::size_t size, const double* alpha, const double* N_A, const double* turn, double* a_t, double* b_t, double* c_t, double* rho, arithmetic::Certainty<Number>& certain) {
   using Kernel = TerminalKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
-  arithmetic::Block<Number> values;
   arithmetic::Block<Number> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
   arithmetic::Block<Number> angles;
@@ -121,7 +119,6 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
     kernel.N_A = arithmetic::load<Real>(N_A + i);
     kernel.turn = arithmetic::load<Real>(turn + i);
     kernel.stage_1();
-    values.put(i, kernel.value);
     cot_halfs.put(i, kernel.cot_half);
   }
   for (std::size_t i = 0; i < size; i += lanes) {
@@ -139,7 +136,6 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
     kernel.alpha = arithmetic::load<Real>(alpha + i);
     kernel.N_A = arithmetic::load<Real>(N_A + i);
     kernel.turn = arithmetic::load<Real>(turn + i);
-    kernel.value = values.get(i);
     kernel.cot_half = cot_halfs.get(i);
     kernel.angle = angles.get(i);
     kernel.stage_3();
@@ -156,10 +152,10 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
     kernel.sine = sines.get(i);
     kernel.cosine = cosines.get(i);
     const auto result = kernel.result();
-    certain.store(result.a_t, a_t, i);
-    certain.store(result.b_t, b_t, i);
-    certain.store(result.c_t, c_t, i);
-    certain.store(result.rho, rho, i);
+    if (a_t != nullptr) certain.store(result.a_t, a_t, i);
+    if (b_t != nullptr) certain.store(result.b_t, b_t, i);
+    if (c_t != nullptr) certain.store(result.c_t, c_t, i);
+    if (rho != nullptr) certain.store(result.rho, rho, i);
   }
 }
 

@@ -97,7 +97,8 @@ struct VelocitiesKernel {
 };
 
 // A block of at most arithmetic::block_size elements,
-//   a whole number of vectors; `certain` is for types that know.
+//   a whole number of vectors. An output that is not
+// wanted is null; `certain` is for number types that know.
 template <class Number>
 void velocities_block(std::size_t size, const double* alpha, const double* n, double* a, double* b, double* c, double* c_prime, arithmetic::Certainty<Number>& certain) {
   using Kernel = VelocitiesKernel<Number>;
@@ -143,10 +144,10 @@ void velocities_block(std::size_t size, const double* alpha, const double* n, do
     kernel.cosine = cosines.get(i);
     kernel.sine = sines.get(i);
     const auto result = kernel.result();
-    certain.store(result.a, a, i);
-    certain.store(result.b, b, i);
-    certain.store(result.c, c, i);
-    certain.store(result.c_prime, c_prime, i);
+    if (a != nullptr) certain.store(result.a, a, i);
+    if (b != nullptr) certain.store(result.b, b, i);
+    if (c != nullptr) certain.store(result.c, c, i);
+    if (c_prime != nullptr) certain.store(result.c_prime, c_prime, i);
   }
 }
 

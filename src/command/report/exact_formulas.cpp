@@ -110,16 +110,15 @@ std::vector<std::string> unknown_quantities(const std::vector<DerivedForm>& form
 }
 
 void teach(report::Oracle& oracle, const std::vector<DerivedForm>& forms) {
-  for (const std::string& quantity : unknown_quantities(forms)) {
-    const auto first = std::find_if(forms.begin(), forms.end(), [&](const DerivedForm& one) {
-      return one.form.quantity == quantity;
-    });
-    oracle.learn(quantity, [form = first->form, outputs = first->outputs](const Input& input) {
-      std::vector<ExactValue> members;
-      for (const GiNaC::ex& formula : *outputs) members.push_back(certain(formula, form, input));
-      return members;
-    });
-  }
+  for (const DerivedForm& one : forms)
+    if (!report::quantity_named(one.form.quantity).is_known)
+      oracle.learn(one.form.quantity, one.form.name,
+                   [form = one.form, outputs = one.outputs](const Input& input) {
+                     std::vector<ExactValue> members;
+                     for (const GiNaC::ex& formula : *outputs)
+                       members.push_back(certain(formula, form, input));
+                     return members;
+                   });
 }
 
 double input_named(const std::string& name, const Input& input) {

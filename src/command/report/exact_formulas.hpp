@@ -13,7 +13,7 @@ namespace magicmass::command {
 /// Quantities of these forms that the oracle does not know by itself.
 std::vector<std::string> unknown_quantities(const std::vector<DerivedForm>& forms);
 
-/// Teaches the oracle such quantities: the first form's theorems, evaluated by CLN's functions with more and more digits
+/// Teaches the oracle such quantities: each form's own theorems, evaluated by CLN's functions with more and more digits
 /// until two evaluations agree and every rounding is certain. That shows what an evaluator loses against its
 /// theorem, not whether the theorem is what one wants. Where no value or no certainty comes out, nothing exists.
 void teach(report::Oracle& oracle, const std::vector<DerivedForm>& forms);

@@ -111,6 +111,7 @@ Contestant contestant(const codegen::Form& form, const std::string& how, const C
   Contestant one;
   one.name = how + "_" + form.name;
   one.quantity = form.quantity;
+  one.derived_form = form.name;
   one.form = how;
   one.precision = "double";
   one.is_reproducible = false;

@@ -111,7 +111,8 @@ Measurement measure(const ReportRequest& request, Progress& progress) {
     measurement.remarks.push_back(
         quantity +
         ": known from the generated tables alone, so no transcription to compare with; errors are "
-        "against its own theorem, evaluated with more and more digits");
+        "against its own theorem, evaluated with more and more digits, at inputs that may be "
+        "outside its domain");
   measure_families(request, tasks, forms, progress, measurement);
   report::Oracle oracle;
   if (request.growth && !Progress::was_interrupted())

@@ -11,7 +11,11 @@ namespace magicmass::command {
 namespace {
 
 std::string row(const std::string& name, const std::string& type, const auto&... cells) {
-  std::string line = fmt::format("{:<19}{:<3}", name, type);
+  constexpr std::size_t name_width = 19;
+  // a long name has a line of its own
+  std::string line = name.size() < name_width ? fmt::format("{:<{}}", name, name_width)
+                                              : name + "\n" + std::string(name_width, ' ');
+  line += fmt::format("{:<3}", type);
   const std::vector<std::string> texts = {cells...};
   constexpr std::size_t widths[] = {7, 7, 6, 7, 7, 7, 6, 11};
   for (std::size_t i = 0; i < texts.size(); ++i) line += fmt::format("{:>{}}", texts[i], widths[i]);

@@ -94,6 +94,7 @@ Contestant contestant(const codegen::Form& form, const std::shared_ptr<Peer>& pe
   Contestant one;
   one.name = "sympy_" + form.name;
   one.quantity = form.quantity;
+  one.derived_form = form.name;
   one.form = "sympy";
   one.precision = "double";
   one.can = [](const Input&) { return true; };

@@ -54,6 +54,7 @@ struct Certainty;
 template <class T>
 struct Certainty<Pair<T>> {
   void store(Pair<T> x, double* to, std::size_t i) { arithmetic::store(rounded(x), to + i); }
+  bool is_all(std::size_t) const { return true; }
 };
 
 /// ... and, of numbers that know, whether all of an element's are certainly the nearest doubles: all bits set where so.
@@ -68,6 +69,11 @@ struct Certainty<Tracked<T>> {
     std::memcpy(&known, &all[i], sizeof known);
     known &= certainly_rounded(x);
     std::memcpy(&all[i], &known, sizeof known);
+  }
+  bool is_all(std::size_t size) const {
+    std::int64_t whole = -1;
+    for (std::size_t i = 0; i < size; ++i) whole &= all[i];
+    return whole == -1;
   }
 };
 

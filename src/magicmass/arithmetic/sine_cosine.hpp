@@ -40,27 +40,37 @@ template <class T>
   return {select(is_turned, c, s), select(is_turned, -s, c)};
 }
 
-/// sin x and cos x for 0 <= x <= 3.14, within 2^-71 of themselves or 2^-80.
+/// sin x and cos x for 0 <= x <= 3.14, within 2^-71 of themselves or 2^-80, and what the error of x makes of them, for x
+/// within 2^-84 of its size, as sums and products of arctangents, whole numbers and pi are. Outside nothing is certain.
 template <class T>
 [[gnu::always_inline]] inline SineCosine<Tracked<T>> sine_cosine(Tracked<T> x) {
-  // x = c + d, c = j/256, |d| <= 2^-9, no reduction. sin d = d + (x.low - d^3/6 + d^5/120 - ...), the cube rounded at 2^-72.6 d; cos d -
-  // 1 = -d^2/2 + d^4/24 - d x.low, rounded at 2^-72.
-  const T j = nearest_whole(x.pair.high * T(256.0));
+  // x = c + d, c = j/256, |d| <= 2^-9, without reduction. sin(d + low) = d + (low cos d - d^3/6 + ...), the cube rounded
+  // at 2^-72.6 d, and cos(d + low) - 1 = -d^2/2 + d^4/24 - ... - low sin d, rounded at 2^-72; |low| <= 2^-37 |x|.
+  const auto is_known = (x.pair.high > T(-0x1p-10)) & (x.pair.high <= T(3.1406));
+  const T j = where(is_known, nearest_whole(x.pair.high * T(256.0)));
   const T d = x.pair.high - j * T(0x1p-8);
-  const T z = d * d;
   const T low = x.pair.low;
-  const T cube = d * z * (T(0x1.5555555555555p-3) - z * (T(0x1.1111111111111p-7) - z * T(0x1.a01a01a01a01ap-13)));
+  const T z = d * d;
+  const T cube = d * z * (T(0x1.5555555555555p-3) -
+                          z * (T(0x1.1111111111111p-7) - z * T(0x1.a01a01a01a01ap-13)));
   const T of_sine = low - ((T(0.5) * z) * low + cube);
-  const T of_cosine = z * (T(-0.5) + z * (T(0x1.5555555555555p-5) - z * T(0x1.6c16c16c16c17p-10))) - low * (d - cube);
+  const T of_cosine =
+      z * (T(-0.5) + z * (T(0x1.5555555555555p-5) - z * T(0x1.6c16c16c16c17p-10))) -
+      low * (d - cube);
   const Pair<T> s{gather<4, 0>(sine_cosine_table, j), gather<4, 1>(sine_cosine_table, j)};
   const Pair<T> c{gather<4, 2>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
-  const Sum<T> s_slope = two_product(c.high, d);
-  const Sum<T> s_head = two_sum(s.high, s_slope.high);
-  const Sum<T> sine = ordered_sum(s_head.high, (s_head.low + s_slope.low) + ((s.low + c.low * d) + (c.high * of_sine + s.high * of_cosine)));
-  const Sum<T> c_slope = two_product(s.high, d);
-  const Sum<T> c_head = two_sum(c.high, -c_slope.high);
-  const Sum<T> cosine = ordered_sum(c_head.high, (c_head.low - c_slope.low) + ((c.low - s.low * d) + (c.high * of_cosine - s.high * of_sine)));
-  return {{{sine.high, sine.low}, magnitude(sine.high)}, {{cosine.high, cosine.low}, magnitude(cosine.high) + T(0x1p-10)}};
+  // the leading products and sums without error, then all that is below 2^-18 of them
+  const Sum<T> c_d = two_product(c.high, d);
+  const Sum<T> s_head = two_sum(s.high, c_d.high);
+  const Sum<T> sine = ordered_sum(
+      s_head.high, (s_head.low + c_d.low) + ((s.low + c.low * d) + (c.high * of_sine + s.high * of_cosine)));
+  const Sum<T> s_d = two_product(s.high, d);
+  const Sum<T> c_head = two_sum(c.high, -s_d.high);
+  const Sum<T> cosine = ordered_sum(
+      c_head.high, (c_head.low - s_d.low) + ((c.low - s.low * d) + (c.high * of_cosine - s.high * of_sine)));
+  const T of_argument = select(is_known, T(0x1p-14) * x.size, T(HUGE_VAL));
+  return {{{sine.high, sine.low}, magnitude(sine.high) + of_argument},
+          {{cosine.high, cosine.low}, (magnitude(cosine.high) + T(0x1p-10)) + of_argument}};
 }
 
 /// sin x and cos x for |x| <= 3.9, within 2^-88 of themselves and what the error of x makes of them.

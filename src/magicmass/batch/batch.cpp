@@ -45,4 +45,60 @@ void velocity_stream(double alpha, std::int64_t first_n, std::span<double> a, st
       .stream(alpha, first_n, a.data(), b.data(), c.data(), c_prime.data(), a.size());
 }
 
+namespace {
+
+using Doubles = std::span<double>;
+using Integers = std::span<std::int64_t>;
+
+void check_and_run(batch::Kernels::Velocities run, std::span<const double> alpha,
+                   std::span<const std::int64_t> n, Doubles a, Doubles b, Doubles c,
+                   Doubles c_prime) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::input("n", n),
+                                   batch::output("a", a), batch::output("b", b),
+                                   batch::output("c", c), batch::output("c_prime", c_prime)});
+  run(alpha.data(), n.data(), a.data(), b.data(), c.data(), c_prime.data(), alpha.size());
+}
+
+void check_and_run(batch::Kernels::Terminal run, std::span<const double> alpha, Integers N_A,
+                   Integers N_B, Doubles a_t, Doubles b_t, Doubles c_t) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("N_A", N_A),
+                                   batch::output("N_B", N_B), batch::output("a_t", a_t),
+                                   batch::output("b_t", b_t), batch::output("c_t", c_t)});
+  run(alpha.data(), N_A.data(), N_B.data(), a_t.data(), b_t.data(), c_t.data(), alpha.size());
+}
+
+void check_and_run(batch::Kernels::Ratios run, std::int64_t first_k, Doubles magic,
+                   Doubles deficient) {
+  batch::require_separate_columns(
+      {batch::output("magic", magic), batch::output("deficient", deficient)});
+  run(first_k, magic.data(), deficient.data(), magic.size());
+}
+
+}  // namespace
+
+void fast::velocities(std::span<const double> alpha, std::span<const std::int64_t> n, Doubles a,
+                      Doubles b, Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_velocities, alpha, n, a, b, c, c_prime);
+}
+void accurate::velocities(std::span<const double> alpha, std::span<const std::int64_t> n, Doubles a,
+                          Doubles b, Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_velocities, alpha, n, a, b, c, c_prime);
+}
+void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
+                    Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
+}
+void accurate::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
+                        Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
+}
+void fast::ratios(std::int64_t first_k, Doubles magic, Doubles deficient,
+                  InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_ratios, first_k, magic, deficient);
+}
+void accurate::ratios(std::int64_t first_k, Doubles magic, Doubles deficient,
+                      InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_ratios, first_k, magic, deficient);
+}
+
 }  // namespace magicmass

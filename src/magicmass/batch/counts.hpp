@@ -91,21 +91,23 @@ inline void count_with_care(std::size_t rows, const double* alpha, std::int64_t*
   }
 }
 
+/// One block: rows a multiple of group_rows.
+inline void count_block(std::size_t rows, const double* alpha, std::int64_t* N_A,
+                        std::int64_t* N_B) {
+  // Everyday blocks are decided at once, but for one in thirty; far down, and past its range, single
+  // precision decides nothing, which the first row foretells.
+  const bool is_single = alpha[0] >= 0x1p-28 && alpha[0] <= 0x1p100;
+  if (!is_single) return count_with_care(rows, alpha, N_A, N_B);
+  if (count_in_singles(rows, alpha, N_A, N_B)) return;
+  for (std::size_t i = 0; i < rows; i += group_rows) {
+    if (count_in_singles(group_rows, alpha + i, N_A + i, N_B + i)) continue;
+    count_with_care(group_rows, alpha + i, N_A + i, N_B + i);
+  }
+}
+
 inline void count_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_t* N_B,
                                  std::size_t size) {
-  const auto kernel = [](std::size_t rows, const double* of_alpha, std::int64_t* of_N_A,
-                         std::int64_t* of_N_B) {
-    // Everyday blocks are decided at once, but for one in thirty; far down, and past its range, single
-    // precision decides nothing, which the first row foretells.
-    const bool is_single = of_alpha[0] >= 0x1p-28 && of_alpha[0] <= 0x1p100;
-    if (!is_single) return count_with_care(rows, of_alpha, of_N_A, of_N_B);
-    if (count_in_singles(rows, of_alpha, of_N_A, of_N_B)) return;
-    for (std::size_t i = 0; i < rows; i += group_rows) {
-      if (count_in_singles(group_rows, of_alpha + i, of_N_A + i, of_N_B + i)) continue;
-      count_with_care(group_rows, of_alpha + i, of_N_A + i, of_N_B + i);
-    }
-  };
-  block_by_block(size, kernel, alpha, N_A, N_B);
+  block_by_block(size, count_block, alpha, N_A, N_B);
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -4,9 +4,26 @@
 #include "magicmass/batch/kernels.hpp"
 
 #include "magicmass/batch/counts.hpp"
+#include "magicmass/batch/ratios.hpp"
 #include "magicmass/batch/stream.hpp"
+#include "magicmass/batch/terminal.hpp"
+#include "magicmass/batch/velocities.hpp"
+
+namespace magicmass::batch {
+namespace {
+using Lanes = arithmetic::Lanes<arithmetic::widest>;
+using Fast = arithmetic::Pair<Lanes>;
+using Accurate = arithmetic::Tracked<Lanes>;
+}  // namespace
+}  // namespace magicmass::batch
 
 const magicmass::batch::Kernels magicmass::batch::tables::MAGICMASS_TARGET = {
     .counts = count_block_by_block,
     .stream = stream_velocities,
+    .fast_velocities = velocities_block_by_block<Fast>,
+    .accurate_velocities = velocities_block_by_block<Accurate>,
+    .fast_terminal = terminal_block_by_block<Fast>,
+    .accurate_terminal = terminal_block_by_block<Accurate>,
+    .fast_ratios = ratios_block_by_block<Fast>,
+    .accurate_ratios = ratios_block_by_block<Accurate>,
 };

@@ -21,17 +21,19 @@ void require_index(std::int64_t k) {
 
 double certified_angle(double alpha) {
   require_positive_finite("alpha", alpha);
-  return certain("psi", [&]<std::size_t Words>() { return attempt_angle<Words>(alpha); });
+  return certain("the rounding of psi",
+                 [&]<std::size_t Words>() { return attempt_angle<Words>(alpha); });
 }
 
 double certified_magic(std::int64_t k) {
   require_index(k);
-  return certain("a magic ratio", [&]<std::size_t Words>() { return attempt_magic<Words>(k); });
+  return certain("the rounding of a magic ratio",
+                 [&]<std::size_t Words>() { return attempt_magic<Words>(k); });
 }
 
 double certified_deficient(std::int64_t k) {
   require_index(k);
-  return certain("a deficient ratio",
+  return certain("the rounding of a deficient ratio",
                  [&]<std::size_t Words>() { return attempt_deficient<Words>(k); });
 }
 

@@ -33,7 +33,7 @@ generated::Encounters<double> certified_encounters(double alpha, std::int64_t j)
   if (collision == 0) {
     return {0.0, 1.0};
   }
-  return certain("a time or distance",
+  return certain("the rounding of a time or distance",
                  [&]<std::size_t Words>() { return attempt_encounters<Words>(alpha, collision); });
 }
 
@@ -42,7 +42,7 @@ double certified_time(double alpha, std::int64_t j) {
   if (collision == 0) {
     return 0.0;
   }
-  return certain("a time", [&]<std::size_t Words>() {
+  return certain("the rounding of a time", [&]<std::size_t Words>() {
     using Number = NearInteger<Words>;
     return attempt_encounter<Words>(generated::t_exact<Number, std::uint64_t>, alpha, collision);
   });
@@ -53,7 +53,7 @@ double certified_distance(double alpha, std::int64_t j) {
   if (collision == 0) {
     return 1.0;
   }
-  return certain("a distance", [&]<std::size_t Words>() {
+  return certain("the rounding of a distance", [&]<std::size_t Words>() {
     using Number = NearInteger<Words>;
     return attempt_encounter<Words>(generated::s_exact<Number, std::uint64_t>, alpha, collision);
   });

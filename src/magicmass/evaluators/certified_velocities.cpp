@@ -45,7 +45,7 @@ double certified_velocity(Velocity member, double alpha, std::int64_t n) {
   if (n == 0) {
     return member == Velocity::a ? 1.0 : 0.0;
   }
-  return certain("a velocity", [&]<std::size_t Words>() {
+  return certain("the rounding of a velocity", [&]<std::size_t Words>() {
     return attempt_member<Words>(member, alpha, static_cast<std::uint64_t>(n));
   });
 }
@@ -55,8 +55,16 @@ generated::Velocities<double> certified_velocities(double alpha, std::int64_t n)
   if (n == 0) {
     return {1.0, 0.0, 0.0, 0.0};
   }
-  return certain("a velocity", [&]<std::size_t Words>() {
-    return attempt_velocities<Words>(alpha, static_cast<std::uint64_t>(n));
+  generated::Velocities<std::optional<double>> found;
+  using Result = std::optional<generated::Velocities<double>>;
+  return certain("the rounding of a velocity", [&]<std::size_t Words>() -> Result {
+    const auto now = attempt_velocities<Words>(alpha, static_cast<std::uint64_t>(n));
+    found = {found.a ? found.a : now.a, found.b ? found.b : now.b, found.c ? found.c : now.c,
+             found.c_prime ? found.c_prime : now.c_prime};
+    if (!found.a || !found.b || !found.c || !found.c_prime) {
+      return std::nullopt;
+    }
+    return generated::Velocities<double>{*found.a, *found.b, *found.c, *found.c_prime};
   });
 }
 
@@ -67,7 +75,7 @@ double certified_energy_fraction(double alpha) {
   if (!counts) {
     return 1.0;
   }
-  return certain("the energy fraction", [&]<std::size_t Words>() {
+  return certain("the rounding of the energy fraction", [&]<std::size_t Words>() {
     return attempt_energy_fraction<Words>(alpha, static_cast<std::uint64_t>(counts->N_B));
   });
 }

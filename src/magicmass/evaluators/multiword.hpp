@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -136,56 +137,76 @@ void complement(std::array<std::uint64_t, Words>& words) {
   }
 }
 
-/// x + y, the sign of y being y_negative: errors add, and bits below the larger one's last word are cut off, less
-/// than a unit of it.
+/// x + y, the sign of y being y_negative, where x has the larger exponent.
 template <std::size_t Words>
-Multiword<Words> sum(const Multiword<Words>& x, const Multiword<Words>& y, bool y_negative) {
+Multiword<Words> ordered_sum(const Multiword<Words>& x, const Multiword<Words>& y,
+                             bool y_negative) {
   using Bound = typename Multiword<Words>::Bound;
-  if (y.is_exact_zero()) {
-    return x;
-  }
-  if (x.exponent < y.exponent || x.is_exact_zero()) {
-    Multiword<Words> first = y;
-    first.negative = y_negative;
-    return x.is_exact_zero() ? first : sum(first, x, x.negative);
-  }
   const auto shift = static_cast<std::size_t>(x.exponent - y.exponent);
-  Multiword<Words> result = x;
+  Multiword<Words> result;
+  result.exponent = x.exponent;
+  result.negative = x.negative;
+  // y's words where x's are: the first `shift` of `wide` are cut off, zeros follow the others
+  std::array<std::uint64_t, 2 * Words> wide{};
+  for (std::size_t i = 0; i < Words; ++i) {
+    wide[i] = y.words[i];
+  }
+  const std::uint64_t* aligned = wide.data() + std::min(shift, Words);
   bool cut = false;
-  for (std::size_t i = 0; i < Words && i < shift; ++i) {
-    cut = cut || y.words[i] != 0;
+  if (shift != 0) {
+    std::uint64_t bits = 0;
+    for (const std::uint64_t* word = wide.data(); word < aligned; ++word) {
+      bits |= *word;
+    }
+    cut = bits != 0;
   }
   if (x.error != 0 || y.error != 0 || cut) {
-    result.error = grown(x.error + y.error * words_down<Bound>(shift) + (cut ? 1 : 0));
+    const Bound of_y = shift == 0 ? y.error : y.error * words_down<Bound>(shift);
+    result.error = grown(x.error + of_y + (cut ? 1 : 0));
   }
-  if (shift >= Words) {
-    return result;
-  }
-  const std::size_t common = Words - shift;
+  std::uint64_t carry = 0;
   if (x.negative == y_negative) {
-    std::uint64_t carry = 0;
     for (std::size_t i = 0; i < Words; ++i) {
-      const Wide wide = Wide{x.words[i]} + (i < common ? y.words[i + shift] : 0) + carry;
-      result.words[i] = static_cast<std::uint64_t>(wide);
-      carry = static_cast<std::uint64_t>(wide >> 64U);
+      const Wide wide_sum = Wide{x.words[i]} + aligned[i] + carry;
+      result.words[i] = static_cast<std::uint64_t>(wide_sum);
+      carry = static_cast<std::uint64_t>(wide_sum >> 64U);
     }
     if (carry != 0) {
       push_carry(result, carry);
     }
     return result;
   }
-  std::uint64_t borrow = 0;
   for (std::size_t i = 0; i < Words; ++i) {
-    const Wide wide = Wide{x.words[i]} - (i < common ? y.words[i + shift] : 0) - borrow;
-    result.words[i] = static_cast<std::uint64_t>(wide);
-    borrow = static_cast<std::uint64_t>(wide >> 64U) & 1U;
+    const Wide difference = Wide{x.words[i]} - aligned[i] - carry;
+    result.words[i] = static_cast<std::uint64_t>(difference);
+    carry = static_cast<std::uint64_t>(difference >> 64U) & 1U;
   }
-  if (borrow != 0) {
+  if (carry != 0) {
     complement(result.words);
     result.negative = y_negative;
   }
   normalise(result);
   return result;
+}
+
+/// x + y, the sign of y being y_negative: errors add, and bits below the last word of the larger one are cut off, less
+/// than a unit of it.
+template <std::size_t Words>
+Multiword<Words> sum(const Multiword<Words>& x, const Multiword<Words>& y, bool y_negative) {
+  if (y.is_exact_zero()) {
+    return x;
+  }
+  if (x.is_exact_zero()) {
+    Multiword<Words> result = y;
+    result.negative = y_negative;
+    return result;
+  }
+  if (x.exponent >= y.exponent) {
+    return ordered_sum(x, y, y_negative);
+  }
+  Multiword<Words> larger = y;
+  larger.negative = y_negative;
+  return ordered_sum(larger, x, x.negative);
 }
 
 template <std::size_t Words>

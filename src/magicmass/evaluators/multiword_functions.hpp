@@ -114,7 +114,7 @@ Multiword<Words> arctangent(const Multiword<Words>& x) {
   }
   const Multiword<Words> near = from_double<Words>(std::atan(hint(x)));
   const Multiword<Words> of_sine = sine(near);
-  const Multiword<Words> of_cosine = multiword<Words>(1) + cosine_less_one(near);
+  const Multiword<Words> of_cosine = square_root(multiword<Words>(1) - of_sine * of_sine);
   const Multiword<Words> u = (x * of_cosine - of_sine) / (of_cosine + x * of_sine);
   if (u.is_exact_zero()) {
     return near;

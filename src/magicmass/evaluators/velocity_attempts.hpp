@@ -48,19 +48,12 @@ std::optional<double> attempt_velocity(const Form& form, double alpha, std::uint
   return rounded(form(NearInteger<Words>(alpha), n), grid_at(alpha, 2 * n));
 }
 
-/// All four for n >= 1.
+/// All four for n >= 1, those that are certain.
 template <std::size_t Words>
-std::optional<generated::Velocities<double>> attempt_velocities(double alpha, std::uint64_t n) {
+generated::Velocities<std::optional<double>> attempt_velocities(double alpha, std::uint64_t n) {
   const auto v = generated::velocities_exact(NearInteger<Words>(alpha), n);
   const int grid = grid_at(alpha, 2 * n);
-  const auto a = rounded(v.a, grid);
-  const auto b = rounded(v.b, grid);
-  const auto c = rounded(v.c, grid);
-  const auto c_prime = rounded(v.c_prime, grid);
-  if (!a || !b || !c || !c_prime) {
-    return std::nullopt;
-  }
-  return generated::Velocities<double>{*a, *b, *c, *c_prime};
+  return {rounded(v.a, grid), rounded(v.b, grid), rounded(v.c, grid), rounded(v.c_prime, grid)};
 }
 
 /// b_n^2 for n >= 1.

@@ -21,8 +21,7 @@ auto until_certain(const char* what, const Attempt& attempt) {
   if constexpr (sizeof...(More) > 0) {
     return until_certain<More...>(what, attempt);
   } else {
-    throw Undecided(std::string(what) + " is closer to half way between two doubles than " +
-                    std::to_string(64 * Words) + " bits can tell");
+    throw Undecided(std::string(what) + " stays open at " + std::to_string(64 * Words) + " bits");
   }
 }
 
@@ -30,7 +29,7 @@ auto until_certain(const char* what, const Attempt& attempt) {
 /// that nothing rests on "nearly".
 template <class Attempt>
 auto certain(const char* what, const Attempt& attempt) {
-  return until_certain<4, 8, 24>(what, attempt);
+  return until_certain<4, 8, 16, 24>(what, attempt);
 }
 
 /// A grid too fine for any number to be found on it.

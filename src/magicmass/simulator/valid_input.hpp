@@ -14,19 +14,28 @@
 
 namespace magicmass {
 
-/// Throws InvalidInput, naming the quantity, unless 0 < value and, in floating point, value is finite.
+/// Throws InvalidInput, naming the quantity and, in floating point, its value.
 template <Field Scalar>
-void require_positive_finite(std::string_view name, const Scalar& value) {
-  bool valid = Scalar(0) < value;
+[[noreturn]] void refuse_as_not_positive_finite(std::string_view name,
+                                                [[maybe_unused]] const Scalar& value) {
   std::string got;
   if constexpr (std::is_floating_point_v<Scalar>) {
-    valid = valid && std::isfinite(value);
     std::array<char, 64> text{};
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
     got = ", got " + std::string(text.data(), end);
   }
+  throw InvalidInput(std::string(name) + " must be a positive finite number" + got);
+}
+
+/// Throws InvalidInput, naming the quantity, unless 0 < value and, in floating point, value is finite.
+template <Field Scalar>
+void require_positive_finite(std::string_view name, const Scalar& value) {
+  bool valid = Scalar(0) < value;
+  if constexpr (std::is_floating_point_v<Scalar>) {
+    valid = valid && std::isfinite(value);
+  }
   if (!valid) {
-    throw InvalidInput(std::string(name) + " must be a positive finite number" + got);
+    refuse_as_not_positive_finite(name, value);
   }
 }
 

@@ -4,6 +4,7 @@
 #include "magicmass/evaluators/certified_angles.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
+#include "magicmass/evaluators/count.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
 namespace magicmass::accurate {
@@ -35,6 +36,23 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
       return result;
   }
   return certified_encounters(alpha, j);
+}
+
+std::optional<Terminal> terminal(double alpha) {
+  const std::optional<Counts> counts = count_collisions(alpha);
+  if (!counts) return std::nullopt;
+  const bool is_Q_last = counts->N_B == counts->N_A;
+  if (is_in_range(alpha) && counts->N_A <= most_index) [[likely]] {
+    generated::Terminal<double> result;
+    if (tiers::single_kernels().terminal(alpha, static_cast<double>(counts->N_A),
+                                         is_Q_last ? 1.0 : -1.0, result))
+      return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
+  }
+  return Terminal{*counts, certified_velocity(Velocity::a, alpha, counts->N_A),
+                  certified_velocity(Velocity::b, alpha, counts->N_B),
+                  is_Q_last ? certified_velocity(Velocity::c_prime, alpha, counts->N_B)
+                            : certified_velocity(Velocity::c, alpha, counts->N_A),
+                  certified_energy_fraction(alpha)};
 }
 
 double angle(double alpha) {

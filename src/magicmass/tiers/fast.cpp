@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <string>
 
+#include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
+#include "magicmass/evaluators/count.hpp"
 #include "magicmass/simulator/valid_input.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
@@ -40,6 +42,16 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   if (j == 0) return {0.0, 1.0};
   if (j == 1 || alpha > 1.0 || j >= std::int64_t{1} << 51U) return certified_encounters(alpha, j);
   return tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
+}
+
+std::optional<Terminal> terminal(double alpha) {
+  const std::optional<Counts> counts = count_collisions(alpha);
+  if (!counts) return std::nullopt;
+  // beyond 2^53 the offset from the quarter turn needs all digits of N_A
+  if (counts->N_A > std::int64_t{1} << 51U) return accurate::terminal(alpha);
+  const auto result = tiers::single_kernels().fast_terminal(
+      alpha, static_cast<double>(counts->N_A), counts->N_B == counts->N_A ? 1.0 : -1.0);
+  return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
 }
 
 double angle(double alpha) {

@@ -3,10 +3,20 @@
 
 namespace magicmass::tiers {
 
+const SingleKernels& single_kernels(InstructionSet instruction_set) {
+  switch (instruction_set) {
+    case InstructionSet::avx512:
+      return tables::avx512;
+    case InstructionSet::avx2:
+      return tables::avx2;
+    case InstructionSet::baseline:
+      break;
+  }
+  return tables::baseline;
+}
+
 const SingleKernels& single_kernels() {
-  static const SingleKernels& best =
-      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? single_kernels_avx2()
-                                                                      : single_kernels_baseline();
+  static const SingleKernels& best = single_kernels(best_instruction_set());
   return best;
 }
 

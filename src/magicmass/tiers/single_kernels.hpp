@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "magicmass/batch/instruction_set.hpp"
 #include "magicmass/quantities.hpp"
 
 namespace magicmass::tiers {
@@ -13,18 +14,27 @@ struct SingleKernels {
   generated::Encounters<double> (*fast_encounters)(double alpha, double j);
   double (*fast_angle)(double alpha);
   generated::Ratios<double> (*fast_ratios)(double k);
+  generated::Terminal<double> (*fast_terminal)(double alpha, double N_A, double turn);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);
   bool (*angle)(double alpha, double& result);
   bool (*ratios)(double k, generated::Ratios<double>& result);
+  bool (*terminal)(double alpha, double N_A, double turn, generated::Terminal<double>& result);
 };
 
-/// Those for this machine.
-const SingleKernels& single_kernels();
+/// single_kernels_for_target.cpp, compiled once for each instruction set: constants, so that asking for one runs none of
+/// its code.
+namespace tables {
+extern const SingleKernels baseline;
+extern const SingleKernels avx2;
+extern const SingleKernels avx512;
+}  // namespace tables
 
-/// Each, for tests and reports; the second only where the processor has AVX2 and FMA.
-const SingleKernels& single_kernels_baseline();
-const SingleKernels& single_kernels_avx2();
+/// Those for an instruction set that this machine has.
+const SingleKernels& single_kernels(InstructionSet instruction_set);
+
+/// Those for the best it has.
+const SingleKernels& single_kernels();
 
 }  // namespace magicmass::tiers

@@ -6,11 +6,9 @@
 #include "magicmass/kernels/angle.hpp"
 #include "magicmass/kernels/encounters.hpp"
 #include "magicmass/kernels/ratios.hpp"
+#include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/velocities.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
-
-#define MAGICMASS_JOINED(a, b) a##b
-#define MAGICMASS_NAMED(name, target) MAGICMASS_JOINED(name, target)
 
 namespace magicmass::tiers {
 namespace {
@@ -23,6 +21,8 @@ using generated::Encounters;
 using generated::EncountersKernel;
 using generated::Ratios;
 using generated::RatiosKernel;
+using generated::Terminal;
+using generated::TerminalKernel;
 using generated::Velocities;
 using generated::VelocitiesKernel;
 
@@ -39,22 +39,19 @@ Ratios<double> nearest(const Ratios<Number>& x) {
   return {rounded(x.magic), rounded(x.deficient)};
 }
 template <class Number>
+Terminal<double> nearest(const Terminal<Number>& x) {
+  return {rounded(x.a_t), rounded(x.b_t), rounded(x.c_t), rounded(x.rho)};
+}
+template <class Number>
 double nearest(const Number& x) {
   return rounded(x);
 }
 
-template <class Number>
-bool is_certain(const Velocities<Number>& x) {
-  return (certainly_rounded(x.a) & certainly_rounded(x.b)) &
-         (certainly_rounded(x.c) & certainly_rounded(x.c_prime));
-}
-template <class Number>
-bool is_certain(const Encounters<Number>& x) {
-  return certainly_rounded(x.t) & certainly_rounded(x.s);
-}
-template <class Number>
-bool is_certain(const Ratios<Number>& x) {
-  return certainly_rounded(x.magic) & certainly_rounded(x.deficient);
+template <template <class> class Result, class Number>
+bool is_certain(const Result<Number>& x) requires requires { as_array(x); } {
+  bool all = true;
+  for (const Number& member : as_array(x)) all &= certainly_rounded(member);
+  return all;
 }
 template <class Number>
 bool is_certain(const Number& x) {
@@ -91,6 +88,10 @@ Encounters<double> fast_encounters(double alpha, double j) {
 double fast_angle(double alpha) { return nearest(AngleKernel<Tracked<double>>::evaluate(alpha)); }
 Ratios<double> fast_ratios(double k) { return nearest(RatiosKernel<Tracked<double>>::evaluate(k)); }
 
+Terminal<double> fast_terminal(double alpha, double N_A, double turn) {
+  return nearest(TerminalKernel<Pair<double>>::evaluate(alpha, N_A, turn));
+}
+
 bool velocities(double alpha, double n, Velocities<double>& result) {
   return in_two_stages<VelocitiesKernel>(result, alpha, n);
 }
@@ -99,13 +100,23 @@ bool encounters(double alpha, double j, Encounters<double>& result) {
 }
 bool angle(double alpha, double& result) { return in_two_stages<AngleKernel>(result, alpha); }
 bool ratios(double k, Ratios<double>& result) { return in_two_stages<RatiosKernel>(result, k); }
+bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
+  return in_two_stages<TerminalKernel>(result, alpha, N_A, turn);
+}
 
 }  // namespace
 
-const SingleKernels& MAGICMASS_NAMED(single_kernels_, MAGICMASS_TARGET)() {
-  static constexpr SingleKernels kernels{fast_velocities, fast_encounters, fast_angle, fast_ratios,
-                                         velocities,      encounters,      angle,      ratios};
-  return kernels;
-}
-
 }  // namespace magicmass::tiers
+
+const magicmass::tiers::SingleKernels magicmass::tiers::tables::MAGICMASS_TARGET = {
+    .fast_velocities = fast_velocities,
+    .fast_encounters = fast_encounters,
+    .fast_angle = fast_angle,
+    .fast_ratios = fast_ratios,
+    .fast_terminal = fast_terminal,
+    .velocities = velocities,
+    .encounters = encounters,
+    .angle = angle,
+    .ratios = ratios,
+    .terminal = terminal,
+};

@@ -36,6 +36,7 @@ TEST_CASE("the doubles closest to a threshold are decided by the exact path", "[
     CHECK((here == below || here == above));
   }
   CHECK_FALSE(decide_count(0.12).near_tie);
+  CHECK_FALSE(decide_count(1e-12).near_tie);
 }
 
 TEST_CASE("counts end where 63 bits end", "[exam]") {

@@ -48,5 +48,5 @@ TEST_CASE("a quantity's inputs tell what it ranges over", "[exam]") {
 TEST_CASE("nobody teaches the oracle what it knows by itself", "[exam]") {
   Oracle oracle;
   const auto wrong = [](const Input&) { return std::vector<ExactValue>(1); };
-  CHECK_THROWS_AS(oracle.learn("angle", wrong), std::logic_error);
+  CHECK_THROWS_AS(oracle.learn("angle", "closed", wrong), std::logic_error);
 }

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "magicmass/batch/one_by_one.hpp"
+
+#include <limits>
+#include <optional>
+
+#include "magicmass/accurate.hpp"
+#include "magicmass/errors.hpp"
+#include "magicmass/fast.hpp"
+
+namespace magicmass::batch {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+template <class Evaluate>
+generated::Velocities<double> velocities_or_none(Evaluate evaluate) {
+  try {
+    return evaluate();
+  } catch (const InvalidInput&) {
+    return {none, none, none, none};
+  }
+}
+
+template <class Evaluate>
+generated::Terminal<double> terminal_or_none(Evaluate evaluate) {
+  try {
+    if (const std::optional<Terminal> all = evaluate())
+      return {all->a_t, all->b_t, all->c_t, all->rho};
+  } catch (const InvalidInput&) {
+  }
+  return {none, none, none, none};
+}
+
+}  // namespace
+
+generated::Velocities<double> fast_velocities(double alpha, std::int64_t n) {
+  return velocities_or_none([&] { return fast::velocities(alpha, n); });
+}
+generated::Velocities<double> accurate_velocities(double alpha, std::int64_t n) {
+  return velocities_or_none([&] { return accurate::velocities(alpha, n); });
+}
+generated::Terminal<double> fast_terminal(double alpha) {
+  return terminal_or_none([&] { return fast::terminal(alpha); });
+}
+generated::Terminal<double> accurate_terminal(double alpha) {
+  return terminal_or_none([&] { return accurate::terminal(alpha); });
+}
+generated::Ratios<double> fast_ratios(std::int64_t k) {
+  return k < 1 ? generated::Ratios<double>{none, none} : fast::ratios(k);
+}
+generated::Ratios<double> accurate_ratios(std::int64_t k) {
+  return k < 1 ? generated::Ratios<double>{none, none} : accurate::ratios(k);
+}
+
+}  // namespace magicmass::batch
