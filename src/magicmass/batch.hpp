@@ -19,6 +19,13 @@ void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A
                       std::span<std::int64_t> N_B,
                       InstructionSet instruction_set = best_instruction_set());
 
+/// All velocities just after the n-th collisions in units of V, n = first_n, first_n + 1, ...; NaN before n = 0 and past n = N_A.
+/// Each is within 3 eps of the largest velocity of its body in the whole sequence (c and c' are those of one body), whatever n. A
+/// call begins with a few hundred nanoseconds of work, so long spans pay.
+void velocity_stream(double alpha, std::int64_t first_n, std::span<double> a, std::span<double> b,
+                     std::span<double> c, std::span<double> c_prime,
+                     InstructionSet instruction_set = best_instruction_set());
+
 /// All velocities just after the n-th collisions of alpha, in units of V, where 0 <= n <= N_A(alpha). In tier fast each within 4 times
 /// max(1/2, cond/2) ulp, cond = |alpha y'/y|; in tier accurate the nearest doubles. From theorems tangent.*.
 namespace fast {
@@ -43,6 +50,17 @@ namespace accurate {
 void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
               std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
               std::span<double> c_t, InstructionSet instruction_set = best_instruction_set());
+}
+
+/// Magic and deficient mass ratios alpha_k and beta_k, k = first_k, first_k + 1, ...; NaN for k < 1 and past the largest std::int64_t. In tier
+/// fast within 1 ulp; in tier accurate the nearest doubles. From theorems ratios.*.
+namespace fast {
+void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> deficient,
+            InstructionSet instruction_set = best_instruction_set());
+}
+namespace accurate {
+void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> deficient,
+            InstructionSet instruction_set = best_instruction_set());
 }
 
 }  // namespace magicmass

@@ -18,8 +18,9 @@ declare -A may_include=(
   [derivation]='proof ginac cln library'
   [codegen]='proof ginac cln library'
   [render]='proof derivation ginac cln library'
-  [generated]=''
-  [runtime]='generated library'
+  [arithmetic]='library'
+  [generated]='arithmetic'
+  [runtime]='arithmetic generated library'
   [reference]='runtime cln library'
   [equality]='algebraic proof derivation ginac cln library'
   [report]='generated runtime reference cln library'
@@ -31,6 +32,7 @@ part_of() { # file of the repository
   case $1 in
     symbolic/*/*) part=${1#symbolic/} part=${part%%/*} ;;
     generated/*) part=generated ;;
+    src/magicmass/arithmetic/*) part=arithmetic ;;
     src/magicmass/reference/*) part=reference ;;
     src/magicmass/*) part=runtime ;;
     src/report/*) part=report ;;

@@ -36,6 +36,15 @@ void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A
   batch::kernels(instruction_set).counts(alpha.data(), N_A.data(), N_B.data(), alpha.size());
 }
 
+void velocity_stream(double alpha, std::int64_t first_n, std::span<double> a, std::span<double> b,
+                     std::span<double> c, std::span<double> c_prime,
+                     InstructionSet instruction_set) {
+  batch::require_separate_columns({batch::output("a", a), batch::output("b", b),
+                                   batch::output("c", c), batch::output("c_prime", c_prime)});
+  batch::kernels(instruction_set)
+      .stream(alpha, first_n, a.data(), b.data(), c.data(), c_prime.data(), a.size());
+}
+
 namespace {
 
 using Doubles = std::span<double>;
@@ -58,6 +67,13 @@ void check_and_run(batch::Kernels::Terminal run, std::span<const double> alpha, 
   run(alpha.data(), N_A.data(), N_B.data(), a_t.data(), b_t.data(), c_t.data(), alpha.size());
 }
 
+void check_and_run(batch::Kernels::Ratios run, std::int64_t first_k, Doubles magic,
+                   Doubles deficient) {
+  batch::require_separate_columns(
+      {batch::output("magic", magic), batch::output("deficient", deficient)});
+  run(first_k, magic.data(), deficient.data(), magic.size());
+}
+
 }  // namespace
 
 void fast::velocities(std::span<const double> alpha, std::span<const std::int64_t> n, Doubles a,
@@ -75,6 +91,14 @@ void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, D
 void accurate::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
                         Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
   check_and_run(batch::kernels(instruction_set).accurate_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
+}
+void fast::ratios(std::int64_t first_k, Doubles magic, Doubles deficient,
+                  InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_ratios, first_k, magic, deficient);
+}
+void accurate::ratios(std::int64_t first_k, Doubles magic, Doubles deficient,
+                      InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_ratios, first_k, magic, deficient);
 }
 
 }  // namespace magicmass

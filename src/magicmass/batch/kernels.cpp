@@ -4,6 +4,8 @@
 #include "magicmass/batch/kernels.hpp"
 
 #include "magicmass/batch/counts.hpp"
+#include "magicmass/batch/ratios.hpp"
+#include "magicmass/batch/stream.hpp"
 #include "magicmass/batch/terminal.hpp"
 #include "magicmass/batch/velocities.hpp"
 
@@ -17,8 +19,11 @@ using Accurate = arithmetic::Tracked<Lanes>;
 
 const magicmass::batch::Kernels magicmass::batch::tables::MAGICMASS_TARGET = {
     .counts = count_block_by_block,
+    .stream = stream_velocities,
     .fast_velocities = velocities_block_by_block<Fast>,
     .accurate_velocities = velocities_block_by_block<Accurate>,
     .fast_terminal = terminal_block_by_block<Fast>,
     .accurate_terminal = terminal_block_by_block<Accurate>,
+    .fast_ratios = ratios_block_by_block<Fast>,
+    .accurate_ratios = ratios_block_by_block<Accurate>,
 };

@@ -15,12 +15,17 @@ struct Kernels {
                               double* c, double* c_prime, std::size_t size);
   using Terminal = void (*)(const double* alpha, std::int64_t* N_A, std::int64_t* N_B, double* a_t,
                             double* b_t, double* c_t, std::size_t size);
+  using Ratios = void (*)(std::int64_t first_k, double* magic, double* deficient, std::size_t size);
 
   void (*counts)(const double* alpha, std::int64_t* N_A, std::int64_t* N_B, std::size_t size);
+  void (*stream)(double alpha, std::int64_t first_n, double* a, double* b, double* c,
+                 double* c_prime, std::size_t size);
   Velocities fast_velocities;
   Velocities accurate_velocities;
   Terminal fast_terminal;
   Terminal accurate_terminal;
+  Ratios fast_ratios;
+  Ratios accurate_ratios;
 };
 
 /// kernels.cpp, compiled once for each: constants, so that asking for one runs none of its code.

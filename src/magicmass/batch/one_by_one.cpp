@@ -46,5 +46,11 @@ generated::Terminal<double> fast_terminal(double alpha) {
 generated::Terminal<double> accurate_terminal(double alpha) {
   return terminal_or_none([&] { return accurate::terminal(alpha); });
 }
+generated::Ratios<double> fast_ratios(std::int64_t k) {
+  return k < 1 ? generated::Ratios<double>{none, none} : fast::ratios(k);
+}
+generated::Ratios<double> accurate_ratios(std::int64_t k) {
+  return k < 1 ? generated::Ratios<double>{none, none} : accurate::ratios(k);
+}
 
 }  // namespace magicmass::batch

@@ -43,7 +43,6 @@ TEST_CASE("psi is the double nearest to the exact value on every family", "[chec
       const auto guess = nearest_double(angle);
       rash += guess && *guess != psi ? 1 : 0;
     }
-    oracle.forget();
   }
   CHECK(open > 10);
   CHECK(rash > 10);

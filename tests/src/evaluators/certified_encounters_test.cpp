@@ -60,7 +60,6 @@ TEST_CASE("each time and distance of the hard families is the double nearest to 
       const auto guess = rounded(distance);
       rash += guess && *guess != s ? 1 : 0;
     }
-    oracle.forget();
   }
   CHECK(open > 100);
   CHECK(rash > 5);

@@ -73,7 +73,6 @@ TEST_CASE("each member of each family of hard inputs is the double nearest to th
       REQUIRE(members(certified_velocities(input.alpha, input.index)) == expected);
       REQUIRE(one_by_one(input.alpha, input.index) == expected);
     }
-    oracle.forget();
   }
 }
 
@@ -105,7 +104,6 @@ TEST_CASE("few words leave a rounding open or give the right one, and the loop g
       const auto guess = rounded(c);
       rash += guess && *guess != expected[2] ? 1 : 0;
     }
-    oracle.forget();
   }
   CHECK(open > 100);
   CHECK(rash > 20);

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Magic and deficient ratios of consecutive k by the block: the generated kernel where it is valid, the function for one
+// k where it is not or where a rounding stays open.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "magicmass/batch/blocks.hpp"
+#include "magicmass/batch/one_by_one.hpp"
+#include "magicmass/batch/open_rows.hpp"
+#include "magicmass/kernels/ratios.hpp"
+
+namespace magicmass::batch {
+inline namespace MAGICMASS_TARGET {
+
+template <class Number>
+void ratios_block_by_block(std::int64_t first_k, double* magic, double* deficient,
+                           std::size_t size) {
+  // wraps past the largest k to numbers below 1, which have no ratio
+  std::uint64_t next_k = static_cast<std::uint64_t>(first_k);
+  block_by_block(
+      size,
+      [&next_k](std::size_t rows, double* of_magic, double* of_deficient) {
+        alignas(64) arithmetic::BlockOfDoubles index;
+        OpenRows open;
+        for (std::size_t i = 0; i < rows; ++i) {
+          index[i] = static_cast<double>(static_cast<std::int64_t>(next_k + i));
+        }
+        for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
+          const Row k = arithmetic::load<Row>(&index[i]);
+          open.put(i, (k >= Row(1.0)) & (k < Row(0x1p50)));
+        }
+        arithmetic::Certainty<Number> certain;
+        generated::ratios_block<Number>(rows, index.data(), of_magic, of_deficient, certain);
+        if (open.any || !certain.is_all(rows)) {
+          for (std::size_t i = 0; i < rows; ++i) {
+            if (!open.is_open(i, certain)) continue;
+            const auto k = static_cast<std::int64_t>(next_k + i);
+            const auto one = rounding_is_tested<Number> ? accurate_ratios(k) : fast_ratios(k);
+            of_magic[i] = one.magic;
+            of_deficient[i] = one.deficient;
+          }
+        }
+        next_k += rows;
+      },
+      magic, deficient);
+}
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::batch
