@@ -23,19 +23,18 @@ void ratios_block_by_block(std::int64_t first_k, double* magic, double* deficien
       size,
       [&next_k](std::size_t rows, double* of_magic, double* of_deficient) {
         alignas(64) arithmetic::BlockOfDoubles index;
-        OpenRows open;
+        const auto is_valid = [](double k) { return k >= 1.0 && k < 0x1p50; };
         for (std::size_t i = 0; i < rows; ++i) {
           index[i] = static_cast<double>(static_cast<std::int64_t>(next_k + i));
         }
-        for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
-          const Row k = arithmetic::load<Row>(&index[i]);
-          open.put(i, (k >= Row(1.0)) & (k < Row(0x1p50)));
-        }
+        // consecutive, so all are valid if the ends are and nothing wraps in between
+        const bool is_any_outside =
+            !is_valid(index[0]) || !is_valid(index[rows - 1]) || index[rows - 1] < index[0];
         arithmetic::Certainty<Number> certain;
         generated::ratios_block<Number>(rows, index.data(), of_magic, of_deficient, certain);
-        if (open.any || !certain.is_all(rows)) {
+        if (is_any_outside || !certain.is_all(rows)) {
           for (std::size_t i = 0; i < rows; ++i) {
-            if (!open.is_open(i, certain)) continue;
+            if (is_valid(index[i]) && !is_open(certain, i)) continue;
             const auto k = static_cast<std::int64_t>(next_k + i);
             const auto one = rounding_is_tested<Number> ? accurate_ratios(k) : fast_ratios(k);
             of_magic[i] = one.magic;

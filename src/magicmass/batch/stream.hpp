@@ -137,8 +137,9 @@ struct Stream {
     };
     const auto p = at(1.0, 0.0), r = at(0.0, 1.0), sum = at(1.0, 1.0);
     const auto fit = [](const auto& of_p, const auto& of_r, const auto& of_sum) -> Affine {
-      return {scaled(of_p.pair + of_r.pair, 0.5), scaled(of_p.pair - of_r.pair, 0.5),
-              scaled(of_sum.pair - (of_p.pair + of_r.pair), 0.5)};
+      const auto at_p = evaluated(of_p).pair, at_r = evaluated(of_r).pair;
+      return {scaled(at_p + at_r, 0.5), scaled(at_p - at_r, 0.5),
+              scaled(evaluated(of_sum).pair - (at_p + at_r), 0.5)};
     };
     affine[0] = fit(p.a, r.a, sum.a);
     affine[1] = fit(p.b, r.b, sum.b);
