@@ -158,6 +158,8 @@ Beginning::Beginning(const std::string& next_chapter, const Laws& laws, const Pa
   data_ = std::move(data);
 }
 
+const proof::Kernel& Beginning::kernel() const { return data_->kernel; }
+
 Derivation Beginning::completed(const Laws& laws, const Paper& paper) const {
   Data data = *data_;
   Derivation result;

@@ -8,6 +8,7 @@
 
 #include "derivation/laws.hpp"
 #include "derivation/paper.hpp"
+#include "proof/kernel.hpp"
 #include "proof/theorem.hpp"
 
 namespace magicmass::derivation {
@@ -35,6 +36,7 @@ public:
   // Throws std::out_of_range for a chapter that is not there, NotProved when a step before it is refused.
   Beginning(const std::string& next_chapter, const Laws& laws, const Paper& paper);
   Derivation completed(const Laws& laws, const Paper& paper) const;
+  const proof::Kernel& kernel() const;
 
 private:
   struct Data;

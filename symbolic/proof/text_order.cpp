@@ -51,7 +51,7 @@ ex base_of(const ex& e) { return is_a<GiNaC::power>(e) ? e.op(0) : e; }
 bool is_sum_of_indices(const ex& sum) {
   return std::any_of(sum.begin(), sum.end(), [](const ex& term) {
     return is_index(term) || (is_a<GiNaC::mul>(term) && term.nops() == 2 &&
-                              (is_index(term.op(0)) || is_index(term.op(1))));
+                              is_a<GiNaC::numeric>(term.op(1)) && is_index(term.op(0)));
   });
 }
 

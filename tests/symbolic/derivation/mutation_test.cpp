@@ -7,6 +7,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/derivation.hpp"
+#include "mutants.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -15,27 +16,6 @@ using GiNaC::ex;
 using proof::Statement;
 
 namespace {
-
-// A sign, a factor and an index, on the right side; terms of a sum one by one.
-std::vector<Statement> mutants(const Statement& statement) {
-  const ex &lhs = statement.lhs(), &rhs = statement.rhs();
-  const proof::Relation relation = statement.relation();
-  std::vector<Statement> all;
-  if (rhs.is_zero()) {
-    all.emplace_back(lhs, relation, proof::symbol("V"));
-    return all;
-  }
-  all.emplace_back(lhs, relation, -rhs);
-  all.emplace_back(lhs, relation, 2 * rhs);
-  if (GiNaC::is_a<GiNaC::add>(rhs))
-    for (const ex& term : rhs) all.emplace_back(lhs, relation, rhs - 2 * term);
-  for (const char* name : {"n", "k", "N_A", "N_B"}) {
-    const ex index = proof::symbol(name);
-    const ex shifted = rhs.subs(index == index + 1);
-    if (!shifted.is_equal(rhs)) all.emplace_back(lhs, relation, shifted);
-  }
-  return all;
-}
 
 void check_refused(const derivation::Derivation& result, const Statement& mutant) {
   INFO("mutant: " << proof::text(mutant));

@@ -26,6 +26,13 @@ TEST_CASE("expressions print as a physicist orders them", "[exam]") {
   CHECK(text(Statement(alpha, Relation::greater, 0)) == "alpha > 0");
 }
 
+TEST_CASE("a product of sums prints the same however GiNaC holds their signs", "[exam]") {
+  const ex N_A = symbol("N_A"), psi = symbol("psi"), is_P = symbol("is_P");
+  const std::string shown = "(1 - 2*is_P)*(pi - N_A*psi)/2";
+  CHECK(text((1 - 2 * is_P) * (GiNaC::Pi - N_A * psi) / 2) == shown);
+  CHECK(text((2 * is_P - 1) * (N_A * psi - GiNaC::Pi) / 2) == shown);
+}
+
 TEST_CASE("sums and products keep a physicist's order", "[exam]") {
   const ex alpha = symbol("alpha"), n = symbol("n"), psi = symbol("psi"), V = symbol("V"),
            L = symbol("L"), theta = symbol("theta"), e = symbol("e"), x = symbol("x"),
