@@ -37,7 +37,7 @@ struct Total {
   template <std::size_t Words>
   std::optional<std::uint64_t> operator()() const {
     using Number = NearInteger<Words>;
-    const Number quotient = turns_to_pi<Number>(alpha);
+    const auto quotient = turns_to_pi<Number>(alpha);
     const std::uint64_t below = quotient.together().top();
     const bool is_past = (quotient - Number(below)).certain_sign() > 0;
     const bool is_short = (quotient - Number(below + 1)).certain_sign() < 0;
@@ -58,7 +58,7 @@ CountDecision decide_further(double alpha) {
     return {std::nullopt, false};
   }
   using Real = long double;
-  const Real quotient = turns_to_pi<Real>(alpha);
+  const auto quotient = turns_to_pi<Real>(alpha);
   const Real lowest = quotient - margin<Real> * quotient;
   const Real highest = quotient + margin<Real> * quotient;
   if (lowest >= 0x1p63L + 1) {
@@ -84,7 +84,7 @@ CountDecision decide_count(double alpha) {
   }
   // The margin stays below 2^-4, and the conversions are exact.
   constexpr double largest = 0x1p44;
-  if (const double quotient = turns_to_pi<double>(alpha); quotient < largest) {
+  if (const auto quotient = turns_to_pi<double>(alpha); quotient < largest) {
     const auto below = static_cast<std::int64_t>(quotient);
     const double past = quotient - static_cast<double>(below);
     const double unsure = margin<double> * quotient;

@@ -52,8 +52,8 @@ TEST_CASE("magic and deficient ratios are the doubles nearest to the exact value
   int open = 0;
   const auto agree = [&](std::int64_t k) {
     INFO("k = " << k);
-    const double magic = reference::nearest_ratio<double>(Magic{k});
-    const double deficient = reference::nearest_ratio<double>(Deficient{k});
+    const auto magic = reference::nearest_ratio<double>(Magic{k});
+    const auto deficient = reference::nearest_ratio<double>(Deficient{k});
     REQUIRE(certified_magic(k) == magic);
     REQUIRE(certified_deficient(k) == deficient);
     const auto few = attempt_magic<2>(k);

@@ -53,7 +53,7 @@ Members from(report::Oracle& oracle, const report::Input& input) {
 
 /// Half way between two doubles.
 bool is_tie(const cl_RA& y) {
-  const double near = reference::nearest<double>(y);
+  const auto near = reference::nearest<double>(y);
   const cl_RA away = 2 * y - reference::exact(near);
   return away != y && reference::exact(reference::nearest<double>(away)) == away;
 }

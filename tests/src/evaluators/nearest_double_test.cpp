@@ -45,8 +45,8 @@ TEST_CASE("a rounding said to be certain is that of every number within the boun
     const cl_RA low = stored(x) - bound(x);
     const cl_RA high = stored(x) + bound(x);
     const auto got = nearest_double(x);
-    const double from_low = reference::nearest<double>(low);
-    const double from_high = reference::nearest<double>(high);
+    const auto from_low = reference::nearest<double>(low);
+    const auto from_high = reference::nearest<double>(high);
     if (got) {
       REQUIRE(*got == from_low);
       REQUIRE(*got == from_high);
