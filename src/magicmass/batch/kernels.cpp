@@ -15,9 +15,8 @@ using Lanes = arithmetic::Lanes<arithmetic::widest>;
 using Fast = arithmetic::Pair<Lanes>;
 using Accurate = arithmetic::Tracked<Lanes>;
 }  // namespace
-}  // namespace magicmass::batch
 
-const magicmass::batch::Kernels magicmass::batch::tables::MAGICMASS_TARGET = {
+const Kernels tables::MAGICMASS_TARGET = {
     .counts = count_block_by_block,
     .stream = stream_velocities,
     .fast_velocities = velocities_block_by_block<Fast>,
@@ -27,3 +26,5 @@ const magicmass::batch::Kernels magicmass::batch::tables::MAGICMASS_TARGET = {
     .fast_ratios = ratios_block_by_block<Fast>,
     .accurate_ratios = ratios_block_by_block<Accurate>,
 };
+
+}  // namespace magicmass::batch
