@@ -158,6 +158,12 @@ Beginning::Beginning(const std::string& next_chapter, const Laws& laws, const Pa
   data_ = std::move(data);
 }
 
+Beginning::Beginning(const Laws& laws, const Paper& paper) {
+  auto data = std::make_shared<Data>();
+  data->go_on(chapters().size(), laws, paper);
+  data_ = std::move(data);
+}
+
 const proof::Kernel& Beginning::kernel() const { return data_->kernel; }
 
 Derivation Beginning::completed(const Laws& laws, const Paper& paper) const {

@@ -35,6 +35,7 @@ class Beginning {
 public:
   // Throws std::out_of_range for a chapter that is not there, NotProved when a step before it is refused.
   Beginning(const std::string& next_chapter, const Laws& laws, const Paper& paper);
+  Beginning(const Laws& laws, const Paper& paper);  // all chapters
   Derivation completed(const Laws& laws, const Paper& paper) const;
   const proof::Kernel& kernel() const;
 
