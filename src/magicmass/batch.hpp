@@ -39,6 +39,18 @@ void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, 
                 InstructionSet instruction_set = best_instruction_set());
 }
 
+/// The same at one n for all alpha: for n = 1 and 2 from the rational forms, theorems fixed_n.*, which take less time.
+namespace fast {
+void velocities(std::span<const double> alpha, std::int64_t n, std::span<double> a,
+                std::span<double> b, std::span<double> c, std::span<double> c_prime,
+                InstructionSet instruction_set = best_instruction_set());
+}
+namespace accurate {
+void velocities(std::span<const double> alpha, std::int64_t n, std::span<double> a,
+                std::span<double> b, std::span<double> c, std::span<double> c_prime,
+                InstructionSet instruction_set = best_instruction_set());
+}
+
 /// Exact counts and the velocities after the last collision, in units of V, with the errors as above. From theorems
 /// offset.*. Where the counts do not fit 64 bits they are -1 and the velocities NaN.
 namespace fast {

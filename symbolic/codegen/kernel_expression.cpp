@@ -175,18 +175,20 @@ std::optional<std::string> KernelPrinter::as_product(int number) const {
   const Node& made = node(of);
   if (made.op != Op::multiply || is_kept(of) || is_exact(of)) return std::nullopt;
   double scale = is_negative ? -1.0 : 1.0;
-  std::vector<std::string> factors;
+  std::vector<int> factors, exacts;
   for (const int argument : made.args) {
     if (is_power_of_two(node(argument)))
       scale *= static_cast<double>(node(argument).numerator) /
                static_cast<double>(node(argument).denominator);
-    else if (is_exact(argument))
-      return std::nullopt;
     else
-      factors.push_back(value(argument));
+      (is_exact(argument) ? exacts : factors).push_back(argument);
   }
-  if (factors.size() != 2) return std::nullopt;
-  return factors[0] + ", " + factors[1] + ", " + fmt::format("{:.1f}", scale);
+  if (factors.size() < 2) return std::nullopt;
+  const bool is_single = factors.size() == 2 && exacts.empty();
+  std::string all_but_one = is_single ? value(factors[0]) : factor(factors[0]);
+  for (std::size_t i = 1; i + 1 < factors.size(); ++i) all_but_one += " * " + factor(factors[i]);
+  for (const int exact_one : exacts) all_but_one += " * " + exact(exact_one);
+  return all_but_one + ", " + value(factors.back()) + ", " + fmt::format("{:.1f}", scale);
 }
 
 std::string KernelPrinter::right_side(int number) const {

@@ -3,6 +3,24 @@
 
 namespace magicmass::codegen {
 
+namespace {
+
+// The n-th cycle.
+KernelForm velocities_at(const std::string& n) {
+  const auto id = [&n](const char* name) { return std::string("fixed_n.") + name + "_" + n; };
+  return {.name = "velocities_at_" + n,
+          .kernel = "VelocitiesAt" + n + "Kernel",
+          .result = "Velocities",
+          .summary = "All velocities at n = " + n + ", rational in alpha",
+          .domain = "2^-120 <= alpha <= 2^60",
+          .reals = {"alpha"},
+          .outputs = {{"a", id("a")}, {"b", id("b")}, {"c", id("c")}, {"c_prime", id("c_prime")}},
+          .bindings = {"fixed_n.mu", "fixed_n.nu", "fixed_n.p_1", "fixed_n.q_2", "fixed_n.p_2",
+                       "fixed_n.q_3"}};
+}
+
+}  // namespace
+
 const std::vector<KernelForm>& kernel_forms() {
   static const std::vector<KernelForm> all{
       {.name = "angle",
@@ -68,6 +86,8 @@ const std::vector<KernelForm>& kernel_forms() {
        .first = {"tangent.first_a", "tangent.first_b", "tangent.first_c", "tangent.first_c_prime"},
        .first_sine = "Number(n)",
        .first_cosine = "select(n > Real(0.0), cot_half, Number(Real(1.0)))"},
+      velocities_at("1"),
+      velocities_at("2"),
   };
   return all;
 }

@@ -103,6 +103,10 @@ const std::vector<Chapter>& chapters() {
        }},
       {"offset", [](Kernel& kernel, Results& r, const Laws&,
                     const Paper&) { offset(kernel, *r.power, *r.counting, *r.terminal); }},
+      {"fixed_n",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
+         fixed_n(kernel, *r.power, *r.counting, *r.terminal, *r.tangent);
+       }},
       {"unfolding",
        [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
          r.unfolding = unfolding(kernel, *r.cycle, *r.power, *r.mapping, *r.times);

@@ -92,6 +92,10 @@ ChapterWords chapter_words(const std::string& chapter) {
         "After the last collision N_A psi/2 is within psi/4 of a quarter turn. In the sine and the "
         "cosine of that small offset the terminal velocities are one formula, whichever collision "
         "is the last."}},
+      {"fixed_n",
+       {"The first cycles",
+        "For a given n the velocities are rational functions of alpha. In factors, each over its "
+        "powers of 1 + alpha, they are accurate at their zeros and overflow nowhere."}},
       {"orthogonal",
        {"Orthogonal matrices",
         "What keeps all lengths is a rotation, or a rotation times a reflection."}},

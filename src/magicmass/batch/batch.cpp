@@ -59,6 +59,14 @@ void check_and_run(batch::Kernels::Velocities run, std::span<const double> alpha
   run(alpha.data(), n.data(), a.data(), b.data(), c.data(), c_prime.data(), alpha.size());
 }
 
+void check_and_run(batch::Kernels::VelocitiesAtN run, std::span<const double> alpha, std::int64_t n,
+                   Doubles a, Doubles b, Doubles c, Doubles c_prime) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("a", a),
+                                   batch::output("b", b), batch::output("c", c),
+                                   batch::output("c_prime", c_prime)});
+  run(alpha.data(), n, a.data(), b.data(), c.data(), c_prime.data(), alpha.size());
+}
+
 void check_and_run(batch::Kernels::Terminal run, std::span<const double> alpha, Integers N_A,
                    Integers N_B, Doubles a_t, Doubles b_t, Doubles c_t) {
   batch::require_separate_columns({batch::input("alpha", alpha), batch::output("N_A", N_A),
@@ -83,6 +91,15 @@ void fast::velocities(std::span<const double> alpha, std::span<const std::int64_
 void accurate::velocities(std::span<const double> alpha, std::span<const std::int64_t> n, Doubles a,
                           Doubles b, Doubles c, Doubles c_prime, InstructionSet instruction_set) {
   check_and_run(batch::kernels(instruction_set).accurate_velocities, alpha, n, a, b, c, c_prime);
+}
+void fast::velocities(std::span<const double> alpha, std::int64_t n, Doubles a, Doubles b,
+                      Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_velocities_at_n, alpha, n, a, b, c, c_prime);
+}
+void accurate::velocities(std::span<const double> alpha, std::int64_t n, Doubles a, Doubles b,
+                          Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_velocities_at_n, alpha, n, a, b, c,
+                c_prime);
 }
 void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
                     Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
