@@ -64,6 +64,15 @@ void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
               std::span<double> c_t, InstructionSet instruction_set = best_instruction_set());
 }
 
+/// The fraction rho of the energy that B takes where every contact has the restitution 2^-400 <= e <= 1, within 4 times max(1/2, cond/2)
+/// ulp, cond the sum of the condition numbers in alpha and e. NaN where the collisions never end, alpha <= alpha_c(e) = (1 -
+/// sqrt(e))^2/(2 sqrt(e)), where alpha is closer to that than 2^-95 of it, and for e < 1 where there are 2^51 collisions or more. Throws
+/// InvalidInput for another e. From theorems transmission.*.
+namespace fast {
+void transmission(std::span<const double> alpha, double e, std::span<double> rho,
+                  InstructionSet instruction_set = best_instruction_set());
+}
+
 /// Magic and deficient mass ratios alpha_k and beta_k, k = first_k, first_k + 1, ...; NaN for k < 1 and past the largest std::int64_t. In tier
 /// fast within 1 ulp; in tier accurate the nearest doubles. From theorems ratios.*.
 namespace fast {

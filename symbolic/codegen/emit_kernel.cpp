@@ -20,7 +20,7 @@ public:
         form_(kernel.form),
         program_(kernel.program),
         stages_(stages_of(program_)),
-        printer_(program_) {
+        printer_(program_, form_.numbers) {
     for (std::size_t i = 0; i < program_.nodes.size(); ++i)
       for (const int argument : program_.nodes[i].args)
         if (stage(static_cast<int>(i)) != stage(argument) && printer_.is_kept(argument))
@@ -40,6 +40,7 @@ public:
         "  using Real = typename Number::Real;\n  static constexpr bool in_lanes = "
         "arithmetic::lane_count<Real> > 1;\n\n";
     for (const std::string& input : inputs()) text += "  Real " + input + ";\n";
+    for (const std::string& input : form_.numbers) text += "  Number " + input + ";\n";
     for (const int number : carried_)
       text += line("  Number " + printer_.name(number) + ";  // " + formula(program_, number) +
                    origin(number));
@@ -174,6 +175,10 @@ private:
     std::string parameters, members;
     for (const std::string& input : inputs()) {
       parameters += (parameters.empty() ? "Real " : ", Real ") + input;
+      members += "    kernel." + input + " = " + input + ";\n";
+    }
+    for (const std::string& input : form_.numbers) {
+      parameters += ", Number " + input;
       members += "    kernel." + input + " = " + input + ";\n";
     }
     std::string text = line("  [[gnu::always_inline]] static " + result_type() + " evaluate(" +

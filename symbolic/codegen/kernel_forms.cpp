@@ -67,6 +67,27 @@ const std::vector<KernelForm>& kernel_forms() {
                        {"b_t", {"offset.b_product_after_P", "offset.b_product_after_P_whole"}},
                        {"c_t", {"offset.c_after_P", "offset.c_after_P_whole"}}},
        .first = {"tangent.first_a", "tangent.first_b", "tangent.first_c_prime"}},
+      {.name = "transmission",
+       .kernel = "TransmissionKernel",
+       .summary =
+           "The fraction of the energy that reaches B, with restitution e between equal blocks",
+       .domain =
+           "alpha_c(e) < alpha <= 2^240, 2^-120 <= alpha; 2^-400 <= e <= 1; N collisions of all, N "
+           "< 2^51; root_e = sqrt(e); decay = root_e^N; is_odd and is_even of N: 0 or 1",
+       .reals = {"alpha"},
+       .integers = {"N", "is_odd", "is_even"},
+       .numbers = {"root_e", "decay"},
+       .outputs = {{"rho", "transmission.rho_after_Q"}},
+       .bindings = {"power.V_CM", "transmission.rest_e", "transmission.h",
+                    "transmission.tan_half_h", "transmission.root_h", "transmission.alpha_c"},
+       .other_cases = {{"rho", {"transmission.rho_after_P"}}}},
+      {.name = "two_collisions",
+       .kernel = "TwoCollisionsKernel",
+       .summary =
+           "The fraction of the energy that reaches B where P_1 and Q_1 are the only collisions",
+       .domain = "2^-120 <= alpha <= 2^240, 0 < e <= 1",
+       .reals = {"alpha", "e"},
+       .outputs = {{"rho", "inelastic_end.two_rho"}}},
       {.name = "velocities",
        .kernel = "VelocitiesKernel",
        .result = "Velocities",

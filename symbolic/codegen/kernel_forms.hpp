@@ -17,6 +17,7 @@ struct KernelForm {
   std::string domain;
   std::vector<std::string> reals = {};                       // exact inputs: "alpha"
   std::vector<std::string> integers = {};                    // whole numbers below 2^51: "n"
+  std::vector<std::string> numbers = {};                     // inputs in the number type: "decay"
   std::vector<std::pair<std::string, std::string>> outputs;  // member -> theorem id
   std::vector<std::string> bindings = {};                    // theorem ids
   // The same right sides for the other cases of an output, which is checked: member -> theorem ids.

@@ -56,7 +56,8 @@ void require_first(const KernelForm& form, const Theorem& theorem, const Theorem
 
 Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems) {
   Source source{{}, {}, form.reals, {}, {"V", "L"}};
-  source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
+  for (const auto& more : {form.integers, form.numbers})
+    source.real_inputs.insert(source.real_inputs.end(), more.begin(), more.end());
   for (const auto& [name, id] : form.outputs)
     source.outputs.emplace_back(name, theorem_named(theorems, id));
   for (const std::string& id : form.bindings)

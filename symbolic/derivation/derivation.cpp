@@ -126,6 +126,8 @@ const std::vector<Chapter>& chapters() {
                       const Paper&) { r.collapse = collapse(kernel, *r.wedge); }},
       {"inelastic_end", [](Kernel& kernel, Results& r, const Laws&,
                            const Paper&) { inelastic_end(kernel, *r.equal_blocks, *r.collapse); }},
+      {"transmission", [](Kernel& kernel, Results& r, const Laws&,
+                          const Paper&) { transmission(kernel, *r.equal_blocks, *r.collapse); }},
   };
   return all;
 }

@@ -74,6 +74,10 @@ ChapterWords chapter_words(const std::string& chapter) {
        {"The end between equal blocks",
         "What restitution leaves after the last collision, or the time at which collisions have "
         "collapsed, written so that a computer loses no digits."}},
+      {"transmission",
+       {"What reaches B",
+        "The fraction of the energy that B takes when some is lost in every collision, as one "
+        "formula for both ways to end."}},
       {"small_alpha",
        {"Light balls",
         "As alpha tends to zero, psi is about 2 sqrt(2 alpha), and the number of collisions grows "

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/batch.hpp"
 
+#include <array>
+#include <charconv>
 #include <string>
 
 #include "magicmass/batch/columns.hpp"
@@ -108,6 +110,17 @@ void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, D
 void accurate::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
                         Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
   check_and_run(batch::kernels(instruction_set).accurate_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
+}
+void fast::transmission(std::span<const double> alpha, double e, Doubles rho,
+                        InstructionSet instruction_set) {
+  if (!(e >= 0x1p-400 && e <= 1.0)) {
+    std::array<char, 32> text{};
+    const char* const end = std::to_chars(text.data(), text.data() + text.size(), e).ptr;
+    throw InvalidInput("a restitution must be at least 2^-400 and at most 1, got " +
+                       std::string(static_cast<const char*>(text.data()), end));
+  }
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("rho", rho)});
+  batch::kernels(instruction_set).transmission(alpha.data(), e, rho.data(), alpha.size());
 }
 void fast::ratios(std::int64_t first_k, Doubles magic, Doubles deficient,
                   InstructionSet instruction_set) {

@@ -28,6 +28,7 @@ struct Kernels {
   VelocitiesAtN accurate_velocities_at_n;
   Terminal fast_terminal;
   Terminal accurate_terminal;
+  void (*transmission)(const double* alpha, double e, double* rho, std::size_t size);
   Ratios fast_ratios;
   Ratios accurate_ratios;
 };
