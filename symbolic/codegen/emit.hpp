@@ -27,6 +27,9 @@ struct Kernel {
   Program program;
 };
 
+// Throws std::out_of_range when a theorem that the form needs is not among these.
+Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems);
+
 std::string emit_evaluator(const Evaluator& evaluator);
 std::string emit_kernel(const Kernel& kernel);
 std::string emit_quantities();

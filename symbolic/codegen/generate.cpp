@@ -54,6 +54,8 @@ void require_same_right_side(const Source& source, const std::string& member,
       throw std::logic_error(theorem.id() + " and " + other.id() + " have different right sides");
 }
 
+}  // namespace
+
 Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems) {
   Source source{{}, {}, form.reals, {}, {"V", "L"}};
   source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
@@ -66,6 +68,8 @@ Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& th
       require_same_right_side(source, member, theorem_named(theorems, id));
   return {form, for_kernel(lower(source))};
 }
+
+namespace {
 
 Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& theorems) {
   const auto find = [&theorems](const std::string& id) -> const proof::Theorem& {
