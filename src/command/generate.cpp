@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -20,8 +21,8 @@ namespace {
 struct GenerateOptions {
   std::string folder = source_generated_folder().string();
   bool check = false;
-  std::string quantities;
-  std::string scene;
+  std::optional<std::string> quantities;
+  std::optional<std::string> scene;
   OutputOptions output;
   CLI::Option* folder_option = nullptr;
 };
@@ -46,8 +47,8 @@ std::string json_of(const std::string& status, std::size_t files,
 /// One header: to a file, to its place below a folder, or to stdout.
 ExitCode generate_one(const GenerateOptions& options, const derivation::Derivation& derivation) {
   const codegen::GeneratedFile file =
-      options.scene.empty() ? header_of_quantities(options.quantities, derivation.theorems)
-                            : header_of_scene(options.scene, derivation.theorems);
+      options.quantities ? header_of_quantities(*options.quantities, derivation.theorems)
+                         : header_of_scene(*options.scene, derivation.theorems);
   if (options.folder_option->count() > 0) {
     write_tree(options.folder, {file});
     return ExitCode::done;
@@ -60,14 +61,12 @@ ExitCode generate_one(const GenerateOptions& options, const derivation::Derivati
 
 /// Options that say different things about what is written, or where.
 void require_one_purpose(const GenerateOptions& options) {
-  const bool is_one_header = !options.quantities.empty() || !options.scene.empty();
-  if (!is_one_header) return;
+  if (!options.quantities && !options.scene) return;
   const auto refuse = [](const std::string& what) {
     throw InvalidInput(what +
                        "; allowed: one of --quantity and --scene, with -o FILE or --out DIR");
   };
-  if (!options.quantities.empty() && !options.scene.empty())
-    refuse("--quantity and --scene ask for two headers");
+  if (options.quantities && options.scene) refuse("--quantity and --scene ask for two headers");
   if (options.check)
     refuse("--check compares all of generated/ and takes no --quantity or --scene");
   if (options.output.format != "text") refuse("a header has no --format");
@@ -79,8 +78,7 @@ ExitCode generate(const GenerateOptions& options) {
   require_one_purpose(options);
   const derivation::Derivation derivation = derivation::derive();
   if (derivation.refused) return say_if_refused(derivation);
-  if (!options.quantities.empty() || !options.scene.empty())
-    return generate_one(options, derivation);
+  if (options.quantities || options.scene) return generate_one(options, derivation);
   const std::vector<codegen::GeneratedFile> files = codegen::generate(derivation.theorems);
   Destination output(options.output.path);
   if (!options.check) write_tree(options.folder, files);
@@ -112,10 +110,7 @@ void add_generate(Program& program) {
       [](const std::string& path) { return std::string(path.empty() ? "no folder name" : ""); });
   command.add_flag("--check", options->check, "compare instead of writing; 1 if stale");
   command
-      .add_option(
-          "--quantity", options->quantities,
-          "one header with just these: a,b,c,c_prime (of alpha, n); a_t,b_t,c_t,rho,N_A,N_B (of "
-          "alpha); t,s (of alpha, j); alpha_k,beta_k (of k); psi (of alpha)")
+      .add_option("--quantity", options->quantities, "one header with just these, such as a_t,rho")
       ->type_name("NAMES");
   command.add_option("--scene", options->scene, "one header with just what a scene's outputs need")
       ->type_name("FILE");
