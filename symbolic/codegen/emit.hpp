@@ -7,6 +7,7 @@
 #include "codegen/forms.hpp"
 #include "codegen/ir.hpp"
 #include "codegen/kernel_forms.hpp"
+#include "codegen/matrix_forms.hpp"
 #include "proof/theorem.hpp"
 
 // One function a generated file; each returns the whole text.
@@ -30,8 +31,15 @@ struct Kernel {
 // Throws std::out_of_range when a theorem that the form needs is not among these.
 Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems);
 
+// Throws std::out_of_range when none of these has that id.
+const proof::Theorem& theorem_named(const std::vector<proof::Theorem>& theorems,
+                                    const std::string& id);
+// A lowered program, all outputs wanted, after the passes of an evaluator.
+Program in_plain_numbers(const Program& lowered);
+
 std::string emit_evaluator(const Evaluator& evaluator);
 std::string emit_kernel(const Kernel& kernel);
+std::string emit_matrices(const std::vector<proof::Theorem>& theorems);
 std::string emit_quantities();
 std::string emit_cosine_ladder(const std::vector<proof::Theorem>& theorems);
 std::string emit_registry(const std::vector<Evaluator>& evaluators);

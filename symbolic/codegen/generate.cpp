@@ -31,6 +31,12 @@ Program finished(const Program& program, const std::vector<std::string>& wanted)
   return paired_sine_cosine(shared_reciprocals(dead_code(program, wanted)));
 }
 
+}  // namespace
+
+Program in_plain_numbers(const Program& lowered) {
+  return paired_sine_cosine(shared_reciprocals(prepared(lowered)));
+}
+
 const proof::Theorem& theorem_named(const std::vector<proof::Theorem>& theorems,
                                     const std::string& id) {
   const auto found =
@@ -39,6 +45,8 @@ const proof::Theorem& theorem_named(const std::vector<proof::Theorem>& theorems,
   if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
   return *found;
 }
+
+namespace {
 
 // Products as short as they can be: a kernel's number type rounds far below a double, so that their order is free.
 Program for_kernel(const Program& lowered) {
@@ -107,6 +115,7 @@ std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems)
   std::vector<Evaluator> evaluators;
   for (const Form& form : forms()) evaluators.push_back(make_evaluator(form, theorems));
   std::vector<GeneratedFile> files{{"magicmass/cosine_ladder.hpp", emit_cosine_ladder(theorems)},
+                                   {"magicmass/cycle_matrices.hpp", emit_matrices(theorems)},
                                    {"magicmass/evaluators.hpp", emit_registry(evaluators)},
                                    {"magicmass/quantities.hpp", emit_quantities()},
                                    {"manifest.json", emit_manifest(evaluators)}};

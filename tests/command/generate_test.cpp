@@ -123,7 +123,7 @@ TEST_CASE("a header that cannot be is refused in one line, and nothing is writte
   const std::string file = folder / "header.hpp";
   const std::pair<std::vector<std::string>, const char*> refused[] = {
       {{"--quantity", "rhoo"}, "no quantity is called \"rhoo\"; did you mean rho? allowed: a, b"},
-      {{"--quantity", ""}, "no quantity is called \"\"; did you mean"},
+      {{"--quantity", ""}, "no quantity is called \"(nothing)\"; did you mean"},
       {{"--quantity", "a,a_t"}, "a takes alpha and n and a_t takes alpha: one header"},
       {{"--quantity", "psi,alpha_k"}, "allowed together: a, b, c, c_prime, psi (of alpha and n);"},
       {{"--quantity", "a", "--check"}, "--check compares all of generated/"},
