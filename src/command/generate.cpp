@@ -3,6 +3,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -10,6 +11,8 @@
 #include "command/generated_tree.hpp"
 #include "command/records.hpp"
 #include "command/refusal.hpp"
+#include "command/specialised_header.hpp"
+#include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {
@@ -18,7 +21,10 @@ namespace {
 struct GenerateOptions {
   std::string folder = source_generated_folder().string();
   bool check = false;
+  std::optional<std::string> quantities;
+  std::optional<std::string> scene;
   OutputOptions output;
+  CLI::Option* folder_option = nullptr;
 };
 
 std::string text_of(const std::string& status, std::size_t files, const std::string& folder,
@@ -38,9 +44,41 @@ std::string json_of(const std::string& status, std::size_t files,
       json_array(difference.extra));
 }
 
+/// One header: to a file, to its place below a folder, or to stdout.
+ExitCode generate_one(const GenerateOptions& options, const derivation::Derivation& derivation) {
+  const codegen::GeneratedFile file =
+      options.quantities ? header_of_quantities(*options.quantities, derivation.theorems)
+                         : header_of_scene(*options.scene, derivation.theorems);
+  if (options.folder_option->count() > 0) {
+    write_tree(options.folder, {file});
+    return ExitCode::done;
+  }
+  Destination output(options.output.path);
+  output.write(file.content);
+  output.finish();
+  return ExitCode::done;
+}
+
+/// Options that say different things about what is written, or where.
+void require_one_purpose(const GenerateOptions& options) {
+  if (!options.quantities && !options.scene) return;
+  const auto refuse = [](const std::string& what) {
+    throw InvalidInput(what +
+                       "; allowed: one of --quantity and --scene, with -o FILE or --out DIR");
+  };
+  if (options.quantities && options.scene) refuse("--quantity and --scene ask for two headers");
+  if (options.check)
+    refuse("--check compares all of generated/ and takes no --quantity or --scene");
+  if (options.output.format != "text") refuse("a header has no --format");
+  if (options.folder_option->count() > 0 && !options.output.path.empty())
+    refuse("-o and --out are two places for one header");
+}
+
 ExitCode generate(const GenerateOptions& options) {
+  require_one_purpose(options);
   const derivation::Derivation derivation = derivation::derive();
   if (derivation.refused) return say_if_refused(derivation);
+  if (options.quantities || options.scene) return generate_one(options, derivation);
   const std::vector<codegen::GeneratedFile> files = codegen::generate(derivation.theorems);
   Destination output(options.output.path);
   if (!options.check) write_tree(options.folder, files);
@@ -62,15 +100,20 @@ ExitCode generate(const GenerateOptions& options) {
 
 void add_generate(Program& program) {
   const auto options = std::make_shared<GenerateOptions>();
-  CLI::App& command =
-      add_command(program, "generate", "Write the C++ of generated/ from the proved theorems",
-                  "magicmass generate --check");
-  command.add_option("--out", options->folder, "folder instead of the sources' generated/")
-      ->type_name("DIR")
-      ->check([](const std::string& path) {
-        return std::string(path.empty() ? "no folder name" : "");
-      });
+  CLI::App& command = add_command(
+      program, "generate", "Write the C++ of generated/ from the proved theorems",
+      "magicmass generate --check\n  magicmass generate --quantity a_t,rho -o a_t_rho.hpp\n  "
+      "magicmass generate --scene tutorials/scenes/trajectory_a.toml -o scene.hpp");
+  options->folder_option =
+      command.add_option("--out", options->folder, "folder instead of the sources' generated/");
+  options->folder_option->type_name("DIR")->check(
+      [](const std::string& path) { return std::string(path.empty() ? "no folder name" : ""); });
   command.add_flag("--check", options->check, "compare instead of writing; 1 if stale");
+  command
+      .add_option("--quantity", options->quantities, "one header with just these, such as a_t,rho")
+      ->type_name("NAMES");
+  command.add_option("--scene", options->scene, "one header with just what a scene's outputs need")
+      ->type_name("FILE");
   add_output_options(command, options->output, {"text", "json"});
   on_run(program, command, [options] { return generate(*options); });
 }

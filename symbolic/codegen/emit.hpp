@@ -7,6 +7,7 @@
 #include "codegen/forms.hpp"
 #include "codegen/ir.hpp"
 #include "codegen/kernel_forms.hpp"
+#include "codegen/matrix_forms.hpp"
 #include "proof/theorem.hpp"
 
 // One function a generated file; each returns the whole text.
@@ -29,6 +30,7 @@ struct Kernel {
 
 std::string emit_evaluator(const Evaluator& evaluator);
 std::string emit_kernel(const Kernel& kernel);
+std::string emit_matrices(const std::vector<proof::Theorem>& theorems);
 std::string emit_quantities();
 std::string emit_cosine_ladder(const std::vector<proof::Theorem>& theorems);
 std::string emit_registry(const std::vector<Evaluator>& evaluators);

@@ -62,7 +62,7 @@ private:
     }
   }
 
-  // T(1) -> T_1; a second temporary of one kind gets a number.
+  // T(1) -> T_1, c' -> c_prime; a second temporary of one kind gets a number.
   std::string new_name(int number) {
     const Node& made = node(number);
     static const std::map<Op, std::string> kinds{
@@ -72,7 +72,10 @@ private:
     if (!made.name.empty()) {
       std::string name;
       for (const char character : made.name)
-        if (character != ')') name += character == '(' ? '_' : character;
+        if (character == '\'')
+          name += "_prime";
+        else if (character != ')')
+          name += character == '(' ? '_' : character;
       return name;
     }
     const auto kind = kinds.find(made.op);

@@ -47,6 +47,7 @@ std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems)
   std::vector<Evaluator> evaluators;
   for (const Form& form : forms()) evaluators.push_back(make_evaluator(form, theorems));
   std::vector<GeneratedFile> files{{"magicmass/cosine_ladder.hpp", emit_cosine_ladder(theorems)},
+                                   {"magicmass/cycle_matrices.hpp", emit_matrices(theorems)},
                                    {"magicmass/evaluators.hpp", emit_registry(evaluators)},
                                    {"magicmass/quantities.hpp", emit_quantities()},
                                    {"manifest.json", emit_manifest(evaluators)}};

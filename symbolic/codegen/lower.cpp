@@ -29,8 +29,17 @@ public:
 
   Program run() {
     for (const auto& [name, theorem] : source_.outputs) {
-      const int node = lowered(theorem.rhs());
-      program_.outputs.push_back({name, node, theorem.id()});
+      const ex side = source_.left_sides ? theorem.lhs() : theorem.rhs();
+      if (!is_a<GiNaC::matrix>(side)) {
+        program_.outputs.push_back({name, lowered(side), theorem.id()});
+        continue;
+      }
+      const auto& matrix = ex_to<GiNaC::matrix>(side);
+      for (unsigned row = 0; row < matrix.rows(); ++row)
+        for (unsigned column = 0; column < matrix.cols(); ++column)
+          program_.outputs.push_back(
+              {name + "_" + std::to_string(row + 1) + std::to_string(column + 1),
+               lowered(matrix(row, column)), theorem.id()});
     }
     return std::move(program_);
   }

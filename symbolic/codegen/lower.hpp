@@ -18,10 +18,11 @@ struct Source {
   std::vector<proof::Theorem> bindings;
   std::vector<std::string> real_inputs;  // "alpha"
   std::string index;                     // "n": the integer input, if there is one
-  std::vector<std::string> units;        // symbols that are 1 in the units of the outputs: "V", "L"
+  std::vector<std::string> units = {};   // symbols that are 1 in the units of the outputs: "V", "L"
+  bool left_sides = false;  // the outputs are the theorems' left sides instead, of what is bound
 };
 
-// The right sides as a program, before any pass. Throws std::logic_error for a symbol that is neither an
+// The right sides as a program, before any pass; a matrix as an output an entry, row by row ("entry_11"). Throws std::logic_error for a symbol that is neither an
 // input nor bound, or an expression that has no operation here.
 Program lower(const Source& source);
 

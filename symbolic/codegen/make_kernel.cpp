@@ -24,9 +24,16 @@ const Theorem& theorem_named(const std::vector<Theorem>& theorems, const std::st
 
 namespace {
 
-void require_same_right_side(const Theorem& theorem, const Theorem& other) {
-  if (!theorem.rhs().is_equal(other.rhs()))
+// One formula is emitted for all cases of an output.
+void require_same_right_side(const Source& source, const std::string& member,
+                             const Theorem& other) {
+  for (const auto& [name, theorem] : source.outputs) {
+    if (name != member) continue;
+    if (theorem.rhs().is_equal(other.rhs())) return;
     throw std::logic_error(theorem.id() + " and " + other.id() + " have different right sides");
+  }
+  throw std::logic_error("no output is called " + member + ", of which " + other.id() +
+                         " is to be a case");
 }
 
 // All sines and cosines replaced: a kernel has one of each.
@@ -63,10 +70,8 @@ Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems)
   for (const std::string& id : form.bindings)
     source.bindings.push_back(theorem_named(theorems, id));
   for (const auto& [member, ids] : form.other_cases)
-    for (const auto& [name, theorem] : source.outputs)
-      if (name == member)
-        for (const std::string& id : ids)
-          require_same_right_side(theorem, theorem_named(theorems, id));
+    for (const std::string& id : ids)
+      require_same_right_side(source, member, theorem_named(theorems, id));
   for (std::size_t i = 0; i < form.first.size(); ++i)
     require_first(form, source.outputs.at(i).second, theorem_named(theorems, form.first[i]));
   return {form, for_kernel(lower(source))};

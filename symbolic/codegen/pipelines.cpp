@@ -21,6 +21,10 @@ Program finished(const Program& program, const std::vector<std::string>& wanted)
   return paired_sine_cosine(shared_reciprocals(dead_code(program, wanted)));
 }
 
+Program in_plain_numbers(const Program& lowered) {
+  return paired_sine_cosine(shared_reciprocals(prepared(lowered)));
+}
+
 Program for_kernel(const Program& lowered) {
   return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
       flat_products(flat_products(reciprocal_square_roots(prepared(lowered))))))));

@@ -13,6 +13,8 @@ namespace magicmass::codegen {
 Program prepared(const Program& lowered);
 // A prepared program through those that do.
 Program finished(const Program& program, const std::vector<std::string>& wanted);
+// All outputs wanted.
+Program in_plain_numbers(const Program& lowered);
 // Products as short as they can be: a kernel's number type rounds far below a double, so that their order is free.
 Program for_kernel(const Program& lowered);
 

@@ -89,3 +89,57 @@ TEST_CASE("generate changes nothing where it cannot write everything", "[exam]")
   for (const auto& entry : fs::directory_iterator(folder / "magicmass"))
     CHECK(entry.is_directory());
 }
+
+TEST_CASE("one header with just what is asked for, the same bytes on every run", "[exam]") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "header.hpp";
+  const std::vector<std::string> command{"generate", "--quantity", "rho,a_t"};
+  const ProgramRun to_stdout = run_program(command);
+  CHECK(to_stdout.exit_code == 0);
+  CHECK(to_stdout.errors.empty());
+  CHECK(to_stdout.output.find("generate --quantity a_t,rho`") != std::string::npos);
+  CHECK(run_program({"generate", "--quantity", "a_t,rho", "-o", file}).exit_code == 0);
+  CHECK(read_file(file) == to_stdout.output);
+  CHECK(run_program(command, "", {"setarch", "-R"}).output == to_stdout.output);
+  CHECK(run_program({"generate", "--quantity", "a_t,rho", "--out", folder / "tree"}).exit_code ==
+        0);
+  CHECK(read_file(folder / "tree/magicmass/a_t_rho.hpp") == to_stdout.output);
+}
+
+TEST_CASE("a scene's header has what its outputs need", "[exam]") {
+  const TemporaryFolder folder;
+  const std::string scene = folder / "my scene.toml";
+  write_file(scene, "alpha = \"magic:3\"\noutputs = [\"counts\"]\n");
+  const ProgramRun run = run_program({"generate", "--scene", scene});
+  CHECK(run.exit_code == 0);
+  CHECK(run.output.find("namespace magicmass::generated::scene_my_scene {") != std::string::npos);
+  CHECK(run.output.find("magic:3") != std::string::npos);
+  CHECK(run.output.find("sine") == std::string::npos);
+  CHECK(run.output.find(folder.path().string()) == std::string::npos);  // the same wherever it is
+}
+
+TEST_CASE("a header that cannot be is refused in one line, and nothing is written", "[exam]") {
+  const TemporaryFolder folder;
+  const std::string file = folder / "header.hpp";
+  const std::pair<std::vector<std::string>, const char*> refused[] = {
+      {{"--quantity", "rhoo"}, "no quantity is called \"rhoo\"; did you mean rho? allowed: a, b"},
+      {{"--quantity", ""}, "no quantity is called \"(nothing)\"; did you mean"},
+      {{"--quantity", "a,a_t"}, "a takes alpha and n and a_t takes alpha: one header"},
+      {{"--quantity", "psi,alpha_k"}, "allowed together: a, b, c, c_prime, psi (of alpha and n);"},
+      {{"--quantity", "a", "--check"}, "--check compares all of generated/"},
+      {{"--quantity", "a", "--scene", "x.toml"}, "--quantity and --scene ask for two headers"},
+      {{"--quantity", "a", "--format", "json"}, "a header has no --format"},
+      {{"--quantity", "a", "--out", folder / "tree"}, "-o and --out are two places"},
+      {{"--scene", folder / "none.toml"}, "none.toml: cannot be read"}};
+  for (const auto& [options, message] : refused) {
+    std::vector<std::string> command{"generate", "-o", file};
+    command.insert(command.end(), options.begin(), options.end());
+    const ProgramRun run = run_program(command);
+    INFO(run.errors);
+    CHECK(run.exit_code == 2);
+    CHECK(run.output.empty());
+    CHECK(lines_of(run.errors).size() == 1);
+    CHECK(run.errors.find(message) != std::string::npos);
+    CHECK(folder.names().empty());
+  }
+}

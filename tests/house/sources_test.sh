@@ -106,6 +106,9 @@ check_includes() {
   if [[ -z ${may_include[$from]+known} ]]; then return; fi
   for path in $(includes_of "$1"); do
     find_included "$1" "$path"
+    if [[ $path == Eigen/* && $1 != src/magicmass/eigen.hpp ]]; then
+      complain "$1" "Eigen is for src/magicmass/eigen.hpp alone: $path"
+    fi
     case $path in
       ginac/* | ginac.h) part=ginac ;;
       cln/*) part=cln ;;
@@ -183,6 +186,7 @@ good_tree() {
   plant generated/magicmass/velocities.hpp MIT '#include <cmath>'
   plant src/magicmass/errors.hpp MIT '#include <stdexcept>'
   plant src/magicmass/scenes/scene.cpp MIT '#include <toml++/toml.h>' '#include "magicmass/errors.hpp"'
+  plant src/magicmass/eigen.hpp MIT '#include <Eigen/Core>'
   plant src/magicmass/evaluators/fast.hpp MIT '#include "magicmass/velocities.hpp"'
   plant src/magicmass/reference/exact.hpp GPL-2.0-or-later '#include <cln/cln.h>' '#include "magicmass/errors.hpp"'
   plant src/report/oracle.hpp GPL-2.0-or-later
@@ -233,6 +237,7 @@ refused "runtime may not include proof: proof/kernel.hpp" src/magicmass/evaluato
 refused "runtime may not include cln: cln/cln.h" src/magicmass/evaluators/slow.hpp MIT '#  include <cln/cln.h>'
 refused "runtime may not include ginac: ginac/ginac.h" src/magicmass/scenes/ratio.cpp MIT '#include <ginac/ginac.h>'
 refused "runtime may not include reference: magicmass/reference/exact.hpp" src/magicmass/scenes/ratio.cpp MIT '#include "magicmass/reference/exact.hpp"'
+refused "Eigen is for src/magicmass/eigen.hpp alone: Eigen/Core" src/magicmass/batch.hpp MIT '#include <Eigen/Core>'
 refused "reference may not include ginac: ginac/ginac.h" src/magicmass/reference/digits.cpp $gpl '#include <ginac/ginac.h>'
 refused "report may not include ginac: ginac/ginac.h" src/report/contestants.cpp $gpl '#include <ginac/ginac.h>'
 refused "report may not include proof: proof/kernel.hpp" src/report/contestants.cpp $gpl '#include "proof/kernel.hpp"'

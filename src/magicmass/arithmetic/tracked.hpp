@@ -45,8 +45,8 @@ struct Tracked {
   friend Tracked operator/(Tracked x, Tracked y) {
     const Pair<T> q = x.pair / y.pair;
     const T divisor = magnitude(y.pair.high);
-    const T size = (x.size + magnitude(q.high) * y.size) / (divisor * T(1 - 0x1p-18));
-    return {q, select(y.size * T(highest_degree * unit) < divisor * T(0x1p-20), size, T(HUGE_VAL))};
+    const T of_quotient = (x.size + magnitude(q.high) * y.size) / (divisor * T(1 - 0x1p-18));
+    return {q, select(y.size * T(highest_degree * unit) < divisor * T(0x1p-20), of_quotient, T(HUGE_VAL))};
   }
   friend Tracked scaled(Tracked x, double power_of_two) {
     return {scaled(x.pair, power_of_two), x.size * T(std::fabs(power_of_two))};

@@ -110,9 +110,7 @@ bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
 
 }  // namespace
 
-}  // namespace magicmass::tiers
-
-const magicmass::tiers::SingleKernels magicmass::tiers::tables::MAGICMASS_TARGET = {
+const SingleKernels tables::MAGICMASS_TARGET = {
     .fast_velocities = fast_velocities,
     .fast_encounters = fast_encounters,
     .fast_angle = fast_angle,
@@ -124,3 +122,5 @@ const magicmass::tiers::SingleKernels magicmass::tiers::tables::MAGICMASS_TARGET
     .ratios = ratios,
     .terminal = terminal,
 };
+
+}  // namespace magicmass::tiers

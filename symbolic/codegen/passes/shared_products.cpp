@@ -17,6 +17,14 @@ std::vector<int> without(const std::vector<int>& factors, const std::vector<int>
   return rest;
 }
 
+// Whether a node needs another, or is it.
+bool follows(const Program& program, int number, std::size_t other) {
+  if (static_cast<std::size_t>(number) == other) return true;
+  const std::vector<int>& args = program.nodes[static_cast<std::size_t>(number)].args;
+  return std::any_of(args.begin(), args.end(),
+                     [&](int argument) { return follows(program, argument, other); });
+}
+
 }  // namespace
 
 Program shared_products(const Program& program) {
@@ -29,9 +37,9 @@ Program shared_products(const Program& program) {
     return program.nodes[x].args.size() > program.nodes[y].args.size();
   });
   for (const std::size_t inner : products)
-    for (std::size_t outer = inner + 1; outer < result.nodes.size(); ++outer) {
+    for (std::size_t outer = 0; outer < result.nodes.size(); ++outer) {
       Node& node = result.nodes[outer];
-      if (node.op != Op::multiply) continue;
+      if (node.op != Op::multiply || follows(result, static_cast<int>(inner), outer)) continue;
       const std::vector<int> rest = without(node.args, result.nodes[inner].args);
       if (rest.empty()) continue;
       node.args = rest;

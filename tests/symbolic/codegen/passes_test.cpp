@@ -8,6 +8,7 @@
 #include "codegen/passes/common_subexpressions.hpp"
 #include "codegen/passes/dead_code.hpp"
 #include "codegen/passes/paired_sine_cosine.hpp"
+#include "codegen/passes/shared_products.hpp"
 #include "codegen/passes/shared_reciprocals.hpp"
 #include "codegen/passes/strength_reduction.hpp"
 
@@ -123,6 +124,21 @@ TEST_CASE("only what is wanted is paid for", "[exam]") {
   build.output("cheap", x).output("dear", build.make(Op::arctangent, {x}));
   CHECK(dead_code(build.program, {"cheap"}).nodes.size() == 1);
   CHECK(dead_code(build.program, {"cheap", "dear"}).nodes.size() == 2);
+}
+
+TEST_CASE("a product's part is shared wherever the other product stands", "[exam]") {
+  for (const bool part_first : {false, true}) {
+    Builder build;
+    const int x = build.input("x"), y = build.input("y"), z = build.input("z");
+    const auto part = [&] {
+      build.output("part", build.make(Op::sine, {build.make(Op::multiply, {x, y})}));
+    };
+    if (part_first) part();
+    build.output("whole", build.make(Op::multiply, {x, z, y}));
+    if (!part_first) part();
+    CHECK(operation_counts(shared_products(build.program)).multiplications == 2);
+    CHECK(operation_counts(build.program).multiplications == 3);
+  }
 }
 
 TEST_CASE("a power whose exponent is an index is shown and counted, and stays one", "[exam]") {
