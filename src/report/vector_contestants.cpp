@@ -85,6 +85,21 @@ struct CountKernel {
   }
 };
 
+/// Ee & Lee eqs. eq:a-terminal to eq:ct.
+struct EndingKernel {
+  static constexpr std::size_t members = 5;
+  [[gnu::target("avx2")]] static void four(__m256d alpha, __m256d, __m256d* result) {
+    const __m256d turn = psi(alpha);
+    const __m256d cycles = all(std::numbers::pi) / turn;
+    const __m256d V_CM = all(1) / (all(2) + alpha);
+    result[3] = _mm256_ceil_pd(cycles - all(0.5));
+    result[4] = _mm256_ceil_pd(cycles - all(1));
+    result[0] = V_CM * (all(1) + (all(1) + alpha) * _ZGVdN4v_cos(result[3] * turn));
+    result[1] = V_CM * (all(1) - (all(1) + alpha) * _ZGVdN4v_cos((result[4] + all(0.5)) * turn));
+    result[2] = (all(1) - result[0] - result[1]) / alpha;
+  }
+};
+
 /// The four inputs from `first` on; past the end the last one again.
 struct FourInputs {
   std::array<double, lanes> alpha;
@@ -149,6 +164,8 @@ std::vector<Contestant> vector_contestants(const std::string& quantity) {
   if (quantity == "encounters") return vectorised<EncounterKernel>(quantity);
   if (quantity == "angle") return vectorised<AngleKernel>(quantity);
   if (quantity == "ratios") return vectorised<RatioKernel>(quantity);
+  if (quantity == "elastic_terminal") return vectorised<EndingKernel>(quantity);
+  if (quantity == "sequence") return {};
   return vectorised<CountKernel>(quantity);
 }
 

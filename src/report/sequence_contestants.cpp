@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One n after the other at one alpha, or one k after the other. An evaluation is one n of a run of 4096: so
+// many are written one after the other, 128 kilobytes of four velocities.
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "magicmass/batch.hpp"
+#include "report/contestants.hpp"
+#include "report/instruction_sets.hpp"
+
+namespace magicmass::report {
+namespace {
+
+constexpr std::size_t run_length = 4096;
+
+using Columns = std::array<std::vector<double>, 4>;
+
+Columns columns_of(std::size_t size) {
+  Columns columns;
+  for (auto& column : columns) column.resize(size);
+  return columns;
+}
+
+/// run(input, columns) writes a run that begins at the input.
+template <class Run>
+Contestant in_runs(const std::string& name, const std::string& quantity, const std::string& form,
+                   Run run) {
+  Contestant one;
+  one.name = name;
+  one.quantity = quantity;
+  one.form = form;
+  one.precision = "double";
+  one.can = [](const Input&) { return true; };
+  one.expected_ns = [](const Input&) { return 1e4; };
+  one.prepare = [run](std::span<const Input> inputs) {
+    const auto columns = std::make_shared<Columns>(columns_of(run_length));
+    const std::vector<Input> all(inputs.begin(), inputs.end());
+    return Prepared{[=] {
+                      for (const Input& input : all) run(input, *columns);
+                    },
+                    static_cast<double>(inputs.size() * run_length)};
+  };
+  one.evaluate_all = [prepare = one.prepare](std::span<const Input> inputs) {
+    prepare(inputs).run();
+  };
+  return one;
+}
+
+/// The last of 64 velocities of a run, so that its errors are those of a run.
+template <class Run>
+void end_of_run(Run run, const Input& input, long double* members) {
+  const std::int64_t first = std::max<std::int64_t>(0, input.index - 63);
+  Columns columns = columns_of(static_cast<std::size_t>(input.index - first + 1));
+  run({input.alpha, first}, columns);
+  for (const auto& column : columns) *members++ = column.back();
+}
+
+Contestant stream(const std::string& quantity, InstructionSet set) {
+  const auto run = [set](const Input& in, Columns& out) {
+    velocity_stream(in.alpha, in.index, out[0], out[1], out[2], out[3], set);
+  };
+  Contestant one =
+      in_runs("stream" + suffix(set), quantity, std::string("stream, ") + name(set), run);
+  one.eps_bound = 3;
+  one.evaluate = [run](const Input& in, long double* members) { end_of_run(run, in, members); };
+  return one;
+}
+
+/// As many bytes as a stream writes.
+Contestant copy(const std::string& quantity) {
+  const auto from = std::make_shared<const Columns>(columns_of(run_length));
+  Contestant one =
+      in_runs("copy_loop", quantity, "a copy of as many bytes", [from](const Input&, Columns& out) {
+        for (std::size_t column = 0; column < out.size(); ++column) {
+          const double* source = (*from)[column].data();
+          double* target = out[column].data();
+          for (std::size_t i = 0; i < run_length; ++i) target[i] = source[i];
+          asm volatile("" : : "r"(target) : "memory");
+        }
+      });
+  one.is_yardstick = true;
+  return one;
+}
+
+}  // namespace
+
+std::vector<Contestant> sequence_contestants(const std::string& quantity) {
+  if (quantity != "sequence") return {};
+  std::vector<Contestant> all;
+  for (const InstructionSet set : available_instruction_sets())
+    all.push_back(stream(quantity, set));
+  all.push_back(copy(quantity));
+  return all;
+}
+
+}  // namespace magicmass::report
