@@ -24,7 +24,8 @@ std::vector<Contestant> tier_contestants(const std::string& quantity);
 /// The tiers and the exact counts on whole arrays: with the best instruction set of this machine under a name that is the same
 /// everywhere (batch_fast), with the others of this machine under theirs (batch_fast_baseline). The same bits with each.
 std::vector<Contestant> batch_contestants(const std::string& quantity);
-/// Of the quantity sequence: the stream, the batch with one alpha, and a copy loop of as many bytes.
+/// What computes many in a row: the stream of velocities, with a copy loop of as many bytes beside it, and the tiers' ranges of
+/// ratios.
 std::vector<Contestant> sequence_contestants(const std::string& quantity);
 /// The event simulator up to the collision that is asked for; only where that is within 4096 collisions.
 std::vector<Contestant> stepping_contestants(const std::string& quantity);

@@ -101,6 +101,12 @@ Family long_sequences(const std::string& quantity, std::size_t size) {
 
 }  // namespace
 
+Family easiest_family(const std::string& quantity, std::size_t size) {
+  const std::string& name = quantity_named(quantity).name;
+  if (!takes_alpha(name) || name == "sequence") return families(name, size).back();
+  return family_of(alpha_sources().back(), name, size);
+}
+
 std::vector<Family> families(const std::string& quantity, std::size_t size) {
   const std::string& name = quantity_named(quantity).name;
   if (!takes_alpha(name)) return ratio_families(name, size);

@@ -25,7 +25,7 @@ Columns columns_of(std::size_t size) {
   return columns;
 }
 
-/// run(input, columns) writes a run that begins at the input.
+/// run(input, columns) writes a run that begins at the input, as far as the columns go.
 template <class Run>
 Contestant in_runs(const std::string& name, const std::string& quantity, const std::string& form,
                    Run run) {
@@ -50,13 +50,15 @@ Contestant in_runs(const std::string& name, const std::string& quantity, const s
   return one;
 }
 
-/// The last of 64 velocities of a run, so that its errors are those of a run.
+/// The last of 64 of a run, or of fewer from `least` on, so that its errors are those of a run.
 template <class Run>
-void end_of_run(Run run, const Input& input, long double* members) {
-  const std::int64_t first = std::max<std::int64_t>(0, input.index - 63);
-  Columns columns = columns_of(static_cast<std::size_t>(input.index - first + 1));
-  run({input.alpha, first}, columns);
-  for (const auto& column : columns) *members++ = column.back();
+auto end_of_run(Run run, std::int64_t least, std::size_t members) {
+  return [=](const Input& input, long double* result) {
+    const std::int64_t first = std::max<std::int64_t>(least, input.index - 63);
+    Columns columns = columns_of(static_cast<std::size_t>(input.index - first + 1));
+    run({input.alpha, first}, columns);
+    for (std::size_t i = 0; i < members; ++i) *result++ = columns[i].back();
+  };
 }
 
 Contestant stream(const std::string& quantity, InstructionSet set) {
@@ -66,8 +68,24 @@ Contestant stream(const std::string& quantity, InstructionSet set) {
   Contestant one =
       in_runs("stream" + suffix(set), quantity, std::string("stream, ") + name(set), run);
   one.eps_bound = 3;
-  one.evaluate = [run](const Input& in, long double* members) { end_of_run(run, in, members); };
+  one.evaluate = end_of_run(run, 0, 4);
   return one;
+}
+
+std::vector<Contestant> ratios(const std::string& quantity, InstructionSet set) {
+  const auto make = [&](const std::string& of_tier, auto function) {
+    const auto run = [=](const Input& in, Columns& out) {
+      function(in.index, out[0], out[1], set);
+    };
+    Contestant one = in_runs(of_tier + suffix(set), quantity, of_tier + ", " + name(set), run);
+    one.evaluate = end_of_run(run, 1, 2);
+    return one;
+  };
+  Contestant of_fast = make("batch_fast", fast::ratios);
+  Contestant of_accurate = make("batch_accurate", accurate::ratios);
+  of_fast.ulp_bound = 1;
+  of_accurate.ulp_bound = 0.5;
+  return {std::move(of_fast), std::move(of_accurate)};
 }
 
 /// As many bytes as a stream writes.
@@ -89,11 +107,13 @@ Contestant copy(const std::string& quantity) {
 }  // namespace
 
 std::vector<Contestant> sequence_contestants(const std::string& quantity) {
-  if (quantity != "sequence") return {};
   std::vector<Contestant> all;
-  for (const InstructionSet set : available_instruction_sets())
-    all.push_back(stream(quantity, set));
-  all.push_back(copy(quantity));
+  for (const InstructionSet set : available_instruction_sets()) {
+    if (quantity == "sequence") all.push_back(stream(quantity, set));
+    if (quantity == "ratios")
+      for (Contestant& one : ratios(quantity, set)) all.push_back(std::move(one));
+  }
+  if (quantity == "sequence") all.push_back(copy(quantity));
   return all;
 }
 
