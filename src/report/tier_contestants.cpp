@@ -9,7 +9,9 @@
 #include "magicmass/fast.hpp"
 #include "magicmass/tiers/first_stages.hpp"
 #include "report/contestants.hpp"
+#include "report/last_collision.hpp"
 #include "report/make_contestant.hpp"
+#include "report/quantities.hpp"
 
 namespace magicmass::report {
 namespace {
@@ -23,7 +25,13 @@ Ending<double> ending(const std::optional<Terminal>& found) {
 
 template <class Evaluate>
 Contestant fast_tier(const std::string& quantity, Evaluate evaluate) {
-  return make_contestant("fast", quantity, "tier fast", "double", evaluate);
+  Contestant one = make_contestant("fast", quantity, "tier fast", "double", evaluate);
+  // n beyond 2^53 is no double: long counts are left to tier accurate
+  if (has_counts(quantity))
+    one.expected_ns = [](const Input& in) {
+      return last_collision(in.alpha).N_A > std::int64_t{1} << 51U ? 2e4 : 100.0;
+    };
+  return one;
 }
 
 /// falls_back: did the first stages fail?
@@ -32,6 +40,7 @@ Contestant accurate_tier(const std::string& quantity, Evaluate evaluate, FallsBa
   Contestant one = make_contestant("accurate", quantity, "tier accurate", "double", evaluate);
   one.ulp_bound = 0.5;
   one.falls_back = falls_back;
+  one.expected_ns = [falls_back](const Input& in) { return falls_back(in) ? 2e4 : 100.0; };
   return one;
 }
 
