@@ -29,6 +29,14 @@ nlohmann::json records(std::vector<std::string> more) {
   return nlohmann::json::parse(run.output);
 }
 
+/// Without the targets, which are no one's errors and times.
+nlohmann::json rows_of(const nlohmann::json& all) {
+  nlohmann::json rows = nlohmann::json::array();
+  for (const auto& one : all)
+    if (one["target"].is_null()) rows.push_back(one);
+  return rows;
+}
+
 std::set<std::string> values(const nlohmann::json& all, const std::string& key) {
   std::set<std::string> seen;
   for (const auto& one : all) seen.insert(one[key].get<std::string>());
@@ -47,7 +55,7 @@ std::size_t count_of(const std::string& text, const std::string& part) {
 TEST_CASE("records hold speed and error of each evaluator and family, and what they depend on",
           "[exam]") {
   const nlohmann::json all =
-      records({"--quantities", "velocities", "--families", "tiny alpha,everyday"});
+      rows_of(records({"--quantities", "velocities", "--families", "tiny alpha,everyday"}));
   CHECK(values(all, "family") == std::set<std::string>{"tiny alpha", "everyday"});
   CHECK(values(all, "member") == std::set<std::string>{"a", "b", "c", "c_prime"});
   CHECK(values(all, "precision") == std::set<std::string>{"float", "double", "long double"});
@@ -76,8 +84,8 @@ TEST_CASE("records hold speed and error of each evaluator and family, and what t
 
 TEST_CASE("two runs agree on every error figure of what is reproducible", "[exam]") {
   const std::vector<std::string> what = {"--quantities", "angle,ratios"};
-  nlohmann::json first = records(what);
-  nlohmann::json second = records(what);
+  nlohmann::json first = rows_of(records(what));
+  nlohmann::json second = rows_of(records(what));
   REQUIRE(first.size() == second.size());
   int compared = 0;
   for (std::size_t i = 0; i < first.size(); ++i)
@@ -94,7 +102,7 @@ TEST_CASE("two runs agree on every error figure of what is reproducible", "[exam
 
 TEST_CASE("the known-bad canary sings in the report", "[exam]") {
   const nlohmann::json all =
-      records({"--quantities", "velocities", "--families", "tiny alpha,huge alpha"});
+      rows_of(records({"--quantities", "velocities", "--families", "tiny alpha,huge alpha"}));
   const auto worst = [&](const std::string& evaluator, const std::string& member) {
     double ulp = 0.0;
     for (const auto& one : all)
@@ -124,11 +132,43 @@ TEST_CASE("every format has the same rows", "[exam]") {
   const std::string markdown = run("markdown");
   CHECK(markdown.starts_with("# Speed against error\n"));
   for (const auto& one : all) {
-    const auto name = one["evaluator"].get<std::string>();
+    const bool is_target = !one["target"].is_null();
+    const auto name = one[is_target ? "target" : "evaluator"].get<std::string>();
     CHECK(text.find("\n" + name + " ") != std::string::npos);
     CHECK(markdown.find("| " + name + " | ") != std::string::npos);
   }
   CHECK(count_of(text, "angle, everyday") == 1);
+}
+
+TEST_CASE("the targets are in every format, with what was seen of them", "[exam]") {
+  const std::vector<std::string> what = {
+      "--quantities", "elastic_terminal,sequence",
+      "--families",   "everyday,long sequences",
+      "--evaluators", "fast,accurate,batch_fast,batch_accurate,stream,copy_loop"};
+  const nlohmann::json all = records(what);
+  std::set<std::string> seen;
+  for (const auto& one : all) {
+    if (one["target"].is_null()) continue;
+    seen.insert(one["target"].get<std::string>());
+    CHECK(one["seen"].is_number());
+    CHECK((one["verdict"] == "aim" || one["verdict"] == "yes" || one["verdict"] == "no"));
+  }
+  for (const char* name :
+       {"accurate, time / naive: elastic_terminal", "fast, time / naive: elastic_terminal",
+        "accurate, certified arithmetic: elastic_terminal", "accurate, slowest single call",
+        "accurate, not correctly rounded", "counts, wrong answers",
+        "fast, largest error / envelope", "batch (ii), speed-up over naive",
+        "accurate batch (ii), speed-up", "stream (iii), time / copy_loop"}) {
+    INFO(name);
+    CHECK(seen.count(name) == 1);
+  }
+  CHECK(seen.count("batch counts alone, speed-up") == 0);  // not asked for
+  std::vector<std::string> words = tiny(what);
+  const ProgramRun text = run_program(words);
+  CHECK(text.output.find("\ntargets\n") != std::string::npos);
+  for (const std::string& line : lines_of(text.output)) CHECK(line.size() <= 80);
+  words.insert(words.end(), {"--format", "markdown"});
+  CHECK(run_program(words).output.find("| stream (iii), time / copy_loop |") != std::string::npos);
 }
 
 TEST_CASE("bad options, names and places cost one clear line and exit 2, before any measuring",
