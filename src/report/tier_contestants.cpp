@@ -40,7 +40,7 @@ Contestant accurate_tier(const std::string& quantity, Evaluate evaluate, FallsBa
   Contestant one = make_contestant("accurate", quantity, "tier accurate", "double", evaluate);
   one.ulp_bound = 0.5;
   one.falls_back = falls_back;
-  one.expected_ns = [falls_back](const Input& in) { return falls_back(in) ? 2e4 : 100.0; };
+  one.expected_ns = [falls_back](const Input& in) { return falls_back(in) ? 5e3 : 100.0; };
   return one;
 }
 
