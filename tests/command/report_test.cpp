@@ -249,21 +249,6 @@ TEST_CASE("SymPy computes the same formulas", "[exam]") {
   CHECK(rows == 2);
 }
 
-TEST_CASE("the headline goes between a file's marks and nowhere else", "[exam]") {
-  const TemporaryFolder folder;
-  const std::string begin = "before\n<!-- written by `magicmass report --headline`: -->\n";
-  const std::string end = "<!-- end -->\nafter\n";
-  write_file(folder / "page.md", begin + "old\n" + end);
-  const ProgramRun run =
-      run_program(tiny({"--quantities", "angle", "--headline", folder / "page.md"}));
-  CHECK(run.exit_code == 0);
-  const std::string page = read_file(folder / "page.md");
-  CHECK(page.starts_with(begin + "| quantity | evaluator |"));
-  CHECK(page.ends_with(end));
-  CHECK(page.find("old\n") == std::string::npos);
-  CHECK(page.find("| angle | naive |") != std::string::npos);
-}
-
 TEST_CASE("Ctrl-C leaves a whole file with what was finished", "[exam]") {
   const TemporaryFolder folder;
   const ProgramRun run =
@@ -290,40 +275,4 @@ TEST_CASE("a report with every contestant leaves no file where it runs nor in th
   CHECK((is_compiled || run.output.find("skipped: GiNaC's compile_ex") != std::string::npos));
   CHECK(here.names().empty());
   CHECK(temporary.names().empty());
-}
-
-TEST_CASE("the README's table has the error figures of a run", "[exam]") {
-  const std::string mark = "<!-- written by `magicmass report --headline`: -->\n";
-  const std::string readme = read_file(std::filesystem::path(MAGICMASS_SOURCE_DIR) / "README.md");
-  const TemporaryFolder folder;
-  write_file(folder / "page.md", mark + "<!-- end -->\n");
-  const ProgramRun run =
-      run_program({"report", "--quick", "--rounds", "6", "--no-growth", "--quantities",
-                   "velocities,counts", "--headline", folder / "page.md"});
-  REQUIRE(run.exit_code == 0);
-  // | quantity | evaluator | worst on | ulp | ns | wrong | ulp | ns | ratio |: what is no time, of rows that can be had again.
-  const auto errors = [&](const std::string& text) {
-    const std::size_t begin = text.find(mark);
-    REQUIRE(begin != std::string::npos);
-    std::vector<std::string> rows;
-    const std::size_t first = begin + mark.size();
-    const std::size_t end = text.find("<!-- end -->", first);
-    for (const std::string& line : lines_of(text.substr(first, end - first))) {
-      if (!line.starts_with("| ") || line.find('~') != std::string::npos) continue;
-      std::vector<std::string> cells;
-      std::size_t from = 0;
-      for (std::size_t at = line.find(" | "); at != std::string::npos;
-           at = line.find(" | ", from)) {
-        cells.push_back(line.substr(from, at - from));
-        from = at + 3;
-      }
-      REQUIRE(cells.size() == 8);
-      rows.push_back(cells[0] + cells[1] + " " + cells[2] + " " + cells[3] + " " + cells[5] + " " +
-                     cells[6]);
-    }
-    return rows;
-  };
-  const std::vector<std::string> printed = errors(readme);
-  CHECK(printed.size() > 10);
-  CHECK(printed == errors(read_file(folder / "page.md")));
 }

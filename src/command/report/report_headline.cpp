@@ -39,6 +39,7 @@ struct Summary {
   const Entry* hardest = nullptr;
   const report::Family* hardest_family = nullptr;
   const Entry* easiest = nullptr;
+  double over_envelope = 0.0;
   std::size_t wrong = 0, asked = 0;
 };
 
@@ -46,9 +47,9 @@ using Key = std::pair<std::string, std::string>;
 
 std::string row_of(const Key& key, const Summary& one) {
   return markdown_row({key.first, key.second, one.hardest_family->name, ulp(*one.hardest),
-                       ns(*one.hardest), fmt::format("{} of {}", one.wrong, one.asked),
-                       ulp(*one.easiest), ns(*one.easiest),
-                       shown_ratio_with_interval(one.easiest->time)});
+                       ns(*one.hardest), short_number(one.over_envelope),
+                       fmt::format("{} of {}", one.wrong, one.asked), ulp(*one.easiest),
+                       ns(*one.easiest), shown_ratio_with_interval(one.easiest->time)});
 }
 
 }  // namespace
@@ -70,12 +71,13 @@ std::string report_headline(const Measurement& measurement) {
       for (const report::ErrorRow& error : entry.errors) {
         summary.wrong += error.wrong + error.wrong_signs;
         summary.asked += error.samples;
+        summary.over_envelope = std::max(summary.over_envelope, error.over_envelope);
       }
     }
   }
   std::string text = markdown_head(
-      {"quantity", "evaluator", "worst on", "ulp there", "ns there", "wrong signs or counts",
-       "everyday ulp", "everyday ns", "ratio to naive (95 %)"},
+      {"quantity", "evaluator", "worst on", "ulp there", "ns there", "error / envelope",
+       "wrong signs or counts", "everyday ulp", "everyday ns", "ratio to naive (95 %)"},
       3);
   for (const std::string& quantity : quantities)
     for (const std::string& evaluator : shown_evaluators(quantity))
