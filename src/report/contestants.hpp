@@ -33,8 +33,10 @@ std::vector<Contestant> stepping_contestants(const std::string& quantity);
 std::vector<Contestant> rational_contestants(const std::string& quantity);
 /// The paper's formulas in CLN's floats of 50 decimal digits, rounded once at the end.
 std::vector<Contestant> digits_contestants(const std::string& quantity);
-/// The paper's formulas, four at a time through glibc's vector functions; none where the machine or the C library
-/// has no such functions.
+/// The paper's formulas, four at a time through the vector functions of glibc and of SLEEF; none where the machine, the C
+/// library or this build has no such functions.
 std::vector<Contestant> vector_contestants(const std::string& quantity);
+/// Was this built with SLEEF?
+bool has_sleef();
 
 }  // namespace magicmass::report

@@ -46,25 +46,22 @@ std::string place(const std::string& quantity, const std::string& family) {
 }  // namespace
 
 std::optional<Seen> relative_time(const Target& target, const Figures& figures) {
-  for (const std::string& evaluator : target.evaluators) {
-    std::vector<double> values;
-    for (const std::vector<TimeRow>& batch : figures.batches) {
-      const TimeRow* mine = easiest(batch, target.quantity, evaluator);
-      const TimeRow* theirs = easiest(batch, target.quantity, target.other);
-      if (mine == nullptr || theirs == nullptr) continue;
-      const double ratio = mine->ratio / theirs->ratio;
-      values.push_back(target.is_at_least ? 1 / ratio : ratio);
-    }
-    std::erase_if(values, [](double value) { return std::isnan(value); });
-    if (values.empty()) continue;
-    Seen seen{median(values)};
-    if (const auto range = median_interval(values)) {
-      seen.low = range->low;
-      seen.high = range->high;
-    }
-    return seen;
+  std::vector<double> values;
+  for (const std::vector<TimeRow>& batch : figures.batches) {
+    const TimeRow* mine = easiest(batch, target.quantity, target.evaluators.front());
+    const TimeRow* theirs = easiest(batch, target.quantity, target.other);
+    if (mine == nullptr || theirs == nullptr) continue;
+    const double ratio = mine->ratio / theirs->ratio;
+    values.push_back(target.is_at_least ? 1 / ratio : ratio);
   }
-  return std::nullopt;
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return std::nullopt;
+  Seen seen{median(values)};
+  if (const auto range = median_interval(values)) {
+    seen.low = range->low;
+    seen.high = range->high;
+  }
+  return seen;
 }
 
 std::optional<Seen> slowest_family(const Target& target, const Figures& figures) {

@@ -35,7 +35,7 @@ struct Target {
   std::string name;
   Measure measure;
   std::string quantity = {};                 ///< empty: all
-  std::vector<std::string> evaluators = {};  ///< the first of them that was measured, or all
+  std::vector<std::string> evaluators = {};  ///< of a time, the first; else all of them
   std::string other = {};                    ///< what the time is compared with
   double must, aim;
   std::string unit = {};

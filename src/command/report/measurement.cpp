@@ -12,6 +12,7 @@
 #include "command/report/growth_measurement.hpp"
 #include "command/report/timing_batch.hpp"
 #include "report/batches.hpp"
+#include "report/contestants.hpp"
 #include "report/errors.hpp"
 #include "report/fallbacks.hpp"
 #include "report/oracle.hpp"
@@ -135,6 +136,8 @@ Measurement measure(const ReportRequest& request, Progress& progress) {
       forms_from_derivation(asked_quantities(request), measurement.remarks);
   const std::vector<Task> tasks =
       report_tasks(request, further_contestants(forms, request.peers, measurement.remarks));
+  if (!report::has_sleef())
+    measurement.remarks.push_back("skipped: naive_sleef, as this was built without libsleef-dev");
   for (const std::string& quantity : unknown_quantities(forms))
     measurement.remarks.push_back(
         quantity +
