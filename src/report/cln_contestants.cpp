@@ -33,7 +33,7 @@ bool stays_short(const Input& in) {
 
 double rational_ns(const Input& in) { return 4e3 * static_cast<double>(in.index + 1); }
 
-// Ee & Lee eqs. def:psi, eq:a-final to eq:c'-final, exact:ak, exact:bk, eq:NA-ans, typed by hand once more, in 50
+// Ee & Lee eqs. def:psi, eq:a-final to eq:c'-final, exact:ak, exact:bk, eq:NA-ans, eq:a-terminal to eq:ct, typed by hand once more, in 50
 // decimal digits.
 struct Digits {
   cln::float_format_t format = cln::float_format(50);
@@ -91,6 +91,19 @@ Counts counts_in_digits(const Input& in) {
   return {whole(cycles - in_digits.number(cl_RA(1) / 2)), whole(cycles - in_digits.number(1))};
 }
 
+Ending<double> ending_in_digits(const Input& in) {
+  const Counts counts = counts_in_digits(in);
+  const Digits in_digits;
+  const cl_F alpha = in_digits.number(reference::exact(in.alpha));
+  const cl_F one = in_digits.number(1);
+  const cl_F psi = in_digits.psi(alpha);
+  const cl_F V_CM = one / (in_digits.number(2) + alpha);
+  const cl_F half_turns_B = in_digits.number(cl_RA(static_cast<long>(counts.N_B)) + cl_RA(1) / 2);
+  const cl_F a_t = V_CM * (one + (one + alpha) * cln::cos(in_digits.number(counts.N_A) * psi));
+  const cl_F b_t = V_CM * (one - (one + alpha) * cln::cos(half_turns_B * psi));
+  return {rounded(a_t), rounded(b_t), rounded((one - a_t - b_t) / alpha), counts};
+}
+
 double angle_in_digits(const Input& in) {
   const Digits in_digits;
   return rounded(in_digits.psi(in_digits.number(reference::exact(in.alpha))));
@@ -132,6 +145,8 @@ std::vector<Contestant> digits_contestants(const std::string& quantity) {
   if (quantity == "encounters") return make(encounters_in_digits);
   if (quantity == "ratios") return make(ratios_in_digits);
   if (quantity == "counts") return make(counts_in_digits);
+  if (quantity == "elastic_terminal") return make(ending_in_digits);
+  if (quantity == "sequence") return {};
   return make(angle_in_digits);
 }
 

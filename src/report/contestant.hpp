@@ -32,6 +32,12 @@ struct Quantity {
   std::string index() const;
 };
 
+/// Work on inputs that were laid out beforehand; a call of `run` makes so many evaluations.
+struct Prepared {
+  std::function<void()> run;
+  double evaluations = 1.0;
+};
+
 /// One way to get the numbers: a generated evaluator, the paper's formulas transcribed, event stepping, ...
 struct Contestant {
   std::string
@@ -55,10 +61,17 @@ struct Contestant {
   std::function<void(const Input&, long double* members)> evaluate = {};
   /// All inputs one after another, with nothing but the evaluator in the loop: throughput.
   std::function<void(std::span<const Input>)> evaluate_all = {};
-  /// The same, but each evaluation waits for the one before: latency.
+  /// For what works on arrays: copies the inputs into arrays as it wants them, which is not timed, as a loop over them is
+  /// not part of the others. Empty: evaluate_all is timed.
+  std::function<Prepared(std::span<const Input>)> prepare = {};
+  /// The same, but each evaluation waits for the one before: latency. Empty for what works on arrays.
   std::function<void(std::span<const Input>)> evaluate_chained = {};
   /// Nanoseconds for so many repetitions of evaluate_all by a clock of its own: what runs in another process.
   std::function<double(std::span<const Input>, std::size_t repetitions)> own_clock = {};
+  /// Whether certified arithmetic had to decide, after all that is faster had failed to. Empty: there is no such thing.
+  std::function<bool(const Input&)> falls_back = {};
+  /// Timed beside the others, but gives no answer: a copy loop.
+  bool is_yardstick = false;
   /// False where the order of operations changes from run to run (GiNaC's terms), and the last bits with it.
   bool is_reproducible = true;
 };

@@ -36,7 +36,7 @@ Contestant naive(const std::string& quantity, const std::string& name, const std
     return make_contestant(name, quantity, form, precision_name<Real>(), evaluate);
   };
   using namespace transcription;
-  if (quantity == "velocities")
+  if (quantity == "velocities" || quantity == "sequence")
     return make([](const Input& in) {
       return velocities<Real, Angle>(static_cast<Real>(in.alpha), in.index);
     });
@@ -48,6 +48,8 @@ Contestant naive(const std::string& quantity, const std::string& name, const std
     return make([](const Input& in) { return ratios<Real, Angle>(in.index); });
   if (quantity == "counts")
     return make([](const Input& in) { return counts<Real, Angle>(static_cast<Real>(in.alpha)); });
+  if (quantity == "elastic_terminal")
+    return make([](const Input& in) { return ending<Real, Angle>(static_cast<Real>(in.alpha)); });
   return make([](const Input& in) {
     return static_cast<Real>(psi<Real, Angle>(static_cast<Real>(in.alpha)));
   });
@@ -60,6 +62,15 @@ std::vector<Contestant> naive_contestants(const std::string& quantity) {
                               naive<float, float>(quantity, "naive", "naive"),
                               naive<long double, long double>(quantity, "naive", "naive")};
   for (Contestant& one : all) one.is_naive = true;
+  if (quantity == "sequence") return all;
+  if (quantity == "velocities")
+    all.push_back(
+        make_contestant("naive_four_calls", quantity, "naive, each velocity by itself", "double",
+                        [](const Input& in) -> generated::Velocities<double> {
+                          using namespace transcription;
+                          return {a_alone(in.alpha, in.index), b_alone(in.alpha, in.index),
+                                  c_alone(in.alpha, in.index), c_prime_alone(in.alpha, in.index)};
+                        }));
   all.push_back(
       naive<double, long double>(quantity, "naive_long_angles", "naive, angles in long double"));
   return all;
@@ -88,8 +99,9 @@ std::vector<Contestant> contestants(const std::string& quantity) {
   if (!is_known) return generated_contestants(name);
   std::vector<Contestant> all;
   for (const auto& part :
-       {naive_contestants, generated_contestants, certified_contestants, stepping_contestants,
-        rational_contestants, digits_contestants, vector_contestants})
+       {naive_contestants, generated_contestants, certified_contestants, tier_contestants,
+        batch_contestants, sequence_contestants, stepping_contestants, rational_contestants,
+        digits_contestants, vector_contestants})
     append(all, part(name));
   return all;
 }

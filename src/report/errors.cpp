@@ -50,6 +50,7 @@ struct Samples {
         row.*figure.where = input;
       }
     row.max_eps = std::max(row.max_eps, d.eps);
+    row.misrounded += d.correctly_rounded ? 0 : 1;
   }
 
   void add(const Input& input, const Deviation& d) {
@@ -74,7 +75,7 @@ struct Samples {
     row.ulp_999 = percentile(0.999);
     if (row.samples > 0)
       row.correctly_rounded = static_cast<double>(correct) / static_cast<double>(row.samples);
-    if (contestant.quantity == "counts") row.wrong = row.samples - correct;
+    if (is_count(row.member)) row.wrong = row.samples - correct;
     row.promise_kept =
         row.max_ulp <= contestant.ulp_bound && row.max_promise_eps <= contestant.eps_bound;
     return row;

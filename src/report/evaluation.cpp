@@ -55,17 +55,18 @@ std::optional<std::vector<std::optional<Deviation>>> compared(const Contestant& 
   if (has_last_index(contestant.quantity) &&
       input.index > last_index(contestant.quantity, input.alpha))
     return std::nullopt;
-  if (contestant.quantity == "counts" && !last_collision(input.alpha).is_known) return std::nullopt;
+  if (has_counts(contestant.quantity) && !last_collision(input.alpha).is_known) return std::nullopt;
   if (!contestant.can(input)) return std::nullopt;
   const std::vector<ExactValue>& exact =
       oracle.at(contestant.quantity, input, contestant.derived_form);
   std::array<long double, most_members> got{};
   contestant.evaluate(input, got.data());
+  const std::vector<std::string>& members = quantity_named(contestant.quantity).members;
   std::vector<std::optional<Deviation>> deviations;
   for (std::size_t i = 0; i < exact.size(); ++i) {
     deviations.emplace_back();
     if (exact[i].exists)
-      deviations.back() = contestant.quantity == "counts"
+      deviations.back() = is_count(members[i])
                               ? compared_counts(got[i], exact[i])
                               : compared_in(contestant.precision, got[i], exact[i]);
   }

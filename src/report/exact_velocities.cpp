@@ -136,4 +136,12 @@ std::vector<ExactValue> exact_velocities(const Input& input) {
   return values;
 }
 
+std::vector<ExactValue> exact_terminal(double alpha) {
+  const LastCollision last = last_collision(alpha);
+  const std::vector<ExactValue> of_A = exact_velocities({alpha, last.N_A});
+  const std::vector<ExactValue> of_B =
+      last.N_B == last.N_A ? of_A : exact_velocities({alpha, last.N_B});
+  return {of_A[0], of_B[1], last.N_B == last.N_A ? of_B[3] : of_A[2]};
+}
+
 }  // namespace magicmass::report

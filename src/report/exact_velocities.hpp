@@ -12,6 +12,10 @@ namespace magicmass::report {
 /// exists is false for a collision that does not take place.
 std::vector<ExactValue> exact_velocities(const Input& input);
 
+/// a_t, b_t and c_t, which are velocities at the last collisions of A and B; the condition is for fixed counts. The
+/// counts of alpha must be known, see LastCollision.
+std::vector<ExactValue> exact_terminal(double alpha);
+
 /// Largest |velocity| of a body between the first collision and the last; relative error below 1e-6.
 struct LargestVelocities {
   double B = 0;

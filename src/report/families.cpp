@@ -60,7 +60,7 @@ Family family_of(const AlphaSource& source, const std::string& quantity, std::si
       const std::int64_t last = is_cycle ? collisions.N_A : collisions.total() - 1;
       input.index = std::min(last, picked(source.pick, alpha, last, is_cycle, i++, random));
     }
-    if (quantity == "counts" && !last_collision(alpha.value).is_known) continue;
+    if (has_counts(quantity) && !last_collision(alpha.value).is_known) continue;
     if (asked.takes("e"))
       input.e = family.inputs.size() % 4 == 0 ? 1.0 : random.log_uniform(0.01, 1.0);
     family.inputs.push_back(input);
@@ -87,14 +87,33 @@ std::vector<Family> ratio_families(const std::string& quantity, std::size_t size
   return all;
 }
 
+/// Places in sequences with room for what is timed from there on.
+Family long_sequences(const std::string& quantity, std::size_t size) {
+  Family family{
+      "long sequences", "alpha 1e-20 to 1e-10, any n with 4096 more to come", quantity, {}};
+  PortableRandom random(22);
+  for (std::size_t i = 0; i < size; ++i) {
+    const double alpha = random.log_uniform(1e-20, 1e-10);
+    family.inputs.push_back({alpha, random.whole(0, last_collision(alpha).N_A - 4096)});
+  }
+  return family;
+}
+
 }  // namespace
+
+Family easiest_family(const std::string& quantity, std::size_t size) {
+  const std::string& name = quantity_named(quantity).name;
+  if (!takes_alpha(name) || name == "sequence") return families(name, size).back();
+  return family_of(alpha_sources().back(), name, size);
+}
 
 std::vector<Family> families(const std::string& quantity, std::size_t size) {
   const std::string& name = quantity_named(quantity).name;
   if (!takes_alpha(name)) return ratio_families(name, size);
+  if (name == "sequence") return {long_sequences(name, size)};
   std::vector<Family> all;
   for (const AlphaSource& source : alpha_sources())
-    if (source.has_count || name != "counts") all.push_back(family_of(source, name, size));
+    if (source.has_count || !has_counts(name)) all.push_back(family_of(source, name, size));
   return all;
 }
 

@@ -20,4 +20,7 @@ struct Family {
 /// The families of a quantity, hardest first; `size` inputs or fewer each. The same inputs on every run and machine.
 std::vector<Family> families(const std::string& quantity, std::size_t size);
 
+/// The last of them alone: for what takes alpha, the everyday ones.
+Family easiest_family(const std::string& quantity, std::size_t size);
+
 }  // namespace magicmass::report

@@ -79,7 +79,7 @@ private:
 bool is_fast(const Contestant& contestant, const std::string& quantity, const Input& input) {
   constexpr double microsecond = 1e3;
   if (contestant.quantity != quantity || contestant.precision != "double" || contestant.own_clock ||
-      !contestant.can(input))
+      contestant.prepare || !contestant.can(input))
     return false;
   const auto timed = on_steady_clock([&] { contestant.evaluate_all({&input, 1}); });
   timed(100);

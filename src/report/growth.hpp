@@ -51,7 +51,7 @@ std::vector<Growth> growth_along(const Scale& scale, const std::vector<Contestan
 
 /// Nanoseconds an evaluation against the length of the array of inputs, from the first-level cache to memory. Of a
 /// long array each measurement takes the next 4096 inputs, so what it reads has gone through the caches once
-/// around. Contestants in double that take less than a microsecond on the first input that they can do.
+/// around. Contestants in double that take one input a call and less than a microsecond on the first that they can do.
 std::vector<Growth> growth_with_array_length(const std::string& quantity,
                                              const std::vector<Input>& inputs,
                                              const std::vector<Contestant>& contestants,

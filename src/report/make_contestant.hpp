@@ -15,6 +15,7 @@
 #include "magicmass/counts.hpp"
 #include "magicmass/quantities.hpp"
 #include "report/contestant.hpp"
+#include "report/ending.hpp"
 
 namespace magicmass::report {
 
@@ -32,6 +33,17 @@ auto members_of(const Result& result) { return generated::as_array(result); }
 inline std::array<std::int64_t, 2> members_of(const Counts& n) { return {n.N_A, n.N_B}; }
 template <class Real>
 requires std::is_floating_point_v<Real> std::array<Real, 1> members_of(Real x) { return {x}; }
+
+/// Calls visit with each member of any result, in order.
+template <class Result, class Visit>
+void each_member(const Result& result, Visit visit) {
+  for (const auto member : members_of(result)) visit(member);
+}
+template <class Real, class Visit>
+void each_member(const Ending<Real>& ending, Visit visit) {
+  for (const Real velocity : {ending.a_t, ending.b_t, ending.c_t}) visit(velocity);
+  for (const std::int64_t count : members_of(ending.counts)) visit(count);
+}
 
 /// The result counts as used, so that no evaluation is dropped.
 template <class Result>
@@ -57,7 +69,7 @@ inline std::uint64_t bits_of(std::int64_t x) { return static_cast<std::uint64_t>
 template <class Result>
 Input after(const Input& input, const Result& result, std::uint64_t zero) {
   std::uint64_t bits = 0;
-  for (const auto member : members_of(result)) bits ^= bits_of(member);
+  each_member(result, [&](const auto member) { bits ^= bits_of(member); });
   bits &= zero;
   return {std::bit_cast<double>(std::bit_cast<std::uint64_t>(input.alpha) ^ bits),
           static_cast<std::int64_t>(static_cast<std::uint64_t>(input.index) ^ bits), input.e};
@@ -74,8 +86,8 @@ Contestant make_contestant(std::string name, std::string quantity, std::string f
   contestant.precision = std::move(precision);
   contestant.can = [](const Input&) { return true; };
   contestant.evaluate = [evaluate](const Input& input, long double* members) {
-    for (const auto member : members_of(evaluate(input)))
-      *members++ = static_cast<long double>(member);
+    each_member(evaluate(input),
+                [&](const auto member) { *members++ = static_cast<long double>(member); });
   };
   contestant.evaluate_all = [evaluate](std::span<const Input> inputs) {
     for (const Input& input : inputs) keep(evaluate(input));

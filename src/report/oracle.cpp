@@ -35,7 +35,12 @@ std::vector<ExactValue> exact_counts(const Input& input) {
 }
 
 std::vector<ExactValue> exact_members(const std::string& quantity, const Input& input) {
-  if (quantity == "velocities") return exact_velocities(input);
+  if (quantity == "elastic_terminal") {
+    std::vector<ExactValue> members = exact_terminal(input.alpha);
+    for (const ExactValue& count : exact_counts(input)) members.push_back(count);
+    return members;
+  }
+  if (quantity == "velocities" || quantity == "sequence") return exact_velocities(input);
   if (quantity == "encounters") return exact_encounter(input);
   if (quantity == "angle") return exact_angle(input);
   if (quantity == "ratios")

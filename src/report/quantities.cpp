@@ -47,6 +47,8 @@ const std::vector<Quantity>& quantities() {
         {"angle", {"psi"}, {"alpha"}},
         {"ratios", {"magic", "deficient"}, {"k"}},
         {"counts", {"N_A", "N_B"}, {"alpha"}},
+        {"elastic_terminal", {"a_t", "b_t", "c_t", "N_A", "N_B"}, {"alpha"}},
+        {"sequence", {"a", "b", "c", "c_prime"}, {"alpha", "n"}},
     };
     const auto add = [&]<const auto & table>(const char* name, const char* outputs,
                                              const char* inputs) {
@@ -71,6 +73,13 @@ const Quantity& quantity_named(const std::string& name) {
 bool takes_alpha(const std::string& quantity) {
   const Quantity* one = found(quantity);
   return one == nullptr || one->takes("alpha");
+}
+
+bool is_count(const std::string& member) { return member == "N_A" || member == "N_B"; }
+
+bool has_counts(const std::string& quantity) {
+  const Quantity* one = found(quantity);
+  return one != nullptr && std::any_of(one->members.begin(), one->members.end(), is_count);
 }
 
 bool has_last_index(const std::string& quantity) {

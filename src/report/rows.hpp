@@ -32,6 +32,8 @@ struct ErrorRow {
   Input worst_eps{};         ///< where max_promise_eps was seen
   bool promise_kept = true;  ///< true where nothing is promised
   std::size_t wrong = 0;     ///< counts: answers that are not the exact ones
+  std::size_t misrounded =
+      0;  ///< answers that are not the nearest ones, those of the climb included
 };
 
 /// Times of one contestant on one family.
@@ -41,9 +43,9 @@ struct TimeRow {
   double latency_ns = 0.0;
   double ratio = 0.0;  ///< paired, to naive in double: the median of the batches
   double ratio_low = 0.0, ratio_high = 0.0;  ///< 95 % interval; NaN for a batch by itself
-  double slowest_call_ns = 0.0;              ///< one single call
-  Input slowest{};                           ///< where that was
-  std::optional<double> cycles;              ///< from a loop calibrated in the same run
+  double slowest_call_ns = 0.0;  ///< one single call; of what works on arrays, with one input
+  Input slowest{};               ///< where that was
+  std::optional<double> cycles;  ///< from a loop calibrated in the same run
   std::size_t inputs = 0;  ///< timed: a contestant skips what it cannot do, a slow one samples
   std::size_t rounds = 0;
   std::size_t batches = 1;  ///< of rounds, each in a process of its own

@@ -62,6 +62,12 @@ Counts counts(const Input& in) {
 }
 
 template <class Real>
+Ending<Real> ending(const Input& in) {
+  const auto run = step_velocities<Real>(static_cast<Real>(in.alpha), Real(1), 2 * most_collisions);
+  return {run.terminal.a, run.terminal.b, run.terminal.c, run.counts};
+}
+
+template <class Real>
 Contestant stepping(const std::string& quantity) {
   const auto make = [&](auto evaluate) {
     return make_contestant("stepping", quantity, "event stepping", precision_name<Real>(),
@@ -79,7 +85,8 @@ Contestant stepping(const std::string& quantity) {
     one.expected_ns = expected(ns_per_event, [](const Input& in) { return in.index; });
     return one;
   }
-  Contestant one = make([](const Input& in) { return counts<Real>(in); });
+  Contestant one = quantity == "counts" ? make([](const Input& in) { return counts<Real>(in); })
+                                        : make([](const Input& in) { return ending<Real>(in); });
   one.can = [](const Input& in) { return last_collision(in.alpha).total() <= most_collisions; };
   one.expected_ns =
       expected(ns_per_collision, [](const Input& in) { return last_collision(in.alpha).total(); });
@@ -89,7 +96,7 @@ Contestant stepping(const std::string& quantity) {
 }  // namespace
 
 std::vector<Contestant> stepping_contestants(const std::string& quantity) {
-  if (quantity == "ratios" || quantity == "angle") return {};
+  if (quantity == "ratios" || quantity == "angle" || quantity == "sequence") return {};
   return {stepping<double>(quantity), stepping<float>(quantity), stepping<long double>(quantity)};
 }
 

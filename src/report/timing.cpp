@@ -31,6 +31,7 @@ double once(const std::function<void()>& work) { return on_steady_clock(work)(1)
 double one_call(const Contestant& contestant, const Input& input) {
   const std::span<const Input> one(&input, 1);
   if (contestant.own_clock) return contestant.own_clock(one, 1);
+  if (contestant.prepare) return once(contestant.prepare(one).run);
   return once([&] { contestant.evaluate_all(one); });
 }
 
@@ -83,6 +84,10 @@ Timed throughput(const Contestant& contestant, const Inputs& inputs) {
               return contestant.own_clock(*inputs, repetitions);
             },
             size};
+  if (contestant.prepare) {
+    Prepared prepared = contestant.prepare(*inputs);
+    return {on_steady_clock(std::move(prepared.run)), prepared.evaluations};
+  }
   return {on_steady_clock([&contestant, inputs] { contestant.evaluate_all(*inputs); }), size};
 }
 

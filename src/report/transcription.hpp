@@ -9,6 +9,7 @@
 
 #include "magicmass/counts.hpp"
 #include "magicmass/quantities.hpp"
+#include "report/ending.hpp"
 
 namespace magicmass::report::transcription {
 
@@ -31,6 +32,32 @@ generated::Velocities<Real> velocities(Real alpha, std::int64_t n) {
           V_CM * (1 - cosine((n_ + Angle(0.5)) * turn) / cosine(turn / 2)),
           V_CM * (1 + sine((n_ - Angle(0.25)) * turn) / sine(turn / 4)),
           V_CM * (1 - sine((n_ + Angle(0.25)) * turn) / sine(turn / 4))};
+}
+
+/// One velocity a call, each with an angle of its own: what a program does that wants them one by one. Not inlined, lest
+/// the compiler share what they have in common.
+template <class Real>
+[[gnu::noinline]] Real a_alone(Real alpha, std::int64_t n) {
+  const Real turn = psi<Real, Real>(alpha);
+  return 1 / (2 + alpha) * (1 + std::cos(static_cast<Real>(n) * turn) / std::cos(turn / 2));
+}
+template <class Real>
+[[gnu::noinline]] Real b_alone(Real alpha, std::int64_t n) {
+  const Real turn = psi<Real, Real>(alpha);
+  return 1 / (2 + alpha) *
+         (1 - std::cos((static_cast<Real>(n) + Real(0.5)) * turn) / std::cos(turn / 2));
+}
+template <class Real>
+[[gnu::noinline]] Real c_alone(Real alpha, std::int64_t n) {
+  const Real turn = psi<Real, Real>(alpha);
+  return 1 / (2 + alpha) *
+         (1 + std::sin((static_cast<Real>(n) - Real(0.25)) * turn) / std::sin(turn / 4));
+}
+template <class Real>
+[[gnu::noinline]] Real c_prime_alone(Real alpha, std::int64_t n) {
+  const Real turn = psi<Real, Real>(alpha);
+  return 1 / (2 + alpha) *
+         (1 - std::sin((static_cast<Real>(n) + Real(0.25)) * turn) / std::sin(turn / 4));
 }
 
 /// t_j = (L/V) sin(j psi/2)/sin((j+1) psi/2) and s_j = L sin(psi/2)/sin((j+1) psi/2): not in the paper, which stops at
@@ -59,6 +86,21 @@ Counts counts(Real alpha) {
   const Angle cycles = std::numbers::pi_v<Angle> / psi<Real, Angle>(alpha);
   return {static_cast<std::int64_t>(std::ceil(cycles - Angle(0.5))),
           static_cast<std::int64_t>(std::ceil(cycles - 1))};
+}
+
+/// Ee & Lee eqs. eq:a-terminal, eq:b-terminal and eq:ct, with these counts.
+template <class Real, class Angle = Real>
+Ending<Real> ending(Real alpha) {
+  const Angle turn = psi<Real, Angle>(alpha);
+  const Angle cycles = std::numbers::pi_v<Angle> / turn;
+  const Counts N{static_cast<std::int64_t>(std::ceil(cycles - Angle(0.5))),
+                 static_cast<std::int64_t>(std::ceil(cycles - 1))};
+  const Real V_CM = 1 / (2 + alpha);
+  const auto cosine = [](Angle x) { return static_cast<Real>(std::cos(x)); };
+  const Real a_t = V_CM * (1 + (1 + alpha) * cosine(static_cast<Angle>(N.N_A) * turn));
+  const Real b_t =
+      V_CM * (1 - (1 + alpha) * cosine((static_cast<Angle>(N.N_B) + Angle(0.5)) * turn));
+  return {a_t, b_t, (1 - a_t - b_t) / alpha, N};
 }
 
 }  // namespace magicmass::report::transcription

@@ -56,7 +56,8 @@ std::string words(const Record& record, const std::vector<std::string>& columns)
 using Rows = std::map<std::string, const Record*>;
 Rows rows_by(const KnownReport& report, const std::vector<std::string>& columns) {
   Rows rows;
-  for (const Record& record : report.records) rows.emplace(words(record, columns), &record);
+  for (const Record& record : report.records)
+    if (record.contains("evaluator")) rows.emplace(words(record, columns), &record);
   return rows;
 }
 

@@ -12,8 +12,11 @@
 #include "command/report/growth_measurement.hpp"
 #include "command/report/timing_batch.hpp"
 #include "report/batches.hpp"
+#include "report/contestants.hpp"
 #include "report/errors.hpp"
+#include "report/fallbacks.hpp"
 #include "report/oracle.hpp"
+#include "report/quantities.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -35,10 +38,11 @@ std::optional<MeasuredFamily> measure_errors(const Task& task, const Family& fam
                 contestant.precision,
                 contestant.is_naive,
                 contestant.is_reproducible,
-                report::measure(contestant, family, oracle, climb),
+                {},
                 {}};
+    if (!contestant.is_yardstick) entry.errors = report::measure(contestant, family, oracle, climb);
     std::erase_if(entry.errors, [](const report::ErrorRow& row) { return row.samples == 0; });
-    if (!entry.errors.empty()) one.entries.push_back(std::move(entry));
+    if (!entry.errors.empty() || contestant.is_yardstick) one.entries.push_back(std::move(entry));
   }
   return one;
 }
@@ -59,6 +63,29 @@ void put_in_place(const report::TimeRow& row, Measurement& measurement) {
         if (entry.evaluator == row.contestant && entry.precision == row.precision) entry.time = row;
 }
 
+/// Inputs of a climb. The oracle of a quantity that is known from the tables alone is a hundred times as slow.
+std::size_t most_climbed(const ReportRequest& request, const Task& task) {
+  const bool is_known = !task.contestants.empty() &&
+                        report::quantity_named(task.contestants.front().quantity).is_known;
+  if (request.quick) return is_known ? 20 : 2;
+  return is_known ? 60 : 6;
+}
+
+void look_at_targets(const ReportRequest& request, const std::vector<Task>& tasks,
+                     std::vector<report::TimeRow> times,
+                     std::vector<std::vector<report::TimeRow>> batches, Measurement& measurement) {
+  report::Figures figures{{}, std::move(times), std::move(batches), {}};
+  for (const MeasuredFamily& one : measurement.families)
+    for (const Entry& entry : one.entries)
+      figures.errors.insert(figures.errors.end(), entry.errors.begin(), entry.errors.end());
+  const std::size_t inputs = request.quick ? 100000 : 1000000;
+  if (!Progress::was_interrupted())
+    for (const Task& task : tasks)
+      for (report::Fallbacks& row : report::count_fallbacks(task.contestants, inputs))
+        figures.fallbacks.push_back(std::move(row));
+  measurement.targets = report::judged(figures);
+}
+
 /// Errors family after family, and in between, spread over the whole time that takes, the batches of times.
 void measure_families(const ReportRequest& request, const std::vector<Task>& tasks,
                       const std::vector<DerivedForm>& forms, Progress& progress,
@@ -66,11 +93,11 @@ void measure_families(const ReportRequest& request, const std::vector<Task>& tas
   const std::size_t batches = report::batch_plan(request.rounds).batches;
   const std::string formulas = in_one_line(forms);
   std::vector<std::vector<report::TimeRow>> times;
-  const report::Climb climb{request.quick ? std::size_t{20} : std::size_t{60}};
   std::size_t all = 0;
   for (const Task& task : tasks) all += task.families.size();
   const auto go_on = [&] {
     for (const Task& task : tasks) {
+      const report::Climb climb{most_climbed(request, task)};
       report::Oracle oracle;
       teach(oracle, forms);
       for (const Family& family : task.families) {
@@ -88,7 +115,9 @@ void measure_families(const ReportRequest& request, const std::vector<Task>& tas
     }
   };
   go_on();
-  for (const report::TimeRow& row : report::combined(times)) put_in_place(row, measurement);
+  std::vector<report::TimeRow> rows = report::combined(times);
+  for (const report::TimeRow& row : rows) put_in_place(row, measurement);
+  look_at_targets(request, tasks, std::move(rows), std::move(times), measurement);
 }
 
 }  // namespace
@@ -107,6 +136,8 @@ Measurement measure(const ReportRequest& request, Progress& progress) {
       forms_from_derivation(asked_quantities(request), measurement.remarks);
   const std::vector<Task> tasks =
       report_tasks(request, further_contestants(forms, request.peers, measurement.remarks));
+  if (!report::has_sleef())
+    measurement.remarks.push_back("skipped: naive_sleef, as this was built without libsleef-dev");
   for (const std::string& quantity : unknown_quantities(forms))
     measurement.remarks.push_back(
         quantity +

@@ -15,6 +15,7 @@
 #include "report/family.hpp"
 #include "report/growth.hpp"
 #include "report/rows.hpp"
+#include "report/targets.hpp"
 
 namespace magicmass::command {
 
@@ -25,7 +26,8 @@ struct Entry {
   std::vector<report::ErrorRow> errors;  ///< a member each
   std::optional<report::TimeRow> time;
 
-  /// The member with the largest error in ulp; for counts the most wrong answers.
+  /// The member with the largest error in ulp; for counts the most wrong answers. There is none of what gives no
+  /// answers.
   const report::ErrorRow& worst() const;
 };
 
@@ -44,6 +46,7 @@ struct SelfComparison {
 struct Measurement {
   Provenance provenance;
   std::vector<MeasuredFamily> families;  ///< hardest first within a quantity
+  std::vector<report::TargetResult> targets;
   std::vector<report::Growth> growths;
   std::vector<AlphaSweep> sweeps;
   SelfComparison self;

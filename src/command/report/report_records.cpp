@@ -53,6 +53,15 @@ const std::vector<std::string>& columns() {
                                                  "time_exponent_spread",
                                                  "error_exponent",
                                                  "error_exponent_spread",
+                                                 "target",
+                                                 "must",
+                                                 "aim",
+                                                 "seen",
+                                                 "seen_low",
+                                                 "seen_high",
+                                                 "unit",
+                                                 "where",
+                                                 "verdict",
                                                  "version",
                                                  "machine",
                                                  "compiler",
@@ -134,11 +143,16 @@ std::vector<Record> report_records(const Measurement& measurement) {
       Record record = record_of(measurement, entry.evaluator, entry.precision, one.family.quantity,
                                 one.family.name, entry.is_reproducible);
       if (entry.time) set_time(record, *entry.time);
+      if (entry.errors.empty()) records.push_back(record);
       for (const report::ErrorRow& error : entry.errors) {
         set_error(record, error);
         records.push_back(record);
       }
     }
+  for (Record& record : targets_records(measurement.targets)) {
+    for (const auto& [name, value] : measurement.provenance) record[name] = text_cell(value);
+    records.push_back(std::move(record));
+  }
   for (const report::Growth& growth : measurement.growths) {
     Record record = record_of(measurement, growth.contestant, growth.precision, growth.quantity,
                               "against " + growth.words, growth.is_reproducible);

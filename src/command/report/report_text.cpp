@@ -28,12 +28,18 @@ std::string interval(const report::TimeRow& time) {
 }
 
 std::string line_of(const Entry& entry) {
+  if (entry.errors.empty()) {  // timed alone
+    if (!entry.time) return "";
+    return row(entry.evaluator, short_precision(entry.precision), "-", "-", "-",
+               short_number(entry.time->ns_median), "-", "-", shown_ratio(*entry.time),
+               interval(*entry.time));
+  }
   const report::ErrorRow& worst = entry.worst();
   double eps = 0.0;
   std::size_t wrong = 0;
   for (const report::ErrorRow& error : entry.errors) {
     eps = std::max(eps, error.max_eps);
-    wrong += error.quantity == "counts" ? error.wrong : error.wrong_signs;
+    wrong += error.wrong + error.wrong_signs;
   }
   const std::string type = short_precision(entry.precision);
   const std::string ulp = (entry.is_reproducible ? "" : "~") + short_number(worst.max_ulp);
@@ -79,6 +85,7 @@ std::string report_text(const Measurement& measurement) {
     text += row("evaluator", "", "ulp", "eps", "wrong", "ns", "late", "slow", "ratio", "95 %");
     for (const Entry& entry : one.entries) text += line_of(entry);
   }
+  text += targets_text(measurement.targets);
   text += growth_text(measurement.growths);
   return text;
 }

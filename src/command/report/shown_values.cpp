@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "command/report/report_tables.hpp"
+#include "magicmass/batch/instruction_set.hpp"
 #include "report/quantities.hpp"
 
 namespace magicmass::command {
@@ -31,6 +32,12 @@ std::string short_number(double value) {
 
 std::string shown_ratio(const report::TimeRow& time) {
   return (time.is_steady ? "" : "?") + short_number(time.ratio);
+}
+
+std::string shown_ratio_with_interval(const std::optional<report::TimeRow>& time) {
+  if (!time || std::isnan(time->ratio)) return "-";
+  return fmt::format("{} ({} to {})", shown_ratio(*time), short_number(time->ratio_low),
+                     short_number(time->ratio_high));
 }
 
 std::string short_precision(const std::string& precision) {
@@ -71,6 +78,9 @@ std::string report_legend(const Measurement& measurement) {
       "call. ratio: to naive in double on the same inputs, paired round by round, with a 95 % "
       "interval over batches of rounds, each in a process of its own; behind a ? it is wider than "
       "a tenth, as the batches disagree.";
+  text += fmt::format(
+      " batch_... and stream work on whole arrays, with {} where the name says nothing else.",
+      name(best_instruction_set()));
   if (self.families > 0)
     text += fmt::format(
         " Naive against a second copy of itself: ratios {:.3f} to {:.3f}, {} of {} intervals hold "

@@ -5,9 +5,10 @@
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
 #include "magicmass/evaluators/count.hpp"
+#include "magicmass/tiers/first_stages.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
-namespace magicmass::accurate {
+namespace magicmass {
 namespace {
 
 /// No product of a kernel is below 2^-960 or beyond 2^960 for these; false for NaN.
@@ -18,55 +19,83 @@ constexpr std::int64_t most_index = std::int64_t{1} << 51U;
 
 }  // namespace
 
-generated::Velocities<double> velocities(double alpha, std::int64_t n) {
-  if (is_in_range(alpha) && n >= 0 && n <= (alpha >= 1.0 ? 1 : most_index)) [[likely]] {
-    if (n == 0) return {1.0, 0.0, 0.0, 0.0};
-    generated::Velocities<double> result;
-    if (tiers::single_kernels().velocities(alpha, static_cast<double>(n), result)) return result;
+namespace tiers {
+
+bool first_stages(double alpha, std::int64_t n, generated::Velocities<double>& result) {
+  if (!is_in_range(alpha) || n < 0 || n > (alpha >= 1.0 ? 1 : most_index)) [[unlikely]]
+    return false;
+  if (n == 0) {
+    result = {1.0, 0.0, 0.0, 0.0};
+    return true;
   }
+  return single_kernels().velocities(alpha, static_cast<double>(n), result);
+}
+
+bool first_stages(double alpha, std::int64_t j, generated::Encounters<double>& result) {
+  // at j = 1 both are (1 + alpha)/2, which may be a double or halfway between two
+  return is_in_range(alpha) && j >= 2 && j <= most_index && alpha < 1.0 &&
+         single_kernels().encounters(alpha, static_cast<double>(j), result) && result.s > 0.0;
+}
+
+bool first_stages(double alpha, const Counts& counts, generated::Terminal<double>& result) {
+  return is_in_range(alpha) && counts.N_A <= most_index &&
+         single_kernels().terminal(alpha, static_cast<double>(counts.N_A),
+                                   counts.N_B == counts.N_A ? 1.0 : -1.0, result);
+}
+
+bool first_stages(double alpha, double& psi) {
+  return is_in_range(alpha) && single_kernels().angle(alpha, psi);
+}
+
+bool first_stages(std::int64_t k, generated::Ratios<double>& result) {
+  return k >= 2 && k <= most_index && single_kernels().ratios(static_cast<double>(k), result);
+}
+
+}  // namespace tiers
+
+namespace accurate {
+
+generated::Velocities<double> velocities(double alpha, std::int64_t n) {
+  generated::Velocities<double> result;
+  if (tiers::first_stages(alpha, n, result)) [[likely]]
+    return result;
   return certified_velocities(alpha, n);
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
-  // at j = 1 both are (1 + alpha)/2, which may be a double or halfway between two
-  if (is_in_range(alpha) && j >= 2 && j <= most_index && alpha < 1.0) [[likely]] {
-    generated::Encounters<double> result;
-    if (tiers::single_kernels().encounters(alpha, static_cast<double>(j), result) && result.s > 0.0)
-      return result;
-  }
+  generated::Encounters<double> result;
+  if (tiers::first_stages(alpha, j, result)) [[likely]]
+    return result;
   return certified_encounters(alpha, j);
 }
 
 std::optional<Terminal> terminal(double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   if (!counts) return std::nullopt;
-  const bool is_Q_last = counts->N_B == counts->N_A;
-  if (is_in_range(alpha) && counts->N_A <= most_index) [[likely]] {
-    generated::Terminal<double> result;
-    if (tiers::single_kernels().terminal(alpha, static_cast<double>(counts->N_A),
-                                         is_Q_last ? 1.0 : -1.0, result))
-      return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
-  }
+  generated::Terminal<double> result;
+  if (tiers::first_stages(alpha, *counts, result)) [[likely]]
+    return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
   return Terminal{*counts, certified_velocity(Velocity::a, alpha, counts->N_A),
                   certified_velocity(Velocity::b, alpha, counts->N_B),
-                  is_Q_last ? certified_velocity(Velocity::c_prime, alpha, counts->N_B)
-                            : certified_velocity(Velocity::c, alpha, counts->N_A),
+                  counts->N_B == counts->N_A
+                      ? certified_velocity(Velocity::c_prime, alpha, counts->N_B)
+                      : certified_velocity(Velocity::c, alpha, counts->N_A),
                   certified_energy_fraction(alpha)};
 }
 
 double angle(double alpha) {
-  double result;
-  if (is_in_range(alpha) && tiers::single_kernels().angle(alpha, result)) [[likely]]
-    return result;
+  double psi;
+  if (tiers::first_stages(alpha, psi)) [[likely]]
+    return psi;
   return certified_angle(alpha);
 }
 
 generated::Ratios<double> ratios(std::int64_t k) {
   generated::Ratios<double> result;
-  if (k >= 2 && k <= most_index && tiers::single_kernels().ratios(static_cast<double>(k), result))
-      [[likely]]
+  if (tiers::first_stages(k, result)) [[likely]]
     return result;
   return certified_ratios(k);
 }
 
-}  // namespace magicmass::accurate
+}  // namespace accurate
+}  // namespace magicmass
