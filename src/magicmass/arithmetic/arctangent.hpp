@@ -11,7 +11,7 @@
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
 
-/// atan t for 0 <= t <= 0.577, within 0.75 2^-53 of itself and what the error of t makes of it.
+/// atan t for 0 <= t <= 0.577, within 0.8 2^-53 of itself and what the error of t makes of it.
 template <class T>
 [[gnu::always_inline]] inline Pair<T> arctangent(Pair<T> t) {
   // atan t = t + t z p(z), z = t^2 <= 1/3. What is added is at most 0.103 of the whole, and its five roundings (z, t z, the

@@ -29,7 +29,7 @@ template <class T>
   const Sum<T> r = ordered_sum(select(is_turned, T(half_pi[0]) - x.high, x.high),
                                select(is_turned, T(half_pi[1]) - x.low, x.low));
   // sin r = r + (r.low + r^3 p(r^2)): the bracket is at most 0.12 of it, rounded five times: 0.6 2^-53; the polynomial is off
-  // by 0.02 2^-53, and r.low, at most 2^-53 of r, has the factor 1, which should be cos r >= 0.69: 0.22 2^-53. cos r = 1 - r^2/2 +
+  // by 0.16 2^-53, and r.low, at most 2^-53 of r, has the factor 1, which should be cos r >= 0.69: 0.22 2^-53. cos r = 1 - r^2/2 +
   // (r^4 q(r^2) - r r.low): r^2/2 in two parts, and the rest is below 0.02.
   const T z = r.high * r.high;
   const T z_low = product_error(r.high, r.high, z);
