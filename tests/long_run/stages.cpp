@@ -45,6 +45,7 @@ Stage velocities_stage(double alpha, std::int64_t n) {
       is_in_range(alpha) && n <= (alpha >= 1.0 ? 1 : most_index), alpha, static_cast<double>(n));
 }
 Stage encounters_stage(double alpha, std::int64_t j) {
+  if (j == 0 && is_in_range(alpha)) return Stage::first;
   return stage<generated::EncountersKernel>(
       is_in_range(alpha) && j >= 2 && j <= most_index && alpha < 1.0, alpha,
       static_cast<double>(j));

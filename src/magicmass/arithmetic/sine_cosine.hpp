@@ -79,7 +79,8 @@ template <class T>
           {{cosine.high, cosine.low}, (magnitude(cosine.high) + T(0x1p-10)) + of_argument}};
 }
 
-/// sin x and cos x for |x| <= 3.9, within 2^-88 of themselves and what the error of x makes of them.
+/// sin x and cos x for |x| <= 3.9, within 2^-88 of themselves and what the error of x makes of them. Outside nothing is
+/// certain.
 template <class T>
 [[gnu::always_inline]] inline SineCosine<Bounded<T>> sine_cosine(Bounded<T> x) {
   // x = r + q pi/2, |r| <= pi/4 + tiny, q = -2 to 2: q times a part of pi/2 is exact, and so is the first
@@ -117,9 +118,12 @@ template <class T>
   const auto is_back = q < T(0.0);
   Pair<T> s = select(is_odd, select(is_back, -cosine, cosine), select(is_half, -sine, sine));
   Pair<T> c = select(is_odd, select(is_back, sine, -sine), select(is_half, -cosine, cosine));
-  const auto bound = [&x](T of_value, T of_slope) {
-    return x.error * (magnitude(of_slope) + x.error) +
-           (T(0x1p-88) * magnitude(of_value) + T(0x1p-158));
+  const auto is_known = magnitude(x.pair.high) <= T(3.9);
+  const auto bound = [&](T of_value, T of_slope) {
+    return select(is_known,
+                  x.error * (magnitude(of_slope) + x.error) +
+                      (T(0x1p-88) * magnitude(of_value) + T(0x1p-158)),
+                  T(HUGE_VAL));
   };
   return {{s, bound(s.high, c.high)}, {c, bound(c.high, s.high)}};
 }

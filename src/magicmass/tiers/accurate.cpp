@@ -29,6 +29,7 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   // at j = 1 both are (1 + alpha)/2, which may be a double or halfway between two
+  if (is_in_range(alpha) && j == 0) return {0.0, 1.0};
   if (is_in_range(alpha) && j >= 2 && j <= most_index && alpha < 1.0) [[likely]] {
     generated::Encounters<double> result;
     if (tiers::single_kernels().encounters(alpha, static_cast<double>(j), result) && result.s > 0.0)

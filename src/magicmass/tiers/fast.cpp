@@ -40,8 +40,14 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   require_positive_finite("alpha", alpha);
   require_not_negative("j", j);
   if (j == 0) return {0.0, 1.0};
-  if (j == 1 || alpha > 1.0 || j >= std::int64_t{1} << 51U) return certified_encounters(alpha, j);
-  return tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
+  // no product of the kernel is beyond 2^960 up to 2^400
+  const bool is_in_range = alpha < 1.0 ? j < std::int64_t{1} << 51U : j == 1 && alpha <= 0x1p400;
+  if (is_in_range) [[likely]] {
+    const auto result = tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
+    if (result.s > 0.0) [[likely]]
+      return result;
+  }
+  return certified_encounters(alpha, j);
 }
 
 std::optional<Terminal> terminal(double alpha) {

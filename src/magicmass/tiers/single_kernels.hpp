@@ -11,6 +11,7 @@ namespace magicmass::tiers {
 struct SingleKernels {
   /// n as high + low, each a double, exactly.
   generated::Velocities<double> (*fast_velocities)(double alpha, double n, double n_low);
+  /// A distance that is not positive: there is no such collision, or it is not known.
   generated::Encounters<double> (*fast_encounters)(double alpha, double j);
   double (*fast_angle)(double alpha);
   generated::Ratios<double> (*fast_ratios)(double k);
