@@ -27,6 +27,10 @@ struct Kernel {
   Program program;
 };
 
+// From the theorems that the form names. Throws std::out_of_range for one that is not there, std::logic_error where a case
+// of an output has another right side.
+Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems);
+
 std::string emit_evaluator(const Evaluator& evaluator);
 std::string emit_kernel(const Kernel& kernel);
 std::string emit_quantities();

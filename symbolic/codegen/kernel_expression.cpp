@@ -186,7 +186,9 @@ std::optional<std::string> KernelPrinter::as_product(int number) const {
       factors.push_back(value(argument));
   }
   if (factors.size() != 2) return std::nullopt;
-  return factors[0] + ", " + factors[1] + ", " + fmt::format("{:.1f}", scale);
+  std::string shown = fmt::format("{}", scale);
+  if (shown.find_first_of(".e") == std::string::npos) shown += ".0";
+  return factors[0] + ", " + factors[1] + ", " + shown;
 }
 
 std::string KernelPrinter::right_side(int number) const {
