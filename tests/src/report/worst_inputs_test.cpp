@@ -107,7 +107,9 @@ TEST_CASE("the pinned inputs are no worse than when they were found", "[exam]") 
     Oracle oracle;
     for (const Contestant& one : ours(quantity.name))
       for (const WorstInput& worst : known) {
-        if (worst.contestant != one.name || worst.precision != one.precision) continue;
+        if (worst.contestant != one.name || worst.precision != one.precision ||
+            worst.quantity != quantity.name)
+          continue;
         INFO(worst.contestant << " " << worst.precision << " " << worst.member << " "
                               << worst.figure << " at alpha " << worst.input.alpha << ", index "
                               << worst.input.index);

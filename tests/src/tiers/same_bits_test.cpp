@@ -33,7 +33,7 @@ std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, doub
   add(all, kernels.fast_velocities(alpha, n, 0.0));
   add(all, kernels.fast_encounters(alpha, n));
   add(all, kernels.fast_angle(alpha));
-  add(all, kernels.fast_ratios(n + 1));
+  add(all, kernels.fast_ratios(n + 1, n > 0x1p40 ? 0.5 : 0.0));
   add(all, kernels.fast_terminal(alpha, N_A, turn));
   generated::Velocities<double> velocities;
   generated::Encounters<double> encounters;
@@ -78,13 +78,27 @@ TEST_CASE("kernels for one input have the same bits everywhere", "[check]") {
 TEST_CASE("from alpha = 1 on, too", "[check]") {
   testing::Generator generator(93);
   for (int i = 0; i < 5000; ++i) {
-    const double alpha = testing::log_uniform(generator, 1.0, 1e100);
+    const double alpha = testing::log_uniform(generator, 1.0, 0x1p400);
     for (const double n : {0.0, 1.0}) {
       const auto expected = bits(tiers::single_kernels(InstructionSet::baseline), alpha, n, {1, 1});
       for (const InstructionSet set : testing::available_instruction_sets()) {
         INFO(name(set) << ", alpha = " << alpha << ", n = " << n);
         REQUIRE(bits(tiers::single_kernels(set), alpha, n, {1, 1}) == expected);
       }
+    }
+  }
+
+  // tier fast goes on up to 2^960
+  for (int i = 0; i < 2000; ++i) {
+    const double alpha = testing::log_uniform(generator, 0x1p400, 0x1p960);
+    std::vector<std::uint64_t> expected;
+    for (const InstructionSet set : testing::available_instruction_sets()) {
+      std::vector<std::uint64_t> all;
+      add(all, tiers::single_kernels(set).fast_velocities(alpha, 1.0, 0.0));
+      add(all, tiers::single_kernels(set).fast_terminal(alpha, 1.0, 1.0));
+      if (expected.empty()) expected = all;
+      INFO(name(set) << ", alpha = " << alpha);
+      REQUIRE(all == expected);
     }
   }
 }
