@@ -14,7 +14,7 @@
 /// multiword arithmetic, which ends (see certified_velocities.cpp). From theorems tangent.* and ratios.*.
 namespace magicmass::accurate {
 
-/// All velocities just after the n-th collisions, in units of V; 0 <= n.
+/// All velocities just after the n-th collisions, in units of V; 0 <= n, also past N_A, where the formula goes on.
 generated::Velocities<double> velocities(double alpha, std::int64_t n);
 
 /// Time, in units of L/V, and distance from A to B, in units of L, at collision j = 0 (P_1), 1 (Q_1), ...; j below the

@@ -47,27 +47,6 @@ std::int64_t picked(Pick pick, const Alpha& alpha, std::int64_t last, bool is_cy
   return 0;
 }
 
-Family family_of(const AlphaSource& source, const std::string& quantity, std::size_t size) {
-  PortableRandom random(source.seed);
-  Family family{source.name, source.description, quantity, {}};
-  const Quantity& asked = quantity_named(quantity);
-  const bool is_cycle = asked.takes("n");
-  std::size_t i = 0;
-  for (const Alpha& alpha : source.draw(random, size)) {
-    Input input{alpha.value, 0};
-    if (!asked.index().empty()) {
-      const LastCollision collisions = last_collision(alpha.value);
-      const std::int64_t last = is_cycle ? collisions.N_A : collisions.total() - 1;
-      input.index = std::min(last, picked(source.pick, alpha, last, is_cycle, i++, random));
-    }
-    if (has_counts(quantity) && !last_collision(alpha.value).is_known) continue;
-    if (asked.takes("e"))
-      input.e = family.inputs.size() % 4 == 0 ? 1.0 : random.log_uniform(0.01, 1.0);
-    family.inputs.push_back(input);
-  }
-  return family;
-}
-
 /// Of what takes k alone.
 std::vector<Family> ratio_families(const std::string& quantity, std::size_t size) {
   std::vector<Family> all{
@@ -105,6 +84,28 @@ Family easiest_family(const std::string& quantity, std::size_t size) {
   const std::string& name = quantity_named(quantity).name;
   if (!takes_alpha(name) || name == "sequence") return families(name, size).back();
   return family_of(alpha_sources().back(), name, size);
+}
+
+Family family_of(const AlphaSource& source, const std::string& quantity, std::size_t size,
+                 std::uint64_t round) {
+  PortableRandom random(source.seed + (round << 32U));
+  Family family{source.name, source.description, quantity, {}};
+  const Quantity& asked = quantity_named(quantity);
+  const bool is_cycle = asked.takes("n");
+  std::size_t i = 0;
+  for (const Alpha& alpha : source.draw(random, size)) {
+    Input input{alpha.value, 0};
+    if (!asked.index().empty()) {
+      const LastCollision collisions = last_collision(alpha.value);
+      const std::int64_t last = is_cycle ? collisions.N_A : collisions.total() - 1;
+      input.index = std::min(last, picked(source.pick, alpha, last, is_cycle, i++, random));
+    }
+    if (has_counts(quantity) && !last_collision(alpha.value).is_known) continue;
+    if (asked.takes("e"))
+      input.e = family.inputs.size() % 4 == 0 ? 1.0 : random.log_uniform(0.01, 1.0);
+    family.inputs.push_back(input);
+  }
+  return family;
 }
 
 std::vector<Family> families(const std::string& quantity, std::size_t size) {

@@ -197,7 +197,9 @@ std::optional<std::string> KernelPrinter::as_product(int number) const {
   std::string all_but_one = is_single ? value(factors[0]) : factor(factors[0]);
   for (std::size_t i = 1; i + 1 < factors.size(); ++i) all_but_one += " * " + factor(factors[i]);
   for (const int exact_one : exacts) all_but_one += " * " + exact(exact_one);
-  return all_but_one + ", " + value(factors.back()) + ", " + fmt::format("{:.1f}", scale);
+  std::string shown = fmt::format("{}", scale);
+  if (shown.find_first_of(".e") == std::string::npos) shown += ".0";
+  return all_but_one + ", " + value(factors.back()) + ", " + shown;
 }
 
 std::string KernelPrinter::right_side(int number) const {

@@ -72,7 +72,7 @@ template <class T>
   return {product, product_error(x, y, product)};
 }
 
-/// 1 - x y where that is a double: |x y - 1| <= 2^-20, and x y has at most 72 significant bits.
+/// 1 - x y rounded once, where |x y - 1| <= 2^-20: 1 less the rounded product is exact (Sterbenz).
 template <class T>
 [[gnu::always_inline]] inline T one_minus_product(T x, T y) {
 #ifdef __FMA__

@@ -7,9 +7,9 @@ namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
 
 /// A real number as the unevaluated sum of two T (double or Lanes): the number type of tier `fast`. With u = 2^-53,
-/// products, quotients and roots are within 2^-100 of themselves and sums within 2^-103 (|x| + |y|), as long as no
-/// product is below 2^-968 or beyond 2^996; arctangent, sine and cosine are good to a quarter of u. So a result
-/// is hardly worse than rounded once.
+/// products and quotients are within 2^-100 of themselves and sums within 2^-103 (|x| + |y|), as long as no
+/// product is below 2^-968 or beyond 2^996; arctangent, sine and cosine are good to u. So
+/// a result is hardly worse than rounded twice.
 template <class T>
 struct Pair {
   using Real = T;
@@ -85,7 +85,7 @@ template <class T>
   return Pair<T>(T(1.0)) / y;
 }
 
-/// 1/sqrt(w) within 2^-66, for w from 2^-120 to 2^120 in lanes, and any w > 0 of a single double.
+/// 1/sqrt(w), for w from 2^-120 to 2^120 in lanes, within 2^-66, and any w > 0 of a single double, within 2^-100.
 template <class T>
 [[gnu::always_inline]] inline Pair<T> reciprocal_square_root(Pair<T> w) {
   if constexpr (lane_count<T> == 1) {

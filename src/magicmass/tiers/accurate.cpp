@@ -32,6 +32,10 @@ bool first_stages(double alpha, std::int64_t n, generated::Velocities<double>& r
 }
 
 bool first_stages(double alpha, std::int64_t j, generated::Encounters<double>& result) {
+  if (is_in_range(alpha) && j == 0) {
+    result = {0.0, 1.0};
+    return true;
+  }
   // at j = 1 both are (1 + alpha)/2, which may be a double or halfway between two
   return is_in_range(alpha) && j >= 2 && j <= most_index && alpha < 1.0 &&
          single_kernels().encounters(alpha, static_cast<double>(j), result) && result.s > 0.0;

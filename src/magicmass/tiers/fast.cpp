@@ -7,6 +7,7 @@
 #include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
+#include "magicmass/evaluators/certified_velocities.hpp"
 #include "magicmass/evaluators/count.hpp"
 #include "magicmass/simulator/valid_input.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
@@ -20,6 +21,20 @@ void require_not_negative(const char* name, std::int64_t index) {
   }
 }
 
+/// A whole number as the sum of two doubles.
+struct TwoDoubles {
+  double high;
+  double low;
+};
+TwoDoubles in_doubles(std::int64_t n) {
+  const auto high = static_cast<double>(n);
+  // 2^63 itself is not an int64
+  return {high, high < 0x1p63 ? static_cast<double>(n - static_cast<std::int64_t>(high)) : 0.0};
+}
+
+/// Up to here alpha can be split for its products, and 1/(1 + alpha) has all its digits.
+constexpr double largest_alpha = 0x1p960;
+
 }  // namespace
 
 generated::Velocities<double> velocities(double alpha, std::int64_t n) {
@@ -30,25 +45,32 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
     throw InvalidInput("n must be 0 or 1 from alpha = 1 on, where there are two collisions, got " +
                        std::to_string(n));
   }
-  const auto high = static_cast<double>(n);
-  // 2^63 itself is not an int64
-  const double low = high < 0x1p63 ? static_cast<double>(n - static_cast<std::int64_t>(high)) : 0.0;
-  return tiers::single_kernels().fast_velocities(alpha, high, low);
+  if (alpha > largest_alpha) [[unlikely]]
+    return certified_velocities(alpha, n);
+  const TwoDoubles cycles = in_doubles(n);
+  return tiers::single_kernels().fast_velocities(alpha, cycles.high, cycles.low);
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   require_positive_finite("alpha", alpha);
   require_not_negative("j", j);
   if (j == 0) return {0.0, 1.0};
-  if (j == 1 || alpha > 1.0 || j >= std::int64_t{1} << 51U) return certified_encounters(alpha, j);
-  return tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
+  // no product of the kernel is beyond 2^960 up to 2^400
+  const bool is_in_range = alpha < 1.0 ? j < std::int64_t{1} << 51U : j == 1 && alpha <= 0x1p400;
+  if (is_in_range) [[likely]] {
+    const auto result = tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
+    if (result.s > 0.0) [[likely]]
+      return result;
+  }
+  return certified_encounters(alpha, j);
 }
 
 std::optional<Terminal> terminal(double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   if (!counts) return std::nullopt;
   // beyond 2^53 the offset from the quarter turn needs all digits of N_A
-  if (counts->N_A > std::int64_t{1} << 51U) return accurate::terminal(alpha);
+  if (counts->N_A > std::int64_t{1} << 51U || alpha > largest_alpha)
+    return accurate::terminal(alpha);
   const auto result = tiers::single_kernels().fast_terminal(
       alpha, static_cast<double>(counts->N_A), counts->N_B == counts->N_A ? 1.0 : -1.0);
   return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
@@ -62,7 +84,8 @@ double angle(double alpha) {
 
 generated::Ratios<double> ratios(std::int64_t k) {
   if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
-  return tiers::single_kernels().fast_ratios(static_cast<double>(k));
+  const TwoDoubles index = in_doubles(k);
+  return tiers::single_kernels().fast_ratios(index.high, index.low);
 }
 
 }  // namespace magicmass::fast

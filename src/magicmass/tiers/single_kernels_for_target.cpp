@@ -86,14 +86,43 @@ Velocities<double> fast_velocities(double alpha, double n, double n_low) {
   kernel.stage_3();
   return nearest(kernel.result());
 }
+/// Below this the square of a tracked root, 1/alpha, is too large; a pair's root is scaled.
+constexpr double least_tracked = 0x1p-900;
+
 Encounters<double> fast_encounters(double alpha, double j) {
-  return nearest(EncountersKernel<Tracked<double>>::evaluate(alpha, j));
+  if (alpha < least_tracked) [[unlikely]]
+    return nearest(EncountersKernel<Pair<double>>::evaluate(alpha, j));
+  const auto first = EncountersKernel<Tracked<double>>::evaluate(alpha, j);
+  if (first.s.size < HUGE_VAL) [[likely]]
+    return nearest(first);
+  // the last collisions of many, at angles too near to half a turn
+  const auto second = EncountersKernel<Bounded<double>>::evaluate(alpha, j);
+  if (second.s.error < HUGE_VAL) return nearest(second);
+  return {-HUGE_VAL, -HUGE_VAL};
 }
-double fast_angle(double alpha) { return nearest(AngleKernel<Tracked<double>>::evaluate(alpha)); }
-Ratios<double> fast_ratios(double k) { return nearest(RatiosKernel<Tracked<double>>::evaluate(k)); }
+double fast_angle(double alpha) {
+  if (alpha < least_tracked) [[unlikely]]
+    return nearest(AngleKernel<Pair<double>>::evaluate(alpha));
+  return nearest(AngleKernel<Tracked<double>>::evaluate(alpha));
+}
+Ratios<double> fast_ratios(double k, double k_low) {
+  RatiosKernel<Tracked<double>> kernel;
+  kernel.k = k;
+  kernel.stage_1();
+  if (k_low != 0.0) {
+    // k is beyond 2^53, and each sine is as good as inverse to it
+    for (Tracked<double>* sine : {&kernel.sine, &kernel.sine_2})
+      sine->pair.low -= sine->pair.high * (k_low / k);
+  }
+  return nearest(kernel.result());
+}
 
 Terminal<double> fast_terminal(double alpha, double N_A, double turn) {
-  return nearest(TerminalKernel<Pair<double>>::evaluate(alpha, N_A, turn));
+  auto result = nearest(TerminalKernel<Pair<double>>::evaluate(alpha, N_A, turn));
+  // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
+  if (result.rho < 0x1p-960) [[unlikely]]
+    result.rho = result.b_t * result.b_t;
+  return result;
 }
 
 bool velocities(double alpha, double n, Velocities<double>& result) {

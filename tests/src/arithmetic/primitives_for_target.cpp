@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Compiled once for each instruction set. Everything here is a template over a closure, so of this file alone.
+#include "arithmetic/primitives.hpp"
+#include "magicmass/arithmetic/arctangent.hpp"
+#include "magicmass/arithmetic/bounded.hpp"
+#include "magicmass/arithmetic/error_free.hpp"
+#include "magicmass/arithmetic/estrin.hpp"
+#include "magicmass/arithmetic/lanes.hpp"
+#include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/product.hpp"
+#include "magicmass/arithmetic/sine_cosine.hpp"
+#include "magicmass/arithmetic/tracked.hpp"
+
+namespace magicmass::testing {
+namespace {
+
+using namespace arithmetic;
+
+template <class T>
+Pair<T> pair(const T* x) {
+  return {x[0], x[1]};
+}
+template <class T>
+Tracked<T> tracked(const T* x) {
+  return {{x[0], x[1]}, x[2]};
+}
+template <class T>
+Bounded<T> bounded(const T* x) {
+  return {{x[0], x[1]}, x[2]};
+}
+
+template <class T>
+void put(T x, T* y) {
+  y[0] = x;
+}
+template <class T>
+void put(Sum<T> x, T* y) {
+  y[0] = x.high;
+  y[1] = x.low;
+}
+template <class T>
+void put(Pair<T> x, T* y) {
+  y[0] = x.high;
+  y[1] = x.low;
+}
+template <class T>
+void put(Tracked<T> x, T* y) {
+  put(x.pair, y);
+  y[2] = x.size;
+}
+template <class T>
+void put(Bounded<T> x, T* y) {
+  put(x.pair, y);
+  y[2] = x.error;
+}
+
+template <class Operation, std::size_t inputs, std::size_t outputs, class T>
+void each(const double* in, double* out, std::size_t size) {
+  for (std::size_t i = 0; i < size; i += lane_count<T>) {
+    T x[inputs], y[outputs];
+    for (std::size_t k = 0; k < inputs; ++k) x[k] = load<T>(in + k * size + i);
+    Operation{}(static_cast<const T*>(x), static_cast<T*>(y));
+    for (std::size_t k = 0; k < outputs; ++k) store(y[k], out + k * size + i);
+  }
+}
+
+template <int lanes, class Operation, std::size_t inputs, std::size_t outputs>
+constexpr Primitive::Run in_lanes() {
+  if constexpr (lanes <= widest)
+    return each<Operation, inputs, outputs, Lanes<lanes>>;
+  else
+    return nullptr;
+}
+
+template <std::size_t inputs, std::size_t outputs, class Operation>
+constexpr Primitive of(const char* name, Operation) {
+  return {name,
+          inputs,
+          outputs,
+          {each<Operation, inputs, outputs, double>, in_lanes<2, Operation, inputs, outputs>(),
+           in_lanes<4, Operation, inputs, outputs>(), in_lanes<8, Operation, inputs, outputs>()}};
+}
+
+constexpr double some_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0, -0.01, 0x1.fp1, -1.0};
+alignas(64) constexpr double table[] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
+
+}  // namespace
+
+const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
+    of<2, 7>("operations",
+             [](const auto* x, auto* y) {
+               y[0] = x[0] + x[1];
+               y[1] = x[0] - x[1];
+               y[2] = x[0] * x[1];
+               y[3] = x[0] / x[1];
+               y[4] = -x[0];
+               y[5] = magnitude(x[0]);
+               y[6] = square_root(magnitude(x[0]));
+             }),
+    of<2, 5>("comparisons",
+             [](const auto* x, auto* y) {
+               const auto one = decltype(x[0] + x[0])(1.0);
+               y[0] = where(x[0] < x[1], one);
+               y[1] = where(x[0] > x[1], one);
+               y[2] = where(x[0] <= x[1], one);
+               y[3] = where(x[0] >= x[1], one);
+               y[4] = where(x[0] == x[1], one);
+             }),
+    of<4, 2>("choices",
+             [](const auto* x, auto* y) {
+               y[0] = select(x[0] < x[1], x[2], x[3]);
+               y[1] = where(x[0] < x[1], x[2]);
+             }),
+    of<1, 2>("gather",
+             [](const auto* x, auto* y) {
+               y[0] = gather<2, 0>(table, x[0]);
+               y[1] = gather<2, 1>(table, x[0]);
+             }),
+    of<1, 1>("nearest_whole", [](const auto* x, auto* y) { put(nearest_whole(x[0]), y); }),
+    of<1, 2>("estimates",
+             [](const auto* x, auto* y) {
+               y[0] = reciprocal_estimate(x[0]);
+               y[1] = reciprocal_square_root_estimate(x[0]);
+             }),
+    of<1, 1>("polynomial",
+             [](const auto* x, auto* y) { put(polynomial(some_coefficients, x[0]), y); }),
+    of<2, 2>("two_sum", [](const auto* x, auto* y) { put(two_sum(x[0], x[1]), y); }),
+    of<2, 2>("two_difference", [](const auto* x, auto* y) { put(two_difference(x[0], x[1]), y); }),
+    of<2, 2>("ordered_sum", [](const auto* x, auto* y) { put(ordered_sum(x[0], x[1]), y); }),
+    of<2, 2>("ordered_difference",
+             [](const auto* x, auto* y) { put(ordered_difference(x[0], x[1]), y); }),
+    of<2, 2>("two_product", [](const auto* x, auto* y) { put(two_product(x[0], x[1]), y); }),
+    of<2, 1>("one_minus_product",
+             [](const auto* x, auto* y) { put(one_minus_product(x[0], x[1]), y); }),
+
+    of<4, 2>("pair_sum", [](const auto* x, auto* y) { put(pair(x) + pair(x + 2), y); }),
+    of<4, 2>("pair_difference", [](const auto* x, auto* y) { put(pair(x) - pair(x + 2), y); }),
+    of<3, 2>("pair_plus_number", [](const auto* x, auto* y) { put(pair(x) + x[2], y); }),
+    of<4, 2>("pair_product", [](const auto* x, auto* y) { put(pair(x) * pair(x + 2), y); }),
+    of<3, 2>("pair_times_number", [](const auto* x, auto* y) { put(pair(x) * x[2], y); }),
+    of<4, 2>("pair_quotient", [](const auto* x, auto* y) { put(pair(x) / pair(x + 2), y); }),
+    of<2, 2>("pair_reciprocal", [](const auto* x, auto* y) { put(reciprocal(pair(x)), y); }),
+    of<2, 2>("pair_root", [](const auto* x, auto* y) { put(reciprocal_square_root(pair(x)), y); }),
+    of<4, 1>("rounded_product",
+             [](const auto* x, auto* y) {
+               put(rounded(Product<decltype(pair(x))>{pair(x), pair(x + 2), -2.0}), y);
+             }),
+    of<2, 2>("pair_arctangent", [](const auto* x, auto* y) { put(arctangent(pair(x)), y); }),
+    of<2, 4>("pair_sine_cosine",
+             [](const auto* x, auto* y) {
+               const auto both = sine_cosine(pair(x));
+               put(both.sine, y);
+               put(both.cosine, y + 2);
+             }),
+
+    of<6, 3>("tracked_sum", [](const auto* x, auto* y) { put(tracked(x) + tracked(x + 3), y); }),
+    of<6, 3>("tracked_difference",
+             [](const auto* x, auto* y) { put(tracked(x) - tracked(x + 3), y); }),
+    of<4, 3>("tracked_plus_number", [](const auto* x, auto* y) { put(tracked(x) + x[3], y); }),
+    of<6, 3>("tracked_product",
+             [](const auto* x, auto* y) { put(tracked(x) * tracked(x + 3), y); }),
+    of<4, 3>("tracked_times_number", [](const auto* x, auto* y) { put(tracked(x) * x[3], y); }),
+    of<6, 3>("tracked_quotient",
+             [](const auto* x, auto* y) { put(tracked(x) / tracked(x + 3), y); }),
+    of<3, 3>("tracked_root",
+             [](const auto* x, auto* y) { put(reciprocal_square_root(tracked(x)), y); }),
+    of<3, 2>("tracked_rounding",
+             [](const auto* x, auto* y) {
+               y[0] = rounded(tracked(x));
+               y[1] = where(certainly_rounded(tracked(x)), decltype(x[0] + x[0])(1.0));
+             }),
+    of<3, 3>("tracked_arctangent", [](const auto* x, auto* y) { put(arctangent(tracked(x)), y); }),
+    of<3, 6>("tracked_sine_cosine",
+             [](const auto* x, auto* y) {
+               const auto both = sine_cosine(tracked(x));
+               put(both.sine, y);
+               put(both.cosine, y + 3);
+             }),
+
+    of<6, 3>("bounded_sum", [](const auto* x, auto* y) { put(bounded(x) + bounded(x + 3), y); }),
+    of<4, 3>("bounded_plus_number", [](const auto* x, auto* y) { put(bounded(x) + x[3], y); }),
+    of<6, 3>("bounded_product",
+             [](const auto* x, auto* y) { put(bounded(x) * bounded(x + 3), y); }),
+    of<4, 3>("bounded_times_number", [](const auto* x, auto* y) { put(bounded(x) * x[3], y); }),
+    of<6, 3>("bounded_quotient",
+             [](const auto* x, auto* y) { put(bounded(x) / bounded(x + 3), y); }),
+    of<3, 3>("bounded_root",
+             [](const auto* x, auto* y) { put(reciprocal_square_root(bounded(x)), y); }),
+    of<3, 2>("bounded_rounding",
+             [](const auto* x, auto* y) {
+               y[0] = rounded(bounded(x));
+               y[1] = where(certainly_rounded(bounded(x)), decltype(x[0] + x[0])(1.0));
+             }),
+    of<3, 3>("bounded_arctangent", [](const auto* x, auto* y) { put(arctangent(bounded(x)), y); }),
+    of<3, 6>("bounded_sine_cosine",
+             [](const auto* x, auto* y) {
+               const auto both = sine_cosine(bounded(x));
+               put(both.sine, y);
+               put(both.cosine, y + 3);
+             }),
+};
+
+}  // namespace magicmass::testing

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From theorems to the text of a kernel; what does not fit together is refused by name.
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+#include "codegen/emit.hpp"
+#include "codegen/kernel_forms.hpp"
+#include "codegen/make_kernel.hpp"
+#include "derivation/derivation.hpp"
+
+using namespace magicmass;
+using codegen::KernelForm;
+using codegen::Op;
+
+namespace {
+
+const std::vector<proof::Theorem>& theorems() {
+  static const std::vector<proof::Theorem> all = derivation::derive().theorems;
+  return all;
+}
+
+KernelForm form(const std::string& name) {
+  const auto& all = codegen::kernel_forms();
+  return *std::find_if(all.begin(), all.end(),
+                       [&](const KernelForm& one) { return one.name == name; });
+}
+
+int times(const std::string& text, const std::string& part) {
+  int found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("a case of an output with another right side is refused, and both are named", "[exam]") {
+  KernelForm terminal = form("terminal");
+  CHECK_NOTHROW(make_kernel(terminal, theorems()));
+  terminal.other_cases = {{"a_t", {"offset.a_after_P", "offset.c_after_P"}}};
+  CHECK_THROWS_WITH(make_kernel(terminal, theorems()),
+                    "offset.a_after_Q and offset.c_after_P have different right sides");
+  terminal.other_cases = {{"a_t", {"offset.a_before"}}};
+  CHECK_THROWS_WITH(make_kernel(terminal, theorems()), "no theorem is called offset.a_before");
+  terminal.other_cases = {{"a", {"offset.a_after_P"}}};
+  CHECK_THROWS_WITH(make_kernel(terminal, theorems()),
+                    "no output is called a, of which offset.a_after_P is to be a case");
+}
+
+TEST_CASE("each kernel asks for no more than its forms need", "[exam]") {
+  for (const KernelForm& one : codegen::kernel_forms()) {
+    const codegen::Kernel kernel = make_kernel(one, theorems());
+    const auto counts = operation_counts(kernel.program);
+    INFO(one.name << ": " << text(counts));
+    const bool takes_alpha = !one.reals.empty();
+    CHECK(counts.square_roots == (takes_alpha ? 1 : 0));
+    CHECK(counts.arctangents == (takes_alpha ? 1 : 0));
+    CHECK(counts.sine_cosine_pairs <= 1);
+    if (one.name == "velocities" || one.name == "terminal") CHECK(counts.divisions == 0);
+    for (const codegen::Node& node : kernel.program.nodes) {
+      CHECK(node.op != Op::power);
+      if (node.op == Op::reciprocal)
+        CHECK(kernel.program.nodes[static_cast<std::size_t>(node.args[0])].op != Op::square_root);
+    }
+  }
+}
+
+TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam]") {
+  for (const KernelForm& one : codegen::kernel_forms()) {
+    const std::string text = emit_kernel(make_kernel(one, theorems()));
+    INFO(text);
+    for (const auto& [member, id] : one.outputs) CHECK(times(text, id) >= 1);
+    for (const std::string& id : one.bindings) CHECK(times(text, id) >= 1);
+    CHECK(times(text, "struct " + one.kernel + " {") == 1);
+    CHECK(times(text, "void stage_1()") == 1);
+    CHECK(times(text, "void first()") == (one.first.empty() ? 0 : 1));
+    CHECK(times(text, " evaluate(") == 1);
+    // scaling by a power of two is no multiplication
+    CHECK(times(text, "* Real(0.25))") == 0);
+    const bool is_in_blocks = !one.result.empty();
+    CHECK(times(text, one.name + "_block(std::size_t size") == (is_in_blocks ? 1 : 0));
+  }
+}
+
+TEST_CASE("outputs that are products are handed out unevaluated", "[exam]") {
+  codegen::Kernel kernel;
+  kernel.form = {.name = "two",
+                 .kernel = "TwoKernel",
+                 .result = "Two",
+                 .summary = "Two outputs",
+                 .domain = "any",
+                 .reals = {"x"},
+                 .outputs = {{"f", "theorem.f"}, {"g", "theorem.g"}}};
+  codegen::Program& program = kernel.program;
+  const int x = append(program, {.op = Op::input, .name = "x"});
+  const int sine = append(program, {.op = Op::sine, .args = {x}});
+  const int cosine = append(program, {.op = Op::cosine, .args = {x}});
+  const int quarter = append(program, {.op = Op::constant, .numerator = 1, .denominator = 4});
+  const int f = append(program, {.op = Op::multiply, .args = {quarter, sine, cosine}});
+  const int two = append(program, {.op = Op::constant, .numerator = 2});
+  const int g = append(program, {.op = Op::multiply, .args = {two, sine, sine}});
+  const int minus_g = append(program, {.op = Op::negate, .args = {g}});
+  program.outputs = {{"f", f, "theorem.f"}, {"g", minus_g, "theorem.g"}};
+  const std::string products = emit_kernel(kernel);
+  INFO(products);
+  CHECK(times(products, ".f = {sine, cosine, 0.25},") == 1);
+  CHECK(times(products, ".g = {sine, sine, -2.0},") == 1);
+  const int h = append(program, {.op = Op::add, .args = {sine, cosine}});
+  program.outputs[1] = {"g", h, "theorem.g"};
+  const std::string mixed = emit_kernel(kernel);
+  CHECK(times(mixed, "Product") == 0);
+  CHECK(times(mixed, ".g = sine + cosine,") == 1);
+}
