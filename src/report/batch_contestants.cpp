@@ -72,8 +72,11 @@ std::vector<Contestant> velocities(const std::string& quantity, InstructionSet s
         },
         members);
   };
-  return as_slow_as_one_by_one(
-      {make("batch_fast", fast::velocities), make("batch_accurate", accurate::velocities)});
+  using Function =
+      void (*)(std::span<const double>, std::span<const std::int64_t>, std::span<double>,
+               std::span<double>, std::span<double>, std::span<double>, InstructionSet);
+  return as_slow_as_one_by_one({make("batch_fast", Function{fast::velocities}),
+                                make("batch_accurate", Function{accurate::velocities})});
 }
 
 std::vector<Contestant> terminal(const std::string& quantity, InstructionSet set) {

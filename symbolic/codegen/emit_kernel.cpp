@@ -113,20 +113,11 @@ private:
     return text;
   }
 
-  std::string first_sine() const {
-    return form_.first_index.empty() ? "cot_half" : "Number(" + form_.first_index + ")";
-  }
-  std::string first_cosine() const {
-    const std::string one = "Number(Real(1.0))";
-    return form_.first_index.empty()
-               ? one
-               : "select(" + form_.first_index + " > Real(0.0), cot_half, " + one + ")";
-  }
   std::string replaced_turn(const std::string& indent) const {
     return indent + "if constexpr (in_lanes) {  // two collisions\n" + indent +
            "  const auto is_beyond = alpha >= Real(1.0);\n" + indent +
-           "  sine = select(is_beyond, " + first_sine() + ", sine);\n" + indent +
-           "  cosine = select(is_beyond, " + first_cosine() + ", cosine);\n" + indent + "}\n";
+           "  sine = select(is_beyond, " + form_.first_sine() + ", sine);\n" + indent +
+           "  cosine = select(is_beyond, " + form_.first_cosine() + ", cosine);\n" + indent + "}\n";
   }
 
   std::string stage_function(int s) const {
@@ -168,7 +159,8 @@ private:
     for (const int number : carried_)
       if (node(number).op == Op::multiply || node(number).op == Op::add)
         text += line("    " + printer_.name(number) + " = " + printer_.right_side(number) + ";");
-    return text + "    sine = " + first_sine() + ";\n    cosine = " + first_cosine() + ";\n  }\n";
+    return text + "    sine = " + form_.first_sine() + ";\n    cosine = " + form_.first_cosine() +
+           ";\n  }\n";
   }
 
   std::string evaluate_function() const {

@@ -16,14 +16,14 @@ std::string line(const std::string& text) { return wrapped(text) + "\n"; }
 class StraightLines {
 public:
   explicit StraightLines(const Kernel& kernel)
-      : form_(kernel.form), program_(kernel.program), printer_(program_) {
+      : form_(kernel.form), program_(kernel.program), printer_(program_, form_.numbers) {
     for (const Output& output : program_.outputs) need(output.node);
   }
 
   std::string run() const {
     const int end = static_cast<int>(program_.nodes.size());
     std::string text;
-    if (form_.first_sine.empty()) {
+    if (form_.first.empty()) {
       text = defined(0, end, "  ", {});
     } else {
       const int after_psi = end_of_psi();
@@ -127,8 +127,8 @@ private:
       const Node& made = node(number);
       const std::string value = made.op == Op::reciprocal_square_root
                                     ? "reciprocal(Number::sum(Real(1.0), alpha))"
-                                : made.op == Op::sine   ? form_.first_sine
-                                : made.op == Op::cosine ? form_.first_cosine
+                                : made.op == Op::sine   ? form_.first_sine()
+                                : made.op == Op::cosine ? form_.first_cosine()
                                                         : printer_.right_side(number);
       text += line("    " + printer_.name(number) + " = " + value + ";");
     }

@@ -3,6 +3,16 @@
 
 namespace magicmass::codegen {
 
+std::string KernelForm::first_sine() const {
+  return first_index.empty() ? "cot_half" : "Number(" + first_index + ")";
+}
+
+std::string KernelForm::first_cosine() const {
+  const std::string one = "Number(Real(1.0))";
+  return first_index.empty() ? one
+                             : "select(" + first_index + " > Real(0.0), cot_half, " + one + ")";
+}
+
 namespace {
 
 // The n-th cycle.

@@ -27,6 +27,9 @@ struct KernelForm {
   // cosine where there is an index ("n" = 0 or 1; the sine is 0 at 0), else the sine. That is checked.
   std::vector<std::string> first = {};
   std::string first_index = {};
+
+  std::string first_sine() const;  // the two in C++
+  std::string first_cosine() const;
 };
 
 const std::vector<KernelForm>& kernel_forms();
