@@ -46,7 +46,8 @@ struct Tracked {
     const Pair<T> q = x.pair / y.pair;
     const T divisor = magnitude(y.pair.high);
     const T of_quotient = (x.size + magnitude(q.high) * y.size) / (divisor * T(1 - 0x1p-18));
-    return {q, select(y.size * T(highest_degree * unit) < divisor * T(0x1p-20), of_quotient, T(HUGE_VAL))};
+    return {q, select(y.size * T(highest_degree * unit) < divisor * T(0x1p-20), of_quotient,
+                      T(HUGE_VAL))};
   }
   friend Tracked scaled(Tracked x, double power_of_two) {
     return {scaled(x.pair, power_of_two), x.size * T(std::fabs(power_of_two))};
