@@ -19,7 +19,7 @@ inline namespace MAGICMASS_TARGET {
 // From: transmission.rho_after_Q.
 // With: power.V_CM, transmission.rest_e, transmission.h, transmission.tan_half_h,
 //   transmission.root_h, transmission.alpha_c.
-// Cost: 12 additions, 18 multiplications, 2 divisions, 1 square root, 2 sines or cosines,
+// Cost: 12 additions, 17 multiplications, 2 divisions, 1 square root, 2 sines or cosines,
 //   1 arctangent.
 template <class Number>
 struct TransmissionKernel {
@@ -63,8 +63,9 @@ struct TransmissionKernel {
   }
 
   [[gnu::always_inline]] Number result() const {
-    const Number sum_4 = root_h * decay * sum_3 * ((root_e * sine * is_even + sine_2 * is_odd) *
-        alpha + root_e * sine + sine_2) + Real(1.0);
+    const Number product = root_e * sine;
+    const Number sum_4 = root_h * decay * sum_3 * ((product * is_even + sine_2 * is_odd) * alpha +
+        product + sine_2) + Real(1.0);
     return sum_4 * sum_4 * V_CM * V_CM;
   }
 

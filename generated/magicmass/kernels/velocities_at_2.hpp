@@ -17,7 +17,7 @@ inline namespace MAGICMASS_TARGET {
 // Domain: 2^-120 <= alpha <= 2^60.
 // From: fixed_n.a_2, fixed_n.b_2, fixed_n.c_2, fixed_n.c_prime_2.
 // With: fixed_n.mu, fixed_n.nu, fixed_n.p_1, fixed_n.q_2, fixed_n.p_2, fixed_n.q_3.
-// Cost: 5 additions, 13 multiplications, 1 division.
+// Cost: 5 additions, 11 multiplications, 1 division.
 template <class Number>
 struct VelocitiesAt2Kernel {
   using Real = typename Number::Real;
@@ -25,20 +25,21 @@ struct VelocitiesAt2Kernel {
 
   Real alpha;
 
-  [[gnu::always_inline]] Velocities<arithmetic::Product<Number>> result() const {
+  [[gnu::always_inline]] Velocities<Number> result() const {
     const Number mu = reciprocal(Number::sum(Real(1.0), alpha));
     const Number q_2 = scaled(mu, 2.0);
     const Number p_2 = scaled(mu * mu, 4.0) - q_2 + -Real(1.0);
     const Number p_1 = mu * (Number::sum(Real(1.0), -alpha));
+    const Number product = q_2 * p_1 * q_2;
     return {
-        .a = {p_2, p_1, 1.0},
-        .b = {q_2 * p_1 * (q_2 + Real(1.0)) * alpha, q_2, 1.0},
-        .c = {q_2 * p_1, q_2, 1.0},
-        .c_prime = {q_2 * p_2, q_2, -1.0},
+        .a = p_2 * p_1,
+        .b = (q_2 + Real(1.0)) * product * alpha,
+        .c = product,
+        .c_prime = -q_2 * p_2 * q_2,
     };
   }
 
-  [[gnu::always_inline]] static Velocities<arithmetic::Product<Number>> evaluate(Real alpha) {
+  [[gnu::always_inline]] static Velocities<Number> evaluate(Real alpha) {
     VelocitiesAt2Kernel kernel;
     kernel.alpha = alpha;
     return kernel.result();

@@ -74,6 +74,9 @@ bool in_two_stages(Result& result, Inputs... inputs) {
 }
 
 Velocities<double> fast_velocities(double alpha, double n, double n_low) {
+  // where few collisions turn by large angles, a pair's arctangent and sine can cost 5 envelopes
+  if (alpha > 0.0625 && alpha < 1.0)
+    return nearest(VelocitiesKernel<Tracked<double>>::evaluate(alpha, n));
   if (n_low == 0.0 || alpha >= 1.0)
     return nearest(VelocitiesKernel<Pair<double>>::evaluate(alpha, n));
   // n is beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that n multiplies
@@ -118,6 +121,8 @@ Ratios<double> fast_ratios(double k, double k_low) {
 }
 
 Terminal<double> fast_terminal(double alpha, double N_A, double turn) {
+  if (alpha > 0.0625 && alpha < 1.0)  // as above
+    return nearest(TerminalKernel<Tracked<double>>::evaluate(alpha, N_A, turn));
   auto result = nearest(TerminalKernel<Pair<double>>::evaluate(alpha, N_A, turn));
   // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
   if (result.rho < 0x1p-960) [[unlikely]]

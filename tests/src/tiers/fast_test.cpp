@@ -104,6 +104,13 @@ TEST_CASE("the last times and distances of many are as good as the others", "[ch
   }
 }
 
+TEST_CASE("few collisions at large angles, where pairs alone would cost 5 envelopes", "[exam]") {
+  report::Oracle oracle;
+  for (const Input& input : {Input{0x1.8662e53d88de6p-2, 1}, Input{0x1.ffe02ebc6c882p-1, 2},
+                             Input{0x1.ff83ff14d23e6p-1, 2}, Input{0x1.ffffffffffc16p-1, 2}})
+    CHECK(over_envelope(evaluated("velocities", input), oracle.at("velocities", input)) <= 3.0);
+}
+
 TEST_CASE("an error of 5 envelopes would be seen", "[exam]") {
   report::Oracle oracle;
   const auto& exact = oracle.at("velocities", {0.01, 3});
