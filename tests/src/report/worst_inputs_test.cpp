@@ -16,7 +16,6 @@
 #include "report/errors.hpp"
 #include "report/evaluation.hpp"
 #include "report/quantities.hpp"
-#include "tiers/contestants_of_tiers.hpp"
 
 using namespace magicmass;
 using namespace magicmass::report;
@@ -35,7 +34,7 @@ std::vector<WorstInput> pinned() {
 std::vector<Contestant> ours(const std::string& quantity) {
   std::vector<Contestant> all = generated_contestants(quantity);
   for (Contestant& one : certified_contestants(quantity)) all.push_back(std::move(one));
-  for (Contestant& one : testing::contestants_of_tiers(quantity)) all.push_back(std::move(one));
+  for (Contestant& one : tier_contestants(quantity)) all.push_back(std::move(one));
   return all;
 }
 
