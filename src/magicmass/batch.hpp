@@ -27,7 +27,7 @@ void velocity_stream(double alpha, std::int64_t first_n, std::span<double> a, st
                      InstructionSet instruction_set = best_instruction_set());
 
 /// All velocities just after the n-th collisions of alpha, in units of V, where 0 <= n <= N_A(alpha). In tier fast each within 4 times
-/// max(1/2, cond/2) ulp, cond = |alpha y'/y|, or 6 times for alpha from 1/16 to 1; in tier accurate the nearest doubles. From theorems tangent.*.
+/// max(1/2, cond/2) ulp, cond = |alpha y'/y|; in tier accurate the nearest doubles. From theorems tangent.*.
 namespace fast {
 void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,

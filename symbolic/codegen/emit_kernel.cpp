@@ -69,7 +69,7 @@ private:
     for (const std::string& id : form_.bindings) with += (with.empty() ? "" : ", ") + id;
     for (const std::string& id : form_.first) first += (first.empty() ? "" : ", ") + id;
     return line("// " + form_.summary + ".") + line("// Domain: " + form_.domain + ".") +
-           line("// From: " + from + ".") + line("// With: " + with + ".") +
+           line("// From: " + from + ".") + (with.empty() ? "" : line("// With: " + with + ".")) +
            (first.empty() ? "" : line("// From alpha = 1 on: " + first + ".")) +
            line("// Cost: " + codegen::text(operation_counts(program_)) + ".");
   }

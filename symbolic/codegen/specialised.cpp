@@ -100,6 +100,10 @@ Specialised specialised(const QuantityGroup& group, const std::vector<proof::The
     const auto row = static_cast<std::size_t>(output - outputs.begin());
     if (!is_psi && row < whole.first.size()) first.push_back(whole.first[row]);
   }
+  std::erase_if(form.other_cases, [&form](const auto& cases) {
+    return std::none_of(form.outputs.begin(), form.outputs.end(),
+                        [&](const auto& output) { return output.first == cases.first; });
+  });
   Kernel kernel = make_kernel(form, theorems);
   // what follows from another output, as rho from b_t, has no theorem of its own for the first collisions
   kernel.form.first = first.empty() ? whole.first : first;

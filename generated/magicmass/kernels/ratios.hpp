@@ -16,7 +16,6 @@ inline namespace MAGICMASS_TARGET {
 // Magic and deficient mass ratios.
 // Domain: 1 <= k < 2^50.
 // From: ratios.alpha_k_from_sine, ratios.beta_k_from_sine.
-// With: .
 // Cost: 4 additions, 11 multiplications, 4 divisions, 2 sines or cosines.
 template <class Number>
 struct RatiosKernel {

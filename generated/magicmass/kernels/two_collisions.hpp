@@ -16,7 +16,6 @@ inline namespace MAGICMASS_TARGET {
 // The fraction of the energy that reaches B where P_1 and Q_1 are the only collisions.
 // Domain: 2^-120 <= alpha <= 2^240, 0 < e <= 1.
 // From: inelastic_end.two_rho.
-// With: .
 // Cost: 2 additions, 7 multiplications, 1 division.
 template <class Number>
 struct TwoCollisionsKernel {

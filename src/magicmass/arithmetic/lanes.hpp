@@ -91,6 +91,17 @@ template <int N>
 #endif
 }
 
+/// x with all but its leading 12 bits cleared.
+[[gnu::always_inline]] inline double leading_bits(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 41U));
+}
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> leading_bits(Lanes<N> x) {
+  using Bits = typename Lanes<N>::Mask;
+  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
+                                                   (Bits{} - (std::int64_t{1} << 41U)));
+}
+
 [[gnu::always_inline]] inline double magnitude(double x) { return std::fabs(x); }
 template <int N>
 [[gnu::always_inline]] inline Lanes<N> magnitude(Lanes<N> x) {

@@ -8,8 +8,8 @@ inline namespace MAGICMASS_TARGET {
 
 /// A real number as the unevaluated sum of two T (double or Lanes): the number type of tier `fast`. With u = 2^-53,
 /// products and quotients are within 2^-100 of themselves and sums within 2^-103 (|x| + |y|), as long as no
-/// product is below 2^-968 or beyond 2^996; arctangent, sine and cosine are good to u. So
-/// a result is hardly worse than rounded twice.
+/// product is below 2^-968 or beyond 2^996; arctangent, sine and cosine are good to u/4. So
+/// a result is hardly worse than rounded once.
 template <class T>
 struct Pair {
   using Real = T;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/accurate.hpp"
 
+#include <cmath>
+
 #include "magicmass/evaluators/certified_angles.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
 #include "magicmass/evaluators/count.hpp"
+#include "magicmass/tiers/first_encounter.hpp"
 #include "magicmass/tiers/first_stages.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
@@ -32,12 +35,16 @@ bool first_stages(double alpha, std::int64_t n, generated::Velocities<double>& r
 }
 
 bool first_stages(double alpha, std::int64_t j, generated::Encounters<double>& result) {
-  if (is_in_range(alpha) && j == 0) {
+  if (!(alpha > 0.0 && std::isfinite(alpha)) || j < 0) return false;
+  if (j == 0) {
     result = {0.0, 1.0};
     return true;
   }
-  // at j = 1 both are (1 + alpha)/2, which may be a double or halfway between two
-  return is_in_range(alpha) && j >= 2 && j <= most_index && alpha < 1.0 &&
+  if (j == 1) {
+    result = first_encounter(alpha);
+    return true;
+  }
+  return is_in_range(alpha) && j <= most_index && alpha < 1.0 &&
          single_kernels().encounters(alpha, static_cast<double>(j), result) && result.s > 0.0;
 }
 

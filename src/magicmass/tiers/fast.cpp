@@ -10,6 +10,7 @@
 #include "magicmass/evaluators/certified_velocities.hpp"
 #include "magicmass/evaluators/count.hpp"
 #include "magicmass/simulator/valid_input.hpp"
+#include "magicmass/tiers/first_encounter.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
 namespace magicmass::fast {
@@ -55,9 +56,8 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   require_positive_finite("alpha", alpha);
   require_not_negative("j", j);
   if (j == 0) return {0.0, 1.0};
-  // no product of the kernel is beyond 2^960 up to 2^400
-  const bool is_in_range = alpha < 1.0 ? j < std::int64_t{1} << 51U : j == 1 && alpha <= 0x1p400;
-  if (is_in_range) [[likely]] {
+  if (j == 1) return tiers::first_encounter(alpha);
+  if (alpha < 1.0 && j < std::int64_t{1} << 51U) [[likely]] {
     const auto result = tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
     if (result.s > 0.0) [[likely]]
       return result;

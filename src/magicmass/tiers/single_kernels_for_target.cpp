@@ -74,9 +74,6 @@ bool in_two_stages(Result& result, Inputs... inputs) {
 }
 
 Velocities<double> fast_velocities(double alpha, double n, double n_low) {
-  // where few collisions turn by large angles, a pair's arctangent and sine can cost 5 envelopes
-  if (alpha > 0.0625 && alpha < 1.0)
-    return nearest(VelocitiesKernel<Tracked<double>>::evaluate(alpha, n));
   if (n_low == 0.0 || alpha >= 1.0)
     return nearest(VelocitiesKernel<Pair<double>>::evaluate(alpha, n));
   // n is beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that n multiplies
@@ -91,10 +88,19 @@ Velocities<double> fast_velocities(double alpha, double n, double n_low) {
 }
 /// Below this the square of a tracked root, 1/alpha, is too large; a pair's root is scaled.
 constexpr double least_tracked = 0x1p-900;
+/// A pair's sine and cosine go as far as this.
+constexpr double largest_turn = 2.35;
 
 Encounters<double> fast_encounters(double alpha, double j) {
-  if (alpha < least_tracked) [[unlikely]]
-    return nearest(EncountersKernel<Pair<double>>::evaluate(alpha, j));
+  EncountersKernel<Pair<double>> kernel;
+  kernel.alpha = alpha;
+  kernel.j = j;
+  kernel.stage_1();
+  kernel.stage_2();
+  if (kernel.angle.high * (2.0 * j) < largest_turn || alpha < least_tracked) [[likely]] {
+    kernel.stage_3();
+    return nearest(kernel.result());
+  }
   const auto first = EncountersKernel<Tracked<double>>::evaluate(alpha, j);
   if (first.s.size < HUGE_VAL) [[likely]]
     return nearest(first);
@@ -104,25 +110,21 @@ Encounters<double> fast_encounters(double alpha, double j) {
   return {-HUGE_VAL, -HUGE_VAL};
 }
 double fast_angle(double alpha) {
-  if (alpha < least_tracked) [[unlikely]]
-    return nearest(AngleKernel<Pair<double>>::evaluate(alpha));
-  return nearest(AngleKernel<Tracked<double>>::evaluate(alpha));
+  // from 1 on the tangent of the quarter is beyond the arctangent of a pair
+  return alpha < 1.0 ? nearest(AngleKernel<Pair<double>>::evaluate(alpha))
+                     : nearest(AngleKernel<Tracked<double>>::evaluate(alpha));
 }
 Ratios<double> fast_ratios(double k, double k_low) {
-  RatiosKernel<Tracked<double>> kernel;
+  RatiosKernel<Pair<double>> kernel;
   kernel.k = k;
   kernel.stage_1();
-  if (k_low != 0.0) {
-    // k is beyond 2^53, and each sine is as good as inverse to it
-    for (Tracked<double>* sine : {&kernel.sine, &kernel.sine_2})
-      sine->pair.low -= sine->pair.high * (k_low / k);
-  }
+  // k is beyond 2^53, and each sine is as good as inverse to it
+  if (k_low != 0.0)
+    for (Pair<double>* sine : {&kernel.sine, &kernel.sine_2}) sine->low -= sine->high * (k_low / k);
   return nearest(kernel.result());
 }
 
 Terminal<double> fast_terminal(double alpha, double N_A, double turn) {
-  if (alpha > 0.0625 && alpha < 1.0)  // as above
-    return nearest(TerminalKernel<Tracked<double>>::evaluate(alpha, N_A, turn));
   auto result = nearest(TerminalKernel<Pair<double>>::evaluate(alpha, N_A, turn));
   // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
   if (result.rho < 0x1p-960) [[unlikely]]

@@ -104,7 +104,7 @@ TEST_CASE("the last times and distances of many are as good as the others", "[ch
   }
 }
 
-TEST_CASE("few collisions at large angles, where pairs alone would cost 5 envelopes", "[exam]") {
+TEST_CASE("few collisions at large angles, where a rounding of the angle shows most", "[exam]") {
   report::Oracle oracle;
   for (const Input& input : {Input{0x1.8662e53d88de6p-2, 1}, Input{0x1.ffe02ebc6c882p-1, 2},
                              Input{0x1.ff83ff14d23e6p-1, 2}, Input{0x1.ffffffffffc16p-1, 2}})
