@@ -13,10 +13,11 @@ struct SingleKernels {
   generated::Velocities<double> (*fast_velocities)(double alpha, double n, double n_low);
   /// A distance that is not positive: there is no such collision, or it is not known.
   generated::Encounters<double> (*fast_encounters)(double alpha, double j);
-  double (*fast_angle)(double alpha);
   /// k as high + low, too.
   generated::Ratios<double> (*fast_ratios)(double k, double k_low);
-  generated::Terminal<double> (*fast_terminal)(double alpha, double N_A, double turn);
+  /// N_A as high + low, too.
+  generated::Terminal<double> (*fast_terminal)(double alpha, double N_A, double N_A_low,
+                                               double turn);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);

@@ -73,19 +73,25 @@ bool in_two_stages(Result& result, Inputs... inputs) {
   return is_certain(second);
 }
 
-Velocities<double> fast_velocities(double alpha, double n, double n_low) {
-  if (n_low == 0.0 || alpha >= 1.0)
-    return nearest(VelocitiesKernel<Pair<double>>::evaluate(alpha, n));
-  // n is beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that n multiplies
-  VelocitiesKernel<Pair<double>> kernel;
-  kernel.alpha = alpha;
-  kernel.n = n;
+/// An index beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that the index multiplies.
+template <class Kernel>
+auto with_low_part(Kernel kernel, double low_over_high) {
   kernel.stage_1();
   kernel.stage_2();
-  kernel.angle.low += kernel.angle.high * (n_low / n);
+  kernel.angle.low += kernel.angle.high * low_over_high;
   kernel.stage_3();
   return nearest(kernel.result());
 }
+
+Velocities<double> fast_velocities(double alpha, double n, double n_low) {
+  using Kernel = VelocitiesKernel<Pair<double>>;
+  if (n_low == 0.0 || alpha >= 1.0) return nearest(Kernel::evaluate(alpha, n));
+  Kernel kernel;
+  kernel.alpha = alpha;
+  kernel.n = n;
+  return with_low_part(kernel, n_low / n);
+}
+
 /// Below this the square of a tracked root, 1/alpha, is too large; a pair's root is scaled.
 constexpr double least_tracked = 0x1p-900;
 /// A pair's sine and cosine go as far as this.
@@ -109,11 +115,6 @@ Encounters<double> fast_encounters(double alpha, double j) {
   if (second.s.error < HUGE_VAL) return nearest(second);
   return {-HUGE_VAL, -HUGE_VAL};
 }
-double fast_angle(double alpha) {
-  // from 1 on the tangent of the quarter is beyond the arctangent of a pair
-  return alpha < 1.0 ? nearest(AngleKernel<Pair<double>>::evaluate(alpha))
-                     : nearest(AngleKernel<Tracked<double>>::evaluate(alpha));
-}
 Ratios<double> fast_ratios(double k, double k_low) {
   RatiosKernel<Pair<double>> kernel;
   kernel.k = k;
@@ -124,8 +125,16 @@ Ratios<double> fast_ratios(double k, double k_low) {
   return nearest(kernel.result());
 }
 
-Terminal<double> fast_terminal(double alpha, double N_A, double turn) {
-  auto result = nearest(TerminalKernel<Pair<double>>::evaluate(alpha, N_A, turn));
+Terminal<double> fast_terminal(double alpha, double N_A, double N_A_low, double turn) {
+  using Kernel = TerminalKernel<Pair<double>>;
+  if (N_A_low != 0.0) {
+    Kernel kernel;
+    kernel.alpha = alpha;
+    kernel.N_A = N_A;
+    kernel.turn = turn;
+    return with_low_part(kernel, N_A_low / N_A);
+  }
+  auto result = nearest(Kernel::evaluate(alpha, N_A, turn));
   // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
   if (result.rho < 0x1p-960) [[unlikely]]
     result.rho = result.b_t * result.b_t;
@@ -149,7 +158,6 @@ bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
 const SingleKernels tables::MAGICMASS_TARGET = {
     .fast_velocities = fast_velocities,
     .fast_encounters = fast_encounters,
-    .fast_angle = fast_angle,
     .fast_ratios = fast_ratios,
     .fast_terminal = fast_terminal,
     .velocities = velocities,

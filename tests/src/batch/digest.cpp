@@ -112,7 +112,7 @@ int main(int arguments, char**) {
       in.a[i] = v.a;
       in.b[i] = v.b;
       in.c[i] = v.c;
-      in.d[i] = single.fast_angle(x);
+      if (!single.angle(x, in.d[i])) in.d[i] = 0.0;
     }
     in.print("single velocities", set);
   }
