@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
@@ -55,6 +56,26 @@ private:
   int saved_;
 };
 
+/// Ctrl-C waits until the object is gone, for the compiler too: else it would end the compiler and, while the shell runs,
+/// be lost to us.
+class InterruptLater {
+public:
+  InterruptLater() {
+    sigset_t interrupt;
+    ::sigemptyset(&interrupt);
+    ::sigaddset(&interrupt, SIGINT);
+    ::sigprocmask(SIG_BLOCK, &interrupt, &saved_);
+  }
+  InterruptLater(const InterruptLater&) = delete;
+  InterruptLater(InterruptLater&&) = delete;
+  InterruptLater& operator=(const InterruptLater&) = delete;
+  InterruptLater& operator=(InterruptLater&&) = delete;
+  ~InterruptLater() { ::sigprocmask(SIG_SETMASK, &saved_, nullptr); }
+
+private:
+  sigset_t saved_;
+};
+
 /// A folder of our own, gone with the object: GiNaC would leave its files where the user stands when interrupted.
 class ScratchFolder {
 public:
@@ -85,6 +106,7 @@ std::optional<GiNaC::FUNCP_CUBA> compiled(const std::vector<GiNaC::ex>& outputs,
   for (const std::string& name : inputs) symbols.append(proof::symbol(name));
   GiNaC::FUNCP_CUBA function = nullptr;
   const SilentErrors silence;
+  const InterruptLater later;
   // ginac-excompiler hands them to gcc; GiNaC leaves pi in C as the name that it has for it.
   ::setenv("CXXFLAGS", "-O2 -ffp-contract=off -DPi=M_PI", 1);
   try {

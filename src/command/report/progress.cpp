@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <ctime>
 #include <iostream>
 
 #include <fmt/format.h>
@@ -14,9 +15,20 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
+volatile std::sig_atomic_t interrupted_at = 0;  // seconds
+
+// The first asks for an end, another ends the program at once; but one keystroke may come twice, from the terminal and
+// from a program that passes it on.
 void on_interrupt(int) {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  const auto seconds = static_cast<std::sig_atomic_t>(now.tv_sec);
+  if (interrupted != 0 && seconds - interrupted_at > 1) {
+    std::signal(SIGINT, SIG_DFL);
+    std::raise(SIGINT);
+  }
+  if (interrupted == 0) interrupted_at = seconds;
   interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
 }
 
 }  // namespace
