@@ -87,9 +87,9 @@ std::vector<Task> report_tasks(const ReportRequest& request,
 report::TimingPlan timing_plan(const ReportRequest& request) {
   report::TimingPlan plan;
   plan.rounds.rounds = request.rounds;
-  plan.longest_pass_ns = request.quick ? 1e5 : 2e6;
-  plan.longest_call_ns = request.quick ? 1e6 : 2e7;
-  if (request.quick) plan.rounds.shortest_ns = 2e4;
+  plan.longest_pass_ns = request.quick ? 4e4 : 2e6;
+  plan.longest_call_ns = request.quick ? 3e5 : 2e7;
+  if (request.quick) plan.rounds.shortest_ns = 1e4;
   return plan;
 }
 
