@@ -37,7 +37,11 @@ struct Tracked {
   friend Tracked operator-(Tracked x) { return {-x.pair, x.size}; }
   friend Tracked operator+(Tracked x, Tracked y) { return {x.pair + y.pair, x.size + y.size}; }
   friend Tracked operator-(Tracked x, Tracked y) { return {x.pair - y.pair, x.size + y.size}; }
-  friend Tracked operator+(Tracked x, T y) { return {x.pair + y, x.size + magnitude(y)}; }
+  /// Of nearly equal numbers what is left may be mostly the low part: it becomes the high part.
+  friend Tracked operator+(Tracked x, T y) {
+    const Pair<T> left = x.pair + y;
+    return {Pair<T>::sum(left.high, left.low), x.size + magnitude(y)};
+  }
   friend Tracked operator*(Tracked x, Tracked y) { return {x.pair * y.pair, x.size * y.size}; }
   friend Tracked operator*(Tracked x, T y) { return {x.pair * y, x.size * magnitude(y)}; }
   /// |x/y - q| <= (ex + |q| ey)/(|y| - ey), so the size is that sum over a little less than |y|; infinite where y is not known

@@ -125,6 +125,28 @@ TEST_CASE("where there is no last collision there is no transmission", "[exam]")
   CHECK(got[8] > 0.0);
 }
 
+TEST_CASE("a collapse is told from a last collision to the last bit of alpha", "[exam]") {
+  // the collisions end where 4 e (1 + alpha)^2 > (1 + e)^2
+  const auto ends = [](double alpha, double e) {
+    const cl_RA x = exactly(e), heavy = 1 + exactly(alpha);
+    return 4 * x * heavy * heavy > (1 + x) * (1 + x);
+  };
+  for (const double e : {0.99999, 0.9, 0.8, 0.7, 0.3, 0.01}) {
+    std::vector<double> alphas{lightest(e)};
+    for (int i = 0; i < 60; ++i) alphas[0] = std::nextafter(alphas[0], 0.0);
+    while (alphas.size() < 120) alphas.push_back(std::nextafter(alphas.back(), 1e9));
+    const bool first_ends = ends(alphas.front(), e), last_ends = ends(alphas.back(), e);
+    if (e < 0.9999) CHECK((!first_ends && last_ends));
+    for (const InstructionSet set : testing::available_instruction_sets()) {
+      const auto got = rhos(alphas, e, set);
+      for (std::size_t i = 0; i < alphas.size(); ++i) {
+        INFO("alpha = " << alphas[i] << ", e = " << e << ", " << name(set));
+        CHECK(std::isnan(got[i]) != ends(alphas[i], e));
+      }
+    }
+  }
+}
+
 TEST_CASE("a restitution that is none is refused", "[exam]") {
   for (const double e : {0.0, -0.5, 1.0000001, double(NAN), double(INFINITY), 1e-300})
     CHECK_THROWS_AS(rhos({0.5}, e, best_instruction_set()), InvalidInput);
