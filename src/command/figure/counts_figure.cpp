@@ -54,7 +54,7 @@ Figure counts_figure() {
       .script =
           "set logscale x\nset xlabel 'α = m/M'\nset ylabel 'number of collisions' offset 1\n"
           "set tmargin at screen 0.88\nset ytics 0,1 nomirror\nset xtics nomirror\n"
-          "set key at graph 0.97,0.9 right top samplen 3 spacing 1.3 opaque\n"};
+          "set key at graph 0.85,0.9 right top samplen 3 spacing 1.3\n"};
   figure.script += fmt::format("set xrange [{}:{}]\nset yrange [0:12]\n", first, last);
   for (const MassRatio& ratio : thresholds(first, last)) {
     figure.rows.push_back(row(ratio, to_text(ratio)));

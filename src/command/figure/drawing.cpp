@@ -91,6 +91,14 @@ std::string described(std::string svg, const Figure& figure) {
   return svg.insert(root + 4, " role=\"img\" aria-labelledby=\"title desc\"");
 }
 
+/// Blanks, which mean nothing there, in place of the time of drawing.
+std::string dateless(std::string pdf) {
+  const std::size_t begin = pdf.find("/CreationDate (");
+  const std::size_t end = pdf.find(')', begin);
+  if (begin == std::string::npos || end == std::string::npos) return pdf;
+  return pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
+}
+
 }  // namespace
 
 std::string drawn(const Figure& figure, const std::string& format) {
@@ -111,7 +119,8 @@ std::string drawn(const Figure& figure, const std::string& format) {
       break;
   }
   const std::string file = folder.read("figure");
-  return format == "svg" ? described(file, figure) : file;
+  if (format == "svg") return described(file, figure);
+  return format == "pdf" ? dateless(file) : file;
 }
 
 }  // namespace magicmass::command

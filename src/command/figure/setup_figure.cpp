@@ -15,25 +15,27 @@ Figure setup_figure() {
           "M, "
           "as large as A, rests at x = L.",
       .width = 700,
-      .height = 240,
+      .height = 200,
       .columns = {"body", "mass", "x", "velocity"},
       .rows = {},
       .script =
-          "set key off\nset xrange [-1.5:1.5]\nset yrange [-0.4:0.62]\nunset border\nunset ytics\n"
+          "set key off\nset xrange [-1.5:1.5]\nset yrange [-0.36:0.46]\nunset border\nunset ytics\n"
           "set size ratio -1\nset margins 1,1,0,0\nunset xtics\n"
           "set arrow from -1.45,-0.16 to 1.45,-0.16 nohead lw 1.5 lc rgb 'black'\n"
           "set arrow from 0,-0.18 to 0,-0.14 nohead lc rgb 'black'\n"
           "set arrow from 1,-0.18 to 1,-0.14 nohead lc rgb 'black'\n"
-          "set label '0' at 0,-0.25 center\nset label 'L' at 1,-0.25 center font ',14'\n"
+          "set label '0' at 0,-0.25 center\nset label 'L' at 1,-0.25 center \n"
           "set label 'x' at 1.45,-0.25 center\n"
-          "set label 'A' at -1,0.02 center\nset label 'B' at 1,0.02 center\n"
-          "set label 'M' at -1,0.3 center\nset label 'M' at 1,0.3 center\n"
-          "set label 'C' at 0,0.14 center\nset label 'm = αM' at 0,0.3 center\n"
+          "set label 'A' at -1,0 center front\nset label 'B' at 1,0 center front\n"
+          "set label 'M' at -1,0.25 center\nset label 'M' at 1,0.25 center\n"
+          "set label 'C' at 0,0.07 center\nset label 'm = αM' at 0,0.25 center\n"
           "set label 'V' at -0.55,0.12 center\n"
-          "plot data every 2 using 3:(0):(0.16):(0.16) with boxxyerror fs solid 0.25 border lc "
-          "rgb '#0072b2' lw 2 title 'blocks', "
-          "data every ::1::1 using 3:(-0.09):(0.07) with circles fs solid 0.6 border lc rgb "
-          "'#d55e00' title 'ball', "
+          "plot data every 2 using 3:(0):(0.16):(0.16) with boxxyerror lc rgb '#0072b2' lw 2 fs "
+          "solid "
+          "0.25 border title 'blocks', "
+          "data every ::1::1 using 3:(-0.09):(0.07) with circles lc rgb '#d55e00' lw 2 fs solid "
+          "0.6 "
+          "border title 'ball', "
           "data every ::0::0 using ($3+0.2):(0):(0.45*$4):(0) with vectors head filled size "
           "0.07,20 lw 2.5 lc rgb 'black' title 'velocity'\n"};
   figure.rows = {

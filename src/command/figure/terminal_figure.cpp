@@ -31,11 +31,11 @@ Figure terminal_figure() {
       .script =
           "set logscale x\nset xrange [0.01:2]\nset yrange [-0.4:1.1]\nset xlabel 'α = m/M'\n"
           "set ylabel 'terminal velocity / V' offset 1\nset xtics nomirror\nset ytics nomirror\n"
-          "set key at graph 0.03,0.72 left top Left reverse samplen 4 spacing 1.3\n"
+          "set key above center horizontal Left reverse samplen 4 width 2\n"
           "set arrow from graph 0, first 0 to graph 1, first 0 nohead back lw 0.8 lc rgb "
           "'#999999'\n"
           "plot data using 1:5 with lines lw 2.5 dt solid lc rgb '#000000' title 'b_t', "
-          "data using 1:6 with lines lw 2.5 dt (1,2) lc rgb '#d55e00' title 'c_t', "
+          "data using 1:6 with lines lw 3 dt (1.5,2.5) lc rgb '#d55e00' title 'c_t', "
           "data using 1:4 with lines lw 2 dt (9,5) lc rgb '#0072b2' title 'a_t'\n"};
   for (std::size_t i = 0; i < size; ++i)
     figure.rows.push_back({number_cell(alpha[i]), number_cell(N_A[i]), number_cell(N_B[i]),

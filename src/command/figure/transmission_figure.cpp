@@ -70,9 +70,11 @@ Figure transmission_figure() {
     for (int halvings = 3; halvings <= 24; ++halvings)  // close to the edge the curve is steepest
       alpha.push_back(edge + std::ldexp(edge, -halvings));
     figure.script += fmt::format(
-        "set object rectangle from {0}, graph 0 to {1}, graph 1 back fillstyle solid 1 noborder fc "
+        "set object rectangle from {0}, graph 0 to {1}, graph 1 behind fillstyle solid 1 noborder "
+        "fc "
         "rgb '{2}'\n"
         "set arrow from {1}, graph 0 to {1}, graph 1.01 nohead back lw 0.8 lc rgb '#666666'\n"
+        "set label 'collapse, e ≤ {3}' at {1}, graph 0.02 rotate offset -1.2,0 font ',11'\n"
         "set label 'α_c({3})' at {1}, graph 1.04 center\n",
         left, edge, series.shade, series.e);
     collapses += fmt::format("{} {:.3g} for e = {}", collapses.empty() ? "" : ",", edge, series.e);

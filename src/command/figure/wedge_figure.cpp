@@ -62,7 +62,7 @@ Figure wedge_figure() {
       .rows = {},
       .script =
           "set key off\nunset border\nunset tics\nset size ratio -1\nset margins 1,1,1,1\n"
-          "set xrange [-3:3]\nset yrange [-0.25:3.05]\n"};
+          "set xrange [-3:3]\nset yrange [-0.25:2.95]\n"};
   const double height = fast::encounters(alpha, 0).s * std::sin(h);
   const auto row = [&](const std::string& name, double t, double s, double angle, Point unfolded,
                        Point folded) {
@@ -78,6 +78,14 @@ Figure wedge_figure() {
     figure.script += side(j + 1, angle);
   }
   const Point tip = polar(reach, h);
+  const double left = polar(fast::encounters(alpha, counts.N_A + counts.N_B - 1).s, 0.0).x;
+  const Point away = polar(1.45, h);  // at a magic ratio A and C stay as they are
+  figure.script += fmt::format(
+      "set arrow from {0:.9g},0 to {1:.9g},{2:.9g} nohead lw 2 dt (1.5,2.5) lc rgb "
+      "'#d55e00'\n"
+      "set label 'C meets B' at 1.9,-0.12 center\n"
+      "set label 'A meets C' at {3:.9g},{4:.9g} center rotate by {5:.9g}\n",
+      left, left + away.x, away.y, polar(1.9, h).x - 0.05, polar(1.9, h).y + 0.11, h * 180 / M_PI);
   figure.script += fmt::format(
       "set object polygon from 0,0 to {0:.9g},0 to {1:.9g},{2:.9g} to 0,0 back fillstyle solid 1 "
       "noborder fc rgb '#e4e4e4'\n"
