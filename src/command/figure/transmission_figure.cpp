@@ -2,13 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "command/figure/figure.hpp"
 #include "command/figure/ratio_grid.hpp"
 #include "magicmass/batch.hpp"
+#include "magicmass/reference/rational.hpp"
+#include "magicmass/reference/restitution.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -28,19 +30,14 @@ constexpr std::array<Series, 4> all_series = {
      {0.8, "lw 2.2 dt (6,4) lc rgb '#d55e00'", "#d9d9d9"},
      {0.7, "lw 2.6 dt (1.5,2.5) lc rgb '#007a59'", "#ececec"}}};
 
-bool ends(double alpha, double e) {
-  double rho = 0.0;
-  fast::transmission({&alpha, 1}, e, {&rho, 1});
-  return !std::isnan(rho);
-}
-
-/// The largest double with a collapse, by bisection between two mass ratios with and without one.
+/// The largest double with a collapse, by bisection with exact decisions.
 double last_collapse(double e) {
+  const cln::cl_RA exact_e = reference::exact(e);
   double collapses = first;
   double ending = last;
   while (std::nextafter(collapses, ending) < ending) {
     const double middle = std::midpoint(collapses, ending);
-    (ends(middle, e) ? ending : collapses) = middle;
+    (reference::count_collisions(middle, exact_e) ? ending : collapses) = middle;
   }
   return collapses;
 }
@@ -62,12 +59,17 @@ Figure transmission_figure() {
   figure.script += fmt::format("set xrange [{}:{}]\n", first, last);
   std::vector<double> alpha = ratio_grid(first, last, 256);
   std::string collapses;
+  std::vector<double> edges;  // of each series
   double left = first;
   for (const Series& series : all_series) {
-    if (series.e == 1.0) continue;
+    if (series.e == 1.0) {
+      edges.push_back(0.0);
+      continue;
+    }
     const double edge = last_collapse(series.e);
-    alpha.insert(alpha.end(), {edge, std::nextafter(edge, last)});
-    for (int halvings = 3; halvings <= 24; ++halvings)  // close to the edge the curve is steepest
+    edges.push_back(edge);
+    alpha.push_back(edge);
+    for (int halvings = 3; halvings <= 40; ++halvings)  // the curve begins at the edge
       alpha.push_back(edge + std::ldexp(edge, -halvings));
     figure.script += fmt::format(
         "set object rectangle from {0}, graph 0 to {1}, graph 1 behind fillstyle solid 1 noborder "
@@ -84,10 +86,12 @@ Figure transmission_figure() {
   alpha.erase(std::unique(alpha.begin(), alpha.end()), alpha.end());
   for (const double value : alpha) figure.rows.push_back({number_cell(value)});
   std::string plots;
-  for (const Series& series : all_series) {
+  for (std::size_t k = 0; k < all_series.size(); ++k) {
+    const Series& series = all_series[k];
     std::vector<double> rho(alpha.size());
     fast::transmission(alpha, series.e, rho);
-    for (std::size_t i = 0; i < rho.size(); ++i) figure.rows[i].push_back(number_cell(rho[i]));
+    for (std::size_t i = 0; i < rho.size(); ++i)
+      figure.rows[i].push_back(alpha[i] > edges[k] ? number_cell(rho[i]) : missing_cell());
     figure.columns.push_back(fmt::format("rho_{}", series.e));
     plots += fmt::format("{} data using 1:{} with lines {} title 'e = {}'",
                          plots.empty() ? "" : ",", figure.columns.size(), series.line, series.e);
