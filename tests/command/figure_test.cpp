@@ -108,14 +108,15 @@ TEST_CASE("the user's own gnuplot settings change nothing", "[exam]") {
             .output == run_program({"figure", "terminal"}).output);
 }
 
-TEST_CASE("--list names the figures", "[exam]") {
+TEST_CASE("figure --list names the figures", "[exam]") {
   const std::vector<std::string> lines = lines_of(run_program({"figure", "--list"}).output);
   REQUIRE(lines.size() == all_figures.size());
   for (std::size_t i = 0; i < lines.size(); ++i)
     CHECK(lines[i].starts_with(all_figures[i].name + " "));
 }
 
-TEST_CASE("without gnuplot a figure is one line, code 2 and no file; CSV still comes", "[exam]") {
+TEST_CASE("without gnuplot a figure is one line, code 2 and no file, and CSV still comes",
+          "[exam]") {
   const TemporaryFolder folder;
   const std::vector<std::string> nowhere = {"/usr/bin/env", "PATH=/nowhere"};
   const ProgramRun run =
