@@ -55,9 +55,10 @@ std::string terminal_command(const Figure& figure, const std::string& format) {
         "set terminal pngcairo size {},{} font 'sans,14' fontscale 1.6 linewidth 1.6 pointscale "
         "1.6\n",
         2 * figure.width, 2 * figure.height);
-  if (format == "pdf")  // 96 SVG pixels make an inch
-    return fmt::format("set terminal pdfcairo size {:.3f}in,{:.3f}in font 'sans,11'\n",
-                       figure.width / 96.0, figure.height / 96.0);
+  if (format == "pdf")  // 96 SVG pixels make an inch, and one is 0.75 points
+    return fmt::format(
+        "set terminal pdfcairo size {:.3f}in,{:.3f}in font 'sans,14' fontscale 0.75\n",
+        figure.width / 96.0, figure.height / 96.0);
   return fmt::format("set terminal svg size {},{} font 'sans,14' background 'white'\n",
                      figure.width, figure.height);
 }
