@@ -76,7 +76,7 @@ Figure transmission_figure() {
         "fc "
         "rgb '{2}'\n"
         "set arrow from {1}, graph 0 to {1}, graph 1.01 nohead back lw 0.8 lc rgb '#666666'\n"
-        "set label 'collapse, e ≤ {3}' at {1}, graph 0.02 rotate offset -1.2,0 font ',11'\n"
+        "set label 'collapse, e ≤ {3}' at {1}, graph 0.01 rotate offset -1.2,0 font ',10'\n"
         "set label 'α_c({3})' at {1}, graph 1.04 center\n",
         left, edge, series.shade, series.e);
     collapses += fmt::format("{} {:.3g} for e = {}", collapses.empty() ? "" : ",", edge, series.e);
