@@ -22,5 +22,6 @@ void add_equal(Program& program);
 std::vector<std::string> with_expressions_marked(int argc, char** argv);
 void add_report(Program& program);
 void add_demo(Program& program);
+void add_figure(Program& program);
 
 }  // namespace magicmass::command

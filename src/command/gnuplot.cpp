@@ -17,8 +17,9 @@ Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& scri
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "gnuplot.log",
                                    O_WRONLY | O_CREAT | O_TRUNC, 0666);
   std::string program = "gnuplot";
+  std::string without_own_settings = "-d";
   std::string argument = script;
-  char* const arguments[] = {program.data(), argument.data(), nullptr};
+  char* const arguments[] = {program.data(), without_own_settings.data(), argument.data(), nullptr};
   pid_t child = 0;
   const int error = ::posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
   posix_spawn_file_actions_destroy(&actions);

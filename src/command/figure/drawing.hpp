@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include <string>
+
+#include "command/figure/figure.hpp"
+
+namespace magicmass::command {
+
+/// The figure as a file of this format, "svg", "png" or "pdf": the same bytes each time. SVG files hold title and
+/// description. Throws InvalidInput without gnuplot, Undecided where gnuplot could not draw.
+std::string drawn(const Figure& figure, const std::string& format);
+
+}  // namespace magicmass::command

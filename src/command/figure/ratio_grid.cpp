@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/figure/ratio_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "command/alpha_value.hpp"
+#include "magicmass/fast.hpp"
+
+namespace magicmass::command {
+
+std::vector<MassRatio> thresholds(double first, double last) {
+  std::vector<MassRatio> descending;
+  for (std::int64_t k = 1;; ++k) {
+    const generated::Ratios<double> ratios = fast::ratios(k);
+    if (ratios.magic < first) break;
+    if (ratios.magic <= last) descending.emplace_back(Magic{k});
+    if (ratios.deficient >= first && ratios.deficient <= last)
+      descending.emplace_back(Deficient{k});
+  }
+  return {descending.rbegin(), descending.rend()};
+}
+
+std::vector<double> ratio_grid(double first, double last, int steps) {
+  std::vector<double> grid = {first, last};
+  for (int octave = std::ilogb(first); octave <= std::ilogb(last); ++octave)
+    for (int i = 0; i < steps; ++i) {
+      const double alpha = std::ldexp(1.0 + static_cast<double>(i) / steps, octave);
+      if (alpha > first && alpha < last) grid.push_back(alpha);
+    }
+  for (const MassRatio& threshold : thresholds(first, last))
+    grid.push_back(nearest_double(threshold));
+  std::sort(grid.begin(), grid.end());
+  grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
+  return grid;
+}
+
+}  // namespace magicmass::command

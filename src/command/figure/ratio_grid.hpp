@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The mass ratios at which figures are evaluated.
+#pragma once
+
+#include <vector>
+
+#include "magicmass/scenes/mass_ratio.hpp"
+
+namespace magicmass::command {
+
+/// All magic and deficient ratios from `first` to `last`, ascending.
+std::vector<MassRatio> thresholds(double first, double last);
+
+/// `first`, `last` and between them so many equal steps an octave, a power of two: short binary fractions, the
+/// same on every machine. With them the doubles nearest to the thresholds, where curves have their corners. Ascending.
+std::vector<double> ratio_grid(double first, double last, int steps);
+
+}  // namespace magicmass::command
