@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/reference/trio_end.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <cln/float.h>
+#include <cln/real.h>
+
+#include "magicmass/errors.hpp"
+#include "magicmass/reference/rational.hpp"
+
+namespace magicmass::reference {
+namespace {
+
+using cln::cl_I;
+using cln::cl_R;
+using cln::cl_RA;
+
+constexpr long most_further_bits = 1L << 14U;
+
+/// What a cycle makes of the two approach speeds (A to C, C to B), by columns, with B taken to be at rest.
+template <class Scalar>
+struct SpeedMap {
+  Scalar k11, k21, k12, k22;
+
+  explicit SpeedMap(const LinearMap<Scalar>& cycle) {
+    const auto first = apply(cycle, Velocities<Scalar>{Scalar(1), Scalar(0), Scalar(0)});
+    const auto second = apply(cycle, Velocities<Scalar>{Scalar(1), Scalar(0), Scalar(1)});
+    k11 = first.a - first.c;
+    k21 = first.c - first.b;
+    k12 = second.a - second.c;
+    k22 = second.c - second.b;
+  }
+  /// Of its characteristic polynomial.
+  Scalar discriminant() const {
+    const Scalar difference = k11 - k22;
+    const Scalar off = k12 * k21;
+    return difference * difference + (off + off) + (off + off);
+  }
+};
+
+Interval at(const ExactValue& value, long precision) { return enclosure(value)(precision); }
+
+Line<Interval> enclosed_line(const ExactLine& line, long precision) {
+  Line<Interval> intervals = converted<Interval>(
+      line.geometry, [&](const FieldNumber& x) { return x.enclosed(precision); });
+  for (const ExactValue& mass : line.masses) intervals.masses.push_back(at(mass, precision));
+  return intervals;
+}
+
+}  // namespace
+
+bool is_theorems_start(const ExactLine& line) {
+  const auto& g = line.geometry;
+  const bool trio = g.positions.size() == 3 && !g.left_wall && !g.right_wall;
+  const bool wall = g.positions.size() == 2 && !g.left_wall && g.right_wall;
+  if (!trio && !wall) return false;
+  const FieldNumber target = wall ? FieldNumber(0) : g.velocities[2];
+  const FieldNumber ahead = wall ? *g.right_wall : g.positions[2];
+  return g.velocities[1] == target && g.velocities[1] < g.velocities[0] && g.positions[1] < ahead;
+}
+
+TrioEnd::TrioEnd(const ExactLine& line, const std::optional<cl_I>& known) : line_(line) {
+  if (line.together) {
+    exact_.emplace(*line.together);
+    for (const FieldNumber& mass : line.together->masses)
+      bits_ = std::max(bits_, 2 * mass.bits() * static_cast<long>(mass.coefficients().size()));
+    bits_ += 2 * line.together->restitution.bits();
+  }
+  find_collapse();
+  if (collapse_) return;
+  contacts_ = known ? *known : first_not([&](const cl_I& j) { return approaches(j); });
+}
+
+bool TrioEnd::stays_short(const cl_I& j) const { return exact_ && j * bits_ < 20000; }
+
+TrioPowers<Interval> TrioEnd::enclosed(long precision) const {
+  return TrioPowers<Interval>(enclosed_line(line_, precision));
+}
+
+cl_I TrioEnd::first_not(const std::function<bool(const cl_I&)>& holds) {
+  cl_I low = 0, high = 1;
+  while (holds(high)) {
+    low = high;
+    high = 2 * high;
+  }
+  while (high - low > 1) {
+    const cl_I middle = cln::floor1(low + high, 2);
+    (holds(middle) ? low : high) = middle;
+  }
+  return high;
+}
+
+int TrioEnd::sign_after(
+    const cl_I& j, const std::function<Interval(const TrioState<Interval>&)>& at,
+    const std::function<FieldNumber(const TrioState<FieldNumber>&)>& exactly) const {
+  if (stays_short(j)) return exactly(exact_->after(j)).sign();
+  const long start = 64 + 2 * bits_ + 4 * static_cast<long>(cln::integer_length(j));
+  for (long precision = start; precision <= start + most_further_bits; precision *= 2) {
+    try {
+      const Sign sign = at(enclosed(precision).after(j)).sign();
+      if (sign != Sign::open) return sign == Sign::positive ? 1 : sign == Sign::negative ? -1 : 0;
+    } catch (const Undecided&) {  // a division reaches 0: more precision
+    }
+  }
+  throw Undecided("whether two bodies approach after " + to_text(j) +
+                  " collisions is closer than " + std::to_string(start + most_further_bits) +
+                  " bits can tell");
+}
+
+bool TrioEnd::approaches(const cl_I& j) const {
+  return sign_after(
+             j,
+             [&](const TrioState<Interval>& s) {
+               return TrioPowers<Interval>::approach(s, j).speed;
+             },
+             [&](const TrioState<FieldNumber>& s) {
+               return TrioPowers<FieldNumber>::approach(s, j).speed;
+             }) > 0;
+}
+
+double TrioEnd::value_after(
+    const cl_I& j, const std::function<Interval(const TrioState<Interval>&, long)>& at) const {
+  const long start = 128 + 2 * bits_ + 4 * static_cast<long>(cln::integer_length(j));
+  double middle = 0.0;
+  for (long precision = start; precision <= start + most_further_bits; precision *= 2) {
+    const Interval value = at(enclosed(precision).after(j), precision);
+    const auto low = nearest<double>(value.low()), high = nearest<double>(value.high());
+    if (low == high) return low;
+    middle = nearest<double>((value.low() + value.high()) / 2);
+  }
+  return std::abs(middle) < 1e-300 ? 0.0 : middle;
+}
+
+std::optional<Velocities<FieldNumber>> TrioEnd::exact_velocities(const cl_I& j) const {
+  if (!stays_short(j)) return std::nullopt;
+  return exact_->after(j).v;
+}
+
+Velocities<double> TrioEnd::velocities(const cl_I& j) const {
+  if (const auto exactly = exact_velocities(j))
+    return {nearest_double(exactly->a), nearest_double(exactly->b), nearest_double(exactly->c)};
+  using State = TrioState<Interval>;
+  return {value_after(j, [](const State& s, long) { return s.v.a; }),
+          value_after(j, [](const State& s, long) { return s.v.b; }),
+          value_after(j, [](const State& s, long) { return s.v.c; })};
+}
+
+TrioEnd::Contact TrioEnd::contact(const cl_I& j) const {
+  const Velocities<double> v = velocities(j + 1);
+  if (stays_short(j)) {
+    const auto next = exact_->approach(j);
+    const FieldNumber time = next.gap / next.speed;
+    const TrioState<FieldNumber> s = exact_->after(j);
+    return {nearest_double(time), nearest_double(s.x.c + s.v.c * time), v};
+  }
+  const auto time = [&](const TrioState<Interval>& s) {
+    const auto next = TrioPowers<Interval>::approach(s, j);
+    return next.gap / next.speed;
+  };
+  return {
+      value_after(j, [&](const TrioState<Interval>& s, long) { return time(s); }),
+      value_after(j, [&](const TrioState<Interval>& s, long) { return s.x.c + s.v.c * time(s); }),
+      v};
+}
+
+Positions<double> TrioEnd::positions(const FieldNumber& time) const {
+  if (collapse_)
+    throw Undecided("positions at given times are not offered where there is a collapse");
+  // Contact j, the first being 0, has happened where gap <= speed * time; positions are continuous there.
+  const auto happened = [&](const cl_I& j) {
+    if (j >= contacts_) return false;
+    return sign_after(
+               j,
+               [&](const TrioState<Interval>& s) {
+                 const auto next = TrioPowers<Interval>::approach(s, j);
+                 return next.speed * time.enclosed(s.v.a.precision()) - next.gap;
+               },
+               [&](const TrioState<FieldNumber>& s) {
+                 const auto next = TrioPowers<FieldNumber>::approach(s, j);
+                 return next.speed * time - next.gap;
+               }) >= 0;
+  };
+  const cl_I j = happened(0) ? first_not(happened) : cl_I(0);
+  if (stays_short(j)) {
+    const TrioState<FieldNumber> s = exact_->after(j);
+    return {nearest_double(s.x.a + s.v.a * time), nearest_double(s.x.b + s.v.b * time),
+            nearest_double(s.x.c + s.v.c * time)};
+  }
+  const auto place = [&](Interval Velocities<Interval>::*body) {
+    return value_after(j, [&](const TrioState<Interval>& s, long precision) {
+      return s.x.*body + s.v.*body * time.enclosed(precision);
+    });
+  };
+  return {place(&Velocities<Interval>::a), place(&Velocities<Interval>::b),
+          place(&Velocities<Interval>::c)};
+}
+
+void TrioEnd::find_collapse() {
+  if (line_.geometry.restitution == FieldNumber(1)) return;
+  std::optional<int> sign;
+  if (exact_) sign = SpeedMap<FieldNumber>(exact_->cycle()).discriminant().sign();
+  long precision = 256;
+  for (; !sign && precision <= most_further_bits; precision *= 2) {
+    const Sign seen = SpeedMap<Interval>(enclosed(precision).cycle()).discriminant().sign();
+    if (seen != Sign::open) sign = seen == Sign::negative ? -1 : 1;
+  }
+  if (!sign) throw Undecided("the scene is too close to the threshold of inelastic collapse");
+  if (*sign < 0) return;
+  // Numbers with some 200 digits to spare: the answer is rounded to a double.
+  const auto middle = [](const Interval& x) { return (x.low() + x.high()) / 2; };
+  const TrioPowers<Interval> powers = enclosed(2048);
+  const SpeedMap<Interval> map(powers.cycle());
+  const auto& x = powers.start().x;
+  const auto& v = powers.start().v;
+  const cl_RA k11 = middle(map.k11), k21 = middle(map.k21), k22 = middle(map.k22);
+  const cl_RA inner = *sign == 0 ? cl_RA(0) : middle(map.discriminant());
+  const cl_R root = cln::sqrt(cln::cl_float(inner, cln::float_format(300)));
+  const cl_R weight =
+      (k22 - k11 + root) / 2;  // the larger eigenvalue, less k11; the other weight is k21
+  const cl_R gaps = k21 * middle(x.c - x.a) + weight * middle(x.b - x.c);
+  const cl_R speeds = k21 * middle(v.a - v.c) + weight * middle(v.c - v.b);
+  const cl_RA time = cln::rational(gaps / speeds);
+  // All meet in one place: the wall, or the centre of mass, which moves uniformly.
+  cl_RA place = middle(x.b);
+  if (!line_.geometry.right_wall) {
+    const Line<Interval> line = enclosed_line(line_, 2048);
+    cl_RA mass = 0, moment = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const cl_RA m = middle(line.masses[i]);
+      mass = mass + m;
+      moment = moment + m * (middle(line.positions[i]) + middle(line.velocities[i]) * time);
+    }
+    place = moment / mass;
+  }
+  collapse_ = Collapse{nearest<double>(time), nearest<double>(place)};
+}
+
+}  // namespace magicmass::reference

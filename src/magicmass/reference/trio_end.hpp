@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// How three bodies, or two and a wall, end: counts, velocities and times of any contact, or a collapse.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "magicmass/reference/exact_line.hpp"
+#include "magicmass/reference/trio_powers.hpp"
+
+namespace magicmass::reference {
+
+/// Infinitely many contacts, in finite time.
+struct Collapse {
+  double time;
+  double position;
+};
+
+/// A moves towards C while C and B move alike (a wall: C rests): the state of the theorems, in any frame and with
+/// any gap between A and C.
+bool is_theorems_start(const ExactLine& line);
+
+/// A line that is_theorems_start, with answers from the powers of one cycle's linear map. Signs are decided exactly where
+/// numbers stay short, else by enclosures at raised precision. Each member throws Undecided where 2^14 bits more did not do.
+class TrioEnd {
+public:
+  /// known: the number of contacts, where a theorem has it already.
+  explicit TrioEnd(const ExactLine& line, const std::optional<cln::cl_I>& known = {});
+
+  /// Where the map of the approach speeds has real eigenvalues (theorems collapse.*), there is no last contact: its
+  /// dominant left eigenvector says when.
+  const std::optional<Collapse>& collapse() const { return collapse_; }
+  /// Number of contacts, without a collapse: those before the first pair that does not approach.
+  const cln::cl_I& contacts() const { return contacts_; }
+  /// Velocities after j contacts, as the nearest doubles; exactly 0 only where that is proved or 2^14 bits agree.
+  Velocities<double> velocities(const cln::cl_I& j) const;
+  /// Contact j, the first being 0.
+  struct Contact {
+    double time;
+    double position;
+    Velocities<double> after;
+  };
+  Contact contact(const cln::cl_I& j) const;
+  /// Where A, B and C are at a time >= 0.
+  Positions<double> positions(const FieldNumber& time) const;
+  /// Exactly, where the scene is of one field and that is short enough.
+  std::optional<Velocities<FieldNumber>> exact_velocities(const cln::cl_I& j) const;
+
+private:
+  const ExactLine& line_;
+  std::optional<TrioPowers<FieldNumber>> exact_;
+  long bits_ = 64;
+  cln::cl_I contacts_ = 0;
+  std::optional<Collapse> collapse_;
+
+  bool stays_short(const cln::cl_I& j) const;
+  TrioPowers<Interval> enclosed(long precision) const;
+  /// Sign of a difference that depends on the state after j contacts.
+  int sign_after(const cln::cl_I& j, const std::function<Interval(const TrioState<Interval>&)>& at,
+                 const std::function<FieldNumber(const TrioState<FieldNumber>&)>& exactly) const;
+  double value_after(const cln::cl_I& j,
+                     const std::function<Interval(const TrioState<Interval>&, long)>& at) const;
+  bool approaches(const cln::cl_I& j) const;
+  /// The first j from which `holds` is false, which is true up to there; at least 1, doubling first.
+  static cln::cl_I first_not(const std::function<bool(const cln::cl_I&)>& holds);
+  void find_collapse();
+};
+
+}  // namespace magicmass::reference
