@@ -87,3 +87,71 @@ TEST_CASE("text shows fractions in the table of events as decimals", "[exam]") {
   CHECK(run.output.find("   B      1      0.56000            1") !=
         std::string::npos);  // t = (1 + alpha)/2
 }
+
+TEST_CASE("the paper's cradle makes a thousand round trips and leaves nothing behind", "[exam]") {
+  const nlohmann::json result = json_of({"simulate", scene_file("cradle")});
+  CHECK(result.at("plan").at("model") == "transfers");
+  CHECK(result.at("contacts") == 42000);
+  CHECK(result.at("cradle") ==
+        nlohmann::json{{"transfers", 8000}, {"round_trips", 1000}, {"mover", "A_1"}});
+  for (const auto& [body, v] : result.at("velocities").items())
+    CHECK(v.get<double>() == (body == "A_1" ? 1.0 : 0.0));
+}
+
+TEST_CASE("a plan tells model, reason and events, and nothing is stepped without need", "[exam]") {
+  CHECK(json_of({"plan", scene_file("trajectory_c")}).at("events") == 7);
+  for (const char* name : {"wall", "unequal_blocks", "collapse"}) {
+    const nlohmann::json plan = json_of({"plan", scene_file(name)});
+    CHECK(plan.at("model") == "closed form");
+    CHECK(plan.at("events") == 0);
+    CHECK(json_of({"simulate", scene_file(name)}).at("stepped") == 0);
+  }
+  const nlohmann::json counted = json_of({"simulate", scene_file("wall")});
+  CHECK(counted.at("evaluated") == 2);  // two velocities
+  const TemporaryFolder folder;
+  write_file(folder / "counts.toml", "kind = \"wall\"\nmass_ratio = 1e4\noutputs = [\"counts\"]\n");
+  CHECK(json_of({"simulate", folder / "counts.toml"}).at("evaluated") == 0);
+  CHECK(json_of({"simulate", folder / "counts.toml", "--model", "event-driven"}).at("stepped") ==
+        314);
+}
+
+TEST_CASE("a trajectory of 10^15 events is refused with what to ask for instead", "[exam]") {
+  const TemporaryFolder folder;
+  write_file(folder / "long.toml", "alpha = 1e-30\noutputs = [\"trajectory\"]\n");
+  const ProgramRun run = run_program({"simulate", folder / "long.toml"});
+  CHECK(run.exit_code == 2);
+  CHECK(run.output.empty());
+  CHECK(run.errors.find("2221441469079183 events") != std::string::npos);
+  CHECK(run.errors.find("every = ") != std::string::npos);
+  CHECK(run.errors.find("times = [...]") != std::string::npos);
+  write_file(folder / "times.toml",
+             "alpha = 1e-30\noutputs = [\"trajectory\"]\ntimes = [0.5, 2]\n");
+  const nlohmann::json result = json_of({"simulate", folder / "times.toml"});
+  CHECK(result.at("stepped") == 0);
+  CHECK(result.at("trajectory").size() == 6);
+  const ProgramRun model =
+      run_program({"simulate", scene_file("trajectory_a"), "--model", "velocity-stepping"});
+  CHECK(model.exit_code == 2);
+  CHECK(model.errors.find("neither places nor times") != std::string::npos);
+}
+
+TEST_CASE("a collapse has a time and a place, and a hostile chain ends", "[exam]") {
+  const nlohmann::json result = json_of({"simulate", scene_file("collapse")});
+  CHECK(result.at("status") == "collapse");
+  CHECK(result.at("collapse").at("time").get<double>() == Approx(3.257866648640732));
+  const TemporaryFolder folder;
+  write_file(folder / "chain.toml",
+             "kind = \"chain\"\nblocks = 4\nballs = 0.3\nwalls = \"both\"\nrestitution = 0.05\n");
+  CHECK(json_of({"simulate", folder / "chain.toml"}).at("status") == "collapse");
+  write_file(folder / "forever.toml",
+             "kind = \"chain\"\nblocks = 4\nballs = 0.3\nwalls = \"both\"\nmax_events = 5000\n");
+  CHECK(json_of({"simulate", folder / "forever.toml"}).at("status") == "limited");
+}
+
+TEST_CASE("JSON lines hold each event and at last the result", "[exam]") {
+  const std::vector<std::string> lines =
+      lines_of(run_program({"simulate", scene_file("chain"), "--format", "jsonl"}).output);
+  REQUIRE(lines.size() == 12);
+  CHECK(nlohmann::json::parse(lines[0]).at("event").at("number") == 2);
+  CHECK(nlohmann::json::parse(lines[11]).at("result").at("status") == "complete");
+}

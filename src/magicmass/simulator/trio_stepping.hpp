@@ -32,10 +32,11 @@ ContactWeights<Scalar> contact_weights(const Scalar& block, const Scalar& ball, 
   return {by_block.first, by_ball.first, by_block.second, by_ball.second};
 }
 
-/// The block is a wall at rest.
+/// The block is a wall, which keeps its velocity: the ball's, relative to it, is turned round.
 template <Arithmetic Scalar>
 ContactWeights<Scalar> wall_weights(const Scalar& e) {
-  return {Scalar(1), Scalar(0), Scalar(0), rebound(Scalar(1), e)};
+  const Scalar turned = rebound(Scalar(1), e);
+  return {Scalar(1), Scalar(0), Scalar(1) - turned, turned};
 }
 
 /// The contacts of A with the ball, and of the ball with B.
