@@ -70,7 +70,15 @@ TrioEnd::TrioEnd(const ExactLine& line, const std::optional<cl_I>& known) : line
   }
   find_collapse();
   if (collapse_) return;
-  contacts_ = known ? *known : first_not([&](const cl_I& j) { return approaches(j); });
+  contacts_ = known ? *known
+                    : first_below(
+                          1, {},
+                          [](const TrioState<Interval>& s, const cl_I& j) {
+                            return TrioPowers<Interval>::approach(s, j).speed;
+                          },
+                          [](const TrioState<FieldNumber>& s, const cl_I& j) {
+                            return TrioPowers<FieldNumber>::approach(s, j).speed;
+                          });
 }
 
 bool TrioEnd::stays_short(const cl_I& j) const { return exact_ && j * bits_ < 20000; }
@@ -79,45 +87,48 @@ TrioPowers<Interval> TrioEnd::enclosed(long precision) const {
   return TrioPowers<Interval>(enclosed_line(line_, precision));
 }
 
-cl_I TrioEnd::first_not(const std::function<bool(const cl_I&)>& holds) {
-  cl_I low = 0, high = 1;
-  while (holds(high)) {
-    low = high;
-    high = 2 * high;
-  }
-  while (high - low > 1) {
-    const cl_I middle = cln::floor1(low + high, 2);
-    (holds(middle) ? low : high) = middle;
-  }
-  return high;
-}
-
-int TrioEnd::sign_after(
-    const cl_I& j, const std::function<Interval(const TrioState<Interval>&)>& at,
-    const std::function<FieldNumber(const TrioState<FieldNumber>&)>& exactly) const {
-  if (stays_short(j)) return exactly(exact_->after(j)).sign();
-  const long start = 64 + 2 * bits_ + 4 * static_cast<long>(cln::integer_length(j));
+cl_I TrioEnd::first_below(int least, const std::optional<cl_I>& most, const OfInterval& at,
+                          const OfExact& exactly) const {
+  struct Open {};
+  const auto search = [&](const TrioPowers<Interval>& powers) {
+    const auto holds = [&](const TrioState<Interval>& state, const cl_I& j) {
+      if (most && j >= *most) return false;
+      const Sign sign = at(state, j).sign();
+      if (sign != Sign::open)
+        return (sign == Sign::positive ? 1 : sign == Sign::negative ? -1 : 0) >= least;
+      if (!stays_short(j)) throw Open{};
+      return exactly(exact_->after(j), j).sign() >= least;
+    };
+    const auto moved = [](const LinearMap<Interval>& map, const TrioState<Interval>& state) {
+      return TrioState<Interval>{apply(map, state.v), apply(map, state.x)};
+    };
+    TrioState<Interval> state = powers.start();
+    if (!holds(state, 0)) return cl_I(0);
+    std::vector<LinearMap<Interval>> squares{powers.cycle()};
+    while (
+        holds(moved(squares.back(), state), cln::ash(cl_I(1), static_cast<long>(squares.size()))))
+      squares.push_back(compose(squares.back(), squares.back()));
+    cl_I cycles = 0;
+    for (std::size_t i = squares.size(); i-- > 0;) {
+      const TrioState<Interval> further = moved(squares[i], state);
+      const cl_I there = cycles + cln::ash(cl_I(1), static_cast<long>(i));
+      if (!holds(further, 2 * there)) continue;
+      state = further;
+      cycles = there;
+    }
+    const cl_I j = 2 * cycles + 1;
+    return holds(powers.once_more(state), j) ? cl_I(j + 1) : j;
+  };
+  const long start = 64 + 2 * bits_;
   for (long precision = start; precision <= start + most_further_bits; precision *= 2) {
     try {
-      const Sign sign = at(enclosed(precision).after(j)).sign();
-      if (sign != Sign::open) return sign == Sign::positive ? 1 : sign == Sign::negative ? -1 : 0;
+      return search(enclosed(precision));
+    } catch (const Open&) {
     } catch (const Undecided&) {  // a division reaches 0: more precision
     }
   }
-  throw Undecided("whether two bodies approach after " + to_text(j) +
-                  " collisions is closer than " + std::to_string(start + most_further_bits) +
-                  " bits can tell");
-}
-
-bool TrioEnd::approaches(const cl_I& j) const {
-  return sign_after(
-             j,
-             [&](const TrioState<Interval>& s) {
-               return TrioPowers<Interval>::approach(s, j).speed;
-             },
-             [&](const TrioState<FieldNumber>& s) {
-               return TrioPowers<FieldNumber>::approach(s, j).speed;
-             }) > 0;
+  throw Undecided("whether two bodies approach is closer than " +
+                  std::to_string(start + most_further_bits) + " bits can tell");
 }
 
 double TrioEnd::value_after(
@@ -169,20 +180,16 @@ Positions<double> TrioEnd::positions(const FieldNumber& time) const {
   if (collapse_)
     throw Undecided("positions at given times are not offered where there is a collapse");
   // Contact j, the first being 0, has happened where gap <= speed * time; positions are continuous there.
-  const auto happened = [&](const cl_I& j) {
-    if (j >= contacts_) return false;
-    return sign_after(
-               j,
-               [&](const TrioState<Interval>& s) {
-                 const auto next = TrioPowers<Interval>::approach(s, j);
-                 return next.speed * time.enclosed(s.v.a.precision()) - next.gap;
-               },
-               [&](const TrioState<FieldNumber>& s) {
-                 const auto next = TrioPowers<FieldNumber>::approach(s, j);
-                 return next.speed * time - next.gap;
-               }) >= 0;
-  };
-  const cl_I j = happened(0) ? first_not(happened) : cl_I(0);
+  const cl_I j = first_below(
+      0, contacts_,
+      [&](const TrioState<Interval>& s, const cl_I& i) {
+        const auto next = TrioPowers<Interval>::approach(s, i);
+        return next.speed * time.enclosed(s.v.a.precision()) - next.gap;
+      },
+      [&](const TrioState<FieldNumber>& s, const cl_I& i) {
+        const auto next = TrioPowers<FieldNumber>::approach(s, i);
+        return next.speed * time - next.gap;
+      });
   if (stays_short(j)) {
     const TrioState<FieldNumber> s = exact_->after(j);
     return {nearest_double(s.x.a + s.v.a * time), nearest_double(s.x.b + s.v.b * time),

@@ -56,14 +56,15 @@ private:
 
   bool stays_short(const cln::cl_I& j) const;
   TrioPowers<Interval> enclosed(long precision) const;
-  /// Sign of a difference that depends on the state after j contacts.
-  int sign_after(const cln::cl_I& j, const std::function<Interval(const TrioState<Interval>&)>& at,
-                 const std::function<FieldNumber(const TrioState<FieldNumber>&)>& exactly) const;
+  /// A number that depends on the state after j contacts.
+  using OfInterval = std::function<Interval(const TrioState<Interval>&, const cln::cl_I& j)>;
+  using OfExact = std::function<FieldNumber(const TrioState<FieldNumber>&, const cln::cl_I& j)>;
+  /// The first j < most, or most, from which its sign is below `least`, which it is not before. One application of a
+  /// power of the cycle's map for each bit of j.
+  cln::cl_I first_below(int least, const std::optional<cln::cl_I>& most, const OfInterval& at,
+                        const OfExact& exactly) const;
   double value_after(const cln::cl_I& j,
                      const std::function<Interval(const TrioState<Interval>&, long)>& at) const;
-  bool approaches(const cln::cl_I& j) const;
-  /// The first j from which `holds` is false, which is true up to there; at least 1, doubling first.
-  static cln::cl_I first_not(const std::function<bool(const cln::cl_I&)>& holds);
   void find_collapse();
 };
 

@@ -49,6 +49,11 @@ public:
     return state;
   }
 
+  /// One contact of A more, after whole cycles.
+  TrioState<Scalar> once_more(const TrioState<Scalar>& state) const {
+    return {apply(P_, state.v), apply(P_, state.x)};
+  }
+
   /// How fast the next two approach after j contacts, and their gap followed back to time 0: they meet at gap/speed.
   struct Approach {
     Scalar speed;
