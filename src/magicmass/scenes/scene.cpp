@@ -155,12 +155,12 @@ Scene parse_scene(std::string_view text, std::string_view source_name) {
     scene.lines[std::string(key.str())] = static_cast<unsigned>(key.source().begin.line);
   for (const SceneKey& key : scene_keys())
     if (key.name == "kind") read(key);
-  for (const auto& [key, node] : table) {
-    const auto known = std::find_if(
+  for (const auto& entry : table) {
+    const std::string_view name = entry.first.str();
+    const bool known = std::any_of(
         scene_keys().begin(), scene_keys().end(),
-        [&](const auto& entry) { return entry.name == key.str() && has_key(entry, scene.kind); });
-    if (known == scene_keys().end())
-      refuse_key(scene, key.str(), "unknown key", keys_of(scene.kind));
+        [&](const SceneKey& key) { return key.name == name && has_key(key, scene.kind); });
+    if (!known) refuse_key(scene, name, "unknown key", keys_of(scene.kind));
   }
   if (scene.kind == Kind::chain) scene.gap = 1.0;
   if (scene.kind == Kind::wall) scene.has_right_wall = true;
