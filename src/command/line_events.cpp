@@ -37,12 +37,14 @@ Scalar number(const FieldNumber& x) {
   }
 }
 
+/// The clock alone does not tell: it stands still where bodies between walls have no room.
 template <class Scalar>
-bool is_too_long(const Scalar& x) {
+bool is_too_long(const LineEvent<Scalar>& event) {
   if constexpr (std::floating_point<Scalar>) {
     return false;
   } else {
-    return FieldNumber(x).bits() > most_bits;
+    const auto is_long = [](const Scalar& x) { return FieldNumber(x).bits() > most_bits; };
+    return is_long(event.time) || is_long(event.v_left) || is_long(event.v_right);
   }
 }
 
@@ -77,17 +79,19 @@ public:
         break;
       }
       times_before(*next);
-      take(motion_.step());
+      const LineEvent<Scalar> event = motion_.step();
+      take(event);
       if (inelastic && clock.look(motion_.events(), motion_.now())) {
         stop("collapse", "1000 collisions within 2^-40 of the time so far");
         result_.collapse = {cell(motion_.now()), missing_cell()};
         break;
       }
-      if (motion_.events() % 16 == 0 && is_too_long(motion_.now())) {
+      if (motion_.events() % 16 == 0 && is_too_long(event)) {
         stop("limited", "the exact numbers have more than 131072 bits");
         break;
       }
     }
+    if (result_.status == "complete") say_what_was_lost();
     finish();
   }
 
@@ -108,6 +112,15 @@ private:
   void stop(const char* status, const char* why) {
     result_.status = status;
     result_.why = why;
+  }
+
+  /// No contact is due; but is that so in truth?
+  void say_what_was_lost() {
+    const Losses lost = motion_.losses();
+    if (lost.time)
+      stop("limited", "two bodies approach so slowly that when they meet does not fit a double");
+    else if (lost.rebound)
+      stop("limited", "two bodies parted more slowly than doubles can tell");
   }
 
   void all_at(const Scalar& time) {
@@ -173,13 +186,14 @@ template void step_line(const Scene&, const reference::ExactLine&, Line<cl_RA>, 
 template void step_line(const Scene&, const reference::ExactLine&, Line<FieldNumber>, std::int64_t,
                         const LineListener&, LineResult&);
 
-std::vector<Cell> drift_of(const Line<double>& start, const Velocities<double>& end) {
+std::vector<Cell> drift_of(const Line<double>& start, std::vector<double> velocities) {
   LineAudit<double> audit(start);
   Line<double> last = start;
-  last.velocities = start.right_wall ? std::vector{end.a, end.c} : std::vector{end.a, end.c, end.b};
+  last.velocities = std::move(velocities);
   audit.look(last);
+  const bool walled = start.left_wall || start.right_wall;
   return {number_cell(audit.largest().energy),
-          start.right_wall ? missing_cell() : number_cell(audit.largest().momentum)};
+          walled ? missing_cell() : number_cell(audit.largest().momentum)};
 }
 
 }  // namespace magicmass::command

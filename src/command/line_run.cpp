@@ -29,9 +29,16 @@ std::vector<Cell> counts_of(const cl_I& contacts) {
   return {count_cell(cln::ceiling1(contacts, 2)), count_cell(cln::floor1(contacts, 2))};
 }
 
-std::vector<Cell> velocity_cells(const Scene& scene, const Velocities<double>& v) {
-  if (scene.masses.size() == 2) return {number_cell(v.a), number_cell(v.c)};
-  return {number_cell(v.a), number_cell(v.c), number_cell(v.b)};
+/// From left to right.
+std::vector<double> in_order(const Scene& scene, const Velocities<double>& v) {
+  return scene.masses.size() == 2 ? std::vector{v.a, v.c} : std::vector{v.a, v.c, v.b};
+}
+
+std::vector<Cell> velocity_cells(const std::vector<double>& velocities) {
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < std::min(velocities.size(), most_velocities); ++i)
+    cells.push_back(number_cell(velocities[i]));
+  return cells;
 }
 
 /// Each so manieth event, from the powers of a cycle's map.
@@ -72,8 +79,8 @@ void closed_form(const Scene& scene, const ExactLine& line, const reference::Tri
   result.contacts = count_cell(end.contacts());
   result.counts = counts_of(end.contacts());
   if (wants(scene, Output::terminal) || wants(scene, Output::energy)) {
-    const Velocities<double> v = end.velocities(end.contacts());
-    result.velocities = velocity_cells(scene, v);
+    const std::vector<double> v = in_order(scene, end.velocities(end.contacts()));
+    result.velocities = velocity_cells(v);
     result.evaluated += static_cast<std::int64_t>(result.velocities.size());
     if (wants(scene, Output::energy)) result.drift = drift_of(reference::rounded(line), v);
   }
@@ -104,8 +111,8 @@ void step_velocities_alone(const Scene& scene, const ExactLine& line, std::int64
   }
   result.contacts = count_cell(cl_I(static_cast<long>(result.stepped)));
   result.counts = counts_of(cl_I(static_cast<long>(result.stepped)));
-  result.velocities = velocity_cells(scene, v);
-  if (wants(scene, Output::energy)) result.drift = drift_of(doubles, v);
+  result.velocities = velocity_cells(in_order(scene, v));
+  if (wants(scene, Output::energy)) result.drift = drift_of(doubles, in_order(scene, v));
 }
 
 void by_transfers(const Scene& scene, const ExactLine& line, std::int64_t limit,
@@ -118,10 +125,11 @@ void by_transfers(const Scene& scene, const ExactLine& line, std::int64_t limit,
   result.contacts = count_cell(end.contacts);
   result.cradle = {count_cell(end.transfers), count_cell(end.round_trips),
                    text_cell(body_name(scene, end.mover))};
-  const double V = reference::nearest_double(line.geometry.velocities[0]);
-  for (std::size_t i = 0; i < std::min<std::size_t>(scene.masses.size(), most_velocities); ++i)
-    result.velocities.push_back(number_cell(i == end.mover ? end.direction * V : 0.0));
-  if (wants(scene, Output::energy)) result.drift = {number_cell(0.0), number_cell(0.0)};
+  const Line<double> start = reference::rounded(line);
+  std::vector<double> velocities(start.bodies(), 0.0);
+  velocities[end.mover] = end.direction * start.velocities[0];
+  result.velocities = velocity_cells(velocities);
+  if (wants(scene, Output::energy)) result.drift = drift_of(start, std::move(velocities));
 }
 
 /// Numbers of one field as rationals.

@@ -60,8 +60,9 @@ bool stays_short(const ExactLine& line, std::int64_t limit) {
   for (auto next = motion.next(); next && motion.events() < std::min<std::int64_t>(limit, 2000);
        next = motion.next()) {
     if (line.until && *line.until < *next) break;
-    if (next->bits() >= 1L << 13U) return false;
-    motion.step();
+    const auto event = motion.step();
+    if (std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()}) >= 1L << 13U)
+      return false;
   }
   return true;
 }

@@ -155,3 +155,56 @@ TEST_CASE("JSON lines hold each event and at last the result", "[exam]") {
   CHECK(nlohmann::json::parse(lines[0]).at("event").at("number") == 2);
   CHECK(nlohmann::json::parse(lines[11]).at("result").at("status") == "complete");
 }
+
+TEST_CASE("a box that cools for ever is never complete, whatever its restitution", "[exam]") {
+  const TemporaryFolder folder;
+  for (const char* e : {"0.01", "0.1", "0.3", "0.6", "0.9", "0.99"})
+    for (const char* bodies : {"blocks = 2\nballs = 0.3\n", "masses = [1]\nvelocities = [1]\n",
+                               "masses = [1, 1e-9, 1e9, 1]\n"}) {
+      write_file(folder / "box.toml", std::string("kind = \"chain\"\nwalls = \"both\"\n") + bodies +
+                                          "restitution = " + e + "\n");
+      const nlohmann::json result = json_of({"simulate", folder / "box.toml"});
+      INFO(bodies << e << result.dump());
+      CHECK((result.at("status") == "limited" || result.at("status") == "collapse"));
+      CHECK_FALSE(result.at("why").get<std::string>().empty());
+      CHECK(result.at("terminal").is_null());
+    }
+}
+
+TEST_CASE("hostile scenes end, and say how", "[exam]") {
+  const TemporaryFolder folder;
+  for (const char* scene :
+       {"masses = [1e-300, 1e300, 1e-300]\nvelocities = [1, 0, -1]\npositions = [0, 1, 2]\n",
+        "masses = [1, 1, 1]\nvelocities = [1e-300, 0, 0]\npositions = [0, 1e300, 1e300]\n",
+        "masses = [1, 2, 1, 2]\nvelocities = [3, 2, 1, 0]\npositions = [0, 0, 0, 0]\n",
+        "masses = [1, 3, 1]\nvelocities = [1, 0, -1]\npositions = [0, 0, 0]\nrestitution = 0.5\n",
+        "masses = [1, 1]\nvelocities = [1, 0]\nwalls = \"both\"\ngap = 0\nL = 1e-300\n",
+        "masses = [2, 1]\npositions = [0, 0]\nleft_wall = 0\nright_wall = 0\nvelocities = [1, "
+        "-1]\n",
+        "masses = [2, 1]\npositions = [0, 0]\nleft_wall = 0\nright_wall = 0\nvelocities = [1, -1]\n"
+        "restitution = 1e-300\n"}) {
+    write_file(folder / "hostile.toml", std::string("kind = \"chain\"\n") + scene);
+    const nlohmann::json result = json_of({"simulate", folder / "hostile.toml"});
+    INFO(scene << result.dump());
+    const std::string status = result.at("status");
+    CHECK((status == "complete" || status == "limited" || status == "collapse"));
+    CHECK((status == "complete") == result.at("why").get<std::string>().empty());
+  }
+}
+
+TEST_CASE("energy is audited from the states, and momentum is missing where it was not measured",
+          "[exam]") {
+  const TemporaryFolder folder;
+  const auto drift = [&](const std::string& scene) {
+    write_file(folder / "audit.toml", scene + "\noutputs = [\"counts\", \"energy\"]\n");
+    return json_of({"simulate", folder / "audit.toml"}).at("energy");
+  };
+  const std::string cradle = "kind = \"chain\"\nblocks = 3\nballs = \"magic:2\"\n";
+  CHECK(drift(cradle).at("momentum_drift") == 0.0);
+  const nlohmann::json walled = drift(cradle + "walls = \"both\"\nuntil = 30\n");
+  CHECK(walled.at("energy_drift") == 0.0);
+  CHECK(walled.at("momentum_drift").is_null());
+  const nlohmann::json rounded = drift("kind = \"wall\"\nmasses = [11, 3]");
+  CHECK(rounded.at("energy_drift").get<double>() > 0.0);  // of velocities that are rounded
+  CHECK(rounded.at("energy_drift").get<double>() < 1e-15);
+}

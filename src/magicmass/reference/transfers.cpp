@@ -3,6 +3,7 @@
 
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/rational.hpp"
+#include "magicmass/simulator/contact.hpp"
 
 namespace magicmass::reference {
 namespace {
@@ -16,13 +17,15 @@ std::int64_t magic_index(const ExactValue& ball) {
   return ball.radicand == 5 && ball.rational == -2 && ball.root == 1 ? 2 : 0;
 }
 
-/// Does ball j leave enough room? Equality is possible for rational ratios alone, or numbers that enclosures show to be
+/// Does the ball leave enough room? What chain.room has for the next block's way is L times what the first contact
+/// leaves of a block's velocity. Equality is possible for rational ratios alone, or numbers that enclosures show to be
 /// apart at some precision.
 bool has_room(const ExactValue& ball, const FieldNumber& L, const FieldNumber& ahead) {
   if (magic_index(ball) == 1) return true;  // the next block does not move before the ball rests
   for (long precision = 64; precision <= 4096; precision *= 2) {
     const Interval alpha = enclosure(ball)(precision);
-    const Interval moved = L.enclosed(precision) * ((Interval(1) - alpha) / (Interval(1) + alpha));
+    const Interval left = collide(Interval(1), Interval(1), alpha, Interval(0)).first;
+    const Interval moved = L.enclosed(precision) * left;
     const Sign sign = (ahead.enclosed(precision) - moved).sign();
     if (sign != Sign::open) return sign != Sign::negative;
   }

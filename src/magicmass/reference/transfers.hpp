@@ -15,7 +15,7 @@ namespace magicmass::reference {
 
 /// Why a scene is no such cradle, or nothing if it is one: equal blocks with a magic ball between each two, elastic, all
 /// at rest but the first block, which moves to the right, and no block reaches the next ball (or wall) before the ball
-/// behind it is at rest: L (1 - alpha)/(1 + alpha) is at most that distance (chain.room, chain.one_at_a_time).
+/// behind it is at rest: how far it moves before (chain.room) is at most that distance (chain.one_at_a_time).
 std::optional<std::string> why_no_cradle(const ExactLine& line);
 
 /// Where a cradle is after the last whole transfer within its limits. All bodies but one block are at rest, exactly.

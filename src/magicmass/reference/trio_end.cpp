@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/reference/trio_end.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include <cln/float.h>
@@ -16,8 +15,6 @@ namespace {
 using cln::cl_I;
 using cln::cl_R;
 using cln::cl_RA;
-
-constexpr long most_further_bits = 1L << 14U;
 
 /// What a cycle makes of the two approach speeds (A to C, C to B), by columns, with B taken to be at rest.
 template <class Scalar>
@@ -61,7 +58,8 @@ bool is_theorems_start(const ExactLine& line) {
   return g.velocities[1] == target && g.velocities[1] < g.velocities[0] && g.positions[1] < ahead;
 }
 
-TrioEnd::TrioEnd(const ExactLine& line, const std::optional<cl_I>& known) : line_(line) {
+TrioEnd::TrioEnd(const ExactLine& line, const std::optional<cl_I>& known, long further_bits)
+    : line_(line), further_bits_(further_bits) {
   if (line.together) {
     exact_.emplace(*line.together);
     for (const FieldNumber& mass : line.together->masses)
@@ -120,7 +118,7 @@ cl_I TrioEnd::first_below(int least, const std::optional<cl_I>& most, const OfIn
     return holds(powers.once_more(state), j) ? cl_I(j + 1) : j;
   };
   const long start = 64 + 2 * bits_;
-  for (long precision = start; precision <= start + most_further_bits; precision *= 2) {
+  for (long precision = start; precision <= start + further_bits_; precision *= 2) {
     try {
       return search(enclosed(precision));
     } catch (const Open&) {
@@ -128,20 +126,19 @@ cl_I TrioEnd::first_below(int least, const std::optional<cl_I>& most, const OfIn
     }
   }
   throw Undecided("whether two bodies approach is closer than " +
-                  std::to_string(start + most_further_bits) + " bits can tell");
+                  std::to_string(start + further_bits_) + " bits can tell");
 }
 
 double TrioEnd::value_after(
     const cl_I& j, const std::function<Interval(const TrioState<Interval>&, long)>& at) const {
   const long start = 128 + 2 * bits_ + 4 * static_cast<long>(cln::integer_length(j));
-  double middle = 0.0;
-  for (long precision = start; precision <= start + most_further_bits; precision *= 2) {
+  for (long precision = start; precision <= start + further_bits_; precision *= 2) {
     const Interval value = at(enclosed(precision).after(j), precision);
     const auto low = nearest<double>(value.low()), high = nearest<double>(value.high());
-    if (low == high) return low;
-    middle = nearest<double>((value.low() + value.high()) / 2);
+    if (low == high) return low + 0.0;  // no -0
   }
-  return std::abs(middle) < 1e-300 ? 0.0 : middle;
+  throw Undecided("between which two doubles a value lies is closer than " +
+                  std::to_string(start + further_bits_) + " bits can tell");
 }
 
 std::optional<Velocities<FieldNumber>> TrioEnd::exact_velocities(const cl_I& j) const {
@@ -209,7 +206,7 @@ void TrioEnd::find_collapse() {
   std::optional<int> sign;
   if (exact_) sign = SpeedMap<FieldNumber>(exact_->cycle()).discriminant().sign();
   long precision = 256;
-  for (; !sign && precision <= most_further_bits; precision *= 2) {
+  for (; !sign && precision <= further_bits_; precision *= 2) {
     const Sign seen = SpeedMap<Interval>(enclosed(precision).cycle()).discriminant().sign();
     if (seen != Sign::open) sign = seen == Sign::negative ? -1 : 1;
   }

@@ -22,18 +22,20 @@ struct Collapse {
 bool is_theorems_start(const ExactLine& line);
 
 /// A line that is_theorems_start, with answers from the powers of one cycle's linear map. Signs are decided exactly where
-/// numbers stay short, else by enclosures at raised precision. Each member throws Undecided where 2^14 bits more did not do.
+/// numbers stay short, else by enclosures at raised precision. Each member throws Undecided where further_bits more than
+/// its first precision did not do: a value halfway between two doubles is seldom decided.
 class TrioEnd {
 public:
   /// known: the number of contacts, where a theorem has it already.
-  explicit TrioEnd(const ExactLine& line, const std::optional<cln::cl_I>& known = {});
+  explicit TrioEnd(const ExactLine& line, const std::optional<cln::cl_I>& known = {},
+                   long further_bits = 1L << 14U);
 
   /// Where the map of the approach speeds has real eigenvalues (theorems collapse.*), there is no last contact: its
   /// dominant left eigenvector says when.
   const std::optional<Collapse>& collapse() const { return collapse_; }
   /// Number of contacts, without a collapse: those before the first pair that does not approach.
   const cln::cl_I& contacts() const { return contacts_; }
-  /// Velocities after j contacts, as the nearest doubles; exactly 0 only where that is proved or 2^14 bits agree.
+  /// Velocities after j contacts, as the nearest doubles: 0 where it is 0 or underflows.
   Velocities<double> velocities(const cln::cl_I& j) const;
   /// Contact j, the first being 0.
   struct Contact {
@@ -51,6 +53,7 @@ private:
   const ExactLine& line_;
   std::optional<TrioPowers<FieldNumber>> exact_;
   long bits_ = 64;
+  long further_bits_;
   cln::cl_I contacts_ = 0;
   std::optional<Collapse> collapse_;
 

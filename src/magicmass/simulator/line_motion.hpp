@@ -38,6 +38,12 @@ struct Ties {
       0;  ///< contacts at the same time that share a body: the order below decides
 };
 
+/// What floating point could not hold. Where no contact is due after such a loss, that says nothing about the motion.
+struct Losses {
+  bool rebound = false;  ///< a pair met and, as rounded or underflowed, did not separate
+  bool time = false;     ///< a pair approaches so slowly that when it meets does not fit
+};
+
 /// Order of events: by time; of equal times the leftmost gap goes first. Gaps that share no body do not
 /// influence each other, so only gaps side by side are compared for ties.
 template <Field Scalar>
@@ -72,6 +78,8 @@ public:
     LineEvent<Scalar> event = gap == 0                ? meet_wall(0, gap)
                               : gap == line_.bodies() ? meet_wall(gap - 1, gap)
                                                       : meet(gap);
+    if constexpr (rounds)
+      lost_rebound_ = lost_rebound_ || !(closing(gap) <= -std::numeric_limits<Scalar>::min());
     due_.set(gap, never<Scalar>());
     const std::size_t first = gap == 0 ? 0 : gap - 1;
     const std::size_t last = gap == line_.bodies() ? gap : gap + 1;
@@ -85,6 +93,13 @@ public:
   const Scalar& now() const { return now_; }
   std::int64_t events() const { return events_; }
   const Ties& ties() const { return ties_; }
+  Losses losses() const {
+    Losses lost{lost_rebound_, false};
+    for (std::size_t gap = 0; gap <= line_.bodies(); ++gap)
+      lost.time =
+          lost.time || (closes(gap) && Scalar(0) < closing(gap) && is_never<Scalar>(due_[gap]));
+    return lost;
+  }
   Scalar position(std::size_t body, const Scalar& time) const {
     return line_.positions[body] + line_.velocities[body] * (time - since_[body]);
   }
@@ -103,9 +118,15 @@ private:
   Scalar now_ = Scalar(0);
   std::int64_t events_ = 0;
   Ties ties_;
+  bool lost_rebound_ = false;
 
   bool has_left(std::size_t gap) const { return gap > 0; }
   bool has_right(std::size_t gap) const { return gap < line_.bodies(); }
+
+  /// Are there two to meet: bodies, or a body and a wall?
+  bool closes(std::size_t gap) const {
+    return (has_left(gap) || line_.left_wall) && (has_right(gap) || line_.right_wall);
+  }
 
   /// How fast a gap closes.
   Scalar closing(std::size_t gap) const {
@@ -120,7 +141,7 @@ private:
   }
 
   void schedule(std::size_t gap) {
-    if ((!has_left(gap) && !line_.left_wall) || (!has_right(gap) && !line_.right_wall)) return;
+    if (!closes(gap)) return;
     const Scalar speed = closing(gap);
     if constexpr (rounds) note_near_rest(gap, speed);
     if (!(Scalar(0) < speed)) {

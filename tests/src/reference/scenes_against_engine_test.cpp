@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // 10,000 random scenes at exact rationals: every closed form against the event engine, without any difference.
 #include <array>
+#include <cmath>
 
 #include <catch2/catch.hpp>
 
 #include "magicmass/collapse_product.hpp"
 #include "magicmass/encounters_exact.hpp"
+#include "magicmass/errors.hpp"
 #include "magicmass/reference/count.hpp"
 #include "magicmass/reference/exact_line.hpp"
 #include "magicmass/reference/rational.hpp"
@@ -161,4 +163,18 @@ TEST_CASE("a scene of 10^500 collisions is answered like any other", "[exam]") {
   const std::string digits = reference::to_text(reference::TrioEnd(line).contacts());
   CHECK(digits.size() == 501);
   CHECK(digits.starts_with("31415926535897932384626433832795028841971693993751058209749445923"));
+}
+
+TEST_CASE("a value that no precision decides is not guessed", "[exam]") {
+  const auto after_all = [](const std::string& V) {
+    const reference::ExactLine line =
+        reference::exact_line(parse_scene("alpha = \"magic:1001\"\nV = \"" + V + "\"", "halfway"));
+    return reference::TrioEnd(line, cln::cl_I(2002), 1024).velocities(2002);
+  };
+  const Velocities<double> v = after_all("1");
+  CHECK(v == Velocities<double>{0.0, 1.0, 0.0});
+  CHECK_FALSE(std::signbit(v.a));
+  CHECK_FALSE(std::signbit(v.c));
+  // B ends with V, halfway between two doubles.
+  CHECK_THROWS_AS(after_all("9007199254740993/9007199254740992"), Undecided);
 }

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "magicmass/reference/trio_end.hpp"
 #include "magicmass/simulator/line_motion.hpp"
 
 using namespace magicmass;
@@ -63,4 +64,19 @@ TEST_CASE("what is no cradle is told why", "[exam]") {
   CHECK(reference::why_no_cradle(cradle("\"magic:2\"", "gap = 0.6")) ==
         "a block reaches the next ball before the ball behind it is at rest");
   CHECK_FALSE(reference::why_no_cradle(cradle("\"magic:2\"", "gap = 0.62")).has_value());
+}
+
+TEST_CASE("the room that a ball needs is what its next block moves before the last contact",
+          "[check]") {
+  for (const int k : {2, 3, 4, 9}) {
+    const std::string ball = "\"magic:" + std::to_string(k) + "\"";
+    const reference::ExactLine trio = reference::exact_line(parse_scene("alpha = " + ball, "trio"));
+    const double room =
+        reference::TrioEnd(trio, cln::cl_I(2 * k)).contact(2 * k - 1).position - 1.0;
+    const auto why = [&](double gap) {
+      return reference::why_no_cradle(cradle(ball, "gap = " + std::to_string(gap)));
+    };
+    CHECK(why(room - 1e-5).has_value());
+    CHECK_FALSE(why(room + 1e-5).has_value());
+  }
 }

@@ -171,3 +171,19 @@ TEST_CASE("a collapse in a chain makes the clock stand still, and nothing else d
   CHECK(stalls(0.02));
   CHECK_FALSE(stalls(0.9));
 }
+
+TEST_CASE("what cools until doubles do not hold it is known to be lost", "[exam]") {
+  for (const double e : {0.01, 0.1, 0.3, 0.5, 0.6, 0.9}) {
+    LineMotion<double> box({{1.0, 0.3, 1.0}, {0.0, 1.0, 2.0}, {1.0, 0.0, 0.0}, -1.0, 3.0, e});
+    all_events(box, 200000);
+    CHECK((box.next() || box.losses().time || box.losses().rebound));
+    LineMotion<double> alone({{1.0}, {0.0}, {1.0}, -1.0, 3.0, e});
+    all_events(alone, 200000);
+    CHECK((alone.next() || alone.losses().time || alone.losses().rebound));
+  }
+  LineMotion<double> ends({{1.0, 0.3, 1.0}, {0.0, 1.0, 2.0}, {1.0, 0.0, 0.0}, {}, {}, 0.9});
+  all_events(ends);
+  CHECK_FALSE(ends.next().has_value());
+  CHECK_FALSE(ends.losses().time);
+  CHECK_FALSE(ends.losses().rebound);
+}
