@@ -20,7 +20,7 @@ public:
         form_(kernel.form),
         program_(kernel.program),
         stages_(stages_of(program_)),
-        printer_(program_) {
+        printer_(program_, form_.numbers) {
     for (std::size_t i = 0; i < program_.nodes.size(); ++i)
       for (const int argument : program_.nodes[i].args)
         if (stage(static_cast<int>(i)) != stage(argument) && printer_.is_kept(argument))
@@ -28,7 +28,7 @@ public:
   }
 
   std::string run() {
-    std::string text = file_header(form_.summary + ", in any number type of magicmass/arithmetic");
+    std::string text = file_header(form_.summary + ", in any number type");
     text +=
         "\n#include <cstddef>\n\n#include \"magicmass/arithmetic/arctangent.hpp\"\n#include "
         "\"magicmass/arithmetic/block.hpp\"\n#include \"magicmass/arithmetic/sine_cosine.hpp\"\n"
@@ -40,6 +40,7 @@ public:
         "  using Real = typename Number::Real;\n  static constexpr bool in_lanes = "
         "arithmetic::lane_count<Real> > 1;\n\n";
     for (const std::string& input : inputs()) text += "  Real " + input + ";\n";
+    for (const std::string& input : form_.numbers) text += "  Number " + input + ";\n";
     for (const int number : carried_)
       text += line("  Number " + printer_.name(number) + ";  // " + formula(program_, number) +
                    origin(number));
@@ -112,11 +113,20 @@ private:
     return text;
   }
 
+  std::string first_sine() const {
+    return form_.first_index.empty() ? "cot_half" : "Number(" + form_.first_index + ")";
+  }
+  std::string first_cosine() const {
+    const std::string one = "Number(Real(1.0))";
+    return form_.first_index.empty()
+               ? one
+               : "select(" + form_.first_index + " > Real(0.0), cot_half, " + one + ")";
+  }
   std::string replaced_turn(const std::string& indent) const {
     return indent + "if constexpr (in_lanes) {  // two collisions\n" + indent +
            "  const auto is_beyond = alpha >= Real(1.0);\n" + indent +
-           "  sine = select(is_beyond, " + form_.first_sine + ", sine);\n" + indent +
-           "  cosine = select(is_beyond, " + form_.first_cosine + ", cosine);\n" + indent + "}\n";
+           "  sine = select(is_beyond, " + first_sine() + ", sine);\n" + indent +
+           "  cosine = select(is_beyond, " + first_cosine() + ", cosine);\n" + indent + "}\n";
   }
 
   std::string stage_function(int s) const {
@@ -158,8 +168,7 @@ private:
     for (const int number : carried_)
       if (node(number).op == Op::multiply || node(number).op == Op::add)
         text += line("    " + printer_.name(number) + " = " + printer_.right_side(number) + ";");
-    return text + "    sine = " + form_.first_sine + ";\n    cosine = " + form_.first_cosine +
-           ";\n  }\n";
+    return text + "    sine = " + first_sine() + ";\n    cosine = " + first_cosine() + ";\n  }\n";
   }
 
   std::string evaluate_function() const {
@@ -168,8 +177,13 @@ private:
       parameters += (parameters.empty() ? "Real " : ", Real ") + input;
       members += "    kernel." + input + " = " + input + ";\n";
     }
-    std::string text = "  [[gnu::always_inline]] static " + result_type() + " evaluate(" +
-                       parameters + ") {\n    " + form_.kernel + " kernel;\n" + members;
+    for (const std::string& input : form_.numbers) {
+      parameters += ", Number " + input;
+      members += "    kernel." + input + " = " + input + ";\n";
+    }
+    std::string text = line("  [[gnu::always_inline]] static " + result_type() + " evaluate(" +
+                            parameters + ") {") +
+                       "    " + form_.kernel + " kernel;\n" + members;
     if (!form_.first.empty())
       text +=
           "    if constexpr (!in_lanes)\n      if (alpha >= 1.0) {\n        kernel.first();\n      "
@@ -183,13 +197,14 @@ private:
   std::string block_function() const {
     if (form_.result.empty()) return "";
     std::string text =
-        "// A block of at most arithmetic::block_size elements, a whole number of vectors. "
-        "An output that is not\n// wanted is null; `certain` is for number types that "
-        "know.\ntemplate <class Number>\nvoid " +
-        form_.name + "_block(std::size_t size";
-    for (const std::string& input : inputs()) text += ", const double* " + input;
-    for (const Output& output : program_.outputs) text += ", double* " + output.name;
-    text = wrapped(text + ", arithmetic::Certainty<Number>& certain) {") + "\n";
+        "// A block of at most arithmetic::block_size elements, a whole number of vectors.\n// An "
+        "output "
+        "that is not wanted is null; `certain` is for number types that know.\n"
+        "template <class Number>\n";
+    std::string signature = "void " + form_.name + "_block(std::size_t size";
+    for (const std::string& input : inputs()) signature += ", const double* " + input;
+    for (const Output& output : program_.outputs) signature += ", double* " + output.name;
+    text += line(signature + ", arithmetic::Certainty<Number>& certain) {");
     text += "  using Kernel = " + form_.kernel +
             "<Number>;\n  using Real = typename Number::Real;\n  constexpr std::size_t lanes = "
             "arithmetic::lane_count<Real>;\n";

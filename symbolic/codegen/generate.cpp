@@ -2,70 +2,14 @@
 #include "codegen/generate.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-
-#include <ginac/ginac.h>
 
 #include "codegen/emit.hpp"
 #include "codegen/lower.hpp"
-#include "codegen/passes/canonical_order.hpp"
-#include "codegen/passes/common_subexpressions.hpp"
-#include "codegen/passes/dead_code.hpp"
-#include "codegen/passes/flat_products.hpp"
-#include "codegen/passes/paired_sine_cosine.hpp"
-#include "codegen/passes/reciprocal_square_roots.hpp"
-#include "codegen/passes/shared_products.hpp"
-#include "codegen/passes/shared_reciprocals.hpp"
-#include "codegen/passes/strength_reduction.hpp"
+#include "codegen/make_kernel.hpp"
+#include "codegen/pipelines.hpp"
 
 namespace magicmass::codegen {
 namespace {
-
-// All outputs through the passes that do not depend on which are wanted ...
-Program prepared(const Program& lowered) {
-  return common_subexpressions(strength_reduction(common_subexpressions(canonical_order(lowered))));
-}
-
-// ... and these through those that do.
-Program finished(const Program& program, const std::vector<std::string>& wanted) {
-  return paired_sine_cosine(shared_reciprocals(dead_code(program, wanted)));
-}
-
-const proof::Theorem& theorem_named(const std::vector<proof::Theorem>& theorems,
-                                    const std::string& id) {
-  const auto found =
-      std::find_if(theorems.begin(), theorems.end(),
-                   [&id](const proof::Theorem& theorem) { return theorem.id() == id; });
-  if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
-  return *found;
-}
-
-// Products as short as they can be: a kernel's number type rounds far below a double, so that their order is free.
-Program for_kernel(const Program& lowered) {
-  return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
-      flat_products(flat_products(reciprocal_square_roots(prepared(lowered))))))));
-}
-
-// One formula is emitted for all cases of an output.
-void require_same_right_side(const Source& source, const std::string& member,
-                             const proof::Theorem& other) {
-  for (const auto& [name, theorem] : source.outputs)
-    if (name == member && !theorem.rhs().is_equal(other.rhs()))
-      throw std::logic_error(theorem.id() + " and " + other.id() + " have different right sides");
-}
-
-Kernel make_kernel(const KernelForm& form, const std::vector<proof::Theorem>& theorems) {
-  Source source{{}, {}, form.reals, {}, {"V", "L"}};
-  source.real_inputs.insert(source.real_inputs.end(), form.integers.begin(), form.integers.end());
-  for (const auto& [name, id] : form.outputs)
-    source.outputs.emplace_back(name, theorem_named(theorems, id));
-  for (const std::string& id : form.bindings)
-    source.bindings.push_back(theorem_named(theorems, id));
-  for (const auto& [member, ids] : form.other_cases)
-    for (const std::string& id : ids)
-      require_same_right_side(source, member, theorem_named(theorems, id));
-  return {form, for_kernel(lower(source))};
-}
 
 Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& theorems) {
   const auto find = [&theorems](const std::string& id) -> const proof::Theorem& {

@@ -49,8 +49,8 @@ Stages stages_of(const Program& program) {
   return stages;
 }
 
-KernelPrinter::KernelPrinter(const Program& program)
-    : program_(program), names_(program.nodes.size()) {
+KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::string>& number_inputs)
+    : program_(program), number_inputs_(number_inputs), names_(program.nodes.size()) {
   std::vector<int> uses = use_counts(program);
   for (std::size_t i = program.nodes.size(); i-- > 0;)  // a minus sign goes where it is used
     if (program.nodes[i].op == Op::negate)
@@ -64,7 +64,9 @@ KernelPrinter::KernelPrinter(const Program& program)
   std::map<std::string, int> numbered;
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     const Node& made = program.nodes[i];
-    if (is_exact(static_cast<int>(i)) || made.op == Op::negate || made.op == Op::pi) continue;
+    if (made.op == Op::input || is_exact(static_cast<int>(i)) || made.op == Op::negate ||
+        made.op == Op::pi)
+      continue;
     if (uses[i] < 2 && !crosses[i] && !ends_a_stage(made)) continue;
     static const std::map<Op, std::string> kinds{
         {Op::sine, "sine"},        {Op::cosine, "cosine"},    {Op::add, "sum"},
@@ -87,12 +89,19 @@ bool KernelPrinter::is_kept(int number) const {
 std::string KernelPrinter::name(int number) const {
   return names_[static_cast<std::size_t>(number)];
 }
+bool KernelPrinter::is_number_input(int number) const {
+  const Node& made = node(number);
+  return made.op == Op::input &&
+         std::find(number_inputs_.begin(), number_inputs_.end(), made.name) != number_inputs_.end();
+}
 // Also a power of two times an input.
 bool KernelPrinter::is_exact(int number) const {
   const Node& made = node(number);
   if (made.op == Op::multiply)
     return made.args.size() == 2 && is_power_of_two(node(made.args[0])) &&
-           (node(made.args[1]).op == Op::input || node(made.args[1]).op == Op::index);
+           (node(made.args[1]).op == Op::input || node(made.args[1]).op == Op::index) &&
+           !is_number_input(made.args[1]);
+  if (is_number_input(number)) return false;
   return made.op == Op::input || made.op == Op::index || made.op == Op::constant;
 }
 std::string KernelPrinter::exact(int number) const {
@@ -175,24 +184,28 @@ std::optional<std::string> KernelPrinter::as_product(int number) const {
   const Node& made = node(of);
   if (made.op != Op::multiply || is_kept(of) || is_exact(of)) return std::nullopt;
   double scale = is_negative ? -1.0 : 1.0;
-  std::vector<std::string> factors;
+  std::vector<int> factors, exacts;
   for (const int argument : made.args) {
     if (is_power_of_two(node(argument)))
       scale *= static_cast<double>(node(argument).numerator) /
                static_cast<double>(node(argument).denominator);
-    else if (is_exact(argument))
-      return std::nullopt;
     else
-      factors.push_back(value(argument));
+      (is_exact(argument) ? exacts : factors).push_back(argument);
   }
-  if (factors.size() != 2) return std::nullopt;
-  return factors[0] + ", " + factors[1] + ", " + fmt::format("{:.1f}", scale);
+  if (factors.size() < 2) return std::nullopt;
+  const bool is_single = factors.size() == 2 && exacts.empty();
+  std::string all_but_one = is_single ? value(factors[0]) : factor(factors[0]);
+  for (std::size_t i = 1; i + 1 < factors.size(); ++i) all_but_one += " * " + factor(factors[i]);
+  for (const int exact_one : exacts) all_but_one += " * " + exact(exact_one);
+  return all_but_one + ", " + value(factors.back()) + ", " + fmt::format("{:.1f}", scale);
 }
 
 std::string KernelPrinter::right_side(int number) const {
   const Node& made = node(number);
   switch (made.op) {
     case Op::input:
+      if (is_number_input(number)) return made.name;
+      [[fallthrough]];
     case Op::index:
     case Op::constant:
       return "Number(" + exact(number) + ")";

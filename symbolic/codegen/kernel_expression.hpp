@@ -17,15 +17,16 @@ struct Stages {
 };
 Stages stages_of(const Program& program);
 
-// Prints a program in the operators of magicmass/arithmetic: inputs and constants are exact (Real), all else Number.
+// Prints a program in the operators of magicmass/arithmetic: constants and inputs but `number_inputs` are exact (Real), all
+// else Number.
 class KernelPrinter {
 public:
-  explicit KernelPrinter(const Program& program);
+  KernelPrinter(const Program& program, const std::vector<std::string>& number_inputs);
 
   // Whether a node's value is kept in a variable; its name.
   bool is_kept(int number) const;
   std::string name(int number) const;
-  // Whether a node is exact: an input or a constant.
+  // Whether a node is exact: an input that is one or a constant.
   bool is_exact(int number) const;
   // The right side of a node that is kept or an output.
   std::string right_side(int number) const;
@@ -39,8 +40,10 @@ private:
   std::string factor(int number) const;
   std::string exact(int number) const;
   const Node& node(int number) const;
+  bool is_number_input(int number) const;
 
   const Program& program_;
+  const std::vector<std::string>& number_inputs_;
   std::vector<std::string> names_;
 };
 

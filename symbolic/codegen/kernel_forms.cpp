@@ -3,6 +3,24 @@
 
 namespace magicmass::codegen {
 
+namespace {
+
+// The n-th cycle.
+KernelForm velocities_at(const std::string& n) {
+  const auto id = [&n](const char* name) { return std::string("fixed_n.") + name + "_" + n; };
+  return {.name = "velocities_at_" + n,
+          .kernel = "VelocitiesAt" + n + "Kernel",
+          .result = "Velocities",
+          .summary = "All velocities at n = " + n + ", rational in alpha",
+          .domain = "2^-120 <= alpha <= 2^60",
+          .reals = {"alpha"},
+          .outputs = {{"a", id("a")}, {"b", id("b")}, {"c", id("c")}, {"c_prime", id("c_prime")}},
+          .bindings = {"fixed_n.mu", "fixed_n.nu", "fixed_n.p_1", "fixed_n.q_2", "fixed_n.p_2",
+                       "fixed_n.q_3"}};
+}
+
+}  // namespace
+
 const std::vector<KernelForm>& kernel_forms() {
   static const std::vector<KernelForm> all{
       {.name = "angle",
@@ -22,8 +40,7 @@ const std::vector<KernelForm>& kernel_forms() {
        .outputs = {{"t", "tangent.t_product"}, {"s", "tangent.s_product"}},
        .bindings = {"tangent.psi", "tangent.tan_from_root", "tangent.root"},
        .first = {"tangent.first_t", "tangent.first_s"},
-       .first_sine = "Number(j)",
-       .first_cosine = "select(j > Real(0.0), cot_half, Number(Real(1.0)))"},
+       .first_index = "j"},
       {.name = "ratios",
        .kernel = "RatiosKernel",
        .result = "Ratios",
@@ -49,9 +66,28 @@ const std::vector<KernelForm>& kernel_forms() {
        .other_cases = {{"a_t", {"offset.a_after_P", "offset.a_after_P_whole"}},
                        {"b_t", {"offset.b_product_after_P", "offset.b_product_after_P_whole"}},
                        {"c_t", {"offset.c_after_P", "offset.c_after_P_whole"}}},
-       .first = {"tangent.first_a", "tangent.first_b", "tangent.first_c_prime"},
-       .first_sine = "cot_half",
-       .first_cosine = "Number(Real(1.0))"},
+       .first = {"tangent.first_a", "tangent.first_b", "tangent.first_c_prime"}},
+      {.name = "transmission",
+       .kernel = "TransmissionKernel",
+       .summary =
+           "The fraction of the energy that reaches B, with restitution e between equal blocks",
+       .domain =
+           "alpha_c(e) < alpha <= 2^240, 2^-120 <= alpha; 2^-400 <= e <= 1; N collisions of all, N "
+           "< 2^51; root_e = sqrt(e); decay = root_e^N; is_odd and is_even of N: 0 or 1",
+       .reals = {"alpha"},
+       .integers = {"N", "is_odd", "is_even"},
+       .numbers = {"root_e", "decay"},
+       .outputs = {{"rho", "transmission.rho_after_Q"}},
+       .bindings = {"power.V_CM", "transmission.rest_e", "transmission.h",
+                    "transmission.tan_half_h", "transmission.root_h", "transmission.alpha_c"},
+       .other_cases = {{"rho", {"transmission.rho_after_P"}}}},
+      {.name = "two_collisions",
+       .kernel = "TwoCollisionsKernel",
+       .summary =
+           "The fraction of the energy that reaches B where P_1 and Q_1 are the only collisions",
+       .domain = "2^-120 <= alpha <= 2^240, 0 < e <= 1",
+       .reals = {"alpha", "e"},
+       .outputs = {{"rho", "inelastic_end.two_rho"}}},
       {.name = "velocities",
        .kernel = "VelocitiesKernel",
        .result = "Velocities",
@@ -66,8 +102,9 @@ const std::vector<KernelForm>& kernel_forms() {
                    {"c_prime", "tangent.c_prime"}},
        .bindings = {"tangent.psi", "tangent.tan_from_root", "tangent.root"},
        .first = {"tangent.first_a", "tangent.first_b", "tangent.first_c", "tangent.first_c_prime"},
-       .first_sine = "Number(n)",
-       .first_cosine = "select(n > Real(0.0), cot_half, Number(Real(1.0)))"},
+       .first_index = "n"},
+      velocities_at("1"),
+      velocities_at("2"),
   };
   return all;
 }

@@ -17,14 +17,16 @@ struct KernelForm {
   std::string domain;
   std::vector<std::string> reals = {};                       // exact inputs: "alpha"
   std::vector<std::string> integers = {};                    // whole numbers below 2^51: "n"
+  std::vector<std::string> numbers = {};                     // inputs in the number type: "decay"
   std::vector<std::pair<std::string, std::string>> outputs;  // member -> theorem id
   std::vector<std::string> bindings = {};                    // theorem ids
   // The same right sides for the other cases of an output, which is checked: member -> theorem ids.
   std::vector<std::pair<std::string, std::vector<std::string>>> other_cases = {};
-  // From alpha = 1 on, where n is 0 or 1: the theorems of the first collisions, outputs' order. They are the outputs' right
-  // sides at n = 1 with cot_half = 1/(1 + alpha), tan_quarter = alpha cot_half and one of sine and cosine 1, the other cot_half.
+  // From alpha = 1 on, where there are two collisions: the theorems of these, in the outputs' order. They are the outputs' right
+  // sides with cot_half = 1/(1 + alpha), tan_quarter = alpha cot_half, and of the sine and cosine one is 1, the other cot_half: the
+  // cosine where there is an index ("n" = 0 or 1; the sine is 0 at 0), else the sine. That is checked.
   std::vector<std::string> first = {};
-  std::string first_sine = {}, first_cosine = {};  // the two there, in C++
+  std::string first_index = {};
 };
 
 const std::vector<KernelForm>& kernel_forms();

@@ -134,6 +134,10 @@ Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, co
 // Terminal velocities.
 void offset(Kernel& kernel, const Power& power, const Counting& counting, const Terminal& terminal);
 
+// Velocities of the first cycles.
+void fixed_n(Kernel& kernel, const Power& power, const Counting& counting, const Terminal& terminal,
+             const Tangent& tangent);
+
 struct Unfolding {
   Theorem t_Q, s_Q;  // from the straight line
 };

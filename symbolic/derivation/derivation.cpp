@@ -103,6 +103,10 @@ const std::vector<Chapter>& chapters() {
        }},
       {"offset", [](Kernel& kernel, Results& r, const Laws&,
                     const Paper&) { offset(kernel, *r.power, *r.counting, *r.terminal); }},
+      {"fixed_n",
+       [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
+         fixed_n(kernel, *r.power, *r.counting, *r.terminal, *r.tangent);
+       }},
       {"unfolding",
        [](Kernel& kernel, Results& r, const Laws&, const Paper&) {
          r.unfolding = unfolding(kernel, *r.cycle, *r.power, *r.mapping, *r.times);
@@ -122,6 +126,8 @@ const std::vector<Chapter>& chapters() {
                       const Paper&) { r.collapse = collapse(kernel, *r.wedge); }},
       {"inelastic_end", [](Kernel& kernel, Results& r, const Laws&,
                            const Paper&) { inelastic_end(kernel, *r.equal_blocks, *r.collapse); }},
+      {"transmission", [](Kernel& kernel, Results& r, const Laws&,
+                          const Paper&) { transmission(kernel, *r.equal_blocks, *r.collapse); }},
   };
   return all;
 }

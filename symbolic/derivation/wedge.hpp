@@ -106,4 +106,7 @@ Collapse collapse(Kernel& kernel, const Wedge& wedge);
 // Equal blocks and restitution: what is left after the last collision, or when collisions have collapsed.
 void inelastic_end(Kernel& kernel, const EqualBlocks& equal, const Collapse& collapse);
 
+// What reaches B of the energy.
+void transmission(Kernel& kernel, const EqualBlocks& equal, const Collapse& collapse);
+
 }  // namespace magicmass::derivation

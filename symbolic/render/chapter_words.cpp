@@ -74,6 +74,10 @@ ChapterWords chapter_words(const std::string& chapter) {
        {"The end between equal blocks",
         "What restitution leaves after the last collision, or the time at which collisions have "
         "collapsed, written so that a computer loses no digits."}},
+      {"transmission",
+       {"What reaches B",
+        "The fraction of the energy that B takes when some is lost in every collision, as one "
+        "formula for both ways to end."}},
       {"small_alpha",
        {"Light balls",
         "As alpha tends to zero, psi is about 2 sqrt(2 alpha), and the number of collisions grows "
@@ -92,6 +96,10 @@ ChapterWords chapter_words(const std::string& chapter) {
         "After the last collision N_A psi/2 is within psi/4 of a quarter turn. In the sine and the "
         "cosine of that small offset the terminal velocities are one formula, whichever collision "
         "is the last."}},
+      {"fixed_n",
+       {"The first cycles",
+        "For a given n the velocities are rational functions of alpha. In factors, each over its "
+        "powers of 1 + alpha, they are accurate at their zeros and overflow nowhere."}},
       {"orthogonal",
        {"Orthogonal matrices",
         "What keeps all lengths is a rotation, or a rotation times a reflection."}},

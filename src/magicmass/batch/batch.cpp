@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/batch.hpp"
 
+#include <array>
+#include <charconv>
 #include <string>
 
 #include "magicmass/batch/columns.hpp"
@@ -59,6 +61,14 @@ void check_and_run(batch::Kernels::Velocities run, std::span<const double> alpha
   run(alpha.data(), n.data(), a.data(), b.data(), c.data(), c_prime.data(), alpha.size());
 }
 
+void check_and_run(batch::Kernels::VelocitiesAtN run, std::span<const double> alpha, std::int64_t n,
+                   Doubles a, Doubles b, Doubles c, Doubles c_prime) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("a", a),
+                                   batch::output("b", b), batch::output("c", c),
+                                   batch::output("c_prime", c_prime)});
+  run(alpha.data(), n, a.data(), b.data(), c.data(), c_prime.data(), alpha.size());
+}
+
 void check_and_run(batch::Kernels::Terminal run, std::span<const double> alpha, Integers N_A,
                    Integers N_B, Doubles a_t, Doubles b_t, Doubles c_t) {
   batch::require_separate_columns({batch::input("alpha", alpha), batch::output("N_A", N_A),
@@ -84,6 +94,15 @@ void accurate::velocities(std::span<const double> alpha, std::span<const std::in
                           Doubles b, Doubles c, Doubles c_prime, InstructionSet instruction_set) {
   check_and_run(batch::kernels(instruction_set).accurate_velocities, alpha, n, a, b, c, c_prime);
 }
+void fast::velocities(std::span<const double> alpha, std::int64_t n, Doubles a, Doubles b,
+                      Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).fast_velocities_at_n, alpha, n, a, b, c, c_prime);
+}
+void accurate::velocities(std::span<const double> alpha, std::int64_t n, Doubles a, Doubles b,
+                          Doubles c, Doubles c_prime, InstructionSet instruction_set) {
+  check_and_run(batch::kernels(instruction_set).accurate_velocities_at_n, alpha, n, a, b, c,
+                c_prime);
+}
 void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
                     Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
   check_and_run(batch::kernels(instruction_set).fast_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
@@ -91,6 +110,17 @@ void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, D
 void accurate::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
                         Doubles b_t, Doubles c_t, InstructionSet instruction_set) {
   check_and_run(batch::kernels(instruction_set).accurate_terminal, alpha, N_A, N_B, a_t, b_t, c_t);
+}
+void fast::transmission(std::span<const double> alpha, double e, Doubles rho,
+                        InstructionSet instruction_set) {
+  if (!(e >= 0x1p-400 && e <= 1.0)) {
+    std::array<char, 32> text{};
+    const char* const end = std::to_chars(text.data(), text.data() + text.size(), e).ptr;
+    throw InvalidInput("a restitution must be at least 2^-400 and at most 1, got " +
+                       std::string(static_cast<const char*>(text.data()), end));
+  }
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("rho", rho)});
+  batch::kernels(instruction_set).transmission(alpha.data(), e, rho.data(), alpha.size());
 }
 void fast::ratios(std::int64_t first_k, Doubles magic, Doubles deficient,
                   InstructionSet instruction_set) {

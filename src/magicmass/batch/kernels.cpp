@@ -7,6 +7,7 @@
 #include "magicmass/batch/ratios.hpp"
 #include "magicmass/batch/stream.hpp"
 #include "magicmass/batch/terminal.hpp"
+#include "magicmass/batch/transmission.hpp"
 #include "magicmass/batch/velocities.hpp"
 
 namespace magicmass::batch {
@@ -21,8 +22,11 @@ const Kernels tables::MAGICMASS_TARGET = {
     .stream = stream_velocities,
     .fast_velocities = velocities_block_by_block<Fast>,
     .accurate_velocities = velocities_block_by_block<Accurate>,
+    .fast_velocities_at_n = velocities_at_n_block_by_block<Fast>,
+    .accurate_velocities_at_n = velocities_at_n_block_by_block<Accurate>,
     .fast_terminal = terminal_block_by_block<Fast>,
     .accurate_terminal = terminal_block_by_block<Accurate>,
+    .transmission = transmission_block_by_block,
     .fast_ratios = ratios_block_by_block<Fast>,
     .accurate_ratios = ratios_block_by_block<Accurate>,
 };

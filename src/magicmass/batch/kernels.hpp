@@ -13,6 +13,8 @@ namespace magicmass::batch {
 struct Kernels {
   using Velocities = void (*)(const double* alpha, const std::int64_t* n, double* a, double* b,
                               double* c, double* c_prime, std::size_t size);
+  using VelocitiesAtN = void (*)(const double* alpha, std::int64_t n, double* a, double* b,
+                                 double* c, double* c_prime, std::size_t size);
   using Terminal = void (*)(const double* alpha, std::int64_t* N_A, std::int64_t* N_B, double* a_t,
                             double* b_t, double* c_t, std::size_t size);
   using Ratios = void (*)(std::int64_t first_k, double* magic, double* deficient, std::size_t size);
@@ -22,8 +24,11 @@ struct Kernels {
                  double* c_prime, std::size_t size);
   Velocities fast_velocities;
   Velocities accurate_velocities;
+  VelocitiesAtN fast_velocities_at_n;
+  VelocitiesAtN accurate_velocities_at_n;
   Terminal fast_terminal;
   Terminal accurate_terminal;
+  void (*transmission)(const double* alpha, double e, double* rho, std::size_t size);
   Ratios fast_ratios;
   Ratios accurate_ratios;
 };

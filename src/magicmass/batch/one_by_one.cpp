@@ -6,6 +6,7 @@
 
 #include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/evaluators/inelastic.hpp"
 #include "magicmass/fast.hpp"
 
 namespace magicmass::batch {
@@ -45,6 +46,12 @@ generated::Terminal<double> fast_terminal(double alpha) {
 }
 generated::Terminal<double> accurate_terminal(double alpha) {
   return terminal_or_none([&] { return accurate::terminal(alpha); });
+}
+// Where alpha is too large or too small for the lanes: two collisions, or a collapse unless e = 1.
+double transmission(double alpha, double e) {
+  if (e == 1.0) return fast_terminal(alpha).rho;
+  if (!(alpha > 1.0) || alpha == std::numeric_limits<double>::infinity()) return none;
+  return inelastic_terminal(alpha, e, {1, 1}).rho;
 }
 generated::Ratios<double> fast_ratios(std::int64_t k) {
   return k < 1 ? generated::Ratios<double>{none, none} : fast::ratios(k);

@@ -10,9 +10,29 @@
 #include "magicmass/batch/one_by_one.hpp"
 #include "magicmass/batch/open_rows.hpp"
 #include "magicmass/kernels/velocities.hpp"
+#include "magicmass/kernels/velocities_at_1.hpp"
+#include "magicmass/kernels/velocities_at_2.hpp"
 
 namespace magicmass::batch {
 inline namespace MAGICMASS_TARGET {
+
+/// The columns of one block.
+struct VelocityRows {
+  double* a;
+  double* b;
+  double* c;
+  double* c_prime;
+
+  template <class Number>
+  void set(std::size_t i, double alpha, std::int64_t n) const {
+    const auto one =
+        rounding_is_tested<Number> ? accurate_velocities(alpha, n) : fast_velocities(alpha, n);
+    a[i] = one.a;
+    b[i] = one.b;
+    c[i] = one.c;
+    c_prime[i] = one.c_prime;
+  }
+};
 
 template <class Number>
 void velocities_block_by_block(const double* alpha, const std::int64_t* n, double* a, double* b,
@@ -33,17 +53,49 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
         generated::velocities_block<Number>(rows, of_alpha, index.data(), of_a, of_b, of_c,
                                             of_c_prime, certain);
         if (!is_any_outside && certain.is_all(rows)) return;
-        for (std::size_t i = 0; i < rows; ++i) {
-          if (is_in_domain(of_alpha[i], of_n[i]) && !is_open(certain, i)) continue;
-          const auto one = rounding_is_tested<Number> ? accurate_velocities(of_alpha[i], of_n[i])
-                                                      : fast_velocities(of_alpha[i], of_n[i]);
-          of_a[i] = one.a;
-          of_b[i] = one.b;
-          of_c[i] = one.c;
-          of_c_prime[i] = one.c_prime;
-        }
+        const VelocityRows result{of_a, of_b, of_c, of_c_prime};
+        for (std::size_t i = 0; i < rows; ++i)
+          if (!is_in_domain(of_alpha[i], of_n[i]) || is_open(certain, i))
+            result.set<Number>(i, of_alpha[i], of_n[i]);
       },
       alpha, n, a, b, c, c_prime);
+}
+
+/// The same n for all rows: in the first two cycles a rational function of alpha is cheaper than angles, in the third no more.
+template <class Number>
+void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double* a, double* b,
+                                    double* c, double* c_prime, std::size_t size) {
+  alignas(64) arithmetic::BlockOfDoubles index;
+  index.fill(static_cast<double>(n));
+  block_by_block(
+      size,
+      [&index, n](std::size_t rows, const double* of_alpha, double* of_a, double* of_b,
+                  double* of_c, double* of_c_prime) {
+        RowBits outside{};
+        for (std::size_t i = 0; i < rows; i += arithmetic::widest)
+          outside |= out_of_domain(load_bits(of_alpha + i), RowBits{} + n);
+        const bool is_any_outside = has_negative(outside);
+        arithmetic::Certainty<Number> certain;
+        switch (n) {
+          case 1:
+            generated::velocities_at_1_block<Number>(rows, of_alpha, of_a, of_b, of_c, of_c_prime,
+                                                     certain);
+            break;
+          case 2:
+            generated::velocities_at_2_block<Number>(rows, of_alpha, of_a, of_b, of_c, of_c_prime,
+                                                     certain);
+            break;
+          default:
+            generated::velocities_block<Number>(rows, of_alpha, index.data(), of_a, of_b, of_c,
+                                                of_c_prime, certain);
+        }
+        if (!is_any_outside && certain.is_all(rows)) return;
+        const VelocityRows result{of_a, of_b, of_c, of_c_prime};
+        for (std::size_t i = 0; i < rows; ++i)
+          if (!is_in_domain(of_alpha[i], n) || is_open(certain, i))
+            result.set<Number>(i, of_alpha[i], n);
+      },
+      alpha, a, b, c, c_prime);
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "codegen/pipelines.hpp"
+
+#include "codegen/passes/canonical_order.hpp"
+#include "codegen/passes/common_subexpressions.hpp"
+#include "codegen/passes/dead_code.hpp"
+#include "codegen/passes/flat_products.hpp"
+#include "codegen/passes/paired_sine_cosine.hpp"
+#include "codegen/passes/reciprocal_square_roots.hpp"
+#include "codegen/passes/shared_products.hpp"
+#include "codegen/passes/shared_reciprocals.hpp"
+#include "codegen/passes/strength_reduction.hpp"
+
+namespace magicmass::codegen {
+
+Program prepared(const Program& lowered) {
+  return common_subexpressions(strength_reduction(common_subexpressions(canonical_order(lowered))));
+}
+
+Program finished(const Program& program, const std::vector<std::string>& wanted) {
+  return paired_sine_cosine(shared_reciprocals(dead_code(program, wanted)));
+}
+
+Program for_kernel(const Program& lowered) {
+  return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
+      flat_products(flat_products(reciprocal_square_roots(prepared(lowered))))))));
+}
+
+}  // namespace magicmass::codegen
