@@ -162,9 +162,9 @@ LineResult run_line(const Scene& scene, const ExactLine& line, const SceneOption
       break;
     case Model::exact_events:
       if (line.is_rational())
-        step_line(scene, line, as_rationals(*line.together), limit, listener, result);
+        step_line(scene, line, as_rationals(line.together()), limit, listener, result);
       else
-        step_line(scene, line, *line.together, limit, listener, result);
+        step_line(scene, line, line.together(), limit, listener, result);
       break;
   }
   // What was stepped into a collapse that a theorem knows is told by the theorem.

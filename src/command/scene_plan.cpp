@@ -56,7 +56,7 @@ Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
 
 /// Whether exact numbers stay short: below 2^13 bits over the first 2000 events.
 bool stays_short(const ExactLine& line, std::int64_t limit) {
-  LineMotion<reference::FieldNumber> motion(*line.together);
+  LineMotion<reference::FieldNumber> motion(line.together());
   for (auto next = motion.next(); next && motion.events() < std::min<std::int64_t>(limit, 2000);
        next = motion.next()) {
     if (line.until && *line.until < *next) break;
@@ -88,7 +88,7 @@ std::string why_not(Model model, const Scene& scene, const ExactLine& line, cons
         return "it has neither places nor times";
       return "";
     case Model::exact_events:
-      return line.together ? "" : "its numbers are in no common field of degree up to 12";
+      return line.one_field ? "" : "its numbers are in no common field of degree up to 12";
     case Model::transfers:
       if (lists_events(scene) || !scene.times.empty())
         return "it goes from transfer to transfer and has no single events";
@@ -101,7 +101,7 @@ std::string why_not(Model model, const Scene& scene, const ExactLine& line, cons
 
 /// The paper's counts, exact at every size.
 std::optional<cl_I> known_contacts(const Scene& scene, const ExactLine& line) {
-  if (!scene.alpha || !(line.geometry.restitution == reference::FieldNumber(1))) return {};
+  if (!scene.alpha || !(line.restitution == reference::FieldNumber(1))) return {};
   const reference::LargeCounts counts = exact_counts(*scene.alpha);
   return counts.N_A + counts.N_B;
 }
@@ -123,7 +123,7 @@ void choose_among_events(const Scene& scene, const ExactLine& line, std::int64_t
     chosen.plan.reason = needed;
     return;
   }
-  const bool exactly = line.together && stays_short(line, limit);
+  const bool exactly = line.one_field && stays_short(line, limit);
   if (exactly) {
     chosen.model = Model::exact_events;
     chosen.plan.reason =
@@ -133,9 +133,9 @@ void choose_among_events(const Scene& scene, const ExactLine& line, std::int64_t
   }
   chosen.model = Model::event_driven;
   chosen.plan.reason =
-      needed + (line.together ? "; near ties are marked: exact numbers would grow too long"
-                              : "; near ties are marked: no common field of degree up to 12 "
-                                "decides them");
+      needed + (line.one_field ? "; near ties are marked: exact numbers would grow too long"
+                               : "; near ties are marked: no common field of degree up to 12 "
+                                 "decides them");
   chosen.plan.events = limit;
 }
 

@@ -28,33 +28,52 @@ std::string_view mass_key(const Scene& scene) {
 
 /// The values of a scene but its masses, with the keys they come from.
 struct Written {
-  std::vector<std::string_view> keys;
-  std::vector<ExactValue> values;
-  CommonField field = {};
+  std::vector<std::string_view> keys = {};
+  std::vector<ExactValue> values = {};
 
+  /// Rational ones leave every field as it is.
   void add(const Scene& scene, std::string_view key, const Value& value) {
+    ExactValue exact = worth(scene, key, value);
+    if (exact.is_rational()) return;
     keys.push_back(key);
-    values.push_back(worth(scene, key, value));
+    values.push_back(std::move(exact));
   }
 };
 
-/// Lays out bodies and walls, or takes them where they are told to be.
-void place(const Scene& scene, const CommonField& field, Line<FieldNumber>& line) {
-  const auto number = [&](const Value& value) { return in_field(exact_value(value), field); };
-  const std::size_t bodies = scene.masses.size();
-  const FieldNumber gap = number(scene.gap), L = number(scene.L);
-  const auto after = [&](std::size_t body) { return body % 2 == 0 ? gap : L; };
-  FieldNumber x(0);
-  for (std::size_t i = 0; i < bodies; ++i) {
-    line.positions.push_back(scene.positions.empty() ? x : number(scene.positions[i]));
-    x = line.positions.back() + after(i);
-    line.velocities.push_back(scene.velocities.empty() ? (i == 0 ? number(scene.V) : FieldNumber(0))
-                                                       : number(scene.velocities[i]));
-  }
-  if (scene.has_left_wall)
-    line.left_wall = scene.left_wall ? number(*scene.left_wall) : line.positions[0] - gap;
-  if (scene.has_right_wall) line.right_wall = scene.right_wall ? number(*scene.right_wall) : x;
+/// Takes places and velocities where they are told, and keeps the rule by which they are laid out else.
+void place(const Scene& scene, ExactLine& line) {
+  const auto number = [&](const Value& value) { return in_field(exact_value(value), line.common); };
+  line.V = number(scene.V);
+  line.L = number(scene.L);
+  line.gap = number(scene.gap);
   line.restitution = number(scene.restitution);
+  line.placed.reserve(scene.positions.size());
+  line.launched.reserve(scene.velocities.size());
+  for (const Value& value : scene.positions) line.placed.push_back(number(value));
+  for (const Value& value : scene.velocities) line.launched.push_back(number(value));
+  if (scene.has_left_wall)
+    line.left_wall = scene.left_wall ? number(*scene.left_wall) : line.position(0) - line.gap;
+  if (scene.has_right_wall)
+    line.right_wall = scene.right_wall ? number(*scene.right_wall) : line.position(line.bodies());
+  for (const Value& time : scene.times) line.times.push_back(number(time));
+  if (scene.until) line.until = number(*scene.until);
+}
+
+/// Throws where a mass is not positive. Of two bodies, one after the other, the same value is worked out once.
+void weigh(const Scene& scene, ExactLine& line) {
+  line.masses.reserve(scene.masses.size());
+  for (std::size_t i = 0; i < scene.masses.size(); ++i) {
+    if (i > 1 && scene.masses[i] == scene.masses[i - 2]) {
+      line.masses.push_back(line.masses[i - 2]);
+      continue;
+    }
+    line.masses.push_back(worth(scene, mass_key(scene), scene.masses[i]));
+    if (sign(line.masses.back()) <= 0)
+      refuse_key(
+          scene, mass_key(scene),
+          "the mass of " + body_name(scene, i) + " is " + shown_text(to_text(scene.masses[i])),
+          "a positive finite number");
+  }
 }
 
 void check_numbers(const Scene& scene, const CommonField& field) {
@@ -80,39 +99,60 @@ void check_numbers(const Scene& scene, const CommonField& field) {
   if (scene.until) positive("until", *scene.until);
 }
 
-void check_order(const Scene& scene, const Line<FieldNumber>& line) {
+void check_order(const Scene& scene, const ExactLine& line) {
   const auto shown = [](const FieldNumber& x) { return shown_text(to_text(x)); };
-  for (std::size_t i = 1; i < line.positions.size(); ++i)
-    if (line.positions[i] < line.positions[i - 1])
+  for (std::size_t i = 1; i < line.placed.size(); ++i)
+    if (line.placed[i] < line.placed[i - 1])
       refuse_key(scene, "positions",
-                 body_name(scene, i - 1) + " at " + shown(line.positions[i - 1]) +
-                     " is to the right of " + body_name(scene, i) + " at " +
-                     shown(line.positions[i]),
+                 body_name(scene, i - 1) + " at " + shown(line.placed[i - 1]) +
+                     " is to the right of " + body_name(scene, i) + " at " + shown(line.placed[i]),
                  "bodies from left to right, which may touch");
-  if (line.left_wall && line.positions.front() < *line.left_wall)
+  if (line.left_wall && line.position(0) < *line.left_wall)
     refuse_key(scene, "left_wall",
-               body_name(scene, 0) + " at " + shown(line.positions.front()) +
-                   " is beyond the wall at " + shown(*line.left_wall),
+               body_name(scene, 0) + " at " + shown(line.position(0)) + " is beyond the wall at " +
+                   shown(*line.left_wall),
                "a wall to the left of all bodies");
-  if (line.right_wall && *line.right_wall < line.positions.back())
+  if (line.right_wall && *line.right_wall < line.position(line.bodies() - 1))
     refuse_key(scene, scene.kind == Kind::wall ? "wall" : "right_wall",
-               body_name(scene, line.positions.size() - 1) + " at " + shown(line.positions.back()) +
-                   " is beyond the wall at " + shown(*line.right_wall),
+               body_name(scene, line.bodies() - 1) + " at " +
+                   shown(line.position(line.bodies() - 1)) + " is beyond the wall at " +
+                   shown(*line.right_wall),
                "a wall to the right of all bodies");
 }
 
 }  // namespace
 
+FieldNumber ExactLine::position(std::size_t body) const {
+  if (!placed.empty()) return placed[body];
+  const auto many = [](std::size_t count) {
+    return FieldNumber(cln::cl_RA(static_cast<unsigned long>(count)));
+  };
+  return many((body + 1) / 2) * gap + many(body / 2) * L;
+}
+
+FieldNumber ExactLine::velocity(std::size_t body) const {
+  if (!launched.empty()) return launched[body];
+  return body == 0 ? V : FieldNumber(0);
+}
+
+Line<FieldNumber> ExactLine::geometry() const {
+  Line<FieldNumber> line{{}, {}, {}, left_wall, right_wall, restitution};
+  for (std::size_t i = 0; i < bodies(); ++i) {
+    line.positions.push_back(position(i));
+    line.velocities.push_back(velocity(i));
+  }
+  return line;
+}
+
+Line<FieldNumber> ExactLine::together() const {
+  Line<FieldNumber> line = geometry();
+  for (const ExactValue& mass : masses) line.masses.push_back(in_field(mass, common));
+  return line;
+}
+
 ExactLine exact_line(const Scene& scene) {
   ExactLine result;
-  for (std::size_t i = 0; i < scene.masses.size(); ++i) {
-    result.masses.push_back(worth(scene, mass_key(scene), scene.masses[i]));
-    if (sign(result.masses.back()) <= 0)
-      refuse_key(
-          scene, mass_key(scene),
-          "the mass of " + body_name(scene, i) + " is " + shown_text(to_text(scene.masses[i])),
-          "a positive finite number");
-  }
+  weigh(scene, result);
   Written written;
   written.add(scene, "V", scene.V);
   written.add(scene, "L", scene.L);
@@ -126,28 +166,20 @@ ExactLine exact_line(const Scene& scene) {
     written.add(scene, scene.kind == Kind::wall ? "wall" : "right_wall", *scene.right_wall);
   if (scene.until) written.add(scene, "until", *scene.until);
   std::vector<ExactValue> values = written.values;
-  values.insert(values.end(), result.masses.begin(), result.masses.end());
-  CommonField field = common_field(values, most_exact_degree);
-  const bool together = field.exists;
-  if (!together) field = common_field(written.values, most_exact_degree);
-  if (!field.exists) {
-    for (std::size_t i = 0; i < written.keys.size(); ++i)
-      if (!written.values[i].is_rational())
-        refuse_key(scene, written.keys[i],
-                   "places, speeds and times have irrational parts of different kinds",
-                   "one square root, or cosines of a field of degree up to 12");
-  }
-  check_numbers(scene, field);
-  place(scene, field, result.geometry);
-  check_order(scene, result.geometry);
-  for (const Value& time : scene.times) result.times.push_back(in_field(exact_value(time), field));
-  if (scene.until) result.until = in_field(exact_value(*scene.until), field);
-  result.field = field.field ? field.field->name() : "the rationals";
-  if (together) {
-    result.together = result.geometry;
-    for (const ExactValue& mass : result.masses)
-      result.together->masses.push_back(in_field(mass, field));
-  }
+  for (std::size_t i = 0; i < result.masses.size(); ++i)
+    if (!result.masses[i].is_rational() && !(i > 1 && scene.masses[i] == scene.masses[i - 2]))
+      values.push_back(result.masses[i]);
+  result.common = common_field(values, most_exact_degree);
+  result.one_field = result.common.exists;
+  if (!result.one_field) result.common = common_field(written.values, most_exact_degree);
+  if (!result.common.exists)
+    refuse_key(scene, written.keys.front(),
+               "places, speeds and times have irrational parts of different kinds",
+               "one square root, or cosines of a field of degree up to 12");
+  check_numbers(scene, result.common);
+  place(scene, result);
+  check_order(scene, result);
+  result.field = result.common.field ? result.common.field->name() : "the rationals";
   return result;
 }
 
@@ -156,12 +188,19 @@ Line<double> rounded(const ExactLine& line) {
     if (!std::isfinite(value)) throw Undecided("a number of the scene does not fit a double");
     return value;
   };
-  Line<double> doubles = converted<double>(
-      line.geometry, [&](const FieldNumber& x) { return finite(nearest_double(x)); });
-  for (const ExactValue& mass : line.masses) {
-    doubles.masses.push_back(finite(nearest_double(mass)));
+  const auto number = [&](const FieldNumber& x) { return finite(nearest_double(x)); };
+  Line<double> doubles;
+  for (auto* column : {&doubles.masses, &doubles.positions, &doubles.velocities})
+    column->reserve(line.bodies());
+  if (line.left_wall) doubles.left_wall = number(*line.left_wall);
+  if (line.right_wall) doubles.right_wall = number(*line.right_wall);
+  doubles.restitution = number(line.restitution);
+  for (std::size_t i = 0; i < line.bodies(); ++i) {
+    doubles.masses.push_back(finite(nearest_double(line.masses[i])));
     if (!(doubles.masses.back() > 0.0))
       throw Undecided("a mass of the scene does not fit a double");
+    doubles.positions.push_back(number(line.position(i)));
+    doubles.velocities.push_back(number(line.velocity(i)));
   }
   return doubles;
 }

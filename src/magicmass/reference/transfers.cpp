@@ -35,32 +35,31 @@ bool has_room(const ExactValue& ball, const FieldNumber& L, const FieldNumber& a
 }  // namespace
 
 std::optional<std::string> why_no_cradle(const ExactLine& line) {
-  const auto& g = line.geometry;
   const std::size_t bodies = line.masses.size();
   if (bodies < 3 || bodies % 2 == 0) return "it has no ball between each two blocks";
-  if (!(g.restitution == FieldNumber(1))) return "contacts are not elastic";
-  if (g.velocities[0].sign() <= 0) return "the first block does not move to the right";
+  if (!(line.restitution == FieldNumber(1))) return "contacts are not elastic";
+  if (line.velocity(0).sign() <= 0) return "the first block does not move to the right";
   for (std::size_t i = 0; i < bodies; ++i) {
     const ExactValue& mass = line.masses[i];
-    if (i > 0 && g.velocities[i].sign() != 0) return "more than one body moves";
+    if (i > 0 && line.velocity(i).sign() != 0) return "more than one body moves";
     if (i % 2 == 0 && !(mass.is_rational() && mass.rational == 1))
       return "the blocks do not all have mass 1";
     if (i % 2 == 1 && magic_index(mass) == 0) return "a ball has no magic ratio";
   }
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
-    const FieldNumber L = g.positions[ball + 1] - g.positions[ball];
+    const FieldNumber L = line.position(ball + 1) - line.position(ball);
     if (L.sign() <= 0) return "a ball touches the next block";
     const bool last = ball + 2 == bodies;
-    if (last && !g.right_wall) continue;
-    const FieldNumber next = last ? *g.right_wall : g.positions[ball + 2];
-    if (!has_room(line.masses[ball], L, next - g.positions[ball + 1]))
+    if (last && !line.right_wall) continue;
+    const FieldNumber next = last ? *line.right_wall : line.position(ball + 2);
+    if (!has_room(line.masses[ball], L, next - line.position(ball + 1)))
       return "a block reaches the next ball before the ball behind it is at rest";
   }
   return std::nullopt;
 }
 
 CradleEnd run_cradle(const ExactLine& line, const cl_I& most_contacts) {
-  const auto& g = line.geometry;
+  const Line<FieldNumber> g = line.geometry();
   const std::size_t last = line.masses.size() - 1;
   const FieldNumber V = g.velocities[0];
   CradleEnd end;

@@ -41,7 +41,7 @@ Interval at(const ExactValue& value, long precision) { return enclosure(value)(p
 
 Line<Interval> enclosed_line(const ExactLine& line, long precision) {
   Line<Interval> intervals = converted<Interval>(
-      line.geometry, [&](const FieldNumber& x) { return x.enclosed(precision); });
+      line.geometry(), [&](const FieldNumber& x) { return x.enclosed(precision); });
   for (const ExactValue& mass : line.masses) intervals.masses.push_back(at(mass, precision));
   return intervals;
 }
@@ -49,22 +49,23 @@ Line<Interval> enclosed_line(const ExactLine& line, long precision) {
 }  // namespace
 
 bool is_theorems_start(const ExactLine& line) {
-  const auto& g = line.geometry;
-  const bool trio = g.positions.size() == 3 && !g.left_wall && !g.right_wall;
-  const bool wall = g.positions.size() == 2 && !g.left_wall && g.right_wall;
+  const bool trio = line.bodies() == 3 && !line.left_wall && !line.right_wall;
+  const bool wall = line.bodies() == 2 && !line.left_wall && line.right_wall;
   if (!trio && !wall) return false;
-  const FieldNumber target = wall ? FieldNumber(0) : g.velocities[2];
-  const FieldNumber ahead = wall ? *g.right_wall : g.positions[2];
-  return g.velocities[1] == target && g.velocities[1] < g.velocities[0] && g.positions[1] < ahead;
+  const FieldNumber target = wall ? FieldNumber(0) : line.velocity(2);
+  const FieldNumber ahead = wall ? *line.right_wall : line.position(2);
+  return line.velocity(1) == target && line.velocity(1) < line.velocity(0) &&
+         line.position(1) < ahead;
 }
 
 TrioEnd::TrioEnd(const ExactLine& line, const std::optional<cl_I>& known, long further_bits)
     : line_(line), further_bits_(further_bits) {
-  if (line.together) {
-    exact_.emplace(*line.together);
-    for (const FieldNumber& mass : line.together->masses)
+  if (line.one_field) {
+    const Line<FieldNumber> exactly = line.together();
+    exact_.emplace(exactly);
+    for (const FieldNumber& mass : exactly.masses)
       bits_ = std::max(bits_, 2 * mass.bits() * static_cast<long>(mass.coefficients().size()));
-    bits_ += 2 * line.together->restitution.bits();
+    bits_ += 2 * exactly.restitution.bits();
   }
   find_collapse();
   if (collapse_) return;
@@ -202,7 +203,7 @@ Positions<double> TrioEnd::positions(const FieldNumber& time) const {
 }
 
 void TrioEnd::find_collapse() {
-  if (line_.geometry.restitution == FieldNumber(1)) return;
+  if (line_.restitution == FieldNumber(1)) return;
   std::optional<int> sign;
   if (exact_) sign = SpeedMap<FieldNumber>(exact_->cycle()).discriminant().sign();
   long precision = 256;
@@ -228,7 +229,7 @@ void TrioEnd::find_collapse() {
   const cl_RA time = cln::rational(gaps / speeds);
   // All meet in one place: the wall, or the centre of mass, which moves uniformly.
   cl_RA place = middle(x.b);
-  if (!line_.geometry.right_wall) {
+  if (!line_.right_wall) {
     const Line<Interval> line = enclosed_line(line_, 2048);
     cl_RA mass = 0, moment = 0;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -65,6 +65,9 @@ public:
   }
 
   std::size_t first() const { return winners_[1]; }
+  std::size_t bytes() const {
+    return due_.capacity() * sizeof(Due<Scalar>) + winners_.capacity() * sizeof(Gap);
+  }
 
 private:
   using Gap = std::uint32_t;

@@ -100,6 +100,12 @@ public:
           lost.time || (closes(gap) && Scalar(0) < closing(gap) && is_never<Scalar>(due_[gap]));
     return lost;
   }
+  /// Memory of its containers, without what numbers of a long type hold elsewhere.
+  std::size_t bytes() const {
+    const std::size_t numbers = line_.masses.capacity() + line_.positions.capacity() +
+                                line_.velocities.capacity() + since_.capacity();
+    return numbers * sizeof(Scalar) + touched_.capacity() / 8 + due_.bytes();
+  }
   Scalar position(std::size_t body, const Scalar& time) const {
     return line_.positions[body] + line_.velocities[body] * (time - since_[body]);
   }

@@ -27,7 +27,7 @@ std::string random_text(testing::Generator& generator, std::int64_t most) {
 }
 
 Line<cl_RA> rational(const reference::ExactLine& line) {
-  return converted<cl_RA>(*line.together,
+  return converted<cl_RA>(line.together(),
                           [](const reference::FieldNumber& x) { return x.rational(); });
 }
 

@@ -36,8 +36,8 @@ TEST_CASE("exact events in the field of the ratio see the same cradle", "[check]
   for (const char* ball : {"\"magic:2\"", "\"magic:3\"", "\"sqrt(5)-2\""}) {
     const reference::ExactLine line = cradle(ball, "walls = \"both\"\nuntil = 120");
     const reference::CradleEnd end = reference::run_cradle(line, 1000000);
-    REQUIRE(line.together.has_value());
-    LineMotion<FieldNumber> motion(*line.together);
+    REQUIRE(line.one_field);
+    LineMotion<FieldNumber> motion(line.together());
     while (motion.next() && !(*line.until < *motion.next())) motion.step();
     CHECK(end.round_trips == 10);
     CHECK(cln::cl_I(static_cast<long>(motion.events())) == end.contacts);
