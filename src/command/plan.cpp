@@ -42,9 +42,7 @@ ExitCode plan(const PlanOptions& options) {
 }  // namespace
 
 void add_model_option(CLI::App& command, SceneOptions& options) {
-  command
-      .add_option("--model", options.model,
-                  "closed-form, velocity-stepping, event-driven, exact-events or transfers")
+  command.add_option("--model", options.model, "the model to use (plan tells which)")
       ->type_name("MODEL");
   command.add_option("--max-events", options.max_events, "stop after so many (1000000)")
       ->type_name("N")

@@ -60,8 +60,7 @@ void add_simulate(Program& program) {
       add_command(program, "simulate", "Run a scene: what collides when, and what comes out",
                   "magicmass simulate tutorials/scenes/trajectory_a.toml");
   command.add_option("SCENE", options->scene, "a scene file in TOML")->type_name("")->required();
-  command.add_flag("--exact", options->run.exact,
-                   "exact arithmetic; the paper's scenes: rational alpha only");
+  command.add_flag("--exact", options->run.exact, "exact arithmetic, where numbers allow it");
   add_model_option(command, options->run);
   add_output_options(command, options->output, {"text", "json", "csv", "jsonl"});
   on_run(program, command, [options] { return simulate(*options); });
