@@ -17,6 +17,7 @@ void add_count(Program& program);
 void add_terminal(Program& program);
 void add_ratios(Program& program);
 void add_simulate(Program& program);
+void add_plan(Program& program);
 void add_equal(Program& program);
 /// The words of a command line, where -x/2 after "equal" is an expression and no option.
 std::vector<std::string> with_expressions_marked(int argc, char** argv);

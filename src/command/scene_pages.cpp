@@ -39,7 +39,7 @@ std::string scene_json(const Scene& scene, const SceneResult& result) {
       "{{\n  \"title\": {},\n  \"alpha\": {},\n  \"computed_alpha\": {},\n  \"status\": \"{}\",\n  "
       "\"plan\": {},\n"
       "  \"counts\": {},\n  \"stepped\": {},\n  \"terminal\": {},\n  \"events\": {}",
-      json_string(scene.title), json_value(alpha_cell(scene.alpha)),
+      json_string(scene.title), json_value(alpha_cell(*scene.alpha)),
       json_value(result.computed_alpha), result.status,
       json_object({"model", "reason", "events"}, plan_cells),
       json_object(count_columns, cells(result.counts)),
@@ -96,7 +96,7 @@ std::string table(const std::vector<std::string>& columns,
 
 std::string scene_text(const Scene& scene, const SceneResult& result) {
   std::string text = scene.title.empty() ? "" : scene.title + "\n";
-  const std::string as_written = to_text(scene.alpha);
+  const std::string as_written = to_text(*scene.alpha);
   text += render::wrapped(
       as_written == result.computed_alpha.text
           ? as_written

@@ -24,14 +24,6 @@ using cln::cl_RA;
 Cell cell(double value) { return number_cell(value); }
 Cell cell(const cl_RA& value) { return text_cell(reference::to_text(value)); }
 
-Plan plan_for(const Scene& scene, const reference::LargeCounts& counts) {
-  if (!wants(scene, Output::events) && !wants(scene, Output::trajectory))
-    return {"closed form",
-            "only counts, terminal velocities or energy are asked for, so no event is stepped", 0};
-  return {"event-driven", "events or a trajectory are asked for, which need places and times",
-          counts.N_A + counts.N_B};
-}
-
 template <class Scalar>
 std::vector<Cell> event_cells(const Event<Scalar>& event) {
   return {text_cell(event.body == Body::A ? "A" : "B"),
@@ -111,32 +103,51 @@ void require_short(const cl_RA& alpha, const cl_I& events) {
 
 }  // namespace
 
+bool is_papers_scene(const Scene& scene, const SceneOptions& options) {
+  return scene.alpha && scene.times.empty() && scene.every == 1 && !scene.until &&
+         options.model.empty() && scene.restitution == Value(1.0);
+}
+
+Plan plan_papers_scene(const Scene& scene, const SceneOptions& options) {
+  if (!wants(scene, Output::events) && !wants(scene, Output::trajectory))
+    return {"closed form",
+            "only counts, terminal velocities or energy are asked for, so no event is stepped", 0};
+  const reference::LargeCounts counts = exact_counts(*scene.alpha);
+  const cl_I events = counts.N_A + counts.N_B;
+  const bool unlimited = !options.max_events && !scene.max_events;
+  if (unlimited && events > cl_I(usual_max_events))
+    refuse_as_too_long(scene, events, usual_max_events);
+  return {"event-driven", "events or a trajectory are asked for, which need places and times",
+          cln::min(events, cl_I(event_limit(scene, options)))};
+}
+
 SceneResult run_scene(const Scene& scene, const SceneOptions& options) {
   SceneResult result;
   result.status = "complete";
-  result.counts = exact_counts(scene.alpha);
-  result.plan = plan_for(scene, result.counts);
-  const cl_I limit(options.max_events);
+  result.counts = exact_counts(*scene.alpha);
+  result.plan = plan_papers_scene(scene, options);
+  const std::int64_t limit = event_limit(scene, options);
   const bool steps_events = result.plan.model == "event-driven";
-  if (result.plan.events > limit) result.plan.events = limit;
   if (options.exact) {
-    const std::optional<cl_RA> alpha = reference::exact(scene.alpha);
+    const std::optional<cl_RA> alpha = reference::exact(*scene.alpha);
     if (!alpha)
-      throw InvalidInput("--exact needs a rational alpha, got " + to_text(scene.alpha) +
+      throw InvalidInput("--exact needs a rational alpha, got " + to_text(*scene.alpha) +
                          "; allowed: a decimal, a hex float or a fraction p/q");
-    const SceneNumbers<cl_RA> numbers{*alpha, reference::exact(scene.V), reference::exact(scene.L)};
+    const SceneNumbers<cl_RA> numbers{*alpha, reference::exact(std::get<double>(scene.V)),
+                                      reference::exact(std::get<double>(scene.L))};
     result.computed_alpha = cell(*alpha);
     if (steps_events) require_short(*alpha, result.plan.events);
-    if (steps_events) run_events(scene, numbers, options.max_events, result);
+    if (steps_events) run_events(scene, numbers, limit, result);
     if (result.terminal.empty() && result.status == "complete")
       run_closed_form(numbers, exact_terminal_velocities(*alpha, result.counts), result);
     return result;
   }
-  const SceneNumbers<double> numbers{nearest_double(scene.alpha), scene.V, scene.L};
+  const SceneNumbers<double> numbers{nearest_double(*scene.alpha), std::get<double>(scene.V),
+                                     std::get<double>(scene.L)};
   result.computed_alpha = cell(numbers.alpha);
-  if (steps_events) run_events(scene, numbers, options.max_events, result);
+  if (steps_events) run_events(scene, numbers, limit, result);
   if (result.terminal.empty() && result.status == "complete")
-    run_closed_form(numbers, fast_terminal_velocities(scene.alpha, result.counts), result);
+    run_closed_form(numbers, fast_terminal_velocities(*scene.alpha, result.counts), result);
   return result;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Runs a scene: picks the cheapest model for the outputs asked for, and keeps what it found as printable cells.
+// Runs the paper's scenes, equal blocks and elastic contacts, by the paper's own formulas and in the paper's terms.
 #pragma once
 
 #include <cstdint>
@@ -8,22 +8,11 @@
 #include <vector>
 
 #include "command/records.hpp"
+#include "command/scene_plan.hpp"
 #include "magicmass/reference/count.hpp"
 #include "magicmass/scenes/scene.hpp"
 
 namespace magicmass::command {
-
-/// The model chosen, why, and how many events it steps through.
-struct Plan {
-  std::string model;  ///< "closed form" or "event-driven"
-  std::string reason;
-  cln::cl_I events;
-};
-
-struct SceneOptions {
-  std::int64_t max_events = 1000000;
-  bool exact = false;  ///< rational arithmetic; alpha must be a fraction or a double
-};
 
 /// Columns of an event: body, n, time, position, a, b, c; of a trajectory point: t, x_A, x_B, x_C.
 extern const std::vector<std::string> event_columns;
@@ -41,6 +30,12 @@ struct SceneResult {
       trajectory;  ///< if asked for: one L/V before P_1, each event, one L/V after the last
   std::vector<Cell> drift;  ///< if asked for: energy, momentum
 };
+
+/// A scene for run_scene: the paper's initial state, no model asked for, nothing left out and no times of its own.
+bool is_papers_scene(const Scene& scene, const SceneOptions& options);
+
+/// Its plan. Throws InvalidInput where a list of events would be longer than the usual limit and no other was set.
+Plan plan_papers_scene(const Scene& scene, const SceneOptions& options);
 
 /// Throws InvalidInput where exact arithmetic was asked for and alpha is irrational, Undecided where the answer
 /// does not fit.

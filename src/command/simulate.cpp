@@ -6,6 +6,7 @@
 
 #include "command/alpha_value.hpp"
 #include "command/commands.hpp"
+#include "command/line_output.hpp"
 #include "command/scene_pages.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
@@ -30,11 +31,19 @@ void say_where_counts_differ(const SceneResult& result) {
 
 ExitCode simulate(const SimulateOptions& options) {
   const Scene scene = read_scene(options.scene);
+  const reference::ExactLine line = reference::exact_line(scene);
+  if (!is_papers_scene(scene, options.run) || options.output.format == "jsonl") {
+    write_line_run(scene, line, options.run, options.output);
+    return ExitCode::done;
+  }
   SceneResult result;
   try {
     result = run_scene(scene, options.run);
   } catch (const InvalidInput& error) {
-    throw InvalidInput(shown_text(options.scene, 200) + ": " + error.what());
+    const std::string what = error.what();
+    throw InvalidInput(what.starts_with(options.scene + ":")
+                           ? what
+                           : shown_text(options.scene, 200) + ": " + what);
   }
   Destination output(options.output.path);
   output.write(scene_page(scene, result, options.output.format));
@@ -51,12 +60,9 @@ void add_simulate(Program& program) {
       add_command(program, "simulate", "Run a scene: what collides when, and what comes out",
                   "magicmass simulate tutorials/scenes/trajectory_a.toml");
   command.add_option("SCENE", options->scene, "a scene file in TOML")->type_name("")->required();
-  command.add_flag("--exact", options->run.exact,
-                   "rational arithmetic; not at magic:k, deficient:k");
-  command.add_option("--max-events", options->run.max_events, "stop after so many (1000000)")
-      ->type_name("N")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 40U).description(""));
-  add_output_options(command, options->output);
+  command.add_flag("--exact", options->run.exact, "exact arithmetic, where numbers allow it");
+  add_model_option(command, options->run);
+  add_output_options(command, options->output, {"text", "json", "csv", "jsonl"});
   on_run(program, command, [options] { return simulate(*options); });
 }
 

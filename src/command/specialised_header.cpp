@@ -100,6 +100,12 @@ codegen::GeneratedFile header_of_quantities(const std::string& names,
 codegen::GeneratedFile header_of_scene(const std::string& path,
                                        const std::vector<proof::Theorem>& theorems) {
   const Scene scene = read_scene(path);
+  // The generated formulas are those of the paper's state.
+  if (!scene.alpha)
+    refuse_key(scene, "kind", "no generated formula holds for this scene",
+               "three-body with a ball of mass ratio alpha between equal blocks");
+  if (scene.restitution != Value(1.0))
+    refuse_key(scene, "restitution", "generated headers are of elastic collisions", "1.0");
   std::vector<std::string> wanted, outputs;
   for (const Output output : scene.outputs) {
     outputs.emplace_back(to_text(output));
@@ -112,7 +118,7 @@ codegen::GeneratedFile header_of_scene(const std::string& path,
       {fmt::format(
           "For the outputs {} of that scene, where alpha = {}, V = {} and L = {}: alpha is an "
           "argument here, and velocities are in units of V, distances of L, times of L/V.",
-          fmt::join(outputs, ", "), to_text(scene.alpha), scene.V, scene.L)},
+          fmt::join(outputs, ", "), to_text(*scene.alpha), to_text(scene.V), to_text(scene.L))},
       theorems);
 }
 

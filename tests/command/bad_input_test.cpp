@@ -83,7 +83,7 @@ TEST_CASE("unreadable and malformed files", "[exam]") {
   check_scene_refused("alpha = \n", "scene.toml:1: ");
   check_scene_refused("title = \"x\"\nalpha = -1\n", "scene.toml:2: alpha: ");
   check_scene_refused("alpha = 0.1\nspeed = 3\n", "scene.toml:2: speed: unknown key");
-  check_scene_refused("alpha = 0.1\nrestitution = 0.9\n", "scene.toml:2: restitution: ");
+  check_scene_refused("alpha = 0.1\nrestitution = 1.1\n", "scene.toml:2: restitution: ");
   check_scene_refused("alpha = 0.1\noutputs = [\"colour\"]\n", "scene.toml:2: outputs: ");
   check_scene_refused("V = 1.0\n", "alpha: missing");
 }

@@ -87,3 +87,124 @@ TEST_CASE("text shows fractions in the table of events as decimals", "[exam]") {
   CHECK(run.output.find("   B      1      0.56000            1") !=
         std::string::npos);  // t = (1 + alpha)/2
 }
+
+TEST_CASE("the paper's cradle makes a thousand round trips and leaves nothing behind", "[exam]") {
+  const nlohmann::json result = json_of({"simulate", scene_file("cradle")});
+  CHECK(result.at("plan").at("model") == "transfers");
+  CHECK(result.at("contacts") == 42000);
+  CHECK(result.at("cradle") ==
+        nlohmann::json{{"transfers", 8000}, {"round_trips", 1000}, {"mover", "A_1"}});
+  for (const auto& [body, v] : result.at("velocities").items())
+    CHECK(v.get<double>() == (body == "A_1" ? 1.0 : 0.0));
+}
+
+TEST_CASE("a plan tells model, reason and events, and nothing is stepped without need", "[exam]") {
+  CHECK(json_of({"plan", scene_file("trajectory_c")}).at("events") == 7);
+  for (const char* name : {"wall", "unequal_blocks", "collapse"}) {
+    const nlohmann::json plan = json_of({"plan", scene_file(name)});
+    CHECK(plan.at("model") == "closed form");
+    CHECK(plan.at("events") == 0);
+    CHECK(json_of({"simulate", scene_file(name)}).at("stepped") == 0);
+  }
+  const nlohmann::json counted = json_of({"simulate", scene_file("wall")});
+  CHECK(counted.at("evaluated") == 2);  // two velocities
+  const TemporaryFolder folder;
+  write_file(folder / "counts.toml", "kind = \"wall\"\nmass_ratio = 1e4\noutputs = [\"counts\"]\n");
+  CHECK(json_of({"simulate", folder / "counts.toml"}).at("evaluated") == 0);
+  CHECK(json_of({"simulate", folder / "counts.toml", "--model", "event-driven"}).at("stepped") ==
+        314);
+}
+
+TEST_CASE("a trajectory of 10^15 events is refused with what to ask for instead", "[exam]") {
+  const TemporaryFolder folder;
+  write_file(folder / "long.toml", "alpha = 1e-30\noutputs = [\"trajectory\"]\n");
+  const ProgramRun run = run_program({"simulate", folder / "long.toml"});
+  CHECK(run.exit_code == 2);
+  CHECK(run.output.empty());
+  CHECK(run.errors.find("2221441469079183 events") != std::string::npos);
+  CHECK(run.errors.find("every = ") != std::string::npos);
+  CHECK(run.errors.find("times = [...]") != std::string::npos);
+  write_file(folder / "times.toml",
+             "alpha = 1e-30\noutputs = [\"trajectory\"]\ntimes = [0.5, 2]\n");
+  const nlohmann::json result = json_of({"simulate", folder / "times.toml"});
+  CHECK(result.at("stepped") == 0);
+  CHECK(result.at("trajectory").size() == 6);
+  const ProgramRun model =
+      run_program({"simulate", scene_file("trajectory_a"), "--model", "velocity-stepping"});
+  CHECK(model.exit_code == 2);
+  CHECK(model.errors.find("neither places nor times") != std::string::npos);
+}
+
+TEST_CASE("a collapse has a time and a place, and a hostile chain ends", "[exam]") {
+  const nlohmann::json result = json_of({"simulate", scene_file("collapse")});
+  CHECK(result.at("status") == "collapse");
+  CHECK(result.at("collapse").at("time").get<double>() == Approx(3.257866648640732));
+  const TemporaryFolder folder;
+  write_file(folder / "chain.toml",
+             "kind = \"chain\"\nblocks = 4\nballs = 0.3\nwalls = \"both\"\nrestitution = 0.05\n");
+  CHECK(json_of({"simulate", folder / "chain.toml"}).at("status") == "collapse");
+  write_file(folder / "forever.toml",
+             "kind = \"chain\"\nblocks = 4\nballs = 0.3\nwalls = \"both\"\nmax_events = 5000\n");
+  CHECK(json_of({"simulate", folder / "forever.toml"}).at("status") == "limited");
+}
+
+TEST_CASE("JSON lines hold each event and at last the result", "[exam]") {
+  const std::vector<std::string> lines =
+      lines_of(run_program({"simulate", scene_file("chain"), "--format", "jsonl"}).output);
+  REQUIRE(lines.size() == 12);
+  CHECK(nlohmann::json::parse(lines[0]).at("event").at("number") == 2);
+  CHECK(nlohmann::json::parse(lines[11]).at("result").at("status") == "complete");
+}
+
+TEST_CASE("a box that cools for ever is never complete, whatever its restitution", "[exam]") {
+  const TemporaryFolder folder;
+  for (const char* e : {"0.01", "0.1", "0.3", "0.6", "0.9", "0.99"})
+    for (const char* bodies : {"blocks = 2\nballs = 0.3\n", "masses = [1]\nvelocities = [1]\n",
+                               "masses = [1, 1e-9, 1e9, 1]\n"}) {
+      write_file(folder / "box.toml", std::string("kind = \"chain\"\nwalls = \"both\"\n") + bodies +
+                                          "restitution = " + e + "\n");
+      const nlohmann::json result = json_of({"simulate", folder / "box.toml"});
+      INFO(bodies << e << result.dump());
+      CHECK((result.at("status") == "limited" || result.at("status") == "collapse"));
+      CHECK_FALSE(result.at("why").get<std::string>().empty());
+      CHECK(result.at("terminal").is_null());
+    }
+}
+
+TEST_CASE("hostile scenes end, and say how", "[exam]") {
+  const TemporaryFolder folder;
+  for (const char* scene :
+       {"masses = [1e-300, 1e300, 1e-300]\nvelocities = [1, 0, -1]\npositions = [0, 1, 2]\n",
+        "masses = [1, 1, 1]\nvelocities = [1e-300, 0, 0]\npositions = [0, 1e300, 1e300]\n",
+        "masses = [1, 2, 1, 2]\nvelocities = [3, 2, 1, 0]\npositions = [0, 0, 0, 0]\n",
+        "masses = [1, 3, 1]\nvelocities = [1, 0, -1]\npositions = [0, 0, 0]\nrestitution = 0.5\n",
+        "masses = [1, 1]\nvelocities = [1, 0]\nwalls = \"both\"\ngap = 0\nL = 1e-300\n",
+        "masses = [2, 1]\npositions = [0, 0]\nleft_wall = 0\nright_wall = 0\nvelocities = [1, "
+        "-1]\n",
+        "masses = [2, 1]\npositions = [0, 0]\nleft_wall = 0\nright_wall = 0\nvelocities = [1, -1]\n"
+        "restitution = 1e-300\n"}) {
+    write_file(folder / "hostile.toml", std::string("kind = \"chain\"\n") + scene);
+    const nlohmann::json result = json_of({"simulate", folder / "hostile.toml"});
+    INFO(scene << result.dump());
+    const std::string status = result.at("status");
+    CHECK((status == "complete" || status == "limited" || status == "collapse"));
+    CHECK((status == "complete") == result.at("why").get<std::string>().empty());
+  }
+}
+
+TEST_CASE("energy is audited from the states, and momentum is missing where it was not measured",
+          "[exam]") {
+  const TemporaryFolder folder;
+  const auto drift = [&](const std::string& scene) {
+    write_file(folder / "audit.toml", scene + "\noutputs = [\"counts\", \"energy\"]\n");
+    return json_of({"simulate", folder / "audit.toml"}).at("energy");
+  };
+  const std::string cradle = "kind = \"chain\"\nblocks = 3\nballs = \"magic:2\"\n";
+  CHECK(drift(cradle).at("momentum_drift") == 0.0);
+  const nlohmann::json walled = drift(cradle + "walls = \"both\"\nuntil = 30\n");
+  CHECK(walled.at("energy_drift") == 0.0);
+  CHECK(walled.at("momentum_drift").is_null());
+  const nlohmann::json rounded = drift("kind = \"wall\"\nmasses = [11, 3]");
+  CHECK(rounded.at("energy_drift").get<double>() > 0.0);  // of velocities that are rounded
+  CHECK(rounded.at("energy_drift").get<double>() < 1e-15);
+}

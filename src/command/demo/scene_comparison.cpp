@@ -79,7 +79,7 @@ void show_scene(DemoReport& report, const std::string& panel, const std::filesys
   const Scene scene = read_scene((source / "tutorials" / "scenes" / (name + ".toml")).string());
   const SceneResult result = run_scene(scene, {});
 
-  const double alpha = nearest_double(scene.alpha);
+  const double alpha = nearest_double(*scene.alpha);
   const cl_RA exact_alpha = reference::exact(alpha);
   const RecordedRun<double> doubles = record_three_body(alpha);
   const RecordedRun<cl_RA> exact = record_three_body(exact_alpha);
@@ -94,7 +94,7 @@ void show_scene(DemoReport& report, const std::string& panel, const std::filesys
     return fmt::format("{:.6f}", std::abs(value) < 5e-7 ? 0.0 : value);
   };
   report.print(fmt::format(
-      " {:<3}{:<9}{:>7}{:>7}{:>11}{:>10}{:>10}{:>11}   {}\n", panel, to_text(scene.alpha),
+      " {:<3}{:<9}{:>7}{:>7}{:>11}{:>10}{:>10}{:>11}   {}\n", panel, to_text(*scene.alpha),
       reference::to_text(result.counts.N_A) + " + " + reference::to_text(result.counts.N_B),
       counts_text(stepped), shown(v.a), shown(v.b), shown(v.c),
       fmt::format("{:.1f} eps", difference_in_eps(doubles, exact)),

@@ -31,11 +31,15 @@ using RowBits = Row::Mask;  ///< as many 64-bit integers
   return alpha >= 0x1p-120 && alpha <= 0x1p60 && n >= 0 &&
          n <= (alpha >= 1.0 ? 1 : std::int64_t{1} << 51U);
 }
-/// The same of many: negative where one is not. Doubles compare like their bits, and those of a negative double are negative.
+/// The same of many: negative where one is not. Doubles compare like their bits, and those of a negative double are negative;
+/// differences wrap, but of the two with alpha not both.
 [[gnu::always_inline]] inline RowBits out_of_domain(RowBits alpha, RowBits n) {
-  const auto bits = [](double x) { return RowBits{} + std::bit_cast<std::int64_t>(x); };
-  return (alpha - bits(0x1p-120)) | (bits(0x1p60) - alpha) | n | ((std::int64_t{1} << 51U) - n) |
-         ((bits(1.0) - 1 - alpha) & (1 - n));
+  using Unsigned [[gnu::vector_size(sizeof(RowBits))]] = std::uint64_t;
+  const auto bits = [](double x) { return Unsigned{} + std::bit_cast<std::uint64_t>(x); };
+  const auto a = std::bit_cast<Unsigned>(alpha), index = std::bit_cast<Unsigned>(n);
+  return std::bit_cast<RowBits>((a - bits(0x1p-120)) | (bits(0x1p60) - a) | index |
+                                ((std::uint64_t{1} << 51U) - index) |
+                                ((bits(1.0) - 1 - a) & (1 - index)));
 }
 [[gnu::always_inline]] inline bool has_negative(RowBits words) {
   std::int64_t all = 0;

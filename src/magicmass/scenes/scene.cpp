@@ -3,15 +3,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <fstream>
-#include <sstream>
 #include <utility>
 
-#include <toml++/toml.h>
-
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/scene_keys.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass {
@@ -25,148 +21,8 @@ constexpr std::array<std::pair<std::string_view, Output>, 5> output_names = {{
     {"energy", Output::energy},
 }};
 
-/// Where a value stands, for messages.
-struct Place {
-  std::string_view source;
-  std::string_view key;
-  unsigned line;
-
-  [[noreturn]] void refuse(const std::string& what, std::string_view allowed) const {
-    throw InvalidInput(std::string(source) + ":" + std::to_string(line) + ": " + shown_text(key) +
-                       ": " + what + "; allowed: " + std::string(allowed));
-  }
-};
-
-std::string shortest(double value) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
-}
-
-std::string type_name(const toml::node& node) {
-  std::ostringstream name;
-  name << node.type();
-  return name.str();
-}
-
-std::string text_of(const toml::node& node, const Place& place, std::string_view allowed) {
-  if (const auto* text = node.as_string()) {
-    return text->get();
-  }
-  place.refuse("expected a string, got a TOML " + type_name(node), allowed);
-}
-
-double number_of(const toml::node& node, const Place& place, std::string_view allowed) {
-  if (const auto* number = node.as_floating_point()) {
-    return number->get();
-  }
-  if (const auto* number = node.as_integer()) {
-    return static_cast<double>(number->get());
-  }
-  place.refuse("expected a number, got a TOML " + type_name(node), allowed);
-}
-
-double positive_number_of(const toml::node& node, const Place& place) {
-  constexpr std::string_view allowed = "a positive finite number";
-  const double number = number_of(node, place, allowed);
-  if (!(number > 0.0) || !std::isfinite(number)) {
-    place.refuse("got " + shortest(number), allowed);
-  }
-  return number;
-}
-
-void read_title(const toml::node& node, const Place& place, Scene& scene) {
-  scene.title = text_of(node, place, "a string");
-}
-
-void read_kind(const toml::node& node, const Place& place, Scene& scene) {
-  constexpr std::string_view allowed = "\"three-body\"";
-  scene.kind = text_of(node, place, allowed);
-  if (scene.kind == "wall" || scene.kind == "chain") {
-    place.refuse("\"" + scene.kind + "\" is not available yet", allowed);
-  }
-  if (scene.kind != "three-body") {
-    place.refuse("unknown kind \"" + shown_text(scene.kind) + '"', allowed);
-  }
-}
-
-/// Numbers go through the same reader as text, so a scene, the command line and a CSV cell mean the same.
-void read_alpha(const toml::node& node, const Place& place, Scene& scene) {
-  constexpr std::string_view allowed =
-      "a positive finite number, or a string with a decimal, a hex float, a "
-      "fraction like \"1/7\", \"magic:k\" or \"deficient:k\"";
-  std::string text;
-  if (const auto* string = node.as_string()) {
-    text = string->get();
-  } else if (const auto* integer = node.as_integer()) {
-    text = std::to_string(integer->get());
-  } else {
-    text = shortest(number_of(node, place, allowed));
-  }
-  try {
-    scene.alpha = parse_mass_ratio(text);
-  } catch (const InvalidInput& error) {
-    const std::string what = error.what();
-    place.refuse(what.substr(0, what.rfind("; allowed: ")), allowed);
-  }
-}
-
-void read_V(const toml::node& node, const Place& place, Scene& scene) {
-  scene.V = positive_number_of(node, place);
-}
-
-void read_L(const toml::node& node, const Place& place, Scene& scene) {
-  scene.L = positive_number_of(node, place);
-}
-
-void read_restitution(const toml::node& node, const Place& place, Scene& scene) {
-  constexpr std::string_view allowed = "1.0 (only elastic collisions so far)";
-  scene.restitution = number_of(node, place, allowed);
-  if (scene.restitution != 1.0) {
-    place.refuse("got " + shortest(scene.restitution), allowed);
-  }
-}
-
-void read_outputs(const toml::node& node, const Place& place, Scene& scene) {
-  constexpr std::string_view allowed =
-      "an array of \"counts\", \"terminal\", \"events\", \"trajectory\", \"energy\", each at most "
-      "once";
-  const toml::array* names = node.as_array();
-  if (names == nullptr) {
-    place.refuse("expected an array, got a TOML " + type_name(node), allowed);
-  }
-  scene.outputs.clear();
-  for (const toml::node& element : *names) {
-    const Place here{place.source, place.key, element.source().begin.line};
-    const std::string name = text_of(element, here, allowed);
-    const auto* const known = std::find_if(output_names.begin(), output_names.end(),
-                                           [&](const auto& entry) { return entry.first == name; });
-    if (known == output_names.end()) {
-      here.refuse("unknown output \"" + shown_text(name) + '"', allowed);
-    }
-    if (wants(scene, known->second)) {
-      here.refuse("\"" + name + "\" is there twice", allowed);
-    }
-    scene.outputs.push_back(known->second);
-  }
-  if (scene.outputs.empty()) {
-    place.refuse("no output asked for", allowed);
-  }
-  std::sort(scene.outputs.begin(), scene.outputs.end());
-}
-
-using Reader = void (*)(const toml::node&, const Place&, Scene&);
-
-constexpr std::string_view known_keys = "title, kind, alpha, V, L, restitution, outputs";
-
-constexpr std::array<std::pair<std::string_view, Reader>, 7> readers = {{
-    {"title", read_title},
-    {"kind", read_kind},
-    {"alpha", read_alpha},
-    {"V", read_V},
-    {"L", read_L},
-    {"restitution", read_restitution},
-    {"outputs", read_outputs},
-}};
+constexpr std::array<std::pair<std::string_view, Kind>, 3> kind_names = {
+    {{"three-body", Kind::three_body}, {"wall", Kind::wall}, {"chain", Kind::chain}}};
 
 toml::table parse_table(std::string_view text, std::string_view source_name) {
   try {
@@ -176,6 +32,83 @@ toml::table parse_table(std::string_view text, std::string_view source_name) {
                        ": not valid TOML: " + shown_text(error.description(), 200) +
                        "; allowed: lines like alpha = 0.1");
   }
+}
+
+bool has_key(const SceneKey& key, Kind kind) {
+  return kind == Kind::three_body ? key.three_body : kind == Kind::wall ? key.wall : key.chain;
+}
+
+std::string keys_of(Kind kind) {
+  std::string names;
+  for (const SceneKey& key : scene_keys())
+    if (has_key(key, kind)) names += (names.empty() ? "" : ", ") + std::string(key.name);
+  return names;
+}
+
+/// What is wrong with the keys that are there, together.
+void check_together(const Scene& scene) {
+  const auto has = [&](std::string_view key) { return scene.lines.find(key) != scene.lines.end(); };
+  const auto exclude = [&](std::string_view key, std::initializer_list<std::string_view> others) {
+    for (const std::string_view other : others)
+      if (has(key) && has(other))
+        refuse_key(scene, key, "does not go with " + std::string(other), "one of the two");
+  };
+  exclude("masses", {"alpha", "mass_ratio", "blocks", "balls"});
+  exclude("positions", {"L", "gap", "walls"});
+  exclude("velocities", {"V"});
+  exclude("walls", {"left_wall", "right_wall"});
+  exclude("times", {"every"});
+  if (scene.masses.empty())
+    refuse_key(scene,
+               scene.kind == Kind::three_body ? "alpha"
+               : scene.kind == Kind::wall     ? "mass_ratio"
+                                              : "blocks",
+               "missing",
+               scene.kind == Kind::three_body
+                   ? "a line like alpha = 0.1 or alpha = \"magic:3\", or masses = [1, 0.1, 2]"
+               : scene.kind == Kind::wall
+                   ? "a line like mass_ratio = \"100^3\", or masses = [100, 1]"
+                   : "lines like blocks = 5 and balls = \"magic:3\", or masses = [1, 0.1, 1]");
+  if (has("balls") && !has("blocks"))
+    refuse_key(scene, "blocks", "missing", "a whole number of blocks");
+  if (has("blocks") && !has("balls") && scene.masses.size() > 1)
+    refuse_key(scene, "balls", "missing", "one value for all balls, or an array with one for each");
+  if (scene.masses.size() > most_bodies)
+    refuse_key(scene, "masses", "got " + std::to_string(scene.masses.size()) + " bodies",
+               "up to " + std::to_string(most_bodies));
+  const std::string as_many = "as many as there are bodies: " + std::to_string(scene.masses.size());
+  if (has("positions") && scene.positions.size() != scene.masses.size())
+    refuse_key(scene, "positions", "got " + std::to_string(scene.positions.size()), as_many);
+  if (has("velocities") && scene.velocities.size() != scene.masses.size())
+    refuse_key(scene, "velocities", "got " + std::to_string(scene.velocities.size()), as_many);
+  if (scene.kind == Kind::wall && has("positions") && !has("wall"))
+    refuse_key(scene, "wall", "missing", "where the wall is, as positions are given");
+  const bool moves = wants(scene, Output::trajectory), lists = wants(scene, Output::events);
+  if (has("times") && !moves)
+    refuse_key(scene, "times", "positions at given times are a trajectory, which is not asked for",
+               "times together with the output \"trajectory\"");
+  if (has("times") && lists)
+    refuse_key(scene, "times", "events are not at given times",
+               "times without the output \"events\"");
+  if (has("every") && !moves && !lists)
+    refuse_key(scene, "every", "there is nothing to leave out",
+               "every together with the output \"events\" or \"trajectory\"");
+}
+
+/// The paper's state, which has formulas of its own: equal blocks, a ratio that is one by its form, doubles else.
+std::optional<MassRatio> ratio_of_equal_blocks(const Scene& scene) {
+  const bool laid_out = scene.lines.contains("alpha") && scene.positions.empty() &&
+                        scene.velocities.empty() && std::holds_alternative<double>(scene.V) &&
+                        std::holds_alternative<double>(scene.L);
+  if (!laid_out) return std::nullopt;
+  const Value& alpha = scene.masses[1];
+  if (const auto* expression = std::get_if<Expression>(&alpha)) {
+    if (expression->text.find_first_not_of("0123456789/") != std::string::npos) return std::nullopt;
+    return parse_mass_ratio(expression->text);
+  }
+  if (const auto* magic = std::get_if<Magic>(&alpha)) return *magic;
+  if (const auto* deficient = std::get_if<Deficient>(&alpha)) return *deficient;
+  return std::get<double>(alpha);
 }
 
 }  // namespace
@@ -190,23 +123,51 @@ std::string_view to_text(Output output) {
       ->first;
 }
 
+std::string_view to_text(Kind kind) {
+  return std::find_if(kind_names.begin(), kind_names.end(),
+                      [&](const auto& entry) { return entry.second == kind; })
+      ->first;
+}
+
+std::string body_name(const Scene& scene, std::size_t body) {
+  if (scene.kind != Kind::chain) return body == 0 ? "A" : body == 1 ? "C" : "B";
+  const std::string number = std::to_string(body / 2 + 1);
+  if (!scene.lines.contains("blocks")) return std::to_string(body + 1);
+  return (body % 2 == 0 ? "A_" : "C_") + number;
+}
+
+void refuse_key(const Scene& scene, std::string_view key, const std::string& what,
+                std::string_view allowed) {
+  const auto line = scene.lines.find(key);
+  Place{scene.source, key, line == scene.lines.end() ? 1 : line->second}.refuse(what, allowed);
+}
+
 Scene parse_scene(std::string_view text, std::string_view source_name) {
   const toml::table table = parse_table(text, source_name);
   Scene scene;
-  for (const auto& [key, node] : table) {
-    const Place place{source_name, key.str(), key.source().begin.line};
-    const auto* const known = std::find_if(readers.begin(), readers.end(), [&](const auto& entry) {
-      return entry.first == place.key;
-    });
-    if (known == readers.end()) {
-      place.refuse("unknown key", known_keys);
-    }
-    known->second(node, place, scene);
+  scene.source = source_name;
+  const auto read = [&](const SceneKey& key) {
+    const toml::node* node = table.get(key.name);
+    if (node == nullptr) return;
+    key.read(*node, {source_name, key.name, scene.lines.find(key.name)->second}, scene);
+  };
+  for (const auto& [key, node] : table)
+    scene.lines[std::string(key.str())] = static_cast<unsigned>(key.source().begin.line);
+  for (const SceneKey& key : scene_keys())
+    if (key.name == "kind") read(key);
+  for (const auto& entry : table) {
+    const std::string_view name = entry.first.str();
+    const bool known = std::any_of(
+        scene_keys().begin(), scene_keys().end(),
+        [&](const SceneKey& key) { return key.name == name && has_key(key, scene.kind); });
+    if (!known) refuse_key(scene, name, "unknown key", keys_of(scene.kind));
   }
-  if (!table.contains("alpha")) {
-    Place{source_name, "alpha", 1}.refuse("missing",
-                                          "a line like alpha = 0.1 or alpha = \"magic:3\"");
-  }
+  if (scene.kind == Kind::chain) scene.gap = 1.0;
+  if (scene.kind == Kind::wall) scene.has_right_wall = true;
+  for (const SceneKey& key : scene_keys())
+    if (key.name != "kind") read(key);
+  check_together(scene);
+  scene.alpha = ratio_of_equal_blocks(scene);
   return scene;
 }
 

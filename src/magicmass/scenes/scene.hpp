@@ -1,39 +1,72 @@
 // SPDX-License-Identifier: MIT
-// A scene: what happens and which outputs are asked for, read from a TOML file (design, section 7).
+// A scene: what happens and which outputs are asked for, read from a TOML file (tutorials/scenes/README.md).
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "magicmass/scenes/mass_ratio.hpp"
+#include "magicmass/scenes/value.hpp"
 
 namespace magicmass {
 
 /// What a scene may ask for, in the order in which answers are printed.
 enum class Output { counts, terminal, events, trajectory, energy };
 
-/// Block A with speed V towards ball C at rest at x = 0 and block B at rest at x = L; all contacts elastic.
+enum class Kind { three_body, wall, chain };
+
+/// Bodies on a line, from left to right, as they are written: each value is of the right form, and whether the scene
+/// makes sense (positive masses, no overlap) is decided where they are exact numbers: exact_line().
+/// Laid out where there are no positions: the first body at 0, each other one `gap` or `L` from the one before, in
+/// turn; a laid-out wall likewise. Without velocities the first body has V and the others rest.
 struct Scene {
-  std::string title;                ///< free text, may be empty
-  std::string kind = "three-body";  ///< the only kind so far
-  MassRatio alpha;                  ///< ball mass / block mass, required
-  double V = 1.0;                   ///< incident speed, positive and finite
-  double L = 1.0;                   ///< initial distance C to B, positive and finite
-  double restitution = 1.0;         ///< elastic, the only value so far
+  std::string title;   ///< free text, may be empty
+  std::string source;  ///< file name, for messages
+  Kind kind = Kind::three_body;
+  std::optional<MassRatio>
+      alpha;  ///< equal blocks of mass 1 and a ball, laid out, V and L doubles: the paper's state
+  std::vector<Value> masses;
+  std::vector<Value> positions;   ///< as many as masses, or none: laid out
+  std::vector<Value> velocities;  ///< as many as masses, or none
+  Value V = 1.0;
+  Value L = 1.0;
+  Value gap = 0.0;
+  Value restitution = 1.0;
+  bool has_left_wall = false;
+  bool has_right_wall = false;
+  std::optional<Value> left_wall;   ///< where it is; laid out without
+  std::optional<Value> right_wall;  ///< likewise
   std::vector<Output> outputs = {Output::counts,
                                  Output::terminal};  ///< in Output's order, none twice
-
-  friend bool operator==(const Scene&, const Scene&) = default;
+  std::int64_t every = 1;                            ///< of the events, print each so manieth
+  std::vector<Value> times;                          ///< ask for the positions at these times
+  std::optional<Value> until;                        ///< the run stops at this time
+  std::optional<std::int64_t> max_events;
+  std::map<std::string, unsigned, std::less<>> lines;  ///< of each key that the file has
 };
+
+/// Most bodies of a scene.
+inline constexpr std::size_t most_bodies = 2'000'001;
 
 /// Does the scene ask for this output?
 bool wants(const Scene& scene, Output output);
 
-/// The name a scene file uses, e.g. "counts".
+/// The name a scene file uses, e.g. "counts", "three-body".
 std::string_view to_text(Output output);
+std::string_view to_text(Kind kind);
 
-/// Reads a scene from TOML text. Every key but alpha has the default above; an unknown key is refused.
+/// The name of body i: A, C, B; A_1, C_1, A_2, ... in a chain of blocks and balls.
+std::string body_name(const Scene& scene, std::size_t body);
+
+/// Throws InvalidInput: `source:line: key: what; allowed: allowed`.
+[[noreturn]] void refuse_key(const Scene& scene, std::string_view key, const std::string& what,
+                             std::string_view allowed);
+
+/// Reads a scene from TOML text. An unknown key is refused.
 /// Throws InvalidInput: `source_name:line: key: what was wrong; allowed: ...`, on one line.
 Scene parse_scene(std::string_view text, std::string_view source_name);
 

@@ -27,4 +27,19 @@ AfterContact<Scalar> collide(const Scalar& m1, const Scalar& u1, const Scalar& m
   return {twice - u1, twice - u2};
 }
 
+/// The same with restitution e, 0 < e <= 1: what is left of each velocity relative to the centre is turned round.
+template <Arithmetic Scalar>
+AfterContact<Scalar> collide(const Scalar& m1, const Scalar& u1, const Scalar& m2, const Scalar& u2,
+                             const Scalar& e) {
+  const Scalar mass = m1 + m2;
+  const Scalar centre = (m1 / mass) * u1 + (m2 / mass) * u2;
+  return {centre + e * (centre - u1), centre + e * (centre - u2)};
+}
+
+/// Velocity after meeting a wall, which does not move.
+template <Arithmetic Scalar>
+Scalar rebound(const Scalar& u, const Scalar& e) {
+  return Scalar(0) - e * u;
+}
+
 }  // namespace magicmass

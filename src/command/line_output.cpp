@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/line_output.hpp"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "command/line_pages.hpp"
+
+namespace magicmass::command {
+namespace {
+
+std::string heading(const std::vector<std::string>& columns) {
+  return fmt::format("{}\n", fmt::join(columns, ","));
+}
+
+/// The destination appears with the first row, so that a scene that is refused leaves nothing.
+class Writer {
+public:
+  explicit Writer(const OutputOptions& options) : options_(options) {}
+
+  void write(const std::string& text) {
+    if (!output_) output_.emplace(options_.path);
+    output_->write(text);
+  }
+  void finish() {
+    if (output_) output_->finish();
+  }
+
+private:
+  const OutputOptions& options_;
+  std::optional<Destination> output_;
+};
+
+void as_csv(const Scene& scene, const reference::ExactLine& line, const SceneOptions& options,
+            Writer& writer) {
+  const bool events = wants(scene, Output::events), points = wants(scene, Output::trajectory);
+  bool headed = false;
+  const auto rows = [&](const std::vector<std::string>& columns) {
+    return [&](const std::vector<Cell>& cells) {
+      if (!headed) writer.write(heading(columns));
+      headed = true;
+      writer.write(csv_line(cells));
+    };
+  };
+  const auto nothing = [](const std::vector<Cell>&) {};
+  LineListener listener{nothing, nothing};
+  if (events)
+    listener.on_event = rows(line_event_columns);
+  else if (points)
+    listener.on_point = rows(line_point_columns);
+  const LineResult result = run_line(scene, line, options, listener);
+  if (!events && !points)
+    writer.write(line_csv(result));
+  else if (!headed)
+    writer.write(heading(events ? line_event_columns : line_point_columns));
+}
+
+void as_json_lines(const Scene& scene, const reference::ExactLine& line,
+                   const SceneOptions& options, Writer& writer) {
+  const auto rows = [&](const char* name, const std::vector<std::string>& columns) {
+    return [&, name](const std::vector<Cell>& cells) {
+      writer.write(fmt::format("{{\"{}\": {}}}\n", name, json_object(columns, cells)));
+    };
+  };
+  const LineResult result = run_line(
+      scene, line, options, {rows("event", line_event_columns), rows("point", line_point_columns)});
+  writer.write("{\"result\": " + line_json(scene, result) + "}}\n");
+}
+
+void whole(const Scene& scene, const reference::ExactLine& line, const SceneOptions& options,
+           bool json, Writer& writer) {
+  std::string events, points;
+  const auto keep = [json](std::string& text, const std::vector<std::string>& columns) {
+    return [&text, &columns, json](const std::vector<Cell>& cells) {
+      if (json) {
+        text += (text.empty() ? "\n  " : ",\n  ") + json_object(columns, cells);
+        return;
+      }
+      if (text.empty()) text = "\n" + heading(columns);
+      text += csv_line(cells);
+    };
+  };
+  const LineResult result = run_line(
+      scene, line, options, {keep(events, line_event_columns), keep(points, line_point_columns)});
+  if (!json) {
+    writer.write(line_text(scene, result) + events + points);
+    return;
+  }
+  std::string text = line_json(scene, result) + ", \"events\": [" + events + "]";
+  if (wants(scene, Output::trajectory)) text += ", \"trajectory\": [" + points + "]";
+  writer.write(text + "}\n");
+}
+
+}  // namespace
+
+void write_line_run(const Scene& scene, const reference::ExactLine& line,
+                    const SceneOptions& options, const OutputOptions& output) {
+  Writer writer(output);
+  if (output.format == "csv")
+    as_csv(scene, line, options, writer);
+  else if (output.format == "jsonl")
+    as_json_lines(scene, line, options, writer);
+  else
+    whole(scene, line, options, output.format == "json", writer);
+  writer.finish();
+}
+
+}  // namespace magicmass::command

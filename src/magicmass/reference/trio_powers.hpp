@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A ball between two blocks, or a block and a wall, after any number of contacts, without stepping through them.
+#pragma once
+
+#include "magicmass/reference/cycle_map.hpp"
+#include "magicmass/simulator/line.hpp"
+#include "magicmass/simulator/trio_stepping.hpp"
+
+namespace magicmass::reference {
+
+/// Velocities, and where each body would have been at time 0 had it always moved as now. A contact changes both by
+/// the same linear map: at the time and place of contact both bodies are at one place, which that map keeps.
+template <class Scalar>
+struct TrioState {
+  Velocities<Scalar> v;
+  Velocities<Scalar> x;  ///< places at time 0, as a triple
+};
+
+/// A meets the ball first, then the ball and B (or the wall) meet, in turn.
+template <Arithmetic Scalar>
+class TrioPowers {
+public:
+  /// Bodies A, C and B, or A, C and a right wall.
+  explicit TrioPowers(const Line<Scalar>& line)
+      : TrioPowers(trio_of(line),
+                   {{line.velocities[0], line.right_wall ? Scalar(0) : line.velocities[2],
+                     line.velocities[1]},
+                    {line.positions[0], line.right_wall ? *line.right_wall : line.positions[2],
+                     line.positions[1]}}) {}
+
+  TrioPowers(const Trio<Scalar>& trio, TrioState<Scalar> start)
+      : P_(map_of<Scalar>([&](Velocities<Scalar> v) {
+          trio.P.apply(v.a, v.c);
+          return v;
+        })),
+        Q_(map_of<Scalar>([&](Velocities<Scalar> v) {
+          trio.Q.apply(v.b, v.c);
+          return v;
+        })),
+        cycle_(compose(Q_, P_)),
+        start_(std::move(start)) {}
+
+  /// After j >= 0 contacts; O(log j) multiplications of maps.
+  TrioState<Scalar> after(const cln::cl_I& j) const {
+    const cln::cl_I cycles = cln::floor1(j, 2);
+    TrioState<Scalar> state{apply_power(cycle_, cycles, start_.v),
+                            apply_power(cycle_, cycles, start_.x)};
+    if (cln::oddp(j)) state = {apply(P_, state.v), apply(P_, state.x)};
+    return state;
+  }
+
+  /// One contact of A more, after whole cycles.
+  TrioState<Scalar> once_more(const TrioState<Scalar>& state) const {
+    return {apply(P_, state.v), apply(P_, state.x)};
+  }
+
+  /// How fast the next two approach after j contacts, and their gap followed back to time 0: they meet at gap/speed.
+  struct Approach {
+    Scalar speed;
+    Scalar gap;
+  };
+  static Approach approach(const TrioState<Scalar>& state, const cln::cl_I& j) {
+    if (cln::oddp(j)) return {state.v.c - state.v.b, state.x.b - state.x.c};
+    return {state.v.a - state.v.c, state.x.c - state.x.a};
+  }
+  Approach approach(const cln::cl_I& j) const { return approach(after(j), j); }
+
+  const LinearMap<Scalar>& cycle() const { return cycle_; }
+  const TrioState<Scalar>& start() const { return start_; }
+
+private:
+  LinearMap<Scalar> P_, Q_, cycle_;
+  TrioState<Scalar> start_;
+
+  static Trio<Scalar> trio_of(const Line<Scalar>& line) {
+    const auto& m = line.masses;
+    const Scalar& e = line.restitution;
+    return {contact_weights(m[0], m[1], e),
+            line.right_wall ? wall_weights(e) : contact_weights(m[2], m[1], e)};
+  }
+};
+
+}  // namespace magicmass::reference

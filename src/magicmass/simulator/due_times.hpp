@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// When each gap closes, and which closes first: a tournament, so that a change costs O(log gaps) comparisons.
+#pragma once
+
+#include <bit>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace magicmass {
+
+/// A time, or never.
+template <class Scalar>
+using Due = std::conditional_t<std::floating_point<Scalar>, Scalar, std::optional<Scalar>>;
+
+template <class Scalar>
+Due<Scalar> never() {
+  if constexpr (std::floating_point<Scalar>) {
+    return std::numeric_limits<Scalar>::infinity();
+  } else {
+    return std::nullopt;
+  }
+}
+
+template <class Scalar>
+bool is_never(const Due<Scalar>& due) {
+  return due == never<Scalar>();
+}
+
+template <class Scalar>
+const Scalar& time_of(const Due<Scalar>& due) {
+  if constexpr (std::floating_point<Scalar>) {
+    return due;
+  } else {
+    return *due;
+  }
+}
+
+/// The due times of gaps 0, 1, ...; of equal times the leftmost gap wins. 8 to 16 bytes a gap beside the time.
+template <class Scalar>
+class DueTimes {
+public:
+  explicit DueTimes(std::size_t gaps)
+      : leaves_(std::bit_ceil(gaps)), due_(gaps, never<Scalar>()), winners_(2 * leaves_, none) {
+    for (std::size_t gap = 0; gap < gaps; ++gap) winners_[leaves_ + gap] = static_cast<Gap>(gap);
+    for (std::size_t node = leaves_; node-- > 1;) play(node);
+  }
+
+  const Due<Scalar>& operator[](std::size_t gap) const { return due_[gap]; }
+  void set(std::size_t gap, Due<Scalar> due) { due_[gap] = std::move(due); }
+
+  /// To be called after set(): plays again what gaps first, ..., last may have changed.
+  void replay(std::size_t first, std::size_t last) {
+    std::size_t low = leaves_ + first;
+    std::size_t high = leaves_ + last;
+    while (low > 1) {
+      low /= 2;
+      high /= 2;
+      for (std::size_t node = low; node <= high; ++node) play(node);
+    }
+  }
+
+  std::size_t first() const { return winners_[1]; }
+  std::size_t bytes() const {
+    return due_.capacity() * sizeof(Due<Scalar>) + winners_.capacity() * sizeof(Gap);
+  }
+
+private:
+  using Gap = std::uint32_t;
+  static constexpr Gap none = std::numeric_limits<Gap>::max();
+
+  std::size_t leaves_;
+  std::vector<Due<Scalar>> due_;
+  std::vector<Gap> winners_;
+
+  void play(std::size_t node) {
+    const Gap left = winners_[2 * node];
+    const Gap right = winners_[2 * node + 1];
+    winners_[node] = right != none && sooner(due_[right], due_[left]) ? right : left;
+  }
+
+  static bool sooner(const Due<Scalar>& x, const Due<Scalar>& y) {
+    if constexpr (std::floating_point<Scalar>) {
+      return x < y;
+    } else {
+      return x && (!y || *x < *y);
+    }
+  }
+};
+
+}  // namespace magicmass
