@@ -30,7 +30,9 @@ template <class T>
 [[gnu::always_inline]] inline Tracked<T> arctangent(Tracked<T> t) {
   // As below with w = quotient + rest. w^3/3 is taken as a pair, its error 2^-20 2^-104 of w; the next term is below 2^-38 w and
   // rounded at 2^-53 of itself.
-  const T j = nearest_whole(t.pair.high * T(256.0));
+  // lanes whose answer nobody takes may hold anything: they get a place in the table
+  const auto is_in_table = (t.pair.high >= T(0.0)) & (t.pair.high <= T(1.0));
+  const T j = where(is_in_table, nearest_whole(t.pair.high * T(256.0)));
   const T c = j * T(0x1p-8);
   const T above = t.pair.high - c;  // exact, as c is near or t.high below 2^-9
   const Sum<T> tc = two_product(t.pair.high, c);
@@ -63,7 +65,8 @@ template <class T>
   // atan t = atan c + atan w with c = j/256 next to t and w = (t - c)/(1 + t c), |w| <= 2^-9.
   // atan w = w - w^3 (1/3 - w^2 (1/5 - w^2/7)); 1/3 - ... is a pair, and its inner part, below 2^-18/5, is rounded at
   // 2^-53 of itself: 2^-73 of w^2 <= 2^-18, so 2^-91 of w. The next term w^8/9 is below 2^-75 / 9 w^... of w: 2^-75.
-  const T j = nearest_whole(t.pair.high * T(256.0));
+  const auto is_in_table = (t.pair.high >= T(0.0)) & (t.pair.high <= T(1.0));
+  const T j = where(is_in_table, nearest_whole(t.pair.high * T(256.0)));
   const T c = j * T(0x1p-8);
   const Pair<T> w =
       (t.pair + (-c)) / (Pair<T>::product(t.pair.high, c) + Pair<T>(t.pair.low * c) + T(1.0));

@@ -157,7 +157,7 @@ template <class T>
   return (x + shift) - shift;
 }
 
-/// from[stride index + offset], a whole number in each lane.
+/// from[stride index + offset], a whole number of the table in each lane.
 template <int stride, int offset>
 [[gnu::always_inline]] inline double gather(const double* from, double index) {
   return from[stride * static_cast<std::int64_t>(index) + offset];
@@ -165,12 +165,8 @@ template <int stride, int offset>
 template <int stride, int offset>
 [[gnu::always_inline]] inline Lanes<2> gather(const double* from, Lanes<2> index) {
   const __m128i i = _mm_cvttpd_epi32(index.v);
-  // wraps to 0, as in more lanes, where the index is not a number
-  const auto place = [](int whole) {
-    return std::uint32_t{stride} * static_cast<std::uint32_t>(whole) + offset;
-  };
-  return _mm_set_pd(from[place(_mm_cvtsi128_si32(_mm_shuffle_epi32(i, 1)))],
-                    from[place(_mm_cvtsi128_si32(i))]);
+  return _mm_set_pd(from[stride * _mm_cvtsi128_si32(_mm_shuffle_epi32(i, 1)) + offset],
+                    from[stride * _mm_cvtsi128_si32(i) + offset]);
 }
 #ifdef __AVX2__
 template <int stride, int offset>

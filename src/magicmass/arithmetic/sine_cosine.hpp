@@ -98,7 +98,8 @@ template <class T>
   // |r| = c + d, c = j/256 next to it, |d| <= 2^-9.
   const auto is_below = reduced.high < T(0.0);
   const T r = magnitude(reduced.high);
-  const T j = nearest_whole(r * T(256.0));
+  const auto is_known = magnitude(x.pair.high) <= T(3.9);
+  const T j = where(is_known, nearest_whole(r * T(256.0)));
   const Sum<T> node = two_sum(r - j * T(0x1p-8), select(is_below, -reduced.low, reduced.low));
   const Pair<T> d{node.high, node.low};
   // sin d = d - d z/6 + d z^2 (1/120 - z/5040), z = d^2 <= 2^-18: d z/6 as a pair, the last term, below 2^-42 d, with
@@ -124,7 +125,6 @@ template <class T>
   const auto is_back = q < T(0.0);
   Pair<T> s = select(is_odd, select(is_back, -cosine, cosine), select(is_half, -sine, sine));
   Pair<T> c = select(is_odd, select(is_back, sine, -sine), select(is_half, -cosine, cosine));
-  const auto is_known = magnitude(x.pair.high) <= T(3.9);
   const auto bound = [&](T of_value, T of_slope) {
     return select(is_known,
                   x.error * (magnitude(of_slope) + x.error) +
