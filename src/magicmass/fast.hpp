@@ -10,7 +10,8 @@
 
 /// Tier `fast`: each number within 4 times what rounding alpha alone would cost, max(1/2, cond/2) ulp with
 /// cond = |alpha y'/y|, for every positive finite double alpha (V = L = 1, e = 1). Throws InvalidInput outside the domains
-/// given, but for one that it would cost a count to see: n past N_A below alpha = 1, where the numbers mean nothing. From theorems tangent.* and ratios.* (generated/magicmass/kernels).
+/// given, but for one that it would cost a count to see: n past N_A below alpha = 1, where the
+/// numbers mean nothing. From theorems tangent.*, offset.* and ratios.* (generated/magicmass/kernels) and rotation.psi_paper.
 namespace magicmass::fast {
 
 /// All velocities just after the n-th collisions, in units of V; 0 <= n <= N_A.

@@ -29,12 +29,15 @@ public:
 
   std::string run() {
     std::string text = file_header(form_.summary + ", in any number type");
-    text +=
-        "\n#include <cstddef>\n\n#include \"magicmass/arithmetic/arctangent.hpp\"\n#include "
-        "\"magicmass/arithmetic/block.hpp\"\n#include \"magicmass/arithmetic/sine_cosine.hpp\"\n"
-        "#include \"magicmass/quantities.hpp\"\n\nnamespace magicmass::generated {\ninline "
-        "namespace "
-        "MAGICMASS_TARGET {\n\n";
+    const auto include = [](const std::string& header) {
+      return "#include \"magicmass/" + header + "\"\n";
+    };
+    text += "\n#include <cstddef>\n\n" +
+            (uses(Op::arctangent) ? include("arithmetic/arctangent.hpp") : "") +
+            include("arithmetic/block.hpp") +
+            (uses(Op::sine) ? include("arithmetic/sine_cosine.hpp") : "") +
+            include("quantities.hpp") +
+            "\nnamespace magicmass::generated {\ninline namespace MAGICMASS_TARGET {\n\n";
     text += documentation() + "template <class Number>\nstruct " + form_.kernel + " {\n";
     text +=
         "  using Real = typename Number::Real;\n  static constexpr bool in_lanes = "
@@ -52,6 +55,10 @@ public:
   }
 
 private:
+  bool uses(Op op) const {
+    return std::any_of(program_.nodes.begin(), program_.nodes.end(),
+                       [op](const Node& node) { return node.op == op; });
+  }
   int stage(int number) const { return stages_.stage[static_cast<std::size_t>(number)]; }
   const Node& node(int number) const { return program_.nodes[static_cast<std::size_t>(number)]; }
   std::string origin(int number) const {

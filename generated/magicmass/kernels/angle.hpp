@@ -7,7 +7,6 @@
 
 #include "magicmass/arithmetic/arctangent.hpp"
 #include "magicmass/arithmetic/block.hpp"
-#include "magicmass/arithmetic/sine_cosine.hpp"
 #include "magicmass/quantities.hpp"
 
 namespace magicmass::generated {

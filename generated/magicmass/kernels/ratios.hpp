@@ -5,7 +5,6 @@
 
 #include <cstddef>
 
-#include "magicmass/arithmetic/arctangent.hpp"
 #include "magicmass/arithmetic/block.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
 #include "magicmass/quantities.hpp"

@@ -5,9 +5,7 @@
 
 #include <cstddef>
 
-#include "magicmass/arithmetic/arctangent.hpp"
 #include "magicmass/arithmetic/block.hpp"
-#include "magicmass/arithmetic/sine_cosine.hpp"
 #include "magicmass/quantities.hpp"
 
 namespace magicmass::generated {

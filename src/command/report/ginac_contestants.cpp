@@ -7,13 +7,11 @@
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include <cln/cln.h>
@@ -23,6 +21,7 @@
 
 #include "codegen/forms.hpp"
 #include "command/report/exact_formulas.hpp"
+#include "command/scratch_folder.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "proof/names.hpp"
 
@@ -76,28 +75,6 @@ private:
   sigset_t saved_;
 };
 
-/// A folder of our own, gone with the object: GiNaC would leave its files where the user stands when interrupted.
-class ScratchFolder {
-public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "magicmass-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no folder for scratch files");
-    path_ = name;
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder(ScratchFolder&&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(ScratchFolder&&) = delete;
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string file(const char* name) const { return (path_ / name).string(); }
-
-private:
-  std::filesystem::path path_;
-};
-
 std::optional<GiNaC::FUNCP_CUBA> compiled(const std::vector<GiNaC::ex>& outputs,
                                           const std::vector<std::string>& inputs) {
   GiNaC::lst formulas;
@@ -110,7 +87,8 @@ std::optional<GiNaC::FUNCP_CUBA> compiled(const std::vector<GiNaC::ex>& outputs,
   // ginac-excompiler hands them to gcc; GiNaC leaves pi in C as the name that it has for it.
   ::setenv("CXXFLAGS", "-O2 -ffp-contract=off -DPi=M_PI", 1);
   try {
-    const ScratchFolder scratch;  // what is loaded stays so without its file
+    // GiNaC would leave its files where the user stands; what is loaded stays so without its file
+    const ScratchFolder scratch;
     GiNaC::compile_ex(formulas, symbols, function, scratch.file("formulas"));
   } catch (const std::runtime_error&) {
     return std::nullopt;
