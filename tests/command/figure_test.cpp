@@ -16,8 +16,8 @@ struct Expected {
 };
 
 const std::vector<Expected> all_figures = {
-    {"setup", 3},        {"counts", 2}, {"trajectories", 9}, {"terminal", 3},
-    {"transmission", 4}, {"wedge", 2},  {"sphere", 7}};
+    {"setup", 3},  {"counts", 2}, {"trajectories", 9}, {"terminal", 3}, {"transmission", 4},
+    {"cradle", 9}, {"wedge", 2},  {"sphere", 7},       {"error", 18}};
 
 std::size_t occurrences(const std::string& text, const std::string& word) {
   std::size_t count = 0;
@@ -98,6 +98,22 @@ TEST_CASE("PNG and PDF have the same bytes each time", "[exam]") {
   CHECK(pdf.output.find("CreationDate") == std::string::npos);
   CHECK(run_program({"figure", "setup", "--format", "png"}).output == png.output);
   CHECK(run_program({"figure", "setup", "--format", "pdf"}).output == pdf.output);
+}
+
+TEST_CASE("the ending of a file says what is drawn, and --format overrides it", "[exam]") {
+  if (!can_draw()) return;
+  const TemporaryFolder folder;
+  for (const char* ending : {"svg", "png", "pdf", "dat"})
+    REQUIRE(
+        run_program({"figure", "setup", "-o", folder / ("a." + std::string(ending))}).exit_code ==
+        0);
+  CHECK(read_file(folder / "a.svg").starts_with("<?xml"));
+  CHECK(read_file(folder / "a.png").starts_with("\x89PNG"));
+  CHECK(read_file(folder / "a.pdf").starts_with("%PDF"));
+  CHECK(read_file(folder / "a.dat").starts_with("<?xml"));
+  REQUIRE(run_program({"figure", "setup", "--format", "svg", "-o", folder / "b.pdf"}).exit_code ==
+          0);
+  CHECK(read_file(folder / "b.pdf").starts_with("<?xml"));
 }
 
 TEST_CASE("the user's own gnuplot settings change nothing", "[exam]") {

@@ -35,7 +35,8 @@ std::string terminal_command(const Figure& figure, const std::string& format) {
         2 * figure.width, 2 * figure.height);
   if (format == "pdf")  // 96 SVG pixels make an inch, and one is 0.75 points
     return fmt::format(
-        "set terminal pdfcairo size {:.3f}in,{:.3f}in font 'sans,14' fontscale 0.75\n",
+        "set terminal pdfcairo size {:.3f}in,{:.3f}in font 'sans,14' fontscale 0.75 linewidth 1.5 "
+        "pointscale 0.75\n",
         figure.width / 96.0, figure.height / 96.0);
   return fmt::format("set terminal svg size {},{} font 'sans,14' background 'white'\n",
                      figure.width, figure.height);

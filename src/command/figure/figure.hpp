@@ -34,8 +34,10 @@ Figure counts_figure();
 Figure trajectories_figure();
 Figure terminal_figure();
 Figure transmission_figure();
+Figure cradle_figure();
 Figure wedge_figure();
 Figure sphere_figure();
+Figure error_figure();
 
 /// Header and rows as CSV.
 std::string figure_csv(const Figure& figure);

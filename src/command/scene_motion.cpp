@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/scene_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "command/line_run.hpp"
+#include "magicmass/errors.hpp"
+#include "magicmass/scenes/shown_text.hpp"
+
+namespace magicmass::command {
+namespace {
+
+double number(const Cell& cell) { return std::strtod(cell.text.c_str(), nullptr); }
+
+[[noreturn]] void refuse(const Scene& scene, const std::string& what) {
+  throw InvalidInput(shown_text(scene.source, 200) + ": " + what);
+}
+
+/// The columns of line_event_columns: number, left, right, time, position, v_left, v_right.
+class ContactReader {
+public:
+  explicit ContactReader(const std::vector<std::string>& names) : bodies_(names.size()) {
+    for (std::size_t body = 0; body < names.size(); ++body) index_[names[body]] = body;
+  }
+
+  MotionContact read(const std::vector<Cell>& cells) const {
+    const auto right = index_.find(cells[2].text);  // no body is called "wall"
+    return {number(cells[3]), number(cells[4]), right == index_.end() ? bodies_ : right->second,
+            number(cells[5]), number(cells[6])};
+  }
+
+private:
+  std::size_t bodies_;
+  std::map<std::string, std::size_t> index_;
+};
+
+void add_pieces(SceneMotion& motion, const MotionContact& contact) {
+  const auto add = [&](std::size_t body, double velocity) {
+    motion.pieces[body].push_back(
+        {motion.contacts.size(), contact.time, contact.position, velocity});
+  };
+  if (contact.gap > 0) add(contact.gap - 1, contact.v_left);
+  if (contact.gap < motion.pieces.size()) add(contact.gap, contact.v_right);
+}
+
+/// The time that the fastest body would take across everything: L/V in the paper's scene.
+double crossing_time(const Line<double>& start) {
+  double left = start.positions.front(), right = start.positions.back(), speed = 0.0;
+  if (start.left_wall) left = *start.left_wall;
+  if (start.right_wall) right = *start.right_wall;
+  for (const double v : start.velocities) speed = std::max(speed, std::abs(v));
+  return (right - left) / speed;
+}
+
+/// Were the bodies in order and between the walls so long before the start?
+bool could_have_come(const SceneMotion& motion, double lead) {
+  double last = motion.left_wall.value_or(-std::numeric_limits<double>::infinity());
+  for (std::size_t body = 0; body < motion.pieces.size(); ++body) {
+    const double x = motion.position(body, 0, -lead);
+    if (x < last) return false;
+    last = x;
+  }
+  return last <= motion.right_wall.value_or(std::numeric_limits<double>::infinity());
+}
+
+/// The span of time: also some free motion before a contact at the start, and after the last one.
+void set_times(const Scene& scene, const reference::ExactLine& line, const LineResult& result,
+               double crossing, SceneMotion& motion) {
+  const bool at_once = !motion.contacts.empty() && motion.contacts.front().time == 0.0;
+  motion.begin = at_once && could_have_come(motion, crossing) ? -crossing : 0.0;
+  motion.end = motion.contacts.empty() ? 0.0 : motion.contacts.back().time;
+  if (!result.collapse.empty())
+    motion.end = number(result.collapse.front());
+  else if (line.until && std::ssize(motion.contacts) < usual_max_events &&
+           (result.status == "complete" || result.why == "the scene's time is over"))
+    motion.end = reference::nearest_double(*line.until);
+  else if (result.status == "complete")
+    motion.end += std::max(crossing, (motion.end - motion.begin) / 10);
+  if (!std::isfinite(motion.begin) || !std::isfinite(motion.end))
+    refuse(scene, "its times do not fit a double");
+  if (!(motion.begin < motion.end)) refuse(scene, "no time passes in it, so nothing moves");
+}
+
+void set_room(const Scene& scene, SceneMotion& motion) {
+  motion.left = motion.left_wall.value_or(std::numeric_limits<double>::infinity());
+  motion.right = motion.right_wall.value_or(-std::numeric_limits<double>::infinity());
+  const auto look = [&](double x) {
+    motion.left = std::min(motion.left, x);
+    motion.right = std::max(motion.right, x);
+  };
+  for (std::size_t body = 0; body < motion.pieces.size(); ++body) {
+    look(motion.position(body, 0, motion.begin));
+    look(motion.position(body, motion.contacts.size(), motion.end));
+    for (const MotionPiece& piece : motion.pieces[body]) look(piece.position);
+  }
+  if (!std::isfinite(motion.right - motion.left)) refuse(scene, "its places do not fit a double");
+  if (!(motion.left < motion.right)) refuse(scene, "all its bodies stay in one place");
+}
+
+}  // namespace
+
+double SceneMotion::position(std::size_t body, std::size_t after, double time) const {
+  const auto past =
+      std::partition_point(pieces[body].begin(), pieces[body].end(),
+                           [&](const MotionPiece& piece) { return piece.contacts <= after; });
+  const MotionPiece& piece = *std::prev(past);
+  return piece.position + piece.velocity * (time - piece.time);
+}
+
+SceneMotion follow_scene(Scene scene, std::int64_t most_contacts) {
+  scene.outputs = {Output::events};
+  scene.every = 1;
+  scene.times.clear();
+  const reference::ExactLine line = reference::exact_line(scene);
+  if (line.bodies() > most_bodies_shown)
+    refuse(scene, fmt::format("has {} bodies; allowed in a picture: up to {}", line.bodies(),
+                              most_bodies_shown));
+  const Line<double> start = reference::rounded(line);
+  SceneMotion motion{};
+  for (std::size_t body = 0; body < line.bodies(); ++body) {
+    motion.names.push_back(body_name(scene, body));
+    motion.pieces.push_back({{0, 0.0, start.positions[body], start.velocities[body]}});
+  }
+  motion.masses = start.masses;
+  motion.left_wall = start.left_wall;
+  motion.right_wall = start.right_wall;
+  const ContactReader reader(motion.names);
+  const auto take = [&](const std::vector<Cell>& cells) {
+    motion.contacts.push_back(reader.read(cells));
+    add_pieces(motion, motion.contacts.back());
+  };
+  SceneOptions options;
+  options.max_events = most_contacts;
+  const LineResult result = run_line(scene, line, options, {take, [](const auto&) {}});
+  motion.status = result.status;
+  motion.why = result.why;
+  set_times(scene, line, result, crossing_time(start), motion);
+  set_room(scene, motion);
+  return motion;
+}
+
+}  // namespace magicmass::command
