@@ -50,7 +50,7 @@ ExitCode run(int argc, char** argv) {
   describe(program);
   for (const auto add :
        {add_derive, add_verify, add_equal, add_generate, add_eval, add_count, add_terminal,
-        add_ratios, add_simulate, add_plan, add_report, add_demo, add_figure})
+        add_ratios, add_simulate, add_plan, add_report, add_demo, add_figure, add_animate})
     add(program);
   require_known_command(program.app, argc, argv);
   try {

@@ -49,13 +49,17 @@ void add_pieces(SceneMotion& motion, const MotionContact& contact) {
   if (contact.gap < motion.pieces.size()) add(contact.gap, contact.v_right);
 }
 
-/// The time that the fastest body would take across everything: L/V in the paper's scene.
-double crossing_time(const Line<double>& start) {
-  double left = start.positions.front(), right = start.positions.back(), speed = 0.0;
-  if (start.left_wall) left = *start.left_wall;
-  if (start.right_wall) right = *start.right_wall;
+/// Of all bodies at the start.
+double highest_speed(const Line<double>& start) {
+  double speed = 0.0;
   for (const double v : start.velocities) speed = std::max(speed, std::abs(v));
-  return (right - left) / speed;
+  return speed;
+}
+
+/// From end to end: L in the paper's scene.
+double length(const Line<double>& start) {
+  return start.right_wall.value_or(start.positions.back()) -
+         start.left_wall.value_or(start.positions.front());
 }
 
 /// Were the bodies in order and between the walls so long before the start?
@@ -77,8 +81,7 @@ void set_times(const Scene& scene, const reference::ExactLine& line, const LineR
   motion.end = motion.contacts.empty() ? 0.0 : motion.contacts.back().time;
   if (!result.collapse.empty())
     motion.end = number(result.collapse.front());
-  else if (line.until && std::ssize(motion.contacts) < usual_max_events &&
-           (result.status == "complete" || result.why == "the scene's time is over"))
+  else if (line.until && (result.status == "complete" || result.why == "the scene's time is over"))
     motion.end = reference::nearest_double(*line.until);
   else if (result.status == "complete")
     motion.end += std::max(crossing, (motion.end - motion.begin) / 10);
@@ -122,6 +125,8 @@ SceneMotion follow_scene(Scene scene, std::int64_t most_contacts) {
     refuse(scene, fmt::format("has {} bodies; allowed in a picture: up to {}", line.bodies(),
                               most_bodies_shown));
   const Line<double> start = reference::rounded(line);
+  const double speed = highest_speed(start);
+  if (speed == 0.0) refuse(scene, "nothing moves in it");
   SceneMotion motion{};
   for (std::size_t body = 0; body < line.bodies(); ++body) {
     motion.names.push_back(body_name(scene, body));
@@ -136,12 +141,14 @@ SceneMotion follow_scene(Scene scene, std::int64_t most_contacts) {
     add_pieces(motion, motion.contacts.back());
   };
   SceneOptions options;
-  options.max_events = most_contacts;
+  options.max_events = std::min(most_contacts, scene.max_events.value_or(most_contacts));
   const LineResult result = run_line(scene, line, options, {take, [](const auto&) {}});
   motion.status = result.status;
   motion.why = result.why;
-  set_times(scene, line, result, crossing_time(start), motion);
+  set_times(scene, line, result, length(start) / speed, motion);
   set_room(scene, motion);
+  motion.crossing = (motion.right - motion.left) / speed;
+  if (!std::isfinite(motion.crossing)) refuse(scene, "its times do not fit a double");
   return motion;
 }
 

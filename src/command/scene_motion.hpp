@@ -40,6 +40,7 @@ struct SceneMotion {
   double end;          ///< after the last one
   double left;         ///< of all places that bodies take meanwhile, and the walls
   double right;        ///< likewise
+  double crossing;     ///< the time that the fastest body takes for all of that: L/V and some
   std::string status;  ///< "complete", "collapse" or "limited"
   std::string why;     ///< of a limit
 
@@ -47,9 +48,9 @@ struct SceneMotion {
   double position(std::size_t body, std::size_t after, double time) const;
 };
 
-/// Runs a scene by events, whatever outputs it asks for; `most_contacts` of them end the motion as "limited". Throws
-/// InvalidInput, with the scene's file, where it has more than `most_bodies_shown` bodies or spans no time or no room that
-/// a double can hold.
+/// Runs a scene by events, whatever outputs it asks for; `most_contacts` of them, or fewer if the scene says so, end the
+/// motion as "limited". Throws InvalidInput, with the scene's file, where it has more than `most_bodies_shown` bodies or
+/// spans no time or no room that a double can hold.
 SceneMotion follow_scene(Scene scene, std::int64_t most_contacts);
 inline constexpr std::size_t most_bodies_shown = 200;
 inline constexpr std::int64_t most_contacts_of_a_picture = 2000;

@@ -139,7 +139,7 @@ TEST_CASE("without gnuplot a figure is one line, code 2 and no file, and CSV sti
       run_program({"figure", "counts", "-o", folder / "counts.svg"}, "", nowhere);
   CHECK(run.exit_code == 2);
   CHECK(lines_of(run.errors).size() == 1);
-  CHECK(run.errors.find("need gnuplot (Debian: gnuplot-nox)") != std::string::npos);
+  CHECK(run.errors.find("needs gnuplot (Debian: gnuplot-nox)") != std::string::npos);
   CHECK(run.errors.find("--format csv") != std::string::npos);
   CHECK(folder.names().empty());
   const ProgramRun csv = run_program(
