@@ -91,19 +91,14 @@ void set_times(const Scene& scene, const reference::ExactLine& line, const LineR
 }
 
 void set_room(const Scene& scene, SceneMotion& motion) {
-  motion.left = motion.left_wall.value_or(std::numeric_limits<double>::infinity());
-  motion.right = motion.right_wall.value_or(-std::numeric_limits<double>::infinity());
-  const auto look = [&](double x) {
-    motion.left = std::min(motion.left, x);
-    motion.right = std::max(motion.right, x);
-  };
-  for (std::size_t body = 0; body < motion.pieces.size(); ++body) {
-    look(motion.position(body, 0, motion.begin));
-    look(motion.position(body, motion.contacts.size(), motion.end));
-    for (const MotionPiece& piece : motion.pieces[body]) look(piece.position);
-  }
-  if (!std::isfinite(motion.right - motion.left)) refuse(scene, "its places do not fit a double");
-  if (!(motion.left < motion.right)) refuse(scene, "all its bodies stay in one place");
+  const std::size_t last = motion.names.size() - 1;  // bodies are in order
+  motion.left = motion.left_wall.value_or(motion.position(0, 0, motion.begin));
+  motion.right = motion.right_wall.value_or(motion.position(last, 0, motion.begin));
+  if (!(motion.left < motion.right)) refuse(scene, "all its bodies begin in one place");
+  const double far_left = motion.position(0, motion.contacts.size(), motion.end);
+  const double far_right = motion.position(last, motion.contacts.size(), motion.end);
+  if (!std::isfinite(std::max(motion.right, far_right) - std::min(motion.left, far_left)))
+    refuse(scene, "its places do not fit a double");
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ struct SceneMotion {
   std::optional<double> right_wall;
   double begin;        ///< before the first contact, where the bodies came from somewhere
   double end;          ///< after the last one
-  double left;         ///< of all places that bodies take meanwhile, and the walls
+  double left;         ///< of all bodies at the beginning, and the walls
   double right;        ///< likewise
-  double crossing;     ///< the time that the fastest body takes for all of that: L/V and some
+  double crossing;     ///< the time from left to right at the highest speed of the beginning
   std::string status;  ///< "complete", "collapse" or "limited"
   std::string why;     ///< of a limit
 

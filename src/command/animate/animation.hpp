@@ -12,7 +12,8 @@ namespace magicmass::command {
 /// for reduced motion, playing goes from collision to collision.
 std::string animation_page(const std::string& title, const SceneMotion& motion);
 
-/// An animated GIF of the same, drawn by gnuplot: 200 pictures. Throws as drawn() does.
+/// An animated GIF of the same, drawn by gnuplot: 200 pictures of at most the first three crossing times. Throws
+/// as drawn() does.
 std::string animation_gif(const SceneMotion& motion);
 
 /// What plays the motion in animation_page, and how it looks.

@@ -11,6 +11,7 @@ namespace magicmass::command {
 namespace {
 
 constexpr int pictures = 200;
+constexpr double most_crossings = 3.0;  // in 10 seconds; there and back takes two
 
 /// x, half a side or 0, radius or 0: of all bodies at one moment.
 std::string moment(const SceneMotion& motion, const Layout& layout, double time) {
@@ -19,11 +20,10 @@ std::string moment(const SceneMotion& motion, const Layout& layout, double time)
                            [&](const MotionContact& contact) { return contact.time <= time; }) -
       motion.contacts.begin());
   std::string rows;
-  for (std::size_t body = 0; body < motion.names.size(); ++body) {
-    const double x =
-        layout.offsets[body] + layout.scale * (motion.position(body, done, time) - motion.left);
+  const std::vector<double> x = places(motion, layout, done, time);
+  for (std::size_t body = 0; body < x.size(); ++body) {
     const double half = layout.sizes[body] / 2;
-    rows += fmt::format("{:.4f},{:.4f},{:.4f}\n", x, layout.is_ball[body] ? 0 : half,
+    rows += fmt::format("{:.4f},{:.4f},{:.4f}\n", x[body], layout.is_ball[body] ? 0 : half,
                         layout.is_ball[body] ? half : 0);
   }
   return rows + "\n\n";
@@ -37,9 +37,10 @@ std::string wall(double x) {
 
 std::string animation_gif(const SceneMotion& motion) {
   const Layout layout = layout_of(motion);
+  const double span = std::min(motion.end - motion.begin, most_crossings * motion.crossing);
   std::string rows, times;
   for (int i = 0; i < pictures; ++i) {
-    const double time = motion.begin + (motion.end - motion.begin) * i / (pictures - 1);
+    const double time = motion.begin + span * i / (pictures - 1);
     rows += moment(motion, layout, time);
     times += fmt::format(" {:.4g}", time);
   }

@@ -26,11 +26,22 @@ Layout layout_of(const SceneMotion& motion) {
     layout.is_ball.push_back(motion.names[body].starts_with("C"));
     taken += layout.sizes.back();
   }
-  layout.scale = (Layout::width - margin - taken) / (motion.right - motion.left);
+  layout.room = Layout::width - margin - taken;
   if (motion.left_wall) layout.left_wall = margin;
-  if (motion.right_wall)
-    layout.right_wall = taken + layout.scale * (*motion.right_wall - motion.left);
+  if (motion.right_wall) layout.right_wall = Layout::width - margin;
   return layout;
+}
+
+std::vector<double> places(const SceneMotion& motion, const Layout& layout, std::size_t contacts,
+                           double time) {
+  std::vector<double> x;
+  for (std::size_t body = 0; body < motion.names.size(); ++body)
+    x.push_back(motion.position(body, contacts, time));
+  const double left = std::min(motion.left, x.front());
+  const double scale = layout.room / (std::max(motion.right, x.back()) - left);
+  for (std::size_t body = 0; body < x.size(); ++body)
+    x[body] = layout.offsets[body] + scale * (x[body] - left);
+  return x;
 }
 
 }  // namespace magicmass::command

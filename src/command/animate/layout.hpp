@@ -17,12 +17,16 @@ struct Layout {
   std::vector<double> sizes;              ///< of each body: a side, or a diameter
   std::vector<double> offsets;            ///< of each body's centre
   std::vector<bool> is_ball;
-  double scale;
+  double room;  ///< across, which bodies' sizes leave for the distances between them
   std::optional<double> left_wall;
   std::optional<double> right_wall;
 };
 
 /// Sizes grow with the cube root of the mass, within limits.
 Layout layout_of(const SceneMotion& motion);
+
+/// x of each body's centre at one moment. Room at first for the beginning, then for all bodies, wherever they are.
+std::vector<double> places(const SceneMotion& motion, const Layout& layout, std::size_t contacts,
+                           double time);
 
 }  // namespace magicmass::command

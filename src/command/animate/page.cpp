@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "command/animate/animation.hpp"
@@ -48,10 +50,11 @@ std::string motion_json(const SceneMotion& motion, const Layout& layout) {
                             contact.position, contact.gap, contact.v_left, contact.v_right);
   return fmt::format(
       "{{\"names\":{},\"labels\":{},\"x\":{},\"v\":{},\"begin\":{},\"end\":{},\"left\":{},"
-      "\"scale\":{},\"offsets\":{},\"pace\":{},\"cut\":{},\n\"contacts\":[{}]}}",
+      "\"right\":{},\"room\":{},\"offsets\":{},\"pace\":{},\"cut\":{},\n\"contacts\":[{}]}}",
       json_array(motion.names), json_array(labels(motion)), json_numbers(x), json_numbers(v),
-      motion.begin, motion.end, motion.left, layout.scale, json_numbers(layout.offsets),
-      motion.crossing / seconds_across, motion.status == "limited", contacts);
+      motion.begin, motion.end, motion.left, motion.right, layout.room,
+      json_numbers(layout.offsets), motion.crossing / seconds_across, motion.status == "limited",
+      contacts);
 }
 
 std::string wall(double x) {
@@ -61,6 +64,7 @@ std::string wall(double x) {
 
 std::string body_shape(const SceneMotion& motion, const Layout& layout, std::size_t body) {
   const double size = layout.sizes[body];
+  const double largest = *std::max_element(layout.sizes.begin(), layout.sizes.end());
   const bool ball = layout.is_ball[body];
   std::string text = fmt::format("<g id=\"body-{}\">", body);
   text += ball ? fmt::format("<circle class=\"ball\" cy=\"{:.3f}\" r=\"{:.3f}\"/>",
@@ -71,7 +75,7 @@ std::string body_shape(const SceneMotion& motion, const Layout& layout, std::siz
                      -size / 2, Layout::floor - size, size, size);
   if (motion.names.size() <= most_labels)  // balls above, blocks below: no two labels meet
     text += fmt::format("<text y=\"{:.3f}\">{}</text>",
-                        ball ? Layout::floor - size - 14 : Layout::floor + 44,
+                        ball ? Layout::floor - largest - 14 : Layout::floor + 44,
                         label(motion.names[body]));
   return text + "</g>\n";
 }

@@ -38,6 +38,9 @@ const char* const animation_player = R"js('use strict';
   };
   const pieceOf = (body) => pieces[body][count(pieces[body], (piece) => piece[0] <= done) - 1];
   const short = (value) => String(Number(value.toPrecision(5)));
+  // Doubles leave some rounding where the exact velocity is 0
+  const fastest = Math.max(...motion.v.map(Math.abs));
+  const shortVelocity = (v) => v !== 0 && Math.abs(v) < 1e-12 * fastest ? '≈ 0' : short(v);
   const nameOf = (body) => body < 0 || body >= bodies ? 'the wall' : motion.labels[body];
 
   const words = () => {
@@ -49,16 +52,19 @@ const char* const animation_player = R"js('use strict';
   };
 
   const show = () => {
-    for (let body = 0; body < bodies; ++body) {
+    const now = motion.names.map((_, body) => {
       const [, since, from, velocity] = pieceOf(body);
-      const x = from + velocity * (time - since);
-      const at = motion.offsets[body] + motion.scale * (x - motion.left);
+      return [from + velocity * (time - since), velocity];
+    });
+    // Room at first for the beginning, then for all bodies, wherever they are
+    const left = Math.min(motion.left, now[0][0]);
+    const scale = motion.room / (Math.max(motion.right, now[bodies - 1][0]) - left);
+    now.forEach(([x, velocity], body) => {
+      const at = motion.offsets[body] + scale * (x - left);
       shapes[body].setAttribute('transform', 'translate(' + at.toFixed(3) + ' 0)');
-      if (rows[body]) {
-        rows[body].cells[2].textContent = short(x);
-        rows[body].cells[3].textContent = short(velocity);
-      }
-    }
+      rows[body].cells[2].textContent = short(x);
+      rows[body].cells[3].textContent = shortVelocity(velocity);
+    });
     element('time').value = (time - motion.begin) / span;
     element('time').setAttribute('aria-valuetext', short(time));
     element('now').textContent = words();

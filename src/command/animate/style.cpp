@@ -35,7 +35,7 @@ kbd { font-family: ui-monospace, "DejaVu Sans Mono", monospace; border: 1px soli
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; min-width: 18rem; }
 th, td { text-align: right; padding: 0.2rem 0.8rem 0.2rem 0; border-bottom: 1px solid var(--line); }
-td:nth-child(n+3) { min-width: 7rem; }
+td:nth-child(n+3) { min-width: 5.5rem; }
 th:first-child { text-align: left; }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap; }
 @media (max-width: 40rem) { svg text { font-size: 44px; } #now { min-height: 3em; } }
