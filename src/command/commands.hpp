@@ -25,5 +25,6 @@ void add_report(Program& program);
 void add_demo(Program& program);
 void add_figure(Program& program);
 void add_animate(Program& program);
+void add_reproduce(Program& program);
 
 }  // namespace magicmass::command

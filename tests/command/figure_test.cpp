@@ -116,6 +116,19 @@ TEST_CASE("the ending of a file says what is drawn, and --format overrides it", 
   CHECK(read_file(folder / "b.pdf").starts_with("<?xml"));
 }
 
+TEST_CASE("solid lines are solid in SVG beside dashed ones", "[exam]") {
+  if (!can_draw()) return;
+  const auto dashed = [](const std::string& svg, const std::string& colour) {
+    return occurrences(svg, "stroke='rgb(" + colour + ")' stroke-dasharray");
+  };
+  const std::string wedge = run_program({"figure", "wedge"}).output;
+  CHECK(dashed(wedge, "  1,   1,   1") > 0);
+  CHECK(dashed(wedge, "  0,   0,   0") == 0);
+  const std::string error = run_program({"figure", "error"}).output;
+  CHECK(dashed(error, "119, 119, 119") > 0);
+  CHECK(dashed(error, "153, 153, 153") == 0);
+}
+
 TEST_CASE("the user's own gnuplot settings change nothing", "[exam]") {
   if (!can_draw()) return;
   const TemporaryFolder home;

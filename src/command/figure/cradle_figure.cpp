@@ -31,9 +31,12 @@ bool is_ball(std::size_t body) { return body % 2 == 1; }
 
 }  // namespace
 
+SceneMotion cradle_motion() {
+  return follow_scene(parse_scene(one_round_trip, "cradle"), most_contacts_of_a_picture);
+}
+
 Figure cradle_figure() {
-  const SceneMotion motion =
-      follow_scene(parse_scene(one_round_trip, "cradle"), most_contacts_of_a_picture);
+  const SceneMotion motion = cradle_motion();
   Figure figure{
       .title = "The generalised Newton's cradle in space and time",
       .description =

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "command/figure/figure.hpp"
 #include "command/figure/ratio_grid.hpp"
 #include "magicmass/batch.hpp"
-#include "magicmass/reference/rational.hpp"
-#include "magicmass/reference/restitution.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -29,18 +26,6 @@ constexpr std::array<Series, 4> all_series = {
      {0.9, "lw 2.2 dt (12,4) lc rgb '#0072b2'", "#c4c4c4"},
      {0.8, "lw 2.2 dt (6,4) lc rgb '#d55e00'", "#d9d9d9"},
      {0.7, "lw 2.6 dt (1.5,2.5) lc rgb '#007a59'", "#ececec"}}};
-
-/// The largest double with a collapse, by bisection with exact decisions.
-double last_collapse(double e) {
-  const cln::cl_RA exact_e = reference::exact(e);
-  double collapses = first;
-  double ending = last;
-  while (std::nextafter(collapses, ending) < ending) {
-    const double middle = std::midpoint(collapses, ending);
-    (reference::count_collisions(middle, exact_e) ? ending : collapses) = middle;
-  }
-  return collapses;
-}
 
 }  // namespace
 
