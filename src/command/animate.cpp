@@ -30,11 +30,12 @@ std::string title_of(const Scene& scene) {
 
 /// Cut short by the limit, not by the scene's own end.
 void say_if_cut(const SceneMotion& motion, const AnimateOptions& options) {
-  if (motion.status == "limited" && std::ssize(motion.contacts) >= options.max_events)
-    std::cerr << fmt::format(
-        "magicmass: note: the animation ends after {} collisions; --max-events N, up to {}, shows "
-        "more\n",
-        options.max_events, most_contacts);
+  if (motion.status != "limited" || std::ssize(motion.contacts) < options.max_events) return;
+  std::cerr << fmt::format(
+      "magicmass: note: the animation ends after {} collisions{}\n", options.max_events,
+      options.max_events < most_contacts
+          ? fmt::format("; --max-events N, up to {}, shows more", most_contacts)
+          : ", the most that a page shows");
 }
 
 ExitCode animate(const AnimateOptions& options) {

@@ -104,8 +104,8 @@ void add_figure(Program& program) {
   command.add_flag("--list", options->list, "the names of all figures");
   add_output_options(command, options->output, {"svg", "png", "pdf", "csv"});
   command.footer(
-      "Without --format what FILE ends in, svg, png or pdf, or else svg. The numbers of FILE.svg "
-      "go beside it, into FILE.csv.\n"
+      "Without --format what FILE ends in, svg, png or pdf, or else svg. The numbers\n"
+      "of FILE.svg go beside it, into FILE.csv.\n"
       "Drawings need gnuplot (Debian: gnuplot-nox), --format csv does not.");
   on_run(program, command, [options] { return make_figure(*options); });
 }

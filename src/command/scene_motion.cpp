@@ -87,7 +87,8 @@ void set_times(const Scene& scene, const reference::ExactLine& line, const LineR
     motion.end += std::max(crossing, (motion.end - motion.begin) / 10);
   if (!std::isfinite(motion.begin) || !std::isfinite(motion.end))
     refuse(scene, "its times do not fit a double");
-  if (!(motion.begin < motion.end)) refuse(scene, "no time passes in it, so nothing moves");
+  if (!(motion.begin < motion.end))
+    refuse(scene, "its motion spans no time that a double can hold");
 }
 
 void set_room(const Scene& scene, SceneMotion& motion) {

@@ -99,6 +99,11 @@ TEST_CASE("a scene of too many collisions is cut, and one line says so", "[exam]
   CHECK(cut.errors.find("ends after 10 collisions; --max-events N, up to 20000") !=
         std::string::npos);
   CHECK(motion_of(cut.output)["contacts"].size() == 10);
+  const ProgramRun longest =
+      run_program({"animate", scenes + "wall.toml", "--max-events", "20000"});
+  CHECK(lines_of(longest.errors).size() == 1);
+  CHECK(longest.errors.find("20000 collisions, the most that a page shows") != std::string::npos);
+  CHECK(longest.output.size() < 3'000'000);
   CHECK(cut.output.find("Shown are the first 10 collisions") != std::string::npos);
 }
 
@@ -124,7 +129,7 @@ TEST_CASE("what cannot be animated is one line, code 2 and no file", "[exam]") {
               "kind = \"chain\"\nmasses = [1, 1]\npositions = [0, 1]\nvelocities = [0, 0]\n")},
        "nothing moves"},
       {{"animate", scene("touch", "kind = \"chain\"\nmasses = [1, 1]\npositions = [0, 0]\n")},
-       "no time passes"},
+       "spans no time that a double can hold"},
       {{"animate", scene("key", "alpha = 1\nbetta = 2\n")}, "betta"},
       {{"animate", scenes + "wall.toml", "--max-events", "20001"}, "20000"},
       {{"animate", scenes + "wall.toml", "-o", folder / "none/page.html"}, "cannot write"},

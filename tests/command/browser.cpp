@@ -95,7 +95,7 @@ nlohmann::json Browser::next_message() {
     unread_.append(bytes.data(), static_cast<std::size_t>(got));
     end = unread_.find('\0');
   }
-  const nlohmann::json message = nlohmann::json::parse(unread_.substr(0, end));
+  nlohmann::json message = nlohmann::json::parse(unread_.substr(0, end));
   unread_.erase(0, end + 1);
   return message;
 }
