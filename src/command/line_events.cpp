@@ -68,7 +68,7 @@ public:
   void run() {
     if (lists_points_) all_at(Scalar(0));
     StalledClock<Scalar> clock;
-    const bool inelastic = motion_.line().restitution < Scalar(1);
+    const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
       if (until_ && *until_ < *next) {
         stop("limited", "the scene's time is over");
@@ -124,7 +124,7 @@ private:
   }
 
   void all_at(const Scalar& time) {
-    for (std::size_t i = 0; i < motion_.line().bodies(); ++i)
+    for (std::size_t i = 0; i < motion_.bodies(); ++i)
       listener_.on_point({cell(time), name(i), cell(motion_.position(i, time))});
   }
 
@@ -138,7 +138,7 @@ private:
   void take(const LineEvent<Scalar>& event) {
     audit_.look(motion_, event);
     if (event.number % scene_.every != 0) return;
-    const bool wall_left = event.gap == 0, wall_right = event.gap == motion_.line().bodies();
+    const bool wall_left = event.gap == 0, wall_right = event.gap == motion_.bodies();
     if (wants(scene_, Output::events))
       listener_.on_event({number_cell(event.number),
                           wall_left ? text_cell("wall") : name(event.gap - 1),
@@ -163,9 +163,8 @@ private:
         result_.status == "collapse" ? missing_cell() : number_cell(motion_.events());
     result_.near_ties = motion_.ties().near;
     result_.simultaneous = motion_.ties().simultaneous;
-    const auto& velocities = motion_.line().velocities;
-    for (std::size_t i = 0; i < std::min(velocities.size(), most_velocities); ++i)
-      result_.velocities.push_back(cell(velocities[i]));
+    for (std::size_t i = 0; i < std::min(motion_.bodies(), most_velocities); ++i)
+      result_.velocities.push_back(cell(motion_.body(i).velocity));
     if (wants(scene_, Output::energy))
       result_.drift = {cell(audit_.largest().energy), cell(audit_.largest().momentum)};
   }

@@ -42,7 +42,7 @@ struct Rehearsal {
 Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
   LineMotion<double> motion(reference::rounded(line));
   StalledClock<double> clock;
-  const bool inelastic = motion.line().restitution < 1.0;
+  const bool inelastic = motion.restitution() < 1.0;
   const double until =
       line.until ? reference::nearest_double(*line.until) : std::numeric_limits<double>::infinity();
   for (auto next = motion.next(); next && *next <= until && motion.events() < limit;

@@ -188,8 +188,12 @@ Line<double> rounded(const ExactLine& line) {
     if (!std::isfinite(value)) throw Undecided("a number of the scene does not fit a double");
     return value;
   };
-  const auto number = [&](const FieldNumber& x) { return finite(nearest_double(x)); };
   Line<double> doubles;
+  const auto number = [&](const FieldNumber& x) {
+    const double value = finite(nearest_double(x));
+    if (!doubles.is_rounded) doubles.is_rounded = !(FieldNumber(exact(value)) == x);
+    return value;
+  };
   for (auto* column : {&doubles.masses, &doubles.positions, &doubles.velocities})
     column->reserve(line.bodies());
   if (line.left_wall) doubles.left_wall = number(*line.left_wall);
@@ -199,6 +203,9 @@ Line<double> rounded(const ExactLine& line) {
     doubles.masses.push_back(finite(nearest_double(line.masses[i])));
     if (!(doubles.masses.back() > 0.0))
       throw Undecided("a mass of the scene does not fit a double");
+    if (!doubles.is_rounded)
+      doubles.is_rounded =
+          !line.masses[i].is_rational() || line.masses[i].rational != exact(doubles.masses.back());
     doubles.positions.push_back(number(line.position(i)));
     doubles.velocities.push_back(number(line.velocity(i)));
   }

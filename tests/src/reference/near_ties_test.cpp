@@ -128,8 +128,8 @@ TEST_CASE("a body of a long chain costs at most 200 bytes, its scene included", 
       motion.bytes() + scene.masses.capacity() * sizeof(Value) +
       line.masses.capacity() * sizeof(reference::ExactValue) +
       (line.placed.capacity() + line.launched.capacity()) * sizeof(reference::FieldNumber);
-  const double each = static_cast<double>(bytes) / static_cast<double>(motion.line().bodies());
-  CAPTURE(each, static_cast<double>(motion.bytes()) / static_cast<double>(motion.line().bodies()));
+  const double each = static_cast<double>(bytes) / static_cast<double>(motion.bodies());
+  CAPTURE(each, static_cast<double>(motion.bytes()) / static_cast<double>(motion.bodies()));
   CHECK(each <= 200.0);
   CHECK(each >= 50.0);  // everything was counted
 }

@@ -129,7 +129,8 @@ TEST_CASE("equal masses swap velocities without rounding, in any number type", "
   }
   LineMotion<double> motion(line);
   for (int i = 0; i < 4200; ++i) motion.step();
-  CHECK(std::count(motion.line().velocities.begin(), motion.line().velocities.end(), 0.0) == 19);
+  const std::vector<double> velocities = motion.line().velocities;
+  CHECK(std::count(velocities.begin(), velocities.end(), 0.0) == 19);
   CHECK(motion.ties().near == 0);
   LineMotion<long double> wide(
       {{1.0L, 0.1L, 1.0L}, {0.0L, 0.0L, 1.0L}, {1.0L, 0.0L, 0.0L}, {}, {}});
