@@ -105,7 +105,7 @@ void step_velocities_alone(const Scene& scene, const ExactLine& line, std::int64
   Velocities<double> v{doubles.velocities[0], doubles.right_wall ? 0.0 : doubles.velocities[2],
                        doubles.velocities[1]};
   result.stepped = step_trio(trio, v, limit);
-  if (result.stepped >= limit && (result.stepped % 2 == 0 ? v.c < v.a : v.b < v.c)) {
+  if (approach(v, result.stepped)) {
     result.status = "limited";
     result.why = "as many events as the limit allows";
   }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/simulator/contact.hpp"
 #include "magicmass/simulator/motion.hpp"
 
@@ -46,22 +47,47 @@ struct Trio {
   ContactWeights<Scalar> Q;
 };
 
+/// The paper's: blocks of mass 1, a ball of mass alpha, elastic contacts.
+template <Arithmetic Scalar>
+Trio<Scalar> trio_of(const Scalar& alpha) {
+  const ContactWeights<Scalar> weights = contact_weights(Scalar(1), alpha, Scalar(1));
+  return {weights, weights};
+}
+
+/// The contacts of A among so many, A first; the others are B's.
+constexpr Counts counts_of(std::int64_t contacts) {
+  return {contacts - contacts / 2, contacts / 2};
+}
+
+/// After so many contacts, do the next two approach?
+template <Field Scalar>
+bool approach(const Velocities<Scalar>& v, std::int64_t contacts) {
+  return contacts % 2 == 0 ? v.c < v.a : v.b < v.c;
+}
+
 /// Steps velocities alone, A first, until the next pair does not approach or after `most` contacts; returns how many
 /// there were. v is changed in place. Two multiplications and an addition from one contact to the next.
-template <Field Scalar>
-std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int64_t most) {
+/// on_event(n, velocities after it), n = 1, 2, ...
+template <Field Scalar, class OnEvent>
+std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int64_t most,
+                       OnEvent&& on_event) {
   std::int64_t contacts = 0;
   Velocities<Scalar> w = v;
   const ContactWeights<Scalar> P = trio.P, Q = trio.Q;
   while (contacts < most && w.c < w.a) {
     P.apply(w.a, w.c);
-    ++contacts;
+    on_event(++contacts, std::as_const(w));
     if (!(contacts < most && w.b < w.c)) break;
     Q.apply(w.b, w.c);
-    ++contacts;
+    on_event(++contacts, std::as_const(w));
   }
   v = w;
   return contacts;
+}
+
+template <Field Scalar>
+std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int64_t most) {
+  return step_trio(trio, v, most, [](std::int64_t, const Velocities<Scalar>&) {});
 }
 
 /// When and where the ball is, and how far from it the block that it meets next.
@@ -70,6 +96,12 @@ struct TrioPlace {
   Scalar time;
   Scalar ball;
   Scalar gap;
+
+  /// All three just after so many contacts, one or more.
+  Positions<Scalar> positions(std::int64_t contacts) const {
+    if (contacts % 2 == 0) return {ball - gap, ball, ball};
+    return {ball, ball + gap, ball};
+  }
 };
 
 /// The same with times and places. At the start A meets the ball at place.ball and place.time, and B is place.gap ahead;

@@ -64,7 +64,7 @@ std::vector<LineEvent<double>> by_brute_force(Line<double> line, std::int64_t mo
 
 }  // namespace
 
-TEST_CASE("the engine agrees with the three-body simulator", "[check]") {
+TEST_CASE("A and B take turns, though the engine does not assume it", "[check]") {
   testing::Generator generator(61);
   for (int i = 0; i < 200; ++i) {
     const double alpha = testing::log_uniform(generator, 1e-3, 1e3);
