@@ -16,6 +16,7 @@ using reference::FieldNumber;
 constexpr long most_bits = 1L << 17U;
 
 Cell cell(double value, bool /*fractions*/) { return number_cell(value); }
+Cell cell(long double value, bool /*fractions*/) { return number_cell(value); }
 /// As p/q where that was asked for; else, and where it is irrational, the nearest double: decisions were exact.
 Cell cell(const cl_RA& value, bool fractions) {
   return fractions ? text_cell(reference::to_text(value))
@@ -29,7 +30,7 @@ Cell cell(const FieldNumber& value, bool fractions) {
 template <class Scalar>
 Scalar number(const FieldNumber& x) {
   if constexpr (std::floating_point<Scalar>) {
-    return reference::nearest_double(x);
+    return reference::nearest<Scalar>(x);
   } else if constexpr (std::same_as<Scalar, cl_RA>) {
     return x.rational();
   } else {
@@ -118,9 +119,9 @@ private:
   void say_what_was_lost() {
     const Losses lost = motion_.losses();
     if (lost.time)
-      stop("limited", "two bodies approach so slowly that when they meet does not fit a double");
+      stop("limited", "two bodies approach so slowly that when they meet does not fit the numbers");
     else if (lost.rebound)
-      stop("limited", "two bodies parted more slowly than doubles can tell");
+      stop("limited", "two bodies parted more slowly than the numbers can tell");
   }
 
   void all_at(const Scalar& time) {
@@ -180,19 +181,24 @@ void step_line(const Scene& scene, const reference::ExactLine& line, Line<Scalar
 
 template void step_line(const Scene&, const reference::ExactLine&, Line<double>, std::int64_t,
                         const LineListener&, LineResult&);
+template void step_line(const Scene&, const reference::ExactLine&, Line<long double>, std::int64_t,
+                        const LineListener&, LineResult&);
 template void step_line(const Scene&, const reference::ExactLine&, Line<cl_RA>, std::int64_t,
                         const LineListener&, LineResult&);
 template void step_line(const Scene&, const reference::ExactLine&, Line<FieldNumber>, std::int64_t,
                         const LineListener&, LineResult&);
 
-std::vector<Cell> drift_of(const Line<double>& start, std::vector<double> velocities) {
-  LineAudit<double> audit(start);
-  Line<double> last = start;
+template <class Float>
+std::vector<Cell> drift_of(const Line<Float>& start, std::vector<Float> velocities) {
+  LineAudit<Float> audit(start);
+  Line<Float> last = start;
   last.velocities = std::move(velocities);
   audit.look(last);
   const bool walled = start.left_wall || start.right_wall;
   return {number_cell(audit.largest().energy),
           walled ? missing_cell() : number_cell(audit.largest().momentum)};
 }
+template std::vector<Cell> drift_of(const Line<double>&, std::vector<double>);
+template std::vector<Cell> drift_of(const Line<long double>&, std::vector<long double>);
 
 }  // namespace magicmass::command

@@ -57,6 +57,11 @@ Cell number_cell(double value) {
   return {fmt::format("{}", value == 0 ? 0.0 : value), false};  // a product's -0 is shown as 0
 }
 
+Cell number_cell(long double value) {
+  if (!std::isfinite(value)) return missing_cell();
+  return {fmt::format("{}", value == 0 ? 0.0L : value), false};
+}
+
 Cell number_cell(std::int64_t value) { return {std::to_string(value), false}; }
 
 Cell digits_cell(std::string digits) { return {std::move(digits), false}; }

@@ -106,6 +106,24 @@ std::optional<cl_I> known_contacts(const Scene& scene, const ExactLine& line) {
   return counts.N_A + counts.N_B;
 }
 
+/// The model that --model and --scalar ask for. Throws InvalidInput where the two do not go together.
+Model asked_model(const Scene& scene, const ExactLine& line, const SceneOptions& options,
+                  const LinePlan& known) {
+  const bool exactly = options.scalars == Scalars::exact;
+  if (options.model.empty()) {
+    if (exactly) return Model::exact_events;
+    const bool velocities = why_not(Model::velocity_stepping, scene, line, known).empty();
+    return velocities ? Model::velocity_stepping : Model::event_driven;
+  }
+  const Model model = parse_model(options.model);
+  if (options.scalars == Scalars::planned) return model;
+  if (exactly && (model == Model::event_driven || model == Model::exact_events))
+    return Model::exact_events;
+  if (!exactly && (model == Model::event_driven || model == Model::velocity_stepping)) return model;
+  throw InvalidInput("--scalar does not go with the model " + to_text(model) +
+                     "; allowed: event-driven, or velocity-stepping but not with exact");
+}
+
 std::string exact_reason(const ExactLine& line) {
   return "a decision is closer than doubles can tell; exact numbers of " + line.field +
          " decide it";
@@ -200,11 +218,10 @@ LinePlan plan_line(const Scene& scene, const ExactLine& line, const SceneOptions
   if (chosen.end && !collapses && lists_events(scene) && unlimited &&
       chosen.end->contacts() > scene.every * cl_I(usual_max_events))
     refuse_as_too_long(scene, chosen.end->contacts(), usual_max_events);
-  if (options.model.empty() && !options.exact) {
+  if (options.model.empty() && options.scalars == Scalars::planned) {
     choose(scene, line, options, chosen);
   } else {
-    chosen.model =
-        options.exact && options.model.empty() ? Model::exact_events : parse_model(options.model);
+    chosen.model = asked_model(scene, line, options, chosen);
     const std::string obstacle = why_not(chosen.model, scene, line, chosen);
     if (!obstacle.empty())
       throw InvalidInput(scene.source + ": model " + to_text(chosen.model) +

@@ -105,7 +105,9 @@ void require_short(const cl_RA& alpha, const cl_I& events) {
 
 bool is_papers_scene(const Scene& scene, const SceneOptions& options) {
   return scene.alpha && scene.times.empty() && scene.every == 1 && !scene.until &&
-         options.model.empty() && scene.restitution == Value(1.0);
+         options.model.empty() &&
+         (options.scalars == Scalars::planned || options.scalars == Scalars::exact) &&
+         scene.restitution == Value(1.0);
 }
 
 Plan plan_papers_scene(const Scene& scene, const SceneOptions& options) {
@@ -128,7 +130,7 @@ SceneResult run_scene(const Scene& scene, const SceneOptions& options) {
   result.plan = plan_papers_scene(scene, options);
   const std::int64_t limit = event_limit(scene, options);
   const bool steps_events = result.plan.model == "event-driven";
-  if (options.exact) {
+  if (options.scalars == Scalars::exact) {
     const std::optional<cl_RA> alpha = reference::exact(*scene.alpha);
     if (!alpha)
       throw InvalidInput("--exact needs a rational alpha, got " + to_text(*scene.alpha) +

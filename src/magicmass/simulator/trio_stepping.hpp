@@ -8,6 +8,7 @@
 
 #include "magicmass/counts.hpp"
 #include "magicmass/simulator/contact.hpp"
+#include "magicmass/simulator/line.hpp"
 #include "magicmass/simulator/motion.hpp"
 
 namespace magicmass {
@@ -52,6 +53,21 @@ template <Arithmetic Scalar>
 Trio<Scalar> trio_of(const Scalar& alpha) {
   const ContactWeights<Scalar> weights = contact_weights(Scalar(1), alpha, Scalar(1));
   return {weights, weights};
+}
+
+/// Bodies A, C and B of a line, or A, C and its right wall.
+template <Arithmetic Scalar>
+Trio<Scalar> trio_of(const Line<Scalar>& line) {
+  const auto& m = line.masses;
+  const Scalar& e = line.restitution;
+  return {contact_weights(m[0], m[1], e),
+          line.right_wall ? wall_weights(e) : contact_weights(m[2], m[1], e)};
+}
+
+/// Their velocities, a wall's included.
+template <Arithmetic Scalar>
+Velocities<Scalar> trio_velocities(const Line<Scalar>& line) {
+  return {line.velocities[0], line.right_wall ? Scalar(0) : line.velocities[2], line.velocities[1]};
 }
 
 /// The contacts of A among so many, A first; the others are B's.
