@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Decisions of doubles against exact ones: none is wrong without a mark before it. And what a body costs.
+// Decisions of doubles against exact ones: none is wrong without a mark before it.
 #include <algorithm>
 #include <optional>
 #include <vector>
 
 #include <catch2/catch.hpp>
 
-#include "magicmass/reference/exact_line.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/line_motion.hpp"
 #include "random_numbers.hpp"
@@ -118,18 +117,4 @@ TEST_CASE("a sequence with another order side by side is seen to be wrong", "[ex
   CHECK(first_wrong({{1, 3, 2}, true}, {{3, 1, 2}, true}, 4) == std::nullopt);
   CHECK(first_wrong({{1, 2, 1}, true}, {{2, 1, 2}, true}, 3) == 1);
   CHECK(first_wrong({{1, 2}, true}, {{1, 2, 1}, true}, 3) == 3);
-}
-
-TEST_CASE("a body of a long chain costs at most 200 bytes, its scene included", "[exam]") {
-  const Scene scene = parse_scene("kind = \"chain\"\nblocks = 100000\nballs = 0.3", "long");
-  const reference::ExactLine line = reference::exact_line(scene);
-  const LineMotion<double> motion(reference::rounded(line));
-  const std::size_t bytes =
-      motion.bytes() + scene.masses.capacity() * sizeof(Value) +
-      line.masses.capacity() * sizeof(reference::ExactValue) +
-      (line.placed.capacity() + line.launched.capacity()) * sizeof(reference::FieldNumber);
-  const double each = static_cast<double>(bytes) / static_cast<double>(motion.bodies());
-  CAPTURE(each, static_cast<double>(motion.bytes()) / static_cast<double>(motion.bodies()));
-  CHECK(each <= 200.0);
-  CHECK(each >= 50.0);  // everything was counted
 }
