@@ -43,6 +43,7 @@ template <class Float>
 Float nearest(const ExactValue& value);
 extern template double nearest(const ExactValue&);
 extern template long double nearest(const ExactValue&);
+inline double nearest_double(const ExactValue& value) { return nearest<double>(value); }
 int sign(const ExactValue& value);
 
 }  // namespace magicmass::reference

@@ -120,6 +120,10 @@ public:
   const Scalar& now() const { return now_; }
   std::int64_t events() const { return events_; }
   const Ties& ties() const { return ties_; }
+  /// How far all that may be from the truth.
+  const RoundingMargin<Scalar>& margin() const requires std::floating_point<Scalar> {
+    return margin_;
+  }
   Losses losses() const {
     Losses lost{lost_rebound_, false};
     for (std::size_t gap = 0; gap <= bodies(); ++gap)
