@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/event_figures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -18,7 +19,7 @@ namespace magicmass::report {
 namespace {
 
 constexpr std::int64_t contacts_at_once = 1 << 20;
-constexpr int events_at_once = 1 << 14;
+constexpr std::size_t events_at_once = 1 << 14;
 constexpr double very_light = 1e-24;  // 2 * 10^12 contacts: no run sees the last one
 
 /// Three bodies on and on.
@@ -49,10 +50,11 @@ Timed with_places() {
 
 Timed chain(std::size_t blocks) {
   const auto motion = std::make_shared<LineMotion<double>>(busy_chain(blocks));
-  return {on_steady_clock([motion] {
-            for (int i = 0; i < events_at_once; ++i) motion->step();
+  const std::size_t events = std::max(events_at_once, motion->bodies());
+  return {on_steady_clock([motion, events] {
+            for (std::size_t i = 0; i < events; ++i) motion->step();
           }),
-          static_cast<double>(events_at_once)};
+          static_cast<double>(events)};
 }
 
 double millions(double ns) { return 1e3 / ns; }

@@ -33,7 +33,8 @@ inline const std::string growth = "time an event ~ (log bodies)^p";  ///< p
 Line<double> busy_chain(std::size_t blocks);
 
 /// All of them: works side by side in interleaved rounds of one process, medians over the rounds. A repetition steps
-/// three bodies 2^20 times, each chain of 10, 100, ..., 100000 blocks 2^14 times, on from where it is.
+/// three bodies 2^20 times, each chain of 10, 100, ..., 100000 blocks 2^14 times or as often as it
+/// has bodies, on from where it is.
 std::vector<EventFigure> event_figures(const Plan& plan);
 
 /// Of a chain of so many blocks: the engine, and the scene it was read from.

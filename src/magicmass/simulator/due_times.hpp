@@ -69,10 +69,22 @@ public:
       low /= 2;
       high /= 2;
       for (std::size_t node = low; node <= high; ++node) play(node);
+      if (low / parts == 1) part_ = low;
     }
   }
 
   std::size_t first() const { return winners_[1]; }
+
+  /// The first gap of that sixteenth of all gaps which was played last: its turn comes in sixteen events or so, time
+  /// to have its memory brought here. Asks for what is known of it.
+  std::size_t fetch_soon() const {
+    const std::size_t gap = winners_[part_] == none ? 0 : winners_[part_];
+    const std::size_t leaf = leaves_ + gap / width;
+    __builtin_prefetch(&due_[gap]);
+    for (const std::size_t node : {leaf, leaf / 2, leaf / 4}) __builtin_prefetch(&winners_[node]);
+    return gap;
+  }
+
   std::size_t bytes() const {
     return due_.capacity() * sizeof(Due<Scalar>) + winners_.capacity() * sizeof(Gap);
   }
@@ -85,6 +97,8 @@ private:
   std::size_t leaves_;
   std::vector<Due<Scalar>> due_;
   std::vector<Gap> winners_;
+  static constexpr std::size_t parts = 16;
+  std::size_t part_ = 1;
 
   void play_block(std::size_t block) {
     std::size_t best = block * width;
