@@ -14,6 +14,7 @@ using cln::cl_RA;
 using reference::FieldNumber;
 
 constexpr long most_bits = 1L << 17U;
+constexpr double most_work = 1e12;
 
 Cell cell(double value, bool /*fractions*/) { return number_cell(value); }
 Cell cell(long double value, bool /*fractions*/) { return number_cell(value); }
@@ -38,16 +39,30 @@ Scalar number(const FieldNumber& x) {
   }
 }
 
-/// The clock alone does not tell: it stands still where bodies between walls have no room.
-template <class Scalar>
-bool is_too_long(const LineEvent<Scalar>& event) {
-  if constexpr (std::floating_point<Scalar>) {
-    return false;
-  } else {
-    const auto is_long = [](const Scalar& x) { return FieldNumber(x).bits() > most_bits; };
-    return is_long(event.time) || is_long(event.v_left) || is_long(event.v_right);
+/// What exact numbers cost, by their length: a division takes its square, and in a field of degree d some d^3 of them.
+/// Some ten seconds are allowed, on any machine after the same event.
+class ExactWork {
+public:
+  /// The clock alone does not tell: it stands still where bodies between walls have no room.
+  template <class Scalar>
+  bool is_too_much(const LineEvent<Scalar>& event) {
+    if constexpr (std::floating_point<Scalar>) {
+      return false;
+    } else {
+      const FieldNumber numbers[] = {event.time, event.v_left, event.v_right};
+      for (const FieldNumber& x : numbers) {
+        const auto degree = static_cast<double>(x.coefficients().size());
+        const auto bits = static_cast<double>(x.bits());
+        work_ += bits * bits * degree * degree * degree;
+        if (x.bits() > most_bits) return true;
+      }
+      return work_ > most_work;
+    }
   }
-}
+
+private:
+  double work_ = 0.0;
+};
 
 template <class Scalar>
 class Stepping {
@@ -69,6 +84,7 @@ public:
   void run() {
     if (lists_points_) all_at(Scalar(0));
     StalledClock<Scalar> clock;
+    ExactWork work;
     const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
       if (until_ && *until_ < *next) {
@@ -87,8 +103,8 @@ public:
         result_.collapse = {cell(motion_.now()), missing_cell()};
         break;
       }
-      if (motion_.events() % 16 == 0 && is_too_long(event)) {
-        stop("limited", "the exact numbers have more than 131072 bits");
+      if (work.is_too_much(event)) {
+        stop("limited", "the exact numbers have become too long");
         break;
       }
     }

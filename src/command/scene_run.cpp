@@ -21,6 +21,8 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 
+constexpr std::int64_t most_kept = 4'000'000;
+
 Cell cell(double value) { return number_cell(value); }
 Cell cell(const cl_RA& value) { return text_cell(reference::to_text(value)); }
 
@@ -130,6 +132,10 @@ SceneResult run_scene(const Scene& scene, const SceneOptions& options) {
   result.plan = plan_papers_scene(scene, options);
   const std::int64_t limit = event_limit(scene, options);
   const bool steps_events = result.plan.model == "event-driven";
+  if (steps_events && result.plan.events > cl_I(most_kept))
+    throw InvalidInput("a table of " + reference::to_text(result.plan.events) +
+                       " events is kept in memory; allowed: up to " + std::to_string(most_kept) +
+                       ", --format jsonl, or --model event-driven with --format csv");
   if (options.scalars == Scalars::exact) {
     const std::optional<cl_RA> alpha = reference::exact(*scene.alpha);
     if (!alpha)

@@ -38,7 +38,7 @@ TEST_CASE("stepping by weights is stepping by the law", "[check]") {
 }
 
 TEST_CASE("a block and a wall count digits of pi, event by event", "[exam]") {
-  std::int64_t expected[] = {3, 31, 314, 3141, 31415, 314159, 3141592};
+  std::int64_t expected[] = {3, 31, 314, 3141, 31415, 314159, 3141592, 31415926};
   double ratio = 1.0;
   for (const std::int64_t digits : expected) {
     const Trio<double> trio{contact_weights(ratio, 1.0, 1.0), wall_weights(1.0)};
@@ -53,4 +53,10 @@ TEST_CASE("a limit stops stepping where it is", "[exam]") {
   Velocities<double> v{1.0, 0.0, 0.0};
   CHECK(step_trio(trio, v, 101) == 101);
   CHECK(v.c > 0.0);  // after P
+}
+
+TEST_CASE("... and 3 * 10^8 events count nine digits, in doubles", "[time]") {
+  const Trio<double> trio{contact_weights(1e16, 1.0, 1.0), wall_weights(1.0)};
+  Velocities<double> v{1.0, 0.0, 0.0};
+  CHECK(step_trio(trio, v, no_limit) == 314159265);
 }
