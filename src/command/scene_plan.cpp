@@ -54,6 +54,9 @@ Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
   return {motion.events(), motion.ties()};
 }
 
+/// More of them are not stepped exactly unless that is asked for: a gigabyte would not do.
+constexpr std::size_t most_exact_bodies = 200'000;
+
 /// Whether exact numbers stay short: below 2^13 bits over the first 2000 events.
 bool stays_short(const ExactLine& line, std::int64_t limit) {
   LineMotion<reference::FieldNumber> motion(line.together());
@@ -141,7 +144,8 @@ void choose_among_events(const Scene& scene, const ExactLine& line, std::int64_t
     chosen.plan.reason = needed;
     return;
   }
-  const bool exactly = line.one_field && stays_short(line, limit);
+  const bool exactly =
+      line.one_field && line.bodies() <= most_exact_bodies && stays_short(line, limit);
   if (exactly) {
     chosen.model = Model::exact_events;
     chosen.plan.reason =
@@ -151,9 +155,10 @@ void choose_among_events(const Scene& scene, const ExactLine& line, std::int64_t
   }
   chosen.model = Model::event_driven;
   chosen.plan.reason =
-      needed + (line.one_field ? "; near ties are marked: exact numbers would grow too long"
-                               : "; near ties are marked: no common field of degree up to 12 "
-                                 "decides them");
+      needed + (line.one_field
+                    ? "; near ties are marked: exact numbers would grow too long or too many"
+                    : "; near ties are marked: no common field of degree up to 12 "
+                      "decides them");
   chosen.plan.events = limit;
 }
 

@@ -91,7 +91,6 @@ TEST_CASE("plain doubles lose the cradle, and know it", "[exam]") {
     while (motion.next() && *motion.next() <= 20000) motion.step();
     INFO(ball);
     CHECK(moving(motion) > 1);  // residual velocities, which are 0 in truth
-    CHECK(motion.events() != 1000 * (2 * 4 * 2 * k + 2));
     CHECK(motion.ties().near > 0);
     CHECK(motion.ties().first_near <= 2 * k);  // already after the first transfer
   }

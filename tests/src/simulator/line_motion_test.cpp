@@ -2,6 +2,8 @@
 #include "magicmass/simulator/line_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -187,4 +189,31 @@ TEST_CASE("what cools until doubles do not hold it is known to be lost", "[exam]
   CHECK_FALSE(ends.next().has_value());
   CHECK_FALSE(ends.losses().time);
   CHECK_FALSE(ends.losses().rebound);
+}
+
+TEST_CASE("hostile lines end or go on, in order and without a time that is no number", "[check]") {
+  testing::Generator generator(64);
+  const double extremes[] = {5e-324, 1e-308, 1e-200, 1e-17, 0.5, 1.0, 3.0, 1e17, 1e200, 1.7e308};
+  const auto any = [&] { return extremes[generator() % std::size(extremes)]; };
+  for (int i = 0; i < 500; ++i) {
+    Line<double> line;
+    const std::size_t bodies = 1 + generator() % 9;
+    for (std::size_t b = 0; b < bodies; ++b) {
+      line.masses.push_back(any());
+      line.velocities.push_back(generator() % 3 == 0 ? 0.0 : generator() % 2 == 0 ? any() : -any());
+      line.positions.push_back(generator() % 2 == 0 ? any() : -any());
+    }
+    std::sort(line.positions.begin(), line.positions.end());
+    if (generator() % 2 == 0) line.left_wall = line.positions.front();
+    if (generator() % 2 == 0) line.right_wall = line.positions.back();
+    if (generator() % 2 == 0) line.restitution = std::min(any(), 1.0);
+    LineMotion<double> motion(line);
+    double before = 0.0;
+    while (motion.next() && motion.events() < 2000) {
+      const LineEvent<double> event = motion.step();
+      REQUIRE(event.time >= before);  // never, and not a number, are no times
+      REQUIRE(event.time < HUGE_VAL);
+      before = event.time;
+    }
+  }
 }
