@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/root_arctangent_table.hpp"
@@ -50,68 +56,83 @@ template <class T>
 [[gnu::always_inline]] inline Tabled<T> reciprocal(Tabled<T> y) {
   return Tabled<T>(reciprocal(y.pair));
 }
+/// 1/sqrt(w) within 2^-98, its low part at most 2^-51 of it: for w from 2^-900 to 2^900, and by the pair's own beyond.
 template <class T>
-[[gnu::always_inline]] inline Tabled<T> reciprocal_square_root(Tabled<T> w) {
-  return Tabled<T>(reciprocal_square_root(w.pair));
+[[gnu::always_inline]] inline Tabled<T> reciprocal_square_root(Tabled<T> of) {
+  const Pair<T> w = of.pair;
+  if (!(w.high >= 0x1p-900 && w.high <= 0x1p900)) [[unlikely]]
+    return Tabled<T>(reciprocal_square_root(w));
+  // The root and the quotient do not wait for each other. y is within 1.5 2^-53, so that what Newton's step leaves out, 3/8 e^2
+  // with e = 1 - w y^2, is below 2^-104.
+  const T y = square_root(w.high) * (T(1.0) / w.high);
+  const Sum<T> square = two_product(y, y);
+  const T e =
+      one_minus_product(w.high, square.high) - (w.high * square.low + w.low * square.high);
+  return Tabled<T>(Pair<T>(y, T(0.5) * y * e));
 }
 
-/// atan t for 0 <= t <= 1, within the lesser of 2^-61 and 2^-51 t^2 + 2^-100 of itself and what the error of t makes of it.
-/// Outside it means nothing.
-template <class T>
-[[gnu::always_inline]] inline Pair<T> table_arctangent(Pair<T> t) {
+/// x, 0 <= x < 2^40, to the nearest multiple of 2^-8: its row in a table with 256 a unit, and what is left of x, exactly. The
+/// last row for what is not in the table.
+template <std::size_t columns, std::size_t size>
+struct Node {
+  const double* row;
+  double rest;
+
+  [[gnu::always_inline]] Node(const double (&table)[size], double x) {
+    constexpr double shift = 0x1.8p44;  // its last bit is 2^-8
+    const double shifted = x + shift;
+    const std::uint64_t place =
+        std::bit_cast<std::uint64_t>(shifted) - std::bit_cast<std::uint64_t>(shift);
+    row = table + columns * std::min<std::uint64_t>(place, size / columns - 1);
+    rest = x - (shifted - shift);
+  }
+};
+
+/// atan t for 0 <= t <= 1, within the lesser of 2^-61 and 2^-51 t^2 + 2^-100 of itself and what the error of t makes of it; its
+/// low part may be 2^-10 of it. Outside it means nothing.
+[[gnu::always_inline]] inline Tabled<double> arctangent(Tabled<double> of) {
   // atan t = t F(t^2). With t.high^2 = z + z_low, z = c + d, c = j/256, |d| <= 2^-9: F = F(c) + d p(d) + z_low F'(c), and F' is
   // about p(0). All but F(c) is below 0.34 d + 2^-54, and what is rounded there, at 2^-53 of itself each, is p (less than
   // twice), its product with d, two sums and the product with t: within 5 2^-53 0.34 d, 2^-61.2 (0.34 z 2^-50.6 where j = 0).
   // t.low has the factor (t F(t^2))' = F + 2 z F', known to 2^-10 of itself; p is within 2^-66.
-  const T z = t.high * t.high;
-  const T z_low = product_error(t.high, t.high, z);
-  const auto is_in_table = z <= T(1.0);
-  const T j = where(is_in_table, nearest_whole(z * T(256.0)));
-  const T d = z - j * T(0x1p-8);  // exact
-  const auto column = [&]<int k>() { return gather<8, k>(root_arctangent_table, j); };
-  const T slope = column.template operator()<2>();
-  const T square = d * d;
-  const T p = (slope + column.template operator()<3>() * d) +
-              square * ((column.template operator()<4>() + column.template operator()<5>() * d) +
-                        square * (column.template operator()<6>() +
-                                  column.template operator()<7>() * d));
-  const T at_node = column.template operator()<0>();
-  const T rest = column.template operator()<1>() + (d * p + z_low * slope);
-  const Sum<T> product = two_product(t.high, at_node);
-  return normalised(
-      Pair<T>(product.high,
-              product.low + (t.high * rest + t.low * (at_node + slope * (d + (z + z))))));
-}
-
-template <class T>
-[[gnu::always_inline]] inline Tabled<T> arctangent(Tabled<T> t) {
-  return Tabled<T>(table_arctangent(t.pair));
+  const Pair<double> t = of.pair;
+  const double z = t.high * t.high;
+  const double z_low = product_error(t.high, t.high, z);
+  const Node<8, std::size(root_arctangent_table)> node(root_arctangent_table, z);
+  const double d = node.rest;
+  const double* row = node.row;
+  const double square = d * d;
+  const double further = (row[3] + row[4] * d) + square * ((row[5] + row[6] * d) + square * row[7]);
+  const double rest = ((row[1] + z_low * row[2]) + row[2] * d) + square * further;
+  const Sum<double> product = two_product(t.high, row[0]);
+  const double of_low = t.low * (row[0] + row[2] * (d + (z + z)));
+  return Tabled<double>(Pair<double>(product.high, (product.low + of_low) + t.high * rest));
 }
 
 /// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-75, and what the error of x makes of them.
 /// Outside they mean nothing.
-template <class T>
-[[gnu::always_inline]] inline SineCosine<Tabled<T>> sine_cosine(Tabled<T> unordered) {
+[[gnu::always_inline]] inline SineCosine<Tabled<double>> sine_cosine(Tabled<double> unordered) {
   // x = c + d + low, c = j/256, |d| <= 2^-9: sin(d + low) = d + of_sine, |of_sine| <= 2^-29.5 + 2^-52, less than 2^-66 of it left
   // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
   // sin x = s + (c d + (c of_sine + s of_cosine)) with c d and the sum with s exact, and cos x likewise.
-  const Pair<T> x = normalised(unordered.pair);
-  const auto is_known = (x.high > T(-0x1p-10)) & (x.high <= T(3.1406));
-  const T j = where(is_known, nearest_whole(x.high * T(256.0)));
-  const T d = x.high - j * T(0x1p-8);
-  const T z = d * d;
-  const T of_sine = x.low - (d * z) * (T(0x1.5555555555555p-3) - z * T(0x1.1111111111111p-7));
-  const T of_cosine = z * (T(0x1.5555555555555p-5) * z - T(0.5)) - x.low * d;
-  const Pair<T> s{gather<4, 0>(sine_cosine_table, j), gather<4, 1>(sine_cosine_table, j)};
-  const Pair<T> c{gather<4, 2>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
-  const Sum<T> c_d = two_product(c.high, d);
-  const Sum<T> s_head = two_sum(s.high, c_d.high);
-  const Sum<T> s_d = two_product(s.high, d);
-  const Sum<T> c_head = two_difference(c.high, s_d.high);
-  const T s_rest = (s.low + c.low * d) + (c.high * of_sine + s.high * of_cosine);
-  const T c_rest = (c.low - s.low * d) + (c.high * of_cosine - s.high * of_sine);
-  return {Tabled<T>(normalised(Pair<T>(s_head.high, (s_head.low + c_d.low) + s_rest))),
-          Tabled<T>(normalised(Pair<T>(c_head.high, (c_head.low - s_d.low) + c_rest)))};
+  const Pair<double> x = normalised(unordered.pair);
+  const Node<4, std::size(sine_cosine_table)> node(sine_cosine_table, x.high);
+  const double d = node.rest;
+  const double* row = node.row;
+  const Pair<double> s(row[0], row[1]), c(row[2], row[3]);
+  const double z = d * d;
+  const double of_sine = x.low - (d * z) * (0x1.5555555555555p-3 - z * 0x1.1111111111111p-7);
+  const double of_cosine = z * (0x1.5555555555555p-5 * z - 0.5) - x.low * d;
+  const Sum<double> c_d = two_product(c.high, d);
+  const Sum<double> s_head = two_sum(s.high, c_d.high);
+  const Sum<double> s_d = two_product(s.high, d);
+  const Sum<double> c_head = two_difference(c.high, s_d.high);
+  const double s_low = ((s_head.low + c_d.low) + (s.low + c.low * d)) +
+                       (c.high * of_sine + s.high * of_cosine);
+  const double c_low = ((c_head.low - s_d.low) + (c.low - s.low * d)) +
+                       (c.high * of_cosine - s.high * of_sine);
+  return {Tabled<double>(normalised(Pair<double>(s_head.high, s_low))),
+          Tabled<double>(normalised(Pair<double>(c_head.high, c_low)))};
 }
 
 }  // namespace MAGICMASS_TARGET

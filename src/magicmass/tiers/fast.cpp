@@ -22,19 +22,10 @@ void require_not_negative(const char* name, std::int64_t index) {
   }
 }
 
-/// A whole number as the sum of two doubles.
-struct TwoDoubles {
-  double high;
-  double low;
-};
-TwoDoubles in_doubles(std::int64_t n) {
-  const auto high = static_cast<double>(n);
-  // 2^63 itself is not an int64
-  return {high, high < 0x1p63 ? static_cast<double>(n - static_cast<std::int64_t>(high)) : 0.0};
-}
-
 /// Up to here alpha can be split for its products, and 1/(1 + alpha) has all its digits.
 constexpr double largest_alpha = 0x1p960;
+/// Below this N_A + N_B is beyond 2^63.
+constexpr double least_alpha = 0x1p-124;
 
 }  // namespace
 
@@ -48,8 +39,7 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
   }
   if (alpha > largest_alpha) [[unlikely]]
     return certified_velocities(alpha, n);
-  const TwoDoubles cycles = in_doubles(n);
-  return tiers::single_kernels().fast_velocities(alpha, cycles.high, cycles.low);
+  return tiers::single_kernels().fast_velocities(alpha, static_cast<double>(n), tiers::low_part(n));
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
@@ -66,14 +56,19 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
 }
 
 std::optional<Terminal> terminal(double alpha) {
-  const std::optional<Counts> counts = count_collisions(alpha);
-  if (!counts) return std::nullopt;
-  if (alpha > largest_alpha) [[unlikely]]
-    return accurate::terminal(alpha);
-  const TwoDoubles cycles = in_doubles(counts->N_A);
-  const auto result = tiers::single_kernels().fast_terminal(
-      alpha, cycles.high, cycles.low, counts->N_B == counts->N_A ? 1.0 : -1.0);
-  return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
+  Counts counts;
+  generated::Terminal<double> result;
+  if (!(alpha >= least_alpha && alpha <= largest_alpha &&
+        tiers::single_kernels().fast_terminal(alpha, counts, result))) [[unlikely]] {
+    const std::optional<Counts> exact = count_collisions(alpha);
+    if (!exact) return std::nullopt;
+    if (alpha > largest_alpha) return accurate::terminal(alpha);
+    counts = *exact;
+    result = tiers::single_kernels().fast_terminal_at(alpha, static_cast<double>(counts.N_A),
+                                                      tiers::low_part(counts.N_A),
+                                                      counts.N_B == counts.N_A ? 1.0 : -1.0);
+  }
+  return Terminal{counts, result.a_t, result.b_t, result.c_t, result.rho};
 }
 
 // The paper's own form loses no digit: two roundings before the root, which halves them, and two after, within 1.5 ulp with
@@ -85,8 +80,7 @@ double angle(double alpha) {
 
 generated::Ratios<double> ratios(std::int64_t k) {
   if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
-  const TwoDoubles index = in_doubles(k);
-  return tiers::single_kernels().fast_ratios(index.high, index.low);
+  return tiers::single_kernels().fast_ratios(static_cast<double>(k), tiers::low_part(k));
 }
 
 }  // namespace magicmass::fast

@@ -1,10 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "magicmass/batch/instruction_set.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/quantities.hpp"
 
 namespace magicmass::tiers {
+
+/// What a double leaves of a whole number.
+constexpr double low_part(std::int64_t n) {
+  const auto high = static_cast<double>(n);
+  // 2^63 itself is not an int64
+  return high < 0x1p63 ? static_cast<double>(n - static_cast<std::int64_t>(high)) : 0.0;
+}
 
 /// What the generated kernels give for one input, compiled with and without fused multiply-add: the same bits. The
 /// functions that return bool say whether every member is certainly the nearest double.
@@ -15,9 +25,11 @@ struct SingleKernels {
   generated::Encounters<double> (*fast_encounters)(double alpha, double j);
   /// k as high + low, too.
   generated::Ratios<double> (*fast_ratios)(double k, double k_low);
+  /// With the counts, for 2^-900 <= alpha <= 2^960; false where these would take more digits or do not fit.
+  bool (*fast_terminal)(double alpha, Counts& counts, generated::Terminal<double>& result);
   /// N_A as high + low, too.
-  generated::Terminal<double> (*fast_terminal)(double alpha, double N_A, double N_A_low,
-                                               double turn);
+  generated::Terminal<double> (*fast_terminal_at)(double alpha, double N_A, double N_A_low,
+                                                  double turn);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);

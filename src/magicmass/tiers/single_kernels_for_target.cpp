@@ -2,12 +2,14 @@
 // Compiled once for each instruction set.
 #include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/tabled.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
 #include "magicmass/kernels/angle.hpp"
 #include "magicmass/kernels/encounters.hpp"
 #include "magicmass/kernels/ratios.hpp"
 #include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/velocities.hpp"
+#include "magicmass/tiers/count_from_angle.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
 namespace magicmass::tiers {
@@ -15,6 +17,7 @@ namespace {
 
 using arithmetic::Bounded;
 using arithmetic::Pair;
+using arithmetic::Tabled;
 using arithmetic::Tracked;
 using generated::AngleKernel;
 using generated::Encounters;
@@ -74,36 +77,37 @@ bool in_two_stages(Result& result, Inputs... inputs) {
 }
 
 /// An index beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that the index multiplies.
-template <class Kernel>
-auto with_low_part(Kernel kernel, double low_over_high) {
-  kernel.stage_1();
-  kernel.stage_2();
-  kernel.angle.low += kernel.angle.high * low_over_high;
-  kernel.stage_3();
-  return nearest(kernel.result());
+Tabled<double> with_low_part(Tabled<double> angle, double low_over_high) {
+  angle.pair.low += angle.pair.high * low_over_high;
+  return angle;
 }
 
 Velocities<double> fast_velocities(double alpha, double n, double n_low) {
-  using Kernel = VelocitiesKernel<Pair<double>>;
-  if (n_low == 0.0 || alpha >= 1.0) return nearest(Kernel::evaluate(alpha, n));
+  using Kernel = VelocitiesKernel<Tabled<double>>;
+  if (n_low == 0.0 || alpha >= 1.0) [[likely]]
+    return nearest(Kernel::evaluate(alpha, n));
   Kernel kernel;
   kernel.alpha = alpha;
   kernel.n = n;
-  return with_low_part(kernel, n_low / n);
+  kernel.stage_1();
+  kernel.stage_2();
+  kernel.angle = with_low_part(kernel.angle, n_low / n);
+  kernel.stage_3();
+  return nearest(kernel.result());
 }
 
 /// Below this the square of a tracked root, 1/alpha, is too large; a pair's root is scaled.
 constexpr double least_tracked = 0x1p-900;
 /// A pair's sine and cosine go as far as this.
-constexpr double largest_turn = 2.35;
+constexpr double largest_turn = 3.14;
 
 Encounters<double> fast_encounters(double alpha, double j) {
-  EncountersKernel<Pair<double>> kernel;
+  EncountersKernel<Tabled<double>> kernel;
   kernel.alpha = alpha;
   kernel.j = j;
   kernel.stage_1();
   kernel.stage_2();
-  if (kernel.angle.high * (2.0 * j) < largest_turn || alpha < least_tracked) [[likely]] {
+  if (kernel.angle.pair.high * (2.0 * j) < largest_turn || alpha < least_tracked) [[likely]] {
     kernel.stage_3();
     return nearest(kernel.result());
   }
@@ -125,20 +129,56 @@ Ratios<double> fast_ratios(double k, double k_low) {
   return nearest(kernel.result());
 }
 
-Terminal<double> fast_terminal(double alpha, double N_A, double N_A_low, double turn) {
-  using Kernel = TerminalKernel<Pair<double>>;
-  if (N_A_low != 0.0) {
-    Kernel kernel;
-    kernel.alpha = alpha;
-    kernel.N_A = N_A;
-    kernel.turn = turn;
-    return with_low_part(kernel, N_A_low / N_A);
-  }
-  auto result = nearest(Kernel::evaluate(alpha, N_A, turn));
+using FastTerminal = TerminalKernel<Tabled<double>>;
+
+[[gnu::always_inline]] inline Terminal<double> fast_result(const FastTerminal& kernel) {
+  auto result = nearest(kernel.result());
   // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
   if (result.rho < 0x1p-960) [[unlikely]]
     result.rho = result.b_t * result.b_t;
   return result;
+}
+
+Terminal<double> fast_terminal_at(double alpha, double N_A, double N_A_low, double turn) {
+  FastTerminal kernel;
+  kernel.alpha = alpha;
+  kernel.N_A = N_A;
+  kernel.turn = turn;
+  if (alpha >= 1.0) {
+    kernel.first();
+  } else {
+    kernel.stage_1();
+    kernel.stage_2();
+    kernel.angle = with_low_part(kernel.angle, N_A_low / N_A);
+    kernel.stage_3();
+  }
+  return fast_result(kernel);
+}
+
+bool fast_terminal(double alpha, Counts& counts, Terminal<double>& result) {
+  FastTerminal kernel;
+  kernel.alpha = alpha;
+  if (alpha >= 1.0) {
+    counts = {1, 1};
+    kernel.first();
+    result = fast_result(kernel);
+    return true;
+  }
+  kernel.stage_1();
+  kernel.stage_2();
+  // the arctangent's bound with t^2 < alpha/2, and what the root and the product before it leave out
+  const std::int64_t total =
+      total_from_angle(kernel.angle.pair, 0x1p-51 * alpha + 0x1p-95);
+  if (total == 0) [[unlikely]]
+    return false;
+  counts = {(total + 1) >> 1, total >> 1};
+  kernel.N_A = static_cast<double>(counts.N_A);
+  kernel.turn = static_cast<double>(1 - 2 * (total & 1));
+  if (counts.N_A >= std::int64_t{1} << 53U) [[unlikely]]
+    kernel.angle = with_low_part(kernel.angle, low_part(counts.N_A) / kernel.N_A);
+  kernel.stage_3();
+  result = fast_result(kernel);
+  return true;
 }
 
 bool velocities(double alpha, double n, Velocities<double>& result) {
@@ -160,6 +200,7 @@ const SingleKernels tables::MAGICMASS_TARGET = {
     .fast_encounters = fast_encounters,
     .fast_ratios = fast_ratios,
     .fast_terminal = fast_terminal,
+    .fast_terminal_at = fast_terminal_at,
     .velocities = velocities,
     .encounters = encounters,
     .angle = angle,
