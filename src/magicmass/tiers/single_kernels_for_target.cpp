@@ -7,6 +7,7 @@
 #include "magicmass/kernels/angle.hpp"
 #include "magicmass/kernels/encounters.hpp"
 #include "magicmass/kernels/ratios.hpp"
+#include "magicmass/kernels/ratios_of_parts.hpp"
 #include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/velocities.hpp"
 #include "magicmass/tiers/count_from_angle.hpp"
@@ -24,6 +25,7 @@ using generated::Encounters;
 using generated::EncountersKernel;
 using generated::Ratios;
 using generated::RatiosKernel;
+using generated::RatiosOfPartsKernel;
 using generated::Terminal;
 using generated::TerminalKernel;
 using generated::Velocities;
@@ -119,15 +121,10 @@ Encounters<double> fast_encounters(double alpha, double j) {
   if (second.s.error < HUGE_VAL) return nearest(second);
   return {-HUGE_VAL, -HUGE_VAL};
 }
-Ratios<double> fast_ratios(double k, double k_low) {
-  RatiosKernel<Pair<double>> kernel;
-  kernel.k = k;
-  kernel.stage_1();
-  // k is beyond 2^53, and each sine is as good as inverse to it
-  if (k_low != 0.0)
-    for (Pair<double>* sine : {&kernel.sine, &kernel.sine_2}) sine->low -= sine->high * (k_low / k);
-  return nearest(kernel.result());
+Ratios<Tabled<double>> ratios_of_parts(double k, double k_low) {
+  return RatiosOfPartsKernel<Tabled<double>>::evaluate(Tabled<double>(Pair<double>(k, k_low)));
 }
+Ratios<double> fast_ratios(double k, double k_low) { return nearest(ratios_of_parts(k, k_low)); }
 
 using FastTerminal = TerminalKernel<Tabled<double>>;
 
@@ -188,7 +185,16 @@ bool encounters(double alpha, double j, Encounters<double>& result) {
   return in_two_stages<EncountersKernel>(result, alpha, j);
 }
 bool angle(double alpha, double& result) { return in_two_stages<AngleKernel>(result, alpha); }
-bool ratios(double k, Ratios<double>& result) { return in_two_stages<RatiosKernel>(result, k); }
+bool ratios(double k, Ratios<double>& result) {
+  const auto first = ratios_of_parts(k, 0.0);
+  result = nearest(first);
+  // the secants' bound, with 1/m^2 below 1/4 k^-2
+  const double relative_error = 0x1p-55 / (k * k) + 0x1p-98;
+  if (certainly_rounded(first.magic, relative_error) &&
+      certainly_rounded(first.deficient, relative_error)) [[likely]]
+    return true;
+  return in_two_stages<RatiosKernel>(result, k);
+}
 bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
   return in_two_stages<TerminalKernel>(result, alpha, N_A, turn);
 }
