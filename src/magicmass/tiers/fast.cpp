@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/fast.hpp"
 
+#include <limits>
 #include <string>
+#include <utility>
 
 #include "magicmass/accurate.hpp"
 #include "magicmass/angle_closed.hpp"
@@ -16,10 +18,16 @@
 namespace magicmass::fast {
 namespace {
 
-void require_not_negative(const char* name, std::int64_t index) {
-  if (index < 0) {
-    throw InvalidInput(std::string(name) + " must be 0 or more, got " + std::to_string(index));
-  }
+/// Apart, so that who never throws saves no registers for it.
+[[noreturn, gnu::noinline, gnu::cold]] void refuse(const char* what, std::int64_t index) {
+  throw InvalidInput(std::string(what) + ", got " + std::to_string(index));
+}
+[[noreturn, gnu::noinline, gnu::cold]] void refuse(double alpha) {
+  refuse_as_not_positive_finite("alpha", alpha);
+}
+void require_positive_finite(double alpha) {
+  if (!(alpha > 0.0 && alpha <= std::numeric_limits<double>::max())) [[unlikely]]
+    refuse(alpha);
 }
 
 /// Up to here alpha can be split for its products, and 1/(1 + alpha) has all its digits.
@@ -27,24 +35,34 @@ constexpr double largest_alpha = 0x1p960;
 /// Below this N_A + N_B is beyond 2^63.
 constexpr double least_alpha = 0x1p-124;
 
+std::optional<Terminal> terminal_from_exact_counts(double alpha) {
+  const std::optional<Counts> counts = count_collisions(alpha);
+  if (!counts) return std::nullopt;
+  if (alpha > largest_alpha) return accurate::terminal(alpha);
+  const auto result = tiers::single_kernels().fast_terminal_at(
+      alpha, static_cast<double>(counts->N_A), tiers::low_part(counts->N_A),
+      counts->N_B == counts->N_A ? 1.0 : -1.0);
+  return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
+}
+
 }  // namespace
 
 generated::Velocities<double> velocities(double alpha, std::int64_t n) {
-  require_positive_finite("alpha", alpha);
-  require_not_negative("n", n);
+  require_positive_finite(alpha);
+  if (n < 0) [[unlikely]]
+    refuse("n must be 0 or more", n);
   if (n == 0) return {1.0, 0.0, 0.0, 0.0};
-  if (alpha >= 1.0 && n > 1) {
-    throw InvalidInput("n must be 0 or 1 from alpha = 1 on, where there are two collisions, got " +
-                       std::to_string(n));
-  }
+  if (alpha >= 1.0 && n > 1) [[unlikely]]
+    refuse("n must be 0 or 1 from alpha = 1 on, where there are two collisions", n);
   if (alpha > largest_alpha) [[unlikely]]
     return certified_velocities(alpha, n);
   return tiers::single_kernels().fast_velocities(alpha, static_cast<double>(n), tiers::low_part(n));
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
-  require_positive_finite("alpha", alpha);
-  require_not_negative("j", j);
+  require_positive_finite(alpha);
+  if (j < 0) [[unlikely]]
+    refuse("j must be 0 or more", j);
   if (j == 0) return {0.0, 1.0};
   if (j == 1) return tiers::first_encounter(alpha);
   if (alpha < 1.0 && j < std::int64_t{1} << 51U) [[likely]] {
@@ -56,30 +74,24 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
 }
 
 std::optional<Terminal> terminal(double alpha) {
-  Counts counts;
-  generated::Terminal<double> result;
+  require_positive_finite(alpha);
+  std::optional<Terminal> found(std::in_place);
   if (!(alpha >= least_alpha && alpha <= largest_alpha &&
-        tiers::single_kernels().fast_terminal(alpha, counts, result))) [[unlikely]] {
-    const std::optional<Counts> exact = count_collisions(alpha);
-    if (!exact) return std::nullopt;
-    if (alpha > largest_alpha) return accurate::terminal(alpha);
-    counts = *exact;
-    result = tiers::single_kernels().fast_terminal_at(alpha, static_cast<double>(counts.N_A),
-                                                      tiers::low_part(counts.N_A),
-                                                      counts.N_B == counts.N_A ? 1.0 : -1.0);
-  }
-  return Terminal{counts, result.a_t, result.b_t, result.c_t, result.rho};
+        tiers::single_kernels().fast_terminal(alpha, *found))) [[unlikely]]
+    found = terminal_from_exact_counts(alpha);
+  return found;
 }
 
 // The paper's own form loses no digit: two roundings before the root, which halves them, and two after, within 1.5 ulp with
 // a libm's arctangent that is good to 0.6.
 double angle(double alpha) {
-  require_positive_finite("alpha", alpha);
+  require_positive_finite(alpha);
   return generated::angle_closed(alpha);
 }
 
 generated::Ratios<double> ratios(std::int64_t k) {
-  if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
+  if (k < 1) [[unlikely]]
+    refuse("k must be 1 or more", k);
   return tiers::single_kernels().fast_ratios(static_cast<double>(k), tiers::low_part(k));
 }
 

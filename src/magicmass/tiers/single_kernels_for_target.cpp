@@ -10,6 +10,8 @@
 #include "magicmass/kernels/ratios_of_parts.hpp"
 #include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/velocities.hpp"
+#include "magicmass/terminal.hpp"
+#include "magicmass/tiers/clear_count.hpp"
 #include "magicmass/tiers/count_from_angle.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
@@ -121,7 +123,7 @@ Encounters<double> fast_encounters(double alpha, double j) {
   if (second.s.error < HUGE_VAL) return nearest(second);
   return {-HUGE_VAL, -HUGE_VAL};
 }
-Ratios<Tabled<double>> ratios_of_parts(double k, double k_low) {
+[[gnu::always_inline]] inline Ratios<Tabled<double>> ratios_of_parts(double k, double k_low) {
   return RatiosOfPartsKernel<Tabled<double>>::evaluate(Tabled<double>(Pair<double>(k, k_low)));
 }
 Ratios<double> fast_ratios(double k, double k_low) { return nearest(ratios_of_parts(k, k_low)); }
@@ -152,29 +154,39 @@ Terminal<double> fast_terminal_at(double alpha, double N_A, double N_A_low, doub
   return fast_result(kernel);
 }
 
-bool fast_terminal(double alpha, Counts& counts, Terminal<double>& result) {
+/// In place, as a double that is stored alone and loaded beside another is waited for.
+[[gnu::always_inline]] inline void put(const FastTerminal& kernel, magicmass::Terminal& result) {
+  const Terminal<double> velocities = fast_result(kernel);
+  result.a_t = velocities.a_t;
+  result.b_t = velocities.b_t;
+  result.c_t = velocities.c_t;
+  result.rho = velocities.rho;
+}
+
+bool fast_terminal(double alpha, magicmass::Terminal& result) {
   FastTerminal kernel;
   kernel.alpha = alpha;
   if (alpha >= 1.0) {
-    counts = {1, 1};
+    result.counts = {1, 1};
     kernel.first();
-    result = fast_result(kernel);
+    put(kernel, result);
     return true;
   }
+  std::int64_t total = clear_total(alpha);
   kernel.stage_1();
   kernel.stage_2();
-  // the arctangent's bound with t^2 < alpha/2, and what the root and the product before it leave out
-  const std::int64_t total =
-      total_from_angle(kernel.angle.pair, 0x1p-51 * alpha + 0x1p-95);
-  if (total == 0) [[unlikely]]
-    return false;
-  counts = {(total + 1) >> 1, total >> 1};
-  kernel.N_A = static_cast<double>(counts.N_A);
+  if (total == 0) [[unlikely]] {
+    // the arctangent's bound with t^2 < alpha/2, and what the root and the product before it leave out
+    total = total_from_angle(kernel.angle.pair, 0x1p-51 * alpha + 0x1p-95);
+    if (total == 0) return false;
+  }
+  result.counts = {(total + 1) >> 1, total >> 1};
+  kernel.N_A = static_cast<double>(result.counts.N_A);
   kernel.turn = static_cast<double>(1 - 2 * (total & 1));
-  if (counts.N_A >= std::int64_t{1} << 53U) [[unlikely]]
-    kernel.angle = with_low_part(kernel.angle, low_part(counts.N_A) / kernel.N_A);
+  if (total >> 54 != 0) [[unlikely]]
+    kernel.angle = with_low_part(kernel.angle, low_part(result.counts.N_A) / kernel.N_A);
   kernel.stage_3();
-  result = fast_result(kernel);
+  put(kernel, result);
   return true;
 }
 
