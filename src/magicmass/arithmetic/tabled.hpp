@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <iterator>
-
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/root_arctangent_table.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
+#include "magicmass/arithmetic/table_node.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
@@ -77,23 +72,6 @@ template <class T>
   return Tabled<T>(Pair<T>(y, T(0.5) * y * e));
 }
 
-/// x, 0 <= x < 2^40, to the nearest multiple of 2^-8: its row in a table with 256 a unit, and what is left of x, exactly. The
-/// last row for what is not in the table.
-template <std::size_t columns, std::size_t size>
-struct Node {
-  const double* row;
-  double rest;
-
-  [[gnu::always_inline]] Node(const double (&table)[size], double x) {
-    constexpr double shift = 0x1.8p44;  // its last bit is 2^-8
-    const double shifted = x + shift;
-    const std::uint64_t place =
-        std::bit_cast<std::uint64_t>(shifted) - std::bit_cast<std::uint64_t>(shift);
-    row = table + columns * std::min<std::uint64_t>(place, size / columns - 1);
-    rest = x - (shifted - shift);
-  }
-};
-
 /// atan t for 0 <= t <= 1, within the lesser of 2^-61 and 2^-51 t^2 + 2^-100 of itself and what the error of t makes of it; its
 /// low part may be 2^-10 of it. Outside it means nothing.
 [[gnu::always_inline]] inline Tabled<double> arctangent(Tabled<double> of) {
@@ -104,7 +82,7 @@ struct Node {
   const Pair<double> t = of.pair;
   const double z = t.high * t.high;
   const double z_low = product_error(t.high, t.high, z);
-  const Node<8, std::size(root_arctangent_table)> node(root_arctangent_table, z);
+  const TableNode node = table_node<8>(root_arctangent_table, z);
   const double d = node.rest;
   const double* row = node.row;
   const double square = d * d;
@@ -122,7 +100,7 @@ struct Node {
   // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
   // sin x = s + (c d + (c of_sine + s of_cosine)) with c d and the sum with s exact, and cos x likewise.
   const Pair<double> x = normalised(unordered.pair);
-  const Node<4, std::size(sine_cosine_table)> node(sine_cosine_table, x.high);
+  const TableNode node = table_node<4>(sine_cosine_table, x.high);
   const double d = node.rest;
   const double* row = node.row;
   const Pair<double> s(row[0], row[1]), c(row[2], row[3]);

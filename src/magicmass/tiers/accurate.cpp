@@ -96,9 +96,9 @@ std::optional<Terminal> terminal(double alpha) {
 
 double angle(double alpha) {
   double psi;
-  if (tiers::first_stages(alpha, psi)) [[likely]]
-    return psi;
-  return certified_angle(alpha);
+  if (!tiers::first_stages(alpha, psi)) [[unlikely]]
+    psi = certified_angle(alpha);
+  return psi;
 }
 
 generated::Ratios<double> ratios(std::int64_t k) {

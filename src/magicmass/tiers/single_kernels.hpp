@@ -25,6 +25,7 @@ struct SingleKernels {
   generated::Velocities<double> (*fast_velocities)(double alpha, double n, double n_low);
   /// A distance that is not positive: there is no such collision, or it is not known.
   generated::Encounters<double> (*fast_encounters)(double alpha, double j);
+  double (*fast_angle)(double alpha);
   /// k as high + low, too.
   generated::Ratios<double> (*fast_ratios)(double k, double k_low);
   /// With the counts, for 2^-900 <= alpha <= 2^960; false where these would take more digits or do not fit.

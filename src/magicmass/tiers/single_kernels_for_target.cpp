@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set.
+#include "magicmass/angle_product.hpp"
 #include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/rooted.hpp"
 #include "magicmass/arithmetic/tabled.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
 #include "magicmass/kernels/angle.hpp"
@@ -196,7 +198,18 @@ bool velocities(double alpha, double n, Velocities<double>& result) {
 bool encounters(double alpha, double j, Encounters<double>& result) {
   return in_two_stages<EncountersKernel>(result, alpha, j);
 }
-bool angle(double alpha, double& result) { return in_two_stages<AngleKernel>(result, alpha); }
+/// The form without a product that might overflow.
+double fast_angle(double alpha) {
+  return generated::angle_product(arithmetic::Rooted(alpha)).value;
+}
+bool angle(double alpha, double& result) {
+  const auto first = AngleKernel<Tabled<double>>::evaluate(alpha);
+  result = nearest(first);
+  // the arctangent's bound, and what the root and the product before it leave out
+  if (certainly_rounded(first, 0x1p-60)) [[likely]]
+    return true;
+  return in_two_stages<AngleKernel>(result, alpha);
+}
 bool ratios(double k, Ratios<double>& result) {
   const auto first = ratios_of_parts(k, 0.0);
   result = nearest(first);
@@ -216,6 +229,7 @@ bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
 const SingleKernels tables::MAGICMASS_TARGET = {
     .fast_velocities = fast_velocities,
     .fast_encounters = fast_encounters,
+    .fast_angle = fast_angle,
     .fast_ratios = fast_ratios,
     .fast_terminal = fast_terminal,
     .fast_terminal_at = fast_terminal_at,
