@@ -53,9 +53,12 @@ template <class T>
 [[gnu::always_inline]] inline T rounded(Product<Tabled<T>> p) {
   return rounded(Product<Pair<T>>{p.x.pair, p.y.pair, p.scale});
 }
+/// 1/y within 2^-100 for |y.low| <= 2^-50 |y.high|, low at most 2^-49 of high.
 template <class T>
 [[gnu::always_inline]] inline Tabled<T> reciprocal(Tabled<T> y) {
-  return Tabled<T>(reciprocal(y.pair));
+  const T inverse = T(1.0) / y.pair.high;
+  const T rest = one_minus_product(inverse, y.pair.high) - inverse * y.pair.low;
+  return Tabled<T>(Pair<T>(inverse, inverse * rest));
 }
 /// 1/sqrt(w) within 2^-98, its low part at most 2^-51 of it: for w from 2^-900 to 2^900, and by the pair's own beyond.
 template <class T>
@@ -93,12 +96,14 @@ template <class T>
   return Tabled<double>(Pair<double>(product.high, (product.low + of_low) + t.high * rest));
 }
 
-/// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-75, and what the error of x makes of them.
+/// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-60, and what the error of x makes of them; the sine
+/// within 2^-60 of itself up to 3.
 /// Outside they mean nothing.
 [[gnu::always_inline]] inline SineCosine<Tabled<double>> sine_cosine(Tabled<double> unordered) {
   // x = c + d + low, c = j/256, |d| <= 2^-9: sin(d + low) = d + of_sine, |of_sine| <= 2^-29.5 + 2^-52, less than 2^-66 of it left
   // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
-  // sin x = s + (c d + (c of_sine + s of_cosine)) with c d and the sum with s exact, and cos x likewise.
+  // sin x = s + (c d + (c of_sine + s of_cosine)) with c d exact, and so is its sum with s unless |s| < |c d|, next to pi, where
+  // it is within 2^-53 of 2^-9; and cos x likewise, next to pi/2.
   const Pair<double> x = normalised(unordered.pair);
   const TableNode node = table_node<4>(sine_cosine_table, x.high);
   const double d = node.rest;
@@ -108,9 +113,9 @@ template <class T>
   const double of_sine = x.low - (d * z) * (0x1.5555555555555p-3 - z * 0x1.1111111111111p-7);
   const double of_cosine = z * (0x1.5555555555555p-5 * z - 0.5) - x.low * d;
   const Sum<double> c_d = two_product(c.high, d);
-  const Sum<double> s_head = two_sum(s.high, c_d.high);
+  const Sum<double> s_head = ordered_sum(s.high, c_d.high);
   const Sum<double> s_d = two_product(s.high, d);
-  const Sum<double> c_head = two_difference(c.high, s_d.high);
+  const Sum<double> c_head = ordered_difference(c.high, s_d.high);
   const double s_low = ((s_head.low + c_d.low) + (s.low + c.low * d)) +
                        (c.high * of_sine + s.high * of_cosine);
   const double c_low = ((c_head.low - s_d.low) + (c.low - s.low * d)) +

@@ -21,20 +21,13 @@ namespace {
 [[noreturn, gnu::noinline, gnu::cold]] void refuse(const char* what, std::int64_t index) {
   throw InvalidInput(std::string(what) + ", got " + std::to_string(index));
 }
-[[noreturn, gnu::noinline, gnu::cold]] void refuse(double alpha) {
-  refuse_as_not_positive_finite("alpha", alpha);
-}
-void require_positive_finite(double alpha) {
-  if (!(alpha > 0.0 && alpha <= std::numeric_limits<double>::max())) [[unlikely]]
-    refuse(alpha);
-}
 
 /// Up to here alpha can be split for its products, and 1/(1 + alpha) has all its digits.
 constexpr double largest_alpha = 0x1p960;
 /// Below this N_A + N_B is beyond 2^63.
 constexpr double least_alpha = 0x1p-124;
 
-std::optional<Terminal> terminal_from_exact_counts(double alpha) {
+[[gnu::noinline, gnu::cold]] std::optional<Terminal> terminal_from_exact_counts(double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   if (!counts) return std::nullopt;
   if (alpha > largest_alpha) return accurate::terminal(alpha);
@@ -47,33 +40,31 @@ std::optional<Terminal> terminal_from_exact_counts(double alpha) {
 }  // namespace
 
 generated::Velocities<double> velocities(double alpha, std::int64_t n) {
-  require_positive_finite(alpha);
-  if (n < 0) [[unlikely]]
-    refuse("n must be 0 or more", n);
+  // what is asked for nearly always, with one look at each argument
+  if (alpha > 0.0 && alpha <= largest_alpha && n > 0 && (alpha < 1.0 || n == 1)) [[likely]]
+    return tiers::single_kernels().fast_velocities(alpha, static_cast<double>(n),
+                                                   tiers::low_part(n));
+  require_positive_finite("alpha", alpha);
+  if (n < 0) refuse("n must be 0 or more", n);
   if (n == 0) return {1.0, 0.0, 0.0, 0.0};
-  if (alpha >= 1.0 && n > 1) [[unlikely]]
-    refuse("n must be 0 or 1 from alpha = 1 on, where there are two collisions", n);
-  if (alpha > largest_alpha) [[unlikely]]
-    return certified_velocities(alpha, n);
-  return tiers::single_kernels().fast_velocities(alpha, static_cast<double>(n), tiers::low_part(n));
+  if (n > 1) refuse("n must be 0 or 1 from alpha = 1 on, where there are two collisions", n);
+  return certified_velocities(alpha, n);
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
-  require_positive_finite(alpha);
-  if (j < 0) [[unlikely]]
-    refuse("j must be 0 or more", j);
-  if (j == 0) return {0.0, 1.0};
-  if (j == 1) return tiers::first_encounter(alpha);
-  if (alpha < 1.0 && j < std::int64_t{1} << 51U) [[likely]] {
+  if (alpha > 0.0 && alpha < 1.0 && j > 1 && j < std::int64_t{1} << 51U) [[likely]] {
     const auto result = tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
     if (result.s > 0.0) [[likely]]
       return result;
   }
+  require_positive_finite("alpha", alpha);
+  if (j < 0) refuse("j must be 0 or more", j);
+  if (j == 0) return {0.0, 1.0};
+  if (j == 1) return tiers::first_encounter(alpha);
   return certified_encounters(alpha, j);
 }
 
 std::optional<Terminal> terminal(double alpha) {
-  require_positive_finite(alpha);
   std::optional<Terminal> found(std::in_place);
   if (!(alpha >= least_alpha && alpha <= largest_alpha &&
         tiers::single_kernels().fast_terminal(alpha, *found))) [[unlikely]]
@@ -83,7 +74,8 @@ std::optional<Terminal> terminal(double alpha) {
 
 // Two roundings before the root, which halves them, and two after: within 1.51 ulp.
 double angle(double alpha) {
-  require_positive_finite(alpha);
+  if (!(alpha > 0.0 && alpha <= std::numeric_limits<double>::max())) [[unlikely]]
+    require_positive_finite("alpha", alpha);
   return tiers::single_kernels().fast_angle(alpha);
 }
 
