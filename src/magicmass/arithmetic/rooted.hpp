@@ -29,6 +29,9 @@ struct RootOf {
   // there costs 2^-62.
   const double z = root.square;
   const double s = square_root(z);
+  // F(z) is 1 within 2^-61, and the powers below would leave the normal doubles
+  if (z < 0x1p-60) [[unlikely]]
+    return Rooted(s);
   const TableNode node = table_node_inside<8>(root_arctangent_table, z);
   const double d = node.rest;
   const double* row = node.row;

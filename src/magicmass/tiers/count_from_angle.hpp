@@ -23,7 +23,7 @@ inline namespace MAGICMASS_TARGET {
     if (past > unsure && past < 1.0 - unsure) [[likely]]
       return below;
   }
-  // A pair's quotient and half a turn are good to 2^-100; what follows is exact but for one rounding below 2^-50.
+  // A pair's quotient and half a turn are good to 2^-100; what follows is exact but for one rounding, 2^-54.
   const auto q = arithmetic::Pair<double>(half_pi[0], half_pi[1]) / normalised(half_h);
   if (!(q.high < 0x1p63)) return 0;
   const auto leading = static_cast<std::int64_t>(q.high);
@@ -34,7 +34,7 @@ inline namespace MAGICMASS_TARGET {
     past += 1.0;
     --further;
   }
-  const double unsure = 0x1p-49 + q.high * (0x1p-98 + relative_error);
+  const double unsure = 0x1p-52 + q.high * (0x1p-98 + relative_error);
   return past > unsure && past < 1.0 - unsure ? leading + further : 0;
 }
 

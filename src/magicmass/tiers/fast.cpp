@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "magicmass/accurate.hpp"
+#include "magicmass/angle_closed.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
@@ -52,8 +53,9 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
-  if (alpha > 0.0 && alpha < 1.0 && j > 1 && j < std::int64_t{1} << 51U) [[likely]] {
-    const auto result = tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j));
+  if (alpha > 0.0 && alpha < 1.0 && j > 1) [[likely]] {
+    const auto result = tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j),
+                                                                tiers::low_part(j));
     if (result.s > 0.0) [[likely]]
       return result;
   }
@@ -74,9 +76,11 @@ std::optional<Terminal> terminal(double alpha) {
 
 // Two roundings before the root, which halves them, and two after: within 1.51 ulp.
 double angle(double alpha) {
-  if (!(alpha > 0.0 && alpha <= std::numeric_limits<double>::max())) [[unlikely]]
-    require_positive_finite("alpha", alpha);
-  return tiers::single_kernels().fast_angle(alpha);
+  if (alpha >= std::numeric_limits<double>::min() * 4 &&
+      alpha <= std::numeric_limits<double>::max()) [[likely]]
+    return tiers::single_kernels().fast_angle(alpha);
+  require_positive_finite("alpha", alpha);
+  return generated::angle_closed(alpha);  // alpha/(2 + alpha) would be no normal double
 }
 
 generated::Ratios<double> ratios(std::int64_t k) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set.
+#include <algorithm>
+
 #include "magicmass/angle_product.hpp"
 #include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/pair.hpp"
@@ -102,29 +104,37 @@ Velocities<double> fast_velocities(double alpha, double n, double n_low) {
   return nearest(kernel.result());
 }
 
-/// Below this the square of a tracked root, 1/alpha, is too large; a pair's root is scaled.
-constexpr double least_tracked = 0x1p-900;
-/// A pair's sine and cosine go as far as this.
+/// The tables' sine and cosine go as far as this.
 constexpr double largest_turn = 3.14;
 
-Encounters<double> fast_encounters(double alpha, double j) {
+/// Of the last collisions of many: sin x and cos x from pi - x, which is as good as x.
+EncountersKernel<Tabled<double>> turned_back(EncountersKernel<Tabled<double>> kernel) {
+  const auto turned = sine_cosine(Tabled<double>::pi() - kernel.angle * (2.0 * kernel.j));
+  kernel.sine = turned.sine;
+  kernel.cosine = -turned.cosine;
+  return kernel;
+}
+
+Encounters<double> fast_encounters(double alpha, double j, double j_low) {
   EncountersKernel<Tabled<double>> kernel;
   kernel.alpha = alpha;
   kernel.j = j;
   kernel.stage_1();
   kernel.stage_2();
-  if (kernel.angle.pair.high * (2.0 * j) < largest_turn || alpha < least_tracked) [[likely]] {
+  if (j_low != 0.0) [[unlikely]]
+    kernel.angle = with_low_part(kernel.angle, j_low / j);
+  const double turn = kernel.angle.pair.high * (2.0 * j);
+  if (turn < largest_turn) [[likely]] {
     kernel.stage_3();
     return nearest(kernel.result());
   }
-  const auto first = EncountersKernel<Tracked<double>>::evaluate(alpha, j);
-  if (first.s.size < HUGE_VAL) [[likely]]
-    return nearest(first);
-  // the last collisions of many, at angles too near to half a turn
-  const auto second = EncountersKernel<Bounded<double>>::evaluate(alpha, j);
-  if (second.s.error < HUGE_VAL) return nearest(second);
-  return {-HUGE_VAL, -HUGE_VAL};
+  // Of a turn past pi, as of one that the error of the angle, 2^-61 of it, may have brought there, nothing is known:
+  // 1/s = sin((j+1)h)/sin h is in error by less than j 2^-58.
+  if (turn > 3.15) return {-HUGE_VAL, -HUGE_VAL};
+  const auto last = nearest(turned_back(kernel).result());
+  return last.s * j < 0x1p50 ? last : Encounters<double>{-HUGE_VAL, -HUGE_VAL};
 }
+
 [[gnu::always_inline]] inline Ratios<Tabled<double>> ratios_of_parts(double k, double k_low) {
   return RatiosOfPartsKernel<Tabled<double>>::evaluate(Tabled<double>(Pair<double>(k, k_low)));
 }
@@ -179,7 +189,7 @@ bool fast_terminal(double alpha, magicmass::Terminal& result) {
   kernel.stage_2();
   if (total == 0) [[unlikely]] {
     // the arctangent's bound with t^2 < alpha/2, and what the root and the product before it leave out
-    total = total_from_angle(kernel.angle.pair, 0x1p-51 * alpha + 0x1p-95);
+    total = total_from_angle(kernel.angle.pair, std::min(0x1p-51 * alpha, 0x1p-60) + 0x1p-95);
     if (total == 0) return false;
   }
   result.counts = {(total + 1) >> 1, total >> 1};
