@@ -104,15 +104,35 @@ Velocities<double> fast_velocities(double alpha, double n, double n_low) {
   return nearest(kernel.result());
 }
 
+/// Below this the square of a tracked root, 1/alpha, is too large.
+constexpr double least_tracked = 0x1p-900;
+
+/// Of h/2 for an alpha below 1: the arctangent's with t^2 < alpha/2, and what the root and the product before it leave out.
+double relative_error_of_angle(double alpha) { return std::min(0x1p-51 * alpha, 0x1p-60) + 0x1p-95; }
+
 /// The tables' sine and cosine go as far as this.
 constexpr double largest_turn = 3.14;
 
-/// Of the last collisions of many: sin x and cos x from pi - x, which is as good as x.
-EncountersKernel<Tabled<double>> turned_back(EncountersKernel<Tabled<double>> kernel) {
-  const auto turned = sine_cosine(Tabled<double>::pi() - kernel.angle * (2.0 * kernel.j));
+/// The last collisions of many, from the angle on.
+[[gnu::noinline, gnu::cold]] Encounters<double> last_encounters(
+    EncountersKernel<Tabled<double>> kernel) {
+  const double alpha = kernel.alpha, j = kernel.j;
+  constexpr Encounters<double> unknown{-HUGE_VAL, -HUGE_VAL};
+  if (kernel.angle.pair.high * (2.0 * j) > 3.15) return unknown;
+  // sin x and cos x from pi - x, which is as good as x
+  const auto turned = sine_cosine(Tabled<double>::pi() - kernel.angle * (2.0 * j));
   kernel.sine = turned.sine;
   kernel.cosine = -turned.cosine;
-  return kernel;
+  // The angle's relative error, and twice that of the rest, times j is the error of 1/s = sin((j+1)h)/sin h, but for a
+  // factor of 2: rounding alpha alone would cost 2^5 times as much. Its sign is what has to be certain.
+  const auto last = nearest(kernel.result());
+  if (last.s > 0.0 && (last.s * j) * relative_error_of_angle(alpha) < 0.125) return last;
+  if (!(alpha >= least_tracked && j < 0x1p51)) return unknown;
+  // next to a threshold
+  const auto first = EncountersKernel<Tracked<double>>::evaluate(alpha, j);
+  if (first.s.size < HUGE_VAL) return nearest(first);
+  const auto second = EncountersKernel<Bounded<double>>::evaluate(alpha, j);
+  return second.s.error < HUGE_VAL ? nearest(second) : unknown;
 }
 
 Encounters<double> fast_encounters(double alpha, double j, double j_low) {
@@ -123,16 +143,10 @@ Encounters<double> fast_encounters(double alpha, double j, double j_low) {
   kernel.stage_2();
   if (j_low != 0.0) [[unlikely]]
     kernel.angle = with_low_part(kernel.angle, j_low / j);
-  const double turn = kernel.angle.pair.high * (2.0 * j);
-  if (turn < largest_turn) [[likely]] {
-    kernel.stage_3();
-    return nearest(kernel.result());
-  }
-  // Of a turn past pi, as of one that the error of the angle, 2^-61 of it, may have brought there, nothing is known:
-  // 1/s = sin((j+1)h)/sin h is in error by less than j 2^-58.
-  if (turn > 3.15) return {-HUGE_VAL, -HUGE_VAL};
-  const auto last = nearest(turned_back(kernel).result());
-  return last.s * j < 0x1p50 ? last : Encounters<double>{-HUGE_VAL, -HUGE_VAL};
+  if (!(kernel.angle.pair.high * (2.0 * j) < largest_turn)) [[unlikely]]
+    return last_encounters(kernel);
+  kernel.stage_3();
+  return nearest(kernel.result());
 }
 
 [[gnu::always_inline]] inline Ratios<Tabled<double>> ratios_of_parts(double k, double k_low) {
@@ -188,8 +202,7 @@ bool fast_terminal(double alpha, magicmass::Terminal& result) {
   kernel.stage_1();
   kernel.stage_2();
   if (total == 0) [[unlikely]] {
-    // the arctangent's bound with t^2 < alpha/2, and what the root and the product before it leave out
-    total = total_from_angle(kernel.angle.pair, std::min(0x1p-51 * alpha, 0x1p-60) + 0x1p-95);
+    total = total_from_angle(kernel.angle.pair, relative_error_of_angle(alpha));
     if (total == 0) return false;
   }
   result.counts = {(total + 1) >> 1, total >> 1};
