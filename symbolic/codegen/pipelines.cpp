@@ -27,8 +27,9 @@ Program in_plain_numbers(const Program& lowered) {
 }
 
 Program for_kernel(const Program& lowered) {
-  return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
-      flat_products(flat_products(reciprocal_square_roots(secants_of_parts(prepared(lowered)))))))));
+  return paired_sine_cosine(
+      common_subexpressions(shared_products(common_subexpressions(flat_products(
+          flat_products(reciprocal_square_roots(secants_of_parts(prepared(lowered)))))))));
 }
 
 }  // namespace magicmass::codegen

@@ -23,7 +23,7 @@ struct RootOf {
 };
 [[gnu::always_inline]] inline RootOf sqrt(Rooted z) { return {z.value}; }
 
-/// atan(sqrt z) of a double z, 0 <= z <= 1, within 1.01 2^-53 of itself: the root's rounding and the last one.
+/// atan(sqrt z) of a double z, 0 <= z <= 1, within 2.01 2^-53 of itself: the root's rounding and the last one.
 [[gnu::always_inline]] inline Rooted atan(RootOf root) {
   // sqrt(z) F(z), as for a pair, but for the last coefficient, 2^-57. F(z) - F(c) is below 2^-9/3, and what is rounded
   // there costs 2^-62.

@@ -70,8 +70,7 @@ template <class T>
   // with e = 1 - w y^2, is below 2^-104.
   const T y = square_root(w.high) * (T(1.0) / w.high);
   const Sum<T> square = two_product(y, y);
-  const T e =
-      one_minus_product(w.high, square.high) - (w.high * square.low + w.low * square.high);
+  const T e = one_minus_product(w.high, square.high) - (w.high * square.low + w.low * square.high);
   return Tabled<T>(Pair<T>(y, T(0.5) * y * e));
 }
 
@@ -116,10 +115,10 @@ template <class T>
   const Sum<double> s_head = ordered_sum(s.high, c_d.high);
   const Sum<double> s_d = two_product(s.high, d);
   const Sum<double> c_head = ordered_difference(c.high, s_d.high);
-  const double s_low = ((s_head.low + c_d.low) + (s.low + c.low * d)) +
-                       (c.high * of_sine + s.high * of_cosine);
-  const double c_low = ((c_head.low - s_d.low) + (c.low - s.low * d)) +
-                       (c.high * of_cosine - s.high * of_sine);
+  const double s_low =
+      ((s_head.low + c_d.low) + (s.low + c.low * d)) + (c.high * of_sine + s.high * of_cosine);
+  const double c_low =
+      ((c_head.low - s_d.low) + (c.low - s.low * d)) + (c.high * of_cosine - s.high * of_sine);
   return {Tabled<double>(normalised(Pair<double>(s_head.high, s_low))),
           Tabled<double>(normalised(Pair<double>(c_head.high, c_low)))};
 }

@@ -108,7 +108,9 @@ Velocities<double> fast_velocities(double alpha, double n, double n_low) {
 constexpr double least_tracked = 0x1p-900;
 
 /// Of h/2 for an alpha below 1: the arctangent's with t^2 < alpha/2, and what the root and the product before it leave out.
-double relative_error_of_angle(double alpha) { return std::min(0x1p-51 * alpha, 0x1p-60) + 0x1p-95; }
+double relative_error_of_angle(double alpha) {
+  return std::min(0x1p-51 * alpha, 0x1p-60) + 0x1p-95;
+}
 
 /// The tables' sine and cosine go as far as this.
 constexpr double largest_turn = 3.14;
