@@ -41,12 +41,6 @@ struct Tabled {
     return Tabled(select(condition, yes.pair, no.pair));
   }
   friend T rounded(Tabled x) { return rounded(x.pair); }
-  /// Whether the nearest double of a number within relative_error of x is certainly rounded(x).
-  friend bool certainly_rounded(Tabled x, T relative_error) {
-    const Sum<T> y = ordered_sum(x.pair.high, x.pair.low);
-    const T margin = y.high * (relative_error + T(0x1p-105));
-    return (y.high + (y.low + margin)) == (y.high + (y.low - margin));
-  }
 };
 
 template <class T>

@@ -26,6 +26,7 @@ using arithmetic::Bounded;
 using arithmetic::Pair;
 using arithmetic::Tabled;
 using arithmetic::Tracked;
+using arithmetic::Whole;
 using generated::AngleKernel;
 using generated::Encounters;
 using generated::EncountersKernel;
@@ -56,6 +57,13 @@ Terminal<double> nearest(const Terminal<Number>& x) {
 template <class Number>
 double nearest(const Number& x) {
   return rounded(x);
+}
+
+/// Whether the nearest double of a number within relative_error of x is certainly rounded(x).
+[[gnu::always_inline]] inline bool certainly_rounded(Pair<double> x, double relative_error) {
+  const Pair<double> y = normalised(x);
+  const double margin = y.high * (relative_error + 0x1p-105);
+  return (y.high + (y.low + margin)) == (y.high + (y.low - margin));
 }
 
 template <template <class> class Result, class Number>
@@ -151,10 +159,19 @@ Encounters<double> fast_encounters(double alpha, double j, double j_low) {
   return nearest(kernel.result());
 }
 
-[[gnu::always_inline]] inline Ratios<Tabled<double>> ratios_of_parts(double k, double k_low) {
-  return RatiosOfPartsKernel<Tabled<double>>::evaluate(Tabled<double>(Pair<double>(k, k_low)));
+/// Up to here 2 k + 2 is a Whole.
+constexpr double largest_short_k = 0x1p24;
+
+template <class Number>
+[[gnu::always_inline]] inline Ratios<Pair<double>> ratios_of_parts(Number k) {
+  const auto ratios = RatiosOfPartsKernel<Number>::evaluate(k);
+  return {ratios.magic.pair, ratios.deficient.pair};
 }
-Ratios<double> fast_ratios(double k, double k_low) { return nearest(ratios_of_parts(k, k_low)); }
+Ratios<double> fast_ratios(double k, double k_low) {
+  if (k <= largest_short_k) [[likely]]
+    return nearest(ratios_of_parts(Whole(k)));
+  return nearest(ratios_of_parts(Tabled<double>(Pair<double>(k, k_low))));
+}
 
 using FastTerminal = TerminalKernel<Tabled<double>>;
 
@@ -231,17 +248,22 @@ bool angle(double alpha, double& result) {
   const auto first = AngleKernel<Tabled<double>>::evaluate(alpha);
   result = nearest(first);
   // the arctangent's bound, and what the root and the product before it leave out
-  if (certainly_rounded(first, 0x1p-60)) [[likely]]
+  if (certainly_rounded(first.pair, 0x1p-60)) [[likely]]
     return true;
   return in_two_stages<AngleKernel>(result, alpha);
 }
-bool ratios(double k, Ratios<double>& result) {
-  const auto first = ratios_of_parts(k, 0.0);
+template <class Number>
+[[gnu::always_inline]] inline bool nearest_ratios(Number k, Ratios<double>& result) {
+  const auto first = ratios_of_parts(k);
   result = nearest(first);
   // the secants' bound, with 1/m^2 below 1/4 k^-2
-  const double relative_error = 0x1p-55 / (k * k) + 0x1p-98;
-  if (certainly_rounded(first.magic, relative_error) &&
-      certainly_rounded(first.deficient, relative_error)) [[likely]]
+  const double relative_error = 0x1p-54 / (k.pair.high * k.pair.high) + 0x1p-98;
+  return certainly_rounded(first.magic, relative_error) &&
+         certainly_rounded(first.deficient, relative_error);
+}
+bool ratios(double k, Ratios<double>& result) {
+  if (k <= largest_short_k ? nearest_ratios(Whole(k), result)
+                           : nearest_ratios(Tabled<double>(k), result)) [[likely]]
     return true;
   return in_two_stages<RatiosKernel>(result, k);
 }

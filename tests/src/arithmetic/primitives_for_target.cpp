@@ -231,6 +231,12 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                       put(both.first, y);
                       put(both.second, y + 2);
                     }),
+    of_single<2, 4>("whole_secants",
+                    [](const double* x, double* y) {
+                      const auto both = secants_less_one(Whole(x[0]), Whole(x[1]));
+                      put(both.first.pair, y);
+                      put(both.second.pair, y + 2);
+                    }),
 };
 
 }  // namespace magicmass::testing
