@@ -43,9 +43,10 @@ struct Tabled {
   friend T rounded(Tabled x) { return rounded(x.pair); }
 };
 
+/// Scaled first: what is rounded among the subnormals is not doubled any more.
 template <class T>
 [[gnu::always_inline]] inline T rounded(Product<Tabled<T>> p) {
-  return rounded(Product<Pair<T>>{p.x.pair, p.y.pair, p.scale});
+  return rounded(Product<Pair<T>>{scaled(p.x.pair, p.scale), p.y.pair, 1.0});
 }
 /// 1/y within 2^-100 for |y.low| <= 2^-50 |y.high|, low at most 2^-49 of high.
 template <class T>
