@@ -43,9 +43,10 @@ struct Tabled {
   friend T rounded(Tabled x) { return rounded(x.pair); }
 };
 
+/// Scaled first: what is rounded among the subnormals is not doubled any more.
 template <class T>
 [[gnu::always_inline]] inline T rounded(Product<Tabled<T>> p) {
-  return rounded(Product<Pair<T>>{p.x.pair, p.y.pair, p.scale});
+  return rounded(Product<Pair<T>>{scaled(p.x.pair, p.scale), p.y.pair, 1.0});
 }
 /// 1/y within 2^-100 for |y.low| <= 2^-50 |y.high|, low at most 2^-49 of high.
 template <class T>
@@ -96,7 +97,7 @@ template <class T>
   // x = c + d + low, c = j/256, |d| <= 2^-9: sin(d + low) = d + of_sine, |of_sine| <= 2^-29.5 + 2^-52, less than 2^-66 of it left
   // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
   // sin x = s + (c d + (c of_sine + s of_cosine)) with c d exact, and so is its sum with s unless |s| < |c d|, next to pi, where
-  // it is within 2^-53 of 2^-9; and cos x likewise, next to pi/2.
+  // it is within 2^-53 of 2^-9; and cos x likewise, but exact also next to pi/2, where the last velocities vanish.
   const Pair<double> x = normalised(unordered.pair);
   const TableNode node = table_node<4>(sine_cosine_table, x.high);
   const double d = node.rest;
@@ -108,7 +109,7 @@ template <class T>
   const Sum<double> c_d = two_product(c.high, d);
   const Sum<double> s_head = ordered_sum(s.high, c_d.high);
   const Sum<double> s_d = two_product(s.high, d);
-  const Sum<double> c_head = ordered_difference(c.high, s_d.high);
+  const Sum<double> c_head = two_difference(c.high, s_d.high);
   const double s_low =
       ((s_head.low + c_d.low) + (s.low + c.low * d)) + (c.high * of_sine + s.high * of_cosine);
   const double c_low =

@@ -25,6 +25,8 @@ namespace {
 
 /// Up to here alpha can be split for its products, and 1/(1 + alpha) has all its digits.
 constexpr double largest_alpha = 0x1p960;
+/// Below this a pair's product with alpha has no low part, and a few collisions magnify that.
+constexpr double least_in_pairs = 0x1p-1000;
 /// Below this N_A + N_B is beyond 2^63.
 constexpr double least_alpha = 0x1p-124;
 
@@ -42,13 +44,15 @@ constexpr double least_alpha = 0x1p-124;
 
 generated::Velocities<double> velocities(double alpha, std::int64_t n) {
   // what is asked for nearly always, with one look at each argument
-  if (alpha > 0.0 && alpha <= largest_alpha && n > 0 && (alpha < 1.0 || n == 1)) [[likely]]
+  if (alpha >= least_in_pairs && alpha <= largest_alpha && n > 0 && (alpha < 1.0 || n == 1))
+      [[likely]]
     return tiers::single_kernels().fast_velocities(alpha, static_cast<double>(n),
                                                    tiers::low_part(n));
   require_positive_finite("alpha", alpha);
   if (n < 0) refuse("n must be 0 or more", n);
   if (n == 0) return {1.0, 0.0, 0.0, 0.0};
-  if (n > 1) refuse("n must be 0 or 1 from alpha = 1 on, where there are two collisions", n);
+  if (alpha >= 1.0 && n > 1)
+    refuse("n must be 0 or 1 from alpha = 1 on, where there are two collisions", n);
   return certified_velocities(alpha, n);
 }
 
