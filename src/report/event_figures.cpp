@@ -95,7 +95,7 @@ std::vector<EventFigure> event_figures(const Plan& plan) {
   std::vector<double> ns;
   for (const std::vector<double>& rounds : times.front()) {
     if (rounds.empty()) return {};
-    ns.push_back(median(rounds));
+    ns.push_back(*std::min_element(rounds.begin(), rounds.end()));
   }
   std::vector<Point> points, against_bodies;
   for (std::size_t i = 0; i < sizes.size(); ++i) {

@@ -32,7 +32,7 @@ inline const std::string growth = "time an event ~ (log bodies)^p";  ///< p
 /// Blocks and balls of random places and velocities between two walls, which go on for ever: the same in every run.
 Line<double> busy_chain(std::size_t blocks);
 
-/// All of them: works side by side in interleaved rounds of one process, medians over the rounds. A repetition steps
+/// All of them: works side by side in interleaved rounds of one process, of each the fastest round: what else runs only slows it. A repetition steps
 /// three bodies 2^20 times, each chain of 10, 100, ..., 100000 blocks 2^14 times or as often as it
 /// has bodies, on from where it is.
 std::vector<EventFigure> event_figures(const Plan& plan);
