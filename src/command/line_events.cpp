@@ -2,6 +2,7 @@
 #include "command/line_events.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "magicmass/reference/rational.hpp"
@@ -39,7 +40,8 @@ Scalar number(const FieldNumber& x) {
   }
 }
 
-/// What exact numbers cost, by their length: a division takes its square, and in a field of degree d some d^3 of them.
+/// What exact numbers cost, by their length: a division takes its square, and in a field of degree d some d^3 of them with
+/// numbers d times as long.
 /// Some ten seconds are allowed, on any machine after the same event.
 class ExactWork {
 public:
@@ -53,7 +55,7 @@ public:
       for (const FieldNumber& x : numbers) {
         const auto degree = static_cast<double>(x.coefficients().size());
         const auto bits = static_cast<double>(x.bits());
-        work_ += bits * bits * degree * degree * degree;
+        work_ += bits * bits * std::pow(degree, 5);
         if (x.bits() > most_bits) return true;
       }
       return work_ > most_work;
