@@ -45,6 +45,8 @@ Scalar number(const FieldNumber& x) {
 /// Some ten seconds are allowed, on any machine after the same event.
 class ExactWork {
 public:
+  explicit ExactWork(std::size_t degree) : each_(std::pow(static_cast<double>(degree), 5)) {}
+
   /// The clock alone does not tell: it stands still where bodies between walls have no room.
   template <class Scalar>
   bool is_too_much(const LineEvent<Scalar>& event) {
@@ -53,9 +55,8 @@ public:
     } else {
       const FieldNumber numbers[] = {event.time, event.v_left, event.v_right};
       for (const FieldNumber& x : numbers) {
-        const auto degree = static_cast<double>(x.coefficients().size());
         const auto bits = static_cast<double>(x.bits());
-        work_ += bits * bits * std::pow(degree, 5);
+        work_ += bits * bits * each_;
         if (x.bits() > most_bits) return true;
       }
       return work_ > most_work;
@@ -63,6 +64,7 @@ public:
   }
 
 private:
+  double each_;
   double work_ = 0.0;
 };
 
@@ -73,6 +75,7 @@ public:
            std::int64_t limit, const LineListener& listener, LineResult& result)
       : scene_(scene),
         limit_(limit),
+        degree_(line.common.field ? line.common.field->degree() : 1),
         listener_(listener),
         result_(result),
         audit_(start),
@@ -86,7 +89,7 @@ public:
   void run() {
     if (lists_points_) all_at(Scalar(0));
     StalledClock<Scalar> clock;
-    ExactWork work;
+    ExactWork work(degree_);
     const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
       if (until_ && *until_ < *next) {
@@ -117,6 +120,7 @@ public:
 private:
   const Scene& scene_;
   std::int64_t limit_;
+  std::size_t degree_;  // of the field that numbers are in
   const LineListener& listener_;
   LineResult& result_;
   LineAudit<Scalar> audit_;
