@@ -2,9 +2,9 @@
 #include "command/line_events.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "command/exact_work.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/stalled_clock.hpp"
 
@@ -13,9 +13,6 @@ namespace {
 
 using cln::cl_RA;
 using reference::FieldNumber;
-
-constexpr long most_bits = 1L << 17U;
-constexpr double most_work = 1e12;
 
 Cell cell(double value, bool /*fractions*/) { return number_cell(value); }
 Cell cell(long double value, bool /*fractions*/) { return number_cell(value); }
@@ -40,34 +37,6 @@ Scalar number(const FieldNumber& x) {
   }
 }
 
-/// What exact numbers cost, by their length: a division takes its square, and in a field of degree d some d^3 of them with
-/// numbers d times as long.
-/// Some ten seconds are allowed, on any machine after the same event.
-class ExactWork {
-public:
-  explicit ExactWork(std::size_t degree) : each_(std::pow(static_cast<double>(degree), 5)) {}
-
-  /// The clock alone does not tell: it stands still where bodies between walls have no room.
-  template <class Scalar>
-  bool is_too_much(const LineEvent<Scalar>& event) {
-    if constexpr (std::floating_point<Scalar>) {
-      return false;
-    } else {
-      const FieldNumber numbers[] = {event.time, event.v_left, event.v_right};
-      for (const FieldNumber& x : numbers) {
-        const auto bits = static_cast<double>(x.bits());
-        work_ += bits * bits * each_;
-        if (x.bits() > most_bits) return true;
-      }
-      return work_ > most_work;
-    }
-  }
-
-private:
-  double each_;
-  double work_ = 0.0;
-};
-
 template <class Scalar>
 class Stepping {
 public:
@@ -89,7 +58,7 @@ public:
   void run() {
     if (lists_points_) all_at(Scalar(0));
     StalledClock<Scalar> clock;
-    ExactWork work(degree_);
+    ExactWork work(degree_, most_exact_work);
     const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
       if (until_ && *until_ < *next) {
