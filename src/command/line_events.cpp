@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "command/exact_work.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/stalled_clock.hpp"
 
@@ -12,9 +13,6 @@ namespace {
 
 using cln::cl_RA;
 using reference::FieldNumber;
-
-constexpr long most_bits = 1L << 17U;
-constexpr double most_work = 1e12;
 
 Cell cell(double value, bool /*fractions*/) { return number_cell(value); }
 Cell cell(long double value, bool /*fractions*/) { return number_cell(value); }
@@ -39,31 +37,6 @@ Scalar number(const FieldNumber& x) {
   }
 }
 
-/// What exact numbers cost, by their length: a division takes its square, and in a field of degree d some d^3 of them.
-/// Some ten seconds are allowed, on any machine after the same event.
-class ExactWork {
-public:
-  /// The clock alone does not tell: it stands still where bodies between walls have no room.
-  template <class Scalar>
-  bool is_too_much(const LineEvent<Scalar>& event) {
-    if constexpr (std::floating_point<Scalar>) {
-      return false;
-    } else {
-      const FieldNumber numbers[] = {event.time, event.v_left, event.v_right};
-      for (const FieldNumber& x : numbers) {
-        const auto degree = static_cast<double>(x.coefficients().size());
-        const auto bits = static_cast<double>(x.bits());
-        work_ += bits * bits * degree * degree * degree;
-        if (x.bits() > most_bits) return true;
-      }
-      return work_ > most_work;
-    }
-  }
-
-private:
-  double work_ = 0.0;
-};
-
 template <class Scalar>
 class Stepping {
 public:
@@ -71,6 +44,7 @@ public:
            std::int64_t limit, const LineListener& listener, LineResult& result)
       : scene_(scene),
         limit_(limit),
+        degree_(line.common.field ? line.common.field->degree() : 1),
         listener_(listener),
         result_(result),
         audit_(start),
@@ -84,7 +58,7 @@ public:
   void run() {
     if (lists_points_) all_at(Scalar(0));
     StalledClock<Scalar> clock;
-    ExactWork work;
+    ExactWork work(degree_, most_exact_work);
     const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
       if (until_ && *until_ < *next) {
@@ -115,6 +89,7 @@ public:
 private:
   const Scene& scene_;
   std::int64_t limit_;
+  std::size_t degree_;  // of the field that numbers are in
   const LineListener& listener_;
   LineResult& result_;
   LineAudit<Scalar> audit_;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/alpha_value.hpp"
+#include "command/exact_work.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/transfers.hpp"
@@ -57,15 +58,17 @@ Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
 /// More of them are not stepped exactly unless that is asked for: a gigabyte would not do.
 constexpr std::size_t most_exact_bodies = 200'000;
 
-/// Whether exact numbers stay short: below 2^13 bits over the first 2000 events.
+/// Whether exact numbers stay short: below 2^13 bits over the first 2000 events, or as many as may be looked at.
 bool stays_short(const ExactLine& line, std::int64_t limit) {
   LineMotion<reference::FieldNumber> motion(line.together());
+  ExactWork work(line.common.field ? line.common.field->degree() : 1, most_rehearsed_work);
   for (auto next = motion.next(); next && motion.events() < std::min<std::int64_t>(limit, 2000);
        next = motion.next()) {
     if (line.until && *line.until < *next) break;
     const auto event = motion.step();
     if (std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()}) >= 1L << 13U)
       return false;
+    if (work.is_too_much(event)) break;
   }
   return true;
 }
