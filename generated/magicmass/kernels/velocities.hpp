@@ -34,11 +34,14 @@ struct VelocitiesKernel {
   Number sine;  // sin(2*atan(tan_quarter)*n)
 
   [[gnu::always_inline]] void stage_1() {
-    Number square = (Number::sum(Real(2.0), alpha)) * alpha;
-    if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
-      square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2
+    if constexpr (in_lanes) {
+      const auto is_beyond = alpha >= Real(1.0);
+      const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
+                                          select(is_beyond, Real(1.0), alpha));
+      cot_half = reciprocal_square_root(sum * select(is_beyond, sum, Number(alpha)));
+    } else {
+      cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
     }
-    cot_half = reciprocal_square_root(square);
   }
 
   [[gnu::always_inline]] void stage_2() {
@@ -47,7 +50,7 @@ struct VelocitiesKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number product = angle * (Real(2.0) * n);
+    const auto product = angle * (Real(2.0) * n);
     const auto turned = sine_cosine(product);
     cosine = turned.cosine;
     sine = turned.sine;
@@ -59,10 +62,10 @@ struct VelocitiesKernel {
   }
 
   [[gnu::always_inline]] Velocities<arithmetic::Product<Number>> result() const {
-    const Number product_2 = tan_quarter * sine;
-    const Number sum = cosine + product_2;
-    const Number sum_2 = cosine - product_2;
-    const Number product_3 = cot_half * sine;
+    const auto product_2 = tan_quarter * sine;
+    const auto sum = cosine + product_2;
+    const auto sum_2 = cosine - product_2;
+    const auto product_3 = cot_half * sine;
     return {
         .a = {sum, sum_2, 1.0},
         .b = {cosine + product_3, product_2, 2.0},

@@ -10,6 +10,7 @@
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
+#include "magicmass/arithmetic/rough.hpp"
 
 namespace magicmass::arithmetic {
 
@@ -37,6 +38,38 @@ struct Block<Pair<T>> {
 };
 
 template <class T>
+struct Block<Rough<T>> {
+  alignas(64) BlockOfDoubles high;
+  alignas(64) BlockOfDoubles low;
+
+  Rough<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
+  void put(std::size_t i, Rough<T> x) {
+    store(x.high, &high[i]);
+    store(x.low, &low[i]);
+  }
+};
+template <class T>
+struct Block<Leading<T>> {
+  alignas(64) BlockOfDoubles high;
+  alignas(64) BlockOfDoubles low;
+
+  Leading<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
+  void put(std::size_t i, Leading<T> x) {
+    store(x.high, &high[i]);
+    store(x.low, &low[i]);
+  }
+};
+template <class T>
+struct Block<NearOne<T>> {
+  alignas(64) BlockOfDoubles below;
+
+  NearOne<T> get(std::size_t i) const { NearOne<T> x; x.below=load<T>(&below[i]); return x; }
+  void put(std::size_t i, NearOne<T> x) {
+    store(x.below, &below[i]);
+  }
+};
+
+template <class T>
 struct Block<Tracked<T>> {
   Block<Pair<T>> pairs;
   alignas(64) BlockOfDoubles sizes;
@@ -54,6 +87,15 @@ struct Certainty;
 
 template <class T>
 struct Certainty<Pair<T>> {
+  template <class Result>
+  void store(Result x, double* to, std::size_t i) {
+    arithmetic::store(rounded(x), to + i);
+  }
+  bool is_all(std::size_t) const { return true; }
+};
+
+template <class T>
+struct Certainty<Rough<T>> {
   template <class Result>
   void store(Result x, double* to, std::size_t i) {
     arithmetic::store(rounded(x), to + i);

@@ -14,17 +14,18 @@ namespace magicmass::batch {
 namespace {
 using Lanes = arithmetic::Lanes<arithmetic::widest>;
 using Fast = arithmetic::Pair<Lanes>;
+using Quick = arithmetic::Rough<Lanes>;
 using Accurate = arithmetic::Tracked<Lanes>;
 }  // namespace
 
 const Kernels tables::MAGICMASS_TARGET = {
     .counts = count_block_by_block,
     .stream = stream_velocities,
-    .fast_velocities = velocities_block_by_block<Fast>,
+    .fast_velocities = velocities_block_by_block<Quick>,
     .accurate_velocities = velocities_block_by_block<Accurate>,
     .fast_velocities_at_n = velocities_at_n_block_by_block<Fast>,
     .accurate_velocities_at_n = velocities_at_n_block_by_block<Accurate>,
-    .fast_terminal = terminal_block_by_block<Fast>,
+    .fast_terminal = terminal_block_by_block<Quick>,
     .accurate_terminal = terminal_block_by_block<Accurate>,
     .transmission = transmission_block_by_block,
     .fast_ratios = ratios_block_by_block<Fast>,
