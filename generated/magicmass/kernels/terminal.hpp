@@ -39,9 +39,12 @@ struct TerminalKernel {
   [[gnu::always_inline]] void stage_1() {
     if constexpr (in_lanes) {
       const auto is_beyond = alpha >= Real(1.0);
+      if constexpr (requires { typename Number::Pi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
+      else {
       const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
                                           select(is_beyond, Real(1.0), alpha));
       cot_half = reciprocal_square_root(sum * select(is_beyond, sum, Number(alpha)));
+      }
     } else {
       cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
     }
@@ -65,6 +68,14 @@ struct TerminalKernel {
   }
 
   [[gnu::always_inline]] Terminal<typename arithmetic::Small<Number>::Result> result() const {
+    if constexpr (requires { typename Number::Pi; }) {
+      const Number V_CM = cot_half * tan_quarter;
+      const auto p = V_CM * squared(cosine);
+      const auto turned = sine * cosine;
+      const auto a = from_square(sine, p, alpha);
+      const auto c = scaled(p - cot_half * turned, Real(2.0));
+      return {.a_t = a, .b_t = {select(alpha >= Real(1.0), rounded(p)*Real(4.0), Real(1.0) - (a.value + alpha * c.value))}, .c_t = c, .rho={}};
+    } else {
     const auto product = tan_quarter * cosine;
     const auto sum = product - sine;
     const auto product_2 = cot_half * cosine;
@@ -75,6 +86,7 @@ struct TerminalKernel {
         .c_t = scaled(sum * product_2, 2.0),
         .rho = b_N_B * b_N_B,
     };
+    }
   }
 
   // From alpha = 1 on, where there are two collisions.

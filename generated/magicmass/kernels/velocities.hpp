@@ -36,9 +36,12 @@ struct VelocitiesKernel {
   [[gnu::always_inline]] void stage_1() {
     if constexpr (in_lanes) {
       const auto is_beyond = alpha >= Real(1.0);
+      if constexpr (requires { typename Number::Pi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
+      else {
       const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
                                           select(is_beyond, Real(1.0), alpha));
       cot_half = reciprocal_square_root(sum * select(is_beyond, sum, Number(alpha)));
+      }
     } else {
       cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
     }
@@ -61,7 +64,13 @@ struct VelocitiesKernel {
     }
   }
 
-  [[gnu::always_inline]] Velocities<arithmetic::Product<Number>> result() const {
+  [[gnu::always_inline]] Velocities<typename arithmetic::Small<Number>::Output> result() const {
+    if constexpr (requires { typename Number::Pi; }) {
+      const Number m = cot_half * sine;
+      const Number Y = m * cosine;
+      const Number W = squared(m) * alpha;
+      return {.a = squared(cosine) - quickly_times(W, alpha), .b = scaled(quickly_times(Y, alpha) + W, Real(2.0)), .c = scaled(W + Y, Real(2.0)), .c_prime = scaled(W - Y, Real(2.0))};
+    } else {
     const auto product_2 = tan_quarter * sine;
     const auto sum = cosine + product_2;
     const auto sum_2 = cosine - product_2;
@@ -72,6 +81,7 @@ struct VelocitiesKernel {
         .c = {sum, product_3, 2.0},
         .c_prime = {sum_2, product_3, -2.0},
     };
+    }
   }
 
   // From alpha = 1 on, where there are two collisions.
@@ -82,7 +92,7 @@ struct VelocitiesKernel {
     cosine = select(n > Real(0.0), cot_half, Number(Real(1.0)));
   }
 
-  [[gnu::always_inline]] static Velocities<arithmetic::Product<Number>> evaluate(Real alpha,
+  [[gnu::always_inline]] static Velocities<typename arithmetic::Small<Number>::Output> evaluate(Real alpha,
       Real n) {
     VelocitiesKernel kernel;
     kernel.alpha = alpha;

@@ -2,11 +2,21 @@
 #pragma once
 
 #include "magicmass/arithmetic/product.hpp"
+#include "magicmass/arithmetic/arctangent.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
 
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
+
+template <class T, std::size_t size>
+[[gnu::always_inline]] inline T two_chains(const double (&coefficients)[size], T z) {
+  const T square = z * z;
+  T even(coefficients[(size - 1) / 2 * 2]), odd(coefficients[size / 2 * 2 - 1]);
+  for (std::size_t k = (size - 1) / 2 * 2; k >= 2; k -= 2) even = even * square + T(coefficients[k - 2]);
+  for (std::size_t k = size / 2 * 2 - 1; k >= 3; k -= 2) odd = odd * square + T(coefficients[k - 2]);
+  return even + odd * z;
+}
 
 /// A T that is as good as rounded: a result, or a factor of one.
 template <class T>
@@ -14,6 +24,7 @@ struct Rounded {
   T value;
 
   friend Rounded operator-(Rounded x) { return {-x.value}; }
+  friend Rounded operator-(Rounded x, Rounded y) { return {x.value - y.value}; }
   friend Rounded operator*(Rounded x, Rounded y) { return {x.value * y.value}; }
   friend Rounded scaled(Rounded x, T power_of_two) { return {x.value * power_of_two}; }
   friend T rounded(Rounded x) { return x.value; }
@@ -26,6 +37,7 @@ struct NearOne {
 
   NearOne() = default;
   explicit NearOne(T exact) : below(T(1.0) - exact) {}
+  friend NearOne squared(NearOne x) { NearOne y; y.below = x.below * (T(2.0) - x.below); return y; }
   template <class Condition>
   friend NearOne select(Condition condition, NearOne yes, NearOne no) {
     NearOne result;
@@ -40,7 +52,16 @@ struct Leading {
   Leading() = default;
   Leading(T h, T l) : high(h), low(l) {}
   friend T rounded(Leading x) { return x.high + x.low; }
-  friend Rounded<T> operator+(Leading x, Leading y) { return {rounded(x) + rounded(y)}; }
+  friend Rounded<T> operator+(Leading x, Rounded<T> y) { return {x.high + (x.low + y.value)}; }
+  friend Rounded<T> from_square(Leading s, Leading y, T a) {
+    const Sum<T> p = two_product(a, y.high);
+    return {(s.high * s.high - p.high) + (((s.high + rounded(s)) * s.low - a * y.low) - p.low)};
+  }
+  friend Leading operator*(Leading x, NearOne<T> y) { return {x.high, x.low - rounded(x) * y.below}; }
+  friend Leading operator*(Leading x, T y) { return {x.high * y, x.low * y}; }
+  friend Rounded<T> operator*(Leading x, Leading y) { return {rounded(x) * rounded(y)}; }
+  friend Rounded<T> operator-(Rounded<T> x, Leading y) { return {x.value - rounded(y)}; }
+  
   friend Rounded<T> operator-(Leading x, Leading y) {
     return {(x.high - y.high) + (x.low - y.low)};
   }
@@ -74,15 +95,36 @@ struct Rough {
     const Sum<T> s = ordered_sum(x, y);
     return {s.high, s.low};
   }
+  /// (2 + alpha) alpha, or (1 + alpha)^2 from alpha = 1 on.
+  template <class Condition>
+  static Rough root_argument(T alpha, Condition is_beyond) {
+    const Sum<T> s = ordered_sum(select(is_beyond, alpha, T(2.0)), select(is_beyond, T(1.0), alpha));
+    const T factor = select(is_beyond, s.high, alpha);
+    const Sum<T> p = two_product(s.high, factor);
+    return {p.high, p.low + s.low * select(is_beyond, s.high + s.high, alpha)};
+  }
   friend Rough operator-(Pi, Rough x) {
     return {T(0x1.921fb54442d18p+1) - x.high, T(0x1.1a62633145c07p-53) - x.low};
   }
   friend Rounded<T> operator+(Rough x, Rough y) {
-    return {x.high + (y.high + (x.low + y.low))};
+    return {(x.high + y.high) + (x.low + y.low)};
   }
-  friend Rough operator-(Rough x, Rough y) {
-    const Sum<T> s = two_difference(x.high, y.high);
-    return {s.high, s.low + (x.low - y.low)};
+  friend Rounded<T> operator-(Rough x, Rough y) {
+    return {(x.high - y.high) + (x.low - y.low)};
+  }
+  friend Rough squared(Rough x) {
+    const Sum<T> p = two_product(x.high, x.high);
+    return {p.high, p.low + (x.high + x.high) * x.low};
+  }
+  friend Rough quickly_squared(Rough x) {
+    return {x.high * x.high, (x.high + x.high) * x.low};
+  }
+  friend Rough quickly_times(Rough x, T y) {
+    return {x.high * y, x.low * y};
+  }
+  friend Leading<T> operator*(Rough x, Leading<T> y) {
+    const Sum<T> p = two_product(x.high, y.high);
+    return {p.high, p.low + (x.high * y.low + x.low * rounded(y))};
   }
   friend Rough operator*(Rough x, Rough y) {
     const Sum<T> p = two_product(x.high, y.high);
@@ -105,21 +147,6 @@ struct Rough {
 };
 
 template <class T>
-struct Product<Rough<T>> {
-  struct Factor {
-    T value;
-    Factor(Rounded<T> x) : value(x.value) {}
-    Factor(Rough<T> x) : value(rounded(x)) {}
-  };
-  Factor x;
-  Rough<T> y;
-  double scale;
-  friend T rounded(Product p) {
-    return T(p.scale) * (p.x.value * p.y.high + p.x.value * p.y.low);
-  }
-};
-
-template <class T>
 [[gnu::always_inline]] inline Rough<T> reciprocal_square_root(Rough<T> w) {
   const T y = reciprocal_square_root_estimate(w.high);
   const T square = y * y;
@@ -129,20 +156,20 @@ template <class T>
 }
 
 inline constexpr double rough_arctangent_coefficients[] = {
-    -0x1.5555555555555p-2,
-    0x1.99999999997ecp-3,
-    -0x1.2492492481003p-3,
-    0x1.c71c71bd73a8p-4,
-    -0x1.745d15cebd683p-4,
-    0x1.3b138e67fbe86p-4,
-    -0x1.110ef0b75adafp-4,
-    0x1.e1b42a4068727p-5,
-    -0x1.adcd02f2e84cap-5,
-    0x1.7eb1d8971bf5dp-5,
-    -0x1.470e83bc25123p-5,
-    0x1.ea7017f5e1c8ap-6,
-    -0x1.10b3423904662p-6,
-    0x1.3f1d9a64f7cbp-8,
+    -0x1.5555555555555p-4,
+    0x1.99999999998a3p-3,
+    -0x1.2492492485d7p-3,
+    0x1.c71c71bf5b467p-4,
+    -0x1.745d1604c964ap-4,
+    0x1.3b139224403b2p-4,
+    -0x1.110f1c6f22223p-4,
+    0x1.e1b6e650573e1p-5,
+    -0x1.addc39402eebbp-5,
+    0x1.7eec98aa8004ep-5,
+    -0x1.47a907b386feep-5,
+    0x1.ec8007e521394p-6,
+    -0x1.12c36f23202ddp-6,
+    0x1.42c8f765a8251p-8,
 };
 inline constexpr double rough_sine_coefficients[] = {
     -0x1.5555555555554p-3,
@@ -161,20 +188,20 @@ inline constexpr double small_sine_coefficients[] = {
     0x1.5e8fb94e3335ep-33,
 };
 inline constexpr double small_cosine_coefficients[] = {
-    0x1p-1,
-    -0x1.5555555555515p-5,
-    0x1.6c16c16bfd02cp-10,
-    -0x1.a01a0134951b4p-16,
-    0x1.27e43719eaf9fp-22,
-    -0x1.1da7850842dddp-29,
+    0x1.5555555555515p-5,
+    -0x1.6c16c16bfd02cp-10,
+    0x1.a01a0134951b4p-16,
+    -0x1.27e43719eaf9fp-22,
+    0x1.1da7850842dddp-29,
 };
 
 template <class T>
 [[gnu::always_inline]] inline Rough<T> arctangent(Rough<T> t) {
   const T z = t.high * t.high;
-  const T rest = (t.high * z) * polynomial(rough_arctangent_coefficients, z);
-  const Sum<T> all = ordered_sum(t.high, rest + t.low * (T(1.0) - T(0.75) * z));
-  return {all.high, all.low};
+  const T cube = t.high * z;
+  const Sum<T> head = ordered_sum(t.high, T(-0.25) * cube);
+  const T rest = cube * two_chains(rough_arctangent_coefficients, z) + t.low * (T(1.0) - T(0.75) * z);
+  return Rough<T>::in_order(head.high, head.low + rest);
 }
 
 template <class T>
@@ -186,10 +213,10 @@ template <class T>
   const T half = T(0.5) * z;
   const Sum<T> top = ordered_difference(T(1.0), half);
   const T fourth = z * z;
-  const Rough<T> s{r.high,
-                   r.low * top.high + (r.high * z) * polynomial(rough_sine_coefficients, z)};
-  const Rough<T> c{top.high,
-                   top.low + (fourth * polynomial(cosine_coefficients, z) - r.high * r.low)};
+  const Rough<T> s = Rough<T>::in_order(r.high,
+                   r.low * top.high + (r.high * z) * two_chains(rough_sine_coefficients, z));
+  const Rough<T> c = Rough<T>::in_order(top.high,
+                   top.low + (fourth * two_chains(cosine_coefficients, z) - r.high * r.low));
   return {select(is_turned, c, s), select(is_turned, s, c)};
 }
 
@@ -204,19 +231,19 @@ template <class T>
   const Sum<T> r = ordered_sum(x.high, x.low);
   const T z = r.high * r.high;
   SmallTurn<T> turn;
-  turn.sine = {r.high, r.low + (r.high * z) * polynomial(small_sine_coefficients, z)};
-  turn.cosine.below = z * polynomial(small_cosine_coefficients, z);
+  turn.sine = {r.high, r.low + (r.high * z) * two_chains(small_sine_coefficients, z)};
+  turn.cosine.below = T(0.5) * z + (r.high * r.low - (z * z) * two_chains(small_cosine_coefficients, z));
   return turn;
 }
 template <class T>
-auto sine_cosine_of_small(Tracked<T> x) { return sine_cosine(x); }
+[[gnu::always_inline]] inline auto sine_cosine_of_small(Tracked<T> x) { return sine_cosine(x); }
 template <class T>
-auto sine_cosine_of_small(Bounded<T> x) { return sine_cosine(x); }
+[[gnu::always_inline]] inline auto sine_cosine_of_small(Bounded<T> x) { return sine_cosine(x); }
 template <class T>
-auto sine_cosine_of_small(Pair<T> x) { return sine_cosine(x); }
+[[gnu::always_inline]] inline auto sine_cosine_of_small(Pair<T> x) { return sine_cosine(x); }
 
-template <class Number> struct Small { using Sine = Number; using Cosine=Number; using Result=Number; };
-template <class T> struct Small<Rough<T>> { using Sine = Leading<T>; using Cosine=NearOne<T>; using Result=Rounded<T>; };
+template <class Number> struct Small { using Sine = Number; using Cosine=Number; using Result=Number; using Output=Product<Number>; };
+template <class T> struct Small<Rough<T>> { using Sine = Leading<T>; using Cosine=NearOne<T>; using Result=Rounded<T>; using Output=Rounded<T>; };
 
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::arithmetic

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "magicmass/arithmetic/block.hpp"
 
@@ -40,6 +41,16 @@ using RowBits = Row::Mask;  ///< as many 64-bit integers
   return std::bit_cast<RowBits>((a - bits(0x1p-120)) | (bits(0x1p60) - a) | index |
                                 ((std::uint64_t{1} << 51U) - index) |
                                 ((bits(1.0) - 1 - a) & (1 - index)));
+}
+/// Where 2^-100 <= alpha <= 2^60 there are at most 2^51 cycles.
+[[gnu::always_inline]] inline bool is_in_domain(double alpha) {
+  return alpha >= 0x1p-100 && alpha <= 0x1p60;
+}
+[[gnu::always_inline]] inline RowBits out_of_domain(RowBits alpha) {
+  using Unsigned [[gnu::vector_size(sizeof(RowBits))]] = std::uint64_t;
+  const auto bits = [](double x) { return Unsigned{} + std::bit_cast<std::uint64_t>(x); };
+  const auto a = std::bit_cast<Unsigned>(alpha);
+  return std::bit_cast<RowBits>((a - bits(0x1p-100)) | (bits(0x1p60) - a));
 }
 [[gnu::always_inline]] inline bool has_negative(RowBits words) {
   std::int64_t all = 0;
