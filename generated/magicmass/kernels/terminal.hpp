@@ -30,7 +30,7 @@ struct TerminalKernel {
   Real alpha;
   Real N_A;
   Real turn;
-  Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
+  typename arithmetic::Small<Number>::Root cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   Number angle;  // atan(tan_quarter)
   typename arithmetic::Small<Number>::Sine sine;  // sin(r_t)
@@ -39,7 +39,7 @@ struct TerminalKernel {
   [[gnu::always_inline]] void stage_1() {
     if constexpr (in_lanes) {
       const auto is_beyond = alpha >= Real(1.0);
-      if constexpr (requires { typename Number::Pi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
+      if constexpr (requires { typename Number::HalfPi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
       else {
       const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
                                           select(is_beyond, Real(1.0), alpha));
@@ -56,7 +56,9 @@ struct TerminalKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number r_t = scaled(Number::pi() - angle * (Real(4.0) * N_A), Real(0.5) * turn);
+    Number r_t;
+    if constexpr (requires { typename Number::HalfPi; }) r_t = scaled(Number::half_pi_() - angle * (Real(2.0) * N_A), turn);
+    else r_t = scaled(Number::pi() - angle * (Real(4.0) * N_A), Real(0.5) * turn);
     const auto turned = sine_cosine_of_small(r_t);
     sine = turned.sine;
     cosine = turned.cosine;
@@ -68,13 +70,13 @@ struct TerminalKernel {
   }
 
   [[gnu::always_inline]] Terminal<typename arithmetic::Small<Number>::Result> result() const {
-    if constexpr (requires { typename Number::Pi; }) {
-      const Number V_CM = cot_half * tan_quarter;
-      const auto p = V_CM * squared(cosine);
-      const auto turned = sine * cosine;
-      const auto a = from_square(sine, p, alpha);
-      const auto c = scaled(p - cot_half * turned, Real(2.0));
-      return {.a_t = a, .b_t = {select(alpha >= Real(1.0), rounded(p)*Real(4.0), Real(1.0) - (a.value + alpha * c.value))}, .c_t = c, .rho={}};
+    if constexpr (requires { typename Number::HalfPi; }) {
+      const auto t = cut(tan_quarter);
+      const auto V_CM = cot_half * t;
+      const auto square = cosine * cosine;
+      const auto a = sine * sine - t * t * square;
+      const auto c = scaled(V_CM * square - cot_half * (sine * cosine), Real(2.0));
+      return {.a_t = a, .b_t = {select(alpha >= Real(1.0), rounded(V_CM)*Real(4.0), Real(1.0) - (a.value + alpha * c.value))}, .c_t = c, .rho={}};
     } else {
     const auto product = tan_quarter * cosine;
     const auto sum = product - sine;
@@ -122,7 +124,7 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
   using Kernel = TerminalKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
-  arithmetic::Block<Number> cot_halfs;
+  arithmetic::Block<typename arithmetic::Small<Number>::Root> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
   arithmetic::Block<Number> angles;
   arithmetic::Block<typename arithmetic::Small<Number>::Sine> sines;

@@ -27,7 +27,7 @@ struct VelocitiesKernel {
 
   Real alpha;
   Real n;
-  Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
+  typename arithmetic::Small<Number>::Root cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   Number angle;  // atan(tan_quarter)
   Number cosine;  // cos(2*atan(tan_quarter)*n)
@@ -36,7 +36,7 @@ struct VelocitiesKernel {
   [[gnu::always_inline]] void stage_1() {
     if constexpr (in_lanes) {
       const auto is_beyond = alpha >= Real(1.0);
-      if constexpr (requires { typename Number::Pi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
+      if constexpr (requires { typename Number::HalfPi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
       else {
       const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
                                           select(is_beyond, Real(1.0), alpha));
@@ -60,16 +60,18 @@ struct VelocitiesKernel {
     if constexpr (in_lanes) {  // two collisions
       const auto is_beyond = alpha >= Real(1.0);
       sine = select(is_beyond, Number(n), sine);
-      cosine = select(is_beyond, select(n > Real(0.0), cot_half, Number(Real(1.0))), cosine);
+      cosine = select(is_beyond, select(n > Real(0.0), Number(cot_half), Number(Real(1.0))), cosine);
     }
   }
 
   [[gnu::always_inline]] Velocities<typename arithmetic::Small<Number>::Output> result() const {
-    if constexpr (requires { typename Number::Pi; }) {
+    if constexpr (requires { typename Number::HalfPi; }) {
+      using arithmetic::Wide;
       const Number m = cot_half * sine;
       const Number Y = m * cosine;
       const Number W = squared(m) * alpha;
-      return {.a = squared(cosine) - quickly_times(W, alpha), .b = scaled(quickly_times(Y, alpha) + W, Real(2.0)), .c = scaled(W + Y, Real(2.0)), .c_prime = scaled(W - Y, Real(2.0))};
+      const Wide<Real> w = W, y = Y;
+      return {.a = Wide<Real>(squared(cosine)) - w * alpha, .b = scaled(y * alpha + w, Real(2.0)), .c = scaled(w + y, Real(2.0)), .c_prime = scaled(w - y, Real(2.0))};
     } else {
     const auto product_2 = tan_quarter * sine;
     const auto sum = cosine + product_2;
@@ -89,7 +91,7 @@ struct VelocitiesKernel {
     cot_half = reciprocal(Number::sum(Real(1.0), alpha));
     tan_quarter = cot_half * alpha;
     sine = Number(n);
-    cosine = select(n > Real(0.0), cot_half, Number(Real(1.0)));
+    cosine = select(n > Real(0.0), Number(cot_half), Number(Real(1.0)));
   }
 
   [[gnu::always_inline]] static Velocities<typename arithmetic::Small<Number>::Output> evaluate(Real alpha,
@@ -117,7 +119,7 @@ void velocities_block(std::size_t size, const double* alpha, const double* n, do
   using Kernel = VelocitiesKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
-  arithmetic::Block<Number> cot_halfs;
+  arithmetic::Block<typename arithmetic::Small<Number>::Root> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
   arithmetic::Block<Number> angles;
   arithmetic::Block<Number> cosines;

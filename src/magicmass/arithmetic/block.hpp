@@ -49,14 +49,14 @@ struct Block<Rough<T>> {
   }
 };
 template <class T>
-struct Block<Leading<T>> {
+struct Block<Cut<T>> {
   alignas(64) BlockOfDoubles high;
   alignas(64) BlockOfDoubles low;
 
-  Leading<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
-  void put(std::size_t i, Leading<T> x) {
-    store(x.high, &high[i]);
-    store(x.low, &low[i]);
+  Cut<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
+  void put(std::size_t i, Cut<T> x) {
+    store(x.lead, &high[i]);
+    store(x.rest, &low[i]);
   }
 };
 template <class T>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/arctangent.hpp"
+#include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
-
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
@@ -18,14 +17,22 @@ template <class T, std::size_t size>
   return even + odd * z;
 }
 
-/// A T that is as good as rounded: a result, or a factor of one.
+[[gnu::always_inline]] inline double leading_half(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 27U));
+}
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> leading_half(Lanes<N> x) {
+  using Bits = typename Lanes<N>::Mask;
+  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
+                                                   (Bits{} - (std::int64_t{1} << 27U)));
+}
+
 template <class T>
 struct Rounded {
   T value;
-
-  friend Rounded operator-(Rounded x) { return {-x.value}; }
+  friend Rounded operator+(Rounded x, Rounded y) { return {x.value + y.value}; }
   friend Rounded operator-(Rounded x, Rounded y) { return {x.value - y.value}; }
-  friend Rounded operator*(Rounded x, Rounded y) { return {x.value * y.value}; }
+  friend Rounded operator*(Rounded x, T y) { return {x.value * y}; }
   friend Rounded scaled(Rounded x, T power_of_two) { return {x.value * power_of_two}; }
   friend T rounded(Rounded x) { return x.value; }
 };
@@ -34,10 +41,9 @@ struct Rounded {
 template <class T>
 struct NearOne {
   T below;
-
   NearOne() = default;
   explicit NearOne(T exact) : below(T(1.0) - exact) {}
-  friend NearOne squared(NearOne x) { NearOne y; y.below = x.below * (T(2.0) - x.below); return y; }
+  friend NearOne operator*(NearOne x, NearOne y) { NearOne z; z.below = x.below + (y.below - x.below * y.below); return z; }
   template <class Condition>
   friend NearOne select(Condition condition, NearOne yes, NearOne no) {
     NearOne result;
@@ -46,29 +52,31 @@ struct NearOne {
   }
 };
 
+/// high + low, high exact product: sums are rounded
 template <class T>
-struct Leading {
+struct Wide {
   T high, low;
-  Leading() = default;
-  Leading(T h, T l) : high(h), low(l) {}
-  friend T rounded(Leading x) { return x.high + x.low; }
-  friend Rounded<T> operator+(Leading x, Rounded<T> y) { return {x.high + (x.low + y.value)}; }
-  friend Rounded<T> from_square(Leading s, Leading y, T a) {
-    const Sum<T> p = two_product(a, y.high);
-    return {(s.high * s.high - p.high) + (((s.high + rounded(s)) * s.low - a * y.low) - p.low)};
-  }
-  friend Leading operator*(Leading x, NearOne<T> y) { return {x.high, x.low - rounded(x) * y.below}; }
-  friend Leading operator*(Leading x, T y) { return {x.high * y, x.low * y}; }
-  friend Rounded<T> operator*(Leading x, Leading y) { return {rounded(x) * rounded(y)}; }
-  friend Rounded<T> operator-(Rounded<T> x, Leading y) { return {x.value - rounded(y)}; }
-  
-  friend Rounded<T> operator-(Leading x, Leading y) {
-    return {(x.high - y.high) + (x.low - y.low)};
-  }
-  friend Rounded<T> operator*(Rounded<T> x, Leading y) { return x * Rounded<T>{rounded(y)}; }
+  friend Rounded<T> operator+(Wide x, Wide y) { return {(x.high + y.high) + (x.low + y.low)}; }
+  friend Rounded<T> operator-(Wide x, Wide y) { return {(x.high - y.high) + (x.low - y.low)}; }
+  friend Wide operator*(Wide x, NearOne<T> y) { return {x.high, x.low - rounded(x) * y.below}; }
+  friend Wide operator*(Wide x, T y) { return {x.high * y, x.low * y}; }
+  friend T rounded(Wide x) { return x.high + x.low; }
+};
+
+/// lead of 26 bits, rest
+template <class T>
+struct Cut {
+  T lead, rest;
+  Cut() = default;
+  Cut(T l, T r) : lead(l), rest(r) {}
   template <class Condition>
-  friend Leading select(Condition condition, Leading yes, Leading no) {
-    return {select(condition, yes.high, no.high), select(condition, yes.low, no.low)};
+  friend Cut select(Condition condition, Cut yes, Cut no) {
+    return {select(condition, yes.lead, no.lead), select(condition, yes.rest, no.rest)};
+  }
+  friend T rounded(Cut x) { return x.lead + x.rest; }
+  friend Cut operator*(Cut x, NearOne<T> y) { return {x.lead, x.rest - rounded(x) * y.below}; }
+  friend Wide<T> operator*(Cut x, Cut y) {
+    return {x.lead * y.lead, x.rest * y.lead + rounded(x) * y.rest};
   }
 };
 
@@ -82,59 +90,41 @@ struct Rough {
   Rough() = default;
   explicit Rough(T exact) : high(exact), low(0.0) {}
   Rough(T high_part, T low_part) : high(high_part), low(low_part) {}
-  operator Leading<T>() const { return {high, low}; }
+  Rough(Cut<T> x) : high(x.lead), low(x.rest) {}
+  operator Wide<T>() const { return {high, low}; }
 
-  struct Pi {};
-  static Pi pi() { return {}; }
+  struct HalfPi {};
+  static HalfPi half_pi_() { return {}; }
+  friend Rough operator-(HalfPi, Rough x) { return {T(half_pi[0]) - x.high, T(half_pi[1]) - x.low}; }
 
-  static Rough sum(T x, T y) {
-    const Sum<T> s = two_sum(x, y);
-    return {s.high, s.low};
-  }
   static Rough in_order(T x, T y) {
     const Sum<T> s = ordered_sum(x, y);
     return {s.high, s.low};
+  }
+  friend Cut<T> cut(Rough x) {
+    const T lead = leading_half(x.high);
+    return {lead, (x.high - lead) + x.low};
   }
   /// (2 + alpha) alpha, or (1 + alpha)^2 from alpha = 1 on.
   template <class Condition>
   static Rough root_argument(T alpha, Condition is_beyond) {
     const Sum<T> s = ordered_sum(select(is_beyond, alpha, T(2.0)), select(is_beyond, T(1.0), alpha));
-    const T factor = select(is_beyond, s.high, alpha);
+    const T factor = alpha + where(is_beyond, T(1.0));
     const Sum<T> p = two_product(s.high, factor);
-    return {p.high, p.low + s.low * select(is_beyond, s.high + s.high, alpha)};
-  }
-  friend Rough operator-(Pi, Rough x) {
-    return {T(0x1.921fb54442d18p+1) - x.high, T(0x1.1a62633145c07p-53) - x.low};
-  }
-  friend Rounded<T> operator+(Rough x, Rough y) {
-    return {(x.high + y.high) + (x.low + y.low)};
-  }
-  friend Rounded<T> operator-(Rough x, Rough y) {
-    return {(x.high - y.high) + (x.low - y.low)};
-  }
-  friend Rough squared(Rough x) {
-    const Sum<T> p = two_product(x.high, x.high);
-    return {p.high, p.low + (x.high + x.high) * x.low};
-  }
-  friend Rough quickly_squared(Rough x) {
-    return {x.high * x.high, (x.high + x.high) * x.low};
-  }
-  friend Rough quickly_times(Rough x, T y) {
-    return {x.high * y, x.low * y};
-  }
-  friend Leading<T> operator*(Rough x, Leading<T> y) {
-    const Sum<T> p = two_product(x.high, y.high);
-    return {p.high, p.low + (x.high * y.low + x.low * rounded(y))};
+    return {p.high, p.low + s.low * (factor + where(is_beyond, s.high))};
   }
   friend Rough operator*(Rough x, Rough y) {
     const Sum<T> p = two_product(x.high, y.high);
-    return {p.high, p.low + (x.high * y.low + x.low * y.high)};
+    return {p.high, p.low + (x.high * y.low + x.low * rounded(y))};
   }
   friend Rough operator*(Rough x, T y) {
     const Sum<T> p = two_product(x.high, y);
     return {p.high, p.low + x.low * y};
   }
-  friend Leading<T> operator*(Rough x, NearOne<T> y) { return {x.high, x.low - x.high * y.below}; }
+  friend Rough squared(Rough x) {
+    const Sum<T> p = two_product(x.high, x.high);
+    return {p.high, p.low + (x.high + rounded(x)) * x.low};
+  }
   friend Rough scaled(Rough x, T power_of_two) {
     return {x.high * power_of_two, x.low * power_of_two};
   }
@@ -143,16 +133,24 @@ struct Rough {
     return {select(condition, yes.high, no.high), select(condition, yes.low, no.low)};
   }
   friend T rounded(Rough x) { return x.high + x.low; }
-  friend Rounded<T> as_rounded(Rough x) { return {x.high + x.low}; }
 };
 
 template <class T>
-[[gnu::always_inline]] inline Rough<T> reciprocal_square_root(Rough<T> w) {
+[[gnu::always_inline]] inline Rough<T> operator*(Cut<T> x, T y) {
+  const T lead = leading_half(y);
+  return Rough<T>::in_order(x.lead * lead, x.lead * (y - lead) + x.rest * y);
+}
+template <class T>
+[[gnu::always_inline]] inline Rough<T> operator*(Cut<T> x, Rough<T> y) {
+  return Rough<T>(x) * y;
+}
+
+template <class T>
+[[gnu::always_inline]] inline Cut<T> reciprocal_square_root(Rough<T> w) {
   const T y = reciprocal_square_root_estimate(w.high);
   const T square = y * y;
   const T e = one_minus_product(w.high, square) - w.low * square;
-  const Sum<T> root = ordered_sum(y, y * (e * (T(0.5) + T(0.375) * e)));
-  return {root.high, root.low};
+  return {y, y * (e * (T(0.5) + T(0.375) * e))};
 }
 
 inline constexpr double rough_arctangent_coefficients[] = {
@@ -201,7 +199,7 @@ template <class T>
   const T cube = t.high * z;
   const Sum<T> head = ordered_sum(t.high, T(-0.25) * cube);
   const T rest = cube * two_chains(rough_arctangent_coefficients, z) + t.low * (T(1.0) - T(0.75) * z);
-  return Rough<T>::in_order(head.high, head.low + rest);
+  return {head.high, head.low + rest};
 }
 
 template <class T>
@@ -216,13 +214,13 @@ template <class T>
   const Rough<T> s = Rough<T>::in_order(r.high,
                    r.low * top.high + (r.high * z) * two_chains(rough_sine_coefficients, z));
   const Rough<T> c = Rough<T>::in_order(top.high,
-                   top.low + (fourth * two_chains(cosine_coefficients, z) - r.high * r.low));
+                   top.low + (fourth * two_chains(cosine_coefficients, z) - (r.high * r.low + T(0.5) * product_error(r.high, r.high, z))));
   return {select(is_turned, c, s), select(is_turned, s, c)};
 }
 
 template <class T>
 struct SmallTurn {
-  Leading<T> sine;
+  Cut<T> sine;
   NearOne<T> cosine;
 };
 
@@ -230,8 +228,9 @@ template <class T>
 [[gnu::always_inline]] inline SmallTurn<T> sine_cosine_of_small(Rough<T> x) {
   const Sum<T> r = ordered_sum(x.high, x.low);
   const T z = r.high * r.high;
+  const T lead = leading_half(r.high);
   SmallTurn<T> turn;
-  turn.sine = {r.high, r.low + (r.high * z) * two_chains(small_sine_coefficients, z)};
+  turn.sine = {lead, (r.high - lead) + (r.low + (r.high * z) * two_chains(small_sine_coefficients, z))};
   turn.cosine.below = T(0.5) * z + (r.high * r.low - (z * z) * two_chains(small_cosine_coefficients, z));
   return turn;
 }
@@ -242,8 +241,8 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline auto sine_cosine_of_small(Pair<T> x) { return sine_cosine(x); }
 
-template <class Number> struct Small { using Sine = Number; using Cosine=Number; using Result=Number; using Output=Product<Number>; };
-template <class T> struct Small<Rough<T>> { using Sine = Leading<T>; using Cosine=NearOne<T>; using Result=Rounded<T>; using Output=Rounded<T>; };
+template <class Number> struct Small { using Root = Number; using Sine = Number; using Cosine=Number; using Result=Number; using Output=Product<Number>; };
+template <class T> struct Small<Rough<T>> { using Root = Cut<T>; using Sine = Cut<T>; using Cosine=NearOne<T>; using Result=Rounded<T>; using Output=Rounded<T>; };
 
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::arithmetic

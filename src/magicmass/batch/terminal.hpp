@@ -25,10 +25,13 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         count_block(rows, of_alpha, of_N_A, of_N_B);
         alignas(64) arithmetic::BlockOfDoubles cycles;
         alignas(64) arithmetic::BlockOfDoubles turns;
+        alignas(64) arithmetic::BlockOfDoubles ratios;
         RowBits outside{};
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
           const RowBits A = load_bits(of_N_A + i);
-          outside |= out_of_domain(load_bits(of_alpha + i));
+          const RowBits ratio = load_bits(of_alpha + i);
+          outside |= out_of_domain(ratio);
+          arithmetic::store(Row(std::bit_cast<Row::Doubles>(ratio)), &ratios[i]);
           arithmetic::store(as_doubles(A), &cycles[i]);
           // 1 after a Q, -1 after a P
           const RowBits is_P = load_bits(of_N_B + i) - A;
@@ -36,7 +39,7 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         }
         const bool is_any_outside = has_negative(outside);
         arithmetic::Certainty<Number> certain;
-        generated::terminal_block<Number>(rows, of_alpha, cycles.data(), turns.data(), of_a, of_b,
+        generated::terminal_block<Number>(rows, ratios.data(), cycles.data(), turns.data(), of_a, of_b,
                                           of_c, nullptr, certain);
         if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {

@@ -42,15 +42,18 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
       [](std::size_t rows, const double* of_alpha, const std::int64_t* of_n, double* of_a,
          double* of_b, double* of_c, double* of_c_prime) {
         alignas(64) arithmetic::BlockOfDoubles index;
+        alignas(64) arithmetic::BlockOfDoubles ratios;
         RowBits outside{};
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
           const RowBits n_ = load_bits(of_n + i);
-          outside |= out_of_domain(load_bits(of_alpha + i), n_);
+          const RowBits ratio = load_bits(of_alpha + i);
+          outside |= out_of_domain(ratio, n_);
+          arithmetic::store(Row(std::bit_cast<Row::Doubles>(ratio)), &ratios[i]);
           arithmetic::store(as_doubles(n_), &index[i]);
         }
         const bool is_any_outside = has_negative(outside);
         arithmetic::Certainty<Number> certain;
-        generated::velocities_block<Number>(rows, of_alpha, index.data(), of_a, of_b, of_c,
+        generated::velocities_block<Number>(rows, ratios.data(), index.data(), of_a, of_b, of_c,
                                             of_c_prime, certain);
         if (!is_any_outside && certain.is_all(rows)) return;
         const VelocityRows result{of_a, of_b, of_c, of_c_prime};
