@@ -35,7 +35,7 @@ struct VelocitiesKernel {
 
   [[gnu::always_inline]] void stage_1() {
     if constexpr (in_lanes) {
-      const auto is_beyond = alpha >= Real(1.0);
+      const auto is_beyond = (alpha >= Real(1.0)) & (n > Real(0.0));
       if constexpr (requires { typename Number::HalfPi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
       else {
       const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
@@ -58,9 +58,9 @@ struct VelocitiesKernel {
     cosine = turned.cosine;
     sine = turned.sine;
     if constexpr (in_lanes) {  // two collisions
-      const auto is_beyond = alpha >= Real(1.0);
-      sine = select(is_beyond, Number(n), sine);
-      cosine = select(is_beyond, select(n > Real(0.0), Number(cot_half), Number(Real(1.0))), cosine);
+      const auto is_beyond = (alpha >= Real(1.0)) & (n > Real(0.0));
+      sine = select(is_beyond, Number(Real(1.0)), sine);
+      cosine = select(is_beyond, Number(cot_half), cosine);
     }
   }
 

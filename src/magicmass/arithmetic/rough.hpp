@@ -170,12 +170,13 @@ inline constexpr double rough_arctangent_coefficients[] = {
     0x1.42c8f765a8251p-8,
 };
 inline constexpr double rough_sine_coefficients[] = {
-    -0x1.5555555555554p-3,
-    0x1.11111111109cp-7,
-    -0x1.a01a019e234fep-13,
-    0x1.71de372671f13p-19,
-    -0x1.ae5f9e621b809p-26,
-    0x1.5de60e8961addp-33,
+    -0x1.5555555555555p-5,
+    0x1.11111111110d6p-7,
+    -0x1.a01a01a00e3e7p-13,
+    0x1.71de3a4530ba6p-19,
+    -0x1.ae644047f8a15p-26,
+    0x1.61151ce475fe3p-33,
+    -0x1.a521d2f85bb7bp-41,
 };
 inline constexpr double small_sine_coefficients[] = {
     -0x1.5555555555555p-3,
@@ -211,10 +212,12 @@ template <class T>
   const T half = T(0.5) * z;
   const Sum<T> top = ordered_difference(T(1.0), half);
   const T fourth = z * z;
-  const Rough<T> s = Rough<T>::in_order(r.high,
-                   r.low * top.high + (r.high * z) * two_chains(rough_sine_coefficients, z));
-  const Rough<T> c = Rough<T>::in_order(top.high,
-                   top.low + (fourth * two_chains(cosine_coefficients, z) - (r.high * r.low + T(0.5) * product_error(r.high, r.high, z))));
+  const T cube = r.high * z;
+  const Sum<T> head = ordered_sum(r.high, T(-0.125) * cube);
+  const Rough<T> s = Rough<T>::in_order(head.high,
+                   head.low + (r.low * top.high + cube * two_chains(rough_sine_coefficients, z)));
+  const Rough<T> c{top.high,
+                   top.low + (fourth * two_chains(cosine_coefficients, z) - (r.high * r.low + T(0.5) * product_error(r.high, r.high, z)))};
   return {select(is_turned, c, s), select(is_turned, s, c)};
 }
 

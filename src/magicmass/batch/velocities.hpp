@@ -43,15 +43,15 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
          double* of_b, double* of_c, double* of_c_prime) {
         alignas(64) arithmetic::BlockOfDoubles index;
         alignas(64) arithmetic::BlockOfDoubles ratios;
-        RowBits outside{};
+        OutOfDomain outside;
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
           const RowBits n_ = load_bits(of_n + i);
           const RowBits ratio = load_bits(of_alpha + i);
-          outside |= out_of_domain(ratio, n_);
+          outside.see(ratio, n_);
           arithmetic::store(Row(std::bit_cast<Row::Doubles>(ratio)), &ratios[i]);
           arithmetic::store(as_doubles(n_), &index[i]);
         }
-        const bool is_any_outside = has_negative(outside);
+        const bool is_any_outside = outside.is_any();
         arithmetic::Certainty<Number> certain;
         generated::velocities_block<Number>(rows, ratios.data(), index.data(), of_a, of_b, of_c,
                                             of_c_prime, certain);
@@ -74,10 +74,10 @@ void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double*
       size,
       [&index, n](std::size_t rows, const double* of_alpha, double* of_a, double* of_b,
                   double* of_c, double* of_c_prime) {
-        RowBits outside{};
+        OutOfDomain outside;
         for (std::size_t i = 0; i < rows; i += arithmetic::widest)
-          outside |= out_of_domain(load_bits(of_alpha + i), RowBits{} + n);
-        const bool is_any_outside = has_negative(outside);
+          outside.see(load_bits(of_alpha + i), RowBits{} + n);
+        const bool is_any_outside = outside.is_any();
         arithmetic::Certainty<Number> certain;
         switch (n) {
           case 1:
