@@ -89,6 +89,9 @@ bool KernelPrinter::is_kept(int number) const {
 std::string KernelPrinter::name(int number) const {
   return names_[static_cast<std::size_t>(number)];
 }
+void KernelPrinter::rename(int number, const std::string& name) {
+  names_[static_cast<std::size_t>(number)] = name;
+}
 bool KernelPrinter::is_number_input(int number) const {
   const Node& made = node(number);
   return made.op == Op::input &&
@@ -150,6 +153,17 @@ std::string KernelPrinter::sum(const Node& made) const {
   }
   for (; next < exacts.size(); ++next) text += " + " + exact_term(exacts[next]);
   return text;
+}
+
+// Of x - y: y - x.
+std::optional<std::string> KernelPrinter::negative_difference(int number) const {
+  const Node& made = node(number);
+  if (made.op != Op::add || is_kept(number) || made.args.size() != 2) return std::nullopt;
+  const bool first = node(made.args[0]).op == Op::negate;
+  if (first == (node(made.args[1]).op == Op::negate)) return std::nullopt;
+  const int less = node(made.args[first ? 0 : 1]).args[0], whole = made.args[first ? 1 : 0];
+  if (is_exact(less) || is_exact(whole)) return std::nullopt;
+  return value(less) + " - " + factor(whole);
 }
 
 std::string KernelPrinter::product(const Node& made) const {
@@ -218,6 +232,7 @@ std::string KernelPrinter::right_side(int number) const {
     case Op::multiply:
       return product(made);
     case Op::negate:
+      if (const auto turned_round = negative_difference(made.args[0])) return *turned_round;
       return "-" + factor(made.args[0]);
     case Op::reciprocal:
       return "reciprocal(" + value(made.args[0]) + ")";

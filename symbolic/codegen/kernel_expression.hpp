@@ -26,6 +26,8 @@ public:
   // Whether a node's value is kept in a variable; its name.
   bool is_kept(int number) const;
   std::string name(int number) const;
+  // From here on a kept node goes by another name.
+  void rename(int number, const std::string& name);
   // Whether a node is exact: an input that is one or a constant.
   bool is_exact(int number) const;
   // The right side of a node that is kept or an output.
@@ -37,6 +39,7 @@ public:
 private:
   std::string sum(const Node& node) const;
   std::string product(const Node& node) const;
+  std::optional<std::string> negative_difference(int number) const;
   std::string factor(int number) const;
   std::string exact(int number) const;
   const Node& node(int number) const;

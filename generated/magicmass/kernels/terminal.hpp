@@ -30,24 +30,18 @@ struct TerminalKernel {
   Real alpha;
   Real N_A;
   Real turn;
-  typename arithmetic::Small<Number>::Root cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
+  Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   Number angle;  // atan(tan_quarter)
-  typename arithmetic::Small<Number>::Sine sine;  // sin(r_t)
-  typename arithmetic::Small<Number>::Cosine cosine;  // cos(r_t)
+  Number sine;  // sin(r_t)
+  Number cosine;  // cos(r_t)
 
   [[gnu::always_inline]] void stage_1() {
-    if constexpr (in_lanes) {
-      const auto is_beyond = alpha >= Real(1.0);
-      if constexpr (requires { typename Number::HalfPi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
-      else {
-      const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
-                                          select(is_beyond, Real(1.0), alpha));
-      cot_half = reciprocal_square_root(sum * select(is_beyond, sum, Number(alpha)));
-      }
-    } else {
-      cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
+    Number square = (Number::sum(Real(2.0), alpha)) * alpha;
+    if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
+      square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2
     }
+    cot_half = reciprocal_square_root(square);
   }
 
   [[gnu::always_inline]] void stage_2() {
@@ -56,39 +50,28 @@ struct TerminalKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    Number r_t;
-    if constexpr (requires { typename Number::HalfPi; }) r_t = scaled(Number::half_pi_() - angle * (Real(2.0) * N_A), turn);
-    else r_t = scaled(Number::pi() - angle * (Real(4.0) * N_A), Real(0.5) * turn);
-    const auto turned = sine_cosine_of_small(r_t);
+    const Number r_t = (Number::pi() - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
+    const auto turned = sine_cosine(r_t);
     sine = turned.sine;
     cosine = turned.cosine;
     if constexpr (in_lanes) {  // two collisions
       const auto is_beyond = alpha >= Real(1.0);
       sine = select(is_beyond, cot_half, sine);
-      cosine = select(is_beyond, decltype(cosine)(Real(1.0)), cosine);
+      cosine = select(is_beyond, Number(Real(1.0)), cosine);
     }
   }
 
-  [[gnu::always_inline]] Terminal<typename arithmetic::Small<Number>::Result> result() const {
-    if constexpr (requires { typename Number::HalfPi; }) {
-      const auto t = cut(tan_quarter);
-      const auto V_CM = cot_half * t;
-      const auto square = cosine * cosine;
-      const auto a = sine * sine - t * t * square;
-      const auto c = scaled(V_CM * square - cot_half * (sine * cosine), Real(2.0));
-      return {.a_t = a, .b_t = {select(alpha >= Real(1.0), rounded(V_CM)*Real(4.0), Real(1.0) - (a.value + alpha * c.value))}, .c_t = c, .rho={}};
-    } else {
-    const auto product = tan_quarter * cosine;
-    const auto sum = product - sine;
-    const auto product_2 = cot_half * cosine;
-    const auto b_N_B = scaled((product_2 + sine) * product, 2.0);
+  [[gnu::always_inline]] Terminal<Number> result() const {
+    const Number product = tan_quarter * cosine;
+    const Number sum = product - sine;
+    const Number product_2 = cot_half * cosine;
+    const Number b_N_B = scaled((product_2 + sine) * product, 2.0);
     return {
         .a_t = -(sine + product) * sum,
         .b_t = b_N_B,
         .c_t = scaled(sum * product_2, 2.0),
         .rho = b_N_B * b_N_B,
     };
-    }
   }
 
   // From alpha = 1 on, where there are two collisions.
@@ -99,7 +82,7 @@ struct TerminalKernel {
     cosine = Number(Real(1.0));
   }
 
-  [[gnu::always_inline]] static Terminal<typename arithmetic::Small<Number>::Result> evaluate(Real alpha, Real N_A, Real turn) {
+  [[gnu::always_inline]] static Terminal<Number> evaluate(Real alpha, Real N_A, Real turn) {
     TerminalKernel kernel;
     kernel.alpha = alpha;
     kernel.N_A = N_A;
@@ -124,11 +107,11 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
   using Kernel = TerminalKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
-  arithmetic::Block<typename arithmetic::Small<Number>::Root> cot_halfs;
+  arithmetic::Block<Number> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
   arithmetic::Block<Number> angles;
-  arithmetic::Block<typename arithmetic::Small<Number>::Sine> sines;
-  arithmetic::Block<typename arithmetic::Small<Number>::Cosine> cosines;
+  arithmetic::Block<Number> sines;
+  arithmetic::Block<Number> cosines;
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);

@@ -27,24 +27,18 @@ struct VelocitiesKernel {
 
   Real alpha;
   Real n;
-  typename arithmetic::Small<Number>::Root cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
+  Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   Number angle;  // atan(tan_quarter)
   Number cosine;  // cos(2*atan(tan_quarter)*n)
   Number sine;  // sin(2*atan(tan_quarter)*n)
 
   [[gnu::always_inline]] void stage_1() {
-    if constexpr (in_lanes) {
-      const auto is_beyond = (alpha >= Real(1.0)) & (n > Real(0.0));
-      if constexpr (requires { typename Number::HalfPi; }) cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
-      else {
-      const Number sum = Number::in_order(select(is_beyond, alpha, Real(2.0)),
-                                          select(is_beyond, Real(1.0), alpha));
-      cot_half = reciprocal_square_root(sum * select(is_beyond, sum, Number(alpha)));
-      }
-    } else {
-      cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
+    Number square = (Number::sum(Real(2.0), alpha)) * alpha;
+    if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
+      square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2
     }
+    cot_half = reciprocal_square_root(square);
   }
 
   [[gnu::always_inline]] void stage_2() {
@@ -53,37 +47,28 @@ struct VelocitiesKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const auto product = angle * (Real(2.0) * n);
+    const Number product = angle * (Real(2.0) * n);
     const auto turned = sine_cosine(product);
     cosine = turned.cosine;
     sine = turned.sine;
     if constexpr (in_lanes) {  // two collisions
-      const auto is_beyond = (alpha >= Real(1.0)) & (n > Real(0.0));
-      sine = select(is_beyond, Number(Real(1.0)), sine);
-      cosine = select(is_beyond, Number(cot_half), cosine);
+      const auto is_beyond = alpha >= Real(1.0);
+      sine = select(is_beyond, Number(n), sine);
+      cosine = select(is_beyond, select(n > Real(0.0), cot_half, Number(Real(1.0))), cosine);
     }
   }
 
-  [[gnu::always_inline]] Velocities<typename arithmetic::Small<Number>::Output> result() const {
-    if constexpr (requires { typename Number::HalfPi; }) {
-      using arithmetic::Wide;
-      const Number m = cot_half * sine;
-      const Number Y = m * cosine;
-      const Number W = squared(m) * alpha;
-      const Wide<Real> w = W, y = Y;
-      return {.a = Wide<Real>(squared(cosine)) - w * alpha, .b = scaled(y * alpha + w, Real(2.0)), .c = scaled(w + y, Real(2.0)), .c_prime = scaled(w - y, Real(2.0))};
-    } else {
-    const auto product_2 = tan_quarter * sine;
-    const auto sum = cosine + product_2;
-    const auto sum_2 = cosine - product_2;
-    const auto product_3 = cot_half * sine;
+  [[gnu::always_inline]] Velocities<arithmetic::Product<Number>> result() const {
+    const Number product_2 = tan_quarter * sine;
+    const Number sum = cosine + product_2;
+    const Number sum_2 = cosine - product_2;
+    const Number product_3 = cot_half * sine;
     return {
         .a = {sum, sum_2, 1.0},
         .b = {cosine + product_3, product_2, 2.0},
         .c = {sum, product_3, 2.0},
         .c_prime = {sum_2, product_3, -2.0},
     };
-    }
   }
 
   // From alpha = 1 on, where there are two collisions.
@@ -91,10 +76,10 @@ struct VelocitiesKernel {
     cot_half = reciprocal(Number::sum(Real(1.0), alpha));
     tan_quarter = cot_half * alpha;
     sine = Number(n);
-    cosine = select(n > Real(0.0), Number(cot_half), Number(Real(1.0)));
+    cosine = select(n > Real(0.0), cot_half, Number(Real(1.0)));
   }
 
-  [[gnu::always_inline]] static Velocities<typename arithmetic::Small<Number>::Output> evaluate(Real alpha,
+  [[gnu::always_inline]] static Velocities<arithmetic::Product<Number>> evaluate(Real alpha,
       Real n) {
     VelocitiesKernel kernel;
     kernel.alpha = alpha;
@@ -119,7 +104,7 @@ void velocities_block(std::size_t size, const double* alpha, const double* n, do
   using Kernel = VelocitiesKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
-  arithmetic::Block<typename arithmetic::Small<Number>::Root> cot_halfs;
+  arithmetic::Block<Number> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
   arithmetic::Block<Number> angles;
   arithmetic::Block<Number> cosines;

@@ -10,7 +10,6 @@
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
-#include "magicmass/arithmetic/rough.hpp"
 
 namespace magicmass::arithmetic {
 
@@ -38,38 +37,6 @@ struct Block<Pair<T>> {
 };
 
 template <class T>
-struct Block<Rough<T>> {
-  alignas(64) BlockOfDoubles high;
-  alignas(64) BlockOfDoubles low;
-
-  Rough<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
-  void put(std::size_t i, Rough<T> x) {
-    store(x.high, &high[i]);
-    store(x.low, &low[i]);
-  }
-};
-template <class T>
-struct Block<Cut<T>> {
-  alignas(64) BlockOfDoubles high;
-  alignas(64) BlockOfDoubles low;
-
-  Cut<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
-  void put(std::size_t i, Cut<T> x) {
-    store(x.lead, &high[i]);
-    store(x.rest, &low[i]);
-  }
-};
-template <class T>
-struct Block<NearOne<T>> {
-  alignas(64) BlockOfDoubles below;
-
-  NearOne<T> get(std::size_t i) const { NearOne<T> x; x.below=load<T>(&below[i]); return x; }
-  void put(std::size_t i, NearOne<T> x) {
-    store(x.below, &below[i]);
-  }
-};
-
-template <class T>
 struct Block<Tracked<T>> {
   Block<Pair<T>> pairs;
   alignas(64) BlockOfDoubles sizes;
@@ -87,15 +54,6 @@ struct Certainty;
 
 template <class T>
 struct Certainty<Pair<T>> {
-  template <class Result>
-  void store(Result x, double* to, std::size_t i) {
-    arithmetic::store(rounded(x), to + i);
-  }
-  bool is_all(std::size_t) const { return true; }
-};
-
-template <class T>
-struct Certainty<Rough<T>> {
   template <class Result>
   void store(Result x, double* to, std::size_t i) {
     arithmetic::store(rounded(x), to + i);

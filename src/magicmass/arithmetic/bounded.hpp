@@ -27,10 +27,6 @@ struct Bounded {
   Bounded(Pair<T> value, T bound) : pair(value), error(bound) {}
 
   static Bounded sum(T x, T y) { return {Pair<T>::sum(x, y), T(0.0)}; }
-  /// The same where |x| >= |y|.
-  static Bounded in_order(T x, T y) {
-    return {Pair<T>::in_order(x, y), T(0.0)};
-  }
   static Bounded product(T x, T y) { return {Pair<T>::product(x, y), T(0.0)}; }
   static Bounded pi() { return {Pair<T>::pi(), T(0x1p-105)}; }
 
@@ -63,8 +59,8 @@ struct Bounded {
     return {q, select(size > T(0.0), bound * T(1 + 0x1p-40), T(HUGE_VAL)) +
                    T(rounding) * magnitude(q.high)};
   }
-  friend Bounded scaled(Bounded x, T power_of_two) {
-    return {scaled(x.pair, power_of_two), x.error * magnitude(power_of_two)};
+  friend Bounded scaled(Bounded x, double power_of_two) {
+    return {scaled(x.pair, power_of_two), x.error * T(std::fabs(power_of_two))};
   }
   template <class Condition>
   friend Bounded select(Condition condition, Bounded yes, Bounded no) {

@@ -26,11 +26,6 @@ struct Pair {
     const Sum<T> s = two_sum(x, y);
     return {s.high, s.low};
   }
-  /// The same where |x| >= |y|.
-  static Pair in_order(T x, T y) {
-    const Sum<T> s = ordered_sum(x, y);
-    return {s.high, s.low};
-  }
   static Pair product(T x, T y) {
     const Sum<T> p = two_product(x, y);
     return {p.high, p.low};
@@ -73,8 +68,8 @@ struct Pair {
     return {s.high, s.low};
   }
   /// x 2^k, exactly, given 2^k.
-  friend Pair scaled(Pair x, T power_of_two) {
-    return {x.high * power_of_two, x.low * power_of_two};
+  friend Pair scaled(Pair x, double power_of_two) {
+    return {x.high * T(power_of_two), x.low * T(power_of_two)};
   }
   template <class Condition>
   friend Pair select(Condition condition, Pair yes, Pair no) {

@@ -28,11 +28,6 @@ struct Tracked {
     const Pair<T> s = Pair<T>::sum(x, y);
     return {s, magnitude(s.high)};
   }
-  /// The same where |x| >= |y|.
-  static Tracked in_order(T x, T y) {
-    const Pair<T> s = Pair<T>::in_order(x, y);
-    return {s, magnitude(s.high)};
-  }
   static Tracked product(T x, T y) {
     const Pair<T> p = Pair<T>::product(x, y);
     return {p, magnitude(p.high)};
@@ -58,8 +53,8 @@ struct Tracked {
     return {q, select(y.size * T(highest_degree * unit) < divisor * T(0x1p-20), of_quotient,
                       T(HUGE_VAL))};
   }
-  friend Tracked scaled(Tracked x, T power_of_two) {
-    return {scaled(x.pair, power_of_two), x.size * magnitude(power_of_two)};
+  friend Tracked scaled(Tracked x, double power_of_two) {
+    return {scaled(x.pair, power_of_two), x.size * T(std::fabs(power_of_two))};
   }
   template <class Condition>
   friend Tracked select(Condition condition, Tracked yes, Tracked no) {

@@ -83,6 +83,11 @@ template <class Number>
 }
 
 template <class Number>
+constexpr bool rounds_results = requires {
+  typename Number::Result;
+};
+
+template <class Number>
 constexpr bool rounding_is_tested = requires(arithmetic::Certainty<Number> certain) {
   certain.all;
 };
