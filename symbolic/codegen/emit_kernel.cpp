@@ -23,6 +23,7 @@ public:
         program_(kernel.program),
         stages_(stages_of(program_)),
         printer_(program_, form_.numbers) {
+    if (form_.rounds_results) printer_.put_doubles_first();
     for (std::size_t i = 0; i < program_.nodes.size(); ++i)
       for (const int argument : program_.nodes[i].args)
         if (stage(static_cast<int>(i)) != stage(argument) && printer_.is_kept(argument))

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -167,7 +168,7 @@ std::optional<std::string> KernelPrinter::negative_difference(int number) const 
 }
 
 std::string KernelPrinter::product(const Node& made) const {
-  std::string text;
+  std::string text, others;
   std::vector<std::string> exacts;
   std::string scale;
   for (const int argument : made.args) {
@@ -175,9 +176,12 @@ std::string KernelPrinter::product(const Node& made) const {
       scale = real(node(argument));
     else if (is_exact(argument))
       exacts.push_back(exact(argument));
+    else if (text.empty())
+      text = factor(argument);
     else
-      text += (text.empty() ? "" : " * ") + factor(argument);
+      others += " * " + factor(argument);
   }
+  if (!are_doubles_first_) text += std::exchange(others, "");
   if (!scale.empty() && !exacts.empty()) {  // a power of two times a double is exact
     exacts[0] = "(" + scale + " * " + exacts[0] + ")";
     scale.clear();
@@ -188,6 +192,7 @@ std::string KernelPrinter::product(const Node& made) const {
     next = 2;
   }
   for (; next < exacts.size(); ++next) text += " * " + exacts[next];
+  text += others;
   if (scale.empty()) return text;
   return "scaled(" + text + ", " + scale.substr(5, scale.size() - 6) + ")";  // Real(2.0) -> 2.0
 }

@@ -26,6 +26,9 @@ public:
   // Whether a node's value is kept in a variable; its name.
   bool is_kept(int number) const;
   std::string name(int number) const;
+  // From here on a product is multiplied by doubles before its other factors meet, which is where the number type
+  // cares.
+  void put_doubles_first() { are_doubles_first_ = true; }
   // From here on a kept node goes by another name.
   void rename(int number, const std::string& name);
   // Whether a node is exact: an input that is one or a constant.
@@ -48,6 +51,7 @@ private:
   const Program& program_;
   const std::vector<std::string>& number_inputs_;
   std::vector<std::string> names_;
+  bool are_doubles_first_ = false;
 };
 
 }  // namespace magicmass::codegen

@@ -51,7 +51,7 @@ struct VelocitiesInRowsKernel {
 
   [[gnu::always_inline]] Velocities<typename Number::Result> result() const {
     const auto chord = cot_half * sine;
-    const auto ball_mean = chord * chord * alpha;
+    const auto ball_mean = chord * alpha * chord;
     const auto ball_swing = chord * cosine;
     return {
         .a = cosine * cosine - ball_mean * alpha,

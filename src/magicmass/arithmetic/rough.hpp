@@ -26,8 +26,10 @@ struct Wide {
 
   friend Rounded<T> operator+(Wide x, Wide y) { return {(x.high + y.high) + (x.low + y.low)}; }
   friend Rounded<T> operator-(Wide x, Wide y) { return {(x.high - y.high) + (x.low - y.low)}; }
-  /// high y is rounded once.
-  friend Wide operator*(Wide x, T y) { return {x.high * y, x.low * y}; }
+  friend Wide operator*(Wide x, T y) {
+    const Sum<T> p = two_product(x.high, y);
+    return {p.high, p.low + x.low * y};
+  }
 };
 
 /// 1 - below: a cosine, whose error matters beside 1.
