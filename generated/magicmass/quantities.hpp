@@ -59,4 +59,17 @@ constexpr std::array<Number, 4> as_array(const Terminal<Number>& all) {
   return {all.a_t, all.b_t, all.c_t, all.rho};
 }
 
+// Velocities after the last collision, in units of V.
+template <class Number>
+struct LastVelocities {
+  Number a_t;  // of A
+  Number b_t;  // of B
+  Number c_t;  // of C
+};
+
+template <class Number>
+constexpr std::array<Number, 3> as_array(const LastVelocities<Number>& all) {
+  return {all.a_t, all.b_t, all.c_t};
+}
+
 }  // namespace magicmass::generated

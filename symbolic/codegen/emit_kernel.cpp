@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
 
 #include "codegen/emit.hpp"
+#include "codegen/emit_kernel_block.hpp"
 #include "codegen/expression.hpp"
 #include "codegen/kernel_expression.hpp"
 
@@ -21,6 +23,7 @@ public:
         program_(kernel.program),
         stages_(stages_of(program_)),
         printer_(program_, form_.numbers) {
+    if (form_.rounds_results) printer_.put_doubles_first();
     for (std::size_t i = 0; i < program_.nodes.size(); ++i)
       for (const int argument : program_.nodes[i].args)
         if (stage(static_cast<int>(i)) != stage(argument) && printer_.is_kept(argument))
@@ -32,26 +35,34 @@ public:
     const auto include = [](const std::string& header) {
       return "#include \"magicmass/" + header + "\"\n";
     };
-    text += "\n#include <cstddef>\n\n" +
-            (uses(Op::arctangent) ? include("arithmetic/arctangent.hpp") : "") +
-            include("arithmetic/block.hpp") +
-            (uses(Op::secant_less_one) ? include("arithmetic/secant.hpp") : "") +
-            (uses(Op::sine) ? include("arithmetic/sine_cosine.hpp") : "") +
-            include("quantities.hpp") +
+    const std::string functions =
+        form_.rounds_results
+            ? include("arithmetic/rough_block.hpp") + include("arithmetic/rough_functions.hpp")
+            : (uses(Op::arctangent) ? include("arithmetic/arctangent.hpp") : "") +
+                  include("arithmetic/block.hpp") +
+                  (uses(Op::secant_less_one) ? include("arithmetic/secant.hpp") : "") +
+                  (uses(Op::sine) ? include("arithmetic/sine_cosine.hpp") : "");
+    text += "\n#include <cstddef>\n\n" + functions + include("quantities.hpp") +
             "\nnamespace magicmass::generated {\ninline namespace MAGICMASS_TARGET {\n\n";
     text += documentation() + "template <class Number>\nstruct " + form_.kernel + " {\n";
-    text +=
-        "  using Real = typename Number::Real;\n  static constexpr bool in_lanes = "
-        "arithmetic::lane_count<Real> > 1;\n\n";
+    text += "  using Real = typename Number::Real;\n";
+    if (!form_.rounds_results)
+      text += "  static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;\n";
+    text += "\n";
     for (const std::string& input : inputs()) text += "  Real " + input + ";\n";
     for (const std::string& input : form_.numbers) text += "  Number " + input + ";\n";
     for (const int number : carried_)
-      text += line("  Number " + printer_.name(number) + ";  // " + formula(program_, number) +
-                   origin(number));
+      text += line("  " + type(number) + " " + printer_.name(number) + ";  // " +
+                   formula(program_, number) + origin(number));
     for (int s = 0; s + 1 < stages_.count; ++s) text += "\n" + stage_function(s);
     text += "\n" + result_function();
-    if (!form_.first.empty()) text += "\n" + first_function();
-    text += "\n" + evaluate_function() + "};\n\n" + block_function();
+    if (!form_.rounds_results) {
+      if (!form_.first.empty()) text += "\n" + first_function();
+      text += "\n" + evaluate_function();
+    }
+    text += "};\n\n";
+    if (!form_.result.empty() && form_.numbers.empty())
+      text += emit_block(form_, program_, stages_, printer_, carried());
     return text + "\n}  // namespace MAGICMASS_TARGET\n}  // namespace magicmass::generated\n";
   }
 
@@ -65,11 +76,20 @@ private:
   std::string origin(int number) const {
     return node(number).origin.empty() ? "" : ", step " + node(number).origin;
   }
-  std::vector<std::string> inputs() const {
-    std::vector<std::string> all = form_.reals;
-    all.insert(all.end(), form_.integers.begin(), form_.integers.end());
-    return all;
+  // What a value is carried from stage to stage as.
+  std::string type(int number) const {
+    const Op op = node(number).op;
+    if (form_.rounds_results && op == Op::reciprocal_square_root) return "typename Number::Root";
+    if (!form_.small_angle.empty() && op == Op::sine) return "typename Number::SmallSine";
+    if (!form_.small_angle.empty() && op == Op::cosine) return "typename Number::SmallCosine";
+    return "Number";
   }
+  std::map<int, std::string> carried() const {
+    std::map<int, std::string> types;
+    for (const int number : carried_) types.emplace(number, type(number));
+    return types;
+  }
+  std::vector<std::string> inputs() const { return loaded_inputs(form_); }
 
   std::string documentation() const {
     std::string from, with, first;
@@ -92,7 +112,9 @@ private:
       const Op op = node(number).op;
       if (op == Op::sine || op == Op::cosine) {
         const std::string turned = "turned" + (done.empty() ? "" : fmt::format("_{}", done.size()));
-        text += line(indent + "const auto " + turned + " = " + printer_.right_side(number) + ";");
+        const std::string of_small = form_.small_angle.empty() ? "" : "small_";
+        text += line(indent + "const auto " + turned + " = " + of_small +
+                     printer_.right_side(number) + ";");
         for (std::size_t j = i; j < program_.nodes.size(); ++j) {
           const Node& other = program_.nodes[j];
           if ((other.op != Op::sine && other.op != Op::cosine) || other.args != node(number).args)
@@ -106,7 +128,10 @@ private:
       }
       if (op == Op::secant_less_one && paired_secants(number, indent, text, done)) continue;
       std::string value = printer_.right_side(number);
-      if (op == Op::reciprocal_square_root && !form_.first.empty()) {
+      if (op == Op::reciprocal_square_root && form_.rounds_results) {
+        text += is_beyond(indent);
+        value = "reciprocal_square_root(Number::root_argument(alpha, is_beyond))";
+      } else if (op == Op::reciprocal_square_root && !form_.first.empty()) {
         text += line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
         text += indent + "if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)\n" +
                 indent +
@@ -122,7 +147,9 @@ private:
 
   // Its name, or its definition where no later stage has it.
   std::string assigned(int number) const {
-    return (carried_.contains(number) ? "" : "const Number ") + printer_.name(number);
+    const bool is_result = form_.rounds_results && stage(number) + 1 == stages_.count;
+    const std::string type = is_result ? "auto" : "Number";
+    return (carried_.contains(number) ? "" : "const " + type + " ") + printer_.name(number);
   }
 
   // Two secants of a stage side by side. False if there is no other.
@@ -142,7 +169,26 @@ private:
     return false;
   }
 
+  // Where only the first collisions are; before them, at index 0, all is as anywhere.
+  std::string is_beyond(const std::string& indent) const {
+    const std::string& index = form_.first_index;
+    return line(indent + "const auto is_beyond = " +
+                (index.empty() ? "alpha >= Real(1.0)"
+                               : "(alpha >= Real(1.0)) & (" + index + " > Real(0.0))") +
+                ";");
+  }
+
   std::string replaced_turn(const std::string& indent) const {
+    if (form_.rounds_results) {
+      const std::string one = "(Real(1.0))";
+      return is_beyond(indent) +
+             (form_.first_index.empty()
+                  ? indent + "sine = select(is_beyond, cot_half, sine);\n" + indent +
+                        "cosine = select(is_beyond, typename Number::SmallCosine" + one +
+                        ", cosine);\n"
+                  : indent + "sine = select(is_beyond, Number" + one + ", sine);\n" + indent +
+                        "cosine = select(is_beyond, Number(cot_half), cosine);\n");
+    }
     return indent + "if constexpr (in_lanes) {  // two collisions\n" + indent +
            "  const auto is_beyond = alpha >= Real(1.0);\n" + indent +
            "  sine = select(is_beyond, " + form_.first_sine() + ", sine);\n" + indent +
@@ -157,17 +203,20 @@ private:
   // Where all outputs are products they are handed out unevaluated: rounding one costs less than evaluating it.
   std::string result_type() const {
     if (form_.result.empty()) return "Number";
+    if (form_.rounds_results) return form_.result + "<typename Number::Result>";
     return form_.result + (has_products() ? "<arithmetic::Product<Number>>" : "<Number>");
   }
   bool has_products() const {
+    if (form_.rounds_results) return false;
     return std::all_of(program_.outputs.begin(), program_.outputs.end(), [&](const Output& output) {
       return printer_.as_product(output.node).has_value();
     });
   }
 
   std::string result_function() const {
-    std::string text = "  [[gnu::always_inline]] " + result_type() + " result() const {\n" +
-                       assignments(stages_.count - 1, "    ");
+    std::string text = "  [[gnu::always_inline]] " + result_type() + " result() const {\n";
+    if (form_.rounds_results) return text + rounded_results();
+    text += assignments(stages_.count - 1, "    ");
     if (form_.result.empty())
       return text + line("    return " + printer_.value(program_.outputs[0].node) + ";") + "  }\n";
     text += "    return {\n";
@@ -176,6 +225,25 @@ private:
                    (has_products() ? "{" + *printer_.as_product(output.node) + "}"
                                    : printer_.value(output.node)) +
                    ",");
+    return text + "    };\n  }\n";
+  }
+
+  // A tangent that results use is cut for their products first.
+  std::string rounded_results() const {
+    KernelEmitter in_parts = *this;
+    std::string text;
+    const int last = stages_.count - 1;
+    for (const int number : carried_) {
+      const bool is_tangent =
+          node(number).op == Op::multiply && is_needed_in(number, last, program_, stages_, form_);
+      if (!is_tangent) continue;
+      const std::string parts = printer_.name(number) + "_parts";
+      text += line("    const auto " + parts + " = parts(" + printer_.name(number) + ");");
+      in_parts.printer_.rename(number, parts);
+    }
+    text += in_parts.assignments(last, "    ") + "    return {\n";
+    for (const Output& output : program_.outputs)
+      text += line("        ." + output.name + " = " + in_parts.printer_.value(output.node) + ",");
     return text + "    };\n  }\n";
   }
 
@@ -212,63 +280,6 @@ private:
           "return kernel.result();\n      }\n";
     for (int s = 1; s < stages_.count; ++s) text += fmt::format("    kernel.stage_{}();\n", s);
     return text + "    return kernel.result();\n  }\n";
-  }
-
-  // Loops over a block, a stage each, with the carried values in between.
-  std::string block_function() const {
-    if (form_.result.empty() || !form_.numbers.empty()) return "";
-    std::string text =
-        "// A block of at most arithmetic::block_size elements, a whole number of vectors.\n// An "
-        "output "
-        "that is not wanted is null; `certain` is for number types that know.\n"
-        "template <class Number>\n";
-    std::string signature = "void " + form_.name + "_block(std::size_t size";
-    for (const std::string& input : inputs()) signature += ", const double* " + input;
-    for (const Output& output : program_.outputs) signature += ", double* " + output.name;
-    text += line(signature + ", arithmetic::Certainty<Number>& certain) {");
-    text += "  using Kernel = " + form_.kernel +
-            "<Number>;\n  using Real = typename Number::Real;\n  constexpr std::size_t lanes = "
-            "arithmetic::lane_count<Real>;\n";
-    for (const int number : carried_)
-      text += "  arithmetic::Block<Number> " + printer_.name(number) + "s;\n";
-    for (int s = 0; s < stages_.count; ++s) {
-      text += "  for (std::size_t i = 0; i < size; i += lanes) {\n    Kernel kernel;\n";
-      for (const std::string& input : inputs())
-        text += "    kernel." + input + " = arithmetic::load<Real>(" + input + " + i);\n";
-      for (const int number : carried_)
-        if (is_needed(number, s))
-          text +=
-              "    kernel." + printer_.name(number) + " = " + printer_.name(number) + "s.get(i);\n";
-      if (s + 1 < stages_.count) {
-        text += fmt::format("    kernel.stage_{}();\n", s + 1);
-        for (const int number : carried_)
-          if (stage(number) == s)
-            text += "    " + printer_.name(number) + "s.put(i, kernel." + printer_.name(number) +
-                    ");\n";
-      } else {
-        text += "    const auto result = kernel.result();\n";
-        for (const Output& output : program_.outputs)
-          text += "    if (" + output.name + " != nullptr) certain.store(result." + output.name +
-                  ", " + output.name + ", i);\n";
-      }
-      text += "  }\n";
-    }
-    return text + "}\n";
-  }
-
-  bool is_needed(int number, int s) const {
-    if (stage(number) >= s) return false;
-    for (std::size_t i = 0; i < program_.nodes.size(); ++i) {
-      const auto& args = program_.nodes[i].args;
-      if (stages_.stage[i] == s && std::find(args.begin(), args.end(), number) != args.end())
-        return true;
-    }
-    // the selections from alpha = 1 on use the root where the turn is known
-    return !form_.first.empty() && node(number).op == Op::reciprocal_square_root &&
-           std::any_of(program_.nodes.begin(), program_.nodes.end(), [&](const Node& other) {
-             return other.op == Op::sine &&
-                    stage(static_cast<int>(&other - program_.nodes.data())) == s;
-           });
   }
 
   const Kernel& kernel_;

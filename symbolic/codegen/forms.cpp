@@ -244,6 +244,9 @@ const std::vector<QuantityStruct>& quantity_structs() {
       {"Terminal",
        "Velocities after the last collision, in units of V, and what B got of the energy.",
        {{"a_t", "of A"}, {"b_t", "of B"}, {"c_t", "of C"}, {"rho", "(b_t/V)^2"}}},
+      {"LastVelocities",
+       "Velocities after the last collision, in units of V.",
+       {{"a_t", "of A"}, {"b_t", "of B"}, {"c_t", "of C"}}},
   };
   return all;
 }

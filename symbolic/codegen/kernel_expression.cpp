@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -89,6 +90,9 @@ bool KernelPrinter::is_kept(int number) const {
 std::string KernelPrinter::name(int number) const {
   return names_[static_cast<std::size_t>(number)];
 }
+void KernelPrinter::rename(int number, const std::string& name) {
+  names_[static_cast<std::size_t>(number)] = name;
+}
 bool KernelPrinter::is_number_input(int number) const {
   const Node& made = node(number);
   return made.op == Op::input &&
@@ -152,8 +156,19 @@ std::string KernelPrinter::sum(const Node& made) const {
   return text;
 }
 
+// Of x - y: y - x.
+std::optional<std::string> KernelPrinter::negative_difference(int number) const {
+  const Node& made = node(number);
+  if (made.op != Op::add || is_kept(number) || made.args.size() != 2) return std::nullopt;
+  const bool first = node(made.args[0]).op == Op::negate;
+  if (first == (node(made.args[1]).op == Op::negate)) return std::nullopt;
+  const int less = node(made.args[first ? 0 : 1]).args[0], whole = made.args[first ? 1 : 0];
+  if (is_exact(less) || is_exact(whole)) return std::nullopt;
+  return value(less) + " - " + factor(whole);
+}
+
 std::string KernelPrinter::product(const Node& made) const {
-  std::string text;
+  std::string text, others;
   std::vector<std::string> exacts;
   std::string scale;
   for (const int argument : made.args) {
@@ -161,9 +176,12 @@ std::string KernelPrinter::product(const Node& made) const {
       scale = real(node(argument));
     else if (is_exact(argument))
       exacts.push_back(exact(argument));
+    else if (text.empty())
+      text = factor(argument);
     else
-      text += (text.empty() ? "" : " * ") + factor(argument);
+      others += " * " + factor(argument);
   }
+  if (!are_doubles_first_) text += std::exchange(others, "");
   if (!scale.empty() && !exacts.empty()) {  // a power of two times a double is exact
     exacts[0] = "(" + scale + " * " + exacts[0] + ")";
     scale.clear();
@@ -174,6 +192,7 @@ std::string KernelPrinter::product(const Node& made) const {
     next = 2;
   }
   for (; next < exacts.size(); ++next) text += " * " + exacts[next];
+  text += others;
   if (scale.empty()) return text;
   return "scaled(" + text + ", " + scale.substr(5, scale.size() - 6) + ")";  // Real(2.0) -> 2.0
 }
@@ -218,6 +237,7 @@ std::string KernelPrinter::right_side(int number) const {
     case Op::multiply:
       return product(made);
     case Op::negate:
+      if (const auto turned_round = negative_difference(made.args[0])) return *turned_round;
       return "-" + factor(made.args[0]);
     case Op::reciprocal:
       return "reciprocal(" + value(made.args[0]) + ")";

@@ -26,6 +26,11 @@ public:
   // Whether a node's value is kept in a variable; its name.
   bool is_kept(int number) const;
   std::string name(int number) const;
+  // From here on a product is multiplied by doubles before its other factors meet, which is where the number type
+  // cares.
+  void put_doubles_first() { are_doubles_first_ = true; }
+  // From here on a kept node goes by another name.
+  void rename(int number, const std::string& name);
   // Whether a node is exact: an input that is one or a constant.
   bool is_exact(int number) const;
   // The right side of a node that is kept or an output.
@@ -37,6 +42,7 @@ public:
 private:
   std::string sum(const Node& node) const;
   std::string product(const Node& node) const;
+  std::optional<std::string> negative_difference(int number) const;
   std::string factor(int number) const;
   std::string exact(int number) const;
   const Node& node(int number) const;
@@ -45,6 +51,7 @@ private:
   const Program& program_;
   const std::vector<std::string>& number_inputs_;
   std::vector<std::string> names_;
+  bool are_doubles_first_ = false;
 };
 
 }  // namespace magicmass::codegen

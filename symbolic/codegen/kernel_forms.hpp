@@ -27,6 +27,11 @@ struct KernelForm {
   // cosine where there is an index ("n" = 0 or 1; the sine is 0 at 0), else the sine. That is checked.
   std::vector<std::string> first = {};
   std::string first_index = {};
+  // In lanes only, in a number type that has types of its own for the root, for a small angle and for results, which
+  // it rounds.
+  bool rounds_results = false;
+  // The angle of the sine and the cosine is psi/4 at most, say these theorems, one a case.
+  std::vector<std::string> small_angle = {};
 
   std::string first_sine() const;  // the two in C++
   std::string first_cosine() const;

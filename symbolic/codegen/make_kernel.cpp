@@ -24,6 +24,8 @@ const Theorem& theorem_named(const std::vector<Theorem>& theorems, const std::st
 
 namespace {
 
+constexpr const char* kept_names[] = {"cot_half", "tan_quarter", "psi", "r_t"};
+
 // One formula is emitted for all cases of an output.
 void require_same_right_side(const Source& source, const std::string& member,
                              const Theorem& other) {
@@ -41,15 +43,29 @@ ex turned(const ex& form, const ex& sine, const ex& cosine) {
   return form.subs(GiNaC::lst{sin(GiNaC::wild()) == sine, cos(GiNaC::wild()) == cosine});
 }
 
+// With names for products written out. The angle keeps its name, and so do the root and the tangent, which are others
+// from alpha = 1 on.
+ex written_out(const std::vector<Theorem>& bindings, ex right) {
+  const auto stays = [](const ex& name) {
+    return std::any_of(std::begin(kept_names), std::end(kept_names),
+                       [&](const char* kept) { return name.is_equal(proof::symbol(kept)); });
+  };
+  for (std::size_t depth = 0; depth < bindings.size(); ++depth)  // a name may stand for others
+    for (const Theorem& named : bindings)
+      if (!stays(named.lhs())) right = right.subs(named.lhs() == named.rhs());
+  return right;
+}
+
 // The outputs' right sides with what the kernel puts in from alpha = 1 on.
-void require_first(const KernelForm& form, const Theorem& theorem, const Theorem& first) {
+void require_first(const KernelForm& form, const std::vector<Theorem>& bindings,
+                   const Theorem& theorem, const Theorem& first) {
   const ex alpha = proof::symbol("alpha"), share = 1 / (1 + alpha);
   const ex cot_half = proof::symbol("cot_half"), tan_quarter = proof::symbol("tan_quarter");
   const auto beyond = [&](const ex& from) {
     return from.subs(GiNaC::lst{cot_half == share, tan_quarter == alpha * share});
   };
   const bool has_index = !form.first_index.empty();
-  const ex& right = theorem.rhs();
+  const ex right = written_out(bindings, theorem.rhs());
   if (!(beyond(turned(right, has_index ? ex(1) : share, has_index ? share : ex(1))) - first.rhs())
            .normal()
            .is_zero())
@@ -57,6 +73,24 @@ void require_first(const KernelForm& form, const Theorem& theorem, const Theorem
   const ex before = turned(right, 0, 1);
   if (has_index && !(beyond(before) - before).normal().is_zero())
     throw std::logic_error(theorem.id() + " is another number before the first collisions");
+}
+
+// The sine and the cosine may be those of a small angle, and the root that of alpha (2 + alpha).
+void require_small(const KernelForm& form, const std::vector<Theorem>& theorems) {
+  const ex quarter = proof::symbol("psi") / 4;
+  for (const std::string& id : form.small_angle) {
+    const Theorem& most = theorem_named(theorems, id);
+    const bool is_bound = most.statement().relation() == proof::Relation::less_equal &&
+                          most.lhs().is_equal(proof::symbol("r_t")) && most.rhs().is_equal(quarter);
+    if (!is_bound) throw std::logic_error(id + " does not say that r_t is psi/4 at most");
+  }
+}
+void require_root(const std::vector<Theorem>& bindings) {
+  const ex alpha = proof::symbol("alpha");
+  for (const Theorem& named : bindings)
+    if (named.lhs().is_equal(proof::symbol("cot_half")) &&
+        !named.rhs().is_equal(1 / sqrt(alpha * (2 + alpha))))
+      throw std::logic_error(named.id() + " has another root than alpha (2 + alpha)");
 }
 
 }  // namespace
@@ -73,7 +107,10 @@ Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems)
     for (const std::string& id : ids)
       require_same_right_side(source, member, theorem_named(theorems, id));
   for (std::size_t i = 0; i < form.first.size(); ++i)
-    require_first(form, source.outputs.at(i).second, theorem_named(theorems, form.first[i]));
+    require_first(form, source.bindings, source.outputs.at(i).second,
+                  theorem_named(theorems, form.first[i]));
+  require_small(form, theorems);
+  if (form.rounds_results) require_root(source.bindings);
   return {form, for_kernel(lower(source))};
 }
 

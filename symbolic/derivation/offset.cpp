@@ -60,6 +60,16 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
                      .indices = last});
 
   const ex S = sin(r), C = cos(r);
+  const ex mixed = symbol("sine_cosine"), narrowed = symbol("tan_narrowed");
+  const Theorem product = kernel.definition({.id = "offset.sine_cosine",
+                                             .statement = {mixed, S * C},
+                                             .words = "half of the sine of twice the offset",
+                                             .indices = last});
+  const Theorem narrow = kernel.definition(
+      {.id = "offset.tan_narrowed",
+       .statement = {narrowed, t * pow(C, 2)},
+       .words = "the tangent by the square of the offset's cosine, which is near 1",
+       .indices = last});
   for (const Case& at_last :
        {Case{"after_Q", counting.equal, c_prime(N_B), terminal.not_before, terminal.A_reached},
         Case{"after_P", counting.one_more_above_half, c(N_A), terminal.reached,
@@ -72,13 +82,16 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
                         .statement = {element, form},
                         .words = "from the sine and the cosine of the offset",
                         .indices = last},
-                       {meaning, which, at_last.counts, closed});
+                       {narrow, product, meaning, which, at_last.counts, closed});
     };
     velocity("a", a_t, V * (S - t * C) * (S + t * C), power.a);
     velocity("b", b_t, 2 * C * (V_CM * C + V * t * S), power.b);
     velocity("b_product", b_t, 2 * V * (t * C) * (cotangent * C + S), power.b);
-    velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S),
-             at_last.name == "after_Q" ? power.c_prime : power.c);
+    const Theorem& of_c = at_last.name == "after_Q" ? power.c_prime : power.c;
+    velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S), of_c);
+    velocity("a_sum", a_t, V * (pow(S, 2) - t * narrowed), power.a);
+    velocity("b_sum", b_t, 2 * V * (cotangent * narrowed + t * mixed), power.b);
+    velocity("c_sum", at_last.c_t, 2 * V * (cotangent * narrowed - cotangent * mixed), of_c);
     const auto bound = [&](const std::string& name, const Statement& statement,
                            const Theorem& angles, const char* words) {
       kernel.ordering({.id = "offset." + name + "_" + at_last.name,

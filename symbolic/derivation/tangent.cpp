@@ -59,6 +59,26 @@ Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, co
                    {rotation.psi_half_angle, quarter});
   velocity("tangent.b_product", b(n), 2 * V * (t * S) * (cotangent * S + C), power.b, 0);
 
+  // As sums of two products, which need no more digits than the results: C moves to and fro about a mean.
+  const ex chord = symbol("chord"), mean = symbol("ball_mean"), swing = symbol("ball_swing");
+  const std::map<std::string, long> cycles{{"n", 0}};
+  kernel.definition({.id = "tangent.chord",
+                     .statement = {chord, cotangent * S},
+                     .words = "the sine over the tangent of a half of psi",
+                     .indices = cycles});
+  kernel.definition({.id = "tangent.ball_mean",
+                     .statement = {mean, alpha * pow(chord, 2)},
+                     .words = "a quarter of c_n + c'_n, in units of V",
+                     .indices = cycles});
+  kernel.definition({.id = "tangent.ball_swing",
+                     .statement = {swing, chord * C},
+                     .words = "a quarter of their difference",
+                     .indices = cycles});
+  velocity("tangent.a_sum", a(n), V * (pow(C, 2) - alpha * mean), power.a, 0);
+  velocity("tangent.b_sum", b(n), 2 * V * (mean + alpha * swing), power.b, 0);
+  velocity("tangent.c_sum", c(n), 2 * V * (mean + swing), power.c, 1);
+  velocity("tangent.c_prime_sum", c_prime(n), 2 * V * (mean - swing), power.c_prime, 0);
+
   // The first collisions, all there are beyond alpha = 1, in the same shape: S is 1, and C and cot(psi/2) are 1/(1 + alpha).
   const ex q = 1 / (1 + alpha);
   const auto first = [&](const std::string& id, const Theorem& general, const ex& form) {

@@ -102,6 +102,17 @@ template <int N>
                                                    (Bits{} - (std::int64_t{1} << 41U)));
 }
 
+/// x with its last 27 bits cleared: 26 are left.
+[[gnu::always_inline]] inline double leading_half(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 27U));
+}
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> leading_half(Lanes<N> x) {
+  using Bits = typename Lanes<N>::Mask;
+  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
+                                                   (Bits{} - (std::int64_t{1} << 27U)));
+}
+
 [[gnu::always_inline]] inline double magnitude(double x) { return std::fabs(x); }
 template <int N>
 [[gnu::always_inline]] inline Lanes<N> magnitude(Lanes<N> x) {

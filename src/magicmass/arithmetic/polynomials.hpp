@@ -59,5 +59,53 @@ inline constexpr double secant_coefficients[] = {
     0x1.bd03ad5588cc7p-12,
 };
 
+// z (atan(t)/t - 1 + z/4)/z for z = t^2 <= 1/3: off by less than 19/1000 of 2^-53.
+inline constexpr double rough_arctangent_coefficients[] = {
+    -0x1.5555555555555p-4,
+    0x1.99999999998a3p-3,
+    -0x1.2492492485d7p-3,
+    0x1.c71c71bf5b467p-4,
+    -0x1.745d1604c964ap-4,
+    0x1.3b139224403b2p-4,
+    -0x1.110f1c6f22223p-4,
+    0x1.e1b6e650573e1p-5,
+    -0x1.addc39402eebbp-5,
+    0x1.7eec98aa8004ep-5,
+    -0x1.47a907b386feep-5,
+    0x1.ec8007e521394p-6,
+    -0x1.12c36f23202ddp-6,
+    0x1.42c8f765a8251p-8,
+};
+
+// z (sin(r)/r - 1 + z/8)/z for z = r^2, |r| <= pi/4 + 1/64: off by less than 1/1000 of 2^-53.
+inline constexpr double rough_sine_coefficients[] = {
+    -0x1.5555555555555p-5,
+    0x1.11111111110d6p-7,
+    -0x1.a01a01a00e3e7p-13,
+    0x1.71de3a4530ba6p-19,
+    -0x1.ae644047f8a15p-26,
+    0x1.61151ce475fe3p-33,
+    -0x1.a521d2f85bb7bp-41,
+};
+
+// z (sin(r)/r - 1)/z for z = r^2, |r| <= pi/6 + 2^-20: off by less than 2/1000 of 2^-53.
+inline constexpr double small_sine_coefficients[] = {
+    -0x1.5555555555555p-3,
+    0x1.1111111110f7bp-7,
+    -0x1.a01a019f902b8p-13,
+    0x1.71de39196b7ebp-19,
+    -0x1.ae61ad4d0fb71p-26,
+    0x1.5e8fb94e3335ep-33,
+};
+
+// z^2 (cos(r) - 1 + z/2)/z^2 for z = r^2, |r| <= pi/6 + 2^-20: off by less than 24/1000 of 2^-53.
+inline constexpr double small_cosine_coefficients[] = {
+    0x1.555555555555p-5,
+    -0x1.6c16c16c0f853p-10,
+    0x1.a01a016bd6f24p-16,
+    -0x1.27e4769036649p-22,
+    0x1.1dd909e6aaa7fp-29,
+};
+
 
 }  // namespace magicmass::arithmetic

@@ -13,7 +13,8 @@
 namespace magicmass::batch {
 namespace {
 using Lanes = arithmetic::Lanes<arithmetic::widest>;
-using Fast = arithmetic::Pair<Lanes>;
+using Pairs = arithmetic::Pair<Lanes>;
+using Fast = arithmetic::Rough<Lanes>;
 using Accurate = arithmetic::Tracked<Lanes>;
 }  // namespace
 
@@ -22,12 +23,12 @@ const Kernels tables::MAGICMASS_TARGET = {
     .stream = stream_velocities,
     .fast_velocities = velocities_block_by_block<Fast>,
     .accurate_velocities = velocities_block_by_block<Accurate>,
-    .fast_velocities_at_n = velocities_at_n_block_by_block<Fast>,
+    .fast_velocities_at_n = velocities_at_n_block_by_block<Fast, Pairs>,
     .accurate_velocities_at_n = velocities_at_n_block_by_block<Accurate>,
     .fast_terminal = terminal_block_by_block<Fast>,
     .accurate_terminal = terminal_block_by_block<Accurate>,
     .transmission = transmission_block_by_block,
-    .fast_ratios = ratios_block_by_block<Fast>,
+    .fast_ratios = ratios_block_by_block<Pairs>,
     .accurate_ratios = ratios_block_by_block<Accurate>,
 };
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "magicmass/arithmetic/block.hpp"
 
@@ -31,15 +32,39 @@ using RowBits = Row::Mask;  ///< as many 64-bit integers
   return alpha >= 0x1p-120 && alpha <= 0x1p60 && n >= 0 &&
          n <= (alpha >= 1.0 ? 1 : std::int64_t{1} << 51U);
 }
-/// The same of many: negative where one is not. Doubles compare like their bits, and those of a negative double are negative;
-/// differences wrap, but of the two with alpha not both.
-[[gnu::always_inline]] inline RowBits out_of_domain(RowBits alpha, RowBits n) {
+/// The same of many, where each word says something: negative alpha_words, or bits from 2^51 on in the indices. Doubles compare
+/// like their bits, and those of a negative double are negative; differences wrap, but of the two with alpha not both.
+struct OutOfDomain {
+  RowBits ratios{};
+  RowBits indices{};
+
+  [[gnu::always_inline]] void see(RowBits alpha, RowBits n) {
+    using Unsigned [[gnu::vector_size(sizeof(RowBits))]] = std::uint64_t;
+    const auto bits = [](double x) { return Unsigned{} + std::bit_cast<std::uint64_t>(x); };
+    const auto a = std::bit_cast<Unsigned>(alpha), index = std::bit_cast<Unsigned>(n);
+    ratios |= std::bit_cast<RowBits>((a - bits(0x1p-120)) | (bits(0x1p60) - a) |
+                                     ((bits(1.0) - 1 - a) & (1 - index)));
+    indices |= n;
+  }
+  [[gnu::always_inline]] bool is_any() const {
+    std::int64_t ratio = 0, index = 0;
+    for (int lane = 0; lane < arithmetic::widest; ++lane) {
+      ratio |= ratios[lane];
+      index |= indices[lane];
+    }
+    return (ratio < 0) | ((static_cast<std::uint64_t>(index) >> 51U) != 0);
+  }
+};
+
+/// Where 2^-100 <= alpha <= 2^60 there are at most 2^51 cycles.
+[[gnu::always_inline]] inline bool is_in_domain(double alpha) {
+  return alpha >= 0x1p-100 && alpha <= 0x1p60;
+}
+[[gnu::always_inline]] inline RowBits out_of_domain(RowBits alpha) {
   using Unsigned [[gnu::vector_size(sizeof(RowBits))]] = std::uint64_t;
   const auto bits = [](double x) { return Unsigned{} + std::bit_cast<std::uint64_t>(x); };
-  const auto a = std::bit_cast<Unsigned>(alpha), index = std::bit_cast<Unsigned>(n);
-  return std::bit_cast<RowBits>((a - bits(0x1p-120)) | (bits(0x1p60) - a) | index |
-                                ((std::uint64_t{1} << 51U) - index) |
-                                ((bits(1.0) - 1 - a) & (1 - index)));
+  const auto a = std::bit_cast<Unsigned>(alpha);
+  return std::bit_cast<RowBits>((a - bits(0x1p-100)) | (bits(0x1p60) - a));
 }
 [[gnu::always_inline]] inline bool has_negative(RowBits words) {
   std::int64_t all = 0;
@@ -56,6 +81,11 @@ template <class Number>
   else
     return false;
 }
+
+template <class Number>
+constexpr bool rounds_results = requires {
+  typename Number::Result;
+};
 
 template <class Number>
 constexpr bool rounding_is_tested = requires(arithmetic::Certainty<Number> certain) {

@@ -11,6 +11,7 @@
 #include "magicmass/batch/one_by_one.hpp"
 #include "magicmass/batch/open_rows.hpp"
 #include "magicmass/kernels/terminal.hpp"
+#include "magicmass/kernels/terminal_in_rows.hpp"
 
 namespace magicmass::batch {
 inline namespace MAGICMASS_TARGET {
@@ -25,22 +26,32 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         count_block(rows, of_alpha, of_N_A, of_N_B);
         alignas(64) arithmetic::BlockOfDoubles cycles;
         alignas(64) arithmetic::BlockOfDoubles turns;
+        alignas(64) arithmetic::BlockOfDoubles ratios;
         RowBits outside{};
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
           const RowBits A = load_bits(of_N_A + i);
-          outside |= out_of_domain(load_bits(of_alpha + i), A);
+          const RowBits ratio = load_bits(of_alpha + i);
+          outside |= out_of_domain(ratio);
+          arithmetic::store(Row(std::bit_cast<Row::Doubles>(ratio)), &ratios[i]);
           arithmetic::store(as_doubles(A), &cycles[i]);
           // 1 after a Q, -1 after a P
-          const Row A_after_B = as_doubles(A - load_bits(of_N_B + i));
-          arithmetic::store(Row(1.0) - Row(2.0) * A_after_B, &turns[i]);
+          const RowBits is_P = load_bits(of_N_B + i) - A;
+          arithmetic::store(
+              Row(std::bit_cast<Row::Doubles>((is_P & std::numeric_limits<std::int64_t>::min()) |
+                                              std::bit_cast<std::int64_t>(1.0))),
+              &turns[i]);
         }
         const bool is_any_outside = has_negative(outside);
         arithmetic::Certainty<Number> certain;
-        generated::terminal_block<Number>(rows, of_alpha, cycles.data(), turns.data(), of_a, of_b,
-                                          of_c, nullptr, certain);
+        if constexpr (rounds_results<Number>)
+          generated::terminal_in_rows_block<Number>(rows, ratios.data(), cycles.data(),
+                                                    turns.data(), of_a, of_b, of_c);
+        else
+          generated::terminal_block<Number>(rows, ratios.data(), cycles.data(), turns.data(), of_a,
+                                            of_b, of_c, nullptr, certain);
         if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {
-          if (is_in_domain(of_alpha[i], of_N_A[i]) && !is_open(certain, i)) continue;
+          if (is_in_domain(of_alpha[i]) && !is_open(certain, i)) continue;
           const auto one = rounding_is_tested<Number> ? accurate_terminal(of_alpha[i])
                                                       : fast_terminal(of_alpha[i]);
           of_a[i] = one.a_t;

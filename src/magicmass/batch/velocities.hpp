@@ -12,6 +12,7 @@
 #include "magicmass/kernels/velocities.hpp"
 #include "magicmass/kernels/velocities_at_1.hpp"
 #include "magicmass/kernels/velocities_at_2.hpp"
+#include "magicmass/kernels/velocities_in_rows.hpp"
 
 namespace magicmass::batch {
 inline namespace MAGICMASS_TARGET {
@@ -34,6 +35,18 @@ struct VelocityRows {
   }
 };
 
+/// Numbers that round their results have a kernel of sums, others one of products.
+template <class Number, class Certain>
+[[gnu::always_inline]] inline void velocities_of_block(std::size_t rows, const double* alpha,
+                                                       const double* n, const VelocityRows& result,
+                                                       Certain& certain) {
+  const auto& [a, b, c, c_prime] = result;
+  if constexpr (rounds_results<Number>)
+    generated::velocities_in_rows_block<Number>(rows, alpha, n, a, b, c, c_prime);
+  else
+    generated::velocities_block<Number>(rows, alpha, n, a, b, c, c_prime, certain);
+}
+
 template <class Number>
 void velocities_block_by_block(const double* alpha, const std::int64_t* n, double* a, double* b,
                                double* c, double* c_prime, std::size_t size) {
@@ -42,18 +55,20 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
       [](std::size_t rows, const double* of_alpha, const std::int64_t* of_n, double* of_a,
          double* of_b, double* of_c, double* of_c_prime) {
         alignas(64) arithmetic::BlockOfDoubles index;
-        RowBits outside{};
+        alignas(64) arithmetic::BlockOfDoubles ratios;
+        OutOfDomain outside;
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
           const RowBits n_ = load_bits(of_n + i);
-          outside |= out_of_domain(load_bits(of_alpha + i), n_);
+          const RowBits ratio = load_bits(of_alpha + i);
+          outside.see(ratio, n_);
+          arithmetic::store(Row(std::bit_cast<Row::Doubles>(ratio)), &ratios[i]);
           arithmetic::store(as_doubles(n_), &index[i]);
         }
-        const bool is_any_outside = has_negative(outside);
+        const bool is_any_outside = outside.is_any();
         arithmetic::Certainty<Number> certain;
-        generated::velocities_block<Number>(rows, of_alpha, index.data(), of_a, of_b, of_c,
-                                            of_c_prime, certain);
-        if (!is_any_outside && certain.is_all(rows)) return;
         const VelocityRows result{of_a, of_b, of_c, of_c_prime};
+        velocities_of_block<Number>(rows, ratios.data(), index.data(), result, certain);
+        if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i)
           if (!is_in_domain(of_alpha[i], of_n[i]) || is_open(certain, i))
             result.set<Number>(i, of_alpha[i], of_n[i]);
@@ -62,7 +77,8 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
 }
 
 /// The same n for all rows: in the first two cycles a rational function of alpha is cheaper than angles, in the third no more.
-template <class Number>
+/// Few is the number type of the rational functions.
+template <class Number, class Few = Number>
 void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double* a, double* b,
                                     double* c, double* c_prime, std::size_t size) {
   alignas(64) arithmetic::BlockOfDoubles index;
@@ -71,26 +87,25 @@ void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double*
       size,
       [&index, n](std::size_t rows, const double* of_alpha, double* of_a, double* of_b,
                   double* of_c, double* of_c_prime) {
-        RowBits outside{};
+        OutOfDomain outside;
         for (std::size_t i = 0; i < rows; i += arithmetic::widest)
-          outside |= out_of_domain(load_bits(of_alpha + i), RowBits{} + n);
-        const bool is_any_outside = has_negative(outside);
-        arithmetic::Certainty<Number> certain;
+          outside.see(load_bits(of_alpha + i), RowBits{} + n);
+        const bool is_any_outside = outside.is_any();
+        arithmetic::Certainty<Few> certain;
+        const VelocityRows result{of_a, of_b, of_c, of_c_prime};
         switch (n) {
           case 1:
-            generated::velocities_at_1_block<Number>(rows, of_alpha, of_a, of_b, of_c, of_c_prime,
-                                                     certain);
+            generated::velocities_at_1_block<Few>(rows, of_alpha, of_a, of_b, of_c, of_c_prime,
+                                                  certain);
             break;
           case 2:
-            generated::velocities_at_2_block<Number>(rows, of_alpha, of_a, of_b, of_c, of_c_prime,
-                                                     certain);
+            generated::velocities_at_2_block<Few>(rows, of_alpha, of_a, of_b, of_c, of_c_prime,
+                                                  certain);
             break;
           default:
-            generated::velocities_block<Number>(rows, of_alpha, index.data(), of_a, of_b, of_c,
-                                                of_c_prime, certain);
+            velocities_of_block<Number>(rows, of_alpha, index.data(), result, certain);
         }
         if (!is_any_outside && certain.is_all(rows)) return;
-        const VelocityRows result{of_a, of_b, of_c, of_c_prime};
         for (std::size_t i = 0; i < rows; ++i)
           if (!is_in_domain(of_alpha[i], n) || is_open(certain, i))
             result.set<Number>(i, of_alpha[i], n);

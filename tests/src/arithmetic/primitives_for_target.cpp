@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Compiled once for each instruction set. Everything here is a template over a closure, so of this file alone.
+#include <type_traits>
+
 #include "arithmetic/primitives.hpp"
 #include "magicmass/arithmetic/arctangent.hpp"
 #include "magicmass/arithmetic/bounded.hpp"
@@ -9,6 +11,7 @@
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/rooted.hpp"
+#include "magicmass/arithmetic/rough_functions.hpp"
 #include "magicmass/arithmetic/secant.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
 #include "magicmass/arithmetic/tabled.hpp"
@@ -22,6 +25,16 @@ using namespace arithmetic;
 template <class T>
 Pair<T> pair(const T* x) {
   return {x[0], x[1]};
+}
+template <class T>
+Rough<T> rough(const T* x) {
+  return {x[0], x[1]};
+}
+template <class T>
+NearOne<T> near_one(T below) {
+  NearOne<T> x;
+  x.below = below;
+  return x;
 }
 template <class T>
 Tracked<T> tracked(const T* x) {
@@ -45,6 +58,21 @@ template <class T>
 void put(Pair<T> x, T* y) {
   y[0] = x.high;
   y[1] = x.low;
+}
+template <class T>
+void put(Rough<T> x, T* y) {
+  y[0] = x.high;
+  y[1] = x.low;
+}
+template <class T>
+void put(Wide<T> x, T* y) {
+  y[0] = x.high;
+  y[1] = x.low;
+}
+template <class T>
+void put(Cut<T> x, T* y) {
+  y[0] = x.lead;
+  y[1] = x.rest;
 }
 template <class T>
 void put(Tracked<T> x, T* y) {
@@ -94,6 +122,7 @@ Tabled<double> tabled(const double* x) { return Tabled<double>(pair(x)); }
 void put(Tabled<double> x, double* y) { put(x.pair, y); }
 
 constexpr double some_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0, -0.01, 0x1.fp1, -1.0};
+constexpr double even_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0};
 alignas(64) constexpr double table[] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
 
 }  // namespace
@@ -163,6 +192,52 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                const auto both = sine_cosine(pair(x));
                put(both.sine, y);
                put(both.cosine, y + 2);
+             }),
+
+    of<1, 1>("two_chains",
+             [](const auto* x, auto* y) { put(two_chains(some_coefficients, x[0]), y); }),
+    of<1, 1>("two_even_chains",
+             [](const auto* x, auto* y) { put(two_chains(even_coefficients, x[0]), y); }),
+    of<1, 1>("leading_half", [](const auto* x, auto* y) { put(leading_half(x[0]), y); }),
+    of<4, 2>("rough_product", [](const auto* x, auto* y) { put(rough(x) * rough(x + 2), y); }),
+    of<3, 2>("rough_times_number", [](const auto* x, auto* y) { put(rough(x) * x[2], y); }),
+    of<2, 2>("rough_from_pi",
+             [](const auto* x, auto* y) {
+               using Number = decltype(rough(x));
+               put((Number::pi() - rough(x)) * typename Number::Real(-0.5), y);
+             }),
+    of<4, 2>("cut_product",
+             [](const auto* x, auto* y) { put(parts(rough(x)) * parts(rough(x + 2)), y); }),
+    of<3, 2>("cut_times_number", [](const auto* x, auto* y) { put(parts(rough(x)) * x[2], y); }),
+    of<4, 3>("cut_times_near_one",
+             [](const auto* x, auto* y) {
+               const auto product = near_one(x[2]) * near_one(x[3]);
+               put(parts(rough(x)) * product, y);
+               y[2] = product.below;
+             }),
+    of<4, 2>("wide_sums",
+             [](const auto* x, auto* y) {
+               using T = std::remove_cvref_t<decltype(x[0])>;
+               const Wide<T> one{x[0], x[1]}, other{x[2], x[3]};
+               y[0] = rounded(scaled(one + other, -2.0));
+               y[1] = rounded(one - other);
+             }),
+    of<1, 4>("rough_root",
+             [](const auto* x, auto* y) {
+               using Number = decltype(rough(x));
+               const auto square = Number::root_argument(x[0], x[0] >= typename Number::Real(1.0));
+               put(square, y);
+               put(reciprocal_square_root(square), y + 2);
+             }),
+    of<2, 2>("rough_arctangent", [](const auto* x, auto* y) { put(arctangent(rough(x)), y); }),
+    of<2, 7>("rough_sine_cosine",
+             [](const auto* x, auto* y) {
+               const auto both = sine_cosine(rough(x));
+               put(both.sine, y);
+               put(both.cosine, y + 2);
+               const auto small = small_sine_cosine(rough(x));
+               put(small.sine, y + 4);
+               y[6] = small.cosine.below;
              }),
 
     of<6, 3>("tracked_sum", [](const auto* x, auto* y) { put(tracked(x) + tracked(x + 3), y); }),

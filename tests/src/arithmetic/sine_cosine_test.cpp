@@ -69,8 +69,8 @@ void require_within(const cl_RA& relative, const cl_RA& absolute, const Columns&
 
 TEST_CASE("sine and cosine of a pair are within 0.2 2^-53 of themselves up to 2.35", "[check]") {
   const Columns in = arguments(71, 0.0, 2.35);
-  require_within(power(-53) / 5, power(-109), in,
-                 the_same_at_every_width("pair_sine_cosine", in), 2);
+  require_within(power(-53) / 5, power(-109), in, the_same_at_every_width("pair_sine_cosine", in),
+                 2);
 }
 
 TEST_CASE("sine and cosine of a tracked number are within 2^-70.1 or 2^-80 up to 3.14", "[check]") {

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "codegen/emit_kernel_block.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "codegen/expression.hpp"
+
+namespace magicmass::codegen {
+namespace {
+
+std::string line(const std::string& text) { return wrapped(text) + "\n"; }
+
+// Where an output goes.
+std::string stored(const KernelForm& form, const std::string& output) {
+  return "    if (" + output + " != nullptr) " +
+         (form.rounds_results
+              ? "arithmetic::store(rounded(result." + output + "), " + output + " + i);\n"
+              : "certain.store(result." + output + ", " + output + ", i);\n");
+}
+
+}  // namespace
+
+std::vector<std::string> loaded_inputs(const KernelForm& form) {
+  std::vector<std::string> all = form.reals;
+  all.insert(all.end(), form.integers.begin(), form.integers.end());
+  return all;
+}
+
+bool is_needed_in(int number, int stage, const Program& program, const Stages& stages,
+                  const KernelForm& form) {
+  if (stages.stage[static_cast<std::size_t>(number)] >= stage) return false;
+  const auto is_in_stage = [&](std::size_t i) { return stages.stage[i] == stage; };
+  const bool is_root =
+      program.nodes[static_cast<std::size_t>(number)].op == Op::reciprocal_square_root;
+  for (std::size_t i = 0; i < program.nodes.size(); ++i) {
+    const Node& node = program.nodes[i];
+    if (!is_in_stage(i)) continue;
+    if (std::find(node.args.begin(), node.args.end(), number) != node.args.end()) return true;
+    // the selections from alpha = 1 on use the root where the turn is known
+    if (!form.first.empty() && is_root && node.op == Op::sine) return true;
+  }
+  return false;
+}
+
+std::string emit_block(const KernelForm& form, const Program& program, const Stages& stages,
+                       const KernelPrinter& printer, const std::map<int, std::string>& carried) {
+  const std::vector<std::string> inputs = loaded_inputs(form);
+  std::string text =
+      "// A block of at most arithmetic::block_size elements, a whole number of vectors.\n// An "
+      "output that is not wanted is null" +
+      std::string(form.rounds_results ? "" : "; `certain` is for number types that know") +
+      ".\ntemplate <class Number>\n";
+  std::string signature = "void " + form.name + "_block(std::size_t size";
+  for (const std::string& input : inputs) signature += ", const double* " + input;
+  for (const Output& output : program.outputs) signature += ", double* " + output.name;
+  if (!form.rounds_results) signature += ", arithmetic::Certainty<Number>& certain";
+  text += line(signature + ") {");
+  text += "  using Kernel = " + form.kernel +
+          "<Number>;\n  using Real = typename Number::Real;\n  constexpr std::size_t lanes = "
+          "arithmetic::lane_count<Real>;\n";
+  for (const auto& [number, type] : carried)
+    text += "  arithmetic::Block<" + type + "> " + printer.name(number) + "s;\n";
+  for (int s = 0; s < stages.count; ++s) {
+    text += "  for (std::size_t i = 0; i < size; i += lanes) {\n    Kernel kernel;\n";
+    for (const std::string& input : inputs)
+      text += "    kernel." + input + " = arithmetic::load<Real>(" + input + " + i);\n";
+    for (const auto& [number, type] : carried)
+      if (is_needed_in(number, s, program, stages, form))
+        text += "    kernel." + printer.name(number) + " = " + printer.name(number) + "s.get(i);\n";
+    if (s + 1 < stages.count) {
+      text += fmt::format("    kernel.stage_{}();\n", s + 1);
+      for (const auto& [number, type] : carried)
+        if (stages.stage[static_cast<std::size_t>(number)] == s)
+          text +=
+              "    " + printer.name(number) + "s.put(i, kernel." + printer.name(number) + ");\n";
+    } else {
+      text += "    const auto result = kernel.result();\n";
+      for (const Output& output : program.outputs) text += stored(form, output.name);
+    }
+    text += "  }\n";
+  }
+  return text + "}\n";
+}
+
+}  // namespace magicmass::codegen
