@@ -106,11 +106,11 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
 std::string power(const Formula& formula, bool small) {
   const Formula& base = formula.parts[0];
   const std::string high = row(set(formula.parts[1], true));
-  if (is_applied(
-          base))  // cos^n x, for cos x^n would be the cosine of x^n return call(base, small, high);
-    if (is_root(base) && formula.parts[1].kind == Kind::number)  // sqrt(x)^3
-      return "<msup>" + factor(base.parts[0], true) +
-             row(set(formula.parts[1], true) + "<mo>/</mo><mn>2</mn>") + "</msup>";
+  // cos^n x, for cos x^n would be the cosine of x^n
+  if (is_applied(base)) return call(base, small, high);
+  if (is_root(base) && formula.parts[1].kind == Kind::number)  // sqrt(x)^3
+    return "<msup>" + factor(base.parts[0], true) +
+           row(set(formula.parts[1], true) + "<mo>/</mo><mn>2</mn>") + "</msup>";
   const bool open = base.kind == Kind::product || base.kind == Kind::power ||
                     base.kind == Kind::adjacent || base.kind == Kind::quotient ||
                     (base.kind == Kind::call && base.text == "factorial");

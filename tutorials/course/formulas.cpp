@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "course/formulas.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "course/refusal.hpp"
+#include "render/formula.hpp"
+#include "render/formula_latex.hpp"
+#include "render/formula_mathml.hpp"
+#include "render/html_frame.hpp"
+#include "render/notation.hpp"
+
+namespace magicmass::course {
+namespace {
+
+using render::html_escaped;
+
+/// An equation that is wider, in em, scrolls on a phone; the keyboard must reach what scrolls.
+constexpr double phone_width = 19;
+
+render::Formula equation(const proof::Step& step) {
+  return render::equation(step.from, step.relation, step.to);
+}
+
+/// What holds throughout the course; the first page says so, and no formula repeats it.
+bool is_standing(const std::string& condition) {
+  static const std::set<std::string> standing{"a(n) != a(n - 1) for every n from 1 up to there",
+                                              "b(n) != b(n - 1) for every n from 1 up to there",
+                                              "the objects do not pass through each other",
+                                              "mu_A = M_A/(M_A + m)",
+                                              "mu_B = M_B/(M_B + m) or mu_B = 1"};
+  static const std::set<std::string> positive{"M",    "m",    "M_1", "M_2", "M_A",   "M_B",
+                                              "mu_A", "mu_B", "V",   "L",   "alpha", "e"};
+  const auto sign = condition.find(" > 0");
+  return standing.contains(condition) ||
+         (sign + 4 == condition.size() && positive.contains(condition.substr(0, sign)));
+}
+
+bool holds_relation(const render::Formula& formula) {
+  return formula.kind == render::Formula::Kind::relation ||
+         std::any_of(formula.parts.begin(), formula.parts.end(), holds_relation);
+}
+
+}  // namespace
+
+Steps by_id(const std::vector<proof::Step>& steps) {
+  Steps result;
+  for (const proof::Step& step : steps) result.emplace(step.id, step);
+  return result;
+}
+
+std::string theorem_display(const proof::Step& step) {
+  const render::Formula formula = equation(step);
+  const bool wide = render::latex_width(formula) > phone_width;
+  std::string conditions;
+  for (const std::string& condition : step.conditions)
+    if (!is_standing(condition))
+      conditions += (conditions.empty() ? " if " : "; ") + render::html_prose(condition);
+  return fmt::format(
+      "<div class=\"theorem\"><div class=\"equation\"{}>{}</div>\n<p class=\"source\"><a "
+      "href=\"derivation.html#{}\">{}</a> <span class=\"verdict\">{}{}</span></p></div>",
+      wide ? " tabindex=\"0\" role=\"group\" aria-label=\"equation\"" : "",
+      render::mathml_display(formula), html_escaped(step.id), html_escaped(step.id),
+      html_escaped(step.verdict), conditions);
+}
+
+std::string theorem_inline(const proof::Step& step) {
+  return fmt::format("<a class=\"formula\" href=\"derivation.html#{}\">{}</a>",
+                     html_escaped(step.id), render::mathml(equation(step)));
+}
+
+std::string side_inline(const std::string& side) { return render::mathml(render::formula(side)); }
+
+std::string term(const std::string& text) {
+  const auto formula = render::read_formula(text);
+  if (formula && !holds_relation(*formula)) return render::mathml(*formula);
+  if (formula || render::read_relation(text))
+    throw Refusal("$" + text +
+                  "$ claims something; a claim comes from the derivation: {{theorem:id}}");
+  throw Refusal("$" + text + "$ is not in the derivation's notation, such as $a(n)$ or $n*psi/2$");
+}
+
+std::string cell(const std::string& text) {
+  const auto formula = render::read_formula(text);
+  if (!formula) return value(text);
+  const bool is_symbol =
+      formula->kind == render::Formula::Kind::name && render::looks_like_symbol(text);
+  return is_symbol || render::is_element(*formula) ? render::mathml(*formula) : value(text);
+}
+
+std::string value(const std::string& text) {
+  const bool is_negative =
+      text.size() > 1 && text[0] == '-' && std::isdigit(static_cast<unsigned char>(text[1])) != 0;
+  return is_negative ? "−" + html_escaped(text.substr(1)) : html_escaped(text);
+}
+
+}  // namespace magicmass::course
