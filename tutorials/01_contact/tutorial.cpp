@@ -24,25 +24,28 @@ void print_contact(const std::string& mass, const std::string& other_mass) {
   const auto [v_1, v_2] = collide<cln::cl_RA>(m_1, 1, m_2, 0);
   const cln::cl_RA energy_share = m_2 * v_2 * v_2 / m_1;
   std::printf("  %s | %s | %s | %s | %s | %s\n", mass.c_str(), other_mass.c_str(),
-              to_text(v_1).c_str(), to_text(v_2).c_str(), to_text(v_2 - v_1).c_str(),
-              to_text(energy_share).c_str());
+              to_text(v_1).c_str(), to_text(v_2).c_str(),
+              to_text(v_2 - v_1).c_str(), to_text(energy_share).c_str());
 }
 
 // The chapter of the derivation about one contact, from these laws. Returns what the proof kernel says.
 std::string derived_from(const derivation::Laws& laws) {
   proof::Kernel kernel({.positive = {"M", "M_1", "M_2", "alpha"}, .integer = {}});
   try {
-    derivation::orthogonal(kernel, derivation::paper());  // rotations and reflections
+    derivation::orthogonal(kernel,
+                           derivation::paper());  // rotations and reflections
     const std::size_t before = kernel.theorems().size();
     derivation::contact(kernel, laws, derivation::paper());
-    return std::to_string(kernel.theorems().size() - before) + " steps, none refused";
+    return std::to_string(kernel.theorems().size() - before) +
+           " steps, none refused";
   } catch (const proof::NotProved& refused) {
     return "refused at " + refused.step.id;
   }
 }
 
 int main() {
-  std::printf("contacts:\n  M_1 | M_2 | v_1 | v_2 | v_2 - v_1 | energy that moved\n");
+  std::printf(
+      "contacts:\n  M_1 | M_2 | v_1 | v_2 | v_2 - v_1 | energy that moved\n");
   print_contact("1", "1");
   print_contact("1", "1/7");
   print_contact("1", "1/100");

@@ -33,13 +33,15 @@ void print_matrix(const char* name, const matrix& m) {
 
 int main() {
   // The derivation up to this chapter; each of these functions proves its steps in the kernel.
-  proof::Kernel kernel({.positive = {"M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
+  proof::Kernel kernel(
+      {.positive = {"M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
   derivation::orthogonal(kernel, derivation::paper());
-  const auto contact =
-      derivation::contact(kernel, derivation::conservation_laws(), derivation::paper());
+  const auto contact = derivation::contact(kernel, derivation::conservation_laws(),
+                                           derivation::paper());
   const auto cycle = derivation::cycle(kernel, contact, derivation::paper());
 
-  const matrix Gamma_A = at_alpha(cycle.Gamma_A.rhs()), Gamma_B = at_alpha(cycle.Gamma_B.rhs());
+  const matrix Gamma_A = at_alpha(cycle.Gamma_A.rhs()),
+               Gamma_B = at_alpha(cycle.Gamma_B.rhs());
   const matrix Lambda = at_alpha(cycle.Lambda.rhs());
   std::printf("alpha: %s\n", text(alpha).c_str());
   print_matrix("Lambda", Lambda);
@@ -50,13 +52,14 @@ int main() {
   matrix V_n(3, 1);
   V_n(0, 0) = 1;
   std::printf(
-      "cycles:\n  n | a(n) | b(n) | third component | sum of squares | does a contact follow?\n");
+      "cycles:\n  n | a(n) | b(n) | third component | sum of squares | does a "
+      "contact follow?\n");
   for (int n = 0; n <= 4; ++n) {
     const ex length = (V_n.transpose().mul(V_n))(0, 0);
     const bool catches_up = V_n(0, 0) > V_n(2, 0) / sqrt(alpha);
     std::printf("  %d | %s | %s | %s | %s | %s\n", n, text(V_n(0, 0)).c_str(),
-                text(V_n(1, 0)).c_str(), text(V_n(2, 0)).c_str(), text(length).c_str(),
-                catches_up ? "yes" : "no");
+                text(V_n(1, 0)).c_str(), text(V_n(2, 0)).c_str(),
+                text(length).c_str(), catches_up ? "yes" : "no");
     V_n = Lambda.mul(V_n);
   }
 }

@@ -11,7 +11,9 @@
 
 using Vector = std::array<double, 3>;
 
-double dot(const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+double dot(const Vector& x, const Vector& y) {
+  return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+}
 
 double degrees(double angle) { return 180 / std::numbers::pi * angle; }
 
@@ -25,16 +27,18 @@ Vector axis(double alpha) {
 double angle_about(const Vector& axis, const Vector& x, const Vector& y) {
   const double x_along = dot(x, axis), y_along = dot(y, axis);
   const double across = dot(x, y) - x_along * y_along;
-  return std::acos(across /
-                   std::sqrt((dot(x, x) - x_along * x_along) * (dot(y, y) - y_along * y_along)));
+  return std::acos(across / std::sqrt((dot(x, x) - x_along * x_along) *
+                                      (dot(y, y) - y_along * y_along)));
 }
 
 int main() {
-  std::printf("angles:\n  alpha | psi in degrees | psi/2 in degrees | cycles in a full turn\n");
+  std::printf(
+      "angles:\n  alpha | psi in degrees | psi/2 in degrees | cycles in a full "
+      "turn\n");
   for (const double alpha : {1e9, 10.0, 1.0, 0.5, 0.1, 0.01, 0.0001}) {
     const double psi = magicmass::accurate::angle(alpha);
-    std::printf("  %g | %.4f | %.4f | %.4f\n", alpha, degrees(psi), degrees(psi / 2),
-                2 * std::numbers::pi / psi);
+    std::printf("  %g | %.4f | %.4f | %.4f\n", alpha, degrees(psi),
+                degrees(psi / 2), 2 * std::numbers::pi / psi);
   }
 
   const double alpha = 0.1;

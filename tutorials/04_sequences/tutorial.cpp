@@ -24,11 +24,13 @@ void print_fractions(const cln::cl_RA& alpha) {
       c = event.after.c;
       return;
     }
-    const auto v = magicmass::generated::velocities_exact<cln::cl_RA>(alpha, event.n);
-    const bool same =
-        v.a == event.after.a && v.b == event.after.b && v.c == c && v.c_prime == event.after.c;
-    std::printf("  %lld | %s | %s | %s | %s | %s\n", static_cast<long long>(event.n),
-                to_text(v.a).c_str(), to_text(v.b).c_str(), to_text(v.c).c_str(),
+    const auto v =
+        magicmass::generated::velocities_exact<cln::cl_RA>(alpha, event.n);
+    const bool same = v.a == event.after.a && v.b == event.after.b && v.c == c &&
+                      v.c_prime == event.after.c;
+    std::printf("  %lld | %s | %s | %s | %s | %s\n",
+                static_cast<long long>(event.n), to_text(v.a).c_str(),
+                to_text(v.b).c_str(), to_text(v.c).c_str(),
                 to_text(v.c_prime).c_str(), same ? "yes" : "no");
   });
 }
@@ -45,14 +47,16 @@ int main() {
   std::printf("curves:\n  n | a | b | c | c'\n");
   for (std::int64_t n = 1; n <= cycles; ++n) {
     const auto v = magicmass::accurate::velocities(light, n);
-    std::printf("  %lld | %.4f | %.4f | %.4f | %.4f\n", static_cast<long long>(n), v.a, v.b, v.c,
-                v.c_prime);
+    std::printf("  %lld | %.4f | %.4f | %.4f | %.4f\n", static_cast<long long>(n),
+                v.a, v.b, v.c, v.c_prime);
   }
 
   // A leap into the middle of a long story: no step before it has to be taken.
   const double feather = 1e-20;
   const std::int64_t middle = magicmass::count_collisions(feather)->N_B / 2;
   const auto v = magicmass::accurate::velocities(feather, middle);
-  std::printf("feather: %g\nmiddle: %lld\n", feather, static_cast<long long>(middle));
-  std::printf("leap:\n  a | b | c | c'\n  %.6g | %.6g | %.6g | %.6g\n", v.a, v.b, v.c, v.c_prime);
+  std::printf("feather: %g\nmiddle: %lld\n", feather,
+              static_cast<long long>(middle));
+  std::printf("leap:\n  a | b | c | c'\n  %.6g | %.6g | %.6g | %.6g\n", v.a, v.b,
+              v.c, v.c_prime);
 }

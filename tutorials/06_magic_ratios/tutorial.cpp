@@ -22,10 +22,13 @@ FieldNumber exact_ratio(std::int64_t q) {
 // Contact after contact in exact arithmetic, from the law of one contact alone.
 void print_exact_run(std::int64_t k, const FieldNumber& alpha) {
   const auto run = magicmass::step_velocities<FieldNumber>(alpha);
-  std::printf("  %lld | %.6f | %lld | %lld | %.6f | %.6f | %.6f | %s\n", static_cast<long long>(k),
-              reference::nearest_double(alpha), static_cast<long long>(run.counts.N_A),
-              static_cast<long long>(run.counts.N_B), reference::nearest_double(run.terminal.a),
-              reference::nearest_double(run.terminal.c), reference::nearest_double(run.terminal.b),
+  std::printf("  %lld | %.6f | %lld | %lld | %.6f | %.6f | %.6f | %s\n",
+              static_cast<long long>(k), reference::nearest_double(alpha),
+              static_cast<long long>(run.counts.N_A),
+              static_cast<long long>(run.counts.N_B),
+              reference::nearest_double(run.terminal.a),
+              reference::nearest_double(run.terminal.c),
+              reference::nearest_double(run.terminal.b),
               run.terminal.b == FieldNumber(1)   ? "everything"
               : run.terminal.b == run.terminal.c ? "ball and B together"
                                                  : "neither");
@@ -39,10 +42,12 @@ int main() {
 
   // How much is lost when the mass is only nearly right?
   const double alpha_3 = magicmass::accurate::ratios(3).magic;
-  std::printf("misses:\n  ball too heavy by | energy that B does not get | N_A | N_B\n");
+  std::printf(
+      "misses:\n  ball too heavy by | energy that B does not get | N_A | N_B\n");
   for (const double miss : {-0.1, -0.01, -0.001, 0.001, 0.01, 0.1}) {
     const auto end = magicmass::accurate::terminal(alpha_3 * (1 + miss)).value();
     std::printf("  %g | %.2g | %lld | %lld\n", miss, 1 - end.rho,
-                static_cast<long long>(end.counts.N_A), static_cast<long long>(end.counts.N_B));
+                static_cast<long long>(end.counts.N_A),
+                static_cast<long long>(end.counts.N_B));
   }
 }

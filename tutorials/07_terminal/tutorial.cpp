@@ -7,12 +7,14 @@
 #include "magicmass/accurate.hpp"
 
 int main() {
-  std::printf("endings:\n  alpha | a_t | c_t | b_t | energy of B | twice the centre's velocity\n");
+  std::printf(
+      "endings:\n  alpha | a_t | c_t | b_t | energy of B | twice the centre's "
+      "velocity\n");
   for (const double alpha :
        {100.0, 10.0, 2.0, 1.0, 0.7, 0.4142, 0.3, 0.236, 0.12, 0.1, 0.01, 0.001}) {
     const auto end = magicmass::accurate::terminal(alpha).value();
-    std::printf("  %g | %.6f | %.6f | %.6f | %.6f | %.6f\n", alpha, end.a_t, end.c_t, end.b_t,
-                end.rho, 2 / (2 + alpha));
+    std::printf("  %g | %.6f | %.6f | %.6f | %.6f | %.6f\n", alpha, end.a_t,
+                end.c_t, end.b_t, end.rho, 2 / (2 + alpha));
   }
 
   // Many ratios, evenly spaced on a logarithmic scale. Every rule of the chapter is put to the test.
@@ -30,7 +32,9 @@ int main() {
       its_alpha = alpha;
     }
   }
-  std::printf("asked: %d\nin_order: %d\nrecoils: %d\nnever_faster: %d\nat_least_twice: %d\n", asked,
-              in_order, recoils, never_faster, at_least_twice);
+  std::printf(
+      "asked: %d\nin_order: %d\nrecoils: %d\nnever_faster: %d\nat_least_twice: "
+      "%d\n",
+      asked, in_order, recoils, never_faster, at_least_twice);
   std::printf("largest_recoil: %.4f\nits_alpha: %.3f\n", largest_recoil, its_alpha);
 }

@@ -42,12 +42,14 @@ double heaviest_in_collapse(double e) { return (1 + e) / (2 * std::sqrt(e)) - 1;
 int main() {
   const double alpha = 0.12;
   std::printf("alpha: %g\n", alpha);
-  std::printf("losses:\n  e | N_A | N_B | a_t | c_t | b_t | energy of B | energy of all\n");
+  std::printf(
+      "losses:\n  e | N_A | N_B | a_t | c_t | b_t | energy of B | energy of all\n");
   for (const double e : {1.0, 0.99, 0.95, 0.9, 0.8, 0.7, 0.6}) {
     const Outcome end = run(alpha, e, 1000);
     std::printf("  %g | %lld | %lld | %.4f | %.4f | %.4f | %.4f | %.4f\n", e,
-                static_cast<long long>(end.counts.N_A), static_cast<long long>(end.counts.N_B),
-                end.a, end.c, end.b, end.b * end.b,
+                static_cast<long long>(end.counts.N_A),
+                static_cast<long long>(end.counts.N_B), end.a, end.c, end.b,
+                end.b * end.b,
                 end.a * end.a + alpha * end.c * end.c + end.b * end.b);
   }
 
@@ -59,11 +61,15 @@ int main() {
 
   // Three equal masses, restitution from above towards the threshold: events in double precision, and the exact count.
   std::printf("towards_collapse:\n  e | simulated | exact\n");
-  for (const char* const e : {"1", "1/2", "1/5", "1/10", "2/25", "37/500", "9/125", "719/10000"}) {
+  for (const char* const e :
+       {"1", "1/2", "1/5", "1/10", "2/25", "37/500", "9/125", "719/10000"}) {
     const cln::cl_RA exact_e = magicmass::reference::parse_rational(e);
-    const auto exact = magicmass::reference::count_collisions(magicmass::MassRatio(1.0), exact_e);
-    const Outcome end = run(1, magicmass::reference::nearest<double>(exact_e), 1000);
-    std::printf("  %s | %lld | %s\n", e, static_cast<long long>(end.counts.N_A + end.counts.N_B),
+    const auto exact =
+        magicmass::reference::count_collisions(magicmass::MassRatio(1.0), exact_e);
+    const Outcome end =
+        run(1, magicmass::reference::nearest<double>(exact_e), 1000);
+    std::printf("  %s | %lld | %s\n", e,
+                static_cast<long long>(end.counts.N_A + end.counts.N_B),
                 magicmass::reference::to_text(exact->N_A + exact->N_B).c_str());
   }
   const double below = 0.05;

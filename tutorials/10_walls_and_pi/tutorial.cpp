@@ -24,7 +24,8 @@ std::int64_t collisions(const Number& block_over_ball, std::int64_t most) {
   std::int64_t count = 0;
   while (count < most) {
     if (ball < block) {
-      const auto after = magicmass::collide<Number>(block_over_ball, block, whole, ball);
+      const auto after =
+          magicmass::collide<Number>(block_over_ball, block, whole, ball);
       block = after.first;
       ball = after.second;
     } else if (resting < ball) {
@@ -39,7 +40,8 @@ std::int64_t collisions(const Number& block_over_ball, std::int64_t most) {
 
 // ceil(pi/atan(10^-k)) - 1 with so many digits that the integer is certain (theorem special_cases.digits_of_pi).
 std::string counted_by_formula(int k) {
-  const cln::float_format_t digits = cln::float_format(static_cast<std::uintptr_t>(2 * k + 30));
+  const cln::float_format_t digits =
+      cln::float_format(static_cast<std::uintptr_t>(2 * k + 30));
   const cln::cl_R small = cln::cl_float(1 / cln::expt(cln::cl_I(10), k), digits);
   const cln::cl_I count = cln::ceiling1(cln::pi(digits) / cln::atan(small)) - 1;
   return magicmass::reference::to_text(count);
@@ -50,7 +52,8 @@ int main() {
   std::int64_t mass = 1;
   for (int k = 0; k <= 5; ++k, mass *= 100)
     std::printf("  %lld | %lld | %s\n", static_cast<long long>(mass),
-                static_cast<long long>(collisions<double>(static_cast<double>(mass), 10'000'000)),
+                static_cast<long long>(
+                    collisions<double>(static_cast<double>(mass), 10'000'000)),
                 counted_by_formula(k).c_str());
 
   std::printf("many_digits: %s\n", counted_by_formula(50).c_str());
@@ -67,6 +70,7 @@ int main() {
                                          .restitution = 1});
   for (int contact = 0; motion.next();) {
     const auto event = motion.step();
-    if (event.gap == 1) std::printf("  %d | %.4f | %.4f\n", ++contact, event.time, event.position);
+    if (event.gap == 1)
+      std::printf("  %d | %.4f | %.4f\n", ++contact, event.time, event.position);
   }
 }

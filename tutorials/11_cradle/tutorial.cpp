@@ -60,22 +60,25 @@ int main() {
   std::printf("gap_needed: %.6f\n", needed);
   std::printf("gaps:\n  gap | energy of the last block | contacts\n");
   for (const double gap : {1.0, needed + 0.01, needed - 0.1, 0.5, 0.2, 0.05, 0.01})
-    print_row(std::to_string(gap).substr(0, 5).c_str(), std::vector<double>(4, magic(3)), gap);
+    print_row(std::to_string(gap).substr(0, 5).c_str(),
+              std::vector<double>(4, magic(3)), gap);
 
   // Both blocks come to a resting ball at the same moment. Which contact is first? The laws do not say.
   std::printf("at_once:\n  ball | first contact | A | ball afterwards | B\n");
   for (const double alpha : {0.12, 0.5, 1.0}) {
     for (const char first : {'A', 'B'}) {
       const double early = first == 'A' ? 1e-9 : -1e-9;
-      LineMotion<double> motion(Line<double>{.masses = {1, alpha, 1},
-                                             .positions = {-1 + early, 0, 1 + early},
-                                             .velocities = {1, 0, -1},
-                                             .left_wall = {},
-                                             .right_wall = {},
-                                             .restitution = 1});
+      LineMotion<double> motion(
+          Line<double>{.masses = {1, alpha, 1},
+                       .positions = {-1 + early, 0, 1 + early},
+                       .velocities = {1, 0, -1},
+                       .left_wall = {},
+                       .right_wall = {},
+                       .restitution = 1});
       while (motion.next()) motion.step();
       const auto& v = motion.line().velocities;
-      std::printf("  %g | %c | %.4f | %.4f | %.4f\n", alpha, first, v[0], v[1], v[2]);
+      std::printf("  %g | %c | %.4f | %.4f | %.4f\n", alpha, first, v[0], v[1],
+                  v[2]);
     }
   }
 }

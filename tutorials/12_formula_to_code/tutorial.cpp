@@ -35,7 +35,8 @@ void print_code(const char* name, const codegen::Program& program) {
   std::printf("%s:\n", name);
   const auto print_line = [](const std::string& line) {
     std::istringstream parts(codegen::wrapped(line));
-    for (std::string part; std::getline(parts, part);) std::printf("  %s\n", part.c_str());
+    for (std::string part; std::getline(parts, part);)
+      std::printf("  %s\n", part.c_str());
   };
   for (const std::string& line : code.lines) print_line(line);
   for (std::size_t i = 0; i < code.outputs.size(); ++i)
@@ -44,7 +45,8 @@ void print_code(const char* name, const codegen::Program& program) {
 
 int main() {
   // Only a proved theorem can be turned into code: there is no other way to make a Theorem than to prove it.
-  proof::Kernel kernel({.positive = {"M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
+  proof::Kernel kernel(
+      {.positive = {"M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
   const derivation::Paper paper = derivation::paper();
   const derivation::Laws laws = derivation::conservation_laws();
   derivation::orthogonal(kernel, paper);
@@ -52,7 +54,8 @@ int main() {
   const auto contact = derivation::contact(kernel, laws, paper);
   const auto cycle = derivation::cycle(kernel, contact, paper);
   const auto rotation = derivation::rotation(kernel, cycle, paper);
-  const auto power = derivation::power(kernel, laws, contact, cycle, rotation, paper);
+  const auto power =
+      derivation::power(kernel, laws, contact, cycle, rotation, paper);
 
   // Change the outputs here: other velocities, or the paper's forms power.a and power.b.
   const codegen::Program lowered =
@@ -63,19 +66,22 @@ int main() {
                       .units = {"V"}});
   print_stage("lowered", lowered);
   const auto ordered = codegen::canonical_order(lowered);
-  std::printf("a_in_order: %s\n", codegen::formula(ordered, ordered.outputs[0].node).c_str());
+  std::printf("a_in_order: %s\n",
+              codegen::formula(ordered, ordered.outputs[0].node).c_str());
   const auto shared = codegen::common_subexpressions(ordered);
   print_stage("shared", shared);
-  const auto reduced = codegen::common_subexpressions(codegen::strength_reduction(shared));
+  const auto reduced =
+      codegen::common_subexpressions(codegen::strength_reduction(shared));
   print_stage("reduced", reduced);
-  const auto divided = codegen::shared_reciprocals(codegen::dead_code(reduced, {"a", "b"}));
+  const auto divided =
+      codegen::shared_reciprocals(codegen::dead_code(reduced, {"a", "b"}));
   const auto paired = codegen::paired_sine_cosine(divided);
   print_stage("paired", paired);
   print_code("both", paired);
 
   // Asked for b alone, the dead code goes.
-  const auto only_b =
-      codegen::paired_sine_cosine(codegen::shared_reciprocals(codegen::dead_code(reduced, {"b"})));
+  const auto only_b = codegen::paired_sine_cosine(
+      codegen::shared_reciprocals(codegen::dead_code(reduced, {"b"})));
   print_stage("only_b", only_b);
   print_code("code_of_b", only_b);
   std::printf("%s", table_of_stages.c_str());

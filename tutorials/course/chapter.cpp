@@ -25,28 +25,32 @@ void require_sections(const Chapter& chapter) {
     if (line.starts_with("## ")) found.push_back(line.substr(3));
   if (found == section_titles()) return;
   std::string all;
-  for (const std::string& title : section_titles()) all += (all.empty() ? "" : ", ") + title;
-  throw Refusal(chapter.file("intro.md") + ": its sections (##) must be, in this order: " + all);
+  for (const std::string& title : section_titles())
+    all += (all.empty() ? "" : ", ") + title;
+  throw Refusal(chapter.file("intro.md") +
+                ": its sections (##) must be, in this order: " + all);
 }
 
 void require_expected(const Chapter& chapter, const std::string& output) {
   const auto expected = lines_of(read(chapter.folder / "expected_output.txt"));
   const auto got = lines_of(output);
-  const auto differ = std::mismatch(got.begin(), got.end(), expected.begin(), expected.end());
+  const auto differ =
+      std::mismatch(got.begin(), got.end(), expected.begin(), expected.end());
   if (differ.first == got.end() && differ.second == expected.end()) return;
   const auto shown = [](auto at, auto end) {
     return at == end ? "nothing more" : "\"" + *at + "\"";
   };
   throw Refusal(chapter.file("expected_output.txt:") +
-                std::to_string(differ.first - got.begin() + 1) + ": the program prints " +
-                shown(differ.first, got.end()) + ", expected is " +
-                shown(differ.second, expected.end()));
+                std::to_string(differ.first - got.begin() + 1) +
+                ": the program prints " + shown(differ.first, got.end()) +
+                ", expected is " + shown(differ.second, expected.end()));
 }
 
-std::string first_match(const std::vector<std::string>& lines, const std::string& beginning) {
-  const auto found = std::find_if(lines.begin(), lines.end(), [&](const std::string& line) {
-    return line.starts_with(beginning);
-  });
+std::string first_match(const std::vector<std::string>& lines,
+                        const std::string& beginning) {
+  const auto found = std::find_if(
+      lines.begin(), lines.end(),
+      [&](const std::string& line) { return line.starts_with(beginning); });
   return found == lines.end() ? "" : found->substr(beginning.size());
 }
 
@@ -66,7 +70,8 @@ Chapter load_chapter(const fs::path& folder, const fs::path& program) {
   const std::string intro = read(folder / "intro.md");
   const auto end = intro.find('\n');
   if (!intro.starts_with("# ") || end == std::string::npos)
-    throw Refusal(chapter.file("intro.md") + ":1: the first line must be \"# \" and the title");
+    throw Refusal(chapter.file("intro.md") +
+                  ":1: the first line must be \"# \" and the title");
   chapter.title = intro.substr(2, end - 2);
   chapter.text = intro.substr(end + 1);
   require_sections(chapter);
@@ -74,7 +79,8 @@ Chapter load_chapter(const fs::path& folder, const fs::path& program) {
   chapter.program.erase(0, chapter.program.find('\n') + 1);
   const Ran ran = run(quoted(program.string()));
   if (ran.status != 0)
-    throw Refusal(chapter.file("tutorial.cpp") + ": its program " + program.string() +
+    throw Refusal(chapter.file("tutorial.cpp") + ": its program " +
+                  program.string() +
                   (fs::exists(program) ? " failed" : " is not built"));
   require_expected(chapter, ran.output);
   chapter.printed = read_printed(ran.output, chapter.file("tutorial.cpp"));
@@ -96,12 +102,13 @@ std::vector<Exercise> exercises(const fs::path& chapter) {
     if (!fs::exists(entry.path() / "prompt.md")) continue;
     const auto prompt = lines_of(read(entry.path() / "prompt.md"));
     const std::string heading = first_match(prompt, "# ");
-    const auto first =
-        std::find_if(prompt.begin(), prompt.end(), [](const auto& l) { return !l.empty(); });
+    const auto first = std::find_if(prompt.begin(), prompt.end(),
+                                    [](const auto& l) { return !l.empty(); });
     found.push_back({entry.path().filename().string(),
                      heading.empty() && first != prompt.end() ? *first : heading});
   }
-  std::sort(found.begin(), found.end(), [](const auto& x, const auto& y) { return x.id < y.id; });
+  std::sort(found.begin(), found.end(),
+            [](const auto& x, const auto& y) { return x.id < y.id; });
   return found;
 }
 

@@ -26,10 +26,12 @@ const std::vector<std::string>& section_titles();
 
 /// Reads a folder with intro.md and tutorial.cpp and runs its program. Throws Refusal where the output is not what
 /// expected_output.txt says, or the sections are not those above.
-Chapter load_chapter(const std::filesystem::path& folder, const std::filesystem::path& program);
+Chapter load_chapter(const std::filesystem::path& folder,
+                     const std::filesystem::path& program);
 
 /// The folders with an intro.md, in order.
-std::vector<std::filesystem::path> chapter_folders(const std::filesystem::path& tutorials);
+std::vector<std::filesystem::path> chapter_folders(
+    const std::filesystem::path& tutorials);
 
 /// An exercise's title, from prompt.md, and the name that `magicmass learn` knows it by.
 struct Exercise {

@@ -17,7 +17,9 @@ namespace {
 using render::html_escaped;
 
 std::string raw_inline(const std::string& html) { return "`" + html + "`{=html}"; }
-std::string raw_block(const std::string& html) { return "\n```{=html}\n" + html + "\n```\n"; }
+std::string raw_block(const std::string& html) {
+  return "\n```{=html}\n" + html + "\n```\n";
+}
 std::string code_block(const std::string& language, const std::string& text) {
   const std::string kind = language.empty() ? "" : " {." + language + "}";
   return "\n~~~~~~" + kind + "\n" + text + "\n~~~~~~\n";
@@ -29,20 +31,23 @@ std::string table(const Printed& block) {
     const std::string tag = i == 0 ? "th scope=\"col\"" : "td";
     html += i == 0 ? "<thead><tr>" : "<tr>";
     for (const std::string& text : cells(block.lines[i]))
-      html += "<" + tag + ">" + (i == 0 ? cell(text) : value(text)) + "</" + tag.substr(0, 2) + ">";
+      html += "<" + tag + ">" + (i == 0 ? heading(text) : value(text)) + "</" +
+              tag.substr(0, 2) + ">";
     html += i == 0 ? "</tr></thead><tbody>\n" : "</tr>\n";
   }
-  return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\"><table>" + html +
-         "</tbody></table></div>";
+  return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" "
+         "aria-label=\"table\"><table>" +
+         html + "</tbody></table></div>";
 }
 
 std::string block_markdown(const Printed& block) {
-  const bool has_columns =
-      std::any_of(block.lines.begin(), block.lines.end(),
-                  [](const auto& line) { return line.find(" | ") != std::string::npos; });
+  const bool has_columns = std::any_of(
+      block.lines.begin(), block.lines.end(),
+      [](const auto& line) { return line.find(" | ") != std::string::npos; });
   if (has_columns) return raw_block(table(block));
   std::string text;
-  for (const std::string& line : block.lines) text += (text.empty() ? "" : "\n") + line;
+  for (const std::string& line : block.lines)
+    text += (text.empty() ? "" : "\n") + line;
   return code_block("", text);
 }
 
@@ -62,7 +67,8 @@ public:
       try {
         result += (in_code || is_fence ? line : one_line(line)) + "\n";
       } catch (const Refusal& refusal) {
-        throw Refusal(chapter_.file("intro.md:") + std::to_string(line_) + ": " + refusal.what());
+        throw Refusal(chapter_.file("intro.md:") + std::to_string(line_) + ": " +
+                      refusal.what());
       }
     }
     for (const Printed& each : chapter_.printed)
@@ -82,28 +88,36 @@ private:
     if (!line.starts_with("{{")) return inline_text(line);
     const auto end = line.find("}}");
     if (end == std::string::npos) throw Refusal("{{ without }}");
-    const std::string reference = line.substr(2, end - 2), rest = line.substr(end + 2);
+    const std::string reference = line.substr(2, end - 2),
+                      rest = line.substr(end + 2);
     const auto colon = reference.find(':');
-    const std::string kind = colon == std::string::npos ? "" : reference.substr(0, colon);
-    const std::string name = reference.substr(colon == std::string::npos ? 0 : colon + 1);
+    const std::string kind =
+        colon == std::string::npos ? "" : reference.substr(0, colon);
+    const std::string name =
+        reference.substr(colon == std::string::npos ? 0 : colon + 1);
     if (kind == "figure" || kind == "plot") return figure(kind, name, rest);
     if (!rest.empty()) return inline_text(line);
     if (kind == "theorem") return raw_block(theorem_display(step(name)));
     if (kind == "run") return command(name);
     if (reference == "program")
-      return code_block("cpp", chapter_.program.substr(0, chapter_.program.size() - 1));
+      return code_block("cpp",
+                        chapter_.program.substr(0, chapter_.program.size() - 1));
     if (reference == "exercises") return exercise_list();
-    if (kind.empty() && printed(name).is_block) return block_markdown(printed(name));
+    if (kind.empty() && printed(name).is_block)
+      return block_markdown(printed(name));
     return inline_text(line);
   }
 
   std::string inline_text(const std::string& line) {
     std::string result;
     std::size_t at = 0;
-    while (at < line.size() && (line[at] == ' ' || std::isdigit(at_letter(line, at)) != 0)) ++at;
+    while (at < line.size() &&
+           (line[at] == ' ' || std::isdigit(at_letter(line, at)) != 0))
+      ++at;
     if (line.compare(at, 2, ". ") != 0) at = 0;  // else the number of a list's item
     result = line.substr(0, at);
-    const auto up_to = [&](const std::string& end, std::size_t from, const std::string& what) {
+    const auto up_to = [&](const std::string& end, std::size_t from,
+                           const std::string& what) {
       const auto found = line.find(end, from);
       if (found == std::string::npos) throw Refusal(what + " without " + end);
       return found;
@@ -122,12 +136,14 @@ private:
         at = end + 1;
         result += raw_inline(with_punctuation(formula, line, at));
       } else if (line[at] == '`' || line.compare(at, 2, "](") == 0) {
-        const auto end = up_to(line[at] == '`' ? "`" : ")", at + 2, line.substr(at, 2));
+        const auto end =
+            up_to(line[at] == '`' ? "`" : ")", at + 2, line.substr(at, 2));
         result += line.substr(at, end + 1 - at);
         at = end + 1;
       } else if (std::isdigit(at_letter(line, at)) != 0) {
-        throw Refusal("a number is typed: \"" + line.substr(at, 12) +
-                      "...\"; print it in tutorial.cpp and refer to it as {{name}}");
+        throw Refusal(
+            "a number is typed: \"" + line.substr(at, 12) +
+            "...\"; print it in tutorial.cpp and refer to it as {{name}}");
       } else {
         result += line[at++];
       }
@@ -136,13 +152,15 @@ private:
   }
 
   /// No line may break between a formula and the comma after it: those signs go with it, and `at` past them.
-  static std::string with_punctuation(const std::string& html, const std::string& line,
-                                      std::size_t& at) {
-    const std::size_t end = std::min(line.find_first_not_of(".,;:?!)'", at), line.size());
+  static std::string with_punctuation(const std::string& html,
+                                      const std::string& line, std::size_t& at) {
+    const std::size_t end =
+        std::min(line.find_first_not_of(".,;:?!)'", at), line.size());
     const std::string signs = line.substr(at, end - at);
     at = end;
-    return signs.empty() ? html
-                         : "<span class=\"joined\">" + html + html_escaped(signs) + "</span>";
+    return signs.empty()
+               ? html
+               : "<span class=\"joined\">" + html + html_escaped(signs) + "</span>";
   }
 
   static int at_letter(const std::string& line, std::size_t at) {
@@ -161,12 +179,14 @@ private:
     if (kind == "left") return side_inline(step(name).from);
     if (kind == "right") return side_inline(step(name).to);
     if (kind == "math") return side_inline(printed(name).value);
-    throw Refusal("{{" + text + "}} is of no known kind, or not on a line of its own");
+    throw Refusal("{{" + text +
+                  "}} is of no known kind, or not on a line of its own");
   }
 
   std::string chapter_link(const std::string& name) {
     const auto found = around_.chapters.find(name);
-    if (found == around_.chapters.end()) throw Refusal("no chapter is called " + name);
+    if (found == around_.chapters.end())
+      throw Refusal("no chapter is called " + name);
     return "[" + found->second + "](" + name + ".html)";
   }
 
@@ -185,32 +205,44 @@ private:
     throw Refusal("the program prints nothing called " + name);
   }
 
-  std::string figure(const std::string& kind, const std::string& name, const std::string& caption) {
+  std::string figure(const std::string& kind, const std::string& name,
+                     const std::string& caption) {
     if (kind == "plot")
-      for (const std::string& block : names_in(read(chapter_.folder / (name + ".gnuplot"))))
+      for (const std::string& block :
+           names_in(read(chapter_.folder / (name + ".gnuplot"))))
         printed(block);
     const std::string image = around_.draw(chapter_, kind, name);
-    return raw_block("<figure>" + image + "<figcaption>") + "\n" + inline_text(caption) + "\n" +
-           raw_block("</figcaption></figure>");
+    return raw_block("<figure>" + image + "<figcaption>") + "\n" +
+           inline_text(caption) + "\n" + raw_block("</figcaption></figure>");
   }
 
   std::string command(const std::string& line) {
     const std::string name = "magicmass ";
     if (!line.starts_with(name))
       throw Refusal("{{run:" + line + "}} must begin with \"magicmass \"");
-    const Ran ran = run(quoted(around_.magicmass) + " " + line.substr(name.size()));
+    // as a reader does: from the folder that holds tutorials/
+    const std::string there =
+        std::filesystem::absolute(chapter_.folder / "../..").string();
+    const Ran ran =
+        run("cd " + quoted(there) + " && " +
+            quoted(std::filesystem::absolute(around_.magicmass).string()) + " " +
+            line.substr(name.size()));
     if (ran.status != 0)
-      throw Refusal("`" + line + "` ends with exit code " + std::to_string(ran.status));
+      throw Refusal("`" + line + "` ends with exit code " +
+                    std::to_string(ran.status));
     return code_block(
-        "", "$ " + line + "\n" + ran.output.substr(0, ran.output.find_last_not_of('\n') + 1));
+        "", "$ " + line + "\n" +
+                ran.output.substr(0, ran.output.find_last_not_of('\n') + 1));
   }
 
   std::string exercise_list() {
     std::string list;
     for (const Exercise& exercise : exercises(chapter_.folder))
-      list += "- " + exercise.title + " (`magicmass learn show " + exercise.id + "`)\n";
+      list +=
+          "- " + exercise.title + " (`magicmass learn show " + exercise.id + "`)\n";
     return list.empty() ? ""
-                        : "\nTo be solved with `magicmass learn`, which tells you why an answer is "
+                        : "\nTo be solved with `magicmass learn`, which tells you "
+                          "why an answer is "
                           "wrong:\n\n" +
                               list;
   }
@@ -236,7 +268,8 @@ int reading_minutes(const std::string& markdown) {
     std::istringstream text(line);
     for (std::string word; text >> word;) ++words;
   }
-  return static_cast<int>(words / words_a_minute + displays * seconds_a_display / 60 + 0.5);
+  return static_cast<int>(words / words_a_minute +
+                          displays * seconds_a_display / 60 + 0.5);
 }
 
 }  // namespace magicmass::course

@@ -23,7 +23,8 @@ std::string numbers_of(const Printed& block) {
 
 }  // namespace
 
-void draw_figure(const std::string& magicmass, const std::string& name, const fs::path& svg) {
+void draw_figure(const std::string& magicmass, const std::string& name,
+                 const fs::path& svg) {
   fs::create_directories(svg.parent_path());
   if (run(quoted(magicmass) + " figure " + quoted(name) + " --format svg -o " +
           quoted(svg.string()))
@@ -41,7 +42,8 @@ std::vector<std::string> names_in(const std::string& script) {
 void draw_plot(const std::string& script, const std::vector<Printed>& printed,
                const fs::path& svg) {
   std::string text =
-      "set terminal svg size 800,480 dynamic enhanced font 'DejaVu Sans,15' background '#ffffff'\n"
+      "set terminal svg size 800,480 dynamic enhanced font 'DejaVu Sans,15' "
+      "background '#ffffff'\n"
       "set output " +
       quoted(svg.filename().string()) + "\n" + script;
   std::vector<fs::path> files{svg};
@@ -50,10 +52,12 @@ void draw_plot(const std::string& script, const std::vector<Printed>& printed,
     return files.back();
   };
   for (const std::string& name : names_in(script)) {
-    const auto block = std::find_if(printed.begin(), printed.end(),
-                                    [&](const Printed& each) { return each.name == name; });
+    const auto block =
+        std::find_if(printed.begin(), printed.end(),
+                     [&](const Printed& each) { return each.name == name; });
     if (block == printed.end() || !block->is_block)
-      throw Refusal("{{" + name + "}} in a plot is no block that the program prints");
+      throw Refusal("{{" + name +
+                    "}} in a plot is no block that the program prints");
     const fs::path data = file(name + ".dat");
     write(data, numbers_of(*block));
     const std::string place = "{{" + name + "}}";

@@ -28,16 +28,34 @@ render::Formula equation(const proof::Step& step) {
 
 /// What holds throughout the course; the first page says so, and no formula repeats it.
 bool is_standing(const std::string& condition) {
-  static const std::set<std::string> standing{"a(n) != a(n - 1) for every n from 1 up to there",
-                                              "b(n) != b(n - 1) for every n from 1 up to there",
-                                              "the objects do not pass through each other",
-                                              "mu_A = M_A/(M_A + m)",
-                                              "mu_B = M_B/(M_B + m) or mu_B = 1"};
-  static const std::set<std::string> positive{"M",    "m",    "M_1", "M_2", "M_A",   "M_B",
-                                              "mu_A", "mu_B", "V",   "L",   "alpha", "e"};
+  static const std::set<std::string> standing{
+      "a(n) != a(n - 1) for every n from 1 up to there",
+      "b(n) != b(n - 1) for every n from 1 up to there",
+      "the objects do not pass through each other", "mu_A = M_A/(M_A + m)",
+      "mu_B = M_B/(M_B + m) or mu_B = 1"};
+  static const std::set<std::string> positive{
+      "M", "m", "M_1", "M_2", "M_A", "M_B", "mu_A", "mu_B", "V", "L", "alpha", "e"};
   const auto sign = condition.find(" > 0");
   return standing.contains(condition) ||
-         (sign + 4 == condition.size() && positive.contains(condition.substr(0, sign)));
+         (sign + 4 == condition.size() &&
+          positive.contains(condition.substr(0, sign)));
+}
+
+/// Every letter of it is a symbol: v_2 - v_1, but no word.
+bool is_of_symbols(const render::Formula& formula) {
+  using Kind = render::Formula::Kind;
+  const bool is_name = formula.kind == Kind::name || formula.kind == Kind::call;
+  if (formula.kind == Kind::verbatim || formula.kind == Kind::adjacent)
+    return false;
+  if (is_name && !render::looks_like_symbol(formula.text) &&
+      !render::is_function_name(formula.text))
+    return false;
+  return std::all_of(formula.parts.begin(), formula.parts.end(), is_of_symbols);
+}
+
+bool is_verbatim(const render::Formula& formula) {
+  return formula.kind == render::Formula::Kind::verbatim ||
+         std::any_of(formula.parts.begin(), formula.parts.end(), is_verbatim);
 }
 
 bool holds_relation(const render::Formula& formula) {
@@ -55,14 +73,20 @@ Steps by_id(const std::vector<proof::Step>& steps) {
 
 std::string theorem_display(const proof::Step& step) {
   const render::Formula formula = equation(step);
+  if (is_verbatim(formula))
+    throw Refusal(step.id + " cannot be shown as a formula: " + step.from + " " +
+                  step.relation + " " + step.to);
   const bool wide = render::latex_width(formula) > phone_width;
   std::string conditions;
   for (const std::string& condition : step.conditions)
     if (!is_standing(condition))
-      conditions += (conditions.empty() ? " if " : "; ") + render::html_prose(condition);
+      conditions +=
+          (conditions.empty() ? " if " : "; ") + render::html_prose(condition);
   return fmt::format(
-      "<div class=\"theorem\"><div class=\"equation\"{}>{}</div>\n<p class=\"source\"><a "
-      "href=\"derivation.html#{}\">{}</a> <span class=\"verdict\">{}{}</span></p></div>",
+      "<div class=\"theorem\"><div class=\"equation\"{}>{}</div>\n<p "
+      "class=\"source\"><a "
+      "href=\"derivation.html#{}\">{}</a> <span "
+      "class=\"verdict\">{}{}</span></p></div>",
       wide ? " tabindex=\"0\" role=\"group\" aria-label=\"equation\"" : "",
       render::mathml_display(formula), html_escaped(step.id), html_escaped(step.id),
       html_escaped(step.verdict), conditions);
@@ -73,28 +97,31 @@ std::string theorem_inline(const proof::Step& step) {
                      html_escaped(step.id), render::mathml(equation(step)));
 }
 
-std::string side_inline(const std::string& side) { return render::mathml(render::formula(side)); }
+std::string side_inline(const std::string& side) {
+  return render::mathml(render::formula(side));
+}
 
 std::string term(const std::string& text) {
   const auto formula = render::read_formula(text);
   if (formula && !holds_relation(*formula)) return render::mathml(*formula);
   if (formula || render::read_relation(text))
-    throw Refusal("$" + text +
-                  "$ claims something; a claim comes from the derivation: {{theorem:id}}");
-  throw Refusal("$" + text + "$ is not in the derivation's notation, such as $a(n)$ or $n*psi/2$");
+    throw Refusal(
+        "$" + text +
+        "$ claims something; a claim comes from the derivation: {{theorem:id}}");
+  throw Refusal(
+      "$" + text +
+      "$ is not in the derivation's notation, such as $a(n)$ or $n*psi/2$");
 }
 
-std::string cell(const std::string& text) {
+std::string heading(const std::string& text) {
   const auto formula = render::read_formula(text);
-  if (!formula) return value(text);
-  const bool is_symbol =
-      formula->kind == render::Formula::Kind::name && render::looks_like_symbol(text);
-  return is_symbol || render::is_element(*formula) ? render::mathml(*formula) : value(text);
+  return formula && is_of_symbols(*formula) ? render::mathml(*formula)
+                                            : render::html_prose(text);
 }
 
 std::string value(const std::string& text) {
-  const bool is_negative =
-      text.size() > 1 && text[0] == '-' && std::isdigit(static_cast<unsigned char>(text[1])) != 0;
+  const bool is_negative = text.size() > 1 && text[0] == '-' &&
+                           std::isdigit(static_cast<unsigned char>(text[1])) != 0;
   return is_negative ? "−" + html_escaped(text.substr(1)) : html_escaped(text);
 }
 

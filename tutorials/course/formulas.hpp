@@ -24,8 +24,8 @@ std::string side_inline(const std::string& side);
 /// claims something: a relation.
 std::string term(const std::string& text);
 
-/// A cell of a printed table: a formula where it is a symbol or an element of a sequence, else the text.
-std::string cell(const std::string& text);
+/// The head of a column of a printed table: a formula, or words with symbols among them.
+std::string heading(const std::string& text);
 
 /// A value that a program printed: a real minus sign before a number.
 std::string value(const std::string& text);

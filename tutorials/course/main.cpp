@@ -29,27 +29,32 @@ struct Options {
 
 /// <img> for a drawing with its description: what `magicmass figure` wrote into it, or the script's first line.
 std::string image(const std::string& file, const std::string& description) {
-  return "<img src=\"figures/" + file + "\" width=\"800\" alt=\"" + description + "\"/>";
+  return "<img src=\"figures/" + file + "\" width=\"800\" alt=\"" + description +
+         "\"/>";
 }
 
-std::string between(const std::string& text, const std::string& first, const std::string& last) {
+std::string between(const std::string& text, const std::string& first,
+                    const std::string& last) {
   const auto from = text.find(first);
   if (from == std::string::npos) return "";
-  return text.substr(from + first.size(), text.find(last, from) - from - first.size());
+  return text.substr(from + first.size(),
+                     text.find(last, from) - from - first.size());
 }
 
-std::string drawn(const Options& options, const Chapter& chapter, const std::string& kind,
-                  const std::string& name) {
+std::string drawn(const Options& options, const Chapter& chapter,
+                  const std::string& kind, const std::string& name) {
   if (kind == "figure") {
     if (options.out.empty()) {
-      const std::string names = run(quoted(options.magicmass) + " figure --list").output;
+      const std::string names =
+          run(quoted(options.magicmass) + " figure --list").output;
       if (("\n" + names).find("\n" + name + " ") == std::string::npos)
         throw Refusal("magicmass figure knows no " + name);
       return "";
     }
     const fs::path svg = fs::path(options.out) / "figures" / (name + ".svg");
     draw_figure(options.magicmass, name, svg);
-    return image(name + ".svg", between(read(svg), "<desc id=\"desc\">", "</desc>"));
+    return image(name + ".svg",
+                 between(read(svg), "<desc id=\"desc\">", "</desc>"));
   }
   const std::string script = read(chapter.folder / (name + ".gnuplot"));
   if (!script.starts_with("# "))
@@ -63,14 +68,16 @@ std::string drawn(const Options& options, const Chapter& chapter, const std::str
 
 void write_pdf(const fs::path& out) {
   if (!is_installed("chromium")) {
-    std::cout << "course.pdf is left out: it needs the Debian package chromium (./setup --all)\n";
+    std::cout << "course.pdf is left out: it needs the Debian package chromium "
+                 "(./setup --all)\n";
     return;
   }
   const fs::path pdf = out / "course.pdf";
   // --no-sandbox: Chromium's own needs rights that containers do not give; the page is our own file.
-  run("chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer --print-to-pdf=" +
-      quoted(pdf.string()) + " " + quoted("file://" + fs::absolute(out / "course.html").string()) +
-      " 2>&1");
+  run("chromium --headless --no-sandbox --disable-gpu --no-pdf-header-footer "
+      "--print-to-pdf=" +
+      quoted(pdf.string()) + " " +
+      quoted("file://" + fs::absolute(out / "course.html").string()) + " 2>&1");
   if (!fs::exists(pdf)) throw Refusal("chromium could not write " + pdf.string());
 }
 
@@ -80,16 +87,19 @@ int render_course(const Options& options) {
   const std::vector<proof::Step> steps = render::steps_of(derivation);
   std::vector<Chapter> chapters;
   for (const fs::path& folder : chapter_folders(options.tutorials))
-    chapters.push_back(load_chapter(folder, fs::path(options.programs) / folder.filename()));
+    chapters.push_back(
+        load_chapter(folder, fs::path(options.programs) / folder.filename()));
   if (chapters.empty())
-    throw Refusal(options.tutorials + ": holds no chapter (a folder with intro.md)");
+    throw Refusal(options.tutorials +
+                  ": holds no chapter (a folder with intro.md)");
   Surroundings around{by_id(steps),
                       {},
                       options.magicmass,
                       [&](const auto& chapter, const auto& kind, const auto& name) {
                         return drawn(options, chapter, kind, name);
                       }};
-  for (const Chapter& chapter : chapters) around.chapters[chapter.name] = chapter.title;
+  for (const Chapter& chapter : chapters)
+    around.chapters[chapter.name] = chapter.title;
   Chapter opening;
   opening.folder = fs::path(options.tutorials) / "course";
   opening.name = "course";
@@ -100,10 +110,12 @@ int render_course(const Options& options) {
   std::vector<std::string> texts;
   for (const Chapter& chapter : chapters) {
     texts.push_back(expanded(chapter, around));
-    pages.push_back({chapter.name, chapter.title, "", reading_minutes(texts.back())});
+    pages.push_back(
+        {chapter.name, chapter.title, "", reading_minutes(texts.back())});
   }
   const std::string opening_text = expanded(opening, around);
-  for (const Page& page : pages) std::cout << page.name << ": " << page.minutes << " minutes\n";
+  for (const Page& page : pages)
+    std::cout << page.name << ": " << page.minutes << " minutes\n";
   if (options.out.empty()) return 0;
 
   const fs::path out = options.out;
@@ -127,12 +139,17 @@ int render_course(const Options& options) {
 int main(int argc, char** argv) {
   magicmass::course::Options options;
   CLI::App app{
-      "Example:\n  magicmass_course --tutorials tutorials --programs build/default/bin/tutorials "
+      "Example:\n  magicmass_course --tutorials tutorials --programs "
+      "build/default/bin/tutorials "
       "--out build/course"};
-  app.add_option("--tutorials", options.tutorials, "the chapters' folders")->required();
-  app.add_option("--programs", options.programs, "the folder of their programs")->required();
-  app.add_option("--magicmass", options.magicmass, "the program magicmass")->required();
-  app.add_option("--out", options.out, "where the pages go; without it the texts are only checked");
+  app.add_option("--tutorials", options.tutorials, "the chapters' folders")
+      ->required();
+  app.add_option("--programs", options.programs, "the folder of their programs")
+      ->required();
+  app.add_option("--magicmass", options.magicmass, "the program magicmass")
+      ->required();
+  app.add_option("--out", options.out,
+                 "where the pages go; without it the texts are only checked");
   CLI11_PARSE(app, argc, argv);
   try {
     if (!options.out.empty() && !magicmass::course::is_installed("pandoc"))

@@ -17,7 +17,8 @@ struct Printed {
 
 /// Takes what a program printed: lines "name: value"; "name:" above lines indented by two blanks; and lines that begin
 /// with "#", which are for the terminal alone. Throws Refusal for any other line, and for a name printed twice.
-std::vector<Printed> read_printed(const std::string& output, const std::string& program);
+std::vector<Printed> read_printed(const std::string& output,
+                                  const std::string& program);
 
 /// Cells of a line "a | b | c", without the blanks around them; one cell where there is no "|".
 std::vector<std::string> cells(const std::string& line);

@@ -26,7 +26,8 @@ Ran run(const std::string& line) {
 
 std::string quoted(const std::string& word) {
   std::string result = "'";
-  for (const char letter : word) result += letter == '\'' ? "'\\''" : std::string(1, letter);
+  for (const char letter : word)
+    result += letter == '\'' ? "'\\''" : std::string(1, letter);
   return result + "'";
 }
 
