@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One contact of two bodies: what the laws say, what follows, and what happens when a law is spoiled.
+// One contact of two bodies: what the laws say, what follows, and what happens
+// when a law is spoiled.
 #include <cstdio>
 #include <string>
 
@@ -18,7 +19,8 @@ using magicmass::reference::to_text;
 namespace derivation = magicmass::derivation;
 namespace proof = magicmass::proof;
 
-// A body that moves with velocity 1 meets one at rest. Change the masses, or let both move.
+// A body that moves with velocity 1 meets one at rest. Change the masses, or let
+// both move.
 void print_contact(const std::string& mass, const std::string& other_mass) {
   const cln::cl_RA m_1 = parse_rational(mass), m_2 = parse_rational(other_mass);
   const auto [v_1, v_2] = collide<cln::cl_RA>(m_1, 1, m_2, 0);
@@ -28,7 +30,8 @@ void print_contact(const std::string& mass, const std::string& other_mass) {
               to_text(v_2 - v_1).c_str(), to_text(energy_share).c_str());
 }
 
-// The chapter of the derivation about one contact, from these laws. Returns what the proof kernel says.
+// The chapter of the derivation about one contact, from these laws. Returns what
+// the proof kernel says.
 std::string derived_from(const derivation::Laws& laws) {
   proof::Kernel kernel({.positive = {"M", "M_1", "M_2", "alpha"}, .integer = {}});
   try {

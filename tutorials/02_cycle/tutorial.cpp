@@ -15,7 +15,8 @@ using GiNaC::matrix;
 namespace derivation = magicmass::derivation;
 namespace proof = magicmass::proof;
 
-// The mass ratio is a square, so that its root is a fraction and every number below is one too.
+// The mass ratio is a square, so that its root is a fraction and every number
+// below is one too.
 const ex alpha = GiNaC::numeric(1, 4);
 
 matrix at_alpha(const ex& formula) {
@@ -32,7 +33,8 @@ void print_matrix(const char* name, const matrix& m) {
 }
 
 int main() {
-  // The derivation up to this chapter; each of these functions proves its steps in the kernel.
+  // The derivation up to this chapter; each of these functions proves its steps
+  // in the kernel.
   proof::Kernel kernel(
       {.positive = {"M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
   derivation::orthogonal(kernel, derivation::paper());
@@ -48,7 +50,8 @@ int main() {
   print_matrix("mirror_twice", Gamma_A.mul(Gamma_A));
   print_matrix("other_order", Gamma_A.mul(Gamma_B));
 
-  // V_n = Lambda^n V_0. Its third component is the ball's velocity times the root of the mass ratio.
+  // V_n = Lambda^n V_0. Its third component is the ball's velocity times the root
+  // of the mass ratio.
   matrix V_n(3, 1);
   V_n(0, 0) = 1;
   std::printf(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The axis and the angle of one cycle, from the generated code; and the vector of velocities on its circle.
+// The axis and the angle of one cycle, from the generated code; and the vector of
+// velocities on its circle.
 #include <array>
 #include <cmath>
 #include <cstdio>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All velocities in closed form: exact fractions from the formula and from contact after contact; a plot; a leap.
+// All velocities in closed form: exact fractions from the formula and from
+// contact after contact; a plot; a leap.
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -15,7 +16,8 @@
 using magicmass::Body;
 using magicmass::reference::to_text;
 
-// Velocities as fractions by the rational form, and whether stepping contact by contact gives the same ones.
+// Velocities as fractions by the rational form, and whether stepping contact by
+// contact gives the same ones.
 void print_fractions(const cln::cl_RA& alpha) {
   std::printf("fractions:\n  n | a(n) | b(n) | c(n) | c'(n) | stepping agrees\n");
   cln::cl_RA c = 0;  // of the ball after the last P
@@ -40,7 +42,8 @@ int main() {
   std::printf("alpha: %s\n", alpha_text.c_str());
   print_fractions(magicmass::reference::parse_rational(alpha_text));
 
-  // A light ball: many cycles, so that one sees the curves on which the velocities lie.
+  // A light ball: many cycles, so that one sees the curves on which the
+  // velocities lie.
   const double light = 0.001;
   const std::int64_t cycles = magicmass::count_collisions(light)->N_B;
   std::printf("light: %g\n", light);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How many collisions: the approach speeds one by one, the exact count, and a count that goes wrong.
+// How many collisions: the approach speeds one by one, the exact count, and a
+// count that goes wrong.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,7 +14,8 @@
 
 using magicmass::Body;
 
-// Collisions of one run, one by one, each with the speed at which the pair approaches.
+// Collisions of one run, one by one, each with the speed at which the pair
+// approaches.
 void print_run(double alpha) {
   std::printf(
       "run:\n  collision | a | b | ball | approach speed before the next\n");
@@ -27,7 +29,8 @@ void print_run(double alpha) {
   });
 }
 
-// The exact count against the estimate for light balls, pi/(2 sqrt(2 alpha)) for each block.
+// The exact count against the estimate for light balls, pi/(2 sqrt(2 alpha)) for
+// each block.
 void print_light_balls() {
   std::printf("light_balls:\n  alpha | N_A | N_B | estimate\n");
   for (const double alpha :
@@ -40,7 +43,8 @@ void print_light_balls() {
   }
 }
 
-// The formula for N_A as one would type it (Ee & Lee eq. eq:NA-ans): good, but for rounding.
+// The formula for N_A as one would type it (Ee & Lee eq. eq:NA-ans): good, but
+// for rounding.
 std::int64_t typed_count(double alpha) {
   const double psi = 2 * std::atan(std::sqrt(alpha * (2 + alpha)));
   return static_cast<std::int64_t>(std::ceil(std::numbers::pi / psi - 0.5));
@@ -50,7 +54,8 @@ int main() {
   print_run(0.12);
   print_light_balls();
 
-  // Just at the thresholds alpha_k: the double nearest to each, and its two neighbours.
+  // Just at the thresholds alpha_k: the double nearest to each, and its two
+  // neighbours.
   int wrong = 0, asked = 0;
   for (std::int64_t k = 1; k <= 1000; ++k) {
     const double threshold = magicmass::accurate::ratios(k).magic;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Magic mass ratios with exact numbers: collisions among the irrational numbers themselves, nothing rounded.
+// Magic mass ratios with exact numbers: collisions among the irrational numbers
+// themselves, nothing rounded.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -12,7 +13,8 @@
 namespace reference = magicmass::reference;
 using reference::FieldNumber;
 
-// 1/cos(pi/q) - 1, a number of the field with y = 2 cos(pi/q) in it: sums of fractions times powers of y.
+// 1/cos(pi/q) - 1, a number of the field with y = 2 cos(pi/q) in it: sums of
+// fractions times powers of y.
 FieldNumber exact_ratio(std::int64_t q) {
   const auto field = reference::cosine_field(q);
   const FieldNumber y(field, {0, 1});
@@ -30,7 +32,7 @@ void print_exact_run(std::int64_t k, const FieldNumber& alpha) {
               reference::nearest_double(run.terminal.c),
               reference::nearest_double(run.terminal.b),
               run.terminal.b == FieldNumber(1)   ? "everything"
-              : run.terminal.b == run.terminal.c ? "ball and B together"
+              : run.terminal.b == run.terminal.c ? "side by side"
                                                  : "neither");
 }
 

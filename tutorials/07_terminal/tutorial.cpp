@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The end of the story over many mass ratios: who is where in the order, and how little B can get.
+// The end of the story over many mass ratios: who is where in the order, and how
+// little B can get.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -17,7 +18,8 @@ int main() {
                 end.c_t, end.b_t, end.rho, 2 / (2 + alpha));
   }
 
-  // Many ratios, evenly spaced on a logarithmic scale. Every rule of the chapter is put to the test.
+  // Many ratios, evenly spaced on a logarithmic scale. Every rule of the chapter
+  // is put to the test.
   int in_order = 0, recoils = 0, never_faster = 0, at_least_twice = 0, asked = 0;
   double largest_recoil = 0, its_alpha = 0;
   for (double alpha = 1e-6; alpha < 1e3; alpha *= 1.0005) {

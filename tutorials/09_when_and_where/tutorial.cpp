@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Times and places of the collisions: by simulation, by formula, and as points of one straight line.
+// Times and places of the collisions: by simulation, by formula, and as points of
+// one straight line.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>

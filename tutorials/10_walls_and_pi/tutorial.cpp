@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A ball between a block and a wall: counting collisions, and finding the digits of pi among the counts.
+// A ball between a block and a wall: counting collisions, and finding the digits
+// of pi among the counts.
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -16,7 +17,8 @@
 using magicmass::Line;
 using magicmass::LineMotion;
 
-// Velocities alone: the block comes in with 1, the ball rests, and the wall is to the right of the ball.
+// Velocities alone: the block comes in with 1, the ball rests, and the wall is to
+// the right of the ball.
 template <class Number>
 std::int64_t collisions(const Number& block_over_ball, std::int64_t most) {
   Number block(1), ball(0);
@@ -38,7 +40,8 @@ std::int64_t collisions(const Number& block_over_ball, std::int64_t most) {
   return count;
 }
 
-// ceil(pi/atan(10^-k)) - 1 with so many digits that the integer is certain (theorem special_cases.digits_of_pi).
+// ceil(pi/atan(10^-k)) - 1 with so many digits that the integer is certain
+// (theorem special_cases.digits_of_pi).
 std::string counted_by_formula(int k) {
   const cln::float_format_t digits =
       cln::float_format(static_cast<std::uintptr_t>(2 * k + 30));
@@ -60,7 +63,8 @@ int main() {
   const double seconds_in_a_year = 3.15e7;
   std::printf("years: %.1g\n", std::pow(10.0, 50) / 1e9 / seconds_in_a_year);
 
-  // The block's way: it turns round near the wall and leaves with nearly the speed it had.
+  // The block's way: it turns round near the wall and leaves with nearly the
+  // speed it had.
   std::printf("way:\n  contact with the block | time | place of the block\n");
   LineMotion<double> motion(Line<double>{.masses = {100, 1},
                                          .positions = {0, 0},

@@ -13,8 +13,9 @@
 using magicmass::Line;
 using magicmass::LineMotion;
 
-// Blocks of mass 1 with balls of these masses between them, all at rest but the first block, which comes in with 1. From a
-// ball to the block on its right it is L = 1, from a block to the ball on its right it is `gap`.
+// Blocks of mass 1 with balls of these masses between them, all at rest but the
+// first block, which comes in with 1. From a ball to the block on its right it is
+// L = 1, from a block to the ball on its right it is `gap`.
 Line<double> cradle(const std::vector<double>& balls, double gap) {
   Line<double> line;
   double place = 0;
@@ -30,8 +31,9 @@ Line<double> cradle(const std::vector<double>& balls, double gap) {
   return line;
 }
 
-// Energy of the last block after a time that is long for all of them. Who has stopped but for a rounding error may still
-// meet somebody, some million years later; that is not counted.
+// Energy of the last block after a time that is long for all of them. Who has
+// stopped but for a rounding error may still meet somebody, some million years
+// later; that is not counted.
 double arrived(const std::vector<double>& balls, double gap, std::int64_t& events) {
   LineMotion<double> motion(cradle(balls, gap));
   while (motion.next() && *motion.next() < 1e6) motion.step();
@@ -55,7 +57,8 @@ int main() {
   print_row("all one tenth", {0.1, 0.1, 0.1, 0.1}, 1);
   print_row("all one half", {0.5, 0.5, 0.5, 0.5}, 1);
 
-  // Each ball needs room: L (1 - alpha)/(1 + alpha) from the block to the next ball (theorem chain.one_at_a_time).
+  // Each ball needs room: L (1 - alpha)/(1 + alpha) from the block to the next
+  // ball (theorem chain.one_at_a_time).
   const double needed = (1 - magic(3)) / (1 + magic(3));
   std::printf("gap_needed: %.6f\n", needed);
   std::printf("gaps:\n  gap | energy of the last block | contacts\n");
@@ -63,7 +66,8 @@ int main() {
     print_row(std::to_string(gap).substr(0, 5).c_str(),
               std::vector<double>(4, magic(3)), gap);
 
-  // Both blocks come to a resting ball at the same moment. Which contact is first? The laws do not say.
+  // Both blocks come to a resting ball at the same moment. Which contact is
+  // first? The laws do not say.
   std::printf("at_once:\n  ball | first contact | A | ball afterwards | B\n");
   for (const double alpha : {0.12, 0.5, 1.0}) {
     for (const char first : {'A', 'B'}) {

@@ -24,7 +24,8 @@ std::string table_of_stages = "stages:\n  stage | nodes\n";
 // What a program in the intermediate form costs at this stage.
 void print_stage(const std::string& name, const codegen::Program& program) {
   const std::string nodes = std::to_string(program.nodes.size());
-  table_of_stages += "  " + name + " | " + nodes + "\n";
+  table_of_stages += "  " + std::string(name == "only_b" ? "b alone" : name) +
+                     " | " + nodes + "\n";
   std::printf("%s_nodes: %s\n", name.c_str(), nodes.c_str());
   std::printf("%s_cost: %s\n", name.c_str(),
               codegen::text(codegen::operation_counts(program)).c_str());
@@ -44,7 +45,8 @@ void print_code(const char* name, const codegen::Program& program) {
 }
 
 int main() {
-  // Only a proved theorem can be turned into code: there is no other way to make a Theorem than to prove it.
+  // Only a proved theorem can be turned into code: there is no other way to make
+  // a Theorem than to prove it.
   proof::Kernel kernel(
       {.positive = {"M", "M_1", "M_2", "V", "alpha"}, .integer = {}});
   const derivation::Paper paper = derivation::paper();
@@ -57,7 +59,8 @@ int main() {
   const auto power =
       derivation::power(kernel, laws, contact, cycle, rotation, paper);
 
-  // Change the outputs here: other velocities, or the paper's forms power.a and power.b.
+  // Change the outputs here: other velocities, or the paper's forms power.a and
+  // power.b.
   const codegen::Program lowered =
       codegen::lower({.outputs = {{"a", power.a_product}, {"b", power.b_product}},
                       .bindings = {power.V_CM, rotation.psi_half_angle},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Equal formulas, unequal errors: the same velocities by five evaluators, measured against exact fractions.
+// Equal formulas, unequal errors: the same velocities by five evaluators,
+// measured against exact fractions.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,7 +36,8 @@ const std::vector<std::pair<std::string, Evaluator>> evaluators{
     {"fast", magicmass::fast::velocities},
     {"accurate", magicmass::accurate::velocities}};
 
-// The largest error of the four velocities, in units of the last digit that a double has there.
+// The largest error of the four velocities, in units of the last digit that a
+// double has there.
 double worst_ulp(const Velocities& got, double alpha, std::int64_t n) {
   const auto exact =
       reference::exact_velocities(reference::exact(alpha), static_cast<long>(n));
@@ -45,13 +47,14 @@ double worst_ulp(const Velocities& got, double alpha, std::int64_t n) {
                    reference::ulp_error(got.c_prime, exact.c_prime)});
 }
 
-// In classes that are far apart: the last digit of sines and cosines differs between C libraries.
+// In classes that are far apart: the last digit of sines and cosines differs
+// between C libraries.
 std::string in_words(double ulp) {
   if (ulp <= 0.5) return "nearest";
   if (ulp <= 16) return "last digit";
-  if (ulp <= 1e4) return "a few digits lost";
-  if (ulp <= 1e12) return "many digits lost";
-  return "no digit right";
+  if (ulp <= 1e4) return "few lost";
+  if (ulp <= 1e12) return "many lost";
+  return "none right";
 }
 
 void print_row(const char* what, double alpha, std::int64_t first,
@@ -82,7 +85,8 @@ int main() {
   print_row("closest to a threshold, last cycle", closest, 539, 539);
   print_row("ten to the 200, first cycle", 1e200, 1, 1);
 
-  // The hardest of these: the ball after its last contact has nearly stopped. What do the evaluators say?
+  // The hardest of these: the ball after its last contact has nearly stopped.
+  // What do the evaluators say?
   const auto exact = reference::exact_velocities(reference::exact(closest), 539);
   std::printf("exact: %s\n", reference::to_decimal(exact.c_prime, 25).c_str());
   std::printf("by_fast: %.17g\n",

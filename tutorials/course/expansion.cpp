@@ -30,9 +30,12 @@ std::string table(const Printed& block) {
   for (std::size_t i = 0; i < block.lines.size(); ++i) {
     const std::string tag = i == 0 ? "th scope=\"col\"" : "td";
     html += i == 0 ? "<thead><tr>" : "<tr>";
-    for (const std::string& text : cells(block.lines[i]))
-      html += "<" + tag + ">" + (i == 0 ? heading(text) : value(text)) + "</" +
-              tag.substr(0, 2) + ">";
+    for (const std::string& text : cells(block.lines[i])) {
+      const bool is_words = text.find(' ') != std::string::npos;
+      html += "<" + tag + (is_words ? " class=\"words\">" : ">") +
+              (i == 0 ? heading(text) : value(text)) + "</" + tag.substr(0, 2) +
+              ">";
+    }
     html += i == 0 ? "</tr></thead><tbody>\n" : "</tr>\n";
   }
   return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" "
@@ -151,9 +154,11 @@ private:
     return result;
   }
 
-  /// No line may break between a formula and the comma after it: those signs go with it, and `at` past them.
+  /// No line may break between a formula and the comma after it: those signs go with it, and
+  /// `at` past them.
   static std::string with_punctuation(const std::string& html,
                                       const std::string& line, std::size_t& at) {
+    if (html.find("<math") == std::string::npos) return html;
     const std::size_t end =
         std::min(line.find_first_not_of(".,;:?!)'", at), line.size());
     const std::string signs = line.substr(at, end - at);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <set>
 
 #include <fmt/format.h>
@@ -122,7 +123,13 @@ std::string heading(const std::string& text) {
 std::string value(const std::string& text) {
   const bool is_negative = text.size() > 1 && text[0] == '-' &&
                            std::isdigit(static_cast<unsigned char>(text[1])) != 0;
-  return is_negative ? "−" + html_escaped(text.substr(1)) : html_escaped(text);
+  if (is_negative) return "−" + value(text.substr(1));
+  static const std::regex scientific("([0-9.]+)e([+-])0*([0-9]+)");
+  std::smatch part;
+  if (!std::regex_match(text, part, scientific)) return html_escaped(text);
+  const std::string factor = part[1] == "1" ? "" : part[1].str() + "·";
+  return factor + "10<sup>" + (part[2] == "-" ? "−" : "") + part[3].str() +
+         "</sup>";
 }
 
 }  // namespace magicmass::course

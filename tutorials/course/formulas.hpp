@@ -27,7 +27,7 @@ std::string term(const std::string& text);
 /// The head of a column of a printed table: a formula, or words with symbols among them.
 std::string heading(const std::string& text);
 
-/// A value that a program printed: a real minus sign before a number.
+/// A value that a program printed: a real minus sign before a number, 1e-20 as a power of ten.
 std::string value(const std::string& text);
 
 }  // namespace magicmass::course
