@@ -101,6 +101,9 @@ private:
     if (kind == "figure" || kind == "plot") return figure(kind, name, rest);
     if (!rest.empty()) return inline_text(line);
     if (kind == "theorem") return raw_block(theorem_display(step(name)));
+    if (kind == "left") return raw_block(side_display(step(name).from));
+    if (kind == "right") return raw_block(side_display(step(name).to));
+    if (kind == "math") return raw_block(side_display(printed(name).value));
     if (kind == "run") return command(name);
     if (reference == "program")
       return code_block("cpp",

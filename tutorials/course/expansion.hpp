@@ -2,7 +2,8 @@
 // From a chapter's text to Markdown with nothing left to look up. In the text, outside of code:
 //   {{name}}          what the program printed under that name; a block on a line of its own
 //   {{theorem:id}}    a step of the derivation, displayed on a line of its own
-//   {{left:id}}, {{right:id}}    one side of it
+//   {{left:id}}, {{right:id}}    one side of it; displayed on a line of its own, as is
+//   {{math:name}}     what the program printed, as a formula
 //   $a(n)$            a term in the derivation's notation; it claims nothing
 //   {{figure:name}} caption      magicmass figure name
 //   {{plot:name}} caption        the chapter's name.gnuplot

@@ -64,6 +64,14 @@ bool holds_relation(const render::Formula& formula) {
          std::any_of(formula.parts.begin(), formula.parts.end(), holds_relation);
 }
 
+std::string display(const render::Formula& formula) {
+  const bool wide = render::latex_width(formula) > phone_width;
+  return fmt::format(
+      "<div class=\"equation\"{}>{}</div>",
+      wide ? " tabindex=\"0\" role=\"group\" aria-label=\"equation\"" : "",
+      render::mathml_display(formula));
+}
+
 }  // namespace
 
 Steps by_id(const std::vector<proof::Step>& steps) {
@@ -77,20 +85,21 @@ std::string theorem_display(const proof::Step& step) {
   if (is_verbatim(formula))
     throw Refusal(step.id + " cannot be shown as a formula: " + step.from + " " +
                   step.relation + " " + step.to);
-  const bool wide = render::latex_width(formula) > phone_width;
   std::string conditions;
   for (const std::string& condition : step.conditions)
     if (!is_standing(condition))
       conditions +=
           (conditions.empty() ? " if " : "; ") + render::html_prose(condition);
   return fmt::format(
-      "<div class=\"theorem\"><div class=\"equation\"{}>{}</div>\n<p "
-      "class=\"source\"><a "
-      "href=\"derivation.html#{}\">{}</a> <span "
-      "class=\"verdict\">{}{}</span></p></div>",
-      wide ? " tabindex=\"0\" role=\"group\" aria-label=\"equation\"" : "",
-      render::mathml_display(formula), html_escaped(step.id), html_escaped(step.id),
-      html_escaped(step.verdict), conditions);
+      "<div class=\"theorem\">{0}\n<p class=\"source\"><a "
+      "href=\"derivation.html#{1}\">{1}</a> "
+      "<span class=\"verdict\">{2}{3}</span></p></div>",
+      display(formula), html_escaped(step.id), html_escaped(step.verdict),
+      conditions);
+}
+
+std::string side_display(const std::string& side) {
+  return display(render::formula(side));
 }
 
 std::string theorem_inline(const proof::Step& step) {

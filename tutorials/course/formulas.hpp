@@ -19,6 +19,8 @@ std::string theorem_display(const proof::Step& step);
 /// Within a line of words: the equation, or a side of it.
 std::string theorem_inline(const proof::Step& step);
 std::string side_inline(const std::string& side);
+/// A side alone, displayed.
+std::string side_display(const std::string& side);
 
 /// A term in the derivation's notation, "a(n)", "n*psi/2". Throws Refusal for what cannot be read and for anything that
 /// claims something: a relation.

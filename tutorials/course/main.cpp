@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string tutorials, programs, magicmass, out;
+  bool pdf = true;
 };
 
 /// <img> for a drawing with its description: what `magicmass figure` wrote into it, or the script's first line.
@@ -82,9 +83,6 @@ void write_pdf(const fs::path& out) {
 }
 
 int render_course(const Options& options) {
-  const derivation::Derivation derivation = derivation::derive();
-  if (derivation.refused) throw Refusal(derivation.refused->what());
-  const std::vector<proof::Step> steps = render::steps_of(derivation);
   std::vector<Chapter> chapters;
   for (const fs::path& folder : chapter_folders(options.tutorials))
     chapters.push_back(
@@ -92,6 +90,9 @@ int render_course(const Options& options) {
   if (chapters.empty())
     throw Refusal(options.tutorials +
                   ": holds no chapter (a folder with intro.md)");
+  const derivation::Derivation derivation = derivation::derive();
+  if (derivation.refused) throw Refusal(derivation.refused->what());
+  const std::vector<proof::Step> steps = render::steps_of(derivation);
   Surroundings around{by_id(steps),
                       {},
                       options.magicmass,
@@ -128,7 +129,7 @@ int render_course(const Options& options) {
   write(out / "course.html", whole_page(pages, opening_body));
   write(out / "derivation.html", render::derivation_html(steps));
   write(out / "course.css", read(opening.folder / "course.css"));
-  write_pdf(out);
+  if (options.pdf) write_pdf(out);
   std::cout << "the course is in " << (out / "index.html").string() << "\n";
   return 0;
 }
@@ -150,6 +151,7 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("--out", options.out,
                  "where the pages go; without it the texts are only checked");
+  app.add_flag("--pdf,--no-pdf{false}", options.pdf, "one PDF of it all, too");
   CLI11_PARSE(app, argc, argv);
   try {
     if (!options.out.empty() && !magicmass::course::is_installed("pandoc"))

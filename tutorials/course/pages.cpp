@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -104,7 +105,8 @@ std::string html_of(const std::string& markdown, const std::string& id_prefix) {
           quoted(id_prefix) + " " + quoted(file.string()));
   std::filesystem::remove(file);
   if (ran.status != 0) throw Refusal("pandoc could not turn Markdown into HTML");
-  return ran.output;
+  // what scrolls must be reached by the keyboard
+  return std::regex_replace(ran.output, std::regex("<pre"), "<pre tabindex=\"0\"");
 }
 
 }  // namespace magicmass::course
