@@ -67,10 +67,16 @@ public:
       ++line_;
       const bool is_fence = line.starts_with("```") || line.starts_with("~~~");
       if (is_fence) in_code = !in_code;
+      const int first = line_;
+      if (line.starts_with("{{figure:") ||
+          line.starts_with("{{plot:"))  // with its caption
+        for (std::string more;
+             std::getline(lines, more) && ++line_ && !more.empty();)
+          line += " " + more;
       try {
         result += (in_code || is_fence ? line : one_line(line)) + "\n";
       } catch (const Refusal& refusal) {
-        throw Refusal(chapter_.file("intro.md:") + std::to_string(line_) + ": " +
+        throw Refusal(chapter_.file("intro.md:") + std::to_string(first) + ": " +
                       refusal.what());
       }
     }

@@ -87,7 +87,8 @@ std::string theorem_display(const proof::Step& step) {
                   step.relation + " " + step.to);
   std::string conditions;
   for (const std::string& condition : step.conditions)
-    if (!is_standing(condition))
+    if (!is_standing(condition) &&
+        step.verdict != "hypothesis")  // that is its own condition
       conditions +=
           (conditions.empty() ? " if " : "; ") + render::html_prose(condition);
   return fmt::format(
