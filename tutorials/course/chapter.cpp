@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 #include "course/refusal.hpp"
 #include "course/shell.hpp"
@@ -46,12 +48,16 @@ void require_expected(const Chapter& chapter, const std::string& output) {
                 ", expected is " + shown(differ.second, expected.end()));
 }
 
-std::string first_match(const std::vector<std::string>& lines,
-                        const std::string& beginning) {
-  const auto found = std::find_if(
-      lines.begin(), lines.end(),
-      [&](const std::string& line) { return line.starts_with(beginning); });
-  return found == lines.end() ? "" : found->substr(beginning.size());
+/// Of a line `name = value` in TOML, without quotes; empty if there is none.
+std::string value_of(const std::vector<std::string>& lines,
+                     const std::string& name) {
+  const std::string beginning = name + " = ";
+  for (const std::string& line : lines) {
+    if (!line.starts_with(beginning)) continue;
+    const auto first = line.find_first_not_of('"', beginning.size());
+    return line.substr(first, line.find_last_not_of('"') + 1 - first);
+  }
+  return "";
 }
 
 }  // namespace
@@ -96,20 +102,24 @@ std::vector<fs::path> chapter_folders(const fs::path& tutorials) {
 }
 
 std::vector<Exercise> exercises(const fs::path& chapter) {
-  std::vector<Exercise> found;
-  if (!fs::exists(chapter / "exercises")) return found;
-  for (const auto& entry : fs::directory_iterator(chapter / "exercises")) {
-    if (!fs::exists(entry.path() / "prompt.md")) continue;
-    const auto prompt = lines_of(read(entry.path() / "prompt.md"));
-    const std::string heading = first_match(prompt, "# ");
-    const auto first = std::find_if(prompt.begin(), prompt.end(),
-                                    [](const auto& l) { return !l.empty(); });
-    found.push_back({entry.path().filename().string(),
-                     heading.empty() && first != prompt.end() ? *first : heading});
-  }
-  std::sort(found.begin(), found.end(),
-            [](const auto& x, const auto& y) { return x.id < y.id; });
-  return found;
+  std::vector<std::pair<std::string, Exercise>> found;  // by difficulty
+  if (fs::exists(chapter / "exercises"))
+    for (const auto& entry : fs::directory_iterator(chapter / "exercises")) {
+      if (!fs::exists(entry.path() / "exercise.toml")) continue;
+      const auto lines = lines_of(read(entry.path() / "exercise.toml"));
+      const std::string id = value_of(lines, "id"),
+                        title = value_of(lines, "title");
+      if (id.empty() || title.empty())
+        throw Refusal((entry.path() / "exercise.toml").string() +
+                      ": needs id = \"...\" and title = \"...\"");
+      found.emplace_back(value_of(lines, "difficulty"), Exercise{id, title});
+    }
+  std::sort(found.begin(), found.end(), [](const auto& x, const auto& y) {
+    return std::tie(x.first, x.second.id) < std::tie(y.first, y.second.id);
+  });
+  std::vector<Exercise> result;
+  for (const auto& [difficulty, exercise] : found) result.push_back(exercise);
+  return result;
 }
 
 }  // namespace magicmass::course

@@ -33,7 +33,7 @@ Chapter load_chapter(const std::filesystem::path& folder,
 std::vector<std::filesystem::path> chapter_folders(
     const std::filesystem::path& tutorials);
 
-/// An exercise's title, from prompt.md, and the name that `magicmass learn` knows it by.
+/// An exercise's title, and the name that `magicmass learn` knows it by: from its exercise.toml, the easiest first.
 struct Exercise {
   std::string id;
   std::string title;
