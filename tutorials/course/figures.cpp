@@ -11,11 +11,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The first line as a comment that gnuplot skips, bars as blanks.
+/// The first line as a comment that gnuplot skips, bars as blanks, words in quotes.
 std::string numbers_of(const Printed& block) {
   std::string text = "# ";
   for (const std::string& line : block.lines) {
-    for (const std::string& cell_text : cells(line)) text += cell_text + " ";
+    for (const std::string& cell : cells(line))
+      text += cell.find(' ') == std::string::npos ? cell + " " : '"' + cell + "\" ";
     text += "\n";
   }
   return text;

@@ -89,8 +89,10 @@ std::string theorem_display(const proof::Step& step) {
   for (const std::string& condition : step.conditions)
     if (!is_standing(condition) &&
         step.verdict != "hypothesis")  // that is its own condition
-      conditions +=
-          (conditions.empty() ? " if " : "; ") + render::html_prose(condition);
+      conditions += (!conditions.empty()            ? "; "
+                     : condition.starts_with("as ") ? ", "
+                                                    : " if ") +
+                    render::html_prose(condition);
   return fmt::format(
       "<div class=\"theorem\">{0}\n<p class=\"source\"><a "
       "href=\"derivation.html#{1}\">{1}</a> "
