@@ -18,15 +18,20 @@ std::string set(const Formula& formula, bool small);
 std::string row(const std::string& inside) { return "<mrow>" + inside + "</mrow>"; }
 std::string identifier(const std::string& text) { return "<mi>" + html_escaped(text) + "</mi>"; }
 std::string sign(const std::string& text) { return "<mo>" + html_escaped(text) + "</mo>"; }
-std::string fence(const std::string& text) {
-  return "<mo fence=\"true\" lspace=\"0\" rspace=\"0\">" + text + "</mo>";
+/// A bracket that needs not be tall is not stretched: browsers leave space beside one that is.
+std::string fence(const std::string& text, bool tall) {
+  return std::string("<mo fence=\"true\" lspace=\"0\" rspace=\"0\"") +
+         (tall ? "" : " stretchy=\"false\"") + ">" + text + "</mo>";
 }
 const char* const apply = "<mo>&#x2061;</mo>";
 const char* const times = "<mo>&#x2062;</mo>";
 const char* const thin_space = "<mspace width=\"0.17em\"/>";
 
 std::string fenced(const std::string& inside, const std::string& left, const std::string& right) {
-  return row(fence(left) + inside + fence(right));
+  const bool tall = inside.find("<mfrac") != std::string::npos ||
+                    inside.find("<mtable") != std::string::npos ||
+                    inside.find("<munder") != std::string::npos;
+  return row(fence(left, tall) + inside + fence(right, tall));
 }
 
 std::string letters(const std::string& name) {
@@ -106,11 +111,11 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
 std::string power(const Formula& formula, bool small) {
   const Formula& base = formula.parts[0];
   const std::string high = row(set(formula.parts[1], true));
-  if (is_applied(
-          base))  // cos^n x, for cos x^n would be the cosine of x^n return call(base, small, high);
-    if (is_root(base) && formula.parts[1].kind == Kind::number)  // sqrt(x)^3
-      return "<msup>" + factor(base.parts[0], true) +
-             row(set(formula.parts[1], true) + "<mo>/</mo><mn>2</mn>") + "</msup>";
+  // cos^n x, for cos x^n would be the cosine of x^n
+  if (is_applied(base)) return call(base, small, high);
+  if (is_root(base) && formula.parts[1].kind == Kind::number)  // sqrt(x)^3
+    return "<msup>" + factor(base.parts[0], true) +
+           row(set(formula.parts[1], true) + "<mo>/</mo><mn>2</mn>") + "</msup>";
   const bool open = base.kind == Kind::product || base.kind == Kind::power ||
                     base.kind == Kind::adjacent || base.kind == Kind::quotient ||
                     (base.kind == Kind::call && base.text == "factorial");
@@ -254,10 +259,10 @@ std::string mathml_display(const Formula& equation) {
   std::string result;
   for (const Piece& piece : pieces(equation, latex_width, breaks ? phone : 1e9)) {
     std::string inside = signs(piece.sign);
-    for (int i = 0; i < piece.opens; ++i) inside += fence("(");
+    for (int i = 0; i < piece.opens; ++i) inside += fence("(", true);
     inside += piece.factor || piece.sign.ends_with('-') ? factor(piece.formula, false)
                                                         : set(piece.formula, false);
-    for (int i = 0; i < piece.closes; ++i) inside += fence(")");
+    for (int i = 0; i < piece.closes; ++i) inside += fence(")", true);
     result +=
         (result.empty() ? "" : " ") + ("<math displaystyle=\"true\">" + row(inside) + "</math>");
   }

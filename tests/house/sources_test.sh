@@ -23,6 +23,8 @@ declare -A may_include=(
   [runtime]='arithmetic generated library'
   [reference]='runtime cln library'
   [equality]='algebraic proof derivation ginac cln library'
+  [course]='proof derivation render library'
+  [tutorial]='proof derivation codegen generated runtime reference ginac cln library'
   [report]='generated runtime reference cln library'
   [command]='algebraic proof derivation equality codegen render generated runtime reference report ginac cln library'
   [command-header]='algebraic proof derivation equality codegen render generated runtime reference report cln library'
@@ -38,13 +40,15 @@ part_of() { # file of the repository
     src/report/*) part=report ;;
     src/command/*.hpp | src/command/*.h) part=command-header ;;
     src/command/*) part="command" ;;
+    tutorials/course/*) part=course ;;
+    tutorials/*/tutorial.cpp) part=tutorial ;;
     *) part=other ;;
   esac
 }
 
 find_included() { # file, path in its #include; leaves found, a file of the repository, or nothing
   local folder
-  for folder in "$(dirname "$1")" src generated symbolic .; do
+  for folder in "$(dirname "$1")" src generated symbolic tutorials .; do
     found=$folder/$2
     if [[ -f $found ]]; then
       if [[ $found == *./* ]]; then found=$(realpath --relative-to=. "$found"); fi
@@ -79,7 +83,7 @@ check_licence() {
 check_length() {
   local lines
   lines=$(wc -l <"$1")
-  if [[ $1 =~ ^(symbolic|src|tests)/ && " ${may_be_longer[*]-} " != *" $1 "* ]] && ((lines > longest)); then
+  if [[ $1 =~ ^(symbolic|src|tests|tutorials)/ && " ${may_be_longer[*]-} " != *" $1 "* ]] && ((lines > longest)); then
     complain "$1" "has $lines lines, over $longest: it asks to be two files"
   fi
 }
@@ -245,6 +249,9 @@ refused "reference may not include report: report/oracle.hpp" src/magicmass/refe
 refused "command-header may not include ginac: ginac/ginac.h" src/command/derive.hpp $gpl '#include <ginac/ginac.h>'
 refused "generated may not include library: fmt/core.h" generated/magicmass/counts.hpp MIT '#include <fmt/core.h>'
 refused "generated may not include runtime: magicmass/errors.hpp" generated/magicmass/counts.hpp MIT '#include "magicmass/errors.hpp"'
+
+refused "course may not include ginac: ginac/ginac.h" tutorials/course/pages.cpp $gpl '#include <ginac/ginac.h>'
+refused "tutorial may not include report: report/oracle.hpp" tutorials/01_contact/tutorial.cpp $gpl '#include "report/oracle.hpp"'
 
 good_tree
 plant src/magicmass/reference/digits.cpp $gpl '#include "magicmass/evaluators/fast.hpp"'

@@ -12,6 +12,12 @@ TEST_CASE("MathML of small formulas", "[exam]") {
         "<math><msubsup><mi>c</mi><mrow><mi>n</mi></mrow><mo>′</mo></msubsup></math>");
   CHECK(mathml(formula("x^2")) ==
         "<math><msup><mrow><mi>x</mi></mrow><mrow><mn>2</mn></mrow></msup></math>");
+  // the exponent at the function's name, before its argument
+  const std::string squared = mathml(formula("cos(psi)^2"));
+  CHECK(squared.find("<msup><mi>cos</mi>") != std::string::npos);
+  CHECK(squared.find("<mn>2</mn>") < squared.find("ψ"));
+  CHECK(mathml(formula("2*(1 + x)")).find("stretchy=\"false\"") != std::string::npos);
+  CHECK(mathml_display(equation("y", "=", "2*(1 + 1/x)")).find("stretchy") == std::string::npos);
   CHECK(mathml_display(equation("x", "=", "1/y"))
             .find("<mfrac><mrow><mn>1</mn></mrow><mrow><mi>y</mi></mrow></mfrac>") !=
         std::string::npos);
