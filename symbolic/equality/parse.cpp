@@ -220,6 +220,13 @@ private:
     } else if ((token.text == "sqrt" || token.text == "cbrt") && now().kind != TokenKind::end &&
                now().kind != TokenKind::sign) {
       arguments.push_back(primary());  // the root sign before a number or a name
+    } else if (now().kind == TokenKind::name) {
+      arguments.push_back(
+          primary());  // cos theta, where nothing that follows can belong to the argument
+      if ((starts_factor() && !(now().kind == TokenKind::name && is_function_name(now().text))) ||
+          is_sign("^"))
+        refuse_at(now().column, "does " + now().text + " belong to what " + token.text +
+                                    " is taken of? write " + token.text + "(...)");
     } else {
       refuse_at(now().column, "a ( is missing after " + token.text);
     }
