@@ -184,7 +184,10 @@ private:
 
   Tree name(const Token& token) {
     if (is_function_name(token.text)) return call(token);
-    if (is_sign("(") && !is_certainly_no_function(token.text)) {
+    const auto& factors = limits_.symbols;
+    const bool is_factor = is_certainly_no_function(token.text) ||
+                           std::find(factors.begin(), factors.end(), token.text) != factors.end();
+    if (is_sign("(") && !is_factor) {
       if (is_paper_name(token.text + "_n"))
         refuse_at(token.column, "write " + token.text + "_n for " + token.text + "(n), or " +
                                     token.text + "*( for a product");

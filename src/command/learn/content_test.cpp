@@ -120,11 +120,7 @@ private:
     if (!one.program.empty()) return {text_of(exercise_.folder / one.program)};
     std::vector<std::string> answers;
     for (const std::string& answer : one.answers) answers.push_back(filled(answer, posed.values));
-    if (!one.replace.empty()) {
-      const std::string place = "misconceptions.toml";
-      answers.push_back(
-          equality::text(replaced(read_content(posed.solution, place), one.replace, place)));
-    }
+    if (!one.replace.empty()) answers.push_back(replaced_solution(posed, one));
     return answers;
   }
 

@@ -22,7 +22,6 @@ using equality::Tree;
 
 namespace {
 
-constexpr equality::Limits answer_limits{.characters = 4000, .nesting = 60, .nodes = 1500};
 constexpr equality::Bounds answer_bounds{std::chrono::milliseconds(3000), std::size_t{400} << 20U};
 
 std::string nearest(const std::string& name, const std::vector<std::string>& allowed) {
@@ -31,12 +30,47 @@ std::string nearest(const std::string& name, const std::vector<std::string>& all
   return {};
 }
 
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// M_1u_1 as "M_1 u_1": the longest names first; empty where it is no such thing.
+std::string taken_apart(const std::string& word, const std::vector<std::string>& allowed) {
+  if (std::find(allowed.begin(), allowed.end(), word) != allowed.end()) return word;
+  for (std::size_t length = word.size() - 1; length > 0; --length) {
+    const std::string first = word.substr(0, length);
+    if (std::find(allowed.begin(), allowed.end(), first) == allowed.end()) continue;
+    const std::string rest = taken_apart(word.substr(length), allowed);
+    if (!rest.empty()) return first + " " + rest;
+  }
+  return {};
+}
+
+/// Names that are written without a blank between them, as LaTeX allows it.
+std::string with_blanks(const std::string& text, const std::vector<std::string>& allowed) {
+  std::string result;
+  std::string word;
+  const auto end_word = [&] {
+    const std::string apart = word.empty() || word.size() > 60 ? "" : taken_apart(word, allowed);
+    result += apart.empty() ? word : apart;
+    word.clear();
+  };
+  for (const char c : text) {
+    if (is_word(c) && !(word.empty() && std::isdigit(static_cast<unsigned char>(c)) != 0)) {
+      word += c;
+      continue;
+    }
+    end_word();
+    result += c;
+  }
+  end_word();
+  return result;
+}
+
 /// Whether each name in a condition is a symbol of the question.
 bool speaks_of_these(const std::string& condition, const std::set<std::string>& symbols) {
   std::string word;
   for (std::size_t i = 0; i <= condition.size(); ++i) {
     const char c = i < condition.size() ? condition[i] : ' ';
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_') {
+    if (is_word(c)) {
       word += c;
       continue;
     }
@@ -62,7 +96,8 @@ std::string shortened(const std::string& number) {
 Tree read_answer(const std::string& typed, const std::vector<std::string>& allowed) {
   Tree tree;
   try {
-    tree = equality::parse(equality::plain_text(typed), answer_limits);
+    tree = equality::parse(with_blanks(equality::plain_text(typed), allowed),
+                           {.characters = 4000, .nesting = 60, .nodes = 1500, .symbols = allowed});
   } catch (const equality::NotAnExpression& error) {
     throw NotUnderstood(error.what());
   }
@@ -130,6 +165,9 @@ bool are_equal(const Tree& left, const Tree& right, const std::vector<std::strin
 }
 
 bool holds(const std::string& relations, const Values& values, const std::string& place) {
+  if (const std::size_t comma = relations.find(','); comma != std::string::npos)
+    return holds(relations.substr(0, comma), values, place) &&
+           holds(relations.substr(comma + 1), values, place);
   std::vector<equality::Comparison> comparisons;
   try {
     comparisons = equality::parse_comparisons(relations);

@@ -40,7 +40,7 @@ equality::Verdict decided(const equality::Tree& left, const equality::Tree& righ
 bool are_equal(const equality::Tree& left, const equality::Tree& right,
                const std::vector<std::string>& domain);
 
-/// Whether a relation between constants holds, certainly.
+/// Whether relations between constants, separated by commas, hold, certainly.
 bool holds(const std::string& relations, const Values& values, const std::string& place);
 
 /// So many digits of a constant: "0.2361".

@@ -49,22 +49,29 @@ Judgement stopped(Judgement judgement, std::size_t line, const equality::Verdict
   return judgement;
 }
 
-const Misconception* recognised(const Posed& posed, const Tree& wrong) {
+/// An expression; an equation as the difference of its sides.
+Tree as_one(const std::string& text, const Posed& posed) {
   const std::string place = (posed.exercise.folder / "misconceptions.toml").string();
-  for (const Misconception& one : posed.exercise.misconceptions)
-    for (const std::string& text : one.answers)
-      if (are_equal(wrong, with_values(read_content(text, place), posed.values),
-                    posed.exercise.domain))
-        return &one;
-  return nullptr;
+  const std::vector<std::string> sides = split(text, '=');
+  const Tree left = with_values(read_content(sides.front(), place), posed.values);
+  if (sides.size() == 1) return left;
+  return equality::difference(left, with_values(read_content(sides.back(), place), posed.values));
 }
 
 Judgement with_misconception(Judgement judgement, const Posed& posed, const Tree& wrong) {
   if (judgement.verdict != Judged::wrong) return judgement;
-  if (const Misconception* one = recognised(posed, wrong)) {
-    judgement.misconception = one->name;
-    judgement.explanation = one->feedback;
-  }
+  const Tree negative = equality::product({equality::number(-1), wrong});
+  const bool is_equation = posed.exercise.shape == Shape::equations;
+  for (const Misconception& one : posed.exercise.misconceptions)
+    for (const std::string& text : one.answers) {
+      const Tree line = as_one(text, posed);
+      if (!are_equal(wrong, line, posed.exercise.domain) &&
+          !(is_equation && are_equal(negative, line, posed.exercise.domain)))
+        continue;
+      judgement.misconception = one.name;
+      judgement.explanation = one.feedback;
+      return judgement;
+    }
   return judgement;
 }
 

@@ -44,16 +44,14 @@ Entries read(const std::string& text, Shape shape, const Reader& reader) {
   return entries;
 }
 
-/// "c_n = ..." is an answer, too: the name in front goes.
+/// "c_n = ..." and "cos(psi/2) = ..." are answers, too: what is in front goes.
 std::string without_name(const std::string& typed) {
   const std::size_t equals = typed.find('=');
   if (equals == std::string::npos || typed.find('=', equals + 1) != std::string::npos ||
       (equals > 0 && std::string("<>!").find(typed[equals - 1]) != std::string::npos))
     return typed;
-  const std::string name = typed.substr(0, equals);
-  return name.size() < 24 && name.find_first_of("+-*/^(") == std::string::npos
-             ? typed.substr(equals + 1)
-             : typed;
+  constexpr std::size_t longest_name = 24;
+  return equals < longest_name ? typed.substr(equals + 1) : typed;
 }
 
 Entries mapped(const Entries& entries, const auto& function) {
@@ -143,6 +141,22 @@ Judgement right(const Posed& posed, Judgement judgement, const Entries& answer,
 }
 
 }  // namespace
+
+std::string replaced_solution(const Posed& posed, const Misconception& misconception) {
+  const Exercise& exercise = posed.exercise;
+  const Entries solution = read(posed.solution, exercise.shape, [](const std::string& text) {
+    return read_content(text, "solution");
+  });
+  std::string text;
+  for (const auto& row : solution.rows) {
+    std::string line;
+    for (const Tree& entry : row)
+      line += (line.empty() ? "" : ", ") +
+              equality::text(replaced(entry, misconception.replace, "misconceptions.toml"));
+    text += (text.empty() ? "[" : ", [") + line + "]";
+  }
+  return exercise.shape == Shape::matrix ? "[" + text + "]" : text.substr(1, text.size() - 2);
+}
 
 Judgement judge_symbolic(const Posed& posed, const std::string& typed,
                          const render::TextStyle& style) {

@@ -49,6 +49,9 @@ Judgement judge_prediction(const Posed& posed, const std::string& answer,
                            const render::TextStyle& style);
 Judgement judge_code(const Posed& posed, const std::string& program);
 
+/// The solution as one writes it who has the misconception, which has a `replace`.
+std::string replaced_solution(const Posed& posed, const Misconception& misconception);
+
 /// What is typed in an answer file: without lines that begin with #.
 std::string without_remarks(const std::string& text);
 
