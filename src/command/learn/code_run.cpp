@@ -91,7 +91,7 @@ std::string why_stopped(const ProcessEnd& end) {
   const bool had_no_memory = end.output.find("bad_alloc") != std::string::npos ||
                              end.output.find("length_error") != std::string::npos;
   if (end.is_late || end.signal == SIGXCPU)
-    return fmt::format("it did not come to an end within {} s; does a loop stop?",
+    return fmt::format("it did not come to an end within {} s: is there a loop that never stops",
                        run_time.count() / 1000);
   if (end.is_verbose) return "it wrote more than 1 MiB of output";
   if (end.signal == SIGSYS || end.signal == SIGXFSZ)

@@ -194,10 +194,12 @@ std::string digits_of(const Tree& constant, int digits, const std::string& place
   if (!constant->is_constant)
     throw InvalidInput(place + ": " + *equality::symbols_of(constant).begin() + " has no value");
   const Tree folded = equality::at({}, constant);
-  const equality::Ball ball =
-      equality::evaluate_to(folded, digits + 20, equality::exact_sign_or_nothing);
-  if (!equality::sign(ball)) return "0";
-  return equality::shown(ball, digits);
+  for (const int precision : {20, 400, 2000}) {  // more where huge numbers cancel
+    const equality::Ball ball =
+        equality::evaluate_to(folded, digits + precision, equality::exact_sign_or_nothing);
+    if (equality::sign(ball)) return equality::shown(ball, digits);
+  }
+  return "0";
 }
 
 std::string shown(const Tree& tree, const render::TextStyle& style) {

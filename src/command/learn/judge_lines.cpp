@@ -140,8 +140,9 @@ Judgement judge_equations(const Posed& posed, const std::vector<std::string>& li
     const equality::Verdict verdict =
         decided(with_values(left, all), with_values(right, all), exercise.domain);
     if (verdict.answer != Answer::equal)
-      return with_misconception(stopped(judgement, i + 1, verdict, "It is not true of this motion"),
-                                posed, with_values(right, posed.values));
+      return with_misconception(
+          stopped(judgement, i + 1, verdict, "It is not true of this motion"), posed,
+          equality::difference(with_values(left, posed.values), with_values(right, posed.values)));
   }
   const auto has_unknowns = [&](const Tree& tree) {
     for (const std::string& name : equality::symbols_of(tree))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/learn/moodle.hpp"
 
+#include <algorithm>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -55,6 +56,9 @@ std::string inner(const Posed& posed) {
 std::string question(const Posed& posed) {
   std::string prompt = page_in(posed, "prompt.md");
   if (!posed.exercise.form.empty()) prompt += "<p>Form asked for: " + posed.exercise.form + ".</p>";
+  const auto& symbols = posed.exercise.symbols;
+  if (std::find(symbols.begin(), symbols.end(), "e") != symbols.end())
+    prompt += "<p>Type e_r for e: in this quiz e is Euler's number.</p>";
   if (posed.exercise.kind == ExerciseKind::symbolic)
     prompt += "<p>[[input:ans1]] [[validation:ans1]]</p>";
   std::string xml = "<question type=\"" + type_of(posed) + "\">\n";

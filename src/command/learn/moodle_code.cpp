@@ -72,8 +72,13 @@ std::string choices(const Posed& posed) {
 }
 
 std::string decimal(const std::string& expression, const Posed& posed) {
-  return digits_of(with_values(read_content(expression, posed.exercise.id), posed.values), 12,
-                   posed.exercise.id);
+  std::string text =
+      digits_of(with_values(read_content(expression, posed.exercise.id), posed.values), 12,
+                posed.exercise.id);
+  if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
 }
 
 std::string numbers(const Posed& posed) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <cctype>
+
 #include <fmt/format.h>
 
 #include "command/learn/expressions.hpp"
 #include "command/learn/moodle.hpp"
+#include "equality/paper_names.hpp"
 #include "equality/typed_text.hpp"
 
 namespace magicmass::command {
@@ -47,9 +50,18 @@ std::string node(long index, const std::string& compared_with, long next,
                  const std::string& feedback) {
   const std::string note = fmt::format("prt1-{}", index + 1);
   return "<node>\n" + element("name", std::to_string(index)) + element("answertest", "AlgEquiv") +
-         element("sans", "ans1") + element("tans", compared_with) + element("testoptions", "") +
+         element("sans", "sa1") + element("tans", compared_with) + element("testoptions", "") +
          element("quiet", "1") + branch("true", index == 0 ? "1" : "0", -1, note + "-T", feedback) +
          branch("false", "0", next, note + "-F", "") + "</node>\n";
+}
+
+/// The student's answer with the names that the paper defines written out, as they are in ours.
+std::string typed_answer(const Posed& posed) {
+  std::string equations;
+  for (const std::string& name : posed.exercise.symbols)
+    if (const auto meaning = equality::meaning(name))
+      equations += (equations.empty() ? "" : ",") + name + "=" + maxima(*meaning);
+  return equations.empty() ? "sa1:ans1;" : "sa1:subst([" + equations + "],ans1);";
 }
 
 std::string input(const Posed& posed) {
@@ -110,7 +122,7 @@ std::string moodle_symbolic(const Posed& posed) {
       element("sqrtsign", "1") + element("complexno", "i") + element("inversetrig", "acos") +
       element("matrixparens", "[") + element("variantsselectionseed", "") + input(posed) +
       "<prt>\n" + element("name", "prt1") + element("value", "1") + element("autosimplify", "1") +
-      element("feedbackstyle", "1") + text_element("feedbackvariables", "");
+      element("feedbackstyle", "1") + text_element("feedbackvariables", typed_answer(posed));
   const auto count = static_cast<long>(wrong.size());
   xml += node(0, "ta", count > 0 ? 1 : -1, "");
   for (long i = 0; i < count; ++i) {
