@@ -67,6 +67,22 @@ private:
         fail(std::string(file) + ": " + complaint);
     if (posed.exercise.kind == ExerciseKind::predict && !posed.exercise.choices.empty())
       require_one_choice(posed);
+    if (posed.exercise.kind == ExerciseKind::predict && posed.exercise.choices.empty())
+      require_law(posed);
+  }
+
+  /// What is more than one field of the program's answer is typed, and must be held against something.
+  void require_law(const Posed& posed) {
+    const bool is_field = posed.exercise.fields.contains(posed.solution);
+    if (posed.exercise.law.empty()) {
+      if (!is_field) fail("law: missing; the solution is no field of the program's answer");
+      return;
+    }
+    Values values = posed.values;
+    values["answer"] = equality::text(
+        with_values(read_content(posed.solution, "solution/answer.txt"), posed.values));
+    if (!holds(posed.exercise.law, values, "law"))
+      fail("the law does not hold: " + posed.exercise.law);
   }
 
   void expect(const Posed& posed, const std::string& answer, Judged expected,

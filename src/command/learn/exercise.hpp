@@ -80,6 +80,7 @@ struct Exercise {
   std::vector<std::string> run;  ///< arguments of magicmass whose JSON gives the values
   Values fields;                 ///< name to JSON pointer
   std::vector<Choice> choices;   ///< of a prediction
+  std::string law;               ///< relations that `answer` must keep, for `learn test`
   std::string within;            ///< how far off a prediction may be; an expression
 
   CodeCheck code;

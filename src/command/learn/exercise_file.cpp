@@ -95,6 +95,7 @@ void read_symbolic(ContentTable& table, Exercise& exercise) {
 
 void read_predict(ContentTable& table, Exercise& exercise) {
   exercise.within = table.text("within", "");
+  exercise.law = table.text("law", "");
   for (ContentTable& choice : table.tables("choices")) {
     exercise.choices.push_back({choice.text("text"), choice.text("when")});
     choice.finish();

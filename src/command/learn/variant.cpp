@@ -65,6 +65,7 @@ Exercise filled(Exercise exercise, const Values& values) {
   fill_pairs(exercise.fields);
   fill(exercise.start);
   fill(exercise.within);
+  fill(exercise.law);
   for (Choice& choice : exercise.choices) {
     fill(choice.text);
     fill(choice.when);

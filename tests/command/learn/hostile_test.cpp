@@ -37,7 +37,8 @@ TEST_CASE("a right function is right, and a wrong one is told in physics", "[exa
   CHECK_THAT(right.output, Contains("Right in all 7 cases"));
   const ProgramRun wrong = checked(student, "", "return {-u_1, u_1};");
   CHECK(wrong.exit_code == 1);
-  CHECK_THAT(wrong.output, Contains("your first body moves left, it should stand still"));
+  CHECK_THAT(unwrapped(wrong.output),
+             Contains("your first body moves left, it should stand still"));
 }
 
 TEST_CASE("the collision that goes wrong is named", "[exam]") {
@@ -84,7 +85,7 @@ TEST_CASE("what does not end, grows, writes or crashes is stopped, and the reaso
            {"#include <sys/socket.h>\n", "socket(AF_INET, SOCK_STREAM, 0); return {0, 0};",
             "use the network"},
            {"", "*(volatile int*)8 = 1; return {0, 0};", "it crashed"},
-           {"", "volatile int zero = 0; return {double(1 / zero), 0};",
+           {"", "volatile int zero = 0; return {double(int(M_1 + 6) / zero), 0};",
             "divided a whole number by zero"},
            {"#include <cstdio>\n", "for (;;) std::puts(\"all work and no play\");",
             "1 MiB of output"},
@@ -93,10 +94,7 @@ TEST_CASE("what does not end, grows, writes or crashes is stopped, and the reaso
     const ProgramRun run = checked(student, bad.before, bad.body);
     INFO(run.output << run.errors);
     CHECK(run.exit_code == 1);
-    std::string output;
-    for (const std::string& line : lines_of(run.output))  // as one line again
-      output += (line.starts_with("  ") ? line.substr(1) : " " + line);
-    CHECK_THAT(output, Contains(bad.reason));
+    CHECK_THAT(unwrapped(run.output), Contains(bad.reason));
   }
   CHECK(read_file(precious) == "kept");
 }

@@ -6,6 +6,16 @@
 
 #include "../program_run.hpp"
 
+/// Wrapped lines as one.
+inline std::string unwrapped(const std::string& output) {
+  std::string text;
+  for (const std::string& line : lines_of(output)) {
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first != std::string::npos) text += (text.empty() ? "" : " ") + line.substr(first);
+  }
+  return text;
+}
+
 /// A student with a folder of their own.
 class Student {
 public:

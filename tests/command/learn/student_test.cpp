@@ -54,7 +54,7 @@ TEST_CASE("a student's way: list, show, wrong, hint, right, next", "[exam]") {
 TEST_CASE("how an answer was read comes first, then the verdict", "[exam]") {
   const Student student;
   CHECK_THAT(student.learn({"check", "half_angle", "\\frac{1}{1+\\alpha}", "--ascii"}).output,
-             StartsWith("Read as: 1/(1 + alpha)\nRight."));
+             StartsWith("Read as: 1/(alpha + 1)\nRight."));
   CHECK_THAT(student.learn({"check", "half_angle", "(1-alpha)/(1-alpha^2)"}).output,
              Contains("Right, in another form than ours"));
   CHECK_THAT(student.learn({"check", "half_angle", "-1/(1+alpha)"}).output,
