@@ -22,8 +22,8 @@ ExpectedCase expected_case(const Exercise& exercise, const std::vector<std::stri
   const CodeCheck& code = exercise.code;
   const std::string place = (exercise.folder / "exercise.toml").string() + ": code";
   ExpectedCase expected;
-  Values decimal;  // shortest decimals, which stand for the doubles
-  Values exact;
+  Values decimal;                        // shortest decimals, which stand for the doubles
+  Values exact{{"V", "1"}, {"L", "1"}};  // the units, unless they are inputs
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::string& name = code.inputs[i];
     expected.labels[name] = row[i];

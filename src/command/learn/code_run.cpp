@@ -55,21 +55,33 @@ std::filesystem::path driver_header() {
   return std::filesystem::path(MAGICMASS_SOURCE_DIR) / "tutorials" / "exercise_driver.hpp";
 }
 
-CodeRun run_code(const Exercise& exercise, const std::string& program,
-                 const std::vector<std::vector<double>>& inputs) {
+namespace {
+
+CodeRun run_with(const Exercise& exercise, const std::string& program,
+                 const std::vector<std::vector<double>>& inputs, const std::string& driver,
+                 const std::vector<std::string>& flags) {
   const ScratchFolder scratch;
   std::ofstream(scratch.path() / "answer.cpp") << program;
-  std::ofstream(scratch.path() / "driver.cpp") << text_of(exercise.folder / "driver.cpp");
+  std::ofstream(scratch.path() / "driver.cpp") << text_of(exercise.folder / driver);
   std::ofstream(scratch.path() / "exercise_driver.hpp") << text_of(driver_header());
   ProcessLimits limits;
   limits.time = compile_time;
   limits.memory = std::size_t{2} << 30U;
   limits.is_computing_only = false;
   CodeRun run;
-  const ProcessEnd compiled = run_confined(
-      {"env", "TMPDIR=" + scratch.path().string(), "c++", "-std=c++20", "-O1", "-ffp-contract=off",
-       "-w", "-fmax-errors=3", "-o", "exercise", "driver.cpp", "answer.cpp"},
-      "", scratch.path(), limits);
+  std::vector<std::string> words{"env",
+                                 "TMPDIR=" + scratch.path().string(),
+                                 "c++",
+                                 "-std=c++20",
+                                 "-ffp-contract=off",
+                                 "-w",
+                                 "-fmax-errors=3",
+                                 "-o",
+                                 "exercise",
+                                 "driver.cpp",
+                                 "answer.cpp"};
+  words.insert(words.end(), flags.begin(), flags.end());
+  const ProcessEnd compiled = run_confined(words, "", scratch.path(), limits);
   run.has_compiler = compiled.exit_code != compiler_missing;
   if (!run.has_compiler) {
     run.compile_error = "there is no C++ compiler called c++";
@@ -85,6 +97,20 @@ CodeRun run_code(const Exercise& exercise, const std::string& program,
   run.end = run_confined({"../exercise"}, input_text(inputs), scratch.path() / "empty", confined);
   run.results = rows_of(run.end.results);
   return run;
+}
+
+}  // namespace
+
+CodeRun run_code(const Exercise& exercise, const std::string& program,
+                 const std::vector<std::vector<double>>& inputs) {
+  return run_with(exercise, program, inputs, "driver.cpp", {"-O1"});
+}
+
+CodeRun run_contest(const Exercise& exercise, const std::string& program,
+                    const std::vector<std::vector<double>>& inputs) {
+  return run_with(
+      exercise, program, inputs, "rank.cpp",
+      {"-O2", "-I" MAGICMASS_SOURCE_DIR "/generated", "-I" MAGICMASS_SOURCE_DIR "/src"});
 }
 
 std::string why_stopped(const ProcessEnd& end) {

@@ -46,9 +46,10 @@ struct CodeCheck {
   std::vector<std::string> inputs;
   std::vector<std::vector<std::string>> cases;  ///< an expression for each input
   std::vector<ComparedOutput> outputs;
-  std::string place;    ///< "after collision {ordinal:j}, alpha = {alpha}"
-  double ulp = 4;       ///< error allowed, in ulp of the exact value
-  double absolute = 0;  ///< or this much
+  std::string place;                     ///< "after collision {ordinal:j}, alpha = {alpha}"
+  double ulp = 4;                        ///< error allowed, in ulp of the exact value
+  double absolute = 0;                   ///< or this much
+  std::vector<std::string> contestants;  ///< of an open exercise, a row of rank.cpp each
 };
 
 struct Choice {

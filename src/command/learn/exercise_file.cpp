@@ -114,6 +114,7 @@ CodeCheck read_code(ContentTable& outer, const Exercise& exercise) {
   code.place = table.text("place", "");
   code.ulp = table.number("ulp", 4);
   code.absolute = table.number("absolute", 0);
+  code.contestants = table.texts("contestants");
   for (ContentTable& output : table.tables("outputs")) {
     code.outputs.push_back({output.text("name"), output.text("exact", ""), output.text("field", ""),
                             output.text("words", ""), output.text("theorem", "")});

