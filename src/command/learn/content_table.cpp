@@ -14,7 +14,8 @@ namespace magicmass::command {
 
 struct ContentTable::Data {
   std::string file;
-  toml::table table;
+  std::shared_ptr<const toml::table> root;  // a copy of a node would not know its line
+  const toml::table* table = nullptr;
   unsigned line = 1;
   std::set<std::string> asked = {};
 };
@@ -53,7 +54,8 @@ ContentTable::ContentTable(const std::filesystem::path& file) : data_(std::make_
   data_->file = file.string();
   const std::string text = text_of(file);
   try {
-    data_->table = toml::parse(text);
+    data_->root = std::make_shared<const toml::table>(toml::parse(text));
+    data_->table = data_->root.get();
   } catch (const toml::parse_error& error) {
     throw InvalidInput(
         fmt::format("{}: line {}: not valid TOML: {}; allowed: lines like id = \"x\"", data_->file,
@@ -67,19 +69,19 @@ ContentTable::~ContentTable() = default;
 
 void ContentTable::refuse(const std::string& key, const std::string& what,
                           const std::string& allowed) const {
-  const toml::node* node = data_->table.get(key);
+  const toml::node* node = data_->table->get(key);
   refuse_at_line(data_->file, node == nullptr ? data_->line : node->source().begin.line, key, what,
                  allowed);
 }
 
 bool ContentTable::has(const std::string& key) {
   data_->asked.insert(key);
-  return data_->table.contains(key);
+  return data_->table->contains(key);
 }
 
 std::string ContentTable::text(const std::string& key) {
   if (!has(key)) refuse(key, "missing", "a line like " + key + " = \"...\"");
-  return scalar(*data_->table.get(key), data_->file, key);
+  return scalar(*data_->table->get(key), data_->file, key);
 }
 
 std::string ContentTable::text(const std::string& key, const std::string& otherwise) {
@@ -88,7 +90,7 @@ std::string ContentTable::text(const std::string& key, const std::string& otherw
 
 double ContentTable::number(const std::string& key, double otherwise) {
   if (!has(key)) return otherwise;
-  const auto value = data_->table.get(key)->value<double>();
+  const auto value = data_->table->get(key)->value<double>();
   if (!value || !(*value >= 0)) refuse(key, "not a number", "a number that is not negative");
   return *value;
 }
@@ -96,15 +98,15 @@ double ContentTable::number(const std::string& key, double otherwise) {
 long ContentTable::whole(const std::string& key, long least, long most) {
   const std::string allowed = fmt::format("a whole number from {} to {}", least, most);
   if (!has(key)) refuse(key, "missing", allowed);
-  const auto* value = data_->table.get(key)->as_integer();
+  const auto* value = data_->table->get(key)->as_integer();
   if (value == nullptr || value->get() < least || value->get() > most)
-    refuse(key, "got " + shown_text(scalar(*data_->table.get(key), data_->file, key)), allowed);
+    refuse(key, "got " + shown_text(scalar(*data_->table->get(key), data_->file, key)), allowed);
   return static_cast<long>(value->get());
 }
 
 std::vector<std::string> ContentTable::texts(const std::string& key) {
   if (!has(key)) return {};
-  const toml::array* array = data_->table.get(key)->as_array();
+  const toml::array* array = data_->table->get(key)->as_array();
   if (array == nullptr) refuse(key, "not a list", "[\"a text\", ...]");
   std::vector<std::string> texts;
   for (const toml::node& node : *array) texts.push_back(scalar(node, data_->file, key));
@@ -113,7 +115,7 @@ std::vector<std::string> ContentTable::texts(const std::string& key) {
 
 std::vector<std::vector<std::string>> ContentTable::rows(const std::string& key) {
   if (!has(key)) return {};
-  const toml::array* array = data_->table.get(key)->as_array();
+  const toml::array* array = data_->table->get(key)->as_array();
   std::vector<std::vector<std::string>> rows;
   if (array == nullptr) refuse(key, "not a list", "[[1, 2], [3, 4]]");
   for (const toml::node& node : *array) {
@@ -127,12 +129,12 @@ std::vector<std::vector<std::string>> ContentTable::rows(const std::string& key)
 
 std::map<std::string, std::string> ContentTable::pairs(const std::string& key) {
   if (!has(key)) return {};
-  return pairs_of(*data_->table.get(key), data_->file, key);
+  return pairs_of(*data_->table->get(key), data_->file, key);
 }
 
 std::vector<std::map<std::string, std::string>> ContentTable::records(const std::string& key) {
   if (!has(key)) return {};
-  const toml::array* array = data_->table.get(key)->as_array();
+  const toml::array* array = data_->table->get(key)->as_array();
   if (array == nullptr) refuse(key, "not a list", "[{ k = 1 }, { k = 2 }]");
   std::vector<std::map<std::string, std::string>> records;
   for (const toml::node& node : *array) records.push_back(pairs_of(node, data_->file, key));
@@ -141,25 +143,27 @@ std::vector<std::map<std::string, std::string>> ContentTable::records(const std:
 
 ContentTable ContentTable::table(const std::string& key) {
   if (!has(key)) refuse(key, "missing", "a section [" + key + "]");
-  const toml::table* inner = data_->table.get(key)->as_table();
+  const toml::table* inner = data_->table->get(key)->as_table();
   if (inner == nullptr) refuse(key, "not a table", "a section [" + key + "]");
   auto data = std::make_unique<Data>();
   data->file = data_->file;
-  data->table = *inner;
-  data->line = data_->table.get(key)->source().begin.line;
+  data->root = data_->root;
+  data->table = inner;
+  data->line = data_->table->get(key)->source().begin.line;
   return ContentTable(std::move(data));
 }
 
 std::vector<ContentTable> ContentTable::tables(const std::string& key) {
   std::vector<ContentTable> tables;
   if (!has(key)) return tables;
-  const toml::array* array = data_->table.get(key)->as_array();
+  const toml::array* array = data_->table->get(key)->as_array();
   if (array == nullptr) refuse(key, "not a list of tables", "sections [[" + key + "]]");
   for (const toml::node& node : *array) {
     if (!node.is_table()) refuse(key, "not a list of tables", "sections [[" + key + "]]");
     auto data = std::make_unique<Data>();
     data->file = data_->file;
-    data->table = *node.as_table();
+    data->root = data_->root;
+    data->table = node.as_table();
     data->line = node.source().begin.line;
     tables.push_back(ContentTable(std::move(data)));
   }
@@ -169,7 +173,7 @@ std::vector<ContentTable> ContentTable::tables(const std::string& key) {
 void ContentTable::finish() const {
   std::string allowed;
   for (const std::string& key : data_->asked) allowed += (allowed.empty() ? "" : ", ") + key;
-  for (const auto& [key, value] : data_->table)
+  for (const auto& [key, value] : *data_->table)
     if (!data_->asked.contains(std::string(key.str())))
       refuse(std::string(key.str()), "unknown key", allowed);
 }

@@ -19,6 +19,15 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
+/// No line ends at an operator.
+std::string with_held_operators(std::string text) {
+  for (std::size_t i = 1; i + 3 < text.size(); ++i)
+    if (text[i] == ' ' && text[i + 2] == ' ' &&
+        std::string("=+-<>").find(text[i + 1]) != std::string::npos)
+      text[i] = text[i + 2] = render::held_blank;
+  return text;
+}
+
 /// Calls `replace` with what stands in each pair of double braces.
 template <class Replace>
 std::string without_braces(const std::string& text, const Replace& replace) {
@@ -27,11 +36,11 @@ std::string without_braces(const std::string& text, const Replace& replace) {
   for (std::size_t open = 0; (open = text.find("{{", at)) != std::string::npos;) {
     const std::size_t close = text.find("}}", open);
     if (close == std::string::npos) throw InvalidInput("{{ without }}");
-    result +=
-        text.substr(at, open - at) + replace(trimmed(text.substr(open + 2, close - open - 2)));
+    result += with_held_operators(text.substr(at, open - at)) +
+              replace(trimmed(text.substr(open + 2, close - open - 2)));
     at = close + 2;
   }
-  return result + text.substr(at);
+  return result + with_held_operators(text.substr(at));
 }
 
 struct Marked {

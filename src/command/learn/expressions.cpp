@@ -218,14 +218,15 @@ std::string shown(const equality::Counterexample& counterexample) {
   if (counterexample.point.empty()) {
     const bool is_less = counterexample.difference.starts_with('-');
     return "yours is " + left +
-           (counterexample.difference.empty() ? ""
-            : is_less                         ? ", which is too small"
-                                              : ", which is too large");
+           (counterexample.difference.empty() ? "."
+            : is_less                         ? ", which is too small."
+                                              : ", which is too large.");
   }
   std::string at;
   for (const auto& [name, value] : counterexample.point)
     at += (at.empty() ? "at " : ", ") + name + " = " + value;
-  return at + " yours is " + left + ", where it should be " + right;
+  return at + " yours is " + left + ", where it should be " + right +
+         (right.ends_with('.') ? "" : ".");
 }
 
 }  // namespace magicmass::command

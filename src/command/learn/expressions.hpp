@@ -49,7 +49,7 @@ std::string digits_of(const equality::Tree& constant, int digits, const std::str
 /// The expression for a reader, on one line.
 std::string shown(const equality::Tree& tree, const render::TextStyle& style);
 
-/// "at alpha = 1, n = 1 yours is 1/3, where it should be 2/3"; for constants "yours is 0.333..., which is too small".
+/// "at alpha = 1, n = 1 yours is 1/3, where it should be 2/3."; for constants "yours is 0.333..., which is too small."
 std::string shown(const equality::Counterexample& counterexample);
 
 }  // namespace magicmass::command

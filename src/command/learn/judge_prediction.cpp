@@ -86,7 +86,7 @@ Judgement judge_prediction(const Posed& posed, const std::string& typed,
         return judgement;
       }
   if (const auto sides = decided(given, truth, {}).counterexample)
-    judgement.explanation = shown(*sides) + ".";
+    judgement.explanation = shown(*sides);
   return judgement;
 }
 

@@ -204,7 +204,7 @@ Judgement judge_symbolic(const Posed& posed, const std::string& typed,
           ? fmt::format("row {}, column {}: ", difference.row + 1, difference.column + 1)
           : "";
   judgement.explanation = is_negative ? "Only the sign is wrong: yours is minus the answer."
-                                      : where + shown(*difference.verdict.counterexample) + ".";
+                                      : where + shown(*difference.verdict.counterexample);
   return judgement;
 }
 

@@ -2,9 +2,11 @@
 #include <fmt/format.h>
 
 #include "command/learn/exercise_text.hpp"
+#include "command/learn/expressions.hpp"
 #include "command/learn/learn.hpp"
 #include "command/learn/variant.hpp"
 #include "command/terminal_style.hpp"
+#include "equality/point.hpp"
 #include "magicmass/errors.hpp"
 #include "render/wrapping.hpp"
 
@@ -35,19 +37,16 @@ std::string list_page(const Catalogue& catalogue, const StudentFolder& student) 
   return page + (next == nullptr ? "\n" : " Next: magicmass learn show " + next->id + "\n");
 }
 
+/// A path stands on a line of its own, so that it can be copied whole.
 std::string how_to_answer(const Posed& posed, const StudentFolder& student) {
   const Exercise& exercise = posed.exercise;
-  std::string text;
+  const std::string file = "\n    " + student.answer_of(exercise).string() + "\n";
+  const std::string check = "magicmass learn check " + exercise.id;
   if (exercise.kind == ExerciseKind::code)
-    text = "Write your function in " + student.answer_of(exercise).string() +
-           ", then: magicmass learn check " + exercise.id;
-  else if (exercise.shape == Shape::derivation || exercise.shape == Shape::equations)
-    text = "Write one step a line in " + student.answer_of(exercise).string() +
-           ", then: magicmass learn check " + exercise.id;
-  else
-    text = "Answer: magicmass learn check " + exercise.id + " \"YOUR ANSWER\", or write it in " +
-           student.answer_of(exercise).string();
-  return render::wrapped(text, "");
+    return "Write your function in" + file + "and then: " + check + "\n";
+  if (exercise.shape == Shape::derivation || exercise.shape == Shape::equations)
+    return "Write one step a line in" + file + "and then: " + check + "\n";
+  return "Answer: " + check + " \"YOUR ANSWER\"\nor write it in" + file;
 }
 
 std::string choices_page(const Posed& posed) {
@@ -56,6 +55,18 @@ std::string choices_page(const Posed& posed) {
     page += render::wrapped(posed.exercise.choices[i].text,
                             fmt::format("  {}) ", static_cast<char>('a' + i)));
   return page.empty() ? page : "\n" + page;
+}
+
+/// The solution as a student would type it; of a prediction what the program found.
+std::string solution_page(const Posed& posed) {
+  const Exercise& exercise = posed.exercise;
+  std::string text = posed.solution;
+  if (exercise.kind == ExerciseKind::predict && exercise.choices.empty())
+    text = equality::text(equality::at(
+        {}, with_values(read_content(posed.solution, "solution/answer.txt"), posed.values)));
+  for (std::size_t i = 0; i < exercise.choices.size(); ++i)
+    if (text == std::string(1, static_cast<char>('a' + i))) text += ") " + exercise.choices[i].text;
+  return text + (text.ends_with('\n') ? "\n" : "\n\n");
 }
 
 }  // namespace
@@ -141,9 +152,9 @@ ExitCode learn_solution(const LearnOptions& options) {
   record.has_seen_solution = record.has_seen_solution || record.verdict != "right";
   student.save();
   Destination output(options.output.path);
-  output.write(exercise_posed.solution + (exercise_posed.solution.ends_with('\n') ? "\n" : "\n\n") +
-               page_of(text_of(exercise.folder / "after.md"), exercise_posed,
-                       text_style(output, options.ascii)));
+  output.write(solution_page(exercise_posed) + page_of(text_of(exercise.folder / "after.md"),
+                                                       exercise_posed,
+                                                       text_style(output, options.ascii)));
   output.finish();
   return ExitCode::done;
 }

@@ -64,8 +64,8 @@ private:
     const Posed posed = posed_to(student_, exercise);
     student_.begin(exercise, prompt_page(posed, student_, {}));
     student_.save();
-    output_.write("\n" + prompt_page(posed, student_, style_) + "\nWatching " +
-                  student_.answer_of(exercise).string() + "; save it, and it is checked.\n");
+    output_.write("\n" + prompt_page(posed, student_, style_) +
+                  "\nWatching that file: save it, and it is checked.\n");
     output_.flush();
   }
 

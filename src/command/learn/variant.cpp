@@ -32,6 +32,11 @@ std::string filled(const std::string& text, const Values& values) {
   static const std::string ordinal_mark = "ordinal:";
   std::string result;
   for (std::size_t at = 0; at < text.size();) {
+    if (text.compare(at, 2, "{{") == 0) {  // a computed part of a text
+      result += "{{";
+      at += 2;
+      continue;
+    }
     const std::size_t close = text[at] == '{' ? text.find('}', at) : std::string::npos;
     if (close != std::string::npos) {
       std::string name = text.substr(at + 1, close - at - 1);

@@ -11,7 +11,7 @@ namespace magicmass::command {
 /// The values of one student's variant: a row of the explicit list, and one value of each range, by the seed.
 Values variant_of(const Exercise& exercise, std::uint64_t seed);
 
-/// {name} replaced by its value, {ordinal:name} by "third"; other braces stay.
+/// {name} replaced by its value, {ordinal:name} by "third"; other braces, and {{, stay.
 std::string filled(const std::string& text, const Values& values);
 
 /// The exercise with its variant's values in all that is compared.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The exercises themselves: `learn test` is green over all of them, and red where one is spoiled.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -153,6 +154,21 @@ TEST_CASE("bad exercise files get one line: file, line, key and what is allowed"
     CHECK(lines_of(run.errors).size() == 1);
     CHECK_THAT(run.errors, Contains("exercise.toml: line ") && Contains(one.complaint));
   }
+}
+
+TEST_CASE("keys of inner sections are named with their lines, too", "[exam]") {
+  const TemporaryFolder content;
+  Course(content.path())
+      .add("01_contact", "collide", "collide")
+      .replace("exercise.toml", "words = \"velocity of first body\"", "word = \"x\"");
+  const ProgramRun run = run_program({"learn", "list", "--content", content.path().string()});
+  CHECK(run.exit_code == 2);
+  const std::string toml =
+      read_file(content.path() / "01_contact" / "exercises" / "collide" / "exercise.toml");
+  const auto line =
+      1 + std::count(toml.begin(), toml.begin() + static_cast<long>(toml.find("word = ")), '\n');
+  CHECK_THAT(run.errors,
+             Contains("line " + std::to_string(line) + ": word: unknown key; allowed: "));
 }
 
 TEST_CASE("a new exercise of each kind works at once", "[exam]") {

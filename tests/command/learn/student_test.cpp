@@ -33,7 +33,7 @@ TEST_CASE("a student's way: list, show, wrong, hint, right, next", "[exam]") {
   const ProgramRun wrong = student.learn({"check", "half_angle", "1+alpha"});
   CHECK(wrong.exit_code == 1);
   CHECK_THAT(wrong.output, StartsWith("Read as: ") && Contains("\nNot right.\n") &&
-                               Contains("at alpha = 1 yours is 2, where it should be 1/2") &&
+                               Contains("at alpha = 1 yours is 2, where it should be 1/2.") &&
                                Contains("\nA hint: "));
   const ProgramRun hint = student.learn({"hint", "half_angle"});
   CHECK_THAT(hint.output, StartsWith("Hint 1 of 3: "));
@@ -108,6 +108,10 @@ TEST_CASE("the solution is shown after an attempt, or on request", "[exam]") {
   CHECK_THAT(refused.errors, Contains("after an attempt, or with --reveal"));
   CHECK_THAT(student.learn({"solution", "golden_ball", "--reveal"}).output,
              StartsWith("sqrt(5) - 2"));
+  CHECK_THAT(student.learn({"solution", "digits_of_pi", "--reveal"}).output,
+             StartsWith("31\n\n31: the digits"));
+  CHECK_THAT(student.learn({"solution", "three_equal", "--reveal"}).output,
+             StartsWith("b) B moves on"));
   student.learn({"check", "golden_ball", "1/4"});
   CHECK(student.learn({"solution", "golden_ball"}).exit_code == 0);
   CHECK_THAT(read_file(student.file("progress.txt")), Contains("golden_ball wrong 1 0 1"));

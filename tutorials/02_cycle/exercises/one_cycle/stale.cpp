@@ -3,7 +3,8 @@ struct State {
   double a, b, c_prime;
 };
 
-// The velocities after one more cycle: A hits C, then C hits B. alpha = mass of C / mass of A or B.
+// The velocities after one more cycle: A hits C, then C hits B.
+// alpha = mass of C / mass of A or B.
 State one_cycle(double alpha, State before) {
   State after{};
   const double c = before.c_prime;

@@ -3,7 +3,8 @@ struct Velocities {
   double a, b, c;
 };
 
-// The velocities after the first j collisions. A comes with 1, B and C are at rest; alpha = mass of C / mass of A or B.
+// The velocities after the first j collisions. A comes with 1, B and C are at
+// rest; alpha = mass of C / mass of A or B.
 // Collisions 1, 3, 5, ... are of A and C, collisions 2, 4, 6, ... of C and B.
 Velocities after_collisions(double alpha, long j) {
   double a = 1, b = 0, c = 0;
