@@ -96,6 +96,16 @@ std::string from_stdin() {
   return text;
 }
 
+/// An answer from the command line goes into the student's file, for the teacher to find, but not over work.
+bool is_worth_keeping(const StudentFolder& student, const Exercise& exercise,
+                      const Judgement& judgement) {
+  if (judgement.verdict == Judged::unread) return false;
+  if (judgement.verdict == Judged::right && exercise.kind != ExerciseKind::code) return true;
+  const std::filesystem::path file = student.answer_of(exercise);
+  return !std::filesystem::exists(file) ||
+         text_of(file) == text_of(exercise.folder / exercise.answer_file());
+}
+
 }  // namespace
 
 ExitCode exit_code_of(Judged verdict) {

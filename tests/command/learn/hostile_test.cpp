@@ -107,6 +107,16 @@ TEST_CASE("what does not compile gets the compiler's first words, and is no atte
   CHECK_FALSE(std::filesystem::exists(student.file("progress.txt")));
 }
 
+TEST_CASE("without a compiler there is one clear line", "[exam]") {
+  const TemporaryFolder folder;
+  write_file(folder / "mine.cpp", signature + " { return {u_2, u_1}; }\n");
+  const ProgramRun run =
+      run_program({"learn", "check", "collide", folder / "mine.cpp", "--folder", folder / "mine"},
+                  "", {"env", "PATH=/nowhere"});
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(unwrapped(run.output), Contains("there is no C++ compiler called c++; install one"));
+}
+
 TEST_CASE("results cannot be faked by printing or by leaving early", "[exam]") {
   const Student student;
   const ProgramRun run =
