@@ -176,7 +176,7 @@ ExitCode learn_check(const LearnOptions& options) {
   const Judgement judgement =
       check_and_say(catalogue, exercise, student, answer, options.output.format, output,
                     text_style(output, options.ascii));
-  if (judgement.verdict != Judged::unread && !options.answer.empty())
+  if (!options.answer.empty() && is_worth_keeping(student, exercise, judgement))
     student.keep(exercise, answer);
   output.finish();
   return exit_code_of(judgement.verdict);
