@@ -19,12 +19,13 @@ void add_ratios(Program& program);
 void add_simulate(Program& program);
 void add_plan(Program& program);
 void add_equal(Program& program);
-/// The words of a command line, where -x/2 after "equal" is an expression and no option.
+/// The words of a command line, where -x/2 after "equal" or "learn check ID" is an expression and no option.
 std::vector<std::string> with_expressions_marked(int argc, char** argv);
 void add_report(Program& program);
 void add_demo(Program& program);
 void add_figure(Program& program);
 void add_animate(Program& program);
 void add_reproduce(Program& program);
+void add_learn(Program& program);
 
 }  // namespace magicmass::command

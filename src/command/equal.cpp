@@ -150,9 +150,10 @@ ExitCode equal(EqualOptions& options) {
 // A blank in front is nothing to an expression, and to the parser of options it says that this is none.
 std::vector<std::string> with_expressions_marked(int argc, char** argv) {
   std::vector<std::string> words(argv + 1, argv + argc);
-  if (words.empty() || words.front() != "equal") return words;
+  const bool is_check = words.size() > 2 && words[0] == "learn" && words[1] == "check";
+  if (words.empty() || (words.front() != "equal" && !is_check)) return words;
   static const std::array<std::string, 6> options{"-", "-o", "-h", "--", "--help", "--output"};
-  for (std::size_t i = 1; i < words.size(); ++i) {
+  for (std::size_t i = is_check ? 3 : 1; i < words.size(); ++i) {
     std::string& word = words[i];
     if (!word.starts_with('-') ||
         std::find(options.begin(), options.end(), word) != options.end() ||

@@ -20,7 +20,7 @@ using namespace magicmass::command;
 /// The command a message is about, with the program's name: "magicmass eval".
 std::string full_name(const CLI::App& app) {
   const auto commands = app.get_subcommands();
-  return commands.empty() ? app.get_name() : app.get_name() + " " + commands.front()->get_name();
+  return commands.empty() ? app.get_name() : app.get_name() + " " + full_name(*commands.front());
 }
 
 /// One line, whatever the message holds.
@@ -50,7 +50,7 @@ ExitCode run(int argc, char** argv) {
   describe(program);
   for (const auto add : {add_derive, add_verify, add_equal, add_generate, add_eval, add_count,
                          add_terminal, add_ratios, add_simulate, add_plan, add_report, add_demo,
-                         add_figure, add_animate, add_reproduce})
+                         add_figure, add_animate, add_reproduce, add_learn})
     add(program);
   require_known_command(program.app, argc, argv);
   try {

@@ -184,7 +184,10 @@ private:
 
   Tree name(const Token& token) {
     if (is_function_name(token.text)) return call(token);
-    if (is_sign("(") && !is_certainly_no_function(token.text)) {
+    const auto& factors = limits_.symbols;
+    const bool is_factor = is_certainly_no_function(token.text) ||
+                           std::find(factors.begin(), factors.end(), token.text) != factors.end();
+    if (is_sign("(") && !is_factor) {
       if (is_paper_name(token.text + "_n"))
         refuse_at(token.column, "write " + token.text + "_n for " + token.text + "(n), or " +
                                     token.text + "*( for a product");
@@ -220,6 +223,13 @@ private:
     } else if ((token.text == "sqrt" || token.text == "cbrt") && now().kind != TokenKind::end &&
                now().kind != TokenKind::sign) {
       arguments.push_back(primary());  // the root sign before a number or a name
+    } else if (now().kind == TokenKind::name) {
+      arguments.push_back(
+          primary());  // cos theta, where nothing that follows can belong to the argument
+      if ((starts_factor() && !(now().kind == TokenKind::name && is_function_name(now().text))) ||
+          is_sign("^"))
+        refuse_at(now().column, "does " + now().text + " belong to what " + token.text +
+                                    " is taken of? write " + token.text + "(...)");
     } else {
       refuse_at(now().column, "a ( is missing after " + token.text);
     }

@@ -17,6 +17,7 @@ struct Limits {
   std::size_t nodes = 5000;  // numbers, names and operations
   long bits = 70000;         // of a rational number's numerator or denominator: 21000 digits
   long exponent = 10000;     // of anything but a rational number
+  std::vector<std::string> symbols = {};  // names before ( that are factors and no functions
 };
 
 // Integers, decimals (exact: 0.1 is 1/10), + - * / ^ (or **), pi, names, functions; a product's sign may be left

@@ -138,8 +138,11 @@ private:
 
   void scan_name(std::size_t column) {
     std::string name;
+    const bool begins_greek = is_greek(peek());
     for (;; ++at_) {
       const char32_t c = peek();
+      if (begins_greek && is_letter(c) && name.find('_') == std::string::npos)
+        break;  // αV is a product
       if (is_letter(c) || is_digit(c) || c == U'_')
         name += static_cast<char>(c);
       else if (is_greek(c) && (name.empty() || name.back() == '_'))

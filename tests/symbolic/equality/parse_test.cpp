@@ -50,7 +50,9 @@ TEST_CASE("a refusal names the column and the reason", "[exam]") {
   CHECK_THROWS_WITH(parse("1+2)"), Contains("column 4: a ( is missing"));
   CHECK_THROWS_WITH(parse("2+"), Contains("column 3: the expression ends too early"));
   CHECK_THROWS_WITH(parse("2 3"), Contains("column 3: an operator is missing"));
-  CHECK_THROWS_WITH(parse("sin x"), Contains("column 5: a ( is missing after sin"));
+  CHECK(read("sin x cos y") == "sin(x)*cos(y)");
+  CHECK_THROWS_WITH(parse("sin x y"), Contains("column 7: does y belong to what sin is taken of?"));
+  CHECK_THROWS_WITH(parse("sin 2x"), Contains("column 5: a ( is missing after sin"));
   CHECK_THROWS_WITH(parse("x = 1"), Contains("without ="));
   CHECK_THROWS_WITH(parse("0,5"), Contains("decimals are written 0.5"));
   CHECK_THROWS_WITH(parse("a(n)"), Contains("write a_n"));

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "command/learn/content_table.hpp"
+#include "command/learn/exercise.hpp"
+#include "equality/form.hpp"
+#include "magicmass/errors.hpp"
+#include "magicmass/scenes/shown_text.hpp"
+
+namespace magicmass::command {
+namespace {
+
+constexpr std::array<std::pair<const char*, ExerciseKind>, 3> kinds{
+    {{"symbolic", ExerciseKind::symbolic},
+     {"code", ExerciseKind::code},
+     {"predict", ExerciseKind::predict}}};
+
+constexpr std::array<std::pair<const char*, Shape>, 4> shapes{{{"expression", Shape::expression},
+                                                               {"matrix", Shape::matrix},
+                                                               {"derivation", Shape::derivation},
+                                                               {"equations", Shape::equations}}};
+
+template <class Value, std::size_t count>
+Value chosen(ContentTable& table, const std::string& key, const std::string& text,
+             const std::array<std::pair<const char*, Value>, count>& names) {
+  std::string allowed;
+  for (const auto& [name, value] : names) {
+    if (text == name) return value;
+    allowed += (allowed.empty() ? "" : ", ") + std::string(name);
+  }
+  table.refuse(key, "got \"" + shown_text(text) + "\"", allowed);
+}
+
+void read_variants(ContentTable& table, Exercise& exercise) {
+  exercise.variants = table.records("variants");
+  for (const auto& [name, text] : table.pairs("ranges")) {
+    const std::size_t dots = text.find("..");
+    try {
+      if (dots == std::string::npos) throw std::invalid_argument("no range");
+      const long low = std::stol(text.substr(0, dots));
+      const long high = std::stol(text.substr(dots + 2));
+      if (low > high) throw std::invalid_argument("empty");
+      exercise.ranges[name] = {low, high};
+    } catch (const std::exception&) {
+      table.refuse("ranges", name + " = \"" + shown_text(text) + "\"", "{ k = \"1..9\" }");
+    }
+  }
+  if (exercise.variants.empty()) exercise.variants.emplace_back();
+  for (const Values& variant : exercise.variants)
+    for (const auto& [name, value] : exercise.variants.front())
+      if (variant.size() != exercise.variants.front().size() || !variant.contains(name))
+        table.refuse("variants", "they have different names", "the same names in each");
+}
+
+void read_theorem(ContentTable& table, Exercise& exercise) {
+  exercise.theorem = table.text("theorem", "");
+  exercise.where = table.pairs("where");
+  exercise.notation = table.pairs("notation");
+}
+
+void read_form(ContentTable& table, Exercise& exercise) {
+  exercise.form = table.text("form", "");
+  const auto& names = equality::form_names();
+  if (exercise.form.empty() || std::find(names.begin(), names.end(), exercise.form) != names.end())
+    return;
+  table.refuse("form", "got \"" + shown_text(exercise.form) + "\"",
+               fmt::format("{}", fmt::join(names, ", ")));
+}
+
+void read_symbolic(ContentTable& table, Exercise& exercise) {
+  exercise.shape = chosen(table, "shape", table.text("shape", "expression"), shapes);
+  read_form(table, exercise);
+  exercise.symbols = table.texts("symbols");
+  exercise.domain = table.texts("domain");
+  exercise.start = table.text("start", "");
+  exercise.truth = table.pairs("truth");
+  exercise.truth_theorems = table.pairs("truth_theorems");
+  if (exercise.shape == Shape::derivation && exercise.start.empty())
+    table.refuse("start", "missing", "the expression that a derivation starts from");
+  if (exercise.shape == Shape::derivation && exercise.form.empty())
+    table.refuse("form", "missing", "the form that ends a derivation");
+  if (exercise.shape == Shape::equations && exercise.truth.empty())
+    table.refuse("truth", "missing", "a section that says what the unknowns are");
+  if (exercise.theorem.empty() && exercise.run.empty())
+    table.refuse("theorem", "missing",
+                 "the id of the theorem that proves the solution, or run = [...], so that the "
+                 "program's own answer is taken");
+}
+
+void read_predict(ContentTable& table, Exercise& exercise) {
+  exercise.within = table.text("within", "");
+  exercise.law = table.text("law", "");
+  for (ContentTable& choice : table.tables("choices")) {
+    exercise.choices.push_back({choice.text("text"), choice.text("when")});
+    choice.finish();
+  }
+  if (exercise.run.empty())
+    table.refuse("run", "missing",
+                 "arguments of magicmass that answer the question, as [\"count\", "
+                 "\"--alpha\", \"{alpha}\"]");
+}
+
+CodeCheck read_code(ContentTable& outer, const Exercise& exercise) {
+  ContentTable table = outer.table("code");
+  CodeCheck code;
+  code.inputs = table.texts("inputs");
+  code.cases = table.rows("cases");
+  code.place = table.text("place", "");
+  code.ulp = table.number("ulp", 4);
+  code.absolute = table.number("absolute", 0);
+  code.contestants = table.texts("contestants");
+  for (ContentTable& output : table.tables("outputs")) {
+    code.outputs.push_back({output.text("name"), output.text("exact", ""), output.text("field", ""),
+                            output.text("words", ""), output.text("theorem", "")});
+    const ComparedOutput& read = code.outputs.back();
+    if (read.exact.empty() == read.field.empty())
+      output.refuse("exact", "one of exact and field is needed",
+                    "exact = \"an expression in the inputs\", or field = \"/N_A\"");
+    if (!read.field.empty() && exercise.run.empty())
+      output.refuse("field", "there is no run", "run = [...] at the top of the file");
+    output.finish();
+  }
+  if (code.cases.empty()) table.refuse("cases", "missing", "a list like [[\"1/7\", 2], [1, 3]]");
+  if (code.outputs.empty()) table.refuse("outputs", "missing", "sections [[code.outputs]]");
+  for (const auto& row : code.cases)
+    if (row.size() != code.inputs.size())
+      table.refuse("cases", fmt::format("a case with {} values", row.size()),
+                   fmt::format("{} values, one an input", code.inputs.size()));
+  table.finish();
+  return code;
+}
+
+std::vector<Misconception> read_misconceptions(const std::filesystem::path& file) {
+  ContentTable table(file);
+  std::vector<Misconception> all;
+  for (ContentTable& entry : table.tables("misconception")) {
+    Misconception one;
+    one.name = entry.text("name");
+    one.feedback = entry.text("feedback");
+    one.answers = entry.texts("answers");
+    one.replace = entry.pairs("replace");
+    one.program = entry.text("program", "");
+    if (one.answers.empty() && one.replace.empty() && one.program.empty())
+      entry.refuse("answers", "missing",
+                   "answers = [...], replace = { theta = \"-theta\" } or program = \"FILE\"");
+    entry.finish();
+    all.push_back(std::move(one));
+  }
+  table.finish();
+  return all;
+}
+
+}  // namespace
+
+std::string name_of(ExerciseKind kind) {
+  return std::find_if(kinds.begin(), kinds.end(),
+                      [&](const auto& entry) { return entry.second == kind; })
+      ->first;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  constexpr std::size_t longest = 1'000'000;
+  std::ifstream stream(file, std::ios::binary);
+  std::string text(longest + 1, '\0');
+  if (!std::filesystem::is_regular_file(file) || !stream)
+    throw InvalidInput(shown_text(file.string(), 300) +
+                       ": cannot be read; a text file is expected");
+  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(stream.gcount()));
+  if (text.size() > longest)
+    throw InvalidInput(shown_text(file.string(), 300) + ": larger than a megabyte");
+  return text;
+}
+
+Exercise read_exercise(const std::filesystem::path& folder) {
+  ContentTable table(folder / "exercise.toml");
+  Exercise exercise;
+  exercise.folder = folder;
+  exercise.id = table.text("id");
+  if (exercise.id != folder.filename().string())
+    table.refuse("id", "got \"" + shown_text(exercise.id) + "\"",
+                 "the folder's name, " + folder.filename().string());
+  exercise.title = table.text("title");
+  exercise.kind = chosen(table, "kind", table.text("kind"), kinds);
+  exercise.chapter = table.text("chapter");
+  const std::string chapter_folder = folder.parent_path().parent_path().filename().string();
+  if (exercise.chapter != chapter_folder)
+    table.refuse("chapter", "got \"" + shown_text(exercise.chapter) + "\"",
+                 "the folder's chapter, " + chapter_folder);
+  exercise.difficulty = static_cast<int>(table.whole("difficulty", 1, 5));
+  exercise.hints = table.texts("hints");
+  if (exercise.hints.size() != 3)
+    table.refuse("hints", fmt::format("{} hints", exercise.hints.size()), "three hints, graded");
+  read_variants(table, exercise);
+  exercise.run = table.texts("run");
+  exercise.fields = table.pairs("fields");
+  read_theorem(table, exercise);
+  if (exercise.kind == ExerciseKind::symbolic) read_symbolic(table, exercise);
+  if (exercise.kind == ExerciseKind::predict) read_predict(table, exercise);
+  if (exercise.kind == ExerciseKind::code) exercise.code = read_code(table, exercise);
+  exercise.right = table.texts("right");
+  exercise.wrong = table.texts("wrong");
+  exercise.other_form = table.texts("other_form");
+  table.finish();
+  exercise.misconceptions = read_misconceptions(folder / "misconceptions.toml");
+  return exercise;
+}
+
+}  // namespace magicmass::command

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <system_error>
+
+#include "command/learn/learn.hpp"
+#include "command/nearest_name.hpp"
+#include "magicmass/errors.hpp"
+#include "magicmass/scenes/shown_text.hpp"
+
+namespace magicmass::command {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A new exercise begins as a copy of a small one that works.
+const std::map<std::string, std::string>& models() {
+  static const std::map<std::string, std::string> table{
+      {"symbolic", "half_angle"}, {"code", "collide"}, {"predict", "count_them"}};
+  return table;
+}
+
+bool is_name(const std::string& id) {
+  return !id.empty() && id.size() <= 30 && std::all_of(id.begin(), id.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
+std::string with_key(const std::string& toml, const std::string& key, const std::string& value) {
+  const std::size_t at = toml.find(key + " = \"");
+  if (at == std::string::npos) return toml;
+  const std::size_t end = toml.find('\n', at);
+  return toml.substr(0, at) + key + " = \"" + value + "\"" + toml.substr(end);
+}
+
+}  // namespace
+
+ExitCode learn_new(const LearnOptions& options) {
+  require_name("kind", options.kind, {"code", "predict", "symbolic"});
+  if (!is_name(options.id))
+    throw InvalidInput("the name \"" + shown_text(options.id) +
+                       "\" is not allowed; up to 30 small letters, digits and _ are");
+  if (!is_name(options.chapter))
+    throw InvalidInput("the chapter \"" + shown_text(options.chapter) +
+                       "\" is not allowed; a folder's name is, as 04_sequences");
+  const Catalogue models_catalogue{fs::path(MAGICMASS_SOURCE_DIR) / "tutorials"};
+  const Exercise& model = models_catalogue.at(models().at(options.kind));
+  const fs::path folder = fs::path(options.content) / options.chapter / "exercises" / options.id;
+  if (fs::exists(folder)) throw InvalidInput(folder.string() + " is there already");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) fs::copy(model.folder, folder, fs::copy_options::recursive, error);
+  if (error) throw InvalidInput("cannot write " + folder.string() + ": " + error.message());
+  std::string toml = text_of(folder / "exercise.toml");
+  toml = with_key(toml, "id", options.id);
+  toml = with_key(toml, "title", "A title");
+  toml = with_key(toml, "chapter", options.chapter);
+  std::ofstream(folder / "exercise.toml") << toml;
+  Destination output(options.output.path);
+  output.write(folder.string() + " is a copy of " + model.id +
+               ", which works. Change it, then: magicmass learn test " + options.id + "\n");
+  output.finish();
+  return ExitCode::done;
+}
+
+}  // namespace magicmass::command
