@@ -27,5 +27,7 @@ void add_figure(Program& program);
 void add_animate(Program& program);
 void add_reproduce(Program& program);
 void add_learn(Program& program);
+void add_doctor(Program& program);
+void add_manual(Program& program);
 
 }  // namespace magicmass::command

@@ -119,8 +119,9 @@ void add_derive(Program& program) {
   CLI::App& command = add_command(program, "derive",
                                   "The derivation, from the conservation laws, proved line by line",
                                   "magicmass derive power counting");
-  command.add_option("NAME", options->names, "chapters or steps (power.a); all without one")
-      ->type_name("");
+  offer(*command.add_option("NAME", options->names, "chapters or steps (power.a); all without one")
+             ->type_name(""),
+        derivation::chapter_names());
   command.add_option("--from", options->from, "what that rests on: a_n, eq:a-final, power.a")
       ->type_name("RESULT");
   command.add_flag("--list", options->list, "the theorems, and where the paper has them");

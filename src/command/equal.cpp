@@ -168,7 +168,7 @@ std::vector<std::string> with_expressions_marked(int argc, char** argv) {
 void add_equal(Program& program) {
   const auto options = std::make_shared<EqualOptions>();
   CLI::App& command = add_command(
-      program, "equal", "Decide whether two expressions are equal; exit code 0 equal, 1 different",
+      program, "equal", "Decide whether two expressions are equal; exit code 1 if not",
       "magicmass equal \"sec(pi/5) - 1\" \"sqrt(5) - 2\"\n"
       "  magicmass equal \"sqrt(x^2)\" \"x\" --domain \"x real\"");
   command.add_option("LHS", options->left, "an expression; - reads it from stdin")
@@ -177,7 +177,7 @@ void add_equal(Program& program) {
   command.add_option("RHS", options->right, "an expression")->required()->type_name("");
   command
       .add_option("--domain", options->question.domain,
-                  "conditions: \"0 < x <= 1, n integer, y real\"; repeatable")
+                  "\"0 < x <= 1, n integer, y real\"; repeatable")
       ->type_name("CONDITIONS")
       ->allow_extra_args(false);
   add_output_options(command, options->output, {"text", "json"});

@@ -100,7 +100,7 @@ void add_figure(Program& program) {
   CLI::App& command =
       add_command(program, "figure", "A figure of the paper, drawn by gnuplot, or its numbers",
                   "magicmass figure terminal -o terminal.svg");
-  command.add_option("NAME", options->name, "a name from --list")->type_name("");
+  offer(*command.add_option("NAME", options->name, "a name from --list")->type_name(""), names());
   command.add_flag("--list", options->list, "the names of all figures");
   add_output_options(command, options->output, {"svg", "png", "pdf", "csv"});
   command.footer(

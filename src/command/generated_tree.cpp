@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "command/data_folder.hpp"
 #include "command/destination.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
@@ -73,6 +74,6 @@ void write_tree(const fs::path& folder, const std::vector<codegen::GeneratedFile
   for (const std::unique_ptr<Destination>& output : outputs) output->finish();
 }
 
-fs::path source_generated_folder() { return fs::path(MAGICMASS_SOURCE_DIR) / "generated"; }
+fs::path source_generated_folder() { return data_folder("generated", "generated"); }
 
 }  // namespace magicmass::command

@@ -27,7 +27,7 @@ TreeDifference compare_tree(const std::filesystem::path& folder,
 void write_tree(const std::filesystem::path& folder,
                 const std::vector<codegen::GeneratedFile>& files);
 
-/// The folder generated/ of the sources this program was built from.
+/// The folder generated/ that this program was installed or built with.
 std::filesystem::path source_generated_folder();
 
 }  // namespace magicmass::command

@@ -9,7 +9,7 @@
 
 #include "command/commands.hpp"
 #include "command/destination.hpp"
-#include "command/nearest_name.hpp"
+#include "command/known_words.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
@@ -31,14 +31,6 @@ ExitCode say(std::string message, ExitCode code) {
   return code;
 }
 
-/// CLI11 says of a misspelt command only that one is required.
-void require_known_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || *argv[1] == '-') return;
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  require_name("command", argv[1], names);
-}
-
 void print(const std::string& text) {
   Destination output("");
   output.write(text);
@@ -50,9 +42,8 @@ ExitCode run(int argc, char** argv) {
   describe(program);
   for (const auto add : {add_derive, add_verify, add_equal, add_generate, add_eval, add_count,
                          add_terminal, add_ratios, add_simulate, add_plan, add_report, add_demo,
-                         add_figure, add_animate, add_reproduce, add_learn})
+                         add_figure, add_animate, add_reproduce, add_learn, add_doctor, add_manual})
     add(program);
-  require_known_command(program.app, argc, argv);
   try {
     std::vector<std::string> words = with_expressions_marked(argc, argv);
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
@@ -64,6 +55,7 @@ ExitCode run(int argc, char** argv) {
     print(std::string(version.what()) + "\n");
     return ExitCode::done;
   } catch (const CLI::ParseError& error) {
+    require_known_words(program.app);
     std::string message = error.what();
     while (message.ends_with('\n') || message.ends_with('.')) message.pop_back();
     return say(message + "; see " + full_name(program.app) + " --help", ExitCode::bad_input);

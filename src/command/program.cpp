@@ -27,7 +27,9 @@ public:
 
   std::string make_option_opts(const CLI::Option* option) const override {
     const bool takes_value = option->get_type_size() != 0 && option->get_option_text().empty();
-    return takes_value ? " " + option->get_type_name() : CLI::Formatter::make_option_opts(option);
+    const std::string type = option->get_type_name();  // NAME:{choices}, which the words tell
+    return takes_value ? " " + type.substr(0, type.find(":{"))
+                       : CLI::Formatter::make_option_opts(option);
   }
 };
 
@@ -40,6 +42,12 @@ CLI::App& add_command(Program& program, const std::string& name, const std::stri
 
 void on_run(Program& program, CLI::App& command, std::function<ExitCode()> action) {
   command.callback([&program, action = std::move(action)] { program.action = action; });
+}
+
+void offer(CLI::Option& option, const std::vector<std::string>& values) {
+  std::string list;
+  for (const std::string& value : values) list += (list.empty() ? "" : ",") + value;
+  option.check(CLI::Validator("{" + list + "}"));
 }
 
 void describe(Program& program) {

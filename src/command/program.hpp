@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -22,6 +23,9 @@ CLI::App& add_command(Program& program, const std::string& name, const std::stri
 
 /// Runs `action` when the command was asked for.
 void on_run(Program& program, CLI::App& command, std::function<ExitCode()> action);
+
+/// Values that a shell's completion offers; which are allowed the command says itself.
+void offer(CLI::Option& option, const std::vector<std::string>& values);
 
 /// Names the program and makes its help begin with examples.
 void describe(Program& program);

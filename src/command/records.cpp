@@ -38,14 +38,16 @@ std::string shown(const Cell& cell) { return cell.text.empty() ? "-" : cell.text
 
 void add_output_options(CLI::App& command, OutputOptions& options,
                         const std::vector<std::string>& formats) {
-  command.add_option("--format", options.format, fmt::format("{}", fmt::join(formats, ", ")))
-      ->type_name("FORMAT")
-      ->check([formats](const std::string& name) {
-        const bool known = std::find(formats.begin(), formats.end(), name) != formats.end();
-        return known ? std::string()
-                     : fmt::format("unknown format \"{}\"; allowed: {}", name,
-                                   fmt::join(formats, ", "));
-      });
+  CLI::Option& format =
+      *command.add_option("--format", options.format, fmt::format("{}", fmt::join(formats, ", ")))
+           ->type_name("FORMAT")
+           ->check([formats](const std::string& name) {
+             const bool known = std::find(formats.begin(), formats.end(), name) != formats.end();
+             return known ? std::string()
+                          : fmt::format("unknown format \"{}\"; allowed: {}", name,
+                                        fmt::join(formats, ", "));
+           });
+  offer(format, formats);
   command.add_option("-o,--output", options.path, "write to FILE, whole or not at all")
       ->type_name("FILE")
       ->check(

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "command/alpha_value.hpp"
+#include "command/data_folder.hpp"
 #include "command/demo/demo_report.hpp"
 #include "command/scene_run.hpp"
 #include "magicmass/encounters_exact.hpp"
@@ -75,8 +76,8 @@ std::string counts_text(const Counts& counts) {
 
 void show_scene(DemoReport& report, const std::string& panel, const std::filesystem::path& folder) {
   const std::string name = "trajectory_" + panel;
-  const std::filesystem::path source(MAGICMASS_SOURCE_DIR);
-  const Scene scene = read_scene((source / "tutorials" / "scenes" / (name + ".toml")).string());
+  const Scene scene =
+      read_scene((data_folder("scenes", "tutorials/scenes") / (name + ".toml")).string());
   const SceneResult result = run_scene(scene, {});
 
   const double alpha = nearest_double(*scene.alpha);

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "command/data_folder.hpp"
 #include "command/scratch_folder.hpp"
 
 namespace magicmass::command {
@@ -52,7 +53,7 @@ std::vector<std::vector<double>> rows_of(const std::string& text) {
 }  // namespace
 
 std::filesystem::path driver_header() {
-  return std::filesystem::path(MAGICMASS_SOURCE_DIR) / "tutorials" / "exercise_driver.hpp";
+  return data_folder("tutorials", "tutorials") / "exercise_driver.hpp";
 }
 
 namespace {

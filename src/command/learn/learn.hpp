@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "command/data_folder.hpp"
 #include "command/exit_code.hpp"
 #include "command/learn/catalogue.hpp"
 #include "command/learn/judgement.hpp"
@@ -15,7 +16,7 @@
 namespace magicmass::command {
 
 struct LearnOptions {
-  std::string content = MAGICMASS_SOURCE_DIR "/tutorials";
+  std::string content = data_folder("tutorials", "tutorials").string();
   std::string folder = "magicmass-exercises";
   std::string id;
   std::string answer;

@@ -4,6 +4,7 @@
 #include <map>
 #include <system_error>
 
+#include "command/data_folder.hpp"
 #include "command/learn/learn.hpp"
 #include "command/nearest_name.hpp"
 #include "magicmass/errors.hpp"
@@ -44,7 +45,7 @@ ExitCode learn_new(const LearnOptions& options) {
   if (!is_name(options.chapter))
     throw InvalidInput("the chapter \"" + shown_text(options.chapter) +
                        "\" is not allowed; a folder's name is, as 04_sequences");
-  const Catalogue models_catalogue{fs::path(MAGICMASS_SOURCE_DIR) / "tutorials"};
+  const Catalogue models_catalogue{data_folder("tutorials", "tutorials")};
   const Exercise& model = models_catalogue.at(models().at(options.kind));
   const fs::path folder = fs::path(options.content) / options.chapter / "exercises" / options.id;
   if (fs::exists(folder)) throw InvalidInput(folder.string() + " is there already");

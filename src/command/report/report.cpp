@@ -139,7 +139,7 @@ void add_report(Program& program) {
       ->check(not_empty);
   command
       .add_option("--compare", options->compare,
-                  "does this run agree with FILE (JSON), or FILE with FILE? 1 if not")
+                  "does this run, or FILE, agree with FILE (JSON)?")
       ->type_name("FILE [FILE]")
       ->expected(1, 2);
   command

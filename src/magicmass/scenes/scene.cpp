@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/nearest_key.hpp"
 #include "magicmass/scenes/scene_keys.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
@@ -38,11 +39,21 @@ bool has_key(const SceneKey& key, Kind kind) {
   return kind == Kind::three_body ? key.three_body : kind == Kind::wall ? key.wall : key.chain;
 }
 
-std::string keys_of(Kind kind) {
-  std::string names;
+std::vector<std::string_view> keys_of(Kind kind) {
+  std::vector<std::string_view> keys;
   for (const SceneKey& key : scene_keys())
-    if (has_key(key, kind)) names += (names.empty() ? "" : ", ") + std::string(key.name);
-  return names;
+    if (has_key(key, kind)) keys.push_back(key.name);
+  return keys;
+}
+
+[[noreturn]] void refuse_unknown_key(const Scene& scene, std::string_view key) {
+  const std::vector<std::string_view> keys = keys_of(scene.kind);
+  const std::optional<std::string_view> nearest = nearest_key(key, keys);
+  std::string names;
+  for (const std::string_view name : keys) names += (names.empty() ? "" : ", ") + std::string(name);
+  refuse_key(scene, key,
+             nearest ? "unknown key, did you mean " + std::string(*nearest) + "?" : "unknown key",
+             names);
 }
 
 /// What is wrong with the keys that are there, together.
@@ -160,7 +171,7 @@ Scene parse_scene(std::string_view text, std::string_view source_name) {
     const bool known = std::any_of(
         scene_keys().begin(), scene_keys().end(),
         [&](const SceneKey& key) { return key.name == name && has_key(key, scene.kind); });
-    if (!known) refuse_key(scene, name, "unknown key", keys_of(scene.kind));
+    if (!known) refuse_unknown_key(scene, name);
   }
   if (scene.kind == Kind::chain) scene.gap = 1.0;
   if (scene.kind == Kind::wall) scene.has_right_wall = true;

@@ -2,88 +2,22 @@
 // Compiled once for each instruction set. Everything here is a template over a closure, so of this file alone.
 #include <type_traits>
 
+#include "arithmetic/primitive_numbers.hpp"
 #include "arithmetic/primitives.hpp"
 #include "magicmass/arithmetic/arctangent.hpp"
-#include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/error_free.hpp"
 #include "magicmass/arithmetic/estrin.hpp"
 #include "magicmass/arithmetic/lanes.hpp"
-#include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/rooted.hpp"
 #include "magicmass/arithmetic/rough_functions.hpp"
 #include "magicmass/arithmetic/secant.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
-#include "magicmass/arithmetic/tabled.hpp"
-#include "magicmass/arithmetic/tracked.hpp"
 
 namespace magicmass::testing {
 namespace {
 
 using namespace arithmetic;
-
-template <class T>
-Pair<T> pair(const T* x) {
-  return {x[0], x[1]};
-}
-template <class T>
-Rough<T> rough(const T* x) {
-  return {x[0], x[1]};
-}
-template <class T>
-NearOne<T> near_one(T below) {
-  NearOne<T> x;
-  x.below = below;
-  return x;
-}
-template <class T>
-Tracked<T> tracked(const T* x) {
-  return {{x[0], x[1]}, x[2]};
-}
-template <class T>
-Bounded<T> bounded(const T* x) {
-  return {{x[0], x[1]}, x[2]};
-}
-
-template <class T>
-void put(T x, T* y) {
-  y[0] = x;
-}
-template <class T>
-void put(Sum<T> x, T* y) {
-  y[0] = x.high;
-  y[1] = x.low;
-}
-template <class T>
-void put(Pair<T> x, T* y) {
-  y[0] = x.high;
-  y[1] = x.low;
-}
-template <class T>
-void put(Rough<T> x, T* y) {
-  y[0] = x.high;
-  y[1] = x.low;
-}
-template <class T>
-void put(Wide<T> x, T* y) {
-  y[0] = x.high;
-  y[1] = x.low;
-}
-template <class T>
-void put(Cut<T> x, T* y) {
-  y[0] = x.lead;
-  y[1] = x.rest;
-}
-template <class T>
-void put(Tracked<T> x, T* y) {
-  put(x.pair, y);
-  y[2] = x.size;
-}
-template <class T>
-void put(Bounded<T> x, T* y) {
-  put(x.pair, y);
-  y[2] = x.error;
-}
 
 template <class Operation, std::size_t inputs, std::size_t outputs, class T>
 void each(const double* in, double* out, std::size_t size) {
@@ -117,9 +51,6 @@ template <std::size_t inputs, std::size_t outputs, class Operation>
 constexpr Primitive of_single(const char* name, Operation) {
   return {name, inputs, outputs, {each<Operation, inputs, outputs, double>}};
 }
-
-Tabled<double> tabled(const double* x) { return Tabled<double>(pair(x)); }
-void put(Tabled<double> x, double* y) { put(x.pair, y); }
 
 constexpr double some_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0, -0.01, 0x1.fp1, -1.0};
 constexpr double even_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0};

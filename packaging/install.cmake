@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# cmake --install, what find_package and pkg-config find there, and the Debian packages that cpack makes of it.
+# Components: development (headers, libraries) and program. Version, name and description are project()'s, in
+# ../CMakeLists.txt; nothing repeats them.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/magicmass)
+
+# The runtime: headers (all but the one that shows its TOML parser) and one library.
+set(runtime_targets magicmass_arithmetic magicmass_generated magicmass_runtime)
+foreach(target IN LISTS runtime_targets)
+  string(REPLACE magicmass_ "" exported_name ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${exported_name})
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+endforeach()
+install(TARGETS ${runtime_targets} EXPORT runtime)
+install(EXPORT runtime NAMESPACE magicmass:: DESTINATION ${package_folder})
+install(DIRECTORY src/magicmass generated/magicmass DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  FILES_MATCHING PATTERN "*.hpp"
+  PATTERN reference EXCLUDE
+  PATTERN scene_keys.hpp EXCLUDE)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+if(MAGICMASS_SYMBOLIC)
+  # The symbolic libraries include each other as "proof/kernel.hpp", so they have a folder of their own.
+  set(symbolic_includes ${CMAKE_INSTALL_INCLUDEDIR}/magicmass-symbolic)
+  set(symbolic_libraries algebraic proof derivation equality codegen render)
+  foreach(name IN LISTS symbolic_libraries ITEMS reference)
+    set_target_properties(magicmass_${name} PROPERTIES EXPORT_NAME ${name})
+    list(APPEND symbolic_targets magicmass_${name})
+  endforeach()
+  foreach(name IN LISTS symbolic_libraries)
+    target_include_directories(magicmass_${name} INTERFACE $<INSTALL_INTERFACE:${symbolic_includes}>)
+    install(DIRECTORY symbolic/${name} DESTINATION ${symbolic_includes} FILES_MATCHING PATTERN "*.hpp")
+  endforeach()
+  install(DIRECTORY src/magicmass/reference DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magicmass
+    FILES_MATCHING PATTERN "*.hpp")
+  set_target_properties(magicmass_symbolic PROPERTIES EXPORT_NAME symbolic)
+  install(TARGETS ${symbolic_targets} magicmass_symbolic EXPORT symbolic)
+  install(EXPORT symbolic NAMESPACE magicmass:: DESTINATION ${package_folder})
+
+  # Man pages and completions come from the program just built.
+  set(pages ${PROJECT_BINARY_DIR}/pages)
+  add_custom_command(OUTPUT ${pages}/written
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${pages}
+    COMMAND magicmass manual --man ${pages}/man1 --completions ${pages}/completions
+    COMMAND ${CMAKE_COMMAND} -E touch ${pages}/written
+    DEPENDS magicmass VERBATIM)
+  add_custom_target(magicmass_pages ALL DEPENDS ${pages}/written)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
+  install(TARGETS magicmass)
+  install(DIRECTORY ${pages}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR})
+  install(FILES ${pages}/completions/magicmass DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+  install(FILES ${pages}/completions/_magicmass DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+  install(FILES ${pages}/completions/magicmass.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+  set(data ${CMAKE_INSTALL_DATADIR}/magicmass) # src/command/data_folder.cpp looks here
+  install(DIRECTORY tutorials/scenes DESTINATION ${data})
+  install(DIRECTORY tutorials DESTINATION ${data} FILES_MATCHING
+    REGEX "/exercises/[a-z0-9_]+/" PATTERN exercise_driver.hpp PATTERN TEACHERS.md
+    PATTERN scenes EXCLUDE PATTERN course EXCLUDE)
+  # once it is built
+  install(DIRECTORY ${PROJECT_BINARY_DIR}/course DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass OPTIONAL)
+  install(DIRECTORY generated/ DESTINATION ${data}/generated PATTERN CMakeLists.txt EXCLUDE)
+  install(DIRECTORY src/command/schemas DESTINATION ${data})
+  install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass)
+endif()
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
+configure_package_config_file(packaging/magicmassConfig.cmake.in ${PROJECT_BINARY_DIR}/magicmassConfig.cmake
+  INSTALL_DESTINATION ${package_folder} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/magicmassConfigVersion.cmake
+  COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/magicmassConfig.cmake ${PROJECT_BINARY_DIR}/magicmassConfigVersion.cmake
+  DESTINATION ${package_folder})
+# From LIBDIR/pkgconfig up to the prefix, so that what was moved is found where it is.
+file(RELATIVE_PATH PC_UP /prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig /prefix)
+configure_file(packaging/magicmass.pc.in magicmass.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/magicmass.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(MAGICMASS_SYMBOLIC)
+  configure_file(packaging/magicmass-symbolic.pc.in magicmass-symbolic.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/magicmass-symbolic.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
+
+if(PROJECT_IS_TOP_LEVEL)
+  include(packaging/debian.cmake)
+endif()

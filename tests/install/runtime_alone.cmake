@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Where GiNaC and CLN cannot be found, the library part builds as a subproject that changes nothing of the project it
+# is in, installs, and is found there without its symbolic part.
+# cmake -D SOURCE=... -D BINARY=... -P runtime_alone.cmake
+set(project ${CMAKE_CURRENT_LIST_DIR}/project)
+set(quietly COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
+file(REMOVE_RECURSE ${BINARY})
+set(ENV{PKG_CONFIG_LIBDIR} ${BINARY}/nothing) # pkg-config finds no ginac, no cln
+
+function(expect_count folder)
+  execute_process(COMMAND ${folder}/count OUTPUT_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT said STREQUAL "3 + 3, 0.995649, 3 bodies\n")
+    message(FATAL_ERROR "${folder}/count says ${said}")
+  endif()
+endfunction()
+
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${BINARY} -DMAGICMASS_SUBPROJECT=${SOURCE}
+  -DMAGICMASS_INSTALL=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON ${quietly})
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY} ${quietly})
+expect_count(${BINARY})
+file(STRINGS ${BINARY}/compile_commands.json warned REGEX "-W(all|extra|error)")
+file(STRINGS ${BINARY}/compile_commands.json own REGEX "-ffp-contract=off.*/project/count.cpp")
+if(warned OR own)
+  message(FATAL_ERROR "flags of magicmass' own development reach others: ${warned} ${own}")
+endif()
+
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BINARY} --prefix ${BINARY}/stage ${quietly})
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${BINARY}/user -DCMAKE_PREFIX_PATH=${BINARY}/stage ${quietly})
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY}/user ${quietly})
+expect_count(${BINARY}/user)
+
+# Each of these must fail, and the last say why.
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY}/symbolic -DMAGICMASS_TESTS=OFF
+  RESULT_VARIABLE with_symbolic OUTPUT_QUIET ERROR_QUIET)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${BINARY}/prover -DCMAKE_PREFIX_PATH=${BINARY}/stage
+  -DWITH_SYMBOLIC=ON RESULT_VARIABLE user_of_symbolic OUTPUT_QUIET ERROR_VARIABLE said)
+if(with_symbolic EQUAL 0)
+  message(FATAL_ERROR "GiNaC was found: this test shows nothing")
+elseif(user_of_symbolic EQUAL 0 OR NOT said MATCHES "built with MAGICMASS_SYMBOLIC=OFF")
+  message(FATAL_ERROR "a symbolic part that is not there was found: ${said}")
+endif()
+file(REMOVE_RECURSE ${BINARY})

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/scenes/nearest_key.hpp"
+
+#include <string>
+
+#include <catch2/catch.hpp>
+
+using magicmass::nearest_key;
+
+TEST_CASE("a misspelt key is near to the one that was meant, and to no other", "[exam]") {
+  const std::vector<std::string_view> keys{"alpha", "V", "L", "restitution", "outputs"};
+  CHECK(nearest_key("alhpa", keys) == "alpha");
+  CHECK(nearest_key("restitutoin", keys) == "restitution");
+  CHECK(nearest_key("output", keys) == "outputs");
+  CHECK(!nearest_key("v", keys));
+  CHECK(!nearest_key("colour", keys));
+  CHECK(!nearest_key("", keys));
+  CHECK(!nearest_key(std::string(1000, 'a'), keys));
+  CHECK(!nearest_key("alpha", {}));
+}
