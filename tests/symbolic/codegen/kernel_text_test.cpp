@@ -80,13 +80,30 @@ TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam]"
     CHECK(times(text, "struct " + one.kernel + " {") == 1);
     const bool is_rational = !turns_by_an_angle_of_alpha(one) && one.name != "ratios";
     CHECK(times(text, "void stage_1()") == (is_rational ? 0 : 1));
-    CHECK(times(text, "void first()") == (one.first.empty() ? 0 : 1));
-    CHECK(times(text, " evaluate(") == 1);
+    // rounded results are for blocks alone
+    const bool is_for_one = !one.rounds_results;
+    CHECK(times(text, "void first()") == (one.first.empty() || !is_for_one ? 0 : 1));
+    CHECK(times(text, " evaluate(") == (is_for_one ? 1 : 0));
     // scaling by a power of two is no multiplication
     CHECK(times(text, "* Real(0.25))") == 0);
     const bool is_in_blocks = !one.result.empty() && one.numbers.empty();
     CHECK(times(text, one.name + "_block(std::size_t size") == (is_in_blocks ? 1 : 0));
   }
+}
+
+TEST_CASE("a kernel that rounds its results names no number type for them", "[exam]") {
+  const std::string rows = emit_kernel(make_kernel(form("velocities_in_rows"), theorems()));
+  INFO(rows);
+  CHECK(times(rows, "typename Number::Root cot_half;") == 1);
+  CHECK(times(rows, "Number::root_argument(alpha, is_beyond)") == 1);
+  CHECK(times(rows, "const auto ball_mean = chord * alpha * chord;") == 1);
+  CHECK(times(rows, ".a = cosine * cosine - ball_mean * alpha,") == 1);
+  CHECK(times(rows, "certain") == 0);
+  const std::string last = emit_kernel(make_kernel(form("terminal_in_rows"), theorems()));
+  INFO(last);
+  CHECK(times(last, " small_sine_cosine(r_t)") == 1);
+  CHECK(times(last, "const auto tan_quarter_parts = parts(tan_quarter);") == 1);
+  CHECK(times(last, "typename Number::SmallSine sine;") == 1);
 }
 
 TEST_CASE("outputs that are products are handed out unevaluated", "[exam]") {

@@ -42,4 +42,17 @@ TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam]") {
   form = form_named("encounters");
   form.first.back() = "tangent.first_t";
   refused(form, "tangent.s_product does not become tangent.first_t from alpha = 1 on");
+
+  form = form_named("velocities_in_rows");  // names for products are written out
+  std::swap(form.first[2], form.first[3]);
+  refused(form, "tangent.c_sum does not become tangent.first_c_prime from alpha = 1 on");
+
+  form = form_named("terminal_in_rows");
+  form.small_angle = {"offset.not_negative_after_Q"};
+  refused(form, "offset.not_negative_after_Q does not say that r_t is psi/4 at most");
+
+  form = form_named("velocities_in_rows");
+  std::replace(form.bindings.begin(), form.bindings.end(), std::string("tangent.root"),
+               std::string("tangent.cot_half"));
+  refused(form, "tangent.cot_half has another root than alpha (2 + alpha)");
 }
