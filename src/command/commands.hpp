@@ -24,5 +24,7 @@ std::vector<std::string> with_expressions_marked(int argc, char** argv);
 void add_report(Program& program);
 void add_demo(Program& program);
 void add_figure(Program& program);
+void add_animate(Program& program);
+void add_reproduce(Program& program);
 
 }  // namespace magicmass::command

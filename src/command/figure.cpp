@@ -20,7 +20,7 @@ namespace {
 struct FigureOptions {
   std::string name;
   bool list = false;
-  OutputOptions output{.format = "svg", .path = ""};
+  OutputOptions output{.format = "", .path = ""};
 };
 
 std::vector<std::string> names() {
@@ -46,6 +46,13 @@ const FigureEntry& entry_called(const std::string& name) {
                        [&](const FigureEntry& entry) { return entry.name == name; });
 }
 
+/// As --format says, else as the file's ending does; svg for any other.
+std::string format_of(const FigureOptions& options) {
+  if (!options.output.format.empty()) return options.output.format;
+  const std::string ending = std::filesystem::path(options.output.path).extension().string();
+  return ending == ".png" || ending == ".pdf" ? ending.substr(1) : "svg";
+}
+
 /// Where the numbers of a drawing go: fig.csv beside fig.svg; nowhere beside a pipe or a device.
 std::optional<std::string> data_path(const std::string& path) {
   std::error_code error;
@@ -68,7 +75,7 @@ void write_all(Destination& output, const std::string& text) {
 ExitCode make_figure(const FigureOptions& options) {
   if (options.list) return list(options);
   const FigureEntry& entry = entry_called(options.name);
-  const std::string& format = options.output.format;
+  const std::string format = format_of(options);
   const bool is_drawing = format != "csv";
   if ((format == "png" || format == "pdf") && options.output.path.empty() &&
       ::isatty(STDOUT_FILENO) == 1)
@@ -97,7 +104,8 @@ void add_figure(Program& program) {
   command.add_flag("--list", options->list, "the names of all figures");
   add_output_options(command, options->output, {"svg", "png", "pdf", "csv"});
   command.footer(
-      "svg without --format. The numbers of FILE.svg go beside it, into FILE.csv.\n"
+      "Without --format what FILE ends in, svg, png or pdf, or else svg. The numbers\n"
+      "of FILE.svg go beside it, into FILE.csv.\n"
       "Drawings need gnuplot (Debian: gnuplot-nox), --format csv does not.");
   on_run(program, command, [options] { return make_figure(*options); });
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "command/exact_work.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/stalled_clock.hpp"
 
@@ -13,9 +14,8 @@ namespace {
 using cln::cl_RA;
 using reference::FieldNumber;
 
-constexpr long most_bits = 1L << 17U;
-
 Cell cell(double value, bool /*fractions*/) { return number_cell(value); }
+Cell cell(long double value, bool /*fractions*/) { return number_cell(value); }
 /// As p/q where that was asked for; else, and where it is irrational, the nearest double: decisions were exact.
 Cell cell(const cl_RA& value, bool fractions) {
   return fractions ? text_cell(reference::to_text(value))
@@ -29,22 +29,11 @@ Cell cell(const FieldNumber& value, bool fractions) {
 template <class Scalar>
 Scalar number(const FieldNumber& x) {
   if constexpr (std::floating_point<Scalar>) {
-    return reference::nearest_double(x);
+    return reference::nearest<Scalar>(x);
   } else if constexpr (std::same_as<Scalar, cl_RA>) {
     return x.rational();
   } else {
     return x;
-  }
-}
-
-/// The clock alone does not tell: it stands still where bodies between walls have no room.
-template <class Scalar>
-bool is_too_long(const LineEvent<Scalar>& event) {
-  if constexpr (std::floating_point<Scalar>) {
-    return false;
-  } else {
-    const auto is_long = [](const Scalar& x) { return FieldNumber(x).bits() > most_bits; };
-    return is_long(event.time) || is_long(event.v_left) || is_long(event.v_right);
   }
 }
 
@@ -55,6 +44,7 @@ public:
            std::int64_t limit, const LineListener& listener, LineResult& result)
       : scene_(scene),
         limit_(limit),
+        degree_(line.common.field ? line.common.field->degree() : 1),
         listener_(listener),
         result_(result),
         audit_(start),
@@ -68,7 +58,8 @@ public:
   void run() {
     if (lists_points_) all_at(Scalar(0));
     StalledClock<Scalar> clock;
-    const bool inelastic = motion_.line().restitution < Scalar(1);
+    ExactWork work(degree_, most_exact_work);
+    const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
       if (until_ && *until_ < *next) {
         stop("limited", "the scene's time is over");
@@ -86,8 +77,8 @@ public:
         result_.collapse = {cell(motion_.now()), missing_cell()};
         break;
       }
-      if (motion_.events() % 16 == 0 && is_too_long(event)) {
-        stop("limited", "the exact numbers have more than 131072 bits");
+      if (work.is_too_much(event)) {
+        stop("limited", "the exact numbers have become too long");
         break;
       }
     }
@@ -98,6 +89,7 @@ public:
 private:
   const Scene& scene_;
   std::int64_t limit_;
+  std::size_t degree_;  // of the field that numbers are in
   const LineListener& listener_;
   LineResult& result_;
   LineAudit<Scalar> audit_;
@@ -118,13 +110,13 @@ private:
   void say_what_was_lost() {
     const Losses lost = motion_.losses();
     if (lost.time)
-      stop("limited", "two bodies approach so slowly that when they meet does not fit a double");
+      stop("limited", "two bodies approach so slowly that when they meet does not fit the numbers");
     else if (lost.rebound)
-      stop("limited", "two bodies parted more slowly than doubles can tell");
+      stop("limited", "two bodies parted more slowly than the numbers can tell");
   }
 
   void all_at(const Scalar& time) {
-    for (std::size_t i = 0; i < motion_.line().bodies(); ++i)
+    for (std::size_t i = 0; i < motion_.bodies(); ++i)
       listener_.on_point({cell(time), name(i), cell(motion_.position(i, time))});
   }
 
@@ -138,7 +130,7 @@ private:
   void take(const LineEvent<Scalar>& event) {
     audit_.look(motion_, event);
     if (event.number % scene_.every != 0) return;
-    const bool wall_left = event.gap == 0, wall_right = event.gap == motion_.line().bodies();
+    const bool wall_left = event.gap == 0, wall_right = event.gap == motion_.bodies();
     if (wants(scene_, Output::events))
       listener_.on_event({number_cell(event.number),
                           wall_left ? text_cell("wall") : name(event.gap - 1),
@@ -163,9 +155,8 @@ private:
         result_.status == "collapse" ? missing_cell() : number_cell(motion_.events());
     result_.near_ties = motion_.ties().near;
     result_.simultaneous = motion_.ties().simultaneous;
-    const auto& velocities = motion_.line().velocities;
-    for (std::size_t i = 0; i < std::min(velocities.size(), most_velocities); ++i)
-      result_.velocities.push_back(cell(velocities[i]));
+    for (std::size_t i = 0; i < std::min(motion_.bodies(), most_velocities); ++i)
+      result_.velocities.push_back(cell(motion_.body(i).velocity));
     if (wants(scene_, Output::energy))
       result_.drift = {cell(audit_.largest().energy), cell(audit_.largest().momentum)};
   }
@@ -181,19 +172,24 @@ void step_line(const Scene& scene, const reference::ExactLine& line, Line<Scalar
 
 template void step_line(const Scene&, const reference::ExactLine&, Line<double>, std::int64_t,
                         const LineListener&, LineResult&);
+template void step_line(const Scene&, const reference::ExactLine&, Line<long double>, std::int64_t,
+                        const LineListener&, LineResult&);
 template void step_line(const Scene&, const reference::ExactLine&, Line<cl_RA>, std::int64_t,
                         const LineListener&, LineResult&);
 template void step_line(const Scene&, const reference::ExactLine&, Line<FieldNumber>, std::int64_t,
                         const LineListener&, LineResult&);
 
-std::vector<Cell> drift_of(const Line<double>& start, std::vector<double> velocities) {
-  LineAudit<double> audit(start);
-  Line<double> last = start;
+template <class Float>
+std::vector<Cell> drift_of(const Line<Float>& start, std::vector<Float> velocities) {
+  LineAudit<Float> audit(start);
+  Line<Float> last = start;
   last.velocities = std::move(velocities);
   audit.look(last);
   const bool walled = start.left_wall || start.right_wall;
   return {number_cell(audit.largest().energy),
           walled ? missing_cell() : number_cell(audit.largest().momentum)};
 }
+template std::vector<Cell> drift_of(const Line<double>&, std::vector<double>);
+template std::vector<Cell> drift_of(const Line<long double>&, std::vector<long double>);
 
 }  // namespace magicmass::command

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/line_output.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include <fmt/format.h>
@@ -68,8 +69,21 @@ void as_json_lines(const Scene& scene, const reference::ExactLine& line,
   writer.write("{\"result\": " + line_json(scene, result) + "}}\n");
 }
 
-void whole(const Scene& scene, const reference::ExactLine& line, const SceneOptions& options,
+/// Text and JSON are kept until the run is over: rows for a gigabyte or so.
+constexpr std::int64_t most_kept = 4'000'000;
+
+/// The same run, but of no more events than have room.
+SceneOptions with_room(const Scene& scene, SceneOptions options) {
+  if (!wants(scene, Output::events) && !wants(scene, Output::trajectory)) return options;
+  const std::int64_t every = std::min(scene.every, std::int64_t{1} << 30U);
+  options.max_events = std::min(event_limit(scene, options), most_kept * every);
+  return options;
+}
+
+void whole(const Scene& scene, const reference::ExactLine& line, const SceneOptions& asked,
            bool json, Writer& writer) {
+  const bool limits = scene.max_events || asked.max_events;
+  const SceneOptions options = limits ? with_room(scene, asked) : asked;
   std::string events, points;
   const auto keep = [json](std::string& text, const std::vector<std::string>& columns) {
     return [&text, &columns, json](const std::vector<Cell>& cells) {
@@ -81,8 +95,10 @@ void whole(const Scene& scene, const reference::ExactLine& line, const SceneOpti
       text += csv_line(cells);
     };
   };
-  const LineResult result = run_line(
+  LineResult result = run_line(
       scene, line, options, {keep(events, line_event_columns), keep(points, line_point_columns)});
+  if (result.status == "limited" && event_limit(scene, options) < event_limit(scene, asked))
+    result.why += "; more rows fit --format csv and jsonl";
   if (!json) {
     writer.write(line_text(scene, result) + events + points);
     return;

@@ -2,6 +2,7 @@
 #include "command/line_run.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 
 #include "command/line_events.hpp"
@@ -30,11 +31,13 @@ std::vector<Cell> counts_of(const cl_I& contacts) {
 }
 
 /// From left to right.
-std::vector<double> in_order(const Scene& scene, const Velocities<double>& v) {
+template <class Float>
+std::vector<Float> in_order(const Scene& scene, const Velocities<Float>& v) {
   return scene.masses.size() == 2 ? std::vector{v.a, v.c} : std::vector{v.a, v.c, v.b};
 }
 
-std::vector<Cell> velocity_cells(const std::vector<double>& velocities) {
+template <class Float>
+std::vector<Cell> velocity_cells(const std::vector<Float>& velocities) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < std::min(velocities.size(), most_velocities); ++i)
     cells.push_back(number_cell(velocities[i]));
@@ -95,24 +98,19 @@ void closed_form(const Scene& scene, const ExactLine& line, const reference::Tri
   if (scene.every > 1) list_thinned(scene, end, limit, listener, result);
 }
 
-void step_velocities_alone(const Scene& scene, const ExactLine& line, std::int64_t limit,
+template <std::floating_point Scalar>
+void step_velocities_alone(const Scene& scene, const Line<Scalar>& line, std::int64_t limit,
                            LineResult& result) {
-  const Line<double> doubles = reference::rounded(line);
-  const auto& m = doubles.masses;
-  const double e = doubles.restitution;
-  const Trio<double> trio{contact_weights(m[0], m[1], e),
-                          doubles.right_wall ? wall_weights(e) : contact_weights(m[2], m[1], e)};
-  Velocities<double> v{doubles.velocities[0], doubles.right_wall ? 0.0 : doubles.velocities[2],
-                       doubles.velocities[1]};
-  result.stepped = step_trio(trio, v, limit);
-  if (result.stepped >= limit && (result.stepped % 2 == 0 ? v.c < v.a : v.b < v.c)) {
+  Velocities<Scalar> v = trio_velocities(line);
+  result.stepped = step_trio(trio_of(line), v, limit);
+  if (approach(v, result.stepped)) {
     result.status = "limited";
     result.why = "as many events as the limit allows";
   }
   result.contacts = count_cell(cl_I(static_cast<long>(result.stepped)));
   result.counts = counts_of(cl_I(static_cast<long>(result.stepped)));
   result.velocities = velocity_cells(in_order(scene, v));
-  if (wants(scene, Output::energy)) result.drift = drift_of(doubles, in_order(scene, v));
+  if (wants(scene, Output::energy)) result.drift = drift_of(line, in_order(scene, v));
 }
 
 void by_transfers(const Scene& scene, const ExactLine& line, std::int64_t limit,
@@ -145,20 +143,27 @@ LineResult run_line(const Scene& scene, const ExactLine& line, const SceneOption
   result.status = "complete";
   const LinePlan plan = plan_line(scene, line, options);
   result.plan = plan.plan;
-  result.fractions = options.exact || !options.model.empty();
+  result.fractions = options.scalars == Scalars::exact || !options.model.empty();
+  const bool wide = options.scalars == Scalars::long_doubles;
   const std::int64_t limit = event_limit(scene, options);
   switch (plan.model) {
     case Model::closed_form:
       closed_form(scene, line, *plan.end, limit, listener, result);
       return result;
     case Model::velocity_stepping:
-      step_velocities_alone(scene, line, limit, result);
+      if (wide)
+        step_velocities_alone(scene, reference::rounded<long double>(line), limit, result);
+      else
+        step_velocities_alone(scene, reference::rounded(line), limit, result);
       return result;
     case Model::transfers:
       by_transfers(scene, line, limit, result);
       return result;
     case Model::event_driven:
-      step_line(scene, line, reference::rounded(line), limit, listener, result);
+      if (wide)
+        step_line(scene, line, reference::rounded<long double>(line), limit, listener, result);
+      else
+        step_line(scene, line, reference::rounded(line), limit, listener, result);
       break;
     case Model::exact_events:
       if (line.is_rational())

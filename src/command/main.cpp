@@ -48,9 +48,9 @@ void print(const std::string& text) {
 ExitCode run(int argc, char** argv) {
   Program program;
   describe(program);
-  for (const auto add :
-       {add_derive, add_verify, add_equal, add_generate, add_eval, add_count, add_terminal,
-        add_ratios, add_simulate, add_plan, add_report, add_demo, add_figure})
+  for (const auto add : {add_derive, add_verify, add_equal, add_generate, add_eval, add_count,
+                         add_terminal, add_ratios, add_simulate, add_plan, add_report, add_demo,
+                         add_figure, add_animate, add_reproduce})
     add(program);
   require_known_command(program.app, argc, argv);
   try {

@@ -44,6 +44,17 @@ ExitCode plan(const PlanOptions& options) {
 void add_model_option(CLI::App& command, SceneOptions& options) {
   command.add_option("--model", options.model, "the model to use (plan tells which)")
       ->type_name("MODEL");
+  command
+      .add_option_function<std::string>(
+          "--scalar",
+          [&options](const std::string& name) {
+            options.scalars = name == "double"        ? Scalars::doubles
+                              : name == "long-double" ? Scalars::long_doubles
+                                                      : Scalars::exact;
+          },
+          "step events in double, long-double or exact")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"double", "long-double", "exact"}));
   command.add_option("--max-events", options.max_events, "stop after so many (1000000)")
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53U).description(""));

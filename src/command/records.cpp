@@ -2,6 +2,8 @@
 #include "command/records.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -55,6 +57,15 @@ Cell text_cell(std::string text) { return {std::move(text), true}; }
 Cell number_cell(double value) {
   if (!std::isfinite(value)) return missing_cell();
   return {fmt::format("{}", value == 0 ? 0.0 : value), false};  // a product's -0 is shown as 0
+}
+
+Cell number_cell(long double value) {
+  if (!std::isfinite(value)) return missing_cell();
+  std::array<char, 64>
+      text{};  // to_chars: fmt takes a hundred times as long where exponents are large
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value == 0 ? 0.0L : value).ptr;
+  return {std::string(text.data(), end), false};
 }
 
 Cell number_cell(std::int64_t value) { return {std::to_string(value), false}; }

@@ -30,6 +30,7 @@ struct Cell {
 
 Cell text_cell(std::string text);
 Cell number_cell(double value);  ///< shortest decimal that reads back as the same double
+Cell number_cell(long double value);
 Cell number_cell(std::int64_t value);
 Cell digits_cell(std::string digits);  ///< an integer of any size, written unquoted
 Cell missing_cell();

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/alpha_value.hpp"
+#include "command/exact_work.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/transfers.hpp"
@@ -42,7 +43,7 @@ struct Rehearsal {
 Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
   LineMotion<double> motion(reference::rounded(line));
   StalledClock<double> clock;
-  const bool inelastic = motion.line().restitution < 1.0;
+  const bool inelastic = motion.restitution() < 1.0;
   const double until =
       line.until ? reference::nearest_double(*line.until) : std::numeric_limits<double>::infinity();
   for (auto next = motion.next(); next && *next <= until && motion.events() < limit;
@@ -54,15 +55,20 @@ Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
   return {motion.events(), motion.ties()};
 }
 
-/// Whether exact numbers stay short: below 2^13 bits over the first 2000 events.
+/// More of them are not stepped exactly unless that is asked for: a gigabyte would not do.
+constexpr std::size_t most_exact_bodies = 200'000;
+
+/// Whether exact numbers stay short: below 2^13 bits over the first 2000 events, or as many as may be looked at.
 bool stays_short(const ExactLine& line, std::int64_t limit) {
   LineMotion<reference::FieldNumber> motion(line.together());
+  ExactWork work(line.common.field ? line.common.field->degree() : 1, most_rehearsed_work);
   for (auto next = motion.next(); next && motion.events() < std::min<std::int64_t>(limit, 2000);
        next = motion.next()) {
     if (line.until && *line.until < *next) break;
     const auto event = motion.step();
     if (std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()}) >= 1L << 13U)
       return false;
+    if (work.is_too_much(event)) break;
   }
   return true;
 }
@@ -106,6 +112,24 @@ std::optional<cl_I> known_contacts(const Scene& scene, const ExactLine& line) {
   return counts.N_A + counts.N_B;
 }
 
+/// The model that --model and --scalar ask for. Throws InvalidInput where the two do not go together.
+Model asked_model(const Scene& scene, const ExactLine& line, const SceneOptions& options,
+                  const LinePlan& known) {
+  const bool exactly = options.scalars == Scalars::exact;
+  if (options.model.empty()) {
+    if (exactly) return Model::exact_events;
+    const bool velocities = why_not(Model::velocity_stepping, scene, line, known).empty();
+    return velocities ? Model::velocity_stepping : Model::event_driven;
+  }
+  const Model model = parse_model(options.model);
+  if (options.scalars == Scalars::planned) return model;
+  if (exactly && (model == Model::event_driven || model == Model::exact_events))
+    return Model::exact_events;
+  if (!exactly && (model == Model::event_driven || model == Model::velocity_stepping)) return model;
+  throw InvalidInput("--scalar does not go with the model " + to_text(model) +
+                     "; allowed: event-driven, or velocity-stepping but not with exact");
+}
+
 std::string exact_reason(const ExactLine& line) {
   return "a decision is closer than doubles can tell; exact numbers of " + line.field +
          " decide it";
@@ -123,7 +147,8 @@ void choose_among_events(const Scene& scene, const ExactLine& line, std::int64_t
     chosen.plan.reason = needed;
     return;
   }
-  const bool exactly = line.one_field && stays_short(line, limit);
+  const bool exactly =
+      line.one_field && line.bodies() <= most_exact_bodies && stays_short(line, limit);
   if (exactly) {
     chosen.model = Model::exact_events;
     chosen.plan.reason =
@@ -133,9 +158,10 @@ void choose_among_events(const Scene& scene, const ExactLine& line, std::int64_t
   }
   chosen.model = Model::event_driven;
   chosen.plan.reason =
-      needed + (line.one_field ? "; near ties are marked: exact numbers would grow too long"
-                               : "; near ties are marked: no common field of degree up to 12 "
-                                 "decides them");
+      needed + (line.one_field
+                    ? "; near ties are marked: exact numbers would grow too long or too many"
+                    : "; near ties are marked: no common field of degree up to 12 "
+                      "decides them");
   chosen.plan.events = limit;
 }
 
@@ -200,11 +226,10 @@ LinePlan plan_line(const Scene& scene, const ExactLine& line, const SceneOptions
   if (chosen.end && !collapses && lists_events(scene) && unlimited &&
       chosen.end->contacts() > scene.every * cl_I(usual_max_events))
     refuse_as_too_long(scene, chosen.end->contacts(), usual_max_events);
-  if (options.model.empty() && !options.exact) {
+  if (options.model.empty() && options.scalars == Scalars::planned) {
     choose(scene, line, options, chosen);
   } else {
-    chosen.model =
-        options.exact && options.model.empty() ? Model::exact_events : parse_model(options.model);
+    chosen.model = asked_model(scene, line, options, chosen);
     const std::string obstacle = why_not(chosen.model, scene, line, chosen);
     if (!obstacle.empty())
       throw InvalidInput(scene.source + ": model " + to_text(chosen.model) +

@@ -21,13 +21,16 @@ std::string to_text(Model model);
 /// The same with hyphens, as --model takes it. Throws InvalidInput.
 Model parse_model(const std::string& name);
 
+/// In which events are stepped. planned: in doubles, or exactly where doubles cannot tell.
+enum class Scalars { planned, doubles, long_doubles, exact };
+
 struct SceneOptions {
   std::optional<std::int64_t> max_events;  ///< 1000000 where neither this nor the scene says
-  bool exact = false;  ///< rational arithmetic; alpha must be a fraction or a double
-  std::string model;   ///< empty: the cheapest
+  Scalars scalars = Scalars::planned;      ///< other than planned: events are stepped
+  std::string model;                       ///< empty: the cheapest
 };
 inline constexpr std::int64_t usual_max_events = 1'000'000;
-/// --model and --max-events.
+/// --model, --scalar and --max-events.
 void add_model_option(CLI::App& command, SceneOptions& options);
 std::int64_t event_limit(const Scene& scene, const SceneOptions& options);
 

@@ -60,7 +60,9 @@ void add_simulate(Program& program) {
       add_command(program, "simulate", "Run a scene: what collides when, and what comes out",
                   "magicmass simulate tutorials/scenes/trajectory_a.toml");
   command.add_option("SCENE", options->scene, "a scene file in TOML")->type_name("")->required();
-  command.add_flag("--exact", options->run.exact, "exact arithmetic, where numbers allow it");
+  command.add_flag_callback(
+      "--exact", [options] { options->run.scalars = Scalars::exact; },
+      "the same as --scalar exact");
   add_model_option(command, options->run);
   add_output_options(command, options->output, {"text", "json", "csv", "jsonl"});
   on_run(program, command, [options] { return simulate(*options); });

@@ -144,4 +144,14 @@ std::optional<Seen> over_envelope(const Target& target, const Figures& figures) 
   return seen;
 }
 
+std::optional<Seen> event_figure(const Target& target, const Figures& figures) {
+  for (const EventFigure& figure : figures.events)
+    if (figure.name == target.name) {
+      Seen seen{figure.value};
+      seen.where = figure.where;
+      return seen;
+    }
+  return std::nullopt;
+}
+
 }  // namespace magicmass::report::measures

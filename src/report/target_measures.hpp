@@ -21,5 +21,7 @@ std::optional<Seen> slowest_over_median(const Target& target, const Figures& fig
 std::optional<Seen> misrounded(const Target& target, const Figures& figures);
 std::optional<Seen> wrong_counts(const Target& target, const Figures& figures);
 std::optional<Seen> over_envelope(const Target& target, const Figures& figures);
+/// The simulator's figure of the target's name.
+std::optional<Seen> event_figure(const Target& target, const Figures& figures);
 
 }  // namespace magicmass::report::measures

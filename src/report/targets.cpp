@@ -142,6 +142,21 @@ const std::vector<Target>& targets() {
                    .must = 3,
                    .aim = 1.5,
                    .unit = "x"});
+    const auto events = [&](const std::string& name, double must, const std::string& unit,
+                            bool is_at_least) {
+      all.push_back({.name = name,
+                     .measure = event_figure,
+                     .must = must,
+                     .aim = none,
+                     .unit = unit,
+                     .is_at_least = is_at_least});
+    };
+    events(events::velocities, 200, "M/s", true);
+    events(events::places, 50, "M/s", true);
+    events(events::short_chain, 5, "M/s", true);
+    events(events::long_chain, 2, "M/s", true);
+    events(events::memory, 200, "", false);
+    events(events::growth, 1, "", false);
     return all;
   }();
   return table;

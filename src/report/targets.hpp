@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "report/event_figures.hpp"
 #include "report/fallbacks.hpp"
 #include "report/rows.hpp"
 
@@ -18,6 +19,7 @@ struct Figures {
   std::vector<TimeRow> times;
   std::vector<std::vector<TimeRow>> batches;
   std::vector<Fallbacks> fallbacks;
+  std::vector<EventFigure> events = {};
 };
 
 /// A measured figure; NaN ends where there is no interval.

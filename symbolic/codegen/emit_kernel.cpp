@@ -35,6 +35,7 @@ public:
     text += "\n#include <cstddef>\n\n" +
             (uses(Op::arctangent) ? include("arithmetic/arctangent.hpp") : "") +
             include("arithmetic/block.hpp") +
+            (uses(Op::secant_less_one) ? include("arithmetic/secant.hpp") : "") +
             (uses(Op::sine) ? include("arithmetic/sine_cosine.hpp") : "") +
             include("quantities.hpp") +
             "\nnamespace magicmass::generated {\ninline namespace MAGICMASS_TARGET {\n\n";
@@ -103,7 +104,7 @@ private:
         if (!form_.first.empty()) text += replaced_turn(indent);
         continue;
       }
-      const bool carried = carried_.contains(number);
+      if (op == Op::secant_less_one && paired_secants(number, indent, text, done)) continue;
       std::string value = printer_.right_side(number);
       if (op == Op::reciprocal_square_root && !form_.first.empty()) {
         text += line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
@@ -114,10 +115,31 @@ private:
                 indent + "}\n";
         value = "reciprocal_square_root(square)";
       }
-      text += line(indent + (carried ? "" : "const Number ") + printer_.name(number) + " = " +
-                   value + ";");
+      text += line(indent + assigned(number) + " = " + value + ";");
     }
     return text;
+  }
+
+  // Its name, or its definition where no later stage has it.
+  std::string assigned(int number) const {
+    return (carried_.contains(number) ? "" : "const Number ") + printer_.name(number);
+  }
+
+  // Two secants of a stage side by side. False if there is no other.
+  bool paired_secants(int number, const std::string& indent, std::string& text,
+                      std::set<int>& done) const {
+    for (std::size_t j = static_cast<std::size_t>(number) + 1; j < program_.nodes.size(); ++j) {
+      const int other = static_cast<int>(j);
+      if (node(other).op != Op::secant_less_one || stage(other) != stage(number)) continue;
+      text += line(indent + "const auto secants = secants_less_one(" +
+                   printer_.value(node(number).args[0]) + ", " +
+                   printer_.value(node(other).args[0]) + ");") +
+              indent + assigned(number) + " = secants.first;\n" + indent + assigned(other) +
+              " = secants.second;\n";
+      done.insert(other);
+      return true;
+    }
+    return false;
   }
 
   std::string replaced_turn(const std::string& indent) const {
@@ -177,7 +199,7 @@ private:
       members += "    kernel." + input + " = " + input + ";\n";
     }
     for (const std::string& input : form_.numbers) {
-      parameters += ", Number " + input;
+      parameters += (parameters.empty() ? "Number " : ", Number ") + input;
       members += "    kernel." + input + " = " + input + ";\n";
     }
     std::string text = line("  [[gnu::always_inline]] static " + result_type() + " evaluate(" +
@@ -194,7 +216,7 @@ private:
 
   // Loops over a block, a stage each, with the carried values in between.
   std::string block_function() const {
-    if (form_.result.empty()) return "";
+    if (form_.result.empty() || !form_.numbers.empty()) return "";
     std::string text =
         "// A block of at most arithmetic::block_size elements, a whole number of vectors.\n// An "
         "output "

@@ -77,6 +77,9 @@ std::string print(const Program& program, int number, int outer, bool top) {
       return call(program, node, "cos");
     case Op::arctangent:
       return call(program, node, "atan");
+    case Op::secant_less_one:
+      return parenthesised(outer > 0,
+                           "1/cos(pi/" + print(program, node.args[0], 3, false) + ") - 1");
     case Op::ladder_low:
     case Op::ladder_high: {
       const std::int64_t offset = node.denominator + (node.op == Op::ladder_high ? 1 : 0);
@@ -155,6 +158,9 @@ OperationCounts operation_counts(const Program& program) {
       case Op::arctangent:
         ++counts.arctangents;
         break;
+      case Op::secant_less_one:
+        ++counts.secants;
+        break;
       case Op::ladder_low:
       case Op::ladder_high:
         ladders.insert(std::to_string(node.numerator) + node.name +
@@ -185,6 +191,7 @@ std::string text(const OperationCounts& counts) {
       {counts.sine_cosine_pairs, "sine-cosine pair", "sine-cosine pairs"},
       {counts.sines_or_cosines, "sine or cosine", "sines or cosines"},
       {counts.arctangents, "arctangent", "arctangents"},
+      {counts.secants, "secant less 1", "secants less 1"},
       {counts.ladders, "cosine ladder", "cosine ladders"},
       {counts.indexed_powers, "power", "powers"},
   };

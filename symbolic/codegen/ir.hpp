@@ -26,6 +26,7 @@ enum class Op {
   sine,
   cosine,
   arctangent,
+  secant_less_one,  // 1/cos(pi/args[0]) - 1, made by secants_of_parts
   ladder_low,  // T(m) and T(m + 1) of args[0] = cos(psi/2), with m = numerator * name + denominator
   ladder_high,
 };
@@ -70,6 +71,7 @@ Program rebuilt(const Program& program, const Rewrite& rewrite);
 struct OperationCounts {
   int additions = 0, multiplications = 0, divisions = 0, square_roots = 0;
   int sine_cosine_pairs = 0, sines_or_cosines = 0, arctangents = 0, ladders = 0;
+  int secants = 0;
   int indexed_powers = 0;
 };
 OperationCounts operation_counts(const Program& program);

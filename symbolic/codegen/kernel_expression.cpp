@@ -12,7 +12,7 @@ namespace {
 
 bool ends_a_stage(const Node& node) {
   return node.op == Op::reciprocal_square_root || node.op == Op::arctangent ||
-         node.op == Op::sine || node.op == Op::cosine;
+         node.op == Op::sine || node.op == Op::cosine || node.op == Op::secant_less_one;
 }
 
 bool is_power_of_two(const Node& node) {
@@ -70,7 +70,7 @@ KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::stri
     if (uses[i] < 2 && !crosses[i] && !ends_a_stage(made)) continue;
     static const std::map<Op, std::string> kinds{
         {Op::sine, "sine"},        {Op::cosine, "cosine"},    {Op::add, "sum"},
-        {Op::multiply, "product"}, {Op::arctangent, "angle"}, {Op::reciprocal_square_root, "root"}};
+        {Op::multiply, "product"}, {Op::arctangent, "angle"}, {Op::reciprocal_square_root, "root"}, {Op::secant_less_one, "secant"}};
     const auto kind = kinds.find(made.op);
     const std::string base = !made.name.empty()    ? plain_name(made)
                              : kind == kinds.end() ? "value"
@@ -230,6 +230,8 @@ std::string KernelPrinter::right_side(int number) const {
     case Op::sine:
     case Op::cosine:
       return "sine_cosine(" + value(made.args[0]) + ")";
+    case Op::secant_less_one:
+      return "secant_less_one(" + value(made.args[0]) + ")";
     default:
       throw std::logic_error("a kernel has no such operation: " + formula(program_, number));
   }

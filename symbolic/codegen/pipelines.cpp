@@ -7,6 +7,7 @@
 #include "codegen/passes/flat_products.hpp"
 #include "codegen/passes/paired_sine_cosine.hpp"
 #include "codegen/passes/reciprocal_square_roots.hpp"
+#include "codegen/passes/secants_of_parts.hpp"
 #include "codegen/passes/shared_products.hpp"
 #include "codegen/passes/shared_reciprocals.hpp"
 #include "codegen/passes/strength_reduction.hpp"
@@ -26,8 +27,9 @@ Program in_plain_numbers(const Program& lowered) {
 }
 
 Program for_kernel(const Program& lowered) {
-  return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
-      flat_products(flat_products(reciprocal_square_roots(prepared(lowered))))))));
+  return paired_sine_cosine(
+      common_subexpressions(shared_products(common_subexpressions(flat_products(
+          flat_products(reciprocal_square_roots(secants_of_parts(prepared(lowered)))))))));
 }
 
 }  // namespace magicmass::codegen

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The numbers behind the figures against what the collision law alone gives, stepped here in exact rationals.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -207,4 +208,38 @@ TEST_CASE("setup: A comes with V, C and B rest at 0 and L", "[exam]") {
   CHECK(rows[0] == Row{"A", "1", "-1", "1"});
   CHECK(Row{rows[1][0], rows[1][2], rows[1][3]} == Row{"C", "0", "0"});
   CHECK(rows[2] == Row{"B", "1", "1", "0"});
+}
+
+TEST_CASE("cradle: the shipped scene, its counts by the theorem, and back to the start", "[exam]") {
+  const std::vector<Row> rows = figure_rows("cradle");
+  REQUIRE(rows.size() == 44);  // both ends, twice the 2 + 4 + 6 + 8 contacts, two walls
+  const std::string shipped =
+      read_file(std::string(MAGICMASS_SOURCE_DIR) + "/tutorials/scenes/cradle.toml");
+  const TemporaryFolder folder;
+  write_file(folder / "round_trip.toml",
+             shipped.substr(0, shipped.find("until")) + "until = 20\noutputs = [\"events\"]\n");
+  const auto scene = json_of({"simulate", folder / "round_trip.toml"});
+  REQUIRE(scene["events"].size() == 42);
+  for (std::size_t i = 0; i < 42; ++i)
+    CHECK(number(rows[i + 1][0]) == scene["events"][i]["time"].get<double>());
+  CHECK(rows.back()[0] == "20");
+  for (std::size_t body = 0; body < 9; ++body)
+    CHECK(number(rows.back()[2 + body]) == Approx(static_cast<double>(body)).margin(1e-12));
+}
+
+TEST_CASE("error: tier accurate within half an ulp, the paper's formulas not", "[exam]") {
+  const ProgramRun run = run_program({"figure", "error", "--format", "csv"});
+  CHECK(lines_of(run.output)[0].starts_with("member,alpha,envelope,ulp_naive,"));
+  CHECK(lines_of(run.output)[0].ends_with(",ulp_fast,ulp_accurate"));
+  std::array<double, 2> worst{};  // naive, accurate
+  const std::vector<Row> rows = figure_rows("error");
+  REQUIRE(rows.size() == 800);
+  for (const Row& row : rows) {
+    worst[0] = std::max(worst[0], number(row[3]));
+    worst[1] = std::max(worst[1], number(row.back()));
+    const double envelope = number(row[2]), fast = number(row[row.size() - 2]);
+    CHECK(fast <= 4 * envelope);
+  }
+  CHECK(worst[0] > 100);
+  CHECK(worst[1] <= 0.5);
 }

@@ -16,8 +16,8 @@ struct Expected {
 };
 
 const std::vector<Expected> all_figures = {
-    {"setup", 3},        {"counts", 2}, {"trajectories", 9}, {"terminal", 3},
-    {"transmission", 4}, {"wedge", 2},  {"sphere", 7}};
+    {"setup", 3},  {"counts", 2}, {"trajectories", 9}, {"terminal", 3}, {"transmission", 4},
+    {"cradle", 9}, {"wedge", 2},  {"sphere", 7},       {"error", 18}};
 
 std::size_t occurrences(const std::string& text, const std::string& word) {
   std::size_t count = 0;
@@ -100,6 +100,35 @@ TEST_CASE("PNG and PDF have the same bytes each time", "[exam]") {
   CHECK(run_program({"figure", "setup", "--format", "pdf"}).output == pdf.output);
 }
 
+TEST_CASE("the ending of a file says what is drawn, and --format overrides it", "[exam]") {
+  if (!can_draw()) return;
+  const TemporaryFolder folder;
+  for (const char* ending : {"svg", "png", "pdf", "dat"})
+    REQUIRE(
+        run_program({"figure", "setup", "-o", folder / ("a." + std::string(ending))}).exit_code ==
+        0);
+  CHECK(read_file(folder / "a.svg").starts_with("<?xml"));
+  CHECK(read_file(folder / "a.png").starts_with("\x89PNG"));
+  CHECK(read_file(folder / "a.pdf").starts_with("%PDF"));
+  CHECK(read_file(folder / "a.dat").starts_with("<?xml"));
+  REQUIRE(run_program({"figure", "setup", "--format", "svg", "-o", folder / "b.pdf"}).exit_code ==
+          0);
+  CHECK(read_file(folder / "b.pdf").starts_with("<?xml"));
+}
+
+TEST_CASE("solid lines are solid in SVG beside dashed ones", "[exam]") {
+  if (!can_draw()) return;
+  const auto dashed = [](const std::string& svg, const std::string& colour) {
+    return occurrences(svg, "stroke='rgb(" + colour + ")' stroke-dasharray");
+  };
+  const std::string wedge = run_program({"figure", "wedge"}).output;
+  CHECK(dashed(wedge, "  1,   1,   1") > 0);
+  CHECK(dashed(wedge, "  0,   0,   0") == 0);
+  const std::string error = run_program({"figure", "error"}).output;
+  CHECK(dashed(error, "119, 119, 119") > 0);
+  CHECK(dashed(error, "153, 153, 153") == 0);
+}
+
 TEST_CASE("the user's own gnuplot settings change nothing", "[exam]") {
   if (!can_draw()) return;
   const TemporaryFolder home;
@@ -123,7 +152,7 @@ TEST_CASE("without gnuplot a figure is one line, code 2 and no file, and CSV sti
       run_program({"figure", "counts", "-o", folder / "counts.svg"}, "", nowhere);
   CHECK(run.exit_code == 2);
   CHECK(lines_of(run.errors).size() == 1);
-  CHECK(run.errors.find("need gnuplot (Debian: gnuplot-nox)") != std::string::npos);
+  CHECK(run.errors.find("needs gnuplot (Debian: gnuplot-nox)") != std::string::npos);
   CHECK(run.errors.find("--format csv") != std::string::npos);
   CHECK(folder.names().empty());
   const ProgramRun csv = run_program(

@@ -35,7 +35,8 @@ std::string terminal_command(const Figure& figure, const std::string& format) {
         2 * figure.width, 2 * figure.height);
   if (format == "pdf")  // 96 SVG pixels make an inch, and one is 0.75 points
     return fmt::format(
-        "set terminal pdfcairo size {:.3f}in,{:.3f}in font 'sans,14' fontscale 0.75\n",
+        "set terminal pdfcairo size {:.3f}in,{:.3f}in font 'sans,14' fontscale 0.75 linewidth 1.5 "
+        "pointscale 0.75\n",
         figure.width / 96.0, figure.height / 96.0);
   return fmt::format("set terminal svg size {},{} font 'sans,14' background 'white'\n",
                      figure.width, figure.height);
@@ -66,25 +67,31 @@ std::string dateless(std::string pdf) {
 
 }  // namespace
 
-std::string drawn(const Figure& figure, const std::string& format) {
+std::string gnuplot_file(const std::string& data, const std::string& script,
+                         const std::string& without_gnuplot) {
   const ScratchFolder folder;
-  write(folder.file("data.csv"), figure_csv(figure));
+  write(folder.file("data.csv"), data);
   write(folder.file("figure.gp"),
-        "set encoding utf8\nset datafile separator ','\nset datafile columnheaders\n"
-        "data = 'data.csv'\n" +
-            terminal_command(figure, format) + "set output 'figure'\n" + figure.script +
+        "set encoding utf8\nset datafile separator ','\ndata = 'data.csv'\n" + script +
             "unset output\n");
   switch (run_gnuplot(folder.path(), "figure.gp")) {
     case Drawing::no_gnuplot:
-      throw InvalidInput(
-          "figures need gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");
+      throw InvalidInput("drawing needs gnuplot (Debian: gnuplot-nox); " + without_gnuplot);
     case Drawing::failed:
       throw Undecided("gnuplot could not draw: " +
                       shown_text(read(folder.file("gnuplot.log")), 300));
     case Drawing::done:
       break;
   }
-  const std::string file = read(folder.file("figure"));
+  return read(folder.file("figure"));
+}
+
+std::string drawn(const Figure& figure, const std::string& format) {
+  const std::string file =
+      gnuplot_file(figure_csv(figure),
+                   "set datafile columnheaders\n" + terminal_command(figure, format) +
+                       "set output 'figure'\n" + figure.script,
+                   "allowed without it: --format csv");
   if (format == "svg") return described(file, figure);
   return format == "pdf" ? dateless(file) : file;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/records.hpp"
+#include "command/scene_motion.hpp"
 
 namespace magicmass::command {
 
@@ -34,8 +35,13 @@ Figure counts_figure();
 Figure trajectories_figure();
 Figure terminal_figure();
 Figure transmission_figure();
+Figure cradle_figure();
 Figure wedge_figure();
 Figure sphere_figure();
+Figure error_figure();
+
+/// One round trip of five blocks and four magic balls between walls, which cradle_figure draws.
+SceneMotion cradle_motion();
 
 /// Header and rows as CSV.
 std::string figure_csv(const Figure& figure);

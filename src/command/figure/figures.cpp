@@ -13,8 +13,11 @@ const std::vector<FigureEntry>& figures() {
       {"terminal", "a_t, b_t and c_t against alpha", terminal_figure},
       {"transmission", "rho against alpha for four restitutions, and collapse",
        transmission_figure},
+      {"cradle", "five blocks and four magic balls between walls, in space and time",
+       cradle_figure},
       {"wedge", "the collisions as a straight line through the unfolded wedge", wedge_figure},
       {"sphere", "V_n turning about its axis on the unit sphere", sphere_figure},
+      {"error", "how far evaluators are off, against alpha", error_figure},
   };
   return all;
 }

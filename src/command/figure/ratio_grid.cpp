@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "command/alpha_value.hpp"
 #include "magicmass/fast.hpp"
+#include "magicmass/reference/rational.hpp"
+#include "magicmass/reference/restitution.hpp"
 
 namespace magicmass::command {
 
@@ -33,6 +36,17 @@ std::vector<double> ratio_grid(double first, double last, int steps) {
   std::sort(grid.begin(), grid.end());
   grid.erase(std::unique(grid.begin(), grid.end()), grid.end());
   return grid;
+}
+
+double last_collapse(double e) {
+  const cln::cl_RA exact_e = reference::exact(e);
+  double collapses = 1e-40;
+  double ending = 1.0;
+  while (std::nextafter(collapses, ending) < ending) {
+    const double middle = std::midpoint(collapses, ending);
+    (reference::count_collisions(middle, exact_e) ? ending : collapses) = middle;
+  }
+  return collapses;
 }
 
 }  // namespace magicmass::command

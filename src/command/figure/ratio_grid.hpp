@@ -15,4 +15,7 @@ std::vector<MassRatio> thresholds(double first, double last);
 /// same on every machine. With them the doubles nearest to the thresholds, where curves have their corners. Ascending.
 std::vector<double> ratio_grid(double first, double last, int steps);
 
+/// The largest double at which equal blocks collapse, for 0.5 <= e < 1: bisection with exact decisions.
+double last_collapse(double e);
+
 }  // namespace magicmass::command

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include <fmt/format.h>
 
 #include "command/figure/figure.hpp"
 #include "command/figure/ratio_grid.hpp"
 #include "magicmass/batch.hpp"
-#include "magicmass/reference/rational.hpp"
-#include "magicmass/reference/restitution.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -30,18 +27,6 @@ constexpr std::array<Series, 4> all_series = {
      {0.8, "lw 2.2 dt (6,4) lc rgb '#d55e00'", "#d9d9d9"},
      {0.7, "lw 2.6 dt (1.5,2.5) lc rgb '#007a59'", "#ececec"}}};
 
-/// The largest double with a collapse, by bisection with exact decisions.
-double last_collapse(double e) {
-  const cln::cl_RA exact_e = reference::exact(e);
-  double collapses = first;
-  double ending = last;
-  while (std::nextafter(collapses, ending) < ending) {
-    const double middle = std::midpoint(collapses, ending);
-    (reference::count_collisions(middle, exact_e) ? ending : collapses) = middle;
-  }
-  return collapses;
-}
-
 }  // namespace
 
 Figure transmission_figure() {
@@ -54,7 +39,7 @@ Figure transmission_figure() {
                 .script =
                     "set logscale x\nset yrange [0:1.04]\nset xlabel 'α = m/M'\n"
                     "set ylabel 'ρ = (b_t/V)^2' offset 1\nset xtics nomirror\n"
-                    "set ytics nomirror\nset tmargin at screen 0.9\n"
+                    "set ytics nomirror\nset tmargin at screen 0.87\n"
                     "set key outside right center Left reverse samplen 4 spacing 1.4\n"};
   figure.script += fmt::format("set xrange [{}:{}]\n", first, last);
   std::vector<double> alpha = ratio_grid(first, last, 256);
@@ -76,9 +61,10 @@ Figure transmission_figure() {
         "fc "
         "rgb '{2}'\n"
         "set arrow from {1}, graph 0 to {1}, graph 1.01 nohead back lw 0.8 lc rgb '#666666'\n"
-        "set label 'collapse, e ≤ {3}' at {1}, graph 0.01 rotate offset -1.2,0 font ',10'\n"
-        "set label 'α_c({3})' at {1}, graph 1.04 center\n",
-        left, edge, series.shade, series.e);
+        "set label 'collapse' at {1}, graph 0.04 rotate offset -2.6,0 font ',10'\n"
+        "set label 'e ≤ {3}' at {1}, graph 0.04 rotate offset -1.1,0 font ',10'\n"
+        "set label 'α_c({3})' at {1}, graph {4} center\n",
+        left, edge, series.shade, series.e, edges.size() % 2 == 0 ? 1.04 : 1.095);
     collapses += fmt::format("{} {:.3g} for e = {}", collapses.empty() ? "" : ",", edge, series.e);
     left = edge;
   }

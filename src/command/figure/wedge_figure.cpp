@@ -24,13 +24,15 @@ std::string collision_name(std::int64_t j) {
   return fmt::format("{}_{}", j % 2 == 0 ? "P" : "Q", j / 2 + 1);
 }
 
-/// A side of the wedge or an image of it, with its collision's name at the end.
+/// A side of the wedge or an image of it, with its collision's name at the end. Two colours, as gnuplot's SVG takes the
+/// dashes of arrows over to the next one of the same colour.
 std::string side(std::int64_t image, double angle) {
   const Point tip = polar(reach, angle);
   const Point name = polar(reach + 0.13, angle);
   std::string text =
-      fmt::format("set arrow from 0,0 to {:.9g},{:.9g} nohead back lw {} {} lc rgb 'black'\n",
-                  tip.x, tip.y, image < 2 ? 2.4 : 1, image % 2 == 1 ? "dt solid" : "dt (8,4)");
+      fmt::format("set arrow from 0,0 to {:.9g},{:.9g} nohead back lw {} {}\n", tip.x, tip.y,
+                  image < 2 ? 2.4 : 1,
+                  image % 2 == 1 ? "dt solid lc rgb '#000000'" : "dt (8,4) lc rgb '#010101'");
   if (image > 0)
     text += fmt::format("set label '{}' at {:.9g},{:.9g} center\n", collision_name(image - 1),
                         name.x, name.y);

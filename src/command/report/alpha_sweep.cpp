@@ -28,6 +28,11 @@ std::vector<double> thresholds() {
   }
 }
 
+bool is_shown(const report::Contestant& one) {
+  return one.is_naive || one.name.starts_with(quantity + "_") || one.name == "fast" ||
+         one.name == "accurate";
+}
+
 double error(const report::Contestant& contestant, const report::Input& input,
              const report::ExactValue& exact, std::size_t member) {
   std::array<long double, 8> got{};
@@ -43,8 +48,7 @@ std::vector<AlphaSweep> alpha_sweeps(const std::vector<report::Contestant>& cont
   std::vector<const report::Contestant*> shown;
   AlphaSweep empty;
   for (const report::Contestant& one : contestants)
-    if (one.quantity == quantity && one.precision == "double" &&
-        (one.is_naive || one.name.starts_with(quantity + "_"))) {
+    if (one.quantity == quantity && one.precision == "double" && is_shown(one)) {
       shown.push_back(&one);
       empty.evaluators.push_back(one.name);
     }

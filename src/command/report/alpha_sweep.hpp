@@ -23,7 +23,7 @@ struct AlphaSweep {
   std::vector<double> magic, deficient;  ///< the thresholds within the points' range
 };
 
-/// Of a and of b, for naive and the generated evaluators in double; alpha from 0.01 to 1.6, `size` of them.
+/// Of a and of b, for naive, the generated evaluators and the tiers in double; alpha from 0.01 to 1.6, `size` of them.
 std::vector<AlphaSweep> alpha_sweeps(const std::vector<report::Contestant>& contestants,
                                      std::size_t size, report::Oracle& oracle, Progress& progress);
 

@@ -73,7 +73,8 @@ std::size_t most_climbed(const ReportRequest& request, const Task& task) {
 
 void look_at_targets(const ReportRequest& request, const std::vector<Task>& tasks,
                      std::vector<report::TimeRow> times,
-                     std::vector<std::vector<report::TimeRow>> batches, Measurement& measurement) {
+                     std::vector<std::vector<report::TimeRow>> batches,
+                     std::vector<report::EventFigure> events, Measurement& measurement) {
   report::Figures figures{{}, std::move(times), std::move(batches), {}};
   for (const MeasuredFamily& one : measurement.families)
     for (const Entry& entry : one.entries)
@@ -83,7 +84,13 @@ void look_at_targets(const ReportRequest& request, const std::vector<Task>& task
     for (const Task& task : tasks)
       for (report::Fallbacks& row : report::count_fallbacks(task.contestants, inputs))
         figures.fallbacks.push_back(std::move(row));
+  figures.events = std::move(events);
   measurement.targets = report::judged(figures);
+}
+
+/// Were families, evaluators or quantities named, the simulator's events were not.
+bool is_everything(const ReportRequest& request) {
+  return request.families.empty() && request.evaluators.empty() && request.quantities.empty();
 }
 
 /// Errors family after family, and in between, spread over the whole time that takes, the batches of times.
@@ -117,7 +124,15 @@ void measure_families(const ReportRequest& request, const std::vector<Task>& tas
   go_on();
   std::vector<report::TimeRow> rows = report::combined(times);
   for (const report::TimeRow& row : rows) put_in_place(row, measurement);
-  look_at_targets(request, tasks, std::move(rows), std::move(times), measurement);
+  std::vector<report::EventFigure> events;
+  if (is_everything(request) && !Progress::was_interrupted()) {
+    report::Plan plan;
+    plan.rounds = request.quick ? 7 : 21;
+    plan.go_on = [&](double done) { return progress.step("events of the simulator", done); };
+    events = report::event_figures(plan);
+  }
+  look_at_targets(request, tasks, std::move(rows), std::move(times), std::move(events),
+                  measurement);
 }
 
 }  // namespace

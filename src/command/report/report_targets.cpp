@@ -13,7 +13,8 @@ namespace {
 using report::TargetResult;
 
 constexpr const char* words =
-    "What the tiers are to reach, and what this run saw on the easiest family unless it says "
+    "What the tiers and the simulator are to reach, and what this run saw on the easiest family "
+    "unless it says "
     "where; met: yes, no, or even the aim. Speeds are of this machine, and steady only where it "
     "is.";
 

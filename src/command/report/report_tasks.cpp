@@ -41,7 +41,7 @@ void sort_for_reading(std::vector<Contestant>& contestants) {
 std::size_t usual_size(const ReportRequest& request, const std::string& quantity) {
   const bool is_known = report::quantity_named(quantity).is_known;
   if (request.quick) return is_known ? 128 : 16;
-  return is_known ? 4096 : 128;
+  return is_known ? 2048 : 64;
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ std::vector<Task> report_tasks(const ReportRequest& request,
 report::TimingPlan timing_plan(const ReportRequest& request) {
   report::TimingPlan plan;
   plan.rounds.rounds = request.rounds;
-  plan.longest_pass_ns = request.quick ? 4e4 : 2e6;
+  plan.longest_pass_ns = request.quick ? 4e4 : 1e6;
   plan.longest_call_ns = request.quick ? 3e5 : 2e7;
   if (request.quick) plan.rounds.shortest_ns = 1e4;
   return plan;

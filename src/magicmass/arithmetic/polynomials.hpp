@@ -42,5 +42,22 @@ inline constexpr double cosine_coefficients[] = {
     -0x1.9058989032b9p-37,
 };
 
+// S(x) = (sec(pi y) - 1)(1/y^2 - 4), x = y^2: S(0) as the sum of two doubles
+inline constexpr double secant_at_0[] = {0x1.3bd3cc9be45dep2, 0x1.692b71366cc04p-52,};
+
+// x (S(x) - S(0))/x for x <= 1/9: off by less than 2/1000 of 2^-53.
+inline constexpr double secant_coefficients[] = {
+    0x1.1bd400c7d72c9p-1,
+    0x1.1b6de2fb58487p-2,
+    0x1.07cc32d34c77fp-3,
+    0x1.dd54477175195p-5,
+    0x1.ab1c10dcfb581p-6,
+    0x1.7c933210b3199p-7,
+    0x1.52b86cbc8a028p-8,
+    0x1.2b2f2f93ee14bp-9,
+    0x1.194304f8f982p-10,
+    0x1.bd03ad5588cc7p-12,
+};
+
 
 }  // namespace magicmass::arithmetic

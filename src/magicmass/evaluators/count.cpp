@@ -12,6 +12,7 @@
 #include "magicmass/evaluators/multiword_pi.hpp"
 #include "magicmass/evaluators/ziv.hpp"
 #include "magicmass/simulator/valid_input.hpp"
+#include "magicmass/tiers/clear_count.hpp"
 
 namespace magicmass {
 namespace {
@@ -81,6 +82,9 @@ CountDecision decide_count(double alpha) {
   require_positive_finite("alpha", alpha);
   if (alpha >= 1.0) {
     return {Counts{1, 1}, false};  // pi/3 <= h < pi/2
+  }
+  if (const std::int64_t total = tiers::clear_total(alpha); total != 0) {
+    return {split(static_cast<std::uint64_t>(total)), false};
   }
   // The margin stays below 2^-4, and the conversions are exact.
   constexpr double largest = 0x1p44;

@@ -183,26 +183,40 @@ ExactLine exact_line(const Scene& scene) {
   return result;
 }
 
-Line<double> rounded(const ExactLine& line) {
-  const auto finite = [](double value) {
-    if (!std::isfinite(value)) throw Undecided("a number of the scene does not fit a double");
+template <class Float>
+Line<Float> rounded(const ExactLine& line) {
+  const auto finite = [](Float value) {
+    if (!std::isfinite(value))
+      throw Undecided("a number of the scene does not fit the number type");
     return value;
   };
-  const auto number = [&](const FieldNumber& x) { return finite(nearest_double(x)); };
-  Line<double> doubles;
-  for (auto* column : {&doubles.masses, &doubles.positions, &doubles.velocities})
+  Line<Float> floats;
+  const auto number = [&](const FieldNumber& x) {
+    const Float value = finite(nearest<Float>(x));
+    const bool is_exact = FieldNumber(exact(value)) == x;
+    if (!is_exact && !std::isnormal(value))
+      throw Undecided("a number of the scene is too small for the number type");
+    floats.is_rounded = floats.is_rounded || !is_exact;
+    return value;
+  };
+  for (auto* column : {&floats.masses, &floats.positions, &floats.velocities})
     column->reserve(line.bodies());
-  if (line.left_wall) doubles.left_wall = number(*line.left_wall);
-  if (line.right_wall) doubles.right_wall = number(*line.right_wall);
-  doubles.restitution = number(line.restitution);
+  if (line.left_wall) floats.left_wall = number(*line.left_wall);
+  if (line.right_wall) floats.right_wall = number(*line.right_wall);
+  floats.restitution = number(line.restitution);
   for (std::size_t i = 0; i < line.bodies(); ++i) {
-    doubles.masses.push_back(finite(nearest_double(line.masses[i])));
-    if (!(doubles.masses.back() > 0.0))
-      throw Undecided("a mass of the scene does not fit a double");
-    doubles.positions.push_back(number(line.position(i)));
-    doubles.velocities.push_back(number(line.velocity(i)));
+    floats.masses.push_back(finite(nearest<Float>(line.masses[i])));
+    if (!(floats.masses.back() > 0))
+      throw Undecided("a mass of the scene does not fit the number type");
+    if (!floats.is_rounded)
+      floats.is_rounded =
+          !line.masses[i].is_rational() || line.masses[i].rational != exact(floats.masses.back());
+    floats.positions.push_back(number(line.position(i)));
+    floats.velocities.push_back(number(line.velocity(i)));
   }
-  return doubles;
+  return floats;
 }
+template Line<double> rounded(const ExactLine&);
+template Line<long double> rounded(const ExactLine&);
 
 }  // namespace magicmass::reference

@@ -41,7 +41,10 @@ struct ExactLine {
 /// or L not positive, restitution outside (0, 1], times before the start, places in more than one quadratic field.
 ExactLine exact_line(const Scene& scene);
 
-/// Everything as the nearest double.
-Line<double> rounded(const ExactLine& line);
+/// Everything as the nearest double, or long double. Throws Undecided where something does not fit.
+template <class Float = double>
+Line<Float> rounded(const ExactLine& line);
+extern template Line<double> rounded(const ExactLine&);
+extern template Line<long double> rounded(const ExactLine&);
 
 }  // namespace magicmass::reference

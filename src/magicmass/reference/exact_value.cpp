@@ -156,12 +156,15 @@ Enclosure enclosure(const ExactValue& value) {
   return [number](long precision) { return number.enclosed(precision); };
 }
 
-double nearest_double(const ExactValue& value) {
+template <class Float>
+Float nearest(const ExactValue& value) {
   if (value.secant_of > 0)
-    return value.secant_of % 2 == 1 ? nearest_ratio<double>(Magic{value.secant_of / 2})
-                                    : nearest_ratio<double>(Deficient{value.secant_of / 2 - 1});
-  return nearest_double(in_field(value, common_field({value}, 2)));
+    return value.secant_of % 2 == 1 ? nearest_ratio<Float>(Magic{value.secant_of / 2})
+                                    : nearest_ratio<Float>(Deficient{value.secant_of / 2 - 1});
+  return nearest<Float>(in_field(value, common_field({value}, 2)));
 }
+template double nearest(const ExactValue&);
+template long double nearest(const ExactValue&);
 
 int sign(const ExactValue& value) {
   return value.secant_of > 0 ? 1 : in_field(value, common_field({value}, 2)).sign();

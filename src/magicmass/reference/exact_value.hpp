@@ -39,7 +39,11 @@ FieldNumber in_field(const ExactValue& value, const CommonField& field);
 
 /// By itself.
 Enclosure enclosure(const ExactValue& value);
-double nearest_double(const ExactValue& value);
+template <class Float>
+Float nearest(const ExactValue& value);
+extern template double nearest(const ExactValue&);
+extern template long double nearest(const ExactValue&);
+inline double nearest_double(const ExactValue& value) { return nearest<double>(value); }
 int sign(const ExactValue& value);
 
 }  // namespace magicmass::reference

@@ -163,14 +163,17 @@ bool operator==(const FieldNumber& x, const FieldNumber& y) {
   return x.coefficients_ == y.coefficients_;
 }
 
-double nearest_double(const FieldNumber& x) {
-  if (x.is_rational()) return nearest<double>(x.rational());
+template <class Float>
+Float nearest(const FieldNumber& x) {
+  if (x.is_rational()) return nearest<Float>(x.rational());
   for (long precision = 128 + x.bits();; precision *= 2) {  // irrational, so no tie
     const Interval at = x.enclosed(precision);
-    const auto low = nearest<double>(at.low());
-    if (low == nearest<double>(at.high())) return low;
+    const auto low = nearest<Float>(at.low());
+    if (low == nearest<Float>(at.high())) return low;
   }
 }
+template double nearest(const FieldNumber&);
+template long double nearest(const FieldNumber&);
 
 std::string to_text(const FieldNumber& x) {
   if (x.is_rational()) return to_text(x.rational());

@@ -73,8 +73,12 @@ private:
   void shorten();
 };
 
-/// The double nearest to it.
-double nearest_double(const FieldNumber& x);
+/// The double or long double nearest to it.
+template <class Float>
+Float nearest(const FieldNumber& x);
+extern template double nearest(const FieldNumber&);
+extern template long double nearest(const FieldNumber&);
+inline double nearest_double(const FieldNumber& x) { return nearest<double>(x); }
 /// "p/q", or a sum like "-2 + y" in the field's generator.
 std::string to_text(const FieldNumber& x);
 

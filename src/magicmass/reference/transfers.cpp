@@ -32,6 +32,11 @@ bool has_room(const ExactValue& ball, const FieldNumber& L, const FieldNumber& a
   return false;
 }
 
+bool is_same(const ExactValue& x, const ExactValue& y) {
+  return x.rational == y.rational && x.root == y.root && x.radicand == y.radicand &&
+         x.secant_of == y.secant_of;
+}
+
 }  // namespace
 
 std::optional<std::string> why_no_cradle(const ExactLine& line) {
@@ -46,13 +51,23 @@ std::optional<std::string> why_no_cradle(const ExactLine& line) {
       return "the blocks do not all have mass 1";
     if (i % 2 == 1 && magic_index(mass) == 0) return "a ball has no magic ratio";
   }
+  struct Room {
+    std::size_t ball;
+    FieldNumber L, ahead;
+  };
+  std::optional<Room> known;  // a long chain has many balls of few kinds
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
     const FieldNumber L = line.position(ball + 1) - line.position(ball);
     if (L.sign() <= 0) return "a ball touches the next block";
     const bool last = ball + 2 == bodies;
     if (last && !line.right_wall) continue;
     const FieldNumber next = last ? *line.right_wall : line.position(ball + 2);
-    if (!has_room(line.masses[ball], L, next - line.position(ball + 1)))
+    FieldNumber ahead = next - line.position(ball + 1);
+    const bool is_as_before = known && known->L == L && known->ahead == ahead &&
+                              is_same(line.masses[known->ball], line.masses[ball]);
+    if (is_as_before) continue;
+    known = Room{ball, L, ahead};
+    if (!has_room(line.masses[ball], L, ahead))
       return "a block reaches the next ball before the ball behind it is at rest";
   }
   return std::nullopt;

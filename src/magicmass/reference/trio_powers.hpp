@@ -23,8 +23,7 @@ public:
   /// Bodies A, C and B, or A, C and a right wall.
   explicit TrioPowers(const Line<Scalar>& line)
       : TrioPowers(trio_of(line),
-                   {{line.velocities[0], line.right_wall ? Scalar(0) : line.velocities[2],
-                     line.velocities[1]},
+                   {trio_velocities(line),
                     {line.positions[0], line.right_wall ? *line.right_wall : line.positions[2],
                      line.positions[1]}}) {}
 
@@ -71,13 +70,6 @@ public:
 private:
   LinearMap<Scalar> P_, Q_, cycle_;
   TrioState<Scalar> start_;
-
-  static Trio<Scalar> trio_of(const Line<Scalar>& line) {
-    const auto& m = line.masses;
-    const Scalar& e = line.restitution;
-    return {contact_weights(m[0], m[1], e),
-            line.right_wall ? wall_weights(e) : contact_weights(m[2], m[1], e)};
-  }
 };
 
 }  // namespace magicmass::reference

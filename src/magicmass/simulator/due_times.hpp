@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace magicmass {
@@ -40,13 +41,17 @@ const Scalar& time_of(const Due<Scalar>& due) {
   }
 }
 
-/// The due times of gaps 0, 1, ...; of equal times the leftmost gap wins. 8 to 16 bytes a gap beside the time.
+/// The due times of gaps 0, 1, ...; of equal times the leftmost gap wins. In floating point a tournament of blocks of
+/// eight gaps, which are seen through at once: half the memory and fewer cache lines than one of single gaps. Of exact
+/// numbers comparisons are what costs, and each gap plays for itself.
 template <class Scalar>
 class DueTimes {
 public:
   explicit DueTimes(std::size_t gaps)
-      : leaves_(std::bit_ceil(gaps)), due_(gaps, never<Scalar>()), winners_(2 * leaves_, none) {
-    for (std::size_t gap = 0; gap < gaps; ++gap) winners_[leaves_ + gap] = static_cast<Gap>(gap);
+      : leaves_(std::bit_ceil((gaps + width - 1) / width)),
+        due_((gaps + width - 1) / width * width, never<Scalar>()),
+        winners_(2 * leaves_, none) {
+    for (std::size_t block = 0; block < due_.size() / width; ++block) play_block(block);
     for (std::size_t node = leaves_; node-- > 1;) play(node);
   }
 
@@ -55,16 +60,31 @@ public:
 
   /// To be called after set(): plays again what gaps first, ..., last may have changed.
   void replay(std::size_t first, std::size_t last) {
-    std::size_t low = leaves_ + first;
-    std::size_t high = leaves_ + last;
+    std::size_t low = first / width;
+    std::size_t high = last / width;
+    for (std::size_t block = low; block <= high; ++block) play_block(block);
+    low += leaves_;
+    high += leaves_;
     while (low > 1) {
       low /= 2;
       high /= 2;
       for (std::size_t node = low; node <= high; ++node) play(node);
+      if (low / parts == 1) part_ = low;
     }
   }
 
   std::size_t first() const { return winners_[1]; }
+
+  /// The first gap of that sixteenth of all gaps which was played last: its turn comes in sixteen events or so, time
+  /// to have its memory brought here. Asks for what is known of it.
+  std::size_t fetch_soon() const {
+    const std::size_t gap = winners_[part_] == none ? 0 : winners_[part_];
+    const std::size_t leaf = leaves_ + gap / width;
+    __builtin_prefetch(&due_[gap]);
+    for (const std::size_t node : {leaf, leaf / 2, leaf / 4}) __builtin_prefetch(&winners_[node]);
+    return gap;
+  }
+
   std::size_t bytes() const {
     return due_.capacity() * sizeof(Due<Scalar>) + winners_.capacity() * sizeof(Gap);
   }
@@ -72,10 +92,20 @@ public:
 private:
   using Gap = std::uint32_t;
   static constexpr Gap none = std::numeric_limits<Gap>::max();
+  static constexpr std::size_t width = std::floating_point<Scalar> ? 8 : 1;
 
   std::size_t leaves_;
   std::vector<Due<Scalar>> due_;
   std::vector<Gap> winners_;
+  static constexpr std::size_t parts = 16;
+  std::size_t part_ = 1;
+
+  void play_block(std::size_t block) {
+    std::size_t best = block * width;
+    for (std::size_t gap = best + 1; gap < (block + 1) * width; ++gap)
+      if (sooner(due_[gap], due_[best])) best = gap;
+    winners_[leaves_ + block] = static_cast<Gap>(best);
+  }
 
   void play(std::size_t node) {
     const Gap left = winners_[2 * node];

@@ -18,6 +18,8 @@ struct Line {
   std::optional<Scalar> left_wall;
   std::optional<Scalar> right_wall;
   Scalar restitution = Scalar(1);
+  bool is_rounded =
+      false;  ///< some number is the nearest one to what it stands for, not that itself
 
   std::size_t bodies() const { return masses.size(); }
 };

@@ -25,10 +25,9 @@ public:
   }
 
   void look(const LineMotion<Scalar>& motion, const LineEvent<Scalar>& event) {
-    const Line<Scalar>& line = motion.line();
-    if (event.gap == 0) add_impulse(line, 0, event.v_right);
-    if (event.gap == line.bodies()) add_impulse(line, event.gap - 1, event.v_left);
-    if (event.number % period_ == 0) look(line);
+    if (event.gap == 0) add_impulse(motion.body(0), motion.restitution());
+    if (event.gap == motion.bodies()) add_impulse(motion.body(event.gap - 1), motion.restitution());
+    if (event.number % period_ == 0) look(motion.line());
   }
 
   void look(const Line<Scalar>& line) {
@@ -58,8 +57,8 @@ private:
     return sum;
   }
   /// The body came with -v/e, where v is what it left the wall with.
-  void add_impulse(const Line<Scalar>& line, std::size_t body, const Scalar& v) {
-    momentum_ = momentum_ + line.masses[body] * (v + v / line.restitution);
+  void add_impulse(const BodyState<Scalar>& body, const Scalar& e) {
+    momentum_ = momentum_ + body.mass * (body.velocity + body.velocity / e);
   }
   static void keep_larger(Scalar& kept, const Scalar& change, const Scalar& unit) {
     if (!(Scalar(0) < unit)) return;  // nothing moved, nothing moves

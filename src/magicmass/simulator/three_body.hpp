@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Event-driven simulation with places and times: each step looks for the earliest contact and moves there.
+// The paper's scene with places and times: what it takes and gives, around step_trio().
 #pragma once
 
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "magicmass/counts.hpp"
 #include "magicmass/simulator/conservation_audit.hpp"
-#include "magicmass/simulator/contact.hpp"
 #include "magicmass/simulator/motion.hpp"
+#include "magicmass/simulator/trio_stepping.hpp"
 #include "magicmass/simulator/valid_input.hpp"
 
 namespace magicmass {
@@ -37,19 +36,9 @@ struct ThreeBodyRun {
   ConservationDrift<Scalar> drift;
 };
 
-/// Time until two bodies meet, or nothing if they do not approach. gap >= 0 is the distance between them, closing
-/// the speed at which it shrinks. A gap that rounding made negative is a contact now.
-template <Field Scalar>
-std::optional<Scalar> time_to_contact(const Scalar& gap, const Scalar& closing) {
-  if (!(Scalar(0) < closing)) {
-    return std::nullopt;
-  }
-  return gap < Scalar(0) ? Scalar(0) : Scalar(gap / closing);
-}
-
 /// Simulates A (speed V, reaching C at time 0), the ball C at rest at 0 and B at rest at L, blocks of mass 1 and
-/// ball of mass alpha (Ee & Lee Sec. II A). Which pair meets next is decided by the times to contact alone; if
-/// both were equal A would go first. Calls on_event(const Event<Scalar>&) after each contact; constant memory.
+/// ball of mass alpha (Ee & Lee Sec. II A). What the ball met last it cannot meet next (LineMotion, which looks for the
+/// earliest contact, sees the same). Calls on_event(const Event<Scalar>&) after each contact; constant memory.
 /// alpha, V, L > 0 and finite, else throws InvalidInput. Exact for exact scalars. In floating point errors of a
 /// few eps a contact add up, so a count close to a threshold may be off by one. Runs at V = L = 1 and scales
 /// what it reports, so no V or L can change a count; throws Undecided if 2 V, L/V, V/L or a contact's time
@@ -62,42 +51,25 @@ ThreeBodyRun<Scalar> simulate_three_body(const Scalar& alpha, const Scalar& V, c
   require_positive_finite("L", L);
   require_scales_fit(V, L);
   const Scalar unit_time = L / V;
-  const Scalar block(1);
   Velocities<Scalar> v{Scalar(1), Scalar(0), Scalar(0)};
-  Positions<Scalar> x{Scalar(0), Scalar(1), Scalar(0)};
-  Scalar time(0);
+  TrioPlace<Scalar> place{Scalar(0), Scalar(0), Scalar(1)};
   ConservationAudit<Scalar> audit(alpha, v);
   ThreeBodyRun<Scalar> run{};
-  for (;;) {
-    const std::optional<Scalar> until_A = time_to_contact<Scalar>(x.c - x.a, v.a - v.c);
-    const std::optional<Scalar> until_B = time_to_contact<Scalar>(x.b - x.c, v.c - v.b);
-    if (!until_A && !until_B) {
-      break;
-    }
-    if (run.counts.N_A + run.counts.N_B >= max_events) {
-      run.status = RunStatus::limited;
-      break;
-    }
-    const bool with_A = until_A && (!until_B || !(*until_B < *until_A));
-    const Scalar step = with_A ? *until_A : *until_B;
-    time = time + step;
-    x = {x.a + v.a * step, x.b + v.b * step, x.c + v.c * step};
-    Scalar& met = with_A ? v.a : v.b;
-    const Scalar place = with_A ? x.a : x.b;
-    x.c = place;
-    const AfterContact<Scalar> after = collide(block, met, alpha, v.c);
-    met = after.first;
-    v.c = after.second;
-    audit.look(v);
-    const std::int64_t n = with_A ? ++run.counts.N_A : ++run.counts.N_B;
-    const Event<Scalar> event{
-        with_A ? Body::A : Body::B, n, time * unit_time, place * L, scaled(v, V), scaled(x, L)};
-    require_contact_fits(event.time, event.positions);
-    on_event(event);
-  }
+  run.last_positions = {Scalar(0), L, Scalar(0)};
+  run.last_time = Scalar(0);
+  const std::int64_t contacts = step_trio(
+      trio_of(alpha), v, place, max_events,
+      [&](std::int64_t j, const TrioPlace<Scalar>& at, const Velocities<Scalar>& after) {
+        audit.look(after);
+        run.last_time = at.time * unit_time;
+        run.last_positions = scaled(at.positions(j), L);
+        require_contact_fits(run.last_time, run.last_positions);
+        on_event(Event<Scalar>{j % 2 == 0 ? Body::B : Body::A, (j + 1) / 2, run.last_time,
+                               run.last_positions.c, scaled(after, V), run.last_positions});
+      });
+  run.status = approach(v, contacts) ? RunStatus::limited : RunStatus::complete;
+  run.counts = counts_of(contacts);
   run.terminal = scaled(v, V);
-  run.last_positions = scaled(x, L);
-  run.last_time = time * unit_time;
   run.drift = audit.largest();
   return run;
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The cheapest simulation: velocities alone, contact by contact, for scenes that ask for no place and no time.
+// The paper's scene in velocities alone, contact by contact: what it takes and gives, around step_trio().
 #pragma once
 
 #include <cstdint>
 #include <limits>
 
 #include "magicmass/counts.hpp"
-#include "magicmass/simulator/contact.hpp"
 #include "magicmass/simulator/motion.hpp"
+#include "magicmass/simulator/trio_stepping.hpp"
 #include "magicmass/simulator/valid_input.hpp"
 
 namespace magicmass {
@@ -39,26 +39,14 @@ VelocityRun<Scalar> step_velocities(const Scalar& alpha, const Scalar& V,
                                     std::int64_t max_collisions, OnEvent&& on_event) {
   require_positive_finite("alpha", alpha);
   require_positive_finite("V", V);
-  const Scalar block(1);
-  VelocityRun<Scalar> run{RunStatus::complete, {}, {Scalar(1), Scalar(0), Scalar(0)}};
-  Velocities<Scalar> v = run.terminal;
-  Body next = Body::A;
-  while (next == Body::A ? v.c < v.a : v.b < v.c) {
-    if (run.counts.N_A + run.counts.N_B >= max_collisions) {
-      run.status = RunStatus::limited;
-      break;
-    }
-    Scalar& met = next == Body::A ? v.a : v.b;
-    std::int64_t& n = next == Body::A ? run.counts.N_A : run.counts.N_B;
-    const AfterContact<Scalar> after = collide(block, met, alpha, v.c);
-    met = after.first;
-    v.c = after.second;
-    ++n;
-    on_event(VelocityEvent<Scalar>{next, n, scaled(v, V)});
-    next = next == Body::A ? Body::B : Body::A;
-  }
-  run.terminal = scaled(v, V);
-  return run;
+  Velocities<Scalar> v{Scalar(1), Scalar(0), Scalar(0)};
+  const std::int64_t contacts = step_trio(
+      trio_of(alpha), v, max_collisions, [&](std::int64_t j, const Velocities<Scalar>& after) {
+        on_event(
+            VelocityEvent<Scalar>{j % 2 == 0 ? Body::B : Body::A, (j + 1) / 2, scaled(after, V)});
+      });
+  return {approach(v, contacts) ? RunStatus::limited : RunStatus::complete, counts_of(contacts),
+          scaled(v, V)};
 }
 
 /// The same without a listener.

@@ -59,7 +59,7 @@ bool first_stages(double alpha, double& psi) {
 }
 
 bool first_stages(std::int64_t k, generated::Ratios<double>& result) {
-  return k >= 2 && k <= most_index && single_kernels().ratios(static_cast<double>(k), result);
+  return k >= 1 && k <= most_index && single_kernels().ratios(static_cast<double>(k), result);
 }
 
 }  // namespace tiers
@@ -68,16 +68,16 @@ namespace accurate {
 
 generated::Velocities<double> velocities(double alpha, std::int64_t n) {
   generated::Velocities<double> result;
-  if (tiers::first_stages(alpha, n, result)) [[likely]]
-    return result;
-  return certified_velocities(alpha, n);
+  if (!tiers::first_stages(alpha, n, result)) [[unlikely]]
+    result = certified_velocities(alpha, n);
+  return result;
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   generated::Encounters<double> result;
-  if (tiers::first_stages(alpha, j, result)) [[likely]]
-    return result;
-  return certified_encounters(alpha, j);
+  if (!tiers::first_stages(alpha, j, result)) [[unlikely]]
+    result = certified_encounters(alpha, j);
+  return result;
 }
 
 std::optional<Terminal> terminal(double alpha) {
@@ -96,16 +96,16 @@ std::optional<Terminal> terminal(double alpha) {
 
 double angle(double alpha) {
   double psi;
-  if (tiers::first_stages(alpha, psi)) [[likely]]
-    return psi;
-  return certified_angle(alpha);
+  if (!tiers::first_stages(alpha, psi)) [[unlikely]]
+    psi = certified_angle(alpha);
+  return psi;
 }
 
 generated::Ratios<double> ratios(std::int64_t k) {
   generated::Ratios<double> result;
-  if (tiers::first_stages(k, result)) [[likely]]
-    return result;
-  return certified_ratios(k);
+  if (!tiers::first_stages(k, result)) [[unlikely]]
+    result = certified_ratios(k);
+  return result;
 }
 
 }  // namespace accurate

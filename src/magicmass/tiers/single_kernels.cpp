@@ -15,9 +15,4 @@ const SingleKernels& single_kernels(InstructionSet instruction_set) {
   return tables::baseline;
 }
 
-const SingleKernels& single_kernels() {
-  static const SingleKernels& best = single_kernels(best_instruction_set());
-  return best;
-}
-
 }  // namespace magicmass::tiers

@@ -1,23 +1,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+
 #include "magicmass/batch/instruction_set.hpp"
 #include "magicmass/quantities.hpp"
+#include "magicmass/terminal.hpp"
 
 namespace magicmass::tiers {
+
+/// What a double leaves of a whole number n >= 0.
+constexpr double low_part(std::int64_t n) {
+  if (n <= std::int64_t{1} << 53U) [[likely]]
+    return 0.0;
+  const auto high = static_cast<double>(n);
+  // 2^63 itself is not an int64
+  return high < 0x1p63 ? static_cast<double>(n - static_cast<std::int64_t>(high)) : 0.0;
+}
 
 /// What the generated kernels give for one input, compiled with and without fused multiply-add: the same bits. The
 /// functions that return bool say whether every member is certainly the nearest double.
 struct SingleKernels {
   /// n as high + low, each a double, exactly.
   generated::Velocities<double> (*fast_velocities)(double alpha, double n, double n_low);
-  /// A distance that is not positive: there is no such collision, or it is not known.
-  generated::Encounters<double> (*fast_encounters)(double alpha, double j);
+  /// j as high + low. A distance that is not positive: there is no such collision, or it is not known.
+  generated::Encounters<double> (*fast_encounters)(double alpha, double j, double j_low);
+  double (*fast_angle)(double alpha);
   /// k as high + low, too.
   generated::Ratios<double> (*fast_ratios)(double k, double k_low);
+  /// With the counts, for 2^-900 <= alpha <= 2^960; false where these would take more digits or do not fit.
+  bool (*fast_terminal)(double alpha, Terminal& result);
   /// N_A as high + low, too.
-  generated::Terminal<double> (*fast_terminal)(double alpha, double N_A, double N_A_low,
-                                               double turn);
+  generated::Terminal<double> (*fast_terminal_at)(double alpha, double N_A, double N_A_low,
+                                                  double turn);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);
@@ -38,6 +53,9 @@ extern const SingleKernels avx512;
 const SingleKernels& single_kernels(InstructionSet instruction_set);
 
 /// Those for the best it has.
-const SingleKernels& single_kernels();
+inline const SingleKernels& single_kernels() {
+  static const SingleKernels& best = single_kernels(best_instruction_set());
+  return best;
+}
 
 }  // namespace magicmass::tiers

@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set.
+#include <algorithm>
+
+#include "magicmass/angle_product.hpp"
 #include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/rooted.hpp"
+#include "magicmass/arithmetic/tabled.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
 #include "magicmass/kernels/angle.hpp"
 #include "magicmass/kernels/encounters.hpp"
 #include "magicmass/kernels/ratios.hpp"
+#include "magicmass/kernels/ratios_of_parts.hpp"
 #include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/velocities.hpp"
+#include "magicmass/terminal.hpp"
+#include "magicmass/tiers/clear_count.hpp"
+#include "magicmass/tiers/count_from_angle.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 
 namespace magicmass::tiers {
@@ -15,12 +24,15 @@ namespace {
 
 using arithmetic::Bounded;
 using arithmetic::Pair;
+using arithmetic::Tabled;
 using arithmetic::Tracked;
+using arithmetic::Whole;
 using generated::AngleKernel;
 using generated::Encounters;
 using generated::EncountersKernel;
 using generated::Ratios;
 using generated::RatiosKernel;
+using generated::RatiosOfPartsKernel;
 using generated::Terminal;
 using generated::TerminalKernel;
 using generated::Velocities;
@@ -45,6 +57,13 @@ Terminal<double> nearest(const Terminal<Number>& x) {
 template <class Number>
 double nearest(const Number& x) {
   return rounded(x);
+}
+
+/// Whether the nearest double of a number within relative_error of x is certainly rounded(x).
+[[gnu::always_inline]] inline bool certainly_rounded(Pair<double> x, double relative_error) {
+  const Pair<double> y = normalised(x);
+  const double margin = y.high * (relative_error + 0x1p-105);
+  return (y.high + (y.low + margin)) == (y.high + (y.low - margin));
 }
 
 template <template <class> class Result, class Number>
@@ -74,71 +93,145 @@ bool in_two_stages(Result& result, Inputs... inputs) {
 }
 
 /// An index beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that the index multiplies.
-template <class Kernel>
-auto with_low_part(Kernel kernel, double low_over_high) {
+Tabled<double> with_low_part(Tabled<double> angle, double low_over_high) {
+  angle.pair.low += angle.pair.high * low_over_high;
+  return angle;
+}
+
+Velocities<double> fast_velocities(double alpha, double n, double n_low) {
+  using Kernel = VelocitiesKernel<Tabled<double>>;
+  if (n_low == 0.0 || alpha >= 1.0) [[likely]]
+    return nearest(Kernel::evaluate(alpha, n));
+  Kernel kernel;
+  kernel.alpha = alpha;
+  kernel.n = n;
   kernel.stage_1();
   kernel.stage_2();
-  kernel.angle.low += kernel.angle.high * low_over_high;
+  kernel.angle = with_low_part(kernel.angle, n_low / n);
   kernel.stage_3();
   return nearest(kernel.result());
 }
 
-Velocities<double> fast_velocities(double alpha, double n, double n_low) {
-  using Kernel = VelocitiesKernel<Pair<double>>;
-  if (n_low == 0.0 || alpha >= 1.0) return nearest(Kernel::evaluate(alpha, n));
-  Kernel kernel;
-  kernel.alpha = alpha;
-  kernel.n = n;
-  return with_low_part(kernel, n_low / n);
+/// Below this the square of a tracked root, 1/alpha, is too large.
+constexpr double least_tracked = 0x1p-900;
+
+/// Of h/2 for an alpha below 1: the arctangent's with t^2 < alpha/2, and what the root and the product before it leave out.
+double relative_error_of_angle(double alpha) {
+  return std::min(0x1p-51 * alpha, 0x1p-60) + 0x1p-95;
 }
 
-/// Below this the square of a tracked root, 1/alpha, is too large; a pair's root is scaled.
-constexpr double least_tracked = 0x1p-900;
-/// A pair's sine and cosine go as far as this.
-constexpr double largest_turn = 2.35;
+/// The tables' sine and cosine go as far as this.
+constexpr double largest_turn = 3.14;
 
-Encounters<double> fast_encounters(double alpha, double j) {
-  EncountersKernel<Pair<double>> kernel;
+/// The last collisions of many, from the angle on.
+[[gnu::noinline, gnu::cold]] Encounters<double> last_encounters(
+    EncountersKernel<Tabled<double>> kernel) {
+  const double alpha = kernel.alpha, j = kernel.j;
+  constexpr Encounters<double> unknown{-HUGE_VAL, -HUGE_VAL};
+  if (kernel.angle.pair.high * (2.0 * j) > 3.15) return unknown;
+  // sin x and cos x from pi - x, which is as good as x
+  const auto turned = sine_cosine(Tabled<double>::pi() - kernel.angle * (2.0 * j));
+  kernel.sine = turned.sine;
+  kernel.cosine = -turned.cosine;
+  // The angle's relative error, and twice that of the rest, times j is the error of 1/s = sin((j+1)h)/sin h, but for a
+  // factor of 2: rounding alpha alone would cost 2^5 times as much. Its sign is what has to be certain.
+  const auto last = nearest(kernel.result());
+  if (last.s > 0.0 && (last.s * j) * relative_error_of_angle(alpha) < 0.125) return last;
+  if (!(alpha >= least_tracked && j < 0x1p51)) return unknown;
+  // next to a threshold
+  const auto first = EncountersKernel<Tracked<double>>::evaluate(alpha, j);
+  if (first.s.size < HUGE_VAL) return nearest(first);
+  const auto second = EncountersKernel<Bounded<double>>::evaluate(alpha, j);
+  return second.s.error < HUGE_VAL ? nearest(second) : unknown;
+}
+
+Encounters<double> fast_encounters(double alpha, double j, double j_low) {
+  EncountersKernel<Tabled<double>> kernel;
   kernel.alpha = alpha;
   kernel.j = j;
   kernel.stage_1();
   kernel.stage_2();
-  if (kernel.angle.high * (2.0 * j) < largest_turn || alpha < least_tracked) [[likely]] {
-    kernel.stage_3();
-    return nearest(kernel.result());
-  }
-  const auto first = EncountersKernel<Tracked<double>>::evaluate(alpha, j);
-  if (first.s.size < HUGE_VAL) [[likely]]
-    return nearest(first);
-  // the last collisions of many, at angles too near to half a turn
-  const auto second = EncountersKernel<Bounded<double>>::evaluate(alpha, j);
-  if (second.s.error < HUGE_VAL) return nearest(second);
-  return {-HUGE_VAL, -HUGE_VAL};
-}
-Ratios<double> fast_ratios(double k, double k_low) {
-  RatiosKernel<Pair<double>> kernel;
-  kernel.k = k;
-  kernel.stage_1();
-  // k is beyond 2^53, and each sine is as good as inverse to it
-  if (k_low != 0.0)
-    for (Pair<double>* sine : {&kernel.sine, &kernel.sine_2}) sine->low -= sine->high * (k_low / k);
+  if (j_low != 0.0) [[unlikely]]
+    kernel.angle = with_low_part(kernel.angle, j_low / j);
+  if (!(kernel.angle.pair.high * (2.0 * j) < largest_turn)) [[unlikely]]
+    return last_encounters(kernel);
+  kernel.stage_3();
   return nearest(kernel.result());
 }
 
-Terminal<double> fast_terminal(double alpha, double N_A, double N_A_low, double turn) {
-  using Kernel = TerminalKernel<Pair<double>>;
-  if (N_A_low != 0.0) {
-    Kernel kernel;
-    kernel.alpha = alpha;
-    kernel.N_A = N_A;
-    kernel.turn = turn;
-    return with_low_part(kernel, N_A_low / N_A);
-  }
-  auto result = nearest(Kernel::evaluate(alpha, N_A, turn));
+/// Up to here 2 k + 2 is a Whole.
+constexpr double largest_short_k = 0x1p24;
+
+template <class Number>
+[[gnu::always_inline]] inline Ratios<Pair<double>> ratios_of_parts(Number k) {
+  const auto ratios = RatiosOfPartsKernel<Number>::evaluate(k);
+  return {ratios.magic.pair, ratios.deficient.pair};
+}
+Ratios<double> fast_ratios(double k, double k_low) {
+  if (k <= largest_short_k) [[likely]]
+    return nearest(ratios_of_parts(Whole(k)));
+  return nearest(ratios_of_parts(Tabled<double>(Pair<double>(k, k_low))));
+}
+
+using FastTerminal = TerminalKernel<Tabled<double>>;
+
+[[gnu::always_inline]] inline Terminal<double> fast_result(const FastTerminal& kernel) {
+  auto result = nearest(kernel.result());
   // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
   if (result.rho < 0x1p-960) [[unlikely]]
     result.rho = result.b_t * result.b_t;
   return result;
+}
+
+Terminal<double> fast_terminal_at(double alpha, double N_A, double N_A_low, double turn) {
+  FastTerminal kernel;
+  kernel.alpha = alpha;
+  kernel.N_A = N_A;
+  kernel.turn = turn;
+  if (alpha >= 1.0) {
+    kernel.first();
+  } else {
+    kernel.stage_1();
+    kernel.stage_2();
+    kernel.angle = with_low_part(kernel.angle, N_A_low / N_A);
+    kernel.stage_3();
+  }
+  return fast_result(kernel);
+}
+
+/// In place, as a double that is stored alone and loaded beside another is waited for.
+[[gnu::always_inline]] inline void put(const FastTerminal& kernel, magicmass::Terminal& result) {
+  const Terminal<double> velocities = fast_result(kernel);
+  result.a_t = velocities.a_t;
+  result.b_t = velocities.b_t;
+  result.c_t = velocities.c_t;
+  result.rho = velocities.rho;
+}
+
+bool fast_terminal(double alpha, magicmass::Terminal& result) {
+  FastTerminal kernel;
+  kernel.alpha = alpha;
+  if (alpha >= 1.0) {
+    result.counts = {1, 1};
+    kernel.first();
+    put(kernel, result);
+    return true;
+  }
+  std::int64_t total = clear_total(alpha);
+  kernel.stage_1();
+  kernel.stage_2();
+  if (total == 0) [[unlikely]] {
+    total = total_from_angle(kernel.angle.pair, relative_error_of_angle(alpha));
+    if (total == 0) return false;
+  }
+  result.counts = {(total + 1) >> 1, total >> 1};
+  kernel.N_A = static_cast<double>(result.counts.N_A);
+  kernel.turn = static_cast<double>(1 - 2 * (total & 1));
+  if (total >> 54 != 0) [[unlikely]]
+    kernel.angle = with_low_part(kernel.angle, low_part(result.counts.N_A) / kernel.N_A);
+  kernel.stage_3();
+  put(kernel, result);
+  return true;
 }
 
 bool velocities(double alpha, double n, Velocities<double>& result) {
@@ -147,8 +240,33 @@ bool velocities(double alpha, double n, Velocities<double>& result) {
 bool encounters(double alpha, double j, Encounters<double>& result) {
   return in_two_stages<EncountersKernel>(result, alpha, j);
 }
-bool angle(double alpha, double& result) { return in_two_stages<AngleKernel>(result, alpha); }
-bool ratios(double k, Ratios<double>& result) { return in_two_stages<RatiosKernel>(result, k); }
+/// The form without a product that might overflow.
+double fast_angle(double alpha) {
+  return generated::angle_product(arithmetic::Rooted(alpha)).value;
+}
+bool angle(double alpha, double& result) {
+  const auto first = AngleKernel<Tabled<double>>::evaluate(alpha);
+  result = nearest(first);
+  // the arctangent's bound, and what the root and the product before it leave out
+  if (certainly_rounded(first.pair, 0x1p-60)) [[likely]]
+    return true;
+  return in_two_stages<AngleKernel>(result, alpha);
+}
+template <class Number>
+[[gnu::always_inline]] inline bool nearest_ratios(Number k, Ratios<double>& result) {
+  const auto first = ratios_of_parts(k);
+  result = nearest(first);
+  // the secants' bound, with 1/m^2 below 1/4 k^-2
+  const double relative_error = 0x1p-54 / (k.pair.high * k.pair.high) + 0x1p-98;
+  return certainly_rounded(first.magic, relative_error) &&
+         certainly_rounded(first.deficient, relative_error);
+}
+bool ratios(double k, Ratios<double>& result) {
+  if (k <= largest_short_k ? nearest_ratios(Whole(k), result)
+                           : nearest_ratios(Tabled<double>(k), result)) [[likely]]
+    return true;
+  return in_two_stages<RatiosKernel>(result, k);
+}
 bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
   return in_two_stages<TerminalKernel>(result, alpha, N_A, turn);
 }
@@ -158,8 +276,10 @@ bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
 const SingleKernels tables::MAGICMASS_TARGET = {
     .fast_velocities = fast_velocities,
     .fast_encounters = fast_encounters,
+    .fast_angle = fast_angle,
     .fast_ratios = fast_ratios,
     .fast_terminal = fast_terminal,
+    .fast_terminal_at = fast_terminal_at,
     .velocities = velocities,
     .encounters = encounters,
     .angle = angle,

@@ -8,7 +8,10 @@
 #include "magicmass/arithmetic/lanes.hpp"
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
+#include "magicmass/arithmetic/rooted.hpp"
+#include "magicmass/arithmetic/secant.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
+#include "magicmass/arithmetic/tabled.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
 
 namespace magicmass::testing {
@@ -80,6 +83,15 @@ constexpr Primitive of(const char* name, Operation) {
           {each<Operation, inputs, outputs, double>, in_lanes<2, Operation, inputs, outputs>(),
            in_lanes<4, Operation, inputs, outputs>(), in_lanes<8, Operation, inputs, outputs>()}};
 }
+
+/// For what takes one double at a time.
+template <std::size_t inputs, std::size_t outputs, class Operation>
+constexpr Primitive of_single(const char* name, Operation) {
+  return {name, inputs, outputs, {each<Operation, inputs, outputs, double>}};
+}
+
+Tabled<double> tabled(const double* x) { return Tabled<double>(pair(x)); }
+void put(Tabled<double> x, double* y) { put(x.pair, y); }
 
 constexpr double some_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0, -0.01, 0x1.fp1, -1.0};
 alignas(64) constexpr double table[] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
@@ -198,6 +210,33 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                put(both.sine, y);
                put(both.cosine, y + 3);
              }),
+
+    of_single<2, 2>("tabled_reciprocal",
+                    [](const double* x, double* y) { put(reciprocal(tabled(x)), y); }),
+    of_single<2, 2>("tabled_root",
+                    [](const double* x, double* y) { put(reciprocal_square_root(tabled(x)), y); }),
+    of_single<2, 2>("tabled_arctangent",
+                    [](const double* x, double* y) { put(arctangent(tabled(x)), y); }),
+    of_single<2, 4>("tabled_sine_cosine",
+                    [](const double* x, double* y) {
+                      const auto both = sine_cosine(tabled(x));
+                      put(both.sine, y);
+                      put(both.cosine, y + 2);
+                    }),
+    of_single<1, 1>("root_arctangent",
+                    [](const double* x, double* y) { y[0] = atan(sqrt(Rooted(x[0]))).value; }),
+    of_single<4, 4>("secants",
+                    [](const double* x, double* y) {
+                      const auto both = secants_less_one(tabled(x), tabled(x + 2));
+                      put(both.first, y);
+                      put(both.second, y + 2);
+                    }),
+    of_single<2, 4>("whole_secants",
+                    [](const double* x, double* y) {
+                      const auto both = secants_less_one(Whole(x[0]), Whole(x[1]));
+                      put(both.first.pair, y);
+                      put(both.second.pair, y + 2);
+                    }),
 };
 
 }  // namespace magicmass::testing

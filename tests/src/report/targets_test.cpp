@@ -189,4 +189,31 @@ TEST_CASE("calls that end in certified arithmetic are counted", "[exam]") {
   CHECK(contestant("velocities", "accurate").falls_back({0x1p-1000, 1}));
 }
 
+TEST_CASE("the simulator's figures are judged by their names", "[exam]") {
+  Figures figures;
+  figures.events = {{events::velocities, 199.0}, {events::long_chain, 2.5}, {events::memory, 250}};
+  CHECK(result(figures, events::velocities).verdict == Verdict::missed);
+  CHECK(result(figures, events::long_chain).verdict != Verdict::missed);
+  CHECK(result(figures, events::memory).verdict == Verdict::missed);
+  CHECK(judged(figures).size() == 3);
+}
+
+TEST_CASE("the simulator's figures are all there, and a body costs at most 200 bytes", "[check]") {
+  Plan plan;
+  plan.rounds = 1;
+  plan.shortest_ns = 1;
+  const std::vector<EventFigure> seen = event_figures(plan);
+  Figures figures;
+  figures.events = seen;
+  CHECK(judged(figures).size() == 6);
+  for (const EventFigure& figure : seen) {
+    INFO(figure.name);
+    CHECK(std::isfinite(figure.value));
+    if (figure.name == events::memory) CHECK(figure.value <= 200.0);
+    if (figure.name == events::memory) CHECK(figure.value >= 50.0);  // everything was counted
+  }
+  plan.go_on = [](double) { return false; };
+  CHECK(event_figures(plan).empty());
+}
+
 TEST_CASE("nothing is said of what was not measured", "[exam]") { CHECK(judged({}).empty()); }

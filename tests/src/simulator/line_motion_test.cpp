@@ -2,6 +2,8 @@
 #include "magicmass/simulator/line_motion.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <vector>
 
 #include <catch2/catch.hpp>
@@ -64,7 +66,7 @@ std::vector<LineEvent<double>> by_brute_force(Line<double> line, std::int64_t mo
 
 }  // namespace
 
-TEST_CASE("the engine agrees with the three-body simulator", "[check]") {
+TEST_CASE("A and B take turns, though the engine does not assume it", "[check]") {
   testing::Generator generator(61);
   for (int i = 0; i < 200; ++i) {
     const double alpha = testing::log_uniform(generator, 1e-3, 1e3);
@@ -129,7 +131,8 @@ TEST_CASE("equal masses swap velocities without rounding, in any number type", "
   }
   LineMotion<double> motion(line);
   for (int i = 0; i < 4200; ++i) motion.step();
-  CHECK(std::count(motion.line().velocities.begin(), motion.line().velocities.end(), 0.0) == 19);
+  const std::vector<double> velocities = motion.line().velocities;
+  CHECK(std::count(velocities.begin(), velocities.end(), 0.0) == 19);
   CHECK(motion.ties().near == 0);
   LineMotion<long double> wide(
       {{1.0L, 0.1L, 1.0L}, {0.0L, 0.0L, 1.0L}, {1.0L, 0.0L, 0.0L}, {}, {}});
@@ -186,4 +189,31 @@ TEST_CASE("what cools until doubles do not hold it is known to be lost", "[exam]
   CHECK_FALSE(ends.next().has_value());
   CHECK_FALSE(ends.losses().time);
   CHECK_FALSE(ends.losses().rebound);
+}
+
+TEST_CASE("hostile lines end or go on, in order and without a time that is no number", "[check]") {
+  testing::Generator generator(64);
+  const double extremes[] = {5e-324, 1e-308, 1e-200, 1e-17, 0.5, 1.0, 3.0, 1e17, 1e200, 1.7e308};
+  const auto any = [&] { return extremes[generator() % std::size(extremes)]; };
+  for (int i = 0; i < 500; ++i) {
+    Line<double> line;
+    const std::size_t bodies = 1 + generator() % 9;
+    for (std::size_t b = 0; b < bodies; ++b) {
+      line.masses.push_back(any());
+      line.velocities.push_back(generator() % 3 == 0 ? 0.0 : generator() % 2 == 0 ? any() : -any());
+      line.positions.push_back(generator() % 2 == 0 ? any() : -any());
+    }
+    std::sort(line.positions.begin(), line.positions.end());
+    if (generator() % 2 == 0) line.left_wall = line.positions.front();
+    if (generator() % 2 == 0) line.right_wall = line.positions.back();
+    if (generator() % 2 == 0) line.restitution = std::min(any(), 1.0);
+    LineMotion<double> motion(line);
+    double before = 0.0;
+    while (motion.next() && motion.events() < 2000) {
+      const LineEvent<double> event = motion.step();
+      REQUIRE(event.time >= before);  // never, and not a number, are no times
+      REQUIRE(event.time < HUGE_VAL);
+      before = event.time;
+    }
+  }
 }

@@ -31,9 +31,14 @@ std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, doub
   const double N_A = static_cast<double>(counts.N_A);
   const double turn = counts.N_A == counts.N_B ? 1.0 : -1.0;
   add(all, kernels.fast_velocities(alpha, n, 0.0));
-  add(all, kernels.fast_encounters(alpha, n));
+  add(all, kernels.fast_encounters(alpha, n, n > 0x1p40 ? 0.5 : 0.0));
+  add(all, kernels.fast_angle(alpha));
   add(all, kernels.fast_ratios(n + 1, n > 0x1p40 ? 0.5 : 0.0));
-  add(all, kernels.fast_terminal(alpha, N_A, 0.0, turn));
+  Terminal with_counts{};
+  all.push_back(kernels.fast_terminal(alpha, with_counts));
+  for (const double x : {with_counts.a_t, with_counts.b_t, with_counts.c_t, with_counts.rho})
+    add(all, x);
+  add(all, kernels.fast_terminal_at(alpha, N_A, 0.0, turn));
   generated::Velocities<double> velocities;
   generated::Encounters<double> encounters;
   generated::Ratios<double> ratios;
@@ -94,7 +99,7 @@ TEST_CASE("from alpha = 1 on, too", "[check]") {
     for (const InstructionSet set : testing::available_instruction_sets()) {
       std::vector<std::uint64_t> all;
       add(all, tiers::single_kernels(set).fast_velocities(alpha, 1.0, 0.0));
-      add(all, tiers::single_kernels(set).fast_terminal(alpha, 1.0, 0.0, 1.0));
+      add(all, tiers::single_kernels(set).fast_terminal_at(alpha, 1.0, 0.0, 1.0));
       if (expected.empty()) expected = all;
       INFO(name(set) << ", alpha = " << alpha);
       REQUIRE(all == expected);

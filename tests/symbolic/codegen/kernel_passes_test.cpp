@@ -13,6 +13,7 @@
 #include "codegen/passes/common_subexpressions.hpp"
 #include "codegen/passes/flat_products.hpp"
 #include "codegen/passes/reciprocal_square_roots.hpp"
+#include "codegen/passes/secants_of_parts.hpp"
 #include "codegen/passes/shared_products.hpp"
 
 using namespace magicmass::codegen;
@@ -224,4 +225,28 @@ TEST_CASE("kernel passes keep every value of random programs and what they promi
   CHECK(nested > 300);
   CHECK(loose > 300);
   CHECK(fewer > 20);
+}
+
+TEST_CASE("1/cos(pi/m) - 1 is one operation, and nothing like it is", "[exam]") {
+  const auto after = [](int sign, int of_cosine, bool has_pi, std::int64_t above) {
+    Builder b;
+    const int m = b.input("m"), inverse = b.make(Op::reciprocal, {m});
+    std::vector<int> factors{b.constant(above, 2), inverse};
+    if (has_pi) factors.insert(factors.begin() + 1, b.make(Op::pi, {}));
+    const int angle = b.make(Op::multiply, factors);
+    const int turned = b.make(of_cosine != 0 ? Op::cosine : Op::sine, {angle});
+    int one = b.constant(1);
+    if (sign < 0) one = b.make(Op::negate, {one});
+    b.output("y", b.make(Op::add, {b.make(Op::reciprocal, {turned}), one}));
+    const Program program = secants_of_parts(b.program);
+    return program.nodes[static_cast<std::size_t>(program.outputs[0].node)].op ==
+                   Op::secant_less_one
+               ? formula(program, program.outputs[0].node)
+               : "as it was";
+  };
+  CHECK(after(-1, 1, true, 1) == "1/cos(pi/(2*m)) - 1");
+  CHECK(after(1, 1, true, 1) == "as it was");
+  CHECK(after(-1, 0, true, 1) == "as it was");
+  CHECK(after(-1, 1, false, 1) == "as it was");
+  CHECK(after(-1, 1, true, 3) == "as it was");
 }

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "magicmass/arithmetic/pair.hpp"
+#include "magicmass/arithmetic/product.hpp"
+#include "magicmass/arithmetic/root_arctangent_table.hpp"
+#include "magicmass/arithmetic/sine_cosine.hpp"
+#include "magicmass/arithmetic/table_node.hpp"
+
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
+
+/// A Pair whose arctangent, sine and cosine come from tables: for one number at a time, where a look-up costs less than the
+/// long polynomials that suit lanes, and nothing is decided by a branch.
+template <class T>
+struct Tabled {
+  using Real = T;
+
+  Pair<T> pair;
+
+  Tabled() = default;
+  explicit Tabled(T exact) : pair(exact) {}
+  explicit Tabled(Pair<T> value) : pair(value) {}
+
+  static Tabled sum(T x, T y) { return Tabled(Pair<T>::sum(x, y)); }
+  static Tabled product(T x, T y) { return Tabled(Pair<T>::product(x, y)); }
+  static Tabled pi() { return Tabled(Pair<T>::pi()); }
+
+  friend Tabled operator-(Tabled x) { return Tabled(-x.pair); }
+  friend Tabled operator+(Tabled x, Tabled y) { return Tabled(x.pair + y.pair); }
+  friend Tabled operator-(Tabled x, Tabled y) { return Tabled(x.pair - y.pair); }
+  friend Tabled operator+(Tabled x, T y) { return Tabled(x.pair + y); }
+  friend Tabled operator*(Tabled x, Tabled y) { return Tabled(x.pair * y.pair); }
+  friend Tabled operator*(Tabled x, T y) { return Tabled(x.pair * y); }
+  friend Tabled operator/(Tabled x, Tabled y) { return Tabled(x.pair / y.pair); }
+  friend Tabled scaled(Tabled x, double power_of_two) {
+    return Tabled(scaled(x.pair, power_of_two));
+  }
+  template <class Condition>
+  friend Tabled select(Condition condition, Tabled yes, Tabled no) {
+    return Tabled(select(condition, yes.pair, no.pair));
+  }
+  friend T rounded(Tabled x) { return rounded(x.pair); }
+};
+
+/// Scaled first: what is rounded among the subnormals is not doubled any more.
+template <class T>
+[[gnu::always_inline]] inline T rounded(Product<Tabled<T>> p) {
+  return rounded(Product<Pair<T>>{scaled(p.x.pair, p.scale), p.y.pair, 1.0});
+}
+/// 1/y within 2^-100 for |y.low| <= 2^-50 |y.high|, low at most 2^-49 of high.
+template <class T>
+[[gnu::always_inline]] inline Tabled<T> reciprocal(Tabled<T> y) {
+  const T inverse = T(1.0) / y.pair.high;
+  const T rest = one_minus_product(inverse, y.pair.high) - inverse * y.pair.low;
+  return Tabled<T>(Pair<T>(inverse, inverse * rest));
+}
+/// 1/sqrt(w) within 2^-98, its low part at most 2^-51 of it: for w from 2^-900 to 2^900, and by the pair's own beyond.
+template <class T>
+[[gnu::always_inline]] inline Tabled<T> reciprocal_square_root(Tabled<T> of) {
+  const Pair<T> w = of.pair;
+  if (!(w.high >= 0x1p-900 && w.high <= 0x1p900)) [[unlikely]]
+    return Tabled<T>(reciprocal_square_root(w));
+  // The root and the quotient do not wait for each other. y is within 1.5 2^-53, so that what Newton's step leaves out, 3/8 e^2
+  // with e = 1 - w y^2, is below 2^-104.
+  const T y = square_root(w.high) * (T(1.0) / w.high);
+  const Sum<T> square = two_product(y, y);
+  const T e = one_minus_product(w.high, square.high) - (w.high * square.low + w.low * square.high);
+  return Tabled<T>(Pair<T>(y, T(0.5) * y * e));
+}
+
+/// atan t for 0 <= t <= 1, within the lesser of 2^-61 and 2^-51 t^2 + 2^-100 of itself and what the error of t makes of it; its
+/// low part may be 2^-10 of it. Outside it means nothing.
+[[gnu::always_inline]] inline Tabled<double> arctangent(Tabled<double> of) {
+  // atan t = t F(t^2). With t.high^2 = z + z_low, z = c + d, c = j/256, |d| <= 2^-9: F = F(c) + d p(d) + z_low F'(c), and F' is
+  // about p(0). All but F(c) is below 0.34 d + 2^-54, and what is rounded there, at 2^-53 of itself each, is p (less than
+  // twice), its product with d, two sums and the product with t: within 5 2^-53 0.34 d, 2^-61.2 (0.34 z 2^-50.6 where j = 0).
+  // t.low has the factor (t F(t^2))' = F + 2 z F', known to 2^-10 of itself; p is within 2^-66.
+  const Pair<double> t = of.pair;
+  const double z = t.high * t.high;
+  const double z_low = product_error(t.high, t.high, z);
+  const TableNode node = table_node<8>(root_arctangent_table, z);
+  const double d = node.rest;
+  const double* row = node.row;
+  const double square = d * d;
+  const double further = (row[3] + row[4] * d) + square * ((row[5] + row[6] * d) + square * row[7]);
+  const double rest = ((row[1] + z_low * row[2]) + row[2] * d) + square * further;
+  const Sum<double> product = two_product(t.high, row[0]);
+  const double of_low = t.low * (row[0] + row[2] * (d + (z + z)));
+  return Tabled<double>(Pair<double>(product.high, (product.low + of_low) + t.high * rest));
+}
+
+/// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-60, and what the error of x makes of them; the sine
+/// within 2^-60 of itself up to 3.
+/// Outside they mean nothing.
+[[gnu::always_inline]] inline SineCosine<Tabled<double>> sine_cosine(Tabled<double> unordered) {
+  // x = c + d + low, c = j/256, |d| <= 2^-9: sin(d + low) = d + of_sine, |of_sine| <= 2^-29.5 + 2^-52, less than 2^-66 of it left
+  // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
+  // sin x = s + (c d + (c of_sine + s of_cosine)) with c d exact, and so is its sum with s unless |s| < |c d|, next to pi, where
+  // it is within 2^-53 of 2^-9; and cos x likewise, but exact also next to pi/2, where the last velocities vanish.
+  const Pair<double> x = normalised(unordered.pair);
+  const TableNode node = table_node<4>(sine_cosine_table, x.high);
+  const double d = node.rest;
+  const double* row = node.row;
+  const Pair<double> s(row[0], row[1]), c(row[2], row[3]);
+  const double z = d * d;
+  const double of_sine = x.low - (d * z) * (0x1.5555555555555p-3 - z * 0x1.1111111111111p-7);
+  const double of_cosine = z * (0x1.5555555555555p-5 * z - 0.5) - x.low * d;
+  const Sum<double> c_d = two_product(c.high, d);
+  const Sum<double> s_head = ordered_sum(s.high, c_d.high);
+  const Sum<double> s_d = two_product(s.high, d);
+  const Sum<double> c_head = two_difference(c.high, s_d.high);
+  const double s_low =
+      ((s_head.low + c_d.low) + (s.low + c.low * d)) + (c.high * of_sine + s.high * of_cosine);
+  const double c_low =
+      ((c_head.low - s_d.low) + (c.low - s.low * d)) + (c.high * of_cosine - s.high * of_sine);
+  return {Tabled<double>(normalised(Pair<double>(s_head.high, s_low))),
+          Tabled<double>(normalised(Pair<double>(c_head.high, c_low)))};
+}
+
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

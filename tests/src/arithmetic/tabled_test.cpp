@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What works on one double at a time, within the stated bounds, against CLN's functions; and the same bits on every machine.
+#include "magicmass/arithmetic/tabled.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+#include <cln/real.h>
+
+#include "arithmetic/every_width.hpp"
+#include "arithmetic/operands.hpp"
+#include "arithmetic/real_functions.hpp"
+#include "magicmass/reference/rational.hpp"
+
+using namespace magicmass;
+using namespace magicmass::testing;
+using cln::cl_RA;
+using reference::exact;
+
+namespace {
+
+/// Pairs from 2^-300 to `most`: uniform, small, next to a table's nodes and half way between two.
+Columns arguments(std::uint64_t seed, double most) {
+  Generator generator(seed);
+  Columns in;
+  const auto add = [&](double x) {
+    if (x > 0.0 && x <= most) append(in, {x, any_low(generator, x)});
+  };
+  for (int i = 0; i < 2000; ++i) {
+    add(std::uniform_real_distribution<double>(0.0, most)(generator));
+    add(log_uniform(generator, i % 3 == 0 ? 0x1p-300 : 0x1p-30, most));
+  }
+  for (int j = 1; j <= 2000; ++j)
+    for (const double x : neighbourhood(j * 0x1p-9, 1)) add(x);
+  for (int j = 1; j <= 512; ++j)  // of the square
+    for (const double x : neighbourhood(std::sqrt(j * 0x1p-9), 1)) add(x);
+  for (const double x : neighbourhood(0x1.921fb54442d18p+0, 3)) add(x);
+  append(in, {most, 0.0});
+  return in;
+}
+
+cl_RA root(const cl_RA& x) { return cln::rational(cln::realpart(cln::sqrt(real(x)))); }
+
+/// 1/cos(pi/m) - 1.
+cl_RA secant_less_one(const cl_RA& m) {
+  const cl_RA half = exact_sine(cln::rational(cln::pi(real(m)) / real(2 * m)));
+  return 2 * half * half / (1 - 2 * half * half);
+}
+
+/// |got - value| <= allowed, which is not far from what is seen.
+struct Worst {
+  double over_allowed = 0.0;
+
+  void require(const cl_RA& got, const cl_RA& value, const cl_RA& allowed) {
+    const cl_RA error = cln::abs(got - value);
+    INFO("off by 2^" << std::log2(cln::double_approx(error)) << " of "
+                     << cln::double_approx(value));
+    REQUIRE(error <= allowed);
+    over_allowed = std::max(over_allowed, cln::double_approx(error / allowed));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a tabled arctangent is within 2^-61 and within 2^-51 t^2 + 2^-100 of itself",
+          "[check]") {
+  const Columns in = arguments(161, 1.0);
+  const Columns out = of_single_doubles("tabled_arctangent", in);
+  Worst worst;
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA t = exact_pair(in, 0, i), value = exact_arctangent(t);
+    INFO(in[0][i] << " + " << in[1][i]);
+    worst.require(exact_pair(out, 0, i), value,
+                  value * std::min(power(-61), cl_RA(power(-51) * t * t + power(-100))));
+    REQUIRE(std::fabs(out[1][i]) <= 0x1p-10 * out[0][i]);
+  }
+  CHECK(worst.over_allowed > 1 / 8.0);
+}
+
+TEST_CASE("a tabled sine and cosine are within 2^-60 up to 3.14, the sine of itself up to 3",
+          "[check]") {
+  const Columns in = arguments(162, 3.14);
+  const Columns out = of_single_doubles("tabled_sine_cosine", in);
+  Worst worst;
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA x = exact_pair(in, 0, i), sine = exact_sine(x);
+    INFO(in[0][i] << " + " << in[1][i]);
+    worst.require(exact_pair(out, 0, i), sine, power(-60) * (in[0][i] <= 3.0 ? sine : cl_RA(1)));
+    worst.require(exact_pair(out, 2, i), exact_cosine(x), power(-60));
+  }
+  CHECK(worst.over_allowed > 1 / 8.0);
+}
+
+TEST_CASE("outside of the tables nothing is read beside them", "[exam]") {
+  Columns in;
+  for (const double x : {3.15, 4.0, 1e3, 1e17, 1e300, HUGE_VAL, -1.0, -HUGE_VAL, std::nan("")})
+    append(in, {x, 0.0});
+  of_single_doubles("tabled_sine_cosine", in);
+  of_single_doubles("tabled_arctangent", in);
+}
+
+TEST_CASE("a tabled reciprocal is within 2^-100 and a root within 2^-98 of itself", "[check]") {
+  Generator generator(163);
+  Columns in;
+  for (int i = 0; i < 4000; ++i) {
+    const double x = log_uniform(generator, 0x1p-300, 0x1p300);
+    append(in, {x, any_low(generator, x)});
+  }
+  const Columns inverse = of_single_doubles("tabled_reciprocal", in);
+  const Columns inverse_root = of_single_doubles("tabled_root", in);
+  Worst worst;
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA x = exact_pair(in, 0, i), of_root = 1 / root(x);
+    INFO(in[0][i] << " + " << in[1][i]);
+    worst.require(exact_pair(inverse, 0, i), 1 / x, power(-100) / x);
+    worst.require(exact_pair(inverse_root, 0, i), of_root, power(-98) * of_root);
+  }
+  CHECK(worst.over_allowed > 1 / 32.0);
+}
+
+TEST_CASE("atan(sqrt z) of a double is within 2.01 2^-53 of itself", "[check]") {
+  const Columns pairs = arguments(164, 1.0), in{pairs[0]};
+  const Columns out = of_single_doubles("root_arctangent", in);
+  Worst worst;
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA value = exact_arctangent(root(exact(in[0][i])));
+    INFO(in[0][i]);
+    worst.require(exact(out[0][i]), value, value * power(-53) * 201 / 100);
+  }
+  CHECK(worst.over_allowed > 0.5);
+}
+
+TEST_CASE("1/cos(pi/m) - 1 is within 2^-52/m^2 + 2^-98 of itself", "[check]") {
+  Generator generator(165);
+  Columns in;
+  for (int m = 3; m <= 2000; m += 2) append(in, {1.0 * m, 0.0, 1.0 + m, 0.0});
+  for (int i = 0; i < 1000; ++i) {
+    const double m = std::ceil(log_uniform(generator, 3.0, 0x1p63));
+    append(in, {m, m < 0x1p53 ? 0.0 : any_low(generator, m), m + 1, 0.0});
+  }
+  const Columns out = of_single_doubles("secants", in);
+  Worst worst;
+  for (const std::size_t side : {0U, 2U})
+    for (std::size_t i = 0; i < in[0].size(); ++i) {
+      const cl_RA m = exact_pair(in, side, i), value = secant_less_one(m);
+      INFO("m = " << in[side][i] << " + " << in[side + 1][i]);
+      worst.require(exact_pair(out, side, i), value, value * (power(-52) / (m * m) + power(-98)));
+    }
+  CHECK(worst.over_allowed > 1 / 32.0);
+
+  // the same bits for whole numbers that need no low part
+  Columns whole(2), of_pairs(4);
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    if (in[0][i] >= 0x1p26) continue;
+    append(whole, {in[0][i], in[2][i]});
+    for (std::size_t k = 0; k < 4; ++k) of_pairs[k].push_back(out[k][i]);
+  }
+  CHECK(of_single_doubles("whole_secants", whole) == of_pairs);
+}
+
+TEST_CASE("the table of atan(sqrt z)/sqrt z is within 2^-104 of it", "[exam]") {
+  constexpr int rows = sizeof arithmetic::root_arctangent_table / sizeof(double) / 8;
+  CHECK(rows == 257);
+  for (int j = 1; j < rows; ++j) {
+    const double* row = arithmetic::root_arctangent_table + 8 * j;
+    const cl_RA s = root(cl_RA(j) / 256), value = exact_arctangent(s) / s;
+    REQUIRE(cln::abs(exact(row[0]) + exact(row[1]) - value) <= power(-104) * value);
+  }
+}
