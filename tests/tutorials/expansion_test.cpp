@@ -70,7 +70,7 @@ TEST_CASE("values, tables, theorems, terms and links come from elsewhere", "[exa
   CHECK_THAT(text_of("the velocity $a(n)$."), Contains("<msub>") && Contains(".</span>"));
   CHECK_THAT(text_of("see {{chapter:02_next}}"), Contains("[The next one](02_next.html)"));
   CHECK_THAT(text_of("{{program}}"), Contains("int main() {}"));
-  CHECK_THAT(text_of("{{figure:counts}} A staircase."),
+  CHECK_THAT(text_of("{{figure:counts}} A\nstaircase.\n"),
              Contains("<figcaption>") && Contains("A staircase."));
 }
 
