@@ -71,11 +71,11 @@ void add_student_commands(Adder& adder) {
       .add_option("ANSWER", adder.options().answer, "an expression, or a file of code; - is stdin")
       ->type_name("");
   check.footer(
-      "Answers: 2alpha, α, √(2+α), a^2, cos^2(psi), \\frac{a}{b} from LaTeX; matrices\n"
-      "[[a, b], [c, d]]; derivations a line a step; without one, what your file says. Exit codes: "
-      "0 right, 1 wrong or\n"
-      "not in the form asked for, 2 unread, 3 undecided. A function that is checked\n"
-      "runs alone: 3 s, 512 MiB, no files, no network.");
+      "Answers: 2alpha, α, √(2+α), a^2, cos^2(psi), \\frac{a}{b} from LaTeX;\n"
+      "matrices [[a, b], [c, d]]; derivations a line a step; without one, what your\n"
+      "file says. Exit codes: 0 right, 1 wrong or not in the form asked for, 2 unread,\n"
+      "3 undecided. A function that is checked runs alone: 3 s, 512 MiB, no files, no\n"
+      "network.");
   adder.add("hint", "The next of three hints", "magicmass learn hint half_angle", learn_hint);
   adder.id(true, "an exercise").for_student().seed().formats({"text"});
   CLI::App& solution = adder.add("solution", "The solution, after an attempt",
