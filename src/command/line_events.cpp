@@ -98,6 +98,7 @@ private:
   std::vector<Scalar> times_;
   std::size_t next_time_ = 0;
   std::optional<Scalar> until_;
+  std::int64_t with_A_ = 0;  // contacts of the first two bodies
 
   Cell cell(const Scalar& value) const { return command::cell(value, result_.fractions); }
 
@@ -129,6 +130,7 @@ private:
 
   void take(const LineEvent<Scalar>& event) {
     audit_.look(motion_, event);
+    if (event.gap == 1) ++with_A_;
     if (event.number % scene_.every != 0) return;
     const bool wall_left = event.gap == 0, wall_right = event.gap == motion_.bodies();
     if (wants(scene_, Output::events))
@@ -153,6 +155,8 @@ private:
     result_.stepped = motion_.events();
     result_.contacts =
         result_.status == "collapse" ? missing_cell() : number_cell(motion_.events());
+    if (scene_.kind != Kind::chain && result_.status != "collapse")
+      result_.counts = {number_cell(with_A_), number_cell(motion_.events() - with_A_)};
     result_.near_ties = motion_.ties().near;
     result_.simultaneous = motion_.ties().simultaneous;
     for (std::size_t i = 0; i < std::min(motion_.bodies(), most_velocities); ++i)

@@ -198,6 +198,25 @@ TEST_CASE("events are stepped in the numbers that are asked for", "[exam]") {
   CHECK(run_program({"simulate", folder / "scene.toml", "--scalar", "float"}).exit_code == 2);
 }
 
+TEST_CASE("counts are told whatever the model", "[exam]") {
+  const TemporaryFolder folder;
+  const auto counts_of = [&](const std::string& kind, const std::string& outputs) {
+    write_file(folder / "scene.toml", kind + "outputs = [" + outputs + "]\n");
+    const nlohmann::json result = json_of({"simulate", folder / "scene.toml"});
+    INFO(result.at("plan").dump());
+    CHECK(result.at("status") == "complete");
+    CHECK((result.at("stepped") == 0) == (outputs == "\"counts\""));
+    return result.at("counts");
+  };
+  for (const std::string kind : {"kind = \"three-body\"\nalpha = \"1\"\nrestitution = \"9/125\"\n",
+                                 "kind = \"wall\"\nmass_ratio = \"100^2\"\n"}) {
+    INFO(kind);
+    const nlohmann::json foretold = counts_of(kind, "\"counts\"");
+    CHECK(foretold.at("N_A") > 3);
+    CHECK(counts_of(kind, "\"counts\", \"events\"") == foretold);
+  }
+}
+
 TEST_CASE("states that no theorem speaks of have no closed form, and are stepped", "[exam]") {
   const TemporaryFolder folder;
   for (const char* scene :
