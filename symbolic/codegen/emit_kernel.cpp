@@ -80,6 +80,7 @@ private:
   std::string type(int number) const {
     const Op op = node(number).op;
     if (form_.rounds_results && op == Op::reciprocal_square_root) return "typename Number::Root";
+    if (form_.rounds_results && op == Op::arctangent) return "typename Number::ArcTangent";
     if (!form_.small_angle.empty() && op == Op::sine) return "typename Number::SmallSine";
     if (!form_.small_angle.empty() && op == Op::cosine) return "typename Number::SmallCosine";
     return "Number";
@@ -169,13 +170,8 @@ private:
     return false;
   }
 
-  // Where only the first collisions are; before them, at index 0, all is as anywhere.
-  std::string is_beyond(const std::string& indent) const {
-    const std::string& index = form_.first_index;
-    return line(indent + "const auto is_beyond = " +
-                (index.empty() ? "alpha >= Real(1.0)"
-                               : "(alpha >= Real(1.0)) & (" + index + " > Real(0.0))") +
-                ";");
+  static std::string is_beyond(const std::string& indent) {
+    return indent + "const auto is_beyond = alpha >= Real(1.0);\n";
   }
 
   std::string replaced_turn(const std::string& indent) const {

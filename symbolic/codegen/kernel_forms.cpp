@@ -153,7 +153,7 @@ const std::vector<KernelForm>& kernel_forms() {
        .kernel = "VelocitiesInRowsKernel",
        .result = "Velocities",
        .summary = "All velocities as sums of a mean and a swing",
-       .domain = "2^-120 <= alpha <= 2^60; 0 <= n <= N_A, n < 2^51",
+       .domain = "2^-120 <= alpha <= 2^60; 0 <= n <= N_A, n < 2^51, and n = 1 from alpha = 1 on",
        .reals = {"alpha"},
        .integers = {"n"},
        .outputs = {{"a", "tangent.a_sum"},

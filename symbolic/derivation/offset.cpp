@@ -91,7 +91,7 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
     velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S), of_c);
     velocity("a_sum", a_t, V * (pow(S, 2) - t * narrowed), power.a);
     velocity("b_sum", b_t, 2 * V * (cotangent * narrowed + t * mixed), power.b);
-    velocity("c_sum", at_last.c_t, 2 * V * (cotangent * narrowed - cotangent * mixed), of_c);
+    velocity("c_sum", at_last.c_t, 2 * V * cotangent * (narrowed - mixed), of_c);
     const auto bound = [&](const std::string& name, const Statement& statement,
                            const Theorem& angles, const char* words) {
       kernel.ordering({.id = "offset." + name + "_" + at_last.name,

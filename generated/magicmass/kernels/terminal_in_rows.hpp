@@ -29,7 +29,7 @@ struct TerminalInRowsKernel {
   Real turn;
   typename Number::Root cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
-  Number angle;  // atan(tan_quarter)
+  typename Number::ArcTangent angle;  // atan(tan_quarter)
   typename Number::SmallCosine cosine;  // cos(r_t)
   typename Number::SmallSine sine;  // sin(r_t)
 
@@ -56,12 +56,11 @@ struct TerminalInRowsKernel {
   [[gnu::always_inline]] LastVelocities<typename Number::Result> result() const {
     const auto tan_quarter_parts = parts(tan_quarter);
     const auto tan_narrowed = tan_quarter_parts * cosine * cosine;
-    const auto product = cot_half * tan_narrowed;
     const auto sine_cosine = cosine * sine;
     return {
         .a_t = sine * sine - tan_quarter_parts * tan_narrowed,
-        .b_t = scaled((product + sine_cosine * tan_quarter_parts), 2.0),
-        .c_t = -scaled((cot_half * sine_cosine - product), 2.0),
+        .b_t = scaled((cot_half * tan_narrowed + sine_cosine * tan_quarter_parts), 2.0),
+        .c_t = -scaled(cot_half * (sine_cosine - tan_narrowed), 2.0),
     };
   }
 };
@@ -76,7 +75,7 @@ void terminal_in_rows_block(std::size_t size, const double* alpha, const double*
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
   arithmetic::Block<typename Number::Root> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
-  arithmetic::Block<Number> angles;
+  arithmetic::Block<typename Number::ArcTangent> angles;
   arithmetic::Block<typename Number::SmallCosine> cosines;
   arithmetic::Block<typename Number::SmallSine> sines;
   for (std::size_t i = 0; i < size; i += lanes) {

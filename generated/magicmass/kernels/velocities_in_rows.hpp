@@ -13,7 +13,7 @@ namespace magicmass::generated {
 inline namespace MAGICMASS_TARGET {
 
 // All velocities as sums of a mean and a swing.
-// Domain: 2^-120 <= alpha <= 2^60; 0 <= n <= N_A, n < 2^51.
+// Domain: 2^-120 <= alpha <= 2^60; 0 <= n <= N_A, n < 2^51, and n = 1 from alpha = 1 on.
 // From: tangent.a_sum, tangent.b_sum, tangent.c_sum, tangent.c_prime_sum.
 // With: tangent.psi, tangent.tan_from_root, tangent.root, tangent.chord, tangent.ball_mean,
 //   tangent.ball_swing.
@@ -26,12 +26,12 @@ struct VelocitiesInRowsKernel {
   Real alpha;
   Real n;
   typename Number::Root cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
-  Number angle;  // atan(tan_quarter)
+  typename Number::ArcTangent angle;  // atan(tan_quarter)
   Number sine;  // sin(2*atan(tan_quarter)*n)
   Number cosine;  // cos(2*atan(tan_quarter)*n)
 
   [[gnu::always_inline]] void stage_1() {
-    const auto is_beyond = (alpha >= Real(1.0)) & (n > Real(0.0));
+    const auto is_beyond = alpha >= Real(1.0);
     cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
   }
 
@@ -44,7 +44,7 @@ struct VelocitiesInRowsKernel {
     const auto turned = sine_cosine(product);
     sine = turned.sine;
     cosine = turned.cosine;
-    const auto is_beyond = (alpha >= Real(1.0)) & (n > Real(0.0));
+    const auto is_beyond = alpha >= Real(1.0);
     sine = select(is_beyond, Number(Real(1.0)), sine);
     cosine = select(is_beyond, Number(cot_half), cosine);
   }
@@ -71,7 +71,7 @@ void velocities_in_rows_block(std::size_t size, const double* alpha, const doubl
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
   arithmetic::Block<typename Number::Root> cot_halfs;
-  arithmetic::Block<Number> angles;
+  arithmetic::Block<typename Number::ArcTangent> angles;
   arithmetic::Block<Number> sines;
   arithmetic::Block<Number> cosines;
   for (std::size_t i = 0; i < size; i += lanes) {

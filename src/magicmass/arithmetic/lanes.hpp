@@ -77,6 +77,12 @@ template <int N>
       no_bits ^ ((no_bits ^ std::bit_cast<Bits>(yes.v)) & condition));
 #endif
 }
+/// Whether it holds in every lane.
+[[gnu::always_inline]] inline bool all(bool condition) { return condition; }
+[[gnu::always_inline]] inline bool all(Lanes<2>::Mask condition) {
+  return _mm_movemask_pd(std::bit_cast<__m128d>(condition)) == 3;
+}
+
 /// yes where the condition holds, else +0.
 [[gnu::always_inline]] inline double where(bool condition, double yes) {
   return condition ? yes : 0.0;
@@ -120,6 +126,22 @@ template <int N>
   return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
                                                    (Bits{} + 0x7fffffffffffffff));
 }
+
+/// The smaller, or y where x or y is not a number.
+[[gnu::always_inline]] inline double smaller(double x, double y) { return x < y ? x : y; }
+[[gnu::always_inline]] inline Lanes<2> smaller(Lanes<2> x, Lanes<2> y) {
+  return _mm_min_pd(x.v, y.v);
+}
+#ifdef __AVX2__
+[[gnu::always_inline]] inline Lanes<4> smaller(Lanes<4> x, Lanes<4> y) {
+  return _mm256_min_pd(x.v, y.v);
+}
+#endif
+#ifdef __AVX512F__
+[[gnu::always_inline]] inline Lanes<8> smaller(Lanes<8> x, Lanes<8> y) {
+  return _mm512_min_pd(x.v, y.v);
+}
+#endif
 
 [[gnu::always_inline]] inline double square_root(double x) { return __builtin_sqrt(x); }
 [[gnu::always_inline]] inline Lanes<2> square_root(Lanes<2> x) { return _mm_sqrt_pd(x.v); }

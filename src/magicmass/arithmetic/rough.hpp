@@ -26,6 +26,9 @@ struct Wide {
 
   friend Rounded<T> operator+(Wide x, Wide y) { return {(x.high + y.high) + (x.low + y.low)}; }
   friend Rounded<T> operator-(Wide x, Wide y) { return {(x.high - y.high) + (x.low - y.low)}; }
+  friend Rounded<T> scaled(Wide x, double power_of_two) {
+    return {(x.high + x.low) * T(power_of_two)};
+  }
   friend Wide operator*(Wide x, T y) {
     const Sum<T> p = two_product(x.high, y);
     return {p.high, p.low + x.low * y};
@@ -70,6 +73,9 @@ struct Cut {
     return {x.lead, x.rest - (x.lead + x.rest) * y.below};
   }
   friend Cut operator*(NearOne<T> x, Cut y) { return y * x; }
+  /// Leads subtract exactly where they are within a factor of 2^26. That one has 26 bits and one for each halving from the larger to
+  /// the smaller: times 24 bits it is exact down to an eighth, and rounded once below.
+  friend Cut operator-(Cut x, Cut y) { return {x.lead - y.lead, x.rest - y.rest}; }
   template <class Condition>
   friend Cut select(Condition condition, Cut yes, Cut no) {
     return {select(condition, yes.lead, no.lead), select(condition, yes.rest, no.rest)};
@@ -83,11 +89,19 @@ struct FromPi {
   T low;
 };
 
+/// high + low, which only whole numbers multiply.
+template <class T>
+struct Angle {
+  T high;
+  T low;
+};
+
 /// high + low, where low may be 2^-5 of high: a product's error is 4 2^-53 of what its lows contribute.
 template <class T>
 struct Rough {
   using Real = T;
   using Root = Cut<T>;
+  using ArcTangent = Angle<T>;
   using SmallSine = Cut<T>;
   using SmallCosine = NearOne<T>;
   using Result = Rounded<T>;
@@ -116,8 +130,7 @@ struct Rough {
   /// (2 + alpha) alpha, or (1 + alpha)^2 where `is_beyond`, which is from alpha = 1 on: within 2^-100.
   template <class Condition>
   static Rough root_argument(T alpha, Condition is_beyond) {
-    const Sum<T> s =
-        ordered_sum(select(is_beyond, alpha, T(2.0)), select(is_beyond, T(1.0), alpha));
+    const Sum<T> s = ordered_sum(select(is_beyond, alpha, T(2.0)), smaller(alpha, T(1.0)));
     const T factor = alpha + where(is_beyond, T(1.0));  // rounded like s.high
     const Sum<T> product = two_product(s.high, factor);
     return {product.high, product.low + s.low * (factor + where(is_beyond, s.high))};
@@ -141,6 +154,13 @@ struct Rough {
     return {select(condition, yes.high, no.high), select(condition, yes.low, no.low)};
   }
 };
+
+/// y being whole.
+template <class T>
+[[gnu::always_inline]] inline Rough<T> operator*(Angle<T> x, T y) {
+  const T product = x.high * y;
+  return {product, product_error_by_whole(x.high, y, product) + x.low * y};
+}
 
 /// y being plus or minus a power of two.
 template <class T>

@@ -23,6 +23,18 @@ struct Block<Rough<T>> {
 };
 
 template <class T>
+struct Block<Angle<T>> {
+  alignas(64) BlockOfDoubles high;
+  alignas(64) BlockOfDoubles low;
+
+  Angle<T> get(std::size_t i) const { return {load<T>(&high[i]), load<T>(&low[i])}; }
+  void put(std::size_t i, Angle<T> x) {
+    store(x.high, &high[i]);
+    store(x.low, &low[i]);
+  }
+};
+
+template <class T>
 struct Block<Cut<T>> {
   alignas(64) BlockOfDoubles lead;
   alignas(64) BlockOfDoubles rest;

@@ -22,7 +22,7 @@ template <class T>
 /// atan t for 0 <= t <= 0.577, within 0.35 2^-53 of itself and what the error of t makes of it; its low part may be 2^-6 of it.
 /// |t.low| <= 2^-53 |t|.
 template <class T>
-[[gnu::always_inline]] inline Rough<T> arctangent(Rough<T> t) {
+[[gnu::always_inline]] inline Angle<T> arctangent(Rough<T> t) {
   // atan t = t - t^3/4 + t^3 p(z), z = t^2 <= 1/3. t^3 is rounded twice, each 2^-53 of it, a quarter of which is at most 0.092 of the
   // whole; t^3 p(z) is at most 0.011 of the whole and rounded thrice more. t.low has the factor 1 - 3/4 z, which
   // should be 1/(1+z): off by 0.03 at most. In all 0.32.

@@ -32,8 +32,8 @@ using RowBits = Row::Mask;  ///< as many 64-bit integers
   return alpha >= 0x1p-120 && alpha <= 0x1p60 && n >= 0 &&
          n <= (alpha >= 1.0 ? 1 : std::int64_t{1} << 51U);
 }
-/// The same of many, where each word says something: negative alpha_words, or bits from 2^51 on in the indices. Doubles compare
-/// like their bits, and those of a negative double are negative; differences wrap, but of the two with alpha not both.
+/// The same of many: a negative word of ratios, or a bit from 2^51 on in one of indices. Doubles compare like their bits, and
+/// those of a negative double are negative; differences wrap, but of the two with alpha not both.
 struct OutOfDomain {
   RowBits ratios{};
   RowBits indices{};

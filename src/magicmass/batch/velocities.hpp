@@ -35,6 +35,9 @@ struct VelocityRows {
   }
 };
 
+/// The kernels may take any alpha where n = 0, but only n = 1 from alpha = 1 on.
+inline constexpr double ratio_at_0 = 0.5;
+
 /// Numbers that round their results have a kernel of sums, others one of products.
 template <class Number, class Certain>
 [[gnu::always_inline]] inline void velocities_of_block(std::size_t rows, const double* alpha,
@@ -59,10 +62,12 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
         OutOfDomain outside;
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
           const RowBits n_ = load_bits(of_n + i);
-          const RowBits ratio = load_bits(of_alpha + i);
-          outside.see(ratio, n_);
-          arithmetic::store(Row(std::bit_cast<Row::Doubles>(ratio)), &ratios[i]);
-          arithmetic::store(as_doubles(n_), &index[i]);
+          const Row ratio = arithmetic::load<Row>(of_alpha + i);
+          outside.see(std::bit_cast<RowBits>(ratio.v), n_);
+          const Row of_n_ = as_doubles(n_);
+          arithmetic::store(of_n_, &index[i]);
+          // before the first collision alpha does not matter
+          arithmetic::store(select(of_n_ > Row(0.0), ratio, Row(ratio_at_0)), &ratios[i]);
         }
         const bool is_any_outside = outside.is_any();
         arithmetic::Certainty<Number> certain;
@@ -82,11 +87,13 @@ template <class Number, class Few = Number>
 void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double* a, double* b,
                                     double* c, double* c_prime, std::size_t size) {
   alignas(64) arithmetic::BlockOfDoubles index;
+  alignas(64) arithmetic::BlockOfDoubles ratios_at_0;
   index.fill(static_cast<double>(n));
+  ratios_at_0.fill(ratio_at_0);
   block_by_block(
       size,
-      [&index, n](std::size_t rows, const double* of_alpha, double* of_a, double* of_b,
-                  double* of_c, double* of_c_prime) {
+      [&index, &ratios_at_0, n](std::size_t rows, const double* of_alpha, double* of_a,
+                                double* of_b, double* of_c, double* of_c_prime) {
         OutOfDomain outside;
         for (std::size_t i = 0; i < rows; i += arithmetic::widest)
           outside.see(load_bits(of_alpha + i), RowBits{} + n);
@@ -103,7 +110,8 @@ void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double*
                                                   certain);
             break;
           default:
-            velocities_of_block<Number>(rows, of_alpha, index.data(), result, certain);
+            velocities_of_block<Number>(rows, n == 0 ? ratios_at_0.data() : of_alpha, index.data(),
+                                        result, certain);
         }
         if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i)

@@ -78,10 +78,11 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                y[3] = where(x[0] >= x[1], one);
                y[4] = where(x[0] == x[1], one);
              }),
-    of<4, 2>("choices",
+    of<4, 3>("choices",
              [](const auto* x, auto* y) {
                y[0] = select(x[0] < x[1], x[2], x[3]);
                y[1] = where(x[0] < x[1], x[2]);
+               y[2] = smaller(x[2], x[3]);
              }),
     of<1, 2>("gather",
              [](const auto* x, auto* y) {
@@ -132,6 +133,11 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
     of<1, 1>("leading_half", [](const auto* x, auto* y) { put(leading_half(x[0]), y); }),
     of<4, 2>("rough_product", [](const auto* x, auto* y) { put(rough(x) * rough(x + 2), y); }),
     of<3, 2>("rough_times_number", [](const auto* x, auto* y) { put(rough(x) * x[2], y); }),
+    of<3, 2>("angle_times_whole",
+             [](const auto* x, auto* y) {
+               const auto given = rough(x);
+               put(Angle<typename decltype(rough(x))::Real>{given.high, given.low} * x[2], y);
+             }),
     of<2, 2>("rough_from_pi",
              [](const auto* x, auto* y) {
                using Number = decltype(rough(x));
@@ -139,6 +145,8 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
              }),
     of<4, 2>("cut_product",
              [](const auto* x, auto* y) { put(parts(rough(x)) * parts(rough(x + 2)), y); }),
+    of<4, 2>("cut_difference",
+             [](const auto* x, auto* y) { put(parts(rough(x)) - parts(rough(x + 2)), y); }),
     of<3, 2>("cut_times_number", [](const auto* x, auto* y) { put(parts(rough(x)) * x[2], y); }),
     of<4, 3>("cut_times_near_one",
              [](const auto* x, auto* y) {
@@ -160,7 +168,12 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                put(square, y);
                put(reciprocal_square_root(square), y + 2);
              }),
-    of<2, 2>("rough_arctangent", [](const auto* x, auto* y) { put(arctangent(rough(x)), y); }),
+    of<2, 2>("rough_arctangent",
+             [](const auto* x, auto* y) {
+               const auto angle = arctangent(rough(x));
+               y[0] = angle.high;
+               y[1] = angle.low;
+             }),
     of<2, 7>("rough_sine_cosine",
              [](const auto* x, auto* y) {
                const auto both = sine_cosine(rough(x));

@@ -86,6 +86,22 @@ TEST_CASE("a product of a rough number and a double is as good as its low", "[ch
       [&](std::size_t i) { return power(-73) * size(exact(in[0][i]) * number(i)); });
 }
 
+TEST_CASE("an angle times a whole number is the product of any two, however many digits that has",
+          "[check]") {
+  Columns in = numbers(11, 4, -6);
+  in.pop_back();
+  Generator generator(12);
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    // eight at a time of one kind: below 2^26, at the edge, and beyond
+    const int most = (i / 8) % 3 == 0 ? 25 : (i / 8) % 3 == 1 ? 26 : 52;
+    in[2][i] = std::trunc(std::fabs(any_double(generator, 0, most)));
+  }
+  const auto out = the_same_at_every_width("angle_times_whole", in);
+  const auto product = the_same_at_every_width("rough_times_number", in);
+  CHECK(same_bits(out[0], product[0]));
+  CHECK(same_bits(out[1], product[1]));
+}
+
 TEST_CASE("products of numbers cut in two need no fused operation", "[check]") {
   const Columns in = numbers(4, 4, -2);
   const Columns out = the_same_at_every_width("cut_product", in);
@@ -99,6 +115,29 @@ TEST_CASE("products of numbers cut in two need no fused operation", "[check]") {
         const cl_RA x = exact_pair(in, 0, i), y = exact_pair(in, 2, i);
         return power(-50) * (size(x - exact(lead[0][i])) * size(y) +
                              size(x) * size(y - exact(other_lead[0][i])));
+      });
+}
+
+TEST_CASE("leads subtract exactly, and nearby ones need few bits", "[check]") {
+  Columns in = numbers(9, 4, -30);
+  Generator generator(10);
+  for (std::size_t i = 0; i < in[0].size(); ++i)
+    in[2][i] = in[0][i] * std::uniform_real_distribution<double>(0.125, 1.0)(generator);
+  const Columns out = the_same_at_every_width("cut_difference", in);
+  const auto lead = the_same_at_every_width("leading_half", {in[0]});
+  const auto other_lead = the_same_at_every_width("leading_half", {in[2]});
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    REQUIRE(exact(out[0][i]) == exact(lead[0][i]) - exact(other_lead[0][i]));
+    // 29 bits: times 24 they fit a double
+    int exponent;
+    const double bits = std::ldexp(std::frexp(out[0][i], &exponent), 29);
+    REQUIRE(bits == std::trunc(bits));
+  }
+  require_within(
+      in, out, [&](std::size_t i) -> cl_RA { return exact_pair(in, 0, i) - exact_pair(in, 2, i); },
+      [&](std::size_t i) -> cl_RA {
+        return power(-52) * (size(exact_pair(in, 0, i) - exact(lead[0][i])) +
+                             size(exact_pair(in, 2, i) - exact(other_lead[0][i])));
       });
 }
 

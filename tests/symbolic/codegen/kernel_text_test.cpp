@@ -104,6 +104,7 @@ TEST_CASE("a kernel that rounds its results names no number type for them", "[ex
   CHECK(times(last, " small_sine_cosine(r_t)") == 1);
   CHECK(times(last, "const auto tan_quarter_parts = parts(tan_quarter);") == 1);
   CHECK(times(last, "typename Number::SmallSine sine;") == 1);
+  CHECK(times(last, ".a_t = sine * sine - tan_quarter_parts * tan_narrowed,") == 1);
 }
 
 TEST_CASE("outputs that are products are handed out unevaluated", "[exam]") {
