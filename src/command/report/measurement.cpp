@@ -67,7 +67,7 @@ void put_in_place(const report::TimeRow& row, Measurement& measurement) {
 std::size_t most_climbed(const ReportRequest& request, const Task& task) {
   const bool is_known = !task.contestants.empty() &&
                         report::quantity_named(task.contestants.front().quantity).is_known;
-  if (request.quick) return is_known ? 8 : 2;
+  if (request.quick) return is_known ? 6 : 2;
   return is_known ? 60 : 6;
 }
 

@@ -123,7 +123,7 @@ void add_report(Program& program) {
   command
       .add_option_function<std::size_t>(
           "--size", [options](std::size_t size) { options->request.size = size; },
-          "inputs a family, at most (2048; 128 if quick)")
+          "inputs a family, at most (2048; 96 if quick)")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 20U).description(""));
   command.add_option("--rounds", request.rounds, "of timing (51)")

@@ -40,7 +40,7 @@ void sort_for_reading(std::vector<Contestant>& contestants) {
 /// Inputs a family. The oracle of a quantity that is known from the tables alone is a hundred times as slow.
 std::size_t usual_size(const ReportRequest& request, const std::string& quantity) {
   const bool is_known = report::quantity_named(quantity).is_known;
-  if (request.quick) return is_known ? 128 : 16;
+  if (request.quick) return is_known ? 96 : 12;
   return is_known ? 2048 : 64;
 }
 
@@ -87,8 +87,8 @@ std::vector<Task> report_tasks(const ReportRequest& request,
 report::TimingPlan timing_plan(const ReportRequest& request) {
   report::TimingPlan plan;
   plan.rounds.rounds = request.rounds;
-  plan.longest_pass_ns = request.quick ? 4e4 : 1e6;
-  plan.longest_call_ns = request.quick ? 3e5 : 2e7;
+  plan.longest_pass_ns = request.quick ? 2e4 : 1e6;
+  plan.longest_call_ns = request.quick ? 1e5 : 2e7;
   if (request.quick) plan.rounds.shortest_ns = 1e4;
   return plan;
 }
