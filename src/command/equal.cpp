@@ -167,10 +167,10 @@ std::vector<std::string> with_expressions_marked(int argc, char** argv) {
 
 void add_equal(Program& program) {
   const auto options = std::make_shared<EqualOptions>();
-  CLI::App& command = add_command(
-      program, "equal", "Decide whether two expressions are equal; exit code 1 if not",
-      "magicmass equal \"sec(pi/5) - 1\" \"sqrt(5) - 2\"\n"
-      "  magicmass equal \"sqrt(x^2)\" \"x\" --domain \"x real\"");
+  CLI::App& command =
+      add_command(program, "equal", "Decide whether two expressions are equal; exit code 1 if not",
+                  "magicmass equal \"sec(pi/5) - 1\" \"sqrt(5) - 2\"\n"
+                  "  magicmass equal \"sqrt(x^2)\" \"x\" --domain \"x real\"");
   command.add_option("LHS", options->left, "an expression; - reads it from stdin")
       ->required()
       ->type_name("");

@@ -51,7 +51,8 @@ void require_known_words(const CLI::App& app) {
   for (const std::string& word : app.remaining(true)) {
     if (word.size() > 1 && word.front() == '-' && word != "--")
       refuse_option(word.substr(0, word.find('=')), command, option_names(*asked));
-    if (!commands.empty()) require_name(asked == &app ? "command" : "command of " + command, word, commands);
+    if (!commands.empty())
+      require_name(asked == &app ? "command" : "command of " + command, word, commands);
   }
 }
 

@@ -18,8 +18,9 @@
 namespace magicmass::report {
 namespace {
 
-constexpr std::string_view header = "quantity,contestant,precision,member,figure,alpha,index,error";
-constexpr std::size_t columns = 8;
+constexpr std::string_view header =
+    "quantity,contestant,precision,member,figure,alpha,index,e,error";
+constexpr std::size_t columns = 9;
 
 /// Subnormal numbers are a place of their own: what is lost there would hide everything else.
 bool is_subnormal(const WorstInput& one) {
@@ -62,7 +63,7 @@ std::array<std::string, columns> fields(const std::string& line) {
     else if (++column == columns)
       break;
   }
-  if (column != columns - 1) throw InvalidInput("the worst inputs have 8 columns, not so: " + line);
+  if (column != columns - 1) throw InvalidInput("the worst inputs have 9 columns, not so: " + line);
   return found;
 }
 
@@ -83,7 +84,8 @@ std::vector<WorstInput> read_worst_inputs(std::istream& file) {
     one.figure = field[4];
     one.input.alpha = number<double>(field[5], line, std::chars_format::hex);
     one.input.index = number<std::int64_t>(field[6], line);
-    one.error = number<double>(field[7], line);
+    one.input.e = number<double>(field[7], line, std::chars_format::hex);
+    one.error = number<double>(field[8], line);
     all.push_back(std::move(one));
   }
   return all;
@@ -96,7 +98,8 @@ void write_worst_inputs(std::ostream& file, std::vector<WorstInput> inputs) {
   for (const WorstInput& one : inputs)
     file << one.quantity << ',' << one.contestant << ',' << one.precision << ',' << one.member
          << ',' << one.figure << ',' << text(one.input.alpha, std::chars_format::hex) << ','
-         << one.input.index << ',' << text(one.error) << '\n';
+         << one.input.index << ',' << text(one.input.e, std::chars_format::hex) << ','
+         << text(one.error) << '\n';
 }
 
 std::vector<WorstInput> merged(std::vector<WorstInput> known, const std::vector<ErrorRow>& rows) {
@@ -129,10 +132,12 @@ std::vector<WorstInput> merged(std::vector<WorstInput> known, const std::vector<
 Family worst_inputs_family(const std::string& quantity, const std::vector<WorstInput>& inputs) {
   Family family{
       "worst ever seen", "the inputs at which some evaluator was worst so far", quantity, {}};
-  std::set<std::pair<std::uint64_t, std::int64_t>> seen;
+  std::set<std::tuple<std::uint64_t, std::int64_t, std::uint64_t>> seen;
   for (const WorstInput& one : inputs)
     if (one.quantity == quantity &&
-        seen.emplace(std::bit_cast<std::uint64_t>(one.input.alpha), one.input.index).second)
+        seen.emplace(std::bit_cast<std::uint64_t>(one.input.alpha), one.input.index,
+                     std::bit_cast<std::uint64_t>(one.input.e))
+            .second)
       family.inputs.push_back(one.input);
   return family;
 }

@@ -21,7 +21,7 @@ struct WorstInput {
   double error = 0;  ///< that figure there, when it was found
 };
 
-/// CSV with a header line, alpha as a hexadecimal float; throws InvalidInput, with the line, where it is something else.
+/// CSV with a header line, alpha and e as hexadecimal floats; throws InvalidInput, with the line, where it is something else.
 std::vector<WorstInput> read_worst_inputs(std::istream& file);
 /// The same back, one line each, sorted: the file's differences are the changes.
 void write_worst_inputs(std::ostream& file, std::vector<WorstInput> inputs);

@@ -69,9 +69,13 @@ KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::stri
         made.op == Op::pi)
       continue;
     if (uses[i] < 2 && !crosses[i] && !ends_a_stage(made)) continue;
-    static const std::map<Op, std::string> kinds{
-        {Op::sine, "sine"},        {Op::cosine, "cosine"},    {Op::add, "sum"},
-        {Op::multiply, "product"}, {Op::arctangent, "angle"}, {Op::reciprocal_square_root, "root"}, {Op::secant_less_one, "secant"}};
+    static const std::map<Op, std::string> kinds{{Op::sine, "sine"},
+                                                 {Op::cosine, "cosine"},
+                                                 {Op::add, "sum"},
+                                                 {Op::multiply, "product"},
+                                                 {Op::arctangent, "angle"},
+                                                 {Op::reciprocal_square_root, "root"},
+                                                 {Op::secant_less_one, "secant"}};
     const auto kind = kinds.find(made.op);
     const std::string base = !made.name.empty()    ? plain_name(made)
                              : kind == kinds.end() ? "value"

@@ -138,8 +138,7 @@ void add_report(Program& program) {
       ->type_name("FILE")
       ->check(not_empty);
   command
-      .add_option("--compare", options->compare,
-                  "does this run, or FILE, agree with FILE (JSON)?")
+      .add_option("--compare", options->compare, "does this run, or FILE, agree with FILE (JSON)?")
       ->type_name("FILE [FILE]")
       ->expected(1, 2);
   command
