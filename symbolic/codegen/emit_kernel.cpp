@@ -7,6 +7,7 @@
 
 #include "codegen/emit.hpp"
 #include "codegen/emit_kernel_block.hpp"
+#include "codegen/emit_kernel_opening.hpp"
 #include "codegen/expression.hpp"
 #include "codegen/kernel_expression.hpp"
 
@@ -31,20 +32,8 @@ public:
   }
 
   std::string run() {
-    std::string text = file_header(form_.summary + ", in any number type");
-    const auto include = [](const std::string& header) {
-      return "#include \"magicmass/" + header + "\"\n";
-    };
-    const std::string functions =
-        form_.rounds_results
-            ? include("arithmetic/rough_block.hpp") + include("arithmetic/rough_functions.hpp")
-            : (uses(Op::arctangent) ? include("arithmetic/arctangent.hpp") : "") +
-                  include("arithmetic/block.hpp") +
-                  (uses(Op::secant_less_one) ? include("arithmetic/secant.hpp") : "") +
-                  (uses(Op::sine) ? include("arithmetic/sine_cosine.hpp") : "");
-    text += "\n#include <cstddef>\n\n" + functions + include("quantities.hpp") +
-            "\nnamespace magicmass::generated {\ninline namespace MAGICMASS_TARGET {\n\n";
-    text += documentation() + "template <class Number>\nstruct " + form_.kernel + " {\n";
+    std::string text = kernel_opening(form_, program_);
+    text += "template <class Number>\nstruct " + form_.kernel + " {\n";
     text += "  using Real = typename Number::Real;\n";
     if (!form_.rounds_results)
       text += "  static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;\n";
@@ -57,6 +46,7 @@ public:
     for (int s = 0; s + 1 < stages_.count; ++s) text += "\n" + stage_function(s);
     text += "\n" + result_function();
     if (!form_.rounds_results) {
+      if (has_rounded_result()) text += "\n" + rounded_result_function();
       if (!form_.first.empty()) text += "\n" + first_function();
       text += "\n" + evaluate_function();
     }
@@ -67,10 +57,6 @@ public:
   }
 
 private:
-  bool uses(Op op) const {
-    return std::any_of(program_.nodes.begin(), program_.nodes.end(),
-                       [op](const Node& node) { return node.op == op; });
-  }
   int stage(int number) const { return stages_.stage[static_cast<std::size_t>(number)]; }
   const Node& node(int number) const { return program_.nodes[static_cast<std::size_t>(number)]; }
   std::string origin(int number) const {
@@ -91,17 +77,6 @@ private:
     return types;
   }
   std::vector<std::string> inputs() const { return loaded_inputs(form_); }
-
-  std::string documentation() const {
-    std::string from, with, first;
-    for (const auto& [member, id] : form_.outputs) from += (from.empty() ? "" : ", ") + id;
-    for (const std::string& id : form_.bindings) with += (with.empty() ? "" : ", ") + id;
-    for (const std::string& id : form_.first) first += (first.empty() ? "" : ", ") + id;
-    return line("// " + form_.summary + ".") + line("// Domain: " + form_.domain + ".") +
-           line("// From: " + from + ".") + (with.empty() ? "" : line("// With: " + with + ".")) +
-           (first.empty() ? "" : line("// From alpha = 1 on: " + first + ".")) +
-           line("// Cost: " + codegen::text(operation_counts(program_)) + ".");
-  }
 
   // The values of a stage in the program's order; a sine and a cosine of one angle together.
   std::string assignments(int s, const std::string& indent) const {
@@ -203,10 +178,35 @@ private:
     return form_.result + (has_products() ? "<arithmetic::Product<Number>>" : "<Number>");
   }
   bool has_products() const {
-    if (form_.rounds_results) return false;
-    return std::all_of(program_.outputs.begin(), program_.outputs.end(), [&](const Output& output) {
-      return printer_.as_product(output.node).has_value();
-    });
+    return !form_.rounds_results && product_count() == program_.outputs.size();
+  }
+  std::size_t product_count() const {
+    std::size_t count = 0;
+    for (const Output& output : program_.outputs)
+      if (printer_.as_product(output.node)) ++count;
+    return count;
+  }
+  // Where some are, and single numbers are asked for, each is rounded as what it is.
+  bool has_rounded_result() const {
+    return !form_.arcsecant.empty() && !form_.result.empty() && !has_products();
+  }
+
+  template <class Value>
+  std::string members(const Value& value) const {
+    std::string text = "    return {\n";
+    for (const Output& output : program_.outputs)
+      text += line("        ." + output.name + " = " + value(output.node) + ",");
+    return text + "    };\n  }\n";
+  }
+  std::string rounded_result_function() const {
+    return "  // The same, each rounded to the nearest or so.\n  [[gnu::always_inline]] " +
+           form_.result + "<Real> rounded_result() const {\n" +
+           assignments(stages_.count - 1, "    ") +
+           "    using Product = arithmetic::Product<Number>;\n" + members([&](int output) {
+             const auto product = printer_.as_product(output);
+             return "rounded(" + (product ? "Product{" + *product + "}" : printer_.value(output)) +
+                    ")";
+           });
   }
 
   std::string result_function() const {
@@ -215,13 +215,10 @@ private:
     text += assignments(stages_.count - 1, "    ");
     if (form_.result.empty())
       return text + line("    return " + printer_.value(program_.outputs[0].node) + ";") + "  }\n";
-    text += "    return {\n";
-    for (const Output& output : program_.outputs)
-      text += line("        ." + output.name + " = " +
-                   (has_products() ? "{" + *printer_.as_product(output.node) + "}"
-                                   : printer_.value(output.node)) +
-                   ",");
-    return text + "    };\n  }\n";
+    return text + members([&](int output) {
+             return has_products() ? "{" + *printer_.as_product(output) + "}"
+                                   : printer_.value(output);
+           });
   }
 
   // A tangent that results use is cut for their products first.
@@ -237,10 +234,8 @@ private:
       text += line("    const auto " + parts + " = parts(" + printer_.name(number) + ");");
       in_parts.printer_.rename(number, parts);
     }
-    text += in_parts.assignments(last, "    ") + "    return {\n";
-    for (const Output& output : program_.outputs)
-      text += line("        ." + output.name + " = " + in_parts.printer_.value(output.node) + ",");
-    return text + "    };\n  }\n";
+    return text + in_parts.assignments(last, "    ") +
+           members([&](int output) { return in_parts.printer_.value(output); });
   }
 
   // The first collisions in a single number: what the selections above do in lanes.

@@ -62,8 +62,9 @@ private:
   bool follows_turn(int number) const { return follows(number, is_turn); }
   // psi, which an output may be, is that of the root whatever alpha is.
   bool is_of_psi(int number) const {
-    return !follows_turn(number) &&
-           follows(number, [](const Node& made) { return made.op == Op::arctangent; });
+    return !follows_turn(number) && follows(number, [](const Node& made) {
+      return made.op == Op::arctangent || made.op == Op::half_arcsecant;
+    });
   }
   int end_of_psi() const {
     int end = 0;

@@ -77,6 +77,8 @@ std::string print(const Program& program, int number, int outer, bool top) {
       return call(program, node, "cos");
     case Op::arctangent:
       return call(program, node, "atan");
+    case Op::half_arcsecant:
+      return parenthesised(outer > 1, "asec(1 + " + print(program, node.args[0], 0, false) + ")/2");
     case Op::secant_less_one:
       return parenthesised(outer > 0,
                            "1/cos(pi/" + print(program, node.args[0], 3, false) + ") - 1");
@@ -156,6 +158,7 @@ OperationCounts operation_counts(const Program& program) {
         cosines.insert(node.args[0]);
         break;
       case Op::arctangent:
+      case Op::half_arcsecant:
         ++counts.arctangents;
         break;
       case Op::secant_less_one:

@@ -26,6 +26,7 @@ enum class Op {
   sine,
   cosine,
   arctangent,
+  half_arcsecant,   // asec(1 + args[0])/2 = atan(args[1]), made by half_arcsecants
   secant_less_one,  // 1/cos(pi/args[0]) - 1, made by secants_of_parts
   ladder_low,  // T(m) and T(m + 1) of args[0] = cos(psi/2), with m = numerator * name + denominator
   ladder_high,

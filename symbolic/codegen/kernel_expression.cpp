@@ -13,7 +13,8 @@ namespace {
 
 bool ends_a_stage(const Node& node) {
   return node.op == Op::reciprocal_square_root || node.op == Op::arctangent ||
-         node.op == Op::sine || node.op == Op::cosine || node.op == Op::secant_less_one;
+         node.op == Op::half_arcsecant || node.op == Op::sine || node.op == Op::cosine ||
+         node.op == Op::secant_less_one;
 }
 
 bool is_power_of_two(const Node& node) {
@@ -74,6 +75,7 @@ KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::stri
                                                  {Op::add, "sum"},
                                                  {Op::multiply, "product"},
                                                  {Op::arctangent, "angle"},
+                                                 {Op::half_arcsecant, "angle"},
                                                  {Op::reciprocal_square_root, "root"},
                                                  {Op::secant_less_one, "secant"}};
     const auto kind = kinds.find(made.op);
@@ -251,6 +253,8 @@ std::string KernelPrinter::right_side(int number) const {
       return "reciprocal_square_root(" + value(made.args[0]) + ")";
     case Op::arctangent:
       return "arctangent(" + value(made.args[0]) + ")";
+    case Op::half_arcsecant:
+      return "half_arcsecant(" + exact(made.args[0]) + ", " + value(made.args[1]) + ")";
     case Op::sine:
     case Op::cosine:
       return "sine_cosine(" + value(made.args[0]) + ")";

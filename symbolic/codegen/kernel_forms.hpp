@@ -27,6 +27,9 @@ struct KernelForm {
   // cosine where there is an index ("n" = 0 or 1; the sine is 0 at 0), else the sine. That is checked.
   std::vector<std::string> first = {};
   std::string first_index = {};
+  // The theorem cos(psi/2) = 1/(1 + alpha): the one arctangent, psi/4, is half_arcsecant(alpha, its tangent), of which a number type
+  // takes what suits it.
+  std::string arcsecant = {};
   // In lanes only, in a number type that has types of its own for the root, for a small angle and for results, which
   // it rounds.
   bool rounds_results = false;

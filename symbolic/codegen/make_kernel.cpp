@@ -93,6 +93,22 @@ void require_root(const std::vector<Theorem>& bindings) {
       throw std::logic_error(named.id() + " has another root than alpha (2 + alpha)");
 }
 
+// psi/4 is atan t by one theorem and asec(1 + alpha)/2 by the other.
+void require_arcsecant(const Source& source, const Theorem& cosine) {
+  const ex psi = proof::symbol("psi");
+  if (!cosine.lhs().is_equal(cos(psi / 2)) ||
+      !(cosine.rhs() * (1 + proof::symbol("alpha"))).normal().is_equal(1))
+    throw std::logic_error(cosine.id() + " does not say that cos(psi/2) is 1/(1 + alpha)");
+  const ex angle = 4 * atan(proof::symbol("tan_quarter"));
+  const auto says = [&](const Theorem& theorem) {
+    return theorem.lhs().is_equal(psi) && theorem.rhs().is_equal(angle);
+  };
+  if (!std::any_of(source.bindings.begin(), source.bindings.end(), says) &&
+      !std::any_of(source.outputs.begin(), source.outputs.end(),
+                   [&](const auto& output) { return says(output.second); }))
+    throw std::logic_error("nothing says that psi is 4 atan(tan_quarter)");
+}
+
 }  // namespace
 
 Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems) {
@@ -111,7 +127,9 @@ Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems)
                   theorem_named(theorems, form.first[i]));
   require_small(form, theorems);
   if (form.rounds_results) require_root(source.bindings);
-  return {form, for_kernel(lower(source))};
+  if (form.arcsecant.empty()) return {form, for_kernel(lower(source))};
+  require_arcsecant(source, theorem_named(theorems, form.arcsecant));
+  return {form, for_kernel_with_arcsecant(lower(source))};
 }
 
 }  // namespace magicmass::codegen

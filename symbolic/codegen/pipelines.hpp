@@ -17,5 +17,7 @@ Program finished(const Program& program, const std::vector<std::string>& wanted)
 Program in_plain_numbers(const Program& lowered);
 // Products as short as they can be: a kernel's number type rounds far below a double, so that their order is free.
 Program for_kernel(const Program& lowered);
+// The same where the one arctangent is psi/4.
+Program for_kernel_with_arcsecant(const Program& lowered);
 
 }  // namespace magicmass::codegen

@@ -122,7 +122,8 @@ GeneratedFile specialised_header(const std::vector<QuantityGroup>& groups, const
     needs_numbers = needs_numbers || !made.kernel.empty();
     for (const Kernel& kernel : made.kernel)
       for (const Node& node : kernel.program.nodes) {
-        needs_arctangent = needs_arctangent || node.op == Op::arctangent;
+        needs_arctangent =
+            needs_arctangent || node.op == Op::arctangent || node.op == Op::half_arcsecant;
         needs_sine = needs_sine || node.op == Op::sine || node.op == Op::cosine;
       }
   }

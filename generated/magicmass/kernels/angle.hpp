@@ -15,7 +15,7 @@ inline namespace MAGICMASS_TARGET {
 // The angle psi of one cycle.
 // Domain: alpha > 0 and finite, of a single double.
 // From: tangent.psi.
-// With: tangent.tan_from_root, tangent.root.
+// With: tangent.tan_from_root, tangent.root, rotation.cos_half_psi.
 // Cost: 1 addition, 3 multiplications, 1 square root, 1 arctangent.
 template <class Number>
 struct AngleKernel {
@@ -24,14 +24,14 @@ struct AngleKernel {
 
   Real alpha;
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
-  Number angle;  // atan(tan_quarter)
+  Number angle;  // asec(1 + alpha)/2
 
   [[gnu::always_inline]] void stage_1() {
     cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
   }
 
   [[gnu::always_inline]] void stage_2() {
-    angle = arctangent(cot_half * alpha);
+    angle = half_arcsecant(alpha, cot_half * alpha);
   }
 
   [[gnu::always_inline]] Number result() const {

@@ -16,7 +16,7 @@ inline namespace MAGICMASS_TARGET {
 // Time and distance at a collision.
 // Domain: alpha > 0 of a single double; 0 <= j < number of collisions, j < 2^51.
 // From: tangent.t_product, tangent.s_product.
-// With: tangent.psi, tangent.tan_from_root, tangent.root.
+// With: tangent.psi, tangent.tan_from_root, tangent.root, rotation.cos_half_psi.
 // From alpha = 1 on: tangent.first_t, tangent.first_s.
 // Cost: 3 additions, 7 multiplications, 1 division, 1 square root, 1 sine-cosine pair,
 //   1 arctangent.
@@ -29,9 +29,9 @@ struct EncountersKernel {
   Real j;
   Number sum;  // 1 + alpha
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
-  Number angle;  // atan(tan_quarter)
-  Number cosine;  // cos(2*atan(tan_quarter)*j)
-  Number sine;  // sin(2*atan(tan_quarter)*j)
+  Number angle;  // asec(1 + alpha)/2
+  Number cosine;  // cos(2*(asec(1 + alpha)/2)*j)
+  Number sine;  // sin(2*(asec(1 + alpha)/2)*j)
 
   [[gnu::always_inline]] void stage_1() {
     sum = Number::sum(Real(1.0), alpha);
@@ -43,7 +43,7 @@ struct EncountersKernel {
   }
 
   [[gnu::always_inline]] void stage_2() {
-    angle = arctangent(cot_half * alpha);
+    angle = half_arcsecant(alpha, cot_half * alpha);
   }
 
   [[gnu::always_inline]] void stage_3() {
@@ -64,6 +64,17 @@ struct EncountersKernel {
     return {
         .t = sum * value * product_2,
         .s = value,
+    };
+  }
+
+  // The same, each rounded to the nearest or so.
+  [[gnu::always_inline]] Encounters<Real> rounded_result() const {
+    const Number product_2 = cot_half * sine;
+    const Number value = reciprocal(cosine + product_2);
+    using Product = arithmetic::Product<Number>;
+    return {
+        .t = rounded(Product{sum * value, product_2, 1.0}),
+        .s = rounded(value),
     };
   }
 

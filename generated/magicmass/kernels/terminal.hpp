@@ -19,7 +19,7 @@ inline namespace MAGICMASS_TARGET {
 //   below 2^51; turn = 1 if N_B = N_A and -1 if N_B = N_A - 1.
 // From: offset.a_after_Q, offset.b_product_after_Q, offset.c_after_Q, offset.rho.
 // With: tangent.psi, tangent.tan_from_root, tangent.root, offset.r_from_turn,
-//   offset.b_product_after_Q.
+//   offset.b_product_after_Q, rotation.cos_half_psi.
 // From alpha = 1 on: tangent.first_a, tangent.first_b, tangent.first_c_prime.
 // Cost: 5 additions, 14 multiplications, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Number>
@@ -32,7 +32,7 @@ struct TerminalKernel {
   Real turn;
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
-  Number angle;  // atan(tan_quarter)
+  Number angle;  // asec(1 + alpha)/2
   Number sine;  // sin(r_t)
   Number cosine;  // cos(r_t)
 
@@ -46,7 +46,7 @@ struct TerminalKernel {
 
   [[gnu::always_inline]] void stage_2() {
     tan_quarter = cot_half * alpha;
-    angle = arctangent(tan_quarter);
+    angle = half_arcsecant(alpha, tan_quarter);
   }
 
   [[gnu::always_inline]] void stage_3() {
@@ -71,6 +71,21 @@ struct TerminalKernel {
         .b_t = b_N_B,
         .c_t = scaled(sum * product_2, 2.0),
         .rho = b_N_B * b_N_B,
+    };
+  }
+
+  // The same, each rounded to the nearest or so.
+  [[gnu::always_inline]] Terminal<Real> rounded_result() const {
+    const Number product = tan_quarter * cosine;
+    const Number sum = product - sine;
+    const Number product_2 = cot_half * cosine;
+    const Number b_N_B = scaled((product_2 + sine) * product, 2.0);
+    using Product = arithmetic::Product<Number>;
+    return {
+        .a_t = rounded(Product{sine + product, sum, -1.0}),
+        .b_t = rounded(b_N_B),
+        .c_t = rounded(Product{sum, product_2, 2.0}),
+        .rho = rounded(Product{b_N_B, b_N_B, 1.0}),
     };
   }
 

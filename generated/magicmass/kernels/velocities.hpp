@@ -17,7 +17,7 @@ inline namespace MAGICMASS_TARGET {
 // Domain: 2^-120 <= alpha <= 2^60 in lanes, any positive alpha of a single double; 0 <= n <= N_A,
 //   n < 2^51.
 // From: tangent.a, tangent.b_product, tangent.c, tangent.c_prime.
-// With: tangent.psi, tangent.tan_from_root, tangent.root.
+// With: tangent.psi, tangent.tan_from_root, tangent.root, rotation.cos_half_psi.
 // From alpha = 1 on: tangent.first_a, tangent.first_b, tangent.first_c, tangent.first_c_prime.
 // Cost: 4 additions, 13 multiplications, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Number>
@@ -29,9 +29,9 @@ struct VelocitiesKernel {
   Real n;
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
-  Number angle;  // atan(tan_quarter)
-  Number cosine;  // cos(2*atan(tan_quarter)*n)
-  Number sine;  // sin(2*atan(tan_quarter)*n)
+  Number angle;  // asec(1 + alpha)/2
+  Number cosine;  // cos(2*(asec(1 + alpha)/2)*n)
+  Number sine;  // sin(2*(asec(1 + alpha)/2)*n)
 
   [[gnu::always_inline]] void stage_1() {
     Number square = (Number::sum(Real(2.0), alpha)) * alpha;
@@ -43,7 +43,7 @@ struct VelocitiesKernel {
 
   [[gnu::always_inline]] void stage_2() {
     tan_quarter = cot_half * alpha;
-    angle = arctangent(tan_quarter);
+    angle = half_arcsecant(alpha, tan_quarter);
   }
 
   [[gnu::always_inline]] void stage_3() {

@@ -80,5 +80,11 @@ template <class T>
   return {normalised(sum), t.error + T(0x1p-88) * sum.high};
 }
 
+/// atan t = asec(1 + x)/2 for t = sqrt(x/(2 + x)), given both: some number types have a better way from x.
+template <class Number>
+[[gnu::always_inline]] inline Number half_arcsecant(typename Number::Real, Number tangent) {
+  return arctangent(tangent);
+}
+
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::arithmetic

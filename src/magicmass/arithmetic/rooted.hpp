@@ -2,6 +2,7 @@
 #pragma once
 
 #include "magicmass/arithmetic/error_free.hpp"
+#include "magicmass/arithmetic/half_arcsecant.hpp"
 #include "magicmass/arithmetic/root_arctangent_table.hpp"
 #include "magicmass/arithmetic/table_node.hpp"
 
@@ -40,6 +41,21 @@ struct RootOf {
   const Sum<double> product = two_product(s, row[0]);
   return Rooted(product.high + (product.low + s * ((row[1] + row[2] * d) + square * further)));
 }
+
+/// A double of which nothing is asked but half an arcsecant below 1: what leads to its tangent is computed for nobody.
+struct OfArcsecant {
+  using Real = double;
+
+  double value;
+
+  static OfArcsecant sum(double x, double y) { return {x + y}; }
+  friend OfArcsecant operator*(OfArcsecant x, double y) { return {x.value * y}; }
+  friend OfArcsecant reciprocal_square_root(OfArcsecant x) { return x; }
+  friend OfArcsecant half_arcsecant(double x, OfArcsecant) {
+    return {rounded_half_arcsecant_of(x)};
+  }
+  friend OfArcsecant scaled(OfArcsecant x, double power_of_two) { return {x.value * power_of_two}; }
+};
 
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::arithmetic

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "magicmass/arithmetic/half_arcsecant.hpp"
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/root_arctangent_table.hpp"
@@ -90,32 +91,41 @@ template <class T>
   return Tabled<double>(Pair<double>(product.high, (product.low + of_low) + t.high * rest));
 }
 
+/// atan t = asec(1 + x)/2 for 0 < x and t = sqrt(x/(2 + x)), as exactly as `arctangent`: below x = 1 from x, which is exact and
+/// waits for nothing.
+[[gnu::always_inline]] inline Tabled<double> half_arcsecant(double x, Tabled<double> tangent) {
+  return x < 1.0 ? Tabled<double>(half_arcsecant_of(x)) : arctangent(tangent);
+}
+
+/// (c, -s) of (s, c).
+[[gnu::always_inline]] inline Lanes<2> quarter_turned(Lanes<2> x) {
+  return Lanes<2>(_mm_xor_pd(_mm_shuffle_pd(x.v, x.v, 1), _mm_set_pd(-0.0, 0.0)));
+}
+
 /// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-60, and what the error of x makes of them; the sine
 /// within 2^-60 of itself up to 3.
 /// Outside they mean nothing.
 [[gnu::always_inline]] inline SineCosine<Tabled<double>> sine_cosine(Tabled<double> unordered) {
   // x = c + d + low, c = j/256, |d| <= 2^-9: sin(d + low) = d + of_sine, |of_sine| <= 2^-29.5 + 2^-52, less than 2^-66 of it left
   // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
-  // sin x = s + (c d + (c of_sine + s of_cosine)) with c d exact, and so is its sum with s unless |s| < |c d|, next to pi, where
-  // it is within 2^-53 of 2^-9; and cos x likewise, but exact also next to pi/2, where the last velocities vanish.
+  // sin x = s + (c d + (c of_sine + s of_cosine)) with c d exact, and so is its sum with s; and cos x likewise, (c, -s) in place
+  // of (s, c): both side by side.
+  using T = Lanes<2>;
   const Pair<double> x = normalised(unordered.pair);
   const TableNode node = table_node<4>(sine_cosine_table, x.high);
   const double d = node.rest;
-  const double* row = node.row;
-  const Pair<double> s(row[0], row[1]), c(row[2], row[3]);
+  const Pair<T> at_c(load<T>(node.row), load<T>(node.row + 2));
+  const Pair<T> slope(quarter_turned(at_c.high), quarter_turned(at_c.low));
   const double z = d * d;
   const double of_sine = x.low - (d * z) * (0x1.5555555555555p-3 - z * 0x1.1111111111111p-7);
   const double of_cosine = z * (0x1.5555555555555p-5 * z - 0.5) - x.low * d;
-  const Sum<double> c_d = two_product(c.high, d);
-  const Sum<double> s_head = ordered_sum(s.high, c_d.high);
-  const Sum<double> s_d = two_product(s.high, d);
-  const Sum<double> c_head = two_difference(c.high, s_d.high);
-  const double s_low =
-      ((s_head.low + c_d.low) + (s.low + c.low * d)) + (c.high * of_sine + s.high * of_cosine);
-  const double c_low =
-      ((c_head.low - s_d.low) + (c.low - s.low * d)) + (c.high * of_cosine - s.high * of_sine);
-  return {Tabled<double>(normalised(Pair<double>(s_head.high, s_low))),
-          Tabled<double>(normalised(Pair<double>(c_head.high, c_low)))};
+  const Sum<T> step = two_product(slope.high, T(d));
+  const Sum<T> head = two_sum(at_c.high, step.high);
+  const T low = ((head.low + step.low) + (at_c.low + slope.low * T(d))) +
+                (slope.high * T(of_sine) + at_c.high * T(of_cosine));
+  const Pair<T> both = normalised(Pair<T>(head.high, low));
+  return {Tabled<double>(Pair<double>(both.high.v[0], both.low.v[0])),
+          Tabled<double>(Pair<double>(both.high.v[1], both.low.v[1]))};
 }
 
 }  // namespace MAGICMASS_TARGET

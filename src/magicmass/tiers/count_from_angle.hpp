@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
+#include "magicmass/arithmetic/lanes.hpp"
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
 
@@ -23,19 +25,21 @@ inline namespace MAGICMASS_TARGET {
     if (past > unsure && past < 1.0 - unsure) [[likely]]
       return below;
   }
-  // A pair's quotient and half a turn are good to 2^-100; what follows is exact but for one rounding, 2^-54.
+  // A pair's quotient and half a turn are good to 2^-100; what is left of it beside a whole number is rounded once.
   const auto q = arithmetic::Pair<double>(half_pi[0], half_pi[1]) / normalised(half_h);
   if (!(q.high < 0x1p63)) return 0;
-  const auto leading = static_cast<std::int64_t>(q.high);
-  const double rest = (q.high - static_cast<double>(leading)) + q.low;
-  auto further = static_cast<std::int64_t>(rest);
-  double past = rest - static_cast<double>(further);
-  if (past < 0.0) {
-    past += 1.0;
-    --further;
+  auto beside = static_cast<std::int64_t>(q.high);
+  double of_high = q.high - static_cast<double>(beside);
+  if (of_high > 0.5) {
+    of_high -= 1.0;
+    ++beside;
   }
-  const double unsure = 0x1p-52 + q.high * (0x1p-98 + relative_error);
-  return past > unsure && past < 1.0 - unsure ? leading + further : 0;
+  const double of_low = arithmetic::nearest_whole(q.low);
+  beside += static_cast<std::int64_t>(of_low);
+  const double past = of_high + (q.low - of_low);
+  const double unsure = q.high * (0x1p-98 + relative_error) + std::fabs(past) * 0x1p-52;
+  if (!(std::fabs(past) > unsure && std::fabs(past) < 1.0 - unsure)) return 0;
+  return past > 0.0 ? beside : beside - 1;
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -5,11 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "magicmass/accurate.hpp"
-#include "magicmass/angle_closed.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
-#include "magicmass/evaluators/certified_velocities.hpp"
 #include "magicmass/evaluators/count.hpp"
 #include "magicmass/simulator/valid_input.hpp"
 #include "magicmass/tiers/first_encounter.hpp"
@@ -25,15 +22,43 @@ namespace {
 
 /// Up to here alpha can be split for its products, and 1/(1 + alpha) has all its digits.
 constexpr double largest_alpha = 0x1p960;
-/// Below this a pair's product with alpha has no low part, and a few collisions magnify that.
-constexpr double least_in_pairs = 0x1p-1000;
+/// From here on every product has its low part.
+constexpr double least_in_pairs = 0x1p-600;
+/// Below it n^2 alpha is less than 2^-470 for every n: but for so little of them a_n, c_n, c'_n, t_n and s_n do not depend on alpha,
+/// and b_n is in proportion to it. An alpha larger by this, and 2^-210 for 2^-470, serves as well.
+constexpr double from_tiny = 0x1p256;
+/// And beyond the largest a_1 = a_t is -1, and the other velocities are as 1/alpha, to 2^-850 of themselves.
+constexpr double from_huge = 0x1p-100;
 /// Below this N_A + N_B is beyond 2^63.
 constexpr double least_alpha = 0x1p-124;
+
+[[gnu::noinline, gnu::cold]] generated::Velocities<double> velocities_at_tiny(double alpha,
+                                                                              std::int64_t n) {
+  auto result = tiers::single_kernels().fast_velocities(alpha * from_tiny, static_cast<double>(n),
+                                                        tiers::low_part(n));
+  result.b /= from_tiny;
+  return result;
+}
+[[gnu::noinline, gnu::cold]] generated::Velocities<double> first_at_huge(double alpha) {
+  auto result = tiers::single_kernels().fast_velocities(alpha * from_huge, 1.0, 0.0);
+  result.b *= from_huge;
+  result.c *= from_huge;
+  result.c_prime *= from_huge;
+  return result;
+}
+[[gnu::noinline, gnu::cold]] Terminal terminal_at_huge(double alpha) {
+  Terminal result;
+  tiers::single_kernels().fast_terminal(alpha * from_huge, result);
+  result.b_t *= from_huge;
+  result.c_t *= from_huge;
+  result.rho = result.b_t * result.b_t;
+  return result;
+}
 
 [[gnu::noinline, gnu::cold]] std::optional<Terminal> terminal_from_exact_counts(double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   if (!counts) return std::nullopt;
-  if (alpha > largest_alpha) return accurate::terminal(alpha);
+  if (alpha > largest_alpha) return terminal_at_huge(alpha);
   const auto result = tiers::single_kernels().fast_terminal_at(
       alpha, static_cast<double>(counts->N_A), tiers::low_part(counts->N_A),
       counts->N_B == counts->N_A ? 1.0 : -1.0);
@@ -53,13 +78,14 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
   if (n == 0) return {1.0, 0.0, 0.0, 0.0};
   if (alpha >= 1.0 && n > 1)
     refuse("n must be 0 or 1 from alpha = 1 on, where there are two collisions", n);
-  return certified_velocities(alpha, n);
+  return alpha > 1.0 ? first_at_huge(alpha) : velocities_at_tiny(alpha, n);
 }
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   if (alpha > 0.0 && alpha < 1.0 && j > 1) [[likely]] {
     const auto result =
-        tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j), tiers::low_part(j));
+        tiers::single_kernels().fast_encounters(alpha >= least_in_pairs ? alpha : alpha * from_tiny,
+                                                static_cast<double>(j), tiers::low_part(j));
     if (result.s > 0.0) [[likely]]
       return result;
   }
@@ -78,14 +104,12 @@ std::optional<Terminal> terminal(double alpha) {
   return found;
 }
 
-// Two roundings before the root, which halves them, its own and the last: next to sqrt(alpha/(2 + alpha)) = 1/2, the worst
-// place, 0.3 + 0.4 + 0.8 + 0.5 ulp if all were at their worst together; 1.7 are seen.
+// Below 1 the root's rounding, at most 1.01 ulp, and the last one. From 1 on two roundings before the root, which halves them, its
+// own and the last: at sqrt(alpha/(2 + alpha)) = 0.58, the worst place, 0.3 + 0.3 + 0.7 + 0.5 ulp if all were at their worst together.
 double angle(double alpha) {
-  if (alpha >= std::numeric_limits<double>::min() * 4 &&
-      alpha <= std::numeric_limits<double>::max()) [[likely]]
-    return tiers::single_kernels().fast_angle(alpha);
-  require_positive_finite("alpha", alpha);
-  return generated::angle_closed(alpha);  // alpha/(2 + alpha) would be no normal double
+  if (!(alpha > 0.0 && alpha <= std::numeric_limits<double>::max())) [[unlikely]]
+    require_positive_finite("alpha", alpha);
+  return tiers::single_kernels().fast_angle(alpha);
 }
 
 generated::Ratios<double> ratios(std::int64_t k) {

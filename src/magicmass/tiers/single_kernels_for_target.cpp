@@ -23,6 +23,7 @@ namespace magicmass::tiers {
 namespace {
 
 using arithmetic::Bounded;
+using arithmetic::OfArcsecant;
 using arithmetic::Pair;
 using arithmetic::Tabled;
 using arithmetic::Tracked;
@@ -135,7 +136,7 @@ constexpr double largest_turn = 3.14;
   kernel.cosine = -turned.cosine;
   // The angle's relative error, and twice that of the rest, times j is the error of 1/s = sin((j+1)h)/sin h, but for a
   // factor of 2: rounding alpha alone would cost 2^5 times as much. Its sign is what has to be certain.
-  const auto last = nearest(kernel.result());
+  const auto last = kernel.rounded_result();
   if (last.s > 0.0 && (last.s * j) * relative_error_of_angle(alpha) < 0.125) return last;
   if (!(alpha >= least_tracked && j < 0x1p51)) return unknown;
   // next to a threshold
@@ -156,7 +157,7 @@ Encounters<double> fast_encounters(double alpha, double j, double j_low) {
   if (!(kernel.angle.pair.high * (2.0 * j) < largest_turn)) [[unlikely]]
     return last_encounters(kernel);
   kernel.stage_3();
-  return nearest(kernel.result());
+  return kernel.rounded_result();
 }
 
 /// Up to here 2 k + 2 is a Whole.
@@ -176,7 +177,7 @@ Ratios<double> fast_ratios(double k, double k_low) {
 using FastTerminal = TerminalKernel<Tabled<double>>;
 
 [[gnu::always_inline]] inline Terminal<double> fast_result(const FastTerminal& kernel) {
-  auto result = nearest(kernel.result());
+  auto result = kernel.rounded_result();
   // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
   if (result.rho < 0x1p-960) [[unlikely]]
     result.rho = result.b_t * result.b_t;
@@ -208,6 +209,12 @@ Terminal<double> fast_terminal_at(double alpha, double N_A, double N_A_low, doub
   result.rho = velocities.rho;
 }
 
+/// Next to a threshold, where the tables do not tell.
+[[gnu::noinline, gnu::cold]] std::int64_t total_of_closest(double alpha) {
+  const auto psi = AngleKernel<Bounded<double>>::evaluate(alpha);
+  return total_from_angle(scaled(psi.pair, 0.25), psi.error / psi.pair.high + 0x1p-100);
+}
+
 bool fast_terminal(double alpha, magicmass::Terminal& result) {
   FastTerminal kernel;
   kernel.alpha = alpha;
@@ -222,6 +229,8 @@ bool fast_terminal(double alpha, magicmass::Terminal& result) {
   kernel.stage_2();
   if (total == 0) [[unlikely]] {
     total = total_from_angle(kernel.angle.pair, relative_error_of_angle(alpha));
+    if (total == 0) [[unlikely]]
+      total = total_of_closest(alpha);
     if (total == 0) return false;
   }
   result.counts = {(total + 1) >> 1, total >> 1};
@@ -240,8 +249,9 @@ bool velocities(double alpha, double n, Velocities<double>& result) {
 bool encounters(double alpha, double j, Encounters<double>& result) {
   return in_two_stages<EncountersKernel>(result, alpha, j);
 }
-/// The form without a product that might overflow.
 double fast_angle(double alpha) {
+  if (alpha < 1.0) return AngleKernel<OfArcsecant>::evaluate(alpha).value;
+  // the form without a product that might overflow
   return generated::angle_product(arithmetic::Rooted(alpha)).value;
 }
 bool angle(double alpha, double& result) {

@@ -56,6 +56,7 @@ struct Number {
     ++made.arctangents;
     return Number(std::atan(x.value));
   }
+  friend Number half_arcsecant(Exact, Number tangent) { return arctangent(tangent); }
   friend Number select(bool condition, Number yes, Number no) { return condition ? yes : no; }
 
 private:

@@ -244,6 +244,10 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                     }),
     of_single<1, 1>("root_arctangent",
                     [](const double* x, double* y) { y[0] = atan(sqrt(Rooted(x[0]))).value; }),
+    of_single<1, 1>("rounded_half_arcsecant",
+                    [](const double* x, double* y) { y[0] = rounded_half_arcsecant_of(x[0]); }),
+    of_single<1, 2>("half_arcsecant",
+                    [](const double* x, double* y) { put(half_arcsecant_of(x[0]), y); }),
     of_single<4, 4>("secants",
                     [](const double* x, double* y) {
                       const auto both = secants_less_one(tabled(x), tabled(x + 2));

@@ -131,6 +131,27 @@ TEST_CASE("atan(sqrt z) of a double is within 2.01 2^-53 of itself", "[check]") 
   CHECK(worst.over_allowed > 0.5);
 }
 
+TEST_CASE(
+    "asec(1 + x)/2 of a double is within 2.01 2^-53, as a pair within 2^-60 and 2^-51 x + 2^-100 "
+    "of itself",
+    "[check]") {
+  Columns in{arguments(166, 1.0)[0]};
+  for (int k = -1074; k < 0; k += 7) append(in, {std::ldexp(1.0, k)});
+  const Columns rounded = of_single_doubles("rounded_half_arcsecant", in);
+  const Columns pairs = of_single_doubles("half_arcsecant", in);
+  Worst worst_rounded, worst;
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA x = exact(in[0][i]), value = exact_arctangent(root(x / (2 + x)));
+    INFO(in[0][i]);
+    worst_rounded.require(exact(rounded[0][i]), value, value * power(-53) * 201 / 100);
+    worst.require(exact_pair(pairs, 0, i), value,
+                  value * std::min(power(-60), cl_RA(power(-51) * x + power(-100))));
+    REQUIRE(std::fabs(pairs[1][i]) <= 0x1p-9 * pairs[0][i]);
+  }
+  CHECK(worst_rounded.over_allowed > 0.5);
+  CHECK(worst.over_allowed > 1 / 8.0);
+}
+
 TEST_CASE("1/cos(pi/m) - 1 is within 2^-52/m^2 + 2^-98 of itself", "[check]") {
   Generator generator(165);
   Columns in;
@@ -159,12 +180,17 @@ TEST_CASE("1/cos(pi/m) - 1 is within 2^-52/m^2 + 2^-98 of itself", "[check]") {
   CHECK(of_single_doubles("whole_secants", whole) == of_pairs);
 }
 
-TEST_CASE("the table of atan(sqrt z)/sqrt z is within 2^-104 of it", "[exam]") {
+TEST_CASE("the tables of atan(sqrt z)/sqrt z and asec(1 + x)/(2 sqrt x) are within 2^-104 of them",
+          "[exam]") {
   constexpr int rows = sizeof arithmetic::root_arctangent_table / sizeof(double) / 8;
   CHECK(rows == 257);
-  for (int j = 1; j < rows; ++j) {
-    const double* row = arithmetic::root_arctangent_table + 8 * j;
-    const cl_RA s = root(cl_RA(j) / 256), value = exact_arctangent(s) / s;
+  CHECK(sizeof arithmetic::root_arcsecant_table == sizeof arithmetic::root_arctangent_table);
+  const auto compare = [](const double* row, const cl_RA& value) {
     REQUIRE(cln::abs(exact(row[0]) + exact(row[1]) - value) <= power(-104) * value);
+  };
+  for (int j = 1; j < rows; ++j) {
+    const cl_RA x = cl_RA(j) / 256, s = root(x);
+    compare(arithmetic::root_arctangent_table + 8 * j, exact_arctangent(s) / s);
+    compare(arithmetic::root_arcsecant_table + 8 * j, exact_arctangent(root(x / (2 + x))) / s);
   }
 }

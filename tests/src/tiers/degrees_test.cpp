@@ -45,7 +45,7 @@ struct Degree {
   friend Degree reciprocal(Degree x) { return x; }
   // each primitive makes numbers of degree 1
   friend Degree reciprocal_square_root(Degree) { return of(1); }
-  friend Degree arctangent(Degree) { return of(1); }
+  friend Degree half_arcsecant(double, Degree) { return of(1); }
   friend arithmetic::SineCosine<Degree> sine_cosine(Degree) { return {of(1), of(1)}; }
 };
 

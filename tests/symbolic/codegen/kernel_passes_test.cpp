@@ -12,6 +12,7 @@
 #include "codegen/ir.hpp"
 #include "codegen/passes/common_subexpressions.hpp"
 #include "codegen/passes/flat_products.hpp"
+#include "codegen/passes/half_arcsecants.hpp"
 #include "codegen/passes/reciprocal_square_roots.hpp"
 #include "codegen/passes/secants_of_parts.hpp"
 #include "codegen/passes/shared_products.hpp"
@@ -249,4 +250,20 @@ TEST_CASE("1/cos(pi/m) - 1 is one operation, and nothing like it is", "[exam]") 
   CHECK(after(-1, 0, true, 1) == "as it was");
   CHECK(after(-1, 1, false, 1) == "as it was");
   CHECK(after(-1, 1, true, 3) == "as it was");
+}
+
+TEST_CASE("the one arctangent becomes half an arcsecant of alpha, its tangent kept", "[exam]") {
+  Builder b;
+  const int tangent = b.make(Op::multiply, {b.input("alpha"), b.input("cotangent")});
+  const int angle = b.make(Op::arctangent, {tangent});
+  b.output("psi", b.make(Op::multiply, {b.constant(4), angle}));
+  const Program program = half_arcsecants(b.program);
+  CHECK(formula(program, program.outputs[0].node) == "4*(asec(1 + alpha)/2)");
+  const auto made = std::find_if(program.nodes.begin(), program.nodes.end(),
+                                 [](const Node& node) { return node.op == Op::half_arcsecant; });
+  REQUIRE(made != program.nodes.end());
+  CHECK(formula(program, made->args[1]) == "alpha*cotangent");
+
+  b.output("other", b.make(Op::arctangent, {b.input("x")}));
+  CHECK_THROWS_WITH(half_arcsecants(b.program), "a program has 2 arctangents");
 }

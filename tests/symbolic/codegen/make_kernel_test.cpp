@@ -51,6 +51,13 @@ TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam]") {
   form.small_angle = {"offset.not_negative_after_Q"};
   refused(form, "offset.not_negative_after_Q does not say that r_t is psi/4 at most");
 
+  form = form_named("velocities");
+  form.arcsecant = "rotation.psi_half_angle";
+  refused(form, "rotation.psi_half_angle does not say that cos(psi/2) is 1/(1 + alpha)");
+  form = form_named("ratios");
+  form.arcsecant = "rotation.cos_half_psi";
+  refused(form, "nothing says that psi is 4 atan(tan_quarter)");
+
   form = form_named("velocities_in_rows");
   std::replace(form.bindings.begin(), form.bindings.end(), std::string("tangent.root"),
                std::string("tangent.cot_half"));
