@@ -12,4 +12,7 @@ namespace magicmass::command {
 std::string certified_decimal(const reference::Enclosure& value, int digits,
                               long starting_precision);
 
+/// The same rounded to the nearest double.
+double certified_double(const reference::Enclosure& value, long starting_precision);
+
 }  // namespace magicmass::command

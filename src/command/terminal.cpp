@@ -51,7 +51,7 @@ void say_that_they_never_end(const TerminalOptions& options, std::size_t collaps
 void answer_inelastic(const TerminalOptions& options, const cln::cl_RA& e) {
   if (accuracy(options.accuracy).tier != "fast")
     throw InvalidInput(
-        "--tier exact and --digits go with restitution 1; allowed here: --tier fast");
+        "--tier accurate, exact and --digits go with restitution 1; allowed here: --tier fast");
   std::vector<std::string> columns = elastic_columns;
   columns.insert(columns.end(), {"restitution", "status", "t_collapse"});
   std::size_t collapses = 0;

@@ -10,13 +10,14 @@
 
 #include "command/alpha_value.hpp"
 #include "command/certified.hpp"
+#include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/fast.hpp"
 #include "magicmass/reference/decimal.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/velocities.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 #include "magicmass/velocities_exact.hpp"
-#include "magicmass/velocities_product.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -26,11 +27,15 @@ using cln::cl_RA;
 
 constexpr int digits_of_irrationals = 30;
 
-generated::Velocities<double> fast_velocities(const MassRatio& alpha, const cl_I& n) {
+std::int64_t in_64_bits(const cl_I& n) {
   if (n > cl_I(std::numeric_limits<std::int64_t>::max()))
     throw Undecided("n = " + reference::to_text(n) +
                     " does not fit 64 bits; use --tier exact --digits D");
-  return generated::velocities_product<double>(nearest_double(alpha), cln::cl_I_to_long(n));
+  return cln::cl_I_to_long(n);
+}
+
+generated::Velocities<double> fast_velocities(const MassRatio& alpha, const cl_I& n) {
+  return fast::velocities(nearest_double(alpha), in_64_bits(n));
 }
 
 /// Bits of the denominators: (1 + alpha)^(2n+1) is what Chebyshev polynomials of 1/(1 + alpha) divide by.
@@ -57,13 +62,43 @@ long starting_precision(const MassRatio& alpha, const cl_I& n, int digits) {
   return 128 + 4L * digits + 8 * static_cast<long>(cln::integer_length(n)) + 8 * length;
 }
 
+/// One of the velocities, or what is made of them.
+template <class Member>
+reference::Enclosure enclosure_of(const MassRatio& alpha, const cl_I& n, Member member) {
+  return [=](long precision) {
+    return member(reference::enclosed_velocities(reference::enclosure(alpha), n, precision));
+  };
+}
+const auto square_of_b = [](const auto& v) { return v.b * v.b; };
+
 reference::CycleVelocities<std::string> certified_velocities(const MassRatio& alpha, const cl_I& n,
                                                              int digits) {
   if (!all_goes_to_B(alpha, n)) return reference::certified_digits(alpha, n, digits);
-  const reference::Enclosure c = [&](long precision) {
-    return reference::enclosed_velocities(reference::enclosure(alpha), n, precision).c;
-  };
+  const auto c = enclosure_of(alpha, n, [](const auto& v) { return v.c; });
   return {"0", "1", certified_decimal(c, digits, starting_precision(alpha, n, digits)), "0"};
+}
+
+/// The doubles next to the velocities at alpha as it is written, and to (b_n/V)^2.
+struct NearestVelocities {
+  generated::Velocities<double> v;
+  double square_of_b;
+};
+NearestVelocities accurate_velocities(const MassRatio& alpha, const cl_I& n) {
+  const std::optional<cl_RA> rational = reference::exact(alpha);
+  const auto nearest = [](const cl_RA& x) { return reference::nearest<double>(x); };
+  if (rational && exact_length(*rational, n) < cl_I(1L << 14)) {  // it may be half way between two
+    const auto v = exact_velocities(*rational, n);
+    return {{nearest(v.a), nearest(v.b), nearest(v.c), nearest(v.c_prime)}, nearest(v.b * v.b)};
+  }
+  const auto certain = [&](auto member) {
+    return certified_double(enclosure_of(alpha, n, member),
+                            starting_precision(alpha, n, digits_of_irrationals));
+  };
+  const double c = certain([](const auto& v) { return v.c; });
+  if (all_goes_to_B(alpha, n)) return {{0.0, 1.0, c, 0.0}, 1.0};
+  return {{certain([](const auto& v) { return v.a; }), certain([](const auto& v) { return v.b; }),
+           c, certain([](const auto& v) { return v.c_prime; })},
+          certain(square_of_b)};
 }
 
 /// (b_n / V)^2 to `digits` digits.
@@ -76,12 +111,8 @@ std::string certified_square_of_b(const MassRatio& alpha, const cl_I& n, int dig
     const cl_RA b = exact_velocities(*rational, n).b;
     return reference::to_decimal(b * b, digits);
   }
-  const reference::Enclosure square = [&](long precision) {
-    const reference::Interval b =
-        reference::enclosed_velocities(reference::enclosure(alpha), n, precision).b;
-    return b * b;
-  };
-  return certified_decimal(square, digits, starting_precision(alpha, n, digits));
+  return certified_decimal(enclosure_of(alpha, n, square_of_b), digits,
+                           starting_precision(alpha, n, digits));
 }
 
 Cell fraction_cell(const cl_RA& value) { return text_cell(reference::to_text(value)); }
@@ -99,7 +130,7 @@ void add_accuracy_options(CLI::App& command, AccuracyOptions& options) {
   command
       .add_option_function<std::string>(
           "--tier", [&options](const std::string& text) { options.tier = text; },
-          "fast: doubles; exact: fractions, or --digits")
+          "fast, accurate (the nearest double) or exact")
       ->type_name("TIER");
   command
       .add_option_function<std::string>(
@@ -118,20 +149,21 @@ int parse_digits(const std::string& text) {
 
 Accuracy accuracy(const AccuracyOptions& options) {
   const std::string tier = options.tier.value_or(options.digits ? "exact" : "fast");
-  if (tier == "accurate")
-    throw InvalidInput("tier accurate is not available yet; allowed: fast, exact");
-  if (tier != "fast" && tier != "exact")
-    throw InvalidInput("unknown tier \"" + shown_text(tier) + "\"; allowed: fast, exact");
-  if (tier == "fast" && options.digits)
-    throw InvalidInput("--digits goes with --tier exact; tier fast computes in doubles");
+  if (tier != "fast" && tier != "accurate" && tier != "exact")
+    throw InvalidInput("unknown tier \"" + shown_text(tier) + "\"; allowed: fast, accurate, exact");
+  if (tier != "exact" && options.digits)
+    throw InvalidInput("--digits goes with --tier exact; tier " + tier + " computes in doubles");
   Accuracy result{tier, std::nullopt};
   if (options.digits) result.digits = parse_digits(*options.digits);
   return result;
 }
 
 VelocityCells velocities(const MassRatio& alpha, const cl_I& n, const Accuracy& accuracy) {
-  if (accuracy.tier == "fast") {
-    const auto v = fast_velocities(alpha, n);
+  if (accuracy.tier != "exact") {
+    const auto* value = std::get_if<double>(&alpha);
+    const auto v = accuracy.tier == "fast" ? fast_velocities(alpha, n)
+                   : value != nullptr      ? accurate::velocities(*value, in_64_bits(n))
+                                           : accurate_velocities(alpha, n).v;
     return {number_cell(v.a), number_cell(v.b), number_cell(v.c), number_cell(v.c_prime)};
   }
   const std::optional<cl_RA> rational = reference::exact(alpha);
@@ -145,6 +177,9 @@ VelocityCells velocities(const MassRatio& alpha, const cl_I& n, const Accuracy& 
 
 Last<double> fast_terminal_velocities(const MassRatio& alpha,
                                       const reference::LargeCounts& counts) {
+  // the double's own counts may be others where alpha is none
+  if (const auto* value = std::get_if<double>(&alpha))
+    if (const auto end = fast::terminal(*value)) return {end->a_t, end->b_t, end->c_t};
   return last_of<double>(fast_velocities(alpha, counts.N_A), fast_velocities(alpha, counts.N_B),
                          counts);
 }
@@ -159,6 +194,15 @@ TerminalCells terminal_velocities(const MassRatio& alpha, const reference::Large
   if (accuracy.tier == "fast") {
     const Last<double> v = fast_terminal_velocities(alpha, counts);
     return {number_cell(v.a), number_cell(v.b), number_cell(v.c), number_cell(v.b * v.b)};
+  }
+  if (accuracy.tier == "accurate") {
+    const auto* value = std::get_if<double>(&alpha);
+    if (const auto end = value != nullptr ? accurate::terminal(*value) : std::nullopt)
+      return {number_cell(end->a_t), number_cell(end->b_t), number_cell(end->c_t),
+              number_cell(end->rho)};
+    const NearestVelocities at_N_B = accurate_velocities(alpha, counts.N_B);
+    const auto v = last_of<double>(accurate_velocities(alpha, counts.N_A).v, at_N_B.v, counts);
+    return {number_cell(v.a), number_cell(v.b), number_cell(v.c), number_cell(at_N_B.square_of_b)};
   }
   const std::optional<cl_RA> rational = reference::exact(alpha);
   if (rational && !accuracy.digits) {

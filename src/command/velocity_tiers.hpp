@@ -11,9 +11,10 @@
 
 namespace magicmass::command {
 
-/// fast: generated product forms on the nearest double. exact: p/q, or `digits` certified decimal digits.
+/// fast: tier fast at the nearest double. accurate: the double nearest to the value at alpha as it is written, counts of any size.
+/// exact: p/q, or `digits` certified decimal digits.
 struct Accuracy {
-  std::string tier;           ///< "fast" or "exact"
+  std::string tier;           ///< "fast", "accurate" or "exact"
   std::optional<int> digits;  ///< with "exact"
 };
 
@@ -47,7 +48,7 @@ struct Last {
   Value a, b, c;
 };
 
-/// The product forms on the double nearest to alpha. Throws Undecided where N_A does not fit 64 bits.
+/// Tier fast at the double nearest to alpha. Throws Undecided where N_A does not fit 64 bits.
 Last<double> fast_terminal_velocities(const MassRatio& alpha, const reference::LargeCounts& counts);
 /// Throws Undecided where the fractions are too long.
 Last<cln::cl_RA> exact_terminal_velocities(const cln::cl_RA& alpha,

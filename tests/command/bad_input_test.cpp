@@ -55,8 +55,9 @@ TEST_CASE("collisions that do not happen", "[exam]") {
 
 TEST_CASE("tiers and digits", "[exam]") {
   check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "turbo"},
-                "unknown tier \"turbo\"; allowed: fast, exact");
-  check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "accurate"}, "not available yet");
+                "unknown tier \"turbo\"; allowed: fast, accurate, exact");
+  check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "accurate", "--digits", "5"},
+                "--digits goes with --tier exact; tier accurate computes in doubles");
   for (const std::string digits : {"0", "-3", "100001", "ten", ""})
     check_refused({"eval", "--alpha", "0.1", "--n", "1", "--digits", digits}, "from 1 to 100000,");
   check_refused({"eval", "--alpha", "0.1", "--n", "1", "--tier", "fast", "--digits", "5"},

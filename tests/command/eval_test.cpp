@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <cstdlib>
 #include <random>
 #include <string>
 
@@ -99,10 +100,53 @@ TEST_CASE("fast doubles are within 4 eps of the exact velocities", "[exam]") {
   const nlohmann::json v = json_of({"eval", "--alpha", "0.12", "--n", "2"});
   const nlohmann::json exact = json_of({"eval", "--alpha", "0.12", "--n", "2", "--digits", "25"});
   CHECK(v.at("tier") == "fast");
-  // The promise of velocities_product is 4 eps times the body's largest velocity; here all are below 4.
+  // The promise of tier fast is 4 eps times the body's largest velocity; here all are below 4.
   for (const char* name : {"a", "b", "c", "c_prime"})
     CHECK(std::abs(v.at(name).get<double>() - std::stod(exact.at(name).get<std::string>())) <=
           16 * 2.3e-16);
+}
+
+TEST_CASE("tier accurate gives the doubles next to the certified digits, tier fast stays near",
+          "[exam]") {
+  const auto next_to = [](const nlohmann::json& digits) {
+    return std::strtod(digits.get<std::string>().c_str(), nullptr);  // stod refuses subnormals
+  };
+  const auto compare = [&](const std::vector<std::string>& arguments,
+                           const std::vector<std::string>& names, bool fast_too) {
+    const auto with = [&](const char* option, const char* value) {
+      std::vector<std::string> all = arguments;
+      all.insert(all.end(), {option, value});
+      return json_of(all);
+    };
+    const nlohmann::json exact = with("--digits", "40"), accurate = with("--tier", "accurate");
+    const nlohmann::json fast = with("--tier", "fast");
+    for (const std::string& name : names) {
+      INFO(arguments[2] << " " << name);
+      const double nearest = next_to(exact.at(name));
+      CHECK(accurate.at(name).get<double>() == nearest);
+      if (fast_too)  // inputs whose rounding costs less than an ulp
+        CHECK_THAT(fast.at(name).get<double>(), Catch::Matchers::WithinULP(nearest, 2));
+    }
+  };
+  const std::vector<std::string> velocities{"a", "b", "c", "c_prime"};
+  const std::vector<std::string> last{"a_t", "b_t", "c_t", "rho"};
+  const auto eval = [](const char* alpha, const char* n) {
+    return std::vector<std::string>{"eval", "--alpha", alpha, "--n", n};
+  };
+  const auto terminal = [](const char* alpha) {
+    return std::vector<std::string>{"terminal", "--alpha", alpha};
+  };
+  compare(eval("0.12", "2"), velocities, false);
+  compare(eval("1e308", "1"), velocities, true);
+  compare(eval("1e-308", "3"), velocities, true);
+  compare(eval("0x1.1c7397cb68b7ep-18", "539"), velocities, false);  // closest to its threshold
+  compare(eval("1/7", "2"), velocities, false);                      // at 1/7, which is no double
+  compare(eval("magic:3", "3"), velocities, false);
+  compare(terminal("3"), last, true);
+  compare(terminal("1e17"), last, true);
+  compare(terminal("1e-10"), last, false);
+  compare(terminal("1/300"), last, false);
+  compare(terminal("deficient:7"), last, false);
 }
 
 TEST_CASE("where Q_n does not happen a note says so, on stderr", "[exam]") {
