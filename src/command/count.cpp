@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/evaluators/count.hpp"
+
 #include <memory>
+#include <utility>
+#include <variant>
 
 #include "command/alpha_value.hpp"
 #include "command/commands.hpp"
 #include "command/questions.hpp"
+#include "magicmass/evaluators/nearest_threshold.hpp"
 #include "magicmass/reference/rational.hpp"
 
 namespace magicmass::command {
@@ -11,14 +16,35 @@ namespace {
 
 struct CountOptions {
   QuestionOptions asked;
+  bool near_tie = false;
   OutputOptions output;
 };
 
-std::vector<Cell> count(const Question& question) {
+bool is_threshold(const MassRatio& alpha) {
+  return std::holds_alternative<Magic>(alpha) || std::holds_alternative<Deficient>(alpha);
+}
+
+/// Whether long double could not have told the count, which threshold is the closest, and how close. Not known of a ratio
+/// that is neither a double nor a threshold itself, nor where the counts do not fit 64 bits.
+std::vector<Cell> near_tie_cells(const MassRatio& alpha) {
+  const auto truth = [](bool value) { return Cell{value ? "true" : "false", false}; };
+  if (is_threshold(alpha)) return {truth(true), text_cell(to_text(alpha)), number_cell(0.0)};
+  if (const auto* value = std::get_if<double>(&alpha))
+    if (const auto nearest = nearest_threshold(*value))
+      return {truth(decide_count(*value).near_tie),
+              text_cell((nearest->is_magic ? "magic:" : "deficient:") + std::to_string(nearest->k)),
+              number_cell(nearest->distance)};
+  return std::vector<Cell>(3, missing_cell());
+}
+
+std::vector<Cell> count(const Question& question, bool with_near_tie) {
   const MassRatio alpha = parse_mass_ratio(question.alpha);
   const reference::LargeCounts counts = exact_counts(alpha);
-  return {alpha_cell(alpha), digits_cell(reference::to_text(counts.N_A)),
-          digits_cell(reference::to_text(counts.N_B))};
+  std::vector<Cell> cells{alpha_cell(alpha), digits_cell(reference::to_text(counts.N_A)),
+                          digits_cell(reference::to_text(counts.N_B))};
+  if (with_near_tie)
+    for (Cell& cell : near_tie_cells(alpha)) cells.push_back(std::move(cell));
+  return cells;
 }
 
 }  // namespace
@@ -27,11 +53,20 @@ void add_count(Program& program) {
   const auto options = std::make_shared<CountOptions>();
   CLI::App& command =
       add_command(program, "count", "Number of collisions of each block, exact at any size",
-                  "magicmass count --alpha magic:3");
+                  "magicmass count --alpha magic:3\n"
+                  "  magicmass count --alpha 0x1.1c7397cb68b7ep-18 --near-tie");
   add_question_options(command, options->asked);
+  command.add_flag("--near-tie", options->near_tie,
+                   "also the closest threshold, and how close alpha is");
   add_output_options(command, options->output);
+  command.footer(
+      "near_tie: long double could not have told the count. distance is\n"
+      "(alpha - threshold)/threshold; both are null where alpha is no double.");
   on_run(program, command, [options] {
-    answer_all(options->asked, false, options->output, {"alpha", "N_A", "N_B"}, count);
+    std::vector<std::string> columns{"alpha", "N_A", "N_B"};
+    if (options->near_tie) columns.insert(columns.end(), {"near_tie", "threshold", "distance"});
+    answer_all(options->asked, false, options->output, columns,
+               [&](const Question& question) { return count(question, options->near_tie); });
     return ExitCode::done;
   });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -37,4 +38,22 @@ TEST_CASE("alpha comes back as it was meant", "[exam]") {
   CHECK(json_of({"count", "--alpha", "0x1.8p-3"}).at("alpha") == 0.1875);
   CHECK(json_of({"count", "--alpha", "2/14"}).at("alpha") == "2/14");
   CHECK(json_of({"count", "--alpha", "magic:3"}).at("alpha") == "magic:3");
+}
+
+TEST_CASE("a near tie is told, with its threshold and the distance to it", "[exam]") {
+  const auto asked = [](const std::string& alpha) {
+    return json_of({"count", "--alpha", alpha, "--near-tie"});
+  };
+  const nlohmann::json closest = asked("0x1.1c7397cb68b7ep-18");
+  CHECK(closest.at("near_tie") == true);
+  CHECK(closest.at("threshold") == "magic:539");
+  CHECK(std::abs(closest.at("distance").get<double>()) < 1e-19);  // not a double's eps away
+  const nlohmann::json clear = asked("0.5");
+  CHECK(clear.at("near_tie") == false);
+  CHECK(clear.at("threshold") == "deficient:1");  // beta_1 = sqrt 2 - 1
+  CHECK_THAT(clear.at("distance").get<double>(),
+             Catch::Matchers::WithinRel(0.5 / (std::sqrt(2.0) - 1) - 1, 1e-14));
+  CHECK(asked("deficient:7").at("distance") == 0.0);
+  CHECK(asked("1/7").at("near_tie").is_null());
+  CHECK_FALSE(json_of({"count", "--alpha", "0.5"}).contains("near_tie"));
 }
