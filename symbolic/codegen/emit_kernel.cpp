@@ -19,8 +19,7 @@ std::string line(const std::string& text) { return wrapped(text) + "\n"; }
 class KernelEmitter {
 public:
   explicit KernelEmitter(const Kernel& kernel)
-      : kernel_(kernel),
-        form_(kernel.form),
+      : form_(kernel.form),
         program_(kernel.program),
         stages_(stages_of(program_)),
         printer_(program_, form_.numbers) {
@@ -273,7 +272,6 @@ private:
     return text + "    return kernel.result();\n  }\n";
   }
 
-  const Kernel& kernel_;
   const KernelForm& form_;
   const Program& program_;
   Stages stages_;
