@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -81,11 +80,6 @@ std::string ranking(const Exercise& exercise, const std::string& program,
   for (std::size_t i = 0; i < places.size(); ++i)
     text += fmt::format("{}{}. {}: worst error {:.2f} ulp, {:.0f} ns a call", i == 0 ? "" : "\n",
                         i + 1, places[i].name, places[i].error, places[i].nanoseconds);
-  return text;
-}
-
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
 }
 

@@ -33,7 +33,7 @@ TEST_CASE("a student's way: list, show, wrong, hint, right, next", "[exam]") {
   const ProgramRun wrong = student.learn({"check", "half_angle", "1+alpha"});
   CHECK(wrong.exit_code == 1);
   CHECK_THAT(wrong.output, StartsWith("Read as: ") && Contains("\nNot right.\n") &&
-                               Contains("at alpha = 1 yours is 2, where it should be 1/2.") &&
+                               Contains("At alpha = 1 yours is 2, where it should be 1/2.") &&
                                Contains("\nA hint: "));
   const ProgramRun hint = student.learn({"hint", "half_angle"});
   CHECK_THAT(hint.output, StartsWith("Hint 1 of 3: "));
@@ -98,7 +98,7 @@ TEST_CASE("the wrong entry of a matrix is named", "[exam]") {
   const nlohmann::json verdict =
       student.check("gamma_matrix",
                     "[[(1-alpha)/(1+alpha), 2sqrt(alpha)/(1+alpha)], [2sqrt(alpha)/(1+alpha), 1]]");
-  CHECK_THAT(verdict.at("feedback").get<std::string>(), Contains("row 2, column 2: at alpha = "));
+  CHECK_THAT(verdict.at("feedback").get<std::string>(), Contains("Row 2, column 2: at alpha = "));
 }
 
 TEST_CASE("the solution is shown after an attempt, or on request", "[exam]") {
