@@ -33,6 +33,14 @@ expect "the program's version is the project's" "magicmass $version" "$("$prefix
 expect "the program finds its files where it was moved to" "up to date: N files in $prefix/share/magicmass/generated" \
   "$("$prefix/bin/magicmass" generate --check | sed -E 's/: [0-9]+ files/: N files/')"
 
+exercises=$prefix/share/magicmass/tutorials
+for id in beat_us share_nodes; do # headers of generated/, and a program lowered on the spot
+  said=$("$prefix/bin/magicmass" learn check $id "$(echo "$exercises"/*/exercises/$id/solution/answer.cpp)" \
+    --folder "$scratch/student") || fail "learn check $id: $said"
+done
+expect "an exercise ranks with the installed headers" "1" "$(grep -c 'product: worst error' <<<"$("$prefix/bin/magicmass" \
+  learn check beat_us --folder "$scratch/student")")"
+
 cmake -S "$here/project" -B "$scratch/user" -DCMAKE_PREFIX_PATH="$prefix" -DWITH_SYMBOLIC=ON >/dev/null
 cmake --build "$scratch/user" >"$scratch/log" 2>&1 || fail "$(cat "$scratch/log")"
 expect "CMake: runtime" "3 + 3, 0.995649, 3 bodies" "$("$scratch/user/count")"
