@@ -127,7 +127,7 @@ int render_course(const Options& options) {
     write(out / (pages[i].name + ".html"), chapter_page(pages, i));
   write(out / "index.html", index_page(pages, opening_body));
   write(out / "course.html", whole_page(pages, opening_body));
-  write(out / "derivation.html", render::derivation_html(steps));
+  write(out / "derivation.html", proofs_page(render::derivation_html(steps)));
   write(out / "course.css", read(opening.folder / "course.css"));
   if (options.pdf) write_pdf(out);
   std::cout << "the course is in " << (out / "index.html").string() << "\n";

@@ -96,6 +96,18 @@ std::string whole_page(const std::vector<Page>& pages, const std::string& body) 
   return frame(course_title, "", text, "");
 }
 
+std::string proofs_page(std::string derivation) {
+  const std::string start = "<header>\n";
+  const std::size_t at = derivation.find(start);
+  if (at == std::string::npos)
+    throw Refusal("the derivation's page has no place for a link to the course");
+  return derivation.insert(
+      at + start.size(),
+      fmt::format(
+          "<nav aria-label=\"Course\"><a href=\"index.html\">{}</a></nav>\n",
+          course_title));
+}
+
 std::string html_of(const std::string& markdown, const std::string& id_prefix) {
   const auto file = std::filesystem::temp_directory_path() /
                     ("magicmass_course_" + std::to_string(getpid()) + ".md");
