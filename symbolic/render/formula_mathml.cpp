@@ -135,7 +135,10 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
   const std::vector<Formula>& parts = formula.parts;
   if (is_element(formula)) return name(formula.text, set(parts[0], true));
   if (parts.size() == 1) {
-    if (formula.text == "sqrt") return "<msqrt>" + set(parts[0], small) + "</msqrt>";
+    // With a strut: a browser hangs the sign from the bar, and below a low letter it would sink.
+    if (formula.text == "sqrt")
+      return "<msqrt>" + set(parts[0], small) +
+             "<mspace width=\"0\" height=\"0.75em\" depth=\"0.15em\"/></msqrt>";
     if (formula.text == "abs") return fenced(set(parts[0], small), "|", "|");
     if (formula.text == "ceil") return fenced(set(parts[0], small), "⌈", "⌉");
     if (formula.text == "floor") return fenced(set(parts[0], small), "⌊", "⌋");

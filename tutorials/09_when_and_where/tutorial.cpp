@@ -12,7 +12,8 @@ using magicmass::Body;
 
 int main() {
   const double alpha = 0.1;
-  const double h = magicmass::accurate::angle(alpha) / 2;  // the angle of the wedge
+  // The angle of the wedge.
+  const double h = magicmass::accurate::angle(alpha) / 2;
   std::printf("alpha: %g\n", alpha);
   std::printf(
       "events:\n  collision | t simulated | t(j) | A to B simulated | s(j)\n");

@@ -16,7 +16,8 @@ struct Page {
 
 std::string chapter_page(const std::vector<Page>& pages, std::size_t number);
 /// The first page: its own text, then the contents.
-std::string index_page(const std::vector<Page>& pages, const std::string& body);
+std::string index_page(const std::vector<Page>& pages, const std::string& body,
+                       bool has_pdf);
 /// All of it on one page, for paper.
 std::string whole_page(const std::vector<Page>& pages, const std::string& body);
 
