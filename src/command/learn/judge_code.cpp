@@ -64,13 +64,15 @@ std::string ranking(const Exercise& exercise, const std::string& program,
     std::string name;
   };
   std::vector<Place> places;
+  const std::size_t outputs = exercise.code.outputs.size();
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<double>& row = run.results[i];
-    if (row.size() != cases.size() + 1)
+    if (row.size() != cases.size() * outputs + 1)
       throw InvalidInput((exercise.folder / "rank.cpp").string() + ": a row of another length");
     long double worst = 0;
     for (std::size_t k = 0; k < cases.size(); ++k)
-      worst = std::max(worst, error_in_ulp(row[k + 1], cases[k].outputs.front()));
+      for (std::size_t j = 0; j < outputs; ++j)
+        worst = std::max(worst, error_in_ulp(row[k * outputs + j + 1], cases[k].outputs[j]));
     places.push_back({static_cast<double>(worst), row.front(), names[i]});
   }
   std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) {
