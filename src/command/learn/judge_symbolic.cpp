@@ -124,6 +124,17 @@ std::string missing_form(const Entries& answer, const std::string& form) {
   return {};
 }
 
+/// Factors and terms in one order: 4 alpha V is 4 V alpha and no other form of it.
+Tree in_order(const Tree& tree) {
+  equality::Node node = *tree;
+  for (Tree& part : node.parts) part = in_order(part);
+  if (node.kind == equality::Kind::sum || node.kind == equality::Kind::product)
+    std::sort(node.parts.begin(), node.parts.end(), [](const Tree& left, const Tree& right) {
+      return equality::text(left) < equality::text(right);
+    });
+  return std::make_shared<const equality::Node>(std::move(node));
+}
+
 Judgement right(const Posed& posed, Judgement judgement, const Entries& answer,
                 const Entries& solution, const render::TextStyle& style) {
   const std::string& form = posed.exercise.form;
@@ -134,7 +145,9 @@ Judgement right(const Posed& posed, Judgement judgement, const Entries& answer,
   }
   judgement.verdict = Judged::right;
   const std::string ours = shown_entries(solution, style);
-  judgement.said = ours == shown_entries(answer, style)
+  const render::TextStyle plain;
+  judgement.said = shown_entries(mapped(solution, in_order), plain) ==
+                           shown_entries(mapped(answer, in_order), plain)
                        ? "Right."
                        : "Right, in another form than ours, which is " + ours + ".";
   return judgement;
