@@ -276,31 +276,3 @@ TEST_CASE("a report with every contestant leaves no file where it runs nor in th
   CHECK(here.names().empty());
   CHECK(temporary.names().empty());
 }
-
-TEST_CASE("a reader's own function takes its places in the report", "[exam]") {
-  const std::string file =
-      MAGICMASS_SOURCE_DIR "/tutorials/13_speed_and_error/exercises/beat_us/solution/answer.cpp";
-  const std::vector<std::string> asked{"--quantities", "velocities", "--families", "everyday",
-                                       "--evaluators", "fast",       "--function", file};
-  const ProgramRun run = run_program(tiny(asked));
-  INFO(run.errors);
-  CHECK(run.exit_code == 0);
-  CHECK_THAT(run.output, Catch::Contains("yours: everyday: place ") &&
-                             Catch::Contains(" of 3 by error, ") && Catch::Contains("\nyours "));
-  CHECK(values(rows_of(records(asked)), "evaluator") ==
-        std::set<std::string>{"fast", "naive", "yours"});
-}
-
-TEST_CASE("a function that is none is refused in one line", "[exam]") {
-  const TemporaryFolder folder;
-  write_file(folder / "bad.cpp", "double velocities(double, long) { return 1; }\n");
-  for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
-           {"--function", folder / "bad.cpp"},
-           {"--function", "/nowhere.cpp"},
-           {"--function", folder / "bad.cpp", "--quantities", "counts"}}) {
-    const ProgramRun run = run_program(tiny(bad));
-    CHECK(run.exit_code == 2);
-    CHECK(run.output.empty());
-    CHECK(lines_of(run.errors).size() == 1);
-  }
-}

@@ -144,9 +144,7 @@ void add_report(Program& program) {
       ->check(CLI::Range(std::size_t{6}, std::size_t{100000}).description(""));
   command.add_flag("--growth,!--no-growth", request.growth, "error and time as the work grows");
   command.add_flag("--peers", request.peers, "SymPy on NumPy too, where installed");
-  command
-      .add_option("--function", request.function,
-                  "C++ with Velocities velocities(double alpha, long n): yours")
+  command.add_option("--function", request.function, "your own velocities(alpha, n) in C++, too")
       ->type_name("FILE")
       ->check(not_empty);
   command.add_option("--figures", options->figures, "draw SVG figures into DIR")
