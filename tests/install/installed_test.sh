@@ -34,12 +34,13 @@ expect "the program finds its files where it was moved to" "up to date: N files 
   "$("$prefix/bin/magicmass" generate --check | sed -E 's/: [0-9]+ files/: N files/')"
 
 exercises=$prefix/share/magicmass/tutorials
-for id in beat_us share_nodes; do # headers of generated/, and a program lowered on the spot
-  said=$("$prefix/bin/magicmass" learn check $id "$(echo "$exercises"/*/exercises/$id/solution/answer.cpp)" \
-    --folder "$scratch/student") || fail "learn check $id: $said"
-done
-expect "an exercise ranks with the installed headers" "1" "$(grep -c 'product: worst error' <<<"$("$prefix/bin/magicmass" \
-  learn check beat_us --folder "$scratch/student")")"
+checked() { # an exercise: what is said of its own solution
+  "$prefix/bin/magicmass" learn check "$1" "$(echo "$exercises"/*/exercises/"$1"/solution/answer.cpp)" --folder "$scratch/student"
+}
+said=$(checked share_nodes) || fail "learn check share_nodes, whose program is lowered on the spot: $said"
+said=$(checked beat_us) || fail "learn check beat_us: $said"
+[[ $said == *"product: worst error"* ]] || fail "no contest with the installed headers: $said"
+echo "passed: exercises in C++ work where they are installed"
 
 cmake -S "$here/project" -B "$scratch/user" -DCMAKE_PREFIX_PATH="$prefix" -DWITH_SYMBOLIC=ON >/dev/null
 cmake --build "$scratch/user" >"$scratch/log" 2>&1 || fail "$(cat "$scratch/log")"

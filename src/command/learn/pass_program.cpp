@@ -54,19 +54,35 @@ std::pair<std::string, std::string> operation_of(const codegen::Node& node) {
   }
 }
 
+/// A table and a loop: initialisers of vectors, node by node, take a compiler seconds.
 std::string header_of(const codegen::Program& program) {
-  std::string text = "inline Program program_before() {\n  Program program;\n  program.nodes = {\n";
+  std::string rows;
+  std::string arguments;
+  std::size_t start = 0;
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     const codegen::Node& node = program.nodes[i];
     const auto [operation, value] = operation_of(node);
-    text += fmt::format("      {{Operation::{}, {{{}}}, {}}},  // {}: {}\n", operation,
-                        fmt::join(node.args, ", "), value, i,
-                        codegen::formula(program, static_cast<int>(i)));
+    rows += fmt::format("      {{Operation::{}, {}, {}, {}}},  // {}: {}\n", operation, value,
+                        start, node.args.size(), i, codegen::formula(program, static_cast<int>(i)));
+    for (const int argument : node.args) arguments += fmt::format("{}, ", argument);
+    start += node.args.size();
   }
-  text += "  };\n  program.outputs = {";
-  for (std::size_t i = 0; i < program.outputs.size(); ++i)
-    text += (i == 0 ? "" : ", ") + std::to_string(program.outputs[i].node);
-  return text + "};\n  return program;\n}\n";
+  std::string outputs;
+  for (const codegen::Output& output : program.outputs)
+    outputs += fmt::format("  program.outputs.push_back({});\n", output.node);
+  return "inline Program program_before() {\n"
+         "  struct Row {\n    Operation operation;\n    double value;\n    int start, count;\n  "
+         "};\n"
+         "  static const Row rows[] = {\n" +
+         rows + "  };\n  static const int arguments[] = {" + arguments +
+         "};\n"
+         "  Program program;\n"
+         "  for (const Row& row : rows)\n"
+         "    program.nodes.push_back(\n"
+         "        {row.operation,\n"
+         "         {arguments + row.start, arguments + row.start + row.count},\n"
+         "         row.value});\n" +
+         outputs + "  return program;\n}\n";
 }
 
 PassProgram made(const GeneratorPass& pass, const std::string& place) {
