@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -121,13 +122,23 @@ bool are_alike(const std::vector<std::vector<double>>& left,
   return true;
 }
 
+/// What a program of the exercise gives; run once, however often it is asked for.
+const std::vector<std::vector<double>>& known_results(
+    const Exercise& exercise, const std::string& program,
+    const std::vector<std::vector<double>>& inputs) {
+  using Rows = std::vector<std::vector<double>>;
+  static std::map<std::tuple<std::string, std::string, Rows>, Rows> known;
+  const std::string text = text_of(exercise.folder / program);
+  const auto [place, is_new] = known.try_emplace({exercise.folder.string(), text, inputs});
+  if (is_new) place->second = run_code(exercise, text, inputs).results;
+  return place->second;
+}
+
 const Misconception* recognised(const Exercise& exercise,
                                 const std::vector<std::vector<double>>& inputs,
                                 const std::vector<std::vector<double>>& results) {
-  for (const Misconception& one : exercise.misconceptions) {
-    const CodeRun run = run_code(exercise, text_of(exercise.folder / one.program), inputs);
-    if (are_alike(run.results, results)) return &one;
-  }
+  for (const Misconception& one : exercise.misconceptions)
+    if (are_alike(known_results(exercise, one.program, inputs), results)) return &one;
   return nullptr;
 }
 
