@@ -60,7 +60,8 @@ if(MAGICMASS_SYMBOLIC)
     REGEX "/exercises/[a-z0-9_]+/" PATTERN exercise_driver.hpp PATTERN TEACHERS.md
     PATTERN scenes EXCLUDE PATTERN course EXCLUDE)
   # once it is built
-  install(DIRECTORY ${PROJECT_BINARY_DIR}/course DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass OPTIONAL)
+  cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH beside) # as tutorials/CMakeLists.txt has it
+  install(DIRECTORY ${beside}/course DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass OPTIONAL)
   install(DIRECTORY generated/ DESTINATION ${data}/generated PATTERN CMakeLists.txt EXCLUDE)
   install(DIRECTORY src/command/schemas DESTINATION ${data})
   install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass)

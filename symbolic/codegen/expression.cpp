@@ -207,8 +207,7 @@ Emitted emit_expressions(const Program& program, const std::string& type) {
   return Emitter(program, type).run();
 }
 
-std::string wrapped(const std::string& line) {
-  constexpr std::size_t columns = 100;
+std::string wrapped(const std::string& line, std::size_t columns) {
   if (line.size() <= columns) return line;
   const std::size_t indent = line.find_first_not_of(' ');
   const bool comment = line.compare(indent, 2, "//") == 0;
@@ -222,7 +221,7 @@ std::string wrapped(const std::string& line) {
   if (cut == std::string::npos) return line;
   const std::string rest =
       std::string(indent, ' ') + (comment ? "//   " : "    ") + line.substr(cut + 1);
-  return line.substr(0, cut) + "\n" + wrapped(rest);
+  return line.substr(0, cut) + "\n" + wrapped(rest, columns);
 }
 
 }  // namespace magicmass::codegen

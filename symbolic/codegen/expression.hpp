@@ -20,6 +20,6 @@ struct Emitted {
 Emitted emit_expressions(const Program& program, const std::string& type);
 
 // Broken after an operator so that no line is longer than 100 columns.
-std::string wrapped(const std::string& line);
+std::string wrapped(const std::string& line, std::size_t columns = 100);
 
 }  // namespace magicmass::codegen

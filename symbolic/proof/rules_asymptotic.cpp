@@ -84,7 +84,7 @@ Theorem Kernel::expansion(const Claim& claim) {
   require(!terms.coeff(s, last).is_zero(), claim, rule, "the last term is zero");
   if (const auto difference = not_small(function, terms, s, last)) refuse(claim, rule, *difference);
   evidence.conditions.insert(form.conditions().begin(), form.conditions().end());
-  evidence.conditions.insert({"as alpha -> 0, with an error smaller than the last term"});
+  evidence.conditions.insert({"as alpha goes to 0, with an error smaller than the last term"});
   return accept(claim, rule, evidence);
 }
 

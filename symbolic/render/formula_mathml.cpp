@@ -25,6 +25,7 @@ std::string fence(const std::string& text, bool tall) {
 }
 const char* const apply = "<mo>&#x2061;</mo>";
 const char* const times = "<mo>&#x2062;</mo>";
+const char* const strut = "<mspace width=\"0\" height=\"0.75em\" depth=\"0.15em\"/>";  // of a root
 const char* const thin_space = "<mspace width=\"0.17em\"/>";
 
 std::string fenced(const std::string& inside, const std::string& left, const std::string& right) {
@@ -135,7 +136,7 @@ std::string call(const Formula& formula, bool small, const std::string& exponent
   const std::vector<Formula>& parts = formula.parts;
   if (is_element(formula)) return name(formula.text, set(parts[0], true));
   if (parts.size() == 1) {
-    if (formula.text == "sqrt") return "<msqrt>" + set(parts[0], small) + "</msqrt>";
+    if (formula.text == "sqrt") return "<msqrt>" + set(parts[0], small) + strut + "</msqrt>";
     if (formula.text == "abs") return fenced(set(parts[0], small), "|", "|");
     if (formula.text == "ceil") return fenced(set(parts[0], small), "⌈", "⌉");
     if (formula.text == "floor") return fenced(set(parts[0], small), "⌊", "⌋");

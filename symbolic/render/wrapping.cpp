@@ -55,15 +55,31 @@ std::size_t line_end(std::string_view text, std::size_t room_in_columns) {
   return room;
 }
 
-}  // namespace
+/// The same for sentences with short formulas: at the last blank that is beside no operator.
+std::size_t sentence_end(std::string_view text, std::size_t room_in_columns) {
+  if (columns(text) <= room_in_columns) return text.size();
+  const std::size_t room = bytes_of(text, room_in_columns);
+  std::size_t best = 0;
+  bool behind_operator = false;
+  for (std::size_t i = 0; i <= room; ++i) {
+    if (text[i] != ' ') continue;
+    const bool before_operator = starts_with_operator(text.substr(i + 1));
+    if (!behind_operator && !before_operator) best = i;
+    behind_operator = before_operator;
+  }
+  return best > room / 2 ? best : line_end(text, room_in_columns);
+}
 
-std::string wrapped(std::string_view text, std::string_view first, std::size_t width) {
+using LineEnd = std::size_t (*)(std::string_view text, std::size_t room_in_columns);
+
+std::string broken(std::string_view text, std::string_view first, std::size_t width,
+                   LineEnd end_of_line) {
   std::string lines;
   std::string prefix(first);
   const std::size_t used = columns(first);
   const std::size_t room = width > used + 10 ? width - used : 10;
   do {
-    const std::size_t end = line_end(text, room);
+    const std::size_t end = end_of_line(text, room);
     lines += prefix + std::string(text.substr(0, end)) + "\n";
     text.remove_prefix(end);
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
@@ -71,6 +87,16 @@ std::string wrapped(std::string_view text, std::string_view first, std::size_t w
   } while (!text.empty());
   std::replace(lines.begin(), lines.end(), held_blank, ' ');
   return lines;
+}
+
+}  // namespace
+
+std::string wrapped(std::string_view text, std::string_view first, std::size_t width) {
+  return broken(text, first, width, line_end);
+}
+
+std::string wrapped_sentences(std::string_view text, std::string_view first, std::size_t width) {
+  return broken(text, first, width, sentence_end);
 }
 
 }  // namespace magicmass::render

@@ -16,4 +16,8 @@ inline constexpr char held_blank = '\x1f';
 /// `first`, the others with blanks of the same length. Breaks at blanks, else after a factor.
 std::string wrapped(std::string_view text, std::string_view first, std::size_t width = page_width);
 
+/// Sentences with short formulas in them, broken between words and not at operators: "n = 1" stays together.
+std::string wrapped_sentences(std::string_view text, std::string_view first,
+                              std::size_t width = page_width);
+
 }  // namespace magicmass::render

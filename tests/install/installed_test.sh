@@ -33,6 +33,15 @@ expect "the program's version is the project's" "magicmass $version" "$("$prefix
 expect "the program finds its files where it was moved to" "up to date: N files in $prefix/share/magicmass/generated" \
   "$("$prefix/bin/magicmass" generate --check | sed -E 's/: [0-9]+ files/: N files/')"
 
+exercises=$prefix/share/magicmass/tutorials
+checked() { # an exercise: what is said of its own solution
+  "$prefix/bin/magicmass" learn check "$1" "$(echo "$exercises"/*/exercises/"$1"/solution/answer.cpp)" --folder "$scratch/student"
+}
+said=$(checked share_nodes) || fail "learn check share_nodes, whose program is lowered on the spot: $said"
+said=$(checked beat_us) || fail "learn check beat_us: $said"
+[[ $said == *"product: worst error"* ]] || fail "no contest with the installed headers: $said"
+echo "passed: exercises in C++ work where they are installed"
+
 cmake -S "$here/project" -B "$scratch/user" -DCMAKE_PREFIX_PATH="$prefix" -DWITH_SYMBOLIC=ON >/dev/null
 cmake --build "$scratch/user" >"$scratch/log" 2>&1 || fail "$(cat "$scratch/log")"
 expect "CMake: runtime" "3 + 3, 0.995649, 3 bodies" "$("$scratch/user/count")"

@@ -53,7 +53,7 @@ refused "a section of another name" "01_contact/intro.md: its sections"
 
 check_links() { # pages: files and anchors exist, nothing comes from a network, no script
   local page target file anchor bad=0
-  for page in "$1"/[01]*.html "$1/index.html" "$1/course.html"; do
+  for page in "$1"/[01]*.html "$1/index.html" "$1/course.html" "$1/derivation.html"; do
     if grep -nE '(src|href)="(https?:)?//|<script|@import' "$page"; then bad=1; fi
     for target in $(grep -oE '(src|href)="[^"]+"' "$page" | cut -d'"' -f2 | sort -u); do
       file=${target%%#*} anchor=${target#"$file"}
@@ -68,6 +68,9 @@ check_links() { # pages: files and anchors exist, nothing comes from a network, 
   return $bad
 }
 check_links "$out" || fail "links"
+for page in "${chapters[@]/%/.html}" derivation.html; do
+  grep -q 'href="index.html"' "$out/$page" || fail "$page has no way back to the course"
+done
 mkdir "$folder/spoiled"
 cp -r "$out/." "$folder/spoiled"
 sed -i 's/href="02_cycle.html"/href="02_circle.html"/' "$folder/spoiled/01_contact.html"

@@ -34,7 +34,8 @@ double angle_about(const Vector& axis, const Vector& x, const Vector& y) {
 
 int main() {
   std::printf(
-      "angles:\n  alpha | psi in degrees | psi/2 in degrees | cycles in a full "
+      "angles:\n  alpha | psi in degrees | half of psi in degrees | cycles in a "
+      "full "
       "turn\n");
   for (const double alpha : {1e9, 10.0, 1.0, 0.5, 0.1, 0.01, 0.0001}) {
     const double psi = magicmass::accurate::angle(alpha);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "magicmass/accurate.hpp"
+#include "magicmass/angle_closed.hpp"
 #include "magicmass/evaluators/count.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 
@@ -29,24 +30,24 @@ void print_run(double alpha) {
   });
 }
 
-// The exact count against the estimate for light balls, pi/(2 sqrt(2 alpha)) for
-// each block.
+// The exact counts for lighter and lighter balls. If they grow as one over the
+// root of the mass ratio, then the last column tends to a number.
 void print_light_balls() {
-  std::printf("light_balls:\n  alpha | N_A | N_B | estimate\n");
+  std::printf("light_balls:\n  alpha | N_A | N_B | N_A*sqrt(alpha)\n");
   for (const double alpha :
        {10.0, 1.0, 0.5, 0.12, 1e-2, 1e-4, 1e-8, 1e-16, 1e-30}) {
     const auto counts = magicmass::count_collisions(alpha).value();
-    std::printf("  %g | %lld | %lld | %.6g\n", alpha,
+    std::printf("  %g | %lld | %lld | %.6f\n", alpha,
                 static_cast<long long>(counts.N_A),
                 static_cast<long long>(counts.N_B),
-                std::numbers::pi / (2 * std::sqrt(2 * alpha)));
+                static_cast<double>(counts.N_A) * std::sqrt(alpha));
   }
 }
 
-// The formula for N_A as one would type it (Ee & Lee eq. eq:NA-ans): good, but
-// for rounding.
+// The naive count: the generated angle, then theorem counting.N_A (Ee & Lee eq.
+// eq:NA-ans) as anybody would type it. Good, but for rounding.
 std::int64_t typed_count(double alpha) {
-  const double psi = 2 * std::atan(std::sqrt(alpha * (2 + alpha)));
+  const double psi = magicmass::generated::angle_closed(alpha);
   return static_cast<std::int64_t>(std::ceil(std::numbers::pi / psi - 0.5));
 }
 

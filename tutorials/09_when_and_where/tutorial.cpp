@@ -12,7 +12,8 @@ using magicmass::Body;
 
 int main() {
   const double alpha = 0.1;
-  const double h = magicmass::accurate::angle(alpha) / 2;  // the angle of the wedge
+  // The angle of the wedge.
+  const double h = magicmass::accurate::angle(alpha) / 2;
   std::printf("alpha: %g\n", alpha);
   std::printf(
       "events:\n  collision | t simulated | t(j) | A to B simulated | s(j)\n");
@@ -39,15 +40,15 @@ int main() {
   // How close do the blocks come? A light ball keeps them apart, by how much?
   std::printf(
       "closest:\n  alpha | smallest distance at a collision | sin(h) | "
-      "sqrt(2*alpha)\n");
+      "h\n");
   for (const double light : {0.5, 0.1, 0.01, 0.0001, 0.000001}) {
     double smallest = 1;
     magicmass::simulate_three_body(
         light, 1.0, 1.0, 10'000'000, [&](const auto& event) {
           smallest = std::fmin(smallest, event.positions.b - event.positions.a);
         });
-    std::printf("  %g | %.6f | %.6f | %.6f\n", light, smallest,
-                std::sin(magicmass::accurate::angle(light) / 2),
-                std::sqrt(2 * light));
+    const double half = magicmass::accurate::angle(light) / 2;
+    std::printf("  %g | %.6f | %.6f | %.6f\n", light, smallest, std::sin(half),
+                half);
   }
 }

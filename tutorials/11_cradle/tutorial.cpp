@@ -8,7 +8,7 @@
 
 #include "magicmass/accurate.hpp"
 #include "magicmass/simulator/line_motion.hpp"
-#include "magicmass/simulator/velocity_stepping.hpp"
+#include "magicmass/simulator/three_body.hpp"
 
 using magicmass::Line;
 using magicmass::LineMotion;
@@ -47,6 +47,11 @@ void print_row(const char* what, const std::vector<double>& balls, double gap) {
   std::printf("  %s | %.6f | %lld\n", what, energy, static_cast<long long>(events));
 }
 
+// How far B, which started at 1, has moved at the last contact.
+double way_of_block(double alpha) {
+  return magicmass::record_three_body(alpha).run.last_positions.b - 1;
+}
+
 double magic(int k) { return magicmass::accurate::ratios(k).magic; }
 
 int main() {
@@ -57,9 +62,8 @@ int main() {
   print_row("all one tenth", {0.1, 0.1, 0.1, 0.1}, 1);
   print_row("all one half", {0.5, 0.5, 0.5, 0.5}, 1);
 
-  // Each ball needs room: L (1 - alpha)/(1 + alpha) from the block to the next
-  // ball (theorem chain.one_at_a_time).
-  const double needed = (1 - magic(3)) / (1 + magic(3));
+  // Each ball needs room: as far as its block has moved when its transfer is over.
+  const double needed = way_of_block(magic(3));
   std::printf("gap_needed: %.6f\n", needed);
   std::printf("gaps:\n  gap | energy of the last block | contacts\n");
   for (const double gap : {1.0, needed + 0.01, needed - 0.1, 0.5, 0.2, 0.05, 0.01})

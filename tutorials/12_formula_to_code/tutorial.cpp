@@ -35,7 +35,7 @@ void print_code(const char* name, const codegen::Program& program) {
   const codegen::Emitted code = codegen::emit_expressions(program, "Real");
   std::printf("%s:\n", name);
   const auto print_line = [](const std::string& line) {
-    std::istringstream parts(codegen::wrapped(line));
+    std::istringstream parts(codegen::wrapped(line, 80));
     for (std::string part; std::getline(parts, part);)
       std::printf("  %s\n", part.c_str());
   };

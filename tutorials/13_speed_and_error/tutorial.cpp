@@ -75,8 +75,8 @@ int main() {
     std::printf(" | %s", name.c_str());
   std::printf("\n");
   const double magic = magicmass::accurate::ratios(3).magic;
-  const double closest =
-      0x1.1c7397cb68b7ep-18;  // no double is closer to its threshold alpha_k, k = 539
+  // No double is closer to its threshold alpha_k; k = 539.
+  const double closest = 0x1.1c7397cb68b7ep-18;
   print_row("one half, all cycles", 0.5, 1, magicmass::count_collisions(0.5)->N_B);
   print_row("one thousandth, all cycles", 0.001, 1,
             magicmass::count_collisions(0.001)->N_B);

@@ -226,8 +226,11 @@ private:
            names_in(read(chapter_.folder / (name + ".gnuplot"))))
         printed(block);
     const std::string image = around_.draw(chapter_, kind, name);
-    return raw_block("<figure>" + image + "<figcaption>") + "\n" +
-           inline_text(caption) + "\n" + raw_block("</figcaption></figure>");
+    return raw_block(
+               "<figure><div class=\"scroll\" tabindex=\"0\" role=\"group\" "
+               "aria-label=\"figure\">" +
+               image + "</div><figcaption>") +
+           "\n" + inline_text(caption) + "\n" + raw_block("</figcaption></figure>");
   }
 
   std::string command(const std::string& line) {

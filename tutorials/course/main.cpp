@@ -120,14 +120,15 @@ int render_course(const Options& options) {
   if (options.out.empty()) return 0;
 
   const fs::path out = options.out;
+  const bool has_pdf = options.pdf && is_installed("chromium");
   for (std::size_t i = 0; i < pages.size(); ++i)
     pages[i].body = html_of(texts[i], pages[i].name + "-");
   const std::string opening_body = html_of(opening_text, "opening-");
   for (std::size_t i = 0; i < pages.size(); ++i)
     write(out / (pages[i].name + ".html"), chapter_page(pages, i));
-  write(out / "index.html", index_page(pages, opening_body));
+  write(out / "index.html", index_page(pages, opening_body, has_pdf));
   write(out / "course.html", whole_page(pages, opening_body));
-  write(out / "derivation.html", render::derivation_html(steps));
+  write(out / "derivation.html", proofs_page(render::derivation_html(steps)));
   write(out / "course.css", read(opening.folder / "course.css"));
   if (options.pdf) write_pdf(out);
   std::cout << "the course is in " << (out / "index.html").string() << "\n";

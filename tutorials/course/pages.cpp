@@ -78,10 +78,14 @@ std::string chapter_page(const std::vector<Page>& pages, std::size_t number) {
   return frame(pages[number].title, top, chapter_text(pages, number), turn);
 }
 
-std::string index_page(const std::vector<Page>& pages, const std::string& body) {
+std::string index_page(const std::vector<Page>& pages, const std::string& body,
+                       bool has_pdf) {
   return frame(
       course_title,
-      "<nav aria-label=\"Course\"><a href=\"derivation.html\">All proofs</a></nav>",
+      "<nav aria-label=\"Course\"><a href=\"derivation.html\">All proofs</a>" +
+          std::string(has_pdf ? " <a href=\"course.pdf\">The course as a PDF</a>"
+                              : "") +
+          "</nav>",
       fmt::format("<h1>{}</h1>\n{}\n<h2>Chapters</h2>\n{}", course_title, body,
                   contents(pages, false)),
       "");
@@ -94,6 +98,18 @@ std::string whole_page(const std::vector<Page>& pages, const std::string& body) 
     text +=
         "<section class=\"chapter\">\n" + chapter_text(pages, i) + "</section>\n";
   return frame(course_title, "", text, "");
+}
+
+std::string proofs_page(std::string derivation) {
+  const std::string start = "<header>\n";
+  const std::size_t at = derivation.find(start);
+  if (at == std::string::npos)
+    throw Refusal("the derivation's page has no place for a link to the course");
+  return derivation.insert(
+      at + start.size(),
+      fmt::format(
+          "<nav aria-label=\"Course\"><a href=\"index.html\">{}</a></nav>\n",
+          course_title));
 }
 
 std::string html_of(const std::string& markdown, const std::string& id_prefix) {

@@ -16,9 +16,13 @@ struct Page {
 
 std::string chapter_page(const std::vector<Page>& pages, std::size_t number);
 /// The first page: its own text, then the contents.
-std::string index_page(const std::vector<Page>& pages, const std::string& body);
+std::string index_page(const std::vector<Page>& pages, const std::string& body,
+                       bool has_pdf);
 /// All of it on one page, for paper.
 std::string whole_page(const std::vector<Page>& pages, const std::string& body);
+
+/// The page of all proofs with a way back to the course. Throws Refusal for a page without a header.
+std::string proofs_page(std::string derivation);
 
 /// Markdown as HTML, by pandoc; ids begin with the prefix. Throws Refusal.
 std::string html_of(const std::string& markdown, const std::string& id_prefix);

@@ -7,6 +7,7 @@
 
 #include "command/learn/expressions.hpp"
 #include "command/learn/own_answer.hpp"
+#include "command/learn/pass_program.hpp"
 #include "command/learn/variant.hpp"
 
 namespace magicmass::command {
@@ -44,7 +45,9 @@ ExpectedCase expected_case(const Exercise& exercise, const std::vector<std::stri
     for (const std::string& word : exercise.run) key += filled(word, decimal) + "\n";
     for (const auto& [name, value] : decimal) key += value + "\n";
     if (!answers.contains(key))
-      answers[key] = own_answer(exercise.run, "json", exercise.folder, decimal);
+      answers[key] = code.pass.name.empty()
+                         ? own_answer(exercise.run, "json", exercise.folder, decimal)
+                         : pass_program(exercise).json;
     const std::string field = field_of(answers[key], filled(output.field, expected.labels));
     expected.outputs.push_back(number_of(read_content(field, place), place));
   }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/data_folder.hpp"
+#include "command/learn/pass_program.hpp"
 #include "command/scratch_folder.hpp"
 
 namespace magicmass::command {
@@ -65,6 +66,8 @@ CodeRun run_with(const Exercise& exercise, const std::string& program,
   std::ofstream(scratch.path() / "answer.cpp") << program;
   std::ofstream(scratch.path() / "driver.cpp") << text_of(exercise.folder / driver);
   std::ofstream(scratch.path() / "exercise_driver.hpp") << text_of(driver_header());
+  if (!exercise.code.pass.name.empty())
+    std::ofstream(scratch.path() / "program_before.hpp") << pass_program(exercise).header;
   ProcessLimits limits;
   limits.time = compile_time;
   limits.memory = std::size_t{2} << 30U;
@@ -109,9 +112,8 @@ CodeRun run_code(const Exercise& exercise, const std::string& program,
 
 CodeRun run_contest(const Exercise& exercise, const std::string& program,
                     const std::vector<std::vector<double>>& inputs) {
-  return run_with(
-      exercise, program, inputs, "rank.cpp",
-      {"-O2", "-I" MAGICMASS_SOURCE_DIR "/generated", "-I" MAGICMASS_SOURCE_DIR "/src"});
+  return run_with(exercise, program, inputs, "rank.cpp",
+                  {"-O2", "-I" + data_folder("generated", "generated").string()});
 }
 
 std::string why_stopped(const ProcessEnd& end) {

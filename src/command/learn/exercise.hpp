@@ -41,6 +41,14 @@ struct ComparedOutput {
   std::string theorem;  ///< that `exact` is, unless it is a name of the paper
 };
 
+/// A pass of the generator that a student writes, and the program that it is given.
+struct GeneratorPass {
+  std::string name;                   ///< empty: the function asked for is no pass
+  Values outputs;                     ///< what the program computes: a name, and the theorem for it
+  std::vector<std::string> bindings;  ///< theorems that say what symbols in these stand for
+  std::vector<std::string> wanted;    ///< outputs that dead_code is to keep
+};
+
 /// What student's functions are held against.
 struct CodeCheck {
   std::vector<std::string> inputs;
@@ -49,6 +57,7 @@ struct CodeCheck {
   std::string place;                     ///< "after collision {ordinal:j}, alpha = {alpha}"
   double ulp = 4;                        ///< error allowed, in ulp of the exact value
   double absolute = 0;                   ///< or this much
+  GeneratorPass pass;                    ///< `field` is then of what it leaves
   std::vector<std::string> contestants;  ///< of an open exercise, a row of rank.cpp each
 };
 

@@ -9,6 +9,7 @@
 
 #include "command/learn/content_table.hpp"
 #include "command/learn/exercise.hpp"
+#include "command/learn/pass_program.hpp"
 #include "equality/form.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
@@ -106,6 +107,24 @@ void read_predict(ContentTable& table, Exercise& exercise) {
                  "\"--alpha\", \"{alpha}\"]");
 }
 
+GeneratorPass read_pass(ContentTable& outer) {
+  GeneratorPass pass;
+  if (!outer.has("program")) return pass;
+  ContentTable table = outer.table("program");
+  pass.name = table.text("pass");
+  const auto& names = pass_names();
+  if (std::find(names.begin(), names.end(), pass.name) == names.end())
+    table.refuse("pass", "got \"" + shown_text(pass.name) + "\"",
+                 fmt::format("{}", fmt::join(names, ", ")));
+  pass.outputs = table.pairs("outputs");
+  if (pass.outputs.empty())
+    table.refuse("outputs", "missing", "names and theorems, as { a = \"power.a_product\" }");
+  pass.bindings = table.texts("bindings");
+  pass.wanted = table.texts("wanted");
+  table.finish();
+  return pass;
+}
+
 CodeCheck read_code(ContentTable& outer, const Exercise& exercise) {
   ContentTable table = outer.table("code");
   CodeCheck code;
@@ -115,6 +134,7 @@ CodeCheck read_code(ContentTable& outer, const Exercise& exercise) {
   code.ulp = table.number("ulp", 4);
   code.absolute = table.number("absolute", 0);
   code.contestants = table.texts("contestants");
+  code.pass = read_pass(table);
   for (ContentTable& output : table.tables("outputs")) {
     code.outputs.push_back({output.text("name"), output.text("exact", ""), output.text("field", ""),
                             output.text("words", ""), output.text("theorem", "")});
@@ -122,8 +142,9 @@ CodeCheck read_code(ContentTable& outer, const Exercise& exercise) {
     if (read.exact.empty() == read.field.empty())
       output.refuse("exact", "one of exact and field is needed",
                     "exact = \"an expression in the inputs\", or field = \"/N_A\"");
-    if (!read.field.empty() && exercise.run.empty())
-      output.refuse("field", "there is no run", "run = [...] at the top of the file");
+    if (!read.field.empty() && exercise.run.empty() && code.pass.name.empty())
+      output.refuse("field", "there is no run",
+                    "run = [...] at the top of the file, or a section [code.program]");
     output.finish();
   }
   if (code.cases.empty()) table.refuse("cases", "missing", "a list like [[\"1/7\", 2], [1, 3]]");

@@ -120,7 +120,7 @@ std::string page_of(const std::string& markdown, const Posed& posed,
   std::string first;
   const auto end_paragraph = [&] {
     if (!paragraph.empty())
-      page += render::wrapped(
+      page += render::wrapped_sentences(
           without_braces(paragraph,
                          [&](const std::string& content) { return set(content, posed, style); }),
           first);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -65,13 +65,15 @@ std::string ranking(const Exercise& exercise, const std::string& program,
     std::string name;
   };
   std::vector<Place> places;
+  const std::size_t outputs = exercise.code.outputs.size();
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<double>& row = run.results[i];
-    if (row.size() != cases.size() + 1)
+    if (row.size() != cases.size() * outputs + 1)
       throw InvalidInput((exercise.folder / "rank.cpp").string() + ": a row of another length");
     long double worst = 0;
     for (std::size_t k = 0; k < cases.size(); ++k)
-      worst = std::max(worst, error_in_ulp(row[k + 1], cases[k].outputs.front()));
+      for (std::size_t j = 0; j < outputs; ++j)
+        worst = std::max(worst, error_in_ulp(row[k * outputs + j + 1], cases[k].outputs[j]));
     places.push_back({static_cast<double>(worst), row.front(), names[i]});
   }
   std::sort(places.begin(), places.end(), [](const Place& x, const Place& y) {
@@ -81,11 +83,6 @@ std::string ranking(const Exercise& exercise, const std::string& program,
   for (std::size_t i = 0; i < places.size(); ++i)
     text += fmt::format("{}{}. {}: worst error {:.2f} ulp, {:.0f} ns a call", i == 0 ? "" : "\n",
                         i + 1, places[i].name, places[i].error, places[i].nanoseconds);
-  return text;
-}
-
-std::string capitalised(std::string text) {
-  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
 }
 
@@ -125,13 +122,23 @@ bool are_alike(const std::vector<std::vector<double>>& left,
   return true;
 }
 
+/// What a program of the exercise gives; run once, however often it is asked for.
+const std::vector<std::vector<double>>& known_results(
+    const Exercise& exercise, const std::string& program,
+    const std::vector<std::vector<double>>& inputs) {
+  using Rows = std::vector<std::vector<double>>;
+  static std::map<std::tuple<std::string, std::string, Rows>, Rows> known;
+  const std::string text = text_of(exercise.folder / program);
+  const auto [place, is_new] = known.try_emplace({exercise.folder.string(), text, inputs});
+  if (is_new) place->second = run_code(exercise, text, inputs).results;
+  return place->second;
+}
+
 const Misconception* recognised(const Exercise& exercise,
                                 const std::vector<std::vector<double>>& inputs,
                                 const std::vector<std::vector<double>>& results) {
-  for (const Misconception& one : exercise.misconceptions) {
-    const CodeRun run = run_code(exercise, text_of(exercise.folder / one.program), inputs);
-    if (are_alike(run.results, results)) return &one;
-  }
+  for (const Misconception& one : exercise.misconceptions)
+    if (are_alike(known_results(exercise, one.program, inputs), results)) return &one;
   return nullptr;
 }
 

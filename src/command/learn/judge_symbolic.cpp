@@ -124,6 +124,17 @@ std::string missing_form(const Entries& answer, const std::string& form) {
   return {};
 }
 
+/// Factors and terms in one order: 4 alpha V is 4 V alpha and no other form of it.
+Tree in_order(const Tree& tree) {
+  equality::Node node = *tree;
+  for (Tree& part : node.parts) part = in_order(part);
+  if (node.kind == equality::Kind::sum || node.kind == equality::Kind::product)
+    std::sort(node.parts.begin(), node.parts.end(), [](const Tree& left, const Tree& right) {
+      return equality::text(left) < equality::text(right);
+    });
+  return std::make_shared<const equality::Node>(std::move(node));
+}
+
 Judgement right(const Posed& posed, Judgement judgement, const Entries& answer,
                 const Entries& solution, const render::TextStyle& style) {
   const std::string& form = posed.exercise.form;
@@ -134,10 +145,47 @@ Judgement right(const Posed& posed, Judgement judgement, const Entries& answer,
   }
   judgement.verdict = Judged::right;
   const std::string ours = shown_entries(solution, style);
-  judgement.said = ours == shown_entries(answer, style)
+  const render::TextStyle plain;
+  judgement.said = shown_entries(mapped(solution, in_order), plain) ==
+                           shown_entries(mapped(answer, in_order), plain)
                        ? "Right."
                        : "Right, in another form than ours, which is " + ours + ".";
   return judgement;
+}
+
+Entries read_typed(const Posed& posed, const std::string& typed,
+                   const std::vector<std::string>& allowed) {
+  const Shape shape = posed.exercise.shape;
+  return read(shape == Shape::expression ? without_name(typed) : typed, shape,
+              [&](const std::string& text) { return read_answer(text, allowed); });
+}
+
+/// An answer with names that are not asked for, such as theta where psi is meant: the misconception that has them.
+std::optional<Judgement> mistaken_names(const Posed& posed, const std::string& typed,
+                                        const Entries& solution, const render::TextStyle& style) {
+  std::vector<std::string> allowed = allowed_symbols(posed);
+  const std::string place = (posed.exercise.folder / "misconceptions.toml").string();
+  for (const Misconception& one : posed.exercise.misconceptions)
+    for (const std::string& text : one.answers)
+      for (const auto& row : read(text, posed.exercise.shape, [&](const std::string& entry) {
+                               return read_content(entry, place);
+                             }).rows)
+        for (const Tree& entry : row)
+          for (const std::string& name : equality::symbols_of(entry)) allowed.push_back(name);
+  try {
+    const Entries answer = read_typed(posed, typed, allowed);
+    const Misconception* one = recognised(
+        posed, mapped(answer, [&](const Tree& t) { return with_values(t, posed.values); }),
+        solution);
+    if (one == nullptr) return std::nullopt;
+    return Judgement{.verdict = Judged::wrong,
+                     .read_as = {shown_entries(answer, style)},
+                     .said = "Not right.",
+                     .misconception = one->name,
+                     .explanation = one->feedback};
+  } catch (const NotUnderstood&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -161,13 +209,16 @@ std::string replaced_solution(const Posed& posed, const Misconception& misconcep
 Judgement judge_symbolic(const Posed& posed, const std::string& typed,
                          const render::TextStyle& style) {
   const Exercise& exercise = posed.exercise;
-  const std::vector<std::string> allowed = allowed_symbols(posed);
-  const Entries answer =
-      read(exercise.shape == Shape::expression ? without_name(typed) : typed, exercise.shape,
-           [&](const std::string& text) { return read_answer(text, allowed); });
   const std::string place = (exercise.folder / "solution/answer.txt").string();
   const Entries solution = read(posed.solution, exercise.shape,
                                 [&](const std::string& text) { return read_content(text, place); });
+  Entries answer;
+  try {
+    answer = read_typed(posed, typed, allowed_symbols(posed));
+  } catch (const NotUnderstood&) {
+    if (const auto mistaken = mistaken_names(posed, typed, solution, style)) return *mistaken;
+    throw;
+  }
   Judgement judgement;
   judgement.read_as = {shown_entries(answer, style)};
   if (!answer.has_shape_of(solution)) {
@@ -201,10 +252,11 @@ Judgement judge_symbolic(const Posed& posed, const std::string& typed,
   const bool is_negative = compare(given, negative, exercise.domain).answer == Answer::equal;
   std::string where =
       exercise.shape == Shape::matrix
-          ? fmt::format("row {}, column {}: ", difference.row + 1, difference.column + 1)
+          ? fmt::format("Row {}, column {}: ", difference.row + 1, difference.column + 1)
           : "";
-  judgement.explanation = is_negative ? "Only the sign is wrong: yours is minus the answer."
-                                      : where + shown(*difference.verdict.counterexample);
+  judgement.explanation = is_negative
+                              ? "Only the sign is wrong: yours is minus the answer."
+                              : capitalised(where + shown(*difference.verdict.counterexample));
   return judgement;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/learn/judgement.hpp"
 
+#include <cctype>
 #include <sstream>
 
 #include "command/learn/expressions.hpp"
@@ -45,6 +46,11 @@ std::string without_remarks(const std::string& text) {
         (kept.empty() ? "" : "\n") + line.substr(first, line.find_last_not_of(" \t\r") - first + 1);
   }
   return kept;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 Judgement unread(const std::string& why) {

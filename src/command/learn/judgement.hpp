@@ -55,6 +55,9 @@ std::string replaced_solution(const Posed& posed, const Misconception& misconcep
 /// What is typed in an answer file: without lines that begin with #.
 std::string without_remarks(const std::string& text);
 
+/// With a capital as its first letter.
+std::string capitalised(std::string text);
+
 Judgement unread(const std::string& why);
 
 /// The symbols that an answer may have: those of the exercise and its variant's names; none: any.

@@ -25,7 +25,7 @@ std::string explanation_lines(const std::string& text) {
   std::size_t at = 0;
   while (at < text.size()) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines += render::wrapped(text.substr(at, end - at), "  ");
+    lines += render::wrapped_sentences(text.substr(at, end - at), "  ");
     at = end + 1;
   }
   return lines;
@@ -33,7 +33,7 @@ std::string explanation_lines(const std::string& text) {
 
 /// A hint is worth more the more often one has tried.
 std::string hint_for(const Posed& posed, const Record& record, const Judgement& judgement) {
-  if (judgement.verdict != Judged::wrong || !judgement.misconception.empty()) return {};
+  if (judgement.verdict != Judged::wrong) return {};
   const auto last = static_cast<long>(posed.exercise.hints.size()) - 1;
   const long which = std::clamp<long>(record.attempts - 1, 0, last);
   return posed.exercise.hints[static_cast<std::size_t>(which)];
@@ -53,14 +53,14 @@ std::string page(const Catalogue& catalogue, const Posed& posed, const StudentFo
   for (std::size_t i = 0; i < judgement.read_as.size(); ++i)
     text += render::wrapped(judgement.read_as[i], i == 0 ? "Read as: " : "         ");
   const bool is_right = judgement.verdict == Judged::right;
-  const std::string said = render::wrapped(judgement.said, "");
+  const std::string said = render::wrapped_sentences(judgement.said, "");
   text += coloured(said.substr(0, said.size() - 1), is_right ? "1;32" : "1;31", style) + "\n";
   if (judgement.verdict == Judged::unread && posed.exercise.kind == ExerciseKind::code)
     text += judgement.explanation + "\n";  // what a compiler says stays in its lines
   else
     text += explanation_lines(judgement.explanation);
   const std::string hint = hint_for(posed, student.record(posed.exercise.id), judgement);
-  if (!hint.empty()) text += render::wrapped(hint, "A hint: ");
+  if (!hint.empty()) text += render::wrapped_sentences(hint, "A hint: ");
   if (!is_right) return text;
   text += after_success(posed, style);
   const Exercise* next = next_exercise(catalogue, student, posed.exercise.id);

@@ -52,8 +52,8 @@ std::string how_to_answer(const Posed& posed, const StudentFolder& student) {
 std::string choices_page(const Posed& posed) {
   std::string page;
   for (std::size_t i = 0; i < posed.exercise.choices.size(); ++i)
-    page += render::wrapped(posed.exercise.choices[i].text,
-                            fmt::format("  {}) ", static_cast<char>('a' + i)));
+    page += render::wrapped_sentences(posed.exercise.choices[i].text,
+                                      fmt::format("  {}) ", static_cast<char>('a' + i)));
   return page.empty() ? page : "\n" + page;
 }
 
@@ -133,9 +133,9 @@ ExitCode learn_hint(const LearnOptions& options) {
   record.hints = std::min(record.hints + 1, count);
   student.save();
   Destination output(options.output.path);
-  output.write(
-      render::wrapped(exercise_posed.exercise.hints[static_cast<std::size_t>(record.hints - 1)],
-                      fmt::format("Hint {} of {}: ", record.hints, count)));
+  output.write(render::wrapped_sentences(
+      exercise_posed.exercise.hints[static_cast<std::size_t>(record.hints - 1)],
+      fmt::format("Hint {} of {}: ", record.hints, count)));
   output.finish();
   return ExitCode::done;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include <unistd.h>
@@ -21,6 +22,11 @@ std::string content_of(const fs::path& file) {
   return fs::is_regular_file(file, error) ? text_of(file) : "";
 }
 
+bool is_clearing_terminal() {
+  const char* const kind = std::getenv("TERM");
+  return ::isatty(STDOUT_FILENO) == 1 && kind != nullptr && std::string(kind) != "dumb";
+}
+
 class Watch {
 public:
   Watch(const LearnOptions& options, Destination& output)
@@ -29,7 +35,7 @@ public:
         student_(student_folder(options)),
         output_(output),
         style_(text_style(output, options.ascii)),
-        is_terminal_(options.output.path.empty() && ::isatty(STDOUT_FILENO) == 1) {}
+        can_clear_(options.output.path.empty() && is_clearing_terminal()) {}
 
   void run() {
     const Clock::time_point start = Clock::now();
@@ -57,7 +63,7 @@ public:
 
 private:
   void clear() {
-    if (is_terminal_) output_.write("\x1b[2J\x1b[H");
+    if (can_clear_) output_.write("\x1b[2J\x1b[H");
   }
 
   void show(const Exercise& exercise) {
@@ -74,7 +80,7 @@ private:
   StudentFolder student_;
   Destination& output_;
   render::TextStyle style_;
-  bool is_terminal_;
+  bool can_clear_;
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "command/learn/code_run.hpp"
 #include "command/learn/expressions.hpp"
 #include "command/learn/moodle.hpp"
+#include "command/learn/pass_program.hpp"
 #include "command/learn/variant.hpp"
 #include "magicmass/errors.hpp"
 
@@ -20,12 +21,40 @@ std::string without_line(const std::string& text, const std::string& line) {
   return text.substr(0, at) + text.substr(std::min(text.find('\n', at) + 1, text.size()));
 }
 
+/// The driver without what the starter defines, too: types, which a file may define but once.
+std::string without_types_of(const std::string& starter, const std::string& driver) {
+  std::string kept;
+  for (std::size_t at = 0; at < driver.size();) {
+    const std::size_t end = std::min(driver.find('\n', at), driver.size() - 1) + 1;
+    const bool is_type =
+        driver.compare(at, 7, "struct ") == 0 || driver.compare(at, 5, "enum ") == 0;
+    const std::size_t last = is_type ? driver.find("};\n", at) : std::string::npos;
+    if (last != std::string::npos &&
+        starter.find(driver.substr(at, last + 3 - at)) != std::string::npos) {
+      at = last + 3;
+      continue;
+    }
+    kept += driver.substr(at, end - at);
+    at = end;
+  }
+  return kept;
+}
+
+std::string driver_of(const Exercise& exercise) {
+  std::string driver = without_types_of(
+      text_of(exercise.folder / "answer.cpp"),
+      without_line(text_of(exercise.folder / "driver.cpp"), "#include \"exercise_driver.hpp\""));
+  const std::string include = "#include \"program_before.hpp\"\n";
+  const std::size_t at = driver.find(include);
+  if (at != std::string::npos) driver.replace(at, include.size(), pass_program(exercise).header);
+  return driver;
+}
+
 /// The whole program in one file; Twig, which fills it in, must leave the braces of C++ alone.
 std::string program_template(const Exercise& exercise) {
   return "{% verbatim %}\n#define MAGICMASS_PRINT\n" +
          without_line(text_of(driver_header()), "#pragma once") +
-         "{% endverbatim %}\n{{ STUDENT_ANSWER }}\n{% verbatim %}\n" +
-         without_line(text_of(exercise.folder / "driver.cpp"), "#include \"exercise_driver.hpp\"") +
+         "{% endverbatim %}\n{{ STUDENT_ANSWER }}\n{% verbatim %}\n" + driver_of(exercise) +
          "{% endverbatim %}\n";
 }
 

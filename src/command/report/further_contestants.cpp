@@ -2,6 +2,7 @@
 #include "command/report/further_contestants.hpp"
 
 #include "command/report/ginac_contestants.hpp"
+#include "command/report/own_function.hpp"
 #include "command/report/sympy_contestants.hpp"
 #include "derivation/derivation.hpp"
 
@@ -16,10 +17,12 @@ std::vector<DerivedForm> forms_from_derivation(const std::vector<std::string>& q
 }
 
 std::vector<report::Contestant> further_contestants(const std::vector<DerivedForm>& forms,
-                                                    bool peers, std::vector<std::string>& remarks) {
+                                                    const ReportRequest& request,
+                                                    std::vector<std::string>& remarks) {
   std::vector<report::Contestant> all = ginac_contestants(forms, remarks);
-  if (peers)
+  if (request.peers)
     for (report::Contestant& one : sympy_contestants(forms, remarks)) all.push_back(std::move(one));
+  if (!request.function.empty()) all.push_back(own_function(request.function));
   return all;
 }
 

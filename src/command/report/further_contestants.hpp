@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command/report/derived_formulas.hpp"
+#include "command/report/report_tasks.hpp"
 #include "report/contestant.hpp"
 
 namespace magicmass::command {
@@ -15,8 +16,9 @@ std::vector<DerivedForm> forms_from_derivation(const std::vector<std::string>& q
                                                std::vector<std::string>& remarks);
 
 /// What is not there (a C compiler, SymPy) leaves a line in `remarks` instead. Peers other than GiNaC on
-/// request.
+/// request, and the reader's own function.
 std::vector<report::Contestant> further_contestants(const std::vector<DerivedForm>& forms,
-                                                    bool peers, std::vector<std::string>& remarks);
+                                                    const ReportRequest& request,
+                                                    std::vector<std::string>& remarks);
 
 }  // namespace magicmass::command

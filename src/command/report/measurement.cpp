@@ -10,6 +10,7 @@
 #include "command/report/exact_formulas.hpp"
 #include "command/report/further_contestants.hpp"
 #include "command/report/growth_measurement.hpp"
+#include "command/report/own_function.hpp"
 #include "command/report/timing_batch.hpp"
 #include "report/batches.hpp"
 #include "report/contestants.hpp"
@@ -150,7 +151,7 @@ Measurement measure(const ReportRequest& request, Progress& progress) {
   const std::vector<DerivedForm> forms =
       forms_from_derivation(asked_quantities(request), measurement.remarks);
   const std::vector<Task> tasks =
-      report_tasks(request, further_contestants(forms, request.peers, measurement.remarks));
+      report_tasks(request, further_contestants(forms, request, measurement.remarks));
   if (!report::has_sleef())
     measurement.remarks.push_back("skipped: naive_sleef, as this was built without libsleef-dev");
   for (const std::string& quantity : unknown_quantities(forms))
@@ -170,6 +171,7 @@ Measurement measure(const ReportRequest& request, Progress& progress) {
       if (measurement.sweeps.empty())
         measurement.sweeps =
             alpha_sweeps(task.contestants, request.quick ? 400 : 1200, oracle, progress);
+  for (std::string& line : own_places(measurement)) measurement.remarks.push_back(std::move(line));
   measurement.is_complete = !Progress::was_interrupted();
   return measurement;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -12,6 +13,7 @@
 #include "command/report/comparison.hpp"
 #include "command/report/figures.hpp"
 #include "command/report/measurement.hpp"
+#include "command/report/own_function.hpp"
 #include "command/report/report_tables.hpp"
 #include "command/report/timing_batch.hpp"
 #include "magicmass/errors.hpp"
@@ -109,6 +111,17 @@ CLI::Option* add_names(CLI::App& command, const std::string& option,
 
 std::string not_empty(const std::string& path) { return path.empty() ? "no name" : ""; }
 
+/// A file that is given takes part, whatever else is asked for.
+void name_own_function(ReportRequest& request) {
+  if (request.function.empty()) return;
+  const auto& asked = request.quantities;
+  if (!asked.empty() && std::find(asked.begin(), asked.end(), "velocities") == asked.end())
+    throw InvalidInput("--function computes velocities, and --quantities leaves them out");
+  auto& names = request.evaluators;
+  if (!names.empty() && std::find(names.begin(), names.end(), own_name) == names.end())
+    names.emplace_back(own_name);
+}
+
 }  // namespace
 
 void add_report(Program& program) {
@@ -131,6 +144,9 @@ void add_report(Program& program) {
       ->check(CLI::Range(std::size_t{6}, std::size_t{100000}).description(""));
   command.add_flag("--growth,!--no-growth", request.growth, "error and time as the work grows");
   command.add_flag("--peers", request.peers, "SymPy on NumPy too, where installed");
+  command.add_option("--function", request.function, "your own velocities(alpha, n) in C++, too")
+      ->type_name("FILE")
+      ->check(not_empty);
   command.add_option("--figures", options->figures, "draw SVG figures into DIR")
       ->type_name("DIR")
       ->check(not_empty);
@@ -148,6 +164,7 @@ void add_report(Program& program) {
       ->group("");
   add_output_options(command, options->output, {"text", "markdown", "json", "csv"});
   on_run(program, command, [options] {
+    name_own_function(options->request);
     options->request.sweeps = !options->figures.empty();
     return report_command(*options);
   });

@@ -16,6 +16,7 @@ namespace magicmass::command {
 struct ReportRequest {
   bool quick = false;
   bool peers = false;
+  std::string function;                 ///< a file with the reader's own velocities; empty: none
   std::vector<std::string> families;    ///< empty: all
   std::vector<std::string> evaluators;  ///< empty: all; naive is always there
   std::vector<std::string> quantities;  ///< empty: all

@@ -26,6 +26,7 @@ std::vector<std::string> words_of(const ReportRequest& request, std::size_t batc
                                     "--rounds",       std::to_string(request.rounds)};
   if (request.quick) words.emplace_back("--quick");
   if (request.peers) words.emplace_back("--peers");
+  if (!request.function.empty()) words.push_back("--function=" + request.function);
   if (request.size) words.push_back("--size=" + std::to_string(*request.size));
   const auto add = [&](const std::string& option, const std::vector<std::string>& names) {
     if (!names.empty()) words.push_back(fmt::format("{}={}", option, fmt::join(names, ",")));
@@ -103,7 +104,7 @@ void run_timing_batch(const ReportRequest& request, std::size_t batch, std::istr
   const std::vector<Task> tasks =
       report_tasks(request, further_contestants(formulas == nothing ? std::vector<DerivedForm>()
                                                                     : forms_from_line(formulas),
-                                                request.peers, remarks));
+                                                request, remarks));
   report::TimingPlan plan = timing_plan(request);
   plan.rounds.rounds = report::batch_plan(request.rounds).rounds;
   plan.rounds.seed += batch;

@@ -9,24 +9,6 @@ namespace {
 
 using Key = std::tuple<Op, std::vector<int>, std::int64_t, std::int64_t, std::string>;
 
-Program shared(const Program& program) {
-  std::map<Key, int> known;
-  return rebuilt(program, [&known](Program& result, const Node& node) {
-    const bool named_by_kind = node.op == Op::input || node.op == Op::index ||
-                               node.op == Op::ladder_low || node.op == Op::ladder_high;
-    const Key key{node.op, node.args, node.numerator, node.denominator,
-                  named_by_kind ? node.name : std::string()};
-    const auto found = known.find(key);
-    if (found == known.end()) return known[key] = append(result, node);
-    Node& same = result.nodes[static_cast<std::size_t>(found->second)];
-    if (same.name.empty()) {
-      same.name = node.name;
-      same.origin = node.origin;
-    }
-    return found->second;
-  });
-}
-
 bool has_constant_and_more(const Program& program, const Node& node) {
   return node.op == Op::multiply && node.args.size() > 2 &&
          program.nodes[static_cast<std::size_t>(node.args[0])].op == Op::constant;
@@ -64,8 +46,26 @@ Program constants_back(const Program& program) {
 
 }  // namespace
 
+Program without_repetitions(const Program& program) {
+  std::map<Key, int> known;
+  return rebuilt(program, [&known](Program& result, const Node& node) {
+    const bool named_by_kind = node.op == Op::input || node.op == Op::index ||
+                               node.op == Op::ladder_low || node.op == Op::ladder_high;
+    const Key key{node.op, node.args, node.numerator, node.denominator,
+                  named_by_kind ? node.name : std::string()};
+    const auto found = known.find(key);
+    if (found == known.end()) return known[key] = append(result, node);
+    Node& same = result.nodes[static_cast<std::size_t>(found->second)];
+    if (same.name.empty()) {
+      same.name = node.name;
+      same.origin = node.origin;
+    }
+    return found->second;
+  });
+}
+
 Program common_subexpressions(const Program& program) {
-  return constants_back(shared(constants_apart(program)));
+  return constants_back(without_repetitions(constants_apart(program)));
 }
 
 }  // namespace magicmass::codegen

@@ -10,4 +10,7 @@ namespace magicmass::codegen {
 // to a value stays with it. Powers of two scale exactly, so this changes values by rounding at most.
 Program common_subexpressions(const Program& program);
 
+// The first half of it alone: nodes with the same operation and the same arguments become one, and no value changes.
+Program without_repetitions(const Program& program);
+
 }  // namespace magicmass::codegen

@@ -84,6 +84,11 @@ const std::vector<Spoiled>& spoiled() {
       {magic, "golden_ball", "exercise.toml", "√5−2", "√5−3", "right answer √5−3 is judged wrong"},
       {magic, "golden_ball", "exercise.toml", "\"1/4\"", "\"√5-2\"",
        "wrong answer √5-2 is judged right"},
+      // a pass of the generator
+      {"12_formula_to_code", "share_nodes", "exercise.toml", "power.a_product", "power.a_produced",
+       "there is no theorem called power.a_produced"},
+      {"12_formula_to_code", "share_nodes", "solution/answer.cpp", "node.value};", "0.0};",
+       "the solution is judged wrong"},
       // the second variant alone
       {magic, "deficient_in_radicals", "exercise.toml", "2/sqrt(3) - 1", "2/sqrt(3) - 2",
        "with k = 2, radicals = 2/sqrt(3) - 2: "},
@@ -98,7 +103,7 @@ TEST_CASE("all exercises hold what they promise", "[exam]") {
   INFO(run.output.substr(0, 4000) << run.errors);
   CHECK(run.exit_code == 0);
   const nlohmann::json report = nlohmann::json::parse(run.output);
-  CHECK(report.at("checked") >= 40);
+  CHECK(report.at("checked") >= 50);
   CHECK(report.at("answers") >= 200);
   CHECK(report.at("failures").empty());
 }

@@ -33,7 +33,7 @@ TEST_CASE("a student's way: list, show, wrong, hint, right, next", "[exam]") {
   const ProgramRun wrong = student.learn({"check", "half_angle", "1+alpha"});
   CHECK(wrong.exit_code == 1);
   CHECK_THAT(wrong.output, StartsWith("Read as: ") && Contains("\nNot right.\n") &&
-                               Contains("at alpha = 1 yours is 2, where it should be 1/2.") &&
+                               Contains("At alpha = 1 yours is 2, where it should be 1/2.") &&
                                Contains("\nA hint: "));
   const ProgramRun hint = student.learn({"hint", "half_angle"});
   CHECK_THAT(hint.output, StartsWith("Hint 1 of 3: "));
@@ -62,6 +62,40 @@ TEST_CASE("how an answer was read comes first, then the verdict", "[exam]") {
   const ProgramRun form = student.learn({"check", "half_angle", "cos(psi/2)"});
   CHECK(form.exit_code == 1);
   CHECK_THAT(form.output, Contains("Equal to the answer, but a trigonometric function is left"));
+}
+
+TEST_CASE("a name that is not asked for is a misconception where one says so", "[exam]") {
+  const Student student;
+  CHECK(student.check("half_angle", "cos(theta/2)").at("misconception") == "theta for psi");
+  CHECK(student.check("angle_of_cycle", "psi/2").at("verdict") == "wrong");
+  CHECK(student.check("angle_of_cycle", "psi").at("verdict") == "unread");  // it says nothing
+  CHECK(student.check("half_angle", "cos(phi/2)").at("verdict") == "unread");
+}
+
+TEST_CASE("a hint ends what is said of a wrong answer, misconception or not", "[exam]") {
+  const Student student;
+  for (const char* answer : {"cos(psi)", "1+alpha"})
+    CHECK_THAT(student.learn({"check", "half_angle", answer}).output, Contains("\nA hint: "));
+}
+
+TEST_CASE("a pass of the generator is told in physics, and a broken program by its node",
+          "[exam]") {
+  const Student student;
+  const TemporaryFolder folder;
+  const std::string starter = read_file(
+      MAGICMASS_SOURCE_DIR "/tutorials/12_formula_to_code/exercises/drop_nodes/answer.cpp");
+  const std::string line = "  return {before.nodes, {before.outputs[wanted]}};";
+  const auto told = [&](const std::string& body) {
+    std::string text = starter;
+    text.replace(text.find(line), line.size(), body);
+    write_file(folder / "mine.cpp", text);
+    return unwrapped(student.learn({"check", "drop_nodes", folder / "mine.cpp"}).output);
+  };
+  CHECK_THAT(told("  return {before.nodes, {before.outputs[0]}};"),
+             Contains("your B moves right at 0.77"));
+  CHECK_THAT(told("  return {{before.nodes.rbegin(), before.nodes.rend()}, {0}};"),
+             Contains("your program was stopped: it gave up: node 0 of your program uses node"));
+  CHECK_THAT(told("  return {before.nodes, {}};"), Contains("has 0 outputs, 1 asked for"));
 }
 
 TEST_CASE("the verdict is in the exit code and in JSON", "[exam]") {
@@ -98,7 +132,7 @@ TEST_CASE("the wrong entry of a matrix is named", "[exam]") {
   const nlohmann::json verdict =
       student.check("gamma_matrix",
                     "[[(1-alpha)/(1+alpha), 2sqrt(alpha)/(1+alpha)], [2sqrt(alpha)/(1+alpha), 1]]");
-  CHECK_THAT(verdict.at("feedback").get<std::string>(), Contains("row 2, column 2: at alpha = "));
+  CHECK_THAT(verdict.at("feedback").get<std::string>(), Contains("Row 2, column 2: at alpha = "));
 }
 
 TEST_CASE("the solution is shown after an attempt, or on request", "[exam]") {

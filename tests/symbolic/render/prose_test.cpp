@@ -29,3 +29,13 @@ TEST_CASE("symbols among words are set as symbols, words are left alone", "[exam
         "aₙ ≠ aₙ₋₁, and so at every earlier n");
   CHECK(shown("unbalanced ( and ) stay") == "unbalanced ( and ) stay");
 }
+
+TEST_CASE("sentences break between words, not within a short formula", "[exam]") {
+  const std::string text = "For alpha = 1/8, n = 1: your A moves right at 0.8";
+  CHECK(wrapped_sentences(text, "  ", 24) ==
+        "  For alpha = 1/8,\n  n = 1: your A moves\n  right at 0.8\n");
+  CHECK(wrapped_sentences(text, "", 100) == text + "\n");
+  // one formula that fills the line is broken as a formula
+  CHECK(wrapped_sentences("aaaa = bbbbb + ccccc + ddddd", "", 20) ==
+        "aaaa = bbbbb + ccccc\n+ ddddd\n");
+}

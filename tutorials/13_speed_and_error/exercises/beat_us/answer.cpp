@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 
-// The velocity of B after n cycles, in units of V.
-// alpha = mass of C / mass of A or B.
-double velocity_of_B(double alpha, long n) {
-  return 0;  // change this
+struct Velocities {
+  double a, b, c, c_prime;
+};
+
+// The velocities after cycle n, in units of V, and the ball's before and after
+// it meets B. alpha = mass of C / mass of A or B.
+Velocities velocities(double alpha, long n) {
+  return {1, 0, 0, 0};  // change this
 }

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <vector>
+
+// What a node computes. A constant has its value, a power its exponent.
+enum class Operation {
+  alpha,
+  n,
+  constant,
+  sum,
+  product,
+  negative,
+  reciprocal,
+  power,
+  sine,
+  cosine,
+  arctangent
+};
+
+// One operation. Its arguments are nodes with smaller numbers.
+struct Node {
+  Operation operation;
+  std::vector<int> arguments;
+  double value;
+};
+
+// Node 0, node 1, ...; the outputs are the numbers of two of them: the velocities of A and of B.
+struct Program {
+  std::vector<Node> nodes;
+  std::vector<int> outputs;
+};
+
+// The same program without what output number `wanted` does not need; that one
+// is then the only output.
+Program drop(const Program& before, int wanted) {
+  std::vector<bool> needed(before.nodes.size(), false);
+  needed[before.outputs[wanted]] = true;
+  for (const Node& node : before.nodes)
+    for (int argument : node.arguments) needed[argument] = true;
+  Program after;
+  std::vector<int> number(before.nodes.size());  // of each old node, in the new
+  for (std::size_t i = 0; i < before.nodes.size(); ++i) {
+    if (!needed[i]) continue;
+    Node node = before.nodes[i];
+    for (int& argument : node.arguments) argument = number[argument];
+    number[i] = static_cast<int>(after.nodes.size());
+    after.nodes.push_back(node);
+  }
+  after.outputs = {number[before.outputs[wanted]]};
+  return after;
+}
