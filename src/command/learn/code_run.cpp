@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/data_folder.hpp"
+#include "command/generated_tree.hpp"
 #include "command/scratch_folder.hpp"
 
 namespace magicmass::command {
@@ -109,9 +110,8 @@ CodeRun run_code(const Exercise& exercise, const std::string& program,
 
 CodeRun run_contest(const Exercise& exercise, const std::string& program,
                     const std::vector<std::vector<double>>& inputs) {
-  return run_with(
-      exercise, program, inputs, "rank.cpp",
-      {"-O2", "-I" MAGICMASS_SOURCE_DIR "/generated", "-I" MAGICMASS_SOURCE_DIR "/src"});
+  return run_with(exercise, program, inputs, "rank.cpp",
+                  {"-O2", "-I", source_generated_folder().string()});
 }
 
 std::string why_stopped(const ProcessEnd& end) {
