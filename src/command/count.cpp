@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/reference/count.hpp"
+
 #include <memory>
 
 #include "command/alpha_value.hpp"
@@ -16,7 +18,7 @@ struct CountOptions {
 
 std::vector<Cell> count(const Question& question) {
   const MassRatio alpha = parse_mass_ratio(question.alpha);
-  const reference::LargeCounts counts = exact_counts(alpha);
+  const reference::LargeCounts counts = reference::exact_counts(alpha);
   return {alpha_cell(alpha), digits_cell(reference::to_text(counts.N_A)),
           digits_cell(reference::to_text(counts.N_B))};
 }
