@@ -7,7 +7,17 @@ include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/magicmass)
 
-# The runtime: headers (all but the one that shows its TOML parser) and one library.
+# Header a/b/c.hpp of a list goes to FOLDER/b/c.hpp, where `source` is a.
+include(${CMAKE_CURRENT_LIST_DIR}/public_headers.cmake)
+function(install_headers folder source)
+  foreach(header IN LISTS ARGN)
+    cmake_path(RELATIVE_PATH header BASE_DIRECTORY ${source} OUTPUT_VARIABLE below)
+    cmake_path(GET below PARENT_PATH below)
+    install(FILES ${header} DESTINATION ${folder}/${below})
+  endforeach()
+endfunction()
+
+# The runtime: headers and one library.
 set(runtime_targets magicmass_arithmetic magicmass_generated magicmass_runtime)
 foreach(target IN LISTS runtime_targets)
   string(REPLACE magicmass_ "" exported_name ${target})
@@ -16,11 +26,10 @@ foreach(target IN LISTS runtime_targets)
 endforeach()
 install(TARGETS ${runtime_targets} EXPORT runtime)
 install(EXPORT runtime NAMESPACE magicmass:: DESTINATION ${package_folder})
-install(DIRECTORY src/magicmass generated/magicmass DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-  FILES_MATCHING PATTERN "*.hpp"
-  PATTERN reference EXCLUDE
-  PATTERN scene_keys.hpp EXCLUDE)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install_headers(${CMAKE_INSTALL_INCLUDEDIR} src ${runtime_headers} ${arithmetic_headers})
+install_headers(${CMAKE_INSTALL_INCLUDEDIR} generated ${generated_headers})
+# a folder of its own: two packages that have one file cannot be installed together
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libmagicmass-dev)
 
 if(MAGICMASS_SYMBOLIC)
   # The symbolic libraries include each other as "proof/kernel.hpp", so they have a folder of their own.
@@ -32,10 +41,9 @@ if(MAGICMASS_SYMBOLIC)
   endforeach()
   foreach(name IN LISTS symbolic_libraries)
     target_include_directories(magicmass_${name} INTERFACE $<INSTALL_INTERFACE:${symbolic_includes}>)
-    install(DIRECTORY symbolic/${name} DESTINATION ${symbolic_includes} FILES_MATCHING PATTERN "*.hpp")
   endforeach()
-  install(DIRECTORY src/magicmass/reference DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/magicmass
-    FILES_MATCHING PATTERN "*.hpp")
+  install_headers(${symbolic_includes} symbolic ${symbolic_headers})
+  install_headers(${CMAKE_INSTALL_INCLUDEDIR} src ${reference_headers})
   set_target_properties(magicmass_symbolic PROPERTIES EXPORT_NAME symbolic)
   install(TARGETS ${symbolic_targets} magicmass_symbolic EXPORT symbolic)
   install(EXPORT symbolic NAMESPACE magicmass:: DESTINATION ${package_folder})
@@ -84,5 +92,6 @@ if(MAGICMASS_SYMBOLIC)
 endif()
 
 if(PROJECT_IS_TOP_LEVEL)
+  include(packaging/reference/reference.cmake)
   include(packaging/debian.cmake)
 endif()

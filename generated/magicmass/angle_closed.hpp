@@ -7,11 +7,11 @@
 
 namespace magicmass::generated {
 
-// The angle psi of one cycle, as the paper writes it.
-// Domain: alpha > 0 and finite.
-// Error: at most 2 ulp.
-// From: rotation.psi_paper (def:psi, def:psi-app).
-// Cost: 1 addition, 2 multiplications, 1 square root, 1 arctangent.
+/// The angle psi of one cycle, as the paper writes it.
+/// Domain: alpha > 0 and finite.
+/// Error: at most 2 ulp.
+/// From: rotation.psi_paper (def:psi, def:psi-app).
+/// Cost: 1 addition, 2 multiplications, 1 square root, 1 arctangent.
 template <class Real>
 Real angle_closed(Real alpha) {
   using std::atan;

@@ -7,11 +7,11 @@
 
 namespace magicmass::generated {
 
-// The angle psi of one cycle, from a quarter of it.
-// Domain: alpha normal and finite, not subnormal.
-// Error: at most 2 ulp.
-// From: rotation.psi_half_angle.
-// Cost: 1 addition, 1 multiplication, 1 division, 1 square root, 1 arctangent.
+/// The angle psi of one cycle, from a quarter of it.
+/// Domain: alpha normal and finite, not subnormal.
+/// Error: at most 2 ulp.
+/// From: rotation.psi_half_angle.
+/// Cost: 1 addition, 1 multiplication, 1 division, 1 square root, 1 arctangent.
 template <class Real>
 Real angle_product(Real alpha) {
   using std::atan;

@@ -7,13 +7,13 @@
 
 namespace magicmass::generated {
 
-// The time, in units of L/V, in which infinitely many collisions happen.
-// Domain: 0 < e < 1, 0 < alpha <= alpha_c(e): where the collisions never end.
-// Error: in double at most 16 max(1/2, cond/2) ulp,
-//   where cond adds up the condition numbers in alpha and e.
-// From: inelastic_end.t_infinity.
-// With: inelastic_end.alpha_c.
-// Cost: 7 additions, 6 multiplications, 2 divisions, 2 square roots.
+/// The time, in units of L/V, in which infinitely many collisions happen.
+/// Domain: 0 < e < 1, 0 < alpha <= alpha_c(e): where the collisions never end.
+/// Error: in double at most 16 max(1/2, cond/2) ulp,
+///   where cond adds up the condition numbers in alpha and e.
+/// From: inelastic_end.t_infinity.
+/// With: inelastic_end.alpha_c.
+/// Cost: 7 additions, 6 multiplications, 2 divisions, 2 square roots.
 template <class Real>
 Real collapse_product(Real alpha, Real e) {
   using std::sqrt;

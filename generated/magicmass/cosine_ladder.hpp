@@ -5,17 +5,18 @@
 
 namespace magicmass::generated {
 
+/// What cosine_ladder gives.
 template <class Ring>
 struct CosinePair {
-  Ring low;   // T(m) = cos(m psi/2)
-  Ring high;  // T(m + 1)
+  Ring low;   ///< T(m) = cos(m psi/2)
+  Ring high;  ///< T(m + 1)
 };
 
-// T(m) and T(m + 1) from x = T(1) = cos(psi/2); `one` is the ring's 1. Integer needs >, >> and &.
-// Domain: m >= 0. Error: none in an exact ring; each step at most quadruples an absolute error.
-// From: chebyshev.T_0, chebyshev.even (T(2*m) = 2*T(m)^2 - 1),
-// chebyshev.odd (T(2*m + 1) = 2*T(m + 1)*T(m) - T(1)).
-// Cost: 2 multiplications, 4 additions a bit of m.
+/// T(m) and T(m + 1) from x = T(1) = cos(psi/2); `one` is the ring's 1. Integer needs >, >> and &.
+/// Domain: m >= 0. Error: none in an exact ring; each step at most quadruples an absolute error.
+/// From: chebyshev.T_0, chebyshev.even (T(2*m) = 2*T(m)^2 - 1),
+/// chebyshev.odd (T(2*m + 1) = 2*T(m + 1)*T(m) - T(1)).
+/// Cost: 2 multiplications, 4 additions a bit of m.
 template <class Ring, class Integer>
 CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one) {
   const auto twice = [](const Ring& y) { return y + y; };
@@ -33,8 +34,8 @@ CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one)
   return pair;
 }
 
-// sin(m psi/2) sin(psi/2) from x = cos(psi/2): its sign tells whether collision m takes place.
-// From: chebyshev.sine (sin(m*psi/2)*sin(psi/2) = T(1)*T(m) - T(m + 1)).
+/// sin(m psi/2) sin(psi/2) from x = cos(psi/2): its sign tells whether collision m takes place.
+/// From: chebyshev.sine (sin(m*psi/2)*sin(psi/2) = T(1)*T(m) - T(m + 1)).
 template <class Ring, class Integer>
 Ring sine_ladder(const Integer& m, const Ring& x, const Ring& one) {
   const CosinePair<Ring> pair = cosine_ladder(m, x, one);

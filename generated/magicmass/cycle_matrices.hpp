@@ -11,15 +11,15 @@
 
 namespace magicmass::generated {
 
-// A 3x3 matrix, row by row.
+/// A 3x3 matrix, row by row.
 template <class Number>
 using Rows = std::array<std::array<Number, 3>, 3>;
 
-// One cycle, V_n = Lambda V_(n-1): a rotation.
-// Domain: alpha > 0, (1 + alpha)^2 finite; a field needs sqrt(alpha).
-// Error: each entry within 4 eps of 1; none in an exact field.
-// From: cycle.Lambda.
-// Cost: 2 additions, 11 multiplications, 2 divisions, 1 square root.
+/// One cycle, V_n = Lambda V_(n-1): a rotation.
+/// Domain: alpha > 0, (1 + alpha)^2 finite; a field needs sqrt(alpha).
+/// Error: each entry within 4 eps of 1; none in an exact field.
+/// From: cycle.Lambda.
+/// Cost: 2 additions, 11 multiplications, 2 divisions, 1 square root.
 template <class Field>
 Rows<Field> Lambda(const Field& alpha) {
   using std::sqrt;
@@ -46,11 +46,11 @@ Rows<Field> Lambda(const Field& alpha) {
   }};
 }
 
-// The frame in which Lambda turns about the third axis, its axis the last column.
-// Domain: alpha > 0 and finite.
-// Error: each entry within 4 eps of 1.
-// From: rotation.R.
-// Cost: 1 addition, 6 multiplications, 1 division, 3 square roots.
+/// The frame in which Lambda turns about the third axis, its axis the last column.
+/// Domain: alpha > 0 and finite.
+/// Error: each entry within 4 eps of 1.
+/// From: rotation.R.
+/// Cost: 1 addition, 6 multiplications, 1 division, 3 square roots.
 template <class Real>
 Rows<Real> R(const Real& alpha) {
   using std::sqrt;
@@ -71,12 +71,12 @@ Rows<Real> R(const Real& alpha) {
   }};
 }
 
-// The vector of the velocities after n cycles, in units of V.
-// Domain: alpha > 0 and finite; 0 <= n; a field needs sqrt(alpha).
-// Error: none in an exact field.
-// From: cycle.V (eq:V-n, eq:V-n-app), its left side.
-// With: chebyshev.a, chebyshev.b, chebyshev.c_prime, power.V_CM, chebyshev.T_1.
-// Cost: 6 additions, 7 multiplications, 3 divisions, 1 square root, 1 cosine ladder.
+/// The vector of the velocities after n cycles, in units of V.
+/// Domain: alpha > 0 and finite; 0 <= n; a field needs sqrt(alpha).
+/// Error: none in an exact field.
+/// From: cycle.V (eq:V-n, eq:V-n-app), its left side.
+/// With: chebyshev.a, chebyshev.b, chebyshev.c_prime, power.V_CM, chebyshev.T_1.
+/// Cost: 6 additions, 7 multiplications, 3 divisions, 1 square root, 1 cosine ladder.
 template <class Field, class Integer>
 std::array<Field, 3> V_n_exact(const Field& alpha, const Integer& n) {
   using std::sqrt;
@@ -101,14 +101,14 @@ std::array<Field, 3> V_n_exact(const Field& alpha, const Integer& n) {
   };
 }
 
-// The vector of the velocities after n cycles, in units of V.
-// Domain: alpha normal and finite, not subnormal; 0 <= n <= N_B.
-// Error: each entry within 10 eps of 1, the length of the vector.
-// From: cycle.V (eq:V-n, eq:V-n-app), its left side.
-// With: tangent.a, tangent.b, tangent.c_prime, power.V_CM, rotation.psi_half_angle,
-//   tangent.tan_quarter, tangent.cot_half.
-// Cost: 4 additions, 14 multiplications, 2 divisions, 2 square roots, 1 sine-cosine pair,
-//   1 arctangent.
+/// The vector of the velocities after n cycles, in units of V.
+/// Domain: alpha normal and finite, not subnormal; 0 <= n <= N_B.
+/// Error: each entry within 10 eps of 1, the length of the vector.
+/// From: cycle.V (eq:V-n, eq:V-n-app), its left side.
+/// With: tangent.a, tangent.b, tangent.c_prime, power.V_CM, rotation.psi_half_angle,
+///   tangent.tan_quarter, tangent.cot_half.
+/// Cost: 4 additions, 14 multiplications, 2 divisions, 2 square roots, 1 sine-cosine pair,
+///   1 arctangent.
 template <class Real>
 std::array<Real, 3> V_n_tangent(const Real& alpha, std::int64_t n) {
   using std::atan;

@@ -8,12 +8,12 @@
 
 namespace magicmass::generated {
 
-// Times and distances of the collisions as rational functions of alpha.
-// Domain: alpha > 0 and finite; 0 <= j < number of collisions.
-// Error: none in an exact field.
-// From: times.t_rational, times.s_rational.
-// With: chebyshev.T_1.
-// Cost: 4 additions, 5 multiplications, 2 divisions, 1 cosine ladder.
+/// Times and distances of the collisions as rational functions of alpha.
+/// Domain: alpha > 0 and finite; 0 <= j < number of collisions.
+/// Error: none in an exact field.
+/// From: times.t_rational, times.s_rational.
+/// With: chebyshev.T_1.
+/// Cost: 4 additions, 5 multiplications, 2 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Encounters<Field> encounters_exact(const Field& alpha, const Integer& j) {
   // T_1 = 1/(1 + alpha), step chebyshev.T_1
@@ -28,8 +28,8 @@ Encounters<Field> encounters_exact(const Field& alpha, const Integer& j) {
   };
 }
 
-// Only t, from times.t_rational; cost: 3 additions, 2 multiplications, 2 divisions,
-//   1 cosine ladder.
+/// Only t, with that domain and error, from times.t_rational; cost: 3 additions,
+///   2 multiplications, 2 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Field t_exact(const Field& alpha, const Integer& j) {
   // T_1 = 1/(1 + alpha), step chebyshev.T_1
@@ -39,8 +39,8 @@ Field t_exact(const Field& alpha, const Integer& j) {
   return -((T_1 * T_j.low - T_j.high) / (T_1 * T_j.high - T_j.low));
 }
 
-// Only s, from times.s_rational; cost: 3 additions, 2 multiplications, 2 divisions,
-//   1 cosine ladder.
+/// Only s, with that domain and error, from times.s_rational; cost: 3 additions,
+///   2 multiplications, 2 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Field s_exact(const Field& alpha, const Integer& j) {
   // T_1 = 1/(1 + alpha), step chebyshev.T_1

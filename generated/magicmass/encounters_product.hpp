@@ -10,13 +10,13 @@
 
 namespace magicmass::generated {
 
-// Times and distances of the collisions, psi from a quarter of it.
-// Domain: alpha > 0 and finite; 0 <= j < number of collisions.
-// Error: grows with j: the sines are taken at angles up to pi.
-// From: times.t, times.s.
-// With: rotation.psi_half_angle.
-// Cost: 2 additions, 8 multiplications, 2 divisions, 1 square root, 3 sines or cosines,
-//   1 arctangent.
+/// Times and distances of the collisions, psi from a quarter of it.
+/// Domain: alpha > 0 and finite; 0 <= j < number of collisions.
+/// Error: grows with j: the sines are taken at angles up to pi.
+/// From: times.t, times.s.
+/// With: rotation.psi_half_angle.
+/// Cost: 2 additions, 8 multiplications, 2 divisions, 1 square root, 3 sines or cosines,
+///   1 arctangent.
 template <class Real>
 Encounters<Real> encounters_product(Real alpha, std::int64_t j) {
   using std::atan;
@@ -33,8 +33,8 @@ Encounters<Real> encounters_product(Real alpha, std::int64_t j) {
   };
 }
 
-// Only t, from times.t; cost: 2 additions, 5 multiplications, 2 divisions, 1 square root,
-//   2 sines or cosines, 1 arctangent.
+/// Only t, with that domain and error, from times.t; cost: 2 additions, 5 multiplications,
+///   2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real t_product(Real alpha, std::int64_t j) {
   using std::atan;
@@ -46,8 +46,8 @@ Real t_product(Real alpha, std::int64_t j) {
   return sin(Real(0.5) * psi * j_) / sin(Real(0.5) * psi * (Real(1) + j_));
 }
 
-// Only s, from times.s; cost: 2 additions, 4 multiplications, 2 divisions, 1 square root,
-//   2 sines or cosines, 1 arctangent.
+/// Only s, with that domain and error, from times.s; cost: 2 additions, 4 multiplications,
+///   2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real s_product(Real alpha, std::int64_t j) {
   using std::atan;

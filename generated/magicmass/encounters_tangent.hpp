@@ -10,13 +10,13 @@
 
 namespace magicmass::generated {
 
-// Times and distances of the collisions from one sine and one cosine.
-// Domain: alpha normal and finite, not subnormal; 0 <= j < number of collisions.
-// Error: grows with j: the sines are taken at angles up to pi.
-// From: tangent.t, tangent.s.
-// With: power.V_CM, rotation.psi_half_angle, tangent.tan_quarter.
-// Cost: 3 additions, 10 multiplications, 2 divisions, 1 square root, 1 sine-cosine pair,
-//   1 arctangent.
+/// Times and distances of the collisions from one sine and one cosine.
+/// Domain: alpha normal and finite, not subnormal; 0 <= j < number of collisions.
+/// Error: grows with j: the sines are taken at angles up to pi.
+/// From: tangent.t, tangent.s.
+/// With: power.V_CM, rotation.psi_half_angle, tangent.tan_quarter.
+/// Cost: 3 additions, 10 multiplications, 2 divisions, 1 square root, 1 sine-cosine pair,
+///   1 arctangent.
 template <class Real>
 Encounters<Real> encounters_tangent(Real alpha, std::int64_t j) {
   using std::atan;
@@ -44,8 +44,8 @@ Encounters<Real> encounters_tangent(Real alpha, std::int64_t j) {
   };
 }
 
-// Only t, from tangent.t; cost: 3 additions, 8 multiplications, 2 divisions, 1 square root,
-//   1 sine-cosine pair, 1 arctangent.
+/// Only t, with that domain and error, from tangent.t; cost: 3 additions, 8 multiplications,
+///   2 divisions, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real t_tangent(Real alpha, std::int64_t j) {
   using std::atan;
@@ -68,8 +68,8 @@ Real t_tangent(Real alpha, std::int64_t j) {
   return V_CM * (Real(1) + alpha) * sine_1 / (tan_quarter * cosine_1 + V_CM * sine_1);
 }
 
-// Only s, from tangent.s; cost: 2 additions, 6 multiplications, 2 divisions, 1 square root,
-//   1 sine-cosine pair, 1 arctangent.
+/// Only s, with that domain and error, from tangent.s; cost: 2 additions, 6 multiplications,
+///   2 divisions, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real s_tangent(Real alpha, std::int64_t j) {
   using std::atan;

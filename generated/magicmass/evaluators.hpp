@@ -25,58 +25,66 @@
 
 namespace magicmass::generated {
 
-// In a table: the largest error that a form promises, in ulp of the exact value or in eps of the
-// largest such value of the body at that alpha <= 1; infinity where it promises none.
+/// In a table: the largest error that a form promises, in ulp of the exact value or in eps of the
+/// largest such value of the body at that alpha <= 1; infinity where it promises none.
 inline constexpr double no_bound = std::numeric_limits<double>::infinity();
 
+/// A row of angle_evaluators().
 template <class Real>
 struct AngleEvaluator {
-  const char* name;
-  const char* form;
-  Real (*evaluate)(Real alpha);
-  double ulp_bound;
-  double eps_bound;
+  const char* name;  ///< the function's
+  const char* form;  ///< its last word
+  Real (*evaluate)(Real alpha);  ///< the function
+  double ulp_bound;  ///< as no_bound says
+  double eps_bound;  ///< as no_bound says
 };
 
+/// The table behind angle_evaluators().
 template <class Real>
 inline constexpr std::array<AngleEvaluator<Real>, 2> angle_table{{
     {"angle_closed", "closed", &angle_closed<Real>, 2, no_bound},
     {"angle_product", "product", &angle_product<Real>, 2, no_bound},
 }};
 
+/// Every evaluator of the quantity 'angle'.
 template <class Real>
 constexpr const auto& angle_evaluators() {
   return angle_table<Real>;
 }
 
+/// A row of collapse_evaluators().
 template <class Real>
 struct CollapseEvaluator {
-  const char* name;
-  const char* form;
-  Real (*evaluate)(Real alpha, Real e);
-  double ulp_bound;
-  double eps_bound;
+  const char* name;  ///< the function's
+  const char* form;  ///< its last word
+  Real (*evaluate)(Real alpha, Real e);  ///< the function
+  double ulp_bound;  ///< as no_bound says
+  double eps_bound;  ///< as no_bound says
 };
 
+/// The table behind collapse_evaluators().
 template <class Real>
 inline constexpr std::array<CollapseEvaluator<Real>, 1> collapse_table{{
     {"collapse_product", "product", &collapse_product<Real>, no_bound, no_bound},
 }};
 
+/// Every evaluator of the quantity 'collapse'.
 template <class Real>
 constexpr const auto& collapse_evaluators() {
   return collapse_table<Real>;
 }
 
+/// A row of encounter_evaluators().
 template <class Real>
 struct EncounterEvaluator {
-  const char* name;
-  const char* form;
-  Encounters<Real> (*evaluate)(Real alpha, std::int64_t j);
-  double ulp_bound;
-  double eps_bound;
+  const char* name;  ///< the function's
+  const char* form;  ///< its last word
+  Encounters<Real> (*evaluate)(Real alpha, std::int64_t j);  ///< the function
+  double ulp_bound;  ///< as no_bound says
+  double eps_bound;  ///< as no_bound says
 };
 
+/// The table behind encounter_evaluators().
 template <class Real>
 inline constexpr std::array<EncounterEvaluator<Real>, 3> encounter_table{{
     {"encounters_closed", "closed", &encounters_closed<Real>, no_bound, no_bound},
@@ -84,79 +92,91 @@ inline constexpr std::array<EncounterEvaluator<Real>, 3> encounter_table{{
     {"encounters_tangent", "tangent", &encounters_tangent<Real>, no_bound, no_bound},
 }};
 
+/// Every evaluator of the quantity 'encounters'.
 template <class Real>
 constexpr const auto& encounter_evaluators() {
   return encounter_table<Real>;
 }
 
+/// A row of ratio_evaluators().
 template <class Real>
 struct RatioEvaluator {
-  const char* name;
-  const char* form;
-  Ratios<Real> (*evaluate)(std::int64_t k);
-  double ulp_bound;
-  double eps_bound;
+  const char* name;  ///< the function's
+  const char* form;  ///< its last word
+  Ratios<Real> (*evaluate)(std::int64_t k);  ///< the function
+  double ulp_bound;  ///< as no_bound says
+  double eps_bound;  ///< as no_bound says
 };
 
+/// The table behind ratio_evaluators().
 template <class Real>
 inline constexpr std::array<RatioEvaluator<Real>, 2> ratio_table{{
     {"ratios_closed", "closed", &ratios_closed<Real>, no_bound, no_bound},
     {"ratios_product", "product", &ratios_product<Real>, 5, no_bound},
 }};
 
+/// Every evaluator of the quantity 'ratios'.
 template <class Real>
 constexpr const auto& ratio_evaluators() {
   return ratio_table<Real>;
 }
 
+/// A row of terminal_evaluators().
 template <class Real>
 struct TerminalEvaluator {
-  const char* name;
-  const char* form;
-  Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k);
-  double ulp_bound;
-  double eps_bound;
+  const char* name;  ///< the function's
+  const char* form;  ///< its last word
+  Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k);  ///< the function
+  double ulp_bound;  ///< as no_bound says
+  double eps_bound;  ///< as no_bound says
 };
 
+/// The table behind terminal_evaluators().
 template <class Real>
 inline constexpr std::array<TerminalEvaluator<Real>, 2> terminal_table{{
     {"terminal_after_P", "after_P", &terminal_after_P<Real>, no_bound, no_bound},
     {"terminal_after_Q", "after_Q", &terminal_after_Q<Real>, no_bound, no_bound},
 }};
 
+/// Every evaluator of the quantity 'terminal'.
 template <class Real>
 constexpr const auto& terminal_evaluators() {
   return terminal_table<Real>;
 }
 
+/// A row of two_collisions_evaluators().
 template <class Real>
 struct TwoCollisionsEvaluator {
-  const char* name;
-  const char* form;
-  Terminal<Real> (*evaluate)(Real alpha, Real e);
-  double ulp_bound;
-  double eps_bound;
+  const char* name;  ///< the function's
+  const char* form;  ///< its last word
+  Terminal<Real> (*evaluate)(Real alpha, Real e);  ///< the function
+  double ulp_bound;  ///< as no_bound says
+  double eps_bound;  ///< as no_bound says
 };
 
+/// The table behind two_collisions_evaluators().
 template <class Real>
 inline constexpr std::array<TwoCollisionsEvaluator<Real>, 1> two_collisions_table{{
     {"two_collisions_rational", "rational", &two_collisions_rational<Real>, no_bound, no_bound},
 }};
 
+/// Every evaluator of the quantity 'two_collisions'.
 template <class Real>
 constexpr const auto& two_collisions_evaluators() {
   return two_collisions_table<Real>;
 }
 
+/// A row of velocity_evaluators().
 template <class Real>
 struct VelocityEvaluator {
-  const char* name;
-  const char* form;
-  Velocities<Real> (*evaluate)(Real alpha, std::int64_t n);
-  double ulp_bound;
-  double eps_bound;
+  const char* name;  ///< the function's
+  const char* form;  ///< its last word
+  Velocities<Real> (*evaluate)(Real alpha, std::int64_t n);  ///< the function
+  double ulp_bound;  ///< as no_bound says
+  double eps_bound;  ///< as no_bound says
 };
 
+/// The table behind velocity_evaluators().
 template <class Real>
 inline constexpr std::array<VelocityEvaluator<Real>, 3> velocity_table{{
     {"velocities_closed", "closed", &velocities_closed<Real>, no_bound, no_bound},
@@ -164,12 +184,13 @@ inline constexpr std::array<VelocityEvaluator<Real>, 3> velocity_table{{
     {"velocities_tangent", "tangent", &velocities_tangent<Real>, no_bound, 5},
 }};
 
+/// Every evaluator of the quantity 'velocities'.
 template <class Real>
 constexpr const auto& velocity_evaluators() {
   return velocity_table<Real>;
 }
 
-// visitor.operator()<table>(quantity, outputs, inputs) for each table.
+/// Calls `visitor.operator()<table>(quantity, outputs, inputs)` for each table.
 template <class Real, class Visitor>
 constexpr void visit_tables(Visitor&& visitor) {
   visitor.template operator()<angle_table<Real>>("angle", "psi", "alpha");

@@ -7,66 +7,71 @@
 
 namespace magicmass::generated {
 
-// Velocities just after the n-th collisions, in units of V.
+/// Velocities just after the n-th collisions, in units of V.
 template <class Number>
 struct Velocities {
-  Number a;  // of A just after P_n
-  Number b;  // of B just after Q_n
-  Number c;  // of C just after P_n
-  Number c_prime;  // of C just after Q_n
+  Number a;  ///< of A just after P_n
+  Number b;  ///< of B just after Q_n
+  Number c;  ///< of C just after P_n
+  Number c_prime;  ///< of C just after Q_n
 };
 
+/// The same in that order.
 template <class Number>
 constexpr std::array<Number, 4> as_array(const Velocities<Number>& all) {
   return {all.a, all.b, all.c, all.c_prime};
 }
 
-// Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
+/// Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
 template <class Number>
 struct Encounters {
-  Number t;  // its time, in units of L/V, from the first collision on
-  Number s;  // the distance from A to B then, in units of L
+  Number t;  ///< its time, in units of L/V, from the first collision on
+  Number s;  ///< the distance from A to B then, in units of L
 };
 
+/// The same in that order.
 template <class Number>
 constexpr std::array<Number, 2> as_array(const Encounters<Number>& all) {
   return {all.t, all.s};
 }
 
-// The k-th threshold mass ratios.
+/// The k-th threshold mass ratios.
 template <class Number>
 struct Ratios {
-  Number magic;  // alpha_k, where B takes everything
-  Number deficient;  // beta_k, where C ends up with B
+  Number magic;  ///< alpha_k, where B takes everything
+  Number deficient;  ///< beta_k, where C ends up with B
 };
 
+/// The same in that order.
 template <class Number>
 constexpr std::array<Number, 2> as_array(const Ratios<Number>& all) {
   return {all.magic, all.deficient};
 }
 
-// Velocities after the last collision, in units of V, and what B got of the energy.
+/// Velocities after the last collision, in units of V, and what B got of the energy.
 template <class Number>
 struct Terminal {
-  Number a_t;  // of A
-  Number b_t;  // of B
-  Number c_t;  // of C
-  Number rho;  // (b_t/V)^2
+  Number a_t;  ///< of A
+  Number b_t;  ///< of B
+  Number c_t;  ///< of C
+  Number rho;  ///< (b_t/V)^2
 };
 
+/// The same in that order.
 template <class Number>
 constexpr std::array<Number, 4> as_array(const Terminal<Number>& all) {
   return {all.a_t, all.b_t, all.c_t, all.rho};
 }
 
-// Velocities after the last collision, in units of V.
+/// Velocities after the last collision, in units of V.
 template <class Number>
 struct LastVelocities {
-  Number a_t;  // of A
-  Number b_t;  // of B
-  Number c_t;  // of C
+  Number a_t;  ///< of A
+  Number b_t;  ///< of B
+  Number c_t;  ///< of C
 };
 
+/// The same in that order.
 template <class Number>
 constexpr std::array<Number, 3> as_array(const LastVelocities<Number>& all) {
   return {all.a_t, all.b_t, all.c_t};

@@ -11,11 +11,11 @@
 
 namespace magicmass::generated {
 
-// Magic and deficient mass ratios as the paper writes them.
-// Domain: k >= 1.
-// Error: about 1 eps of 1, so no digit is left from k of about 1e8 on in double.
-// From: ratios.alpha_k_paper (exact:ak), ratios.beta_k_paper (exact:bk).
-// Cost: 4 additions, 2 multiplications, 4 divisions, 2 sines or cosines.
+/// Magic and deficient mass ratios as the paper writes them.
+/// Domain: k >= 1.
+/// Error: about 1 eps of 1, so no digit is left from k of about 1e8 on in double.
+/// From: ratios.alpha_k_paper (exact:ak), ratios.beta_k_paper (exact:bk).
+/// Cost: 4 additions, 2 multiplications, 4 divisions, 2 sines or cosines.
 template <class Real>
 Ratios<Real> ratios_closed(std::int64_t k) {
   using std::cos;
@@ -26,8 +26,9 @@ Ratios<Real> ratios_closed(std::int64_t k) {
   };
 }
 
-// Only magic, from ratios.alpha_k_paper (exact:ak); cost: 2 additions, 1 multiplication,
-//   2 divisions, 1 sine or cosine.
+/// Only magic, with that domain and error,
+///   from ratios.alpha_k_paper (exact:ak); cost: 2 additions, 1 multiplication, 2 divisions,
+///   1 sine or cosine.
 template <class Real>
 Real magic_closed(std::int64_t k) {
   using std::cos;
@@ -35,8 +36,9 @@ Real magic_closed(std::int64_t k) {
   return Real(1) / cos(std::numbers::pi_v<Real> / (Real(1) + Real(2) * k_)) - Real(1);
 }
 
-// Only deficient, from ratios.beta_k_paper (exact:bk); cost: 2 additions, 1 multiplication,
-//   2 divisions, 1 sine or cosine.
+/// Only deficient, with that domain and error,
+///   from ratios.beta_k_paper (exact:bk); cost: 2 additions, 1 multiplication, 2 divisions,
+///   1 sine or cosine.
 template <class Real>
 Real deficient_closed(std::int64_t k) {
   using std::cos;

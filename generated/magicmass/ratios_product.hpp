@@ -11,11 +11,11 @@
 
 namespace magicmass::generated {
 
-// Magic and deficient mass ratios without cancellation.
-// Domain: k >= 1.
-// Error: at most 5 ulp.
-// From: ratios.alpha_k_stable, ratios.beta_k_stable.
-// Cost: 2 additions, 8 multiplications, 4 divisions, 4 sines or cosines.
+/// Magic and deficient mass ratios without cancellation.
+/// Domain: k >= 1.
+/// Error: at most 5 ulp.
+/// From: ratios.alpha_k_stable, ratios.beta_k_stable.
+/// Cost: 2 additions, 8 multiplications, 4 divisions, 4 sines or cosines.
 template <class Real>
 Ratios<Real> ratios_product(std::int64_t k) {
   using std::cos;
@@ -35,8 +35,8 @@ Ratios<Real> ratios_product(std::int64_t k) {
   };
 }
 
-// Only magic, from ratios.alpha_k_stable; cost: 1 addition, 4 multiplications, 2 divisions,
-//   2 sines or cosines.
+/// Only magic, with that domain and error, from ratios.alpha_k_stable; cost: 1 addition,
+///   4 multiplications, 2 divisions, 2 sines or cosines.
 template <class Real>
 Real magic_product(std::int64_t k) {
   using std::cos;
@@ -49,8 +49,8 @@ Real magic_product(std::int64_t k) {
   return Real(2) * (sine_1 * sine_1) / cos(ratio_1);
 }
 
-// Only deficient, from ratios.beta_k_stable; cost: 1 addition, 4 multiplications, 2 divisions,
-//   2 sines or cosines.
+/// Only deficient, with that domain and error, from ratios.beta_k_stable; cost: 1 addition,
+///   4 multiplications, 2 divisions, 2 sines or cosines.
 template <class Real>
 Real deficient_product(std::int64_t k) {
   using std::cos;

@@ -11,16 +11,17 @@
 
 namespace magicmass::generated {
 
-// With restitution e: velocities after 2k + 1 collisions, of which a P is the last.
-// Domain: 0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions,
-//   at least three: h close to pi/2 would cost digits.
-// Error: in double at most 16 max(1/2, cond/2) ulp,
-//   where cond adds up the condition numbers in alpha and e.
-// From: inelastic_end.after_P_a_t, inelastic_end.after_P_b_t, inelastic_end.after_P_c_t,
-//   inelastic_end.after_P_rho.
-// With: power.V_CM, inelastic_end.h, inelastic_end.alpha_c, inelastic_end.after_P_rest.
-// Cost: 16 additions, 23 multiplications, 4 divisions, 2 square roots, 3 sines or cosines,
-//   1 arctangent, 2 powers.
+/// With restitution e: velocities after 2k + 1 collisions, of which a P is the last.
+/// Domain: 0 < e <= 1; alpha > alpha_c(e),
+///   normal and finite; k such that these are all collisions,
+///   at least three: h close to pi/2 would cost digits.
+/// Error: in double at most 16 max(1/2, cond/2) ulp,
+///   where cond adds up the condition numbers in alpha and e.
+/// From: inelastic_end.after_P_a_t, inelastic_end.after_P_b_t, inelastic_end.after_P_c_t,
+///   inelastic_end.after_P_rho.
+/// With: power.V_CM, inelastic_end.h, inelastic_end.alpha_c, inelastic_end.after_P_rest.
+/// Cost: 16 additions, 23 multiplications, 4 divisions, 2 square roots, 3 sines or cosines,
+///   1 arctangent, 2 powers.
 template <class Real>
 Terminal<Real> terminal_after_P(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -66,8 +67,8 @@ Terminal<Real> terminal_after_P(Real alpha, Real e, std::int64_t k) {
   };
 }
 
-// Only a_t, from inelastic_end.after_P_a_t; cost: 12 additions, 12 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
+/// Only a_t, with that domain and error, from inelastic_end.after_P_a_t; cost: 12 additions,
+///   12 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real a_t_after_P(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -92,8 +93,8 @@ Real a_t_after_P(Real alpha, Real e, std::int64_t k) {
       sin(delta_P) - reciprocal_1 * root_1 * std::pow(e, k_) * sin(h_e - delta_P));
 }
 
-// Only b_t, from inelastic_end.after_P_b_t; cost: 12 additions, 12 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
+/// Only b_t, with that domain and error, from inelastic_end.after_P_b_t; cost: 12 additions,
+///   12 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real b_t_after_P(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -118,8 +119,8 @@ Real b_t_after_P(Real alpha, Real e, std::int64_t k) {
       delta_P) + reciprocal_1 * std::pow(e, Real(1) + k_) * sin(delta_P));
 }
 
-// Only c_t, from inelastic_end.after_P_c_t; cost: 11 additions, 11 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
+/// Only c_t, with that domain and error, from inelastic_end.after_P_c_t; cost: 11 additions,
+///   11 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real c_t_after_P(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -144,8 +145,8 @@ Real c_t_after_P(Real alpha, Real e, std::int64_t k) {
       root_1 * std::pow(e, k_) * sin(h_e - delta_P));
 }
 
-// Only rho, from inelastic_end.after_P_rho; cost: 12 additions, 14 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
+/// Only rho, with that domain and error, from inelastic_end.after_P_rho; cost: 12 additions,
+///   14 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 2 powers.
 template <class Real>
 Real rho_after_P(Real alpha, Real e, std::int64_t k) {
   using std::atan;

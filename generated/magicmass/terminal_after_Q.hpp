@@ -11,16 +11,17 @@
 
 namespace magicmass::generated {
 
-// With restitution e: velocities after 2k collisions, of which a Q is the last.
-// Domain: 0 < e <= 1; alpha > alpha_c(e), normal and finite; k such that these are all collisions,
-//   at least three: h close to pi/2 would cost digits.
-// Error: in double at most 16 max(1/2, cond/2) ulp,
-//   where cond adds up the condition numbers in alpha and e.
-// From: inelastic_end.after_Q_a_t, inelastic_end.after_Q_b_t, inelastic_end.after_Q_c_t,
-//   inelastic_end.after_Q_rho.
-// With: power.V_CM, inelastic_end.h, inelastic_end.alpha_c, inelastic_end.after_Q_rest.
-// Cost: 14 additions, 23 multiplications, 4 divisions, 2 square roots, 3 sines or cosines,
-//   1 arctangent, 1 power.
+/// With restitution e: velocities after 2k collisions, of which a Q is the last.
+/// Domain: 0 < e <= 1; alpha > alpha_c(e),
+///   normal and finite; k such that these are all collisions,
+///   at least three: h close to pi/2 would cost digits.
+/// Error: in double at most 16 max(1/2, cond/2) ulp,
+///   where cond adds up the condition numbers in alpha and e.
+/// From: inelastic_end.after_Q_a_t, inelastic_end.after_Q_b_t, inelastic_end.after_Q_c_t,
+///   inelastic_end.after_Q_rho.
+/// With: power.V_CM, inelastic_end.h, inelastic_end.alpha_c, inelastic_end.after_Q_rest.
+/// Cost: 14 additions, 23 multiplications, 4 divisions, 2 square roots, 3 sines or cosines,
+///   1 arctangent, 1 power.
 template <class Real>
 Terminal<Real> terminal_after_Q(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -64,8 +65,8 @@ Terminal<Real> terminal_after_Q(Real alpha, Real e, std::int64_t k) {
   };
 }
 
-// Only a_t, from inelastic_end.after_Q_a_t; cost: 10 additions, 12 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
+/// Only a_t, with that domain and error, from inelastic_end.after_Q_a_t; cost: 10 additions,
+///   12 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
 template <class Real>
 Real a_t_after_Q(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -92,8 +93,8 @@ Real a_t_after_Q(Real alpha, Real e, std::int64_t k) {
       reciprocal_1 * root_1 * power_1 * sin(delta_Q));
 }
 
-// Only b_t, from inelastic_end.after_Q_b_t; cost: 10 additions, 12 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
+/// Only b_t, with that domain and error, from inelastic_end.after_Q_b_t; cost: 10 additions,
+///   12 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
 template <class Real>
 Real b_t_after_Q(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -120,8 +121,8 @@ Real b_t_after_Q(Real alpha, Real e, std::int64_t k) {
       reciprocal_1 * power_1 * sin(h_e - delta_Q));
 }
 
-// Only c_t, from inelastic_end.after_Q_c_t; cost: 9 additions, 11 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
+/// Only c_t, with that domain and error, from inelastic_end.after_Q_c_t; cost: 9 additions,
+///   11 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
 template <class Real>
 Real c_t_after_Q(Real alpha, Real e, std::int64_t k) {
   using std::atan;
@@ -148,8 +149,8 @@ Real c_t_after_Q(Real alpha, Real e, std::int64_t k) {
       power_1 * sin(delta_Q));
 }
 
-// Only rho, from inelastic_end.after_Q_rho; cost: 10 additions, 14 multiplications, 4 divisions,
-//   2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
+/// Only rho, with that domain and error, from inelastic_end.after_Q_rho; cost: 10 additions,
+///   14 multiplications, 4 divisions, 2 square roots, 3 sines or cosines, 1 arctangent, 1 power.
 template <class Real>
 Real rho_after_Q(Real alpha, Real e, std::int64_t k) {
   using std::atan;

@@ -7,12 +7,13 @@
 
 namespace magicmass::generated {
 
-// With restitution e: velocities after P_1 and Q_1, the only collisions.
-// Domain: 0 < e <= 1; alpha such that these are all collisions; (1 + alpha)^4 finite.
-// Error: in double at most 16 max(1/2, cond/2) ulp,
-//   where cond adds up the condition numbers in alpha and e.
-// From: inelastic_end.two_a_t, inelastic_end.two_b_t, inelastic_end.two_c_t, inelastic_end.two_rho.
-// Cost: 4 additions, 11 multiplications, 3 divisions.
+/// With restitution e: velocities after P_1 and Q_1, the only collisions.
+/// Domain: 0 < e <= 1; alpha such that these are all collisions; (1 + alpha)^4 finite.
+/// Error: in double at most 16 max(1/2, cond/2) ulp,
+///   where cond adds up the condition numbers in alpha and e.
+/// From: inelastic_end.two_a_t, inelastic_end.two_b_t, inelastic_end.two_c_t,
+///   inelastic_end.two_rho.
+/// Cost: 4 additions, 11 multiplications, 3 divisions.
 template <class Real>
 Terminal<Real> two_collisions_rational(Real alpha, Real e) {
   // sum_1 = 1 + alpha
@@ -33,13 +34,15 @@ Terminal<Real> two_collisions_rational(Real alpha, Real e) {
   };
 }
 
-// Only a_t, from inelastic_end.two_a_t; cost: 2 additions, 1 multiplication, 1 division.
+/// Only a_t, with that domain and error, from inelastic_end.two_a_t; cost: 2 additions,
+///   1 multiplication, 1 division.
 template <class Real>
 Real a_t_rational(Real alpha, Real e) {
   return (Real(1) - alpha * e) / (Real(1) + alpha);
 }
 
-// Only b_t, from inelastic_end.two_b_t; cost: 2 additions, 3 multiplications, 1 division.
+/// Only b_t, with that domain and error, from inelastic_end.two_b_t; cost: 2 additions,
+///   3 multiplications, 1 division.
 template <class Real>
 Real b_t_rational(Real alpha, Real e) {
   // sum_1 = 1 + e
@@ -49,7 +52,8 @@ Real b_t_rational(Real alpha, Real e) {
   return alpha * (sum_1 * sum_1) / (sum_2 * sum_2);
 }
 
-// Only c_t, from inelastic_end.two_c_t; cost: 3 additions, 2 multiplications, 1 division.
+/// Only c_t, with that domain and error, from inelastic_end.two_c_t; cost: 3 additions,
+///   2 multiplications, 1 division.
 template <class Real>
 Real c_t_rational(Real alpha, Real e) {
   // sum_1 = 1 + alpha
@@ -57,7 +61,8 @@ Real c_t_rational(Real alpha, Real e) {
   return (Real(1) + e) * (alpha - e) / (sum_1 * sum_1);
 }
 
-// Only rho, from inelastic_end.two_rho; cost: 2 additions, 6 multiplications, 1 division.
+/// Only rho, with that domain and error, from inelastic_end.two_rho; cost: 2 additions,
+///   6 multiplications, 1 division.
 template <class Real>
 Real rho_rational(Real alpha, Real e) {
   // sum_1 = 1 + e

@@ -10,14 +10,14 @@
 
 namespace magicmass::generated {
 
-// All velocities as the paper writes them.
-// Domain: alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
-// Error: nearly equal numbers are subtracted where a velocity is small.
-// From: power.a (eq:a-final), power.b (eq:b-final), power.c (eq:c-final),
-//   power.c_prime (eq:c'-final).
-// With: power.V_CM, rotation.psi_paper (def:psi, def:psi-app).
-// Cost: 8 additions, 21 multiplications, 3 divisions, 1 square root, 6 sines or cosines,
-//   1 arctangent.
+/// All velocities as the paper writes them.
+/// Domain: alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
+/// Error: nearly equal numbers are subtracted where a velocity is small.
+/// From: power.a (eq:a-final), power.b (eq:b-final), power.c (eq:c-final),
+///   power.c_prime (eq:c'-final).
+/// With: power.V_CM, rotation.psi_paper (def:psi, def:psi-app).
+/// Cost: 8 additions, 21 multiplications, 3 divisions, 1 square root, 6 sines or cosines,
+///   1 arctangent.
 template <class Real>
 Velocities<Real> velocities_closed(Real alpha, std::int64_t n) {
   using std::atan;
@@ -45,8 +45,8 @@ Velocities<Real> velocities_closed(Real alpha, std::int64_t n) {
   };
 }
 
-// Only a, from power.a (eq:a-final); cost: 2 additions, 5 multiplications, 2 divisions,
-//   1 square root, 2 sines or cosines, 1 arctangent.
+/// Only a, with that domain and error, from power.a (eq:a-final); cost: 2 additions,
+///   5 multiplications, 2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real a_closed(Real alpha, std::int64_t n) {
   using std::atan;
@@ -62,8 +62,8 @@ Real a_closed(Real alpha, std::int64_t n) {
   return V_CM * (Real(1) + cos(psi * n_) / cos(Real(0.5) * psi));
 }
 
-// Only b, from power.b (eq:b-final); cost: 3 additions, 7 multiplications, 2 divisions,
-//   1 square root, 2 sines or cosines, 1 arctangent.
+/// Only b, with that domain and error, from power.b (eq:b-final); cost: 3 additions,
+///   7 multiplications, 2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real b_closed(Real alpha, std::int64_t n) {
   using std::atan;
@@ -79,8 +79,8 @@ Real b_closed(Real alpha, std::int64_t n) {
   return V_CM * (Real(1) - cos(Real(0.5) * psi * (Real(1) + Real(2) * n_)) / cos(Real(0.5) * psi));
 }
 
-// Only c, from power.c (eq:c-final); cost: 3 additions, 7 multiplications, 2 divisions,
-//   1 square root, 2 sines or cosines, 1 arctangent.
+/// Only c, with that domain and error, from power.c (eq:c-final); cost: 3 additions,
+///   7 multiplications, 2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_closed(Real alpha, std::int64_t n) {
   using std::atan;
@@ -97,8 +97,8 @@ Real c_closed(Real alpha, std::int64_t n) {
       psi));
 }
 
-// Only c_prime, from power.c_prime (eq:c'-final); cost: 3 additions, 7 multiplications,
-//   2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
+/// Only c_prime, with that domain and error, from power.c_prime (eq:c'-final); cost: 3 additions,
+///   7 multiplications, 2 divisions, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_prime_closed(Real alpha, std::int64_t n) {
   using std::atan;

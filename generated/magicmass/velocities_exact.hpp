@@ -8,12 +8,12 @@
 
 namespace magicmass::generated {
 
-// All velocities as rational functions of alpha.
-// Domain: alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
-// Error: none in an exact field.
-// From: chebyshev.a, chebyshev.b, chebyshev.c, chebyshev.c_prime.
-// With: power.V_CM, chebyshev.T_1.
-// Cost: 9 additions, 12 multiplications, 3 divisions, 1 cosine ladder.
+/// All velocities as rational functions of alpha.
+/// Domain: alpha > 0 and finite; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
+/// Error: none in an exact field.
+/// From: chebyshev.a, chebyshev.b, chebyshev.c, chebyshev.c_prime.
+/// With: power.V_CM, chebyshev.T_1.
+/// Cost: 9 additions, 12 multiplications, 3 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Velocities<Field> velocities_exact(const Field& alpha, const Integer& n) {
   // V_CM = 1/(2 + alpha), step power.V_CM
@@ -35,7 +35,8 @@ Velocities<Field> velocities_exact(const Field& alpha, const Integer& n) {
   };
 }
 
-// Only a, from chebyshev.a; cost: 3 additions, 2 multiplications, 2 divisions, 1 cosine ladder.
+/// Only a, with that domain and error, from chebyshev.a; cost: 3 additions, 2 multiplications,
+///   2 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Field a_exact(const Field& alpha, const Integer& n) {
   // V_CM = 1/(2 + alpha), step power.V_CM
@@ -49,7 +50,8 @@ Field a_exact(const Field& alpha, const Integer& n) {
   return V_CM * (Field(1) + T_2n.low * sum_1);
 }
 
-// Only b, from chebyshev.b; cost: 3 additions, 2 multiplications, 2 divisions, 1 cosine ladder.
+/// Only b, with that domain and error, from chebyshev.b; cost: 3 additions, 2 multiplications,
+///   2 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Field b_exact(const Field& alpha, const Integer& n) {
   // V_CM = 1/(2 + alpha), step power.V_CM
@@ -63,7 +65,8 @@ Field b_exact(const Field& alpha, const Integer& n) {
   return V_CM * (Field(1) - T_2n.high * sum_1);
 }
 
-// Only c, from chebyshev.c; cost: 5 additions, 4 multiplications, 3 divisions, 1 cosine ladder.
+/// Only c, with that domain and error, from chebyshev.c; cost: 5 additions, 4 multiplications,
+///   3 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Field c_exact(const Field& alpha, const Integer& n) {
   // V_CM = 1/(2 + alpha), step power.V_CM
@@ -77,8 +80,8 @@ Field c_exact(const Field& alpha, const Integer& n) {
   return V_CM * (Field(1) + sum_1 * (Field(2) * T_1 * T_2n.low - T_2n.high - T_2n.low) / alpha);
 }
 
-// Only c_prime, from chebyshev.c_prime; cost: 4 additions, 2 multiplications, 3 divisions,
-//   1 cosine ladder.
+/// Only c_prime, with that domain and error, from chebyshev.c_prime; cost: 4 additions,
+///   2 multiplications, 3 divisions, 1 cosine ladder.
 template <class Field, class Integer>
 Field c_prime_exact(const Field& alpha, const Integer& n) {
   // V_CM = 1/(2 + alpha), step power.V_CM

@@ -10,15 +10,15 @@
 
 namespace magicmass::generated {
 
-// All velocities as products, psi from a quarter of it.
-// Domain: alpha normal and finite,
-//   not subnormal; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
-// Error: at most 5 eps of the largest such value of the body at that alpha; beyond alpha = 1,
-//   of V instead; all up to the last collision.
-// From: power.a_product, power.b_product, power.c_product, power.c_prime_product.
-// With: power.V_CM, rotation.psi_half_angle.
-// Cost: 5 additions, 28 multiplications, 2 divisions, 1 square root, 5 sines or cosines,
-//   1 arctangent.
+/// All velocities as products, psi from a quarter of it.
+/// Domain: alpha normal and finite,
+///   not subnormal; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
+/// Error: at most 5 eps of the largest such value of the body at that alpha; beyond alpha = 1,
+///   of V instead; all up to the last collision.
+/// From: power.a_product, power.b_product, power.c_product, power.c_prime_product.
+/// With: power.V_CM, rotation.psi_half_angle.
+/// Cost: 5 additions, 28 multiplications, 2 divisions, 1 square root, 5 sines or cosines,
+///   1 arctangent.
 template <class Real>
 Velocities<Real> velocities_product(Real alpha, std::int64_t n) {
   using std::atan;
@@ -50,8 +50,8 @@ Velocities<Real> velocities_product(Real alpha, std::int64_t n) {
   };
 }
 
-// Only a, from power.a_product; cost: 4 additions, 11 multiplications, 1 division, 1 square root,
-//   2 sines or cosines, 1 arctangent.
+/// Only a, with that domain and error, from power.a_product; cost: 4 additions,
+///   11 multiplications, 1 division, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real a_product(Real alpha, std::int64_t n) {
   using std::atan;
@@ -68,8 +68,8 @@ Real a_product(Real alpha, std::int64_t n) {
       cos(Real(0.25) * psi * (product_1 - Real(1)));
 }
 
-// Only b, from power.b_product; cost: 3 additions, 10 multiplications, 1 division, 1 square root,
-//   2 sines or cosines, 1 arctangent.
+/// Only b, with that domain and error, from power.b_product; cost: 3 additions,
+///   10 multiplications, 1 division, 1 square root, 2 sines or cosines, 1 arctangent.
 template <class Real>
 Real b_product(Real alpha, std::int64_t n) {
   using std::atan;
@@ -84,8 +84,8 @@ Real b_product(Real alpha, std::int64_t n) {
       sin(Real(0.5) * psi * n_);
 }
 
-// Only c, from power.c_product; cost: 2 additions, 11 multiplications, 2 divisions, 1 square root,
-//   3 sines or cosines, 1 arctangent.
+/// Only c, with that domain and error, from power.c_product; cost: 2 additions,
+///   11 multiplications, 2 divisions, 1 square root, 3 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_product(Real alpha, std::int64_t n) {
   using std::atan;
@@ -101,8 +101,8 @@ Real c_product(Real alpha, std::int64_t n) {
       n_) / sin(Real(0.25) * psi);
 }
 
-// Only c_prime, from power.c_prime_product; cost: 2 additions, 11 multiplications, 2 divisions,
-//   1 square root, 3 sines or cosines, 1 arctangent.
+/// Only c_prime, with that domain and error, from power.c_prime_product; cost: 2 additions,
+///   11 multiplications, 2 divisions, 1 square root, 3 sines or cosines, 1 arctangent.
 template <class Real>
 Real c_prime_product(Real alpha, std::int64_t n) {
   using std::atan;

@@ -10,15 +10,15 @@
 
 namespace magicmass::generated {
 
-// All velocities from one sine and one cosine.
-// Domain: alpha normal and finite,
-//   not subnormal; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
-// Error: at most 5 eps of the largest such value of the body at that alpha; beyond alpha = 1,
-//   of V instead; all up to the last collision.
-// From: tangent.a, tangent.b, tangent.c, tangent.c_prime.
-// With: power.V_CM, rotation.psi_half_angle, tangent.tan_quarter, tangent.cot_half.
-// Cost: 4 additions, 16 multiplications, 2 divisions, 1 square root, 1 sine-cosine pair,
-//   1 arctangent.
+/// All velocities from one sine and one cosine.
+/// Domain: alpha normal and finite,
+///   not subnormal; 0 <= n (c is proved for n >= 1 and is 0 at n = 0).
+/// Error: at most 5 eps of the largest such value of the body at that alpha; beyond alpha = 1,
+///   of V instead; all up to the last collision.
+/// From: tangent.a, tangent.b, tangent.c, tangent.c_prime.
+/// With: power.V_CM, rotation.psi_half_angle, tangent.tan_quarter, tangent.cot_half.
+/// Cost: 4 additions, 16 multiplications, 2 divisions, 1 square root, 1 sine-cosine pair,
+///   1 arctangent.
 template <class Real>
 Velocities<Real> velocities_tangent(Real alpha, std::int64_t n) {
   using std::atan;
@@ -54,8 +54,8 @@ Velocities<Real> velocities_tangent(Real alpha, std::int64_t n) {
   };
 }
 
-// Only a, from tangent.a; cost: 3 additions, 6 multiplications, 1 division, 1 square root,
-//   1 sine-cosine pair, 1 arctangent.
+/// Only a, with that domain and error, from tangent.a; cost: 3 additions, 6 multiplications,
+///   1 division, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real a_tangent(Real alpha, std::int64_t n) {
   using std::atan;
@@ -80,8 +80,8 @@ Real a_tangent(Real alpha, std::int64_t n) {
   return (cosine_1 + product_2) * (cosine_1 - product_2);
 }
 
-// Only b, from tangent.b; cost: 2 additions, 8 multiplications, 1 division, 1 square root,
-//   1 sine-cosine pair, 1 arctangent.
+/// Only b, with that domain and error, from tangent.b; cost: 2 additions, 8 multiplications,
+///   1 division, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real b_tangent(Real alpha, std::int64_t n) {
   using std::atan;
@@ -104,8 +104,8 @@ Real b_tangent(Real alpha, std::int64_t n) {
   return Real(2) * (tan_quarter * cosine_1 + V_CM * sine_1) * sine_1;
 }
 
-// Only c, from tangent.c; cost: 2 additions, 8 multiplications, 2 divisions, 1 square root,
-//   1 sine-cosine pair, 1 arctangent.
+/// Only c, with that domain and error, from tangent.c; cost: 2 additions, 8 multiplications,
+///   2 divisions, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real c_tangent(Real alpha, std::int64_t n) {
   using std::atan;
@@ -130,8 +130,8 @@ Real c_tangent(Real alpha, std::int64_t n) {
   return Real(2) * cot_half * (cosine_1 + tan_quarter * sine_1) * sine_1;
 }
 
-// Only c_prime, from tangent.c_prime; cost: 2 additions, 8 multiplications, 2 divisions,
-//   1 square root, 1 sine-cosine pair, 1 arctangent.
+/// Only c_prime, with that domain and error, from tangent.c_prime; cost: 2 additions,
+///   8 multiplications, 2 divisions, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Real>
 Real c_prime_tangent(Real alpha, std::int64_t n) {
   using std::atan;

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/ratios.hpp"
 
@@ -20,16 +19,6 @@ double nearest_double(const MassRatio& alpha) {
   if (!(value > 0.0) || !std::isfinite(value))
     throw Undecided("alpha is outside the doubles (5e-324 to 1.8e308); use --tier exact");
   return value;
-}
-
-reference::LargeCounts exact_counts(const MassRatio& alpha) {
-  if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};
-  if (const auto* deficient = std::get_if<Deficient>(&alpha))
-    return {cln::cl_I(deficient->k) + 1, deficient->k};
-  if (const auto* value = std::get_if<double>(&alpha))
-    if (const std::optional<Counts> counts = count_collisions(*value))
-      return {counts->N_A, counts->N_B};
-  return reference::count_collisions(*reference::exact(alpha));
 }
 
 Cell alpha_cell(const MassRatio& alpha) {

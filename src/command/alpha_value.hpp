@@ -3,16 +3,12 @@
 #pragma once
 
 #include "command/records.hpp"
-#include "magicmass/reference/count.hpp"
 #include "magicmass/scenes/mass_ratio.hpp"
 
 namespace magicmass::command {
 
 /// The double nearest to it. Throws Undecided where that is 0 or infinite.
 double nearest_double(const MassRatio& alpha);
-
-/// N_A and N_B, exactly; at magic:k and deficient:k by the theorems counting.N_A and counting.N_B.
-reference::LargeCounts exact_counts(const MassRatio& alpha);
 
 /// A double as a number, the others as text.
 Cell alpha_cell(const MassRatio& alpha);

@@ -9,6 +9,7 @@
 #include "command/commands.hpp"
 #include "command/questions.hpp"
 #include "magicmass/evaluators/nearest_threshold.hpp"
+#include "magicmass/reference/count.hpp"
 #include "magicmass/reference/rational.hpp"
 
 namespace magicmass::command {
@@ -39,7 +40,7 @@ std::vector<Cell> near_tie_cells(const MassRatio& alpha) {
 
 std::vector<Cell> count(const Question& question, bool with_near_tie) {
   const MassRatio alpha = parse_mass_ratio(question.alpha);
-  const reference::LargeCounts counts = exact_counts(alpha);
+  const reference::LargeCounts counts = reference::exact_counts(alpha);
   std::vector<Cell> cells{alpha_cell(alpha), digits_cell(reference::to_text(counts.N_A)),
                           digits_cell(reference::to_text(counts.N_B))};
   if (with_near_tie)

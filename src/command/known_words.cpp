@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "command/nearest_name.hpp"
-#include "equality/edit_distance.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/nearest_key.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {
@@ -32,7 +32,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
 [[noreturn]] void refuse_option(const std::string& name, const std::string& command,
                                 const std::vector<std::string>& names) {
   const std::string nearest = nearest_name(name, names);
-  const bool is_near = equality::edit_distance(name.substr(0, 40), nearest) <= name.size() / 2;
+  const bool is_near = edit_distance(name.substr(0, 40), nearest) <= name.size() / 2;
   throw InvalidInput(command + " has no option " + shown_text(name, 100) +
                      (is_near ? "; did you mean " + nearest + "?" : ";") + " see " + command +
                      " --help");

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "command/exact_work.hpp"
+#include "magicmass/reference/exact_work.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/stalled_clock.hpp"
 
@@ -58,7 +58,7 @@ public:
   void run() {
     if (lists_points_) all_at(Scalar(0));
     StalledClock<Scalar> clock;
-    ExactWork work(degree_, most_exact_work);
+    reference::ExactWork work(degree_, reference::most_exact_work);
     const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
       if (until_ && *until_ < *next) {

@@ -33,8 +33,8 @@ private:
   std::optional<Destination> output_;
 };
 
-void as_csv(const Scene& scene, const reference::ExactLine& line, const SceneOptions& options,
-            Writer& writer) {
+void as_csv(const Scene& scene, const reference::ExactLine& line,
+            const reference::SceneOptions& options, Writer& writer) {
   const bool events = wants(scene, Output::events), points = wants(scene, Output::trajectory);
   bool headed = false;
   const auto rows = [&](const std::vector<std::string>& columns) {
@@ -58,7 +58,7 @@ void as_csv(const Scene& scene, const reference::ExactLine& line, const SceneOpt
 }
 
 void as_json_lines(const Scene& scene, const reference::ExactLine& line,
-                   const SceneOptions& options, Writer& writer) {
+                   const reference::SceneOptions& options, Writer& writer) {
   const auto rows = [&](const char* name, const std::vector<std::string>& columns) {
     return [&, name](const std::vector<Cell>& cells) {
       writer.write(fmt::format("{{\"{}\": {}}}\n", name, json_object(columns, cells)));
@@ -73,17 +73,17 @@ void as_json_lines(const Scene& scene, const reference::ExactLine& line,
 constexpr std::int64_t most_kept = 4'000'000;
 
 /// The same run, but of no more events than have room.
-SceneOptions with_room(const Scene& scene, SceneOptions options) {
+reference::SceneOptions with_room(const Scene& scene, reference::SceneOptions options) {
   if (!wants(scene, Output::events) && !wants(scene, Output::trajectory)) return options;
   const std::int64_t every = std::min(scene.every, std::int64_t{1} << 30U);
-  options.max_events = std::min(event_limit(scene, options), most_kept * every);
+  options.max_events = std::min(reference::event_limit(scene, options), most_kept * every);
   return options;
 }
 
-void whole(const Scene& scene, const reference::ExactLine& line, const SceneOptions& asked,
-           bool json, Writer& writer) {
+void whole(const Scene& scene, const reference::ExactLine& line,
+           const reference::SceneOptions& asked, bool json, Writer& writer) {
   const bool limits = scene.max_events || asked.max_events;
-  const SceneOptions options = limits ? with_room(scene, asked) : asked;
+  const reference::SceneOptions options = limits ? with_room(scene, asked) : asked;
   std::string events, points;
   const auto keep = [json](std::string& text, const std::vector<std::string>& columns) {
     return [&text, &columns, json](const std::vector<Cell>& cells) {
@@ -97,7 +97,8 @@ void whole(const Scene& scene, const reference::ExactLine& line, const SceneOpti
   };
   LineResult result = run_line(
       scene, line, options, {keep(events, line_event_columns), keep(points, line_point_columns)});
-  if (result.status == "limited" && event_limit(scene, options) < event_limit(scene, asked))
+  if (result.status == "limited" &&
+      reference::event_limit(scene, options) < reference::event_limit(scene, asked))
     result.why += "; more rows fit --format csv and jsonl";
   if (!json) {
     writer.write(line_text(scene, result) + events + points);
@@ -111,7 +112,7 @@ void whole(const Scene& scene, const reference::ExactLine& line, const SceneOpti
 }  // namespace
 
 void write_line_run(const Scene& scene, const reference::ExactLine& line,
-                    const SceneOptions& options, const OutputOptions& output) {
+                    const reference::SceneOptions& options, const OutputOptions& output) {
   Writer writer(output);
   if (output.format == "csv")
     as_csv(scene, line, options, writer);

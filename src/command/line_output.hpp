@@ -10,6 +10,6 @@ namespace magicmass::command {
 /// the trajectory where no events were asked for, or one line; jsonl one object a line, {"event": ...},
 /// {"point": ...} and at last {"result": ...}. text and json keep what the event limit lets through.
 void write_line_run(const Scene& scene, const reference::ExactLine& line,
-                    const SceneOptions& options, const OutputOptions& output);
+                    const reference::SceneOptions& options, const OutputOptions& output);
 
 }  // namespace magicmass::command

@@ -25,7 +25,7 @@ const std::vector<std::string> cradle_names = {"transfers", "round_trips", "move
 
 }  // namespace
 
-std::string plan_json(const Plan& plan) {
+std::string plan_json(const reference::Plan& plan) {
   return json_object({"model", "reason", "events"}, {text_cell(plan.model), text_cell(plan.reason),
                                                      digits_cell(reference::to_text(plan.events))});
 }

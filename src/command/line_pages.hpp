@@ -13,6 +13,6 @@ std::string line_json(const Scene& scene, const LineResult& result);
 std::string line_text(const Scene& scene, const LineResult& result);
 /// The one CSV row, with its header, of a scene that asked neither for events nor for a trajectory.
 std::string line_csv(const LineResult& result);
-std::string plan_json(const Plan& plan);
+std::string plan_json(const reference::Plan& plan);
 
 }  // namespace magicmass::command

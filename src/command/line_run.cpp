@@ -137,35 +137,35 @@ Line<cl_RA> as_rationals(const Line<FieldNumber>& line) {
 
 }  // namespace
 
-LineResult run_line(const Scene& scene, const ExactLine& line, const SceneOptions& options,
-                    const LineListener& listener) {
+LineResult run_line(const Scene& scene, const ExactLine& line,
+                    const reference::SceneOptions& options, const LineListener& listener) {
   LineResult result;
   result.status = "complete";
-  const LinePlan plan = plan_line(scene, line, options);
+  const reference::LinePlan plan = reference::plan_line(scene, line, options);
   result.plan = plan.plan;
-  result.fractions = options.scalars == Scalars::exact || !options.model.empty();
-  const bool wide = options.scalars == Scalars::long_doubles;
-  const std::int64_t limit = event_limit(scene, options);
+  result.fractions = options.scalars == reference::Scalars::exact || !options.model.empty();
+  const bool wide = options.scalars == reference::Scalars::long_doubles;
+  const std::int64_t limit = reference::event_limit(scene, options);
   switch (plan.model) {
-    case Model::closed_form:
+    case reference::Model::closed_form:
       closed_form(scene, line, *plan.end, limit, listener, result);
       return result;
-    case Model::velocity_stepping:
+    case reference::Model::velocity_stepping:
       if (wide)
         step_velocities_alone(scene, reference::rounded<long double>(line), limit, result);
       else
         step_velocities_alone(scene, reference::rounded(line), limit, result);
       return result;
-    case Model::transfers:
+    case reference::Model::transfers:
       by_transfers(scene, line, limit, result);
       return result;
-    case Model::event_driven:
+    case reference::Model::event_driven:
       if (wide)
         step_line(scene, line, reference::rounded<long double>(line), limit, listener, result);
       else
         step_line(scene, line, reference::rounded(line), limit, listener, result);
       break;
-    case Model::exact_events:
+    case reference::Model::exact_events:
       if (line.is_rational())
         step_line(scene, line, as_rationals(line.together()), limit, listener, result);
       else

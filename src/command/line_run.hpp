@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "command/records.hpp"
-#include "command/scene_plan.hpp"
+#include "magicmass/reference/scene_plan.hpp"
 
 namespace magicmass::command {
 
@@ -26,7 +26,7 @@ struct LineListener {
 struct LineResult {
   std::string status;  ///< "complete", "collapse" or "limited"
   std::string why;     ///< of a collapse that no theorem told, or of a limit
-  Plan plan;
+  reference::Plan plan;
   bool fractions = false;      ///< exact rationals are printed as such
   Cell contacts;               ///< how many; missing in a collapse
   std::vector<Cell> counts;    ///< N_A and N_B, of three bodies or two and a wall
@@ -42,6 +42,6 @@ struct LineResult {
 
 /// Throws as plan_line does, and Undecided where the answer does not fit.
 LineResult run_line(const Scene& scene, const reference::ExactLine& line,
-                    const SceneOptions& options, const LineListener& listener);
+                    const reference::SceneOptions& options, const LineListener& listener);
 
 }  // namespace magicmass::command

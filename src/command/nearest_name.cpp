@@ -5,15 +5,15 @@
 
 #include <fmt/format.h>
 
-#include "equality/edit_distance.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/nearest_key.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {
 std::string nearest_name(const std::string& name, const std::vector<std::string>& names) {
   const std::string start = name.substr(0, 40);  // longer is near to nothing
   return *std::min_element(names.begin(), names.end(), [&](const auto& x, const auto& y) {
-    return equality::edit_distance(start, x) < equality::edit_distance(start, y);
+    return edit_distance(start, x) < edit_distance(start, y);
   });
 }
 

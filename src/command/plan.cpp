@@ -5,7 +5,8 @@
 
 #include "command/commands.hpp"
 #include "command/line_pages.hpp"
-#include "command/scene_run.hpp"
+#include "command/model_option.hpp"
+#include "command/records.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "render/wrapping.hpp"
 
@@ -14,16 +15,12 @@ namespace {
 
 struct PlanOptions {
   std::string scene;
-  SceneOptions run;
+  reference::SceneOptions run;
   OutputOptions output;
 };
 
 ExitCode plan(const PlanOptions& options) {
-  const Scene scene = read_scene(options.scene);
-  const reference::ExactLine line = reference::exact_line(scene);
-  const Plan chosen = is_papers_scene(scene, options.run)
-                          ? plan_papers_scene(scene, options.run)
-                          : plan_line(scene, line, options.run).plan;
+  const reference::Plan chosen = reference::plan(read_scene(options.scene), options.run);
   Destination output(options.output.path);
   if (options.output.format == "json")
     output.write(plan_json(chosen) + "\n");
@@ -40,25 +37,6 @@ ExitCode plan(const PlanOptions& options) {
 }
 
 }  // namespace
-
-void add_model_option(CLI::App& command, SceneOptions& options) {
-  command.add_option("--model", options.model, "the model to use (plan tells which)")
-      ->type_name("MODEL");
-  command
-      .add_option_function<std::string>(
-          "--scalar",
-          [&options](const std::string& name) {
-            options.scalars = name == "double"        ? Scalars::doubles
-                              : name == "long-double" ? Scalars::long_doubles
-                                                      : Scalars::exact;
-          },
-          "step events in double, long-double or exact")
-      ->type_name("NAME")
-      ->check(CLI::IsMember({"double", "long-double", "exact"}));
-  command.add_option("--max-events", options.max_events, "stop after so many (1000000)")
-      ->type_name("N")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{1} << 53U).description(""));
-}
 
 void add_plan(Program& program) {
   const auto options = std::make_shared<PlanOptions>();

@@ -136,7 +136,7 @@ SceneMotion follow_scene(Scene scene, std::int64_t most_contacts) {
     motion.contacts.push_back(reader.read(cells));
     add_pieces(motion, motion.contacts.back());
   };
-  SceneOptions options;
+  reference::SceneOptions options;
   options.max_events = std::min(most_contacts, scene.max_events.value_or(most_contacts));
   const LineResult result = run_line(scene, line, options, {take, [](const auto&) {}});
   motion.status = result.status;

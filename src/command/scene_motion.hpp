@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "command/scene_plan.hpp"
+#include "magicmass/reference/scene_plan.hpp"
 #include "magicmass/scenes/scene.hpp"
 
 namespace magicmass::command {

@@ -32,7 +32,7 @@ std::string json_or_null(const std::vector<std::string>& columns, const std::vec
 }
 
 std::string scene_json(const Scene& scene, const SceneResult& result) {
-  const Plan& plan = result.plan;
+  const reference::Plan& plan = result.plan;
   const std::vector<Cell> plan_cells = {text_cell(plan.model), text_cell(plan.reason),
                                         digits_cell(reference::to_text(plan.events))};
   std::string text = fmt::format(

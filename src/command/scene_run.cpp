@@ -108,38 +108,18 @@ void require_short(const cl_RA& alpha, const cl_I& events) {
 
 }  // namespace
 
-bool is_papers_scene(const Scene& scene, const SceneOptions& options) {
-  return scene.alpha && scene.times.empty() && scene.every == 1 && !scene.until &&
-         options.model.empty() &&
-         (options.scalars == Scalars::planned || options.scalars == Scalars::exact) &&
-         scene.restitution == Value(1.0);
-}
-
-Plan plan_papers_scene(const Scene& scene, const SceneOptions& options) {
-  if (!wants(scene, Output::events) && !wants(scene, Output::trajectory))
-    return {"closed form",
-            "only counts, terminal velocities or energy are asked for, so no event is stepped", 0};
-  const reference::LargeCounts counts = exact_counts(*scene.alpha);
-  const cl_I events = counts.N_A + counts.N_B;
-  const bool unlimited = !options.max_events && !scene.max_events;
-  if (unlimited && events > cl_I(usual_max_events))
-    refuse_as_too_long(scene, events, usual_max_events);
-  return {"event-driven", "events or a trajectory are asked for, which need places and times",
-          cln::min(events, cl_I(event_limit(scene, options)))};
-}
-
-SceneResult run_scene(const Scene& scene, const SceneOptions& options) {
+SceneResult run_scene(const Scene& scene, const reference::SceneOptions& options) {
   SceneResult result;
   result.status = "complete";
-  result.counts = exact_counts(*scene.alpha);
-  result.plan = plan_papers_scene(scene, options);
-  const std::int64_t limit = event_limit(scene, options);
+  result.counts = reference::exact_counts(*scene.alpha);
+  result.plan = reference::plan_papers_scene(scene, options);
+  const std::int64_t limit = reference::event_limit(scene, options);
   const bool steps_events = result.plan.model == "event-driven";
   if (steps_events && result.plan.events > cl_I(most_kept))
     throw InvalidInput("a table of " + reference::to_text(result.plan.events) +
                        " events is kept in memory; allowed: up to " + std::to_string(most_kept) +
                        ", --format jsonl, or --model event-driven with --format csv");
-  if (options.scalars == Scalars::exact) {
+  if (options.scalars == reference::Scalars::exact) {
     const std::optional<cl_RA> alpha = reference::exact(*scene.alpha);
     if (!alpha)
       throw InvalidInput("--exact needs a rational alpha, got " + to_text(*scene.alpha) +

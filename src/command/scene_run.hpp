@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "command/records.hpp"
-#include "command/scene_plan.hpp"
 #include "magicmass/reference/count.hpp"
+#include "magicmass/reference/scene_plan.hpp"
 #include "magicmass/scenes/scene.hpp"
 
 namespace magicmass::command {
@@ -21,7 +21,7 @@ extern const std::vector<std::string> trajectory_columns;
 struct SceneResult {
   std::string status;   ///< "complete" or "limited"
   Cell computed_alpha;  ///< the number that was computed with
-  Plan plan;
+  reference::Plan plan;
   reference::LargeCounts counts;                  ///< exact, for alpha as it was written
   std::optional<reference::LargeCounts> stepped;  ///< collisions that the event loop went through
   std::vector<Cell> terminal;                     ///< a_t, b_t, c_t in units of the scene; rho
@@ -31,14 +31,8 @@ struct SceneResult {
   std::vector<Cell> drift;  ///< if asked for: energy, momentum
 };
 
-/// A scene for run_scene: the paper's initial state, no model asked for, nothing left out and no times of its own.
-bool is_papers_scene(const Scene& scene, const SceneOptions& options);
-
-/// Its plan. Throws InvalidInput where a list of events would be longer than the usual limit and no other was set.
-Plan plan_papers_scene(const Scene& scene, const SceneOptions& options);
-
-/// Throws InvalidInput where exact arithmetic was asked for and alpha is irrational, Undecided where the answer
+/// A scene that is_papers_scene. Throws InvalidInput where exact arithmetic was asked for and alpha is irrational, Undecided where the answer
 /// does not fit.
-SceneResult run_scene(const Scene& scene, const SceneOptions& options);
+SceneResult run_scene(const Scene& scene, const reference::SceneOptions& options);
 
 }  // namespace magicmass::command

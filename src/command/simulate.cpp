@@ -7,6 +7,7 @@
 #include "command/alpha_value.hpp"
 #include "command/commands.hpp"
 #include "command/line_output.hpp"
+#include "command/model_option.hpp"
 #include "command/scene_pages.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 struct SimulateOptions {
   std::string scene;
-  SceneOptions run;
+  reference::SceneOptions run;
   OutputOptions output;
 };
 
@@ -32,7 +33,7 @@ void say_where_counts_differ(const SceneResult& result) {
 ExitCode simulate(const SimulateOptions& options) {
   const Scene scene = read_scene(options.scene);
   const reference::ExactLine line = reference::exact_line(scene);
-  if (!is_papers_scene(scene, options.run) || options.output.format == "jsonl") {
+  if (!reference::is_papers_scene(scene, options.run) || options.output.format == "jsonl") {
     write_line_run(scene, line, options.run, options.output);
     return ExitCode::done;
   }
@@ -61,7 +62,7 @@ void add_simulate(Program& program) {
                   "magicmass simulate tutorials/scenes/trajectory_a.toml");
   command.add_option("SCENE", options->scene, "a scene file in TOML")->type_name("")->required();
   command.add_flag_callback(
-      "--exact", [options] { options->run.scalars = Scalars::exact; },
+      "--exact", [options] { options->run.scalars = reference::Scalars::exact; },
       "the same as --scalar exact");
   add_model_option(command, options->run);
   add_output_options(command, options->output, {"text", "json", "csv", "jsonl"});

@@ -10,6 +10,7 @@
 #include "command/questions.hpp"
 #include "command/velocity_tiers.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/count.hpp"
 #include "magicmass/reference/rational.hpp"
 
 namespace magicmass::command {
@@ -28,7 +29,7 @@ void answer_elastic(const TerminalOptions& options) {
   const Accuracy wanted = accuracy(options.accuracy);
   answer_all(options.asked, false, options.output, elastic_columns, [&](const Question& question) {
     const MassRatio alpha = parse_mass_ratio(question.alpha);
-    const reference::LargeCounts counts = exact_counts(alpha);
+    const reference::LargeCounts counts = reference::exact_counts(alpha);
     const TerminalCells v = terminal_velocities(alpha, counts, wanted);
     return std::vector<Cell>{alpha_cell(alpha),
                              digits_cell(reference::to_text(counts.N_A)),

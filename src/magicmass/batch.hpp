@@ -26,62 +26,66 @@ void velocity_stream(double alpha, std::int64_t first_n, std::span<double> a, st
                      std::span<double> c, std::span<double> c_prime,
                      InstructionSet instruction_set = best_instruction_set());
 
-/// All velocities just after the n-th collisions of alpha, in units of V, where 0 <= n <= N_A(alpha). In tier fast each within 4 times
-/// max(1/2, cond/2) ulp, cond = |alpha y'/y|; in tier accurate the nearest doubles. From theorems tangent.*.
 namespace fast {
+/// All velocities just after the n-th collisions of alpha, in units of V, where 0 <= n <= N_A(alpha). Each within 4 times
+/// max(1/2, cond/2) ulp, cond = |alpha y'/y|. From theorems tangent.*.
 void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace fast
 namespace accurate {
+/// The nearest doubles; else as fast::velocities. From theorems tangent.*.
 void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace accurate
 
+namespace fast {
 /// The same at one n for all alpha: for n = 1 and 2 from the rational forms, theorems fixed_n.*, which take less time.
-namespace fast {
 void velocities(std::span<const double> alpha, std::int64_t n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace fast
 namespace accurate {
+/// The nearest doubles; else as fast::velocities. From theorems tangent.* and fixed_n.*.
 void velocities(std::span<const double> alpha, std::int64_t n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace accurate
 
+namespace fast {
 /// Exact counts and the velocities after the last collision, in units of V, with the errors as above. From theorems
 /// offset.*. Where the counts do not fit 64 bits they are -1 and the velocities NaN.
-namespace fast {
 void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
               std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
               std::span<double> c_t, InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace fast
 namespace accurate {
+/// The nearest doubles; else as fast::terminal. From theorems offset.*.
 void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
               std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
               std::span<double> c_t, InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace accurate
 
+namespace fast {
 /// The fraction rho of the energy that B takes where every contact has the restitution 2^-400 <= e <= 1, within 4 times max(1/2, cond/2)
 /// ulp, cond the sum of the condition numbers in alpha and e. NaN where the collisions never end, alpha <= alpha_c(e) = (1 -
 /// sqrt(e))^2/(2 sqrt(e)), where alpha is closer to that than 2^-95 of it, and for e < 1 where there are 2^51 collisions or more. Throws
 /// InvalidInput for another e. From theorems transmission.*.
-namespace fast {
 void transmission(std::span<const double> alpha, double e, std::span<double> rho,
                   InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace fast
 
-/// Magic and deficient mass ratios alpha_k and beta_k, k = first_k, first_k + 1, ...; NaN for k < 1 and past the largest std::int64_t. In tier
-/// fast within 1 ulp; in tier accurate the nearest doubles. From theorems ratios.*.
 namespace fast {
+/// Magic and deficient mass ratios alpha_k and beta_k, k = first_k, first_k + 1, ...; NaN for k < 1 and past the largest std::int64_t. Within
+/// 1 ulp. From theorems ratios.*.
 void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> deficient,
             InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace fast
 namespace accurate {
+/// The nearest doubles; else as fast::ratios. From theorems ratios.*.
 void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> deficient,
             InstructionSet instruction_set = best_instruction_set());
-}
+}  // namespace accurate
 
 }  // namespace magicmass

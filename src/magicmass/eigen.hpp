@@ -17,13 +17,16 @@
 
 namespace magicmass {
 
+/// A column of three.
 template <class Scalar>
 using Vector3 = Eigen::Matrix<Scalar, 3, 1>;
+/// Three by three.
 template <class Scalar>
 using Matrix3 = Eigen::Matrix<Scalar, 3, 3>;
 
 namespace eigen {
 
+/// A generated matrix as one of Eigen's.
 template <class Scalar>
 Matrix3<Scalar> matrix(const generated::Rows<Scalar>& rows) {
   Matrix3<Scalar> result;
@@ -107,6 +110,7 @@ void count_collisions(const Alpha& alpha, A&& N_A, B&& N_B) {
 }
 template <eigen::WritableDoubles A, eigen::WritableDoubles B, eigen::WritableDoubles C,
           eigen::WritableDoubles D>
+/// As of spans in batch.hpp.
 void velocity_stream(double alpha, std::int64_t first_n, A&& a, B&& b, C&& c, D&& c_prime) {
   velocity_stream(alpha, first_n, eigen::column<double>(a), eigen::column<double>(b),
                   eigen::column<double>(c), eigen::column<double>(c_prime));
@@ -115,17 +119,20 @@ void velocity_stream(double alpha, std::int64_t first_n, A&& a, B&& b, C&& c, D&
 namespace fast {
 template <eigen::Doubles Alpha, eigen::Integers N, eigen::WritableDoubles A,
           eigen::WritableDoubles B, eigen::WritableDoubles C, eigen::WritableDoubles D>
+/// As of spans in batch.hpp.
 void velocities(const Alpha& alpha, const N& n, A&& a, B&& b, C&& c, D&& c_prime) {
   velocities(eigen::column<double>(alpha), eigen::column<std::int64_t>(n), eigen::column<double>(a),
              eigen::column<double>(b), eigen::column<double>(c), eigen::column<double>(c_prime));
 }
 template <eigen::Doubles Alpha, eigen::WritableIntegers NA, eigen::WritableIntegers NB,
           eigen::WritableDoubles A, eigen::WritableDoubles B, eigen::WritableDoubles C>
+/// As of spans in batch.hpp.
 void terminal(const Alpha& alpha, NA&& N_A, NB&& N_B, A&& a_t, B&& b_t, C&& c_t) {
   terminal(eigen::column<double>(alpha), eigen::column<std::int64_t>(N_A),
            eigen::column<std::int64_t>(N_B), eigen::column<double>(a_t), eigen::column<double>(b_t),
            eigen::column<double>(c_t));
 }
+/// As of spans in batch.hpp.
 template <eigen::WritableDoubles M, eigen::WritableDoubles D>
 void ratios(std::int64_t first_k, M&& magic, D&& deficient) {
   ratios(first_k, eigen::column<double>(magic), eigen::column<double>(deficient));
@@ -135,17 +142,20 @@ void ratios(std::int64_t first_k, M&& magic, D&& deficient) {
 namespace accurate {
 template <eigen::Doubles Alpha, eigen::Integers N, eigen::WritableDoubles A,
           eigen::WritableDoubles B, eigen::WritableDoubles C, eigen::WritableDoubles D>
+/// As of spans in batch.hpp.
 void velocities(const Alpha& alpha, const N& n, A&& a, B&& b, C&& c, D&& c_prime) {
   velocities(eigen::column<double>(alpha), eigen::column<std::int64_t>(n), eigen::column<double>(a),
              eigen::column<double>(b), eigen::column<double>(c), eigen::column<double>(c_prime));
 }
 template <eigen::Doubles Alpha, eigen::WritableIntegers NA, eigen::WritableIntegers NB,
           eigen::WritableDoubles A, eigen::WritableDoubles B, eigen::WritableDoubles C>
+/// As of spans in batch.hpp.
 void terminal(const Alpha& alpha, NA&& N_A, NB&& N_B, A&& a_t, B&& b_t, C&& c_t) {
   terminal(eigen::column<double>(alpha), eigen::column<std::int64_t>(N_A),
            eigen::column<std::int64_t>(N_B), eigen::column<double>(a_t), eigen::column<double>(b_t),
            eigen::column<double>(c_t));
 }
+/// As of spans in batch.hpp.
 template <eigen::WritableDoubles M, eigen::WritableDoubles D>
 void ratios(std::int64_t first_k, M&& magic, D&& deficient) {
   ratios(first_k, eigen::column<double>(magic), eigen::column<double>(deficient));

@@ -14,7 +14,7 @@ namespace magicmass {
 
 /// How many threads a call may use, the caller's one of them: 1 or more.
 struct Threads {
-  unsigned count = 1;
+  unsigned count = 1;  ///< the caller's included
 
   /// One a processor that this machine has.
   static Threads all();
@@ -33,22 +33,28 @@ void in_parallel(Threads threads, std::size_t size,
 void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A,
                       std::span<std::int64_t> N_B, Threads threads);
 namespace fast {
+/// As in batch.hpp, on these threads.
 void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 Threads threads);
+/// As in batch.hpp, on these threads.
 void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
               std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
               std::span<double> c_t, Threads threads);
+/// As in batch.hpp, on these threads.
 void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> deficient,
             Threads threads);
 }  // namespace fast
 namespace accurate {
+/// As in batch.hpp, on these threads.
 void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 Threads threads);
+/// As in batch.hpp, on these threads.
 void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
               std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
               std::span<double> c_t, Threads threads);
+/// As in batch.hpp, on these threads.
 void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> deficient,
             Threads threads);
 }  // namespace accurate

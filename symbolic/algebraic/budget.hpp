@@ -25,9 +25,11 @@ struct BeyondBudget : std::runtime_error {
 /// A budget being spent.
 class Work {
 public:
+  /// Begins now.
   explicit Work(const Budget& budget)
       : budget_(budget), end_(std::chrono::steady_clock::now() + budget.time) {}
 
+  /// As it was at the beginning.
   const Budget& budget() const { return budget_; }
   /// Throws BeyondBudget once the time is up.
   void check_time() const {

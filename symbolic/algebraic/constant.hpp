@@ -25,6 +25,7 @@ struct NotAlgebraic : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What is known of a constant's sign.
 struct Decision {
   std::optional<int> sign;   ///< -1, 0 or +1; nothing where the budget did not suffice
   std::string method;        ///< one sentence: how this is known, or why it is not
@@ -38,8 +39,8 @@ Decision sign_of(const GiNaC::ex& constant, const Budget& budget = {});
 
 /// The constant rounded down and up to `digits` decimals after the point; equal but for the last digits.
 struct Decimals {
-  std::string below;
-  std::string above;
+  std::string below;  ///< not above the constant
+  std::string above;  ///< not below it
 };
 /// A certified enclosure whose ends are at most 2 units of the last decimal apart. Throws NotAlgebraic, BeyondBudget.
 Decimals decimals(const GiNaC::ex& constant, long digits, const Budget& budget = {});

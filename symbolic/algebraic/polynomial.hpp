@@ -13,10 +13,13 @@
 
 namespace magicmass::algebraic {
 
+/// A polynomial in one variable, not 0.
 struct Polynomial {
   std::vector<cln::cl_I> coefficients;  ///< of 1, x, x^2, ...; the last is not 0
 
+  /// The highest power.
   long degree() const { return static_cast<long>(coefficients.size()) - 1; }
+  /// The same coefficients.
   bool operator==(const Polynomial& other) const = default;
 };
 
@@ -35,8 +38,10 @@ Polynomial shifted_by_one(Polynomial polynomial);
 /// x^degree p(1/x)
 Polynomial reversed(Polynomial polynomial);
 
+/// Its first derivative.
 Polynomial derivative(const Polynomial& polynomial);
 
+/// An enclosure of its values on x.
 Interval value(const Polynomial& polynomial, const Interval& x, long precision);
 
 }  // namespace magicmass::algebraic

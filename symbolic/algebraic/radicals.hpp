@@ -8,6 +8,7 @@ namespace magicmass::algebraic {
 
 /// Forms longer than this many characters, or in fields of a higher degree, are not given.
 constexpr std::size_t longest_radicals = 100;
+/// See longest_radicals.
 constexpr long largest_radical_degree = 64;
 
 /// sec(pi/n) - 1, n >= 3, in real square roots: "sqrt(5) - 2". Each form was proved equal by sign_of. Nothing where

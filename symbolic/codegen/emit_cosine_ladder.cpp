@@ -105,18 +105,19 @@ std::string emit_cosine_ladder(const std::vector<proof::Theorem>& theorems) {
   text += R"(
 namespace magicmass::generated {
 
+/// What cosine_ladder gives.
 template <class Ring>
 struct CosinePair {
-  Ring low;   // T(m) = cos(m psi/2)
-  Ring high;  // T(m + 1)
+  Ring low;   ///< T(m) = cos(m psi/2)
+  Ring high;  ///< T(m + 1)
 };
 
-// T(m) and T(m + 1) from x = T(1) = cos(psi/2); `one` is the ring's 1. Integer needs >, >> and &.
-// Domain: m >= 0. Error: none in an exact ring; each step at most quadruples an absolute error.
-// From: chebyshev.T_0, )" +
-          even.id() + " (" + proof::text(even.statement()) + "),\n// " + odd.id() + " (" +
+/// T(m) and T(m + 1) from x = T(1) = cos(psi/2); `one` is the ring's 1. Integer needs >, >> and &.
+/// Domain: m >= 0. Error: none in an exact ring; each step at most quadruples an absolute error.
+/// From: chebyshev.T_0, )" +
+          even.id() + " (" + proof::text(even.statement()) + "),\n/// " + odd.id() + " (" +
           proof::text(odd.statement()) + R"().
-// Cost: 2 multiplications, 4 additions a bit of m.
+/// Cost: 2 multiplications, 4 additions a bit of m.
 template <class Ring, class Integer>
 CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one) {
   const auto twice = [](const Ring& y) { return y + y; };
@@ -137,8 +138,8 @@ CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one)
   return pair;
 }
 
-// sin(m psi/2) sin(psi/2) from x = cos(psi/2): its sign tells whether collision m takes place.
-// From: )" +
+/// sin(m psi/2) sin(psi/2) from x = cos(psi/2): its sign tells whether collision m takes place.
+/// From: )" +
           sine.id() + " (" + proof::text(sine.statement()) + R"().
 template <class Ring, class Integer>
 Ring sine_ladder(const Integer& m, const Ring& x, const Ring& one) {

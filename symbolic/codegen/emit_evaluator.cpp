@@ -77,13 +77,13 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   text += "\nnamespace magicmass::generated {\n\n";
   const auto documentation = [&](const std::string& what, const Program& program,
                                  const std::vector<proof::Theorem>& from) {
-    return line("// " + what + ".") + line("// Domain: " + form.domain + ".") +
-           line("// Error: " + form.stated_error() + ".") +
-           line("// From: " + theorem_list(from) + ".") +
+    return line("/// " + what + ".") + line("/// Domain: " + form.domain + ".") +
+           line("/// Error: " + form.stated_error() + ".") +
+           line("/// From: " + theorem_list(from) + ".") +
            (evaluator.bindings.empty()
                 ? ""
-                : line("// With: " + theorem_list(evaluator.bindings) + ".")) +
-           line("// Cost: " + codegen::text(operation_counts(program)) + ".");
+                : line("/// With: " + theorem_list(evaluator.bindings) + ".")) +
+           line("/// Cost: " + codegen::text(operation_counts(program)) + ".");
   };
   const std::string result = form.result.empty() ? type : form.result + "<" + type + ">";
   text += documentation(form.summary, evaluator.program, evaluator.outputs);
@@ -91,7 +91,8 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   if (evaluator.single.size() > 1)
     for (std::size_t i = 0; i < evaluator.single.size(); ++i) {
       const std::string& output = evaluator.program.outputs[i].name;
-      text += "\n" + line("// Only " + output + ", from " + theorem_list({evaluator.outputs[i]}) +
+      text += "\n" + line("/// Only " + output + ", with that domain and error, from " +
+                          theorem_list({evaluator.outputs[i]}) +
                           "; cost: " + codegen::text(operation_counts(evaluator.single[i])) + ".");
       text += function(form, evaluator.single[i], output + "_" + form.name, type);
     }
@@ -102,12 +103,14 @@ std::string emit_quantities() {
   std::string text = file_header("What the evaluators return");
   text += "\n#include <array>\n\nnamespace magicmass::generated {\n";
   for (const QuantityStruct& made : quantity_structs()) {
-    text += "\n// " + made.words + "\ntemplate <class Number>\nstruct " + made.name + " {\n";
+    text += "\n/// " + made.words + "\ntemplate <class Number>\nstruct " + made.name + " {\n";
     for (const auto& [member, words] : made.members)
-      text.append("  Number ").append(member).append(";  // ").append(words).append("\n");
-    text += "};\n\ntemplate <class Number>\nconstexpr std::array<Number, " +
-            std::to_string(made.members.size()) + "> as_array(const " + made.name +
-            "<Number>& all) {\n";
+      text.append("  Number ").append(member).append(";  ///< ").append(words).append("\n");
+    text +=
+        "};\n\n/// The same in that order.\ntemplate <class Number>\nconstexpr "
+        "std::array<Number, " +
+        std::to_string(made.members.size()) + "> as_array(const " + made.name +
+        "<Number>& all) {\n";
     std::string names;
     for (const auto& [member, words] : made.members)
       names += (names.empty() ? "all." : ", all.") + member;

@@ -24,13 +24,13 @@ std::string matrix_function(const MatrixForm& form, const std::vector<proof::The
   const Program program = in_plain_numbers(lower(source));
   const std::string type = form.exact ? "Field" : "Real";
   const std::string& label = source.outputs[0].second.step().label;
-  std::string text = "\n" + line("// " + form.summary + ".") +
-                     line("// Domain: " + form.domain + ".") +
-                     line("// Error: " + form.error + ".") +
-                     line("// From: " + form.theorem + (label.empty() ? "" : " (" + label + ")") +
+  std::string text = "\n" + line("/// " + form.summary + ".") +
+                     line("/// Domain: " + form.domain + ".") +
+                     line("/// Error: " + form.error + ".") +
+                     line("/// From: " + form.theorem + (label.empty() ? "" : " (" + label + ")") +
                           (form.left_side ? ", its left side" : "") + ".");
-  if (!with.empty()) text += line("// With: " + with + ".");
-  text += line("// Cost: " + codegen::text(operation_counts(program)) + ".");
+  if (!with.empty()) text += line("/// With: " + with + ".");
+  text += line("/// Cost: " + codegen::text(operation_counts(program)) + ".");
   const bool is_vector = program.outputs.size() == 3;
   const bool has_integers = form.exact && !form.index.empty();
   text +=
@@ -59,7 +59,8 @@ std::string emit_matrices(const std::vector<proof::Theorem>& theorems) {
   std::string text = file_header("The matrices of a cycle and the vector that they turn");
   text +=
       "\n#include <array>\n#include <cmath>\n#include <cstdint>\n\n#include "
-      "\"magicmass/cosine_ladder.hpp\"\n\nnamespace magicmass::generated {\n\n// A 3x3 matrix, row "
+      "\"magicmass/cosine_ladder.hpp\"\n\nnamespace magicmass::generated {\n\n/// A 3x3 matrix, "
+      "row "
       "by "
       "row.\ntemplate <class Number>\nusing Rows = std::array<std::array<Number, 3>, 3>;\n";
   for (const MatrixForm& form : matrix_forms()) text += matrix_function(form, theorems);

@@ -101,7 +101,7 @@ std::string outputs_of(const std::string& quantity, const std::vector<Evaluator>
 // A function that calls a visitor with each table, so that a new quantity is met by those who know none.
 std::string visit(const std::vector<Table>& tables, const std::vector<Evaluator>& evaluators) {
   std::string text =
-      "\n// visitor.operator()<table>(quantity, outputs, inputs) for each table.\n"
+      "\n/// Calls `visitor.operator()<table>(quantity, outputs, inputs)` for each table.\n"
       "template <class Real, class Visitor>\nconstexpr void visit_tables(Visitor&& visitor) {\n";
   for (const Table& table : tables)
     text += "  visitor.template operator()<" + table.table + "<Real>>(\"" + table.quantity +
@@ -126,9 +126,9 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
     if (!evaluator.form.exact) text += "#include \"" + evaluator.form.header() + "\"\n";
   text +=
       "\nnamespace magicmass::generated {\n\n"
-      "// In a table: the largest error that a form promises, in ulp of the exact value or in eps "
+      "/// In a table: the largest error that a form promises, in ulp of the exact value or in eps "
       "of the\n"
-      "// largest such value of the body at that alpha <= 1; infinity where it promises none.\n"
+      "/// largest such value of the body at that alpha <= 1; infinity where it promises none.\n"
       "inline constexpr double no_bound = std::numeric_limits<double>::infinity();\n";
   const std::vector<Table> tables = tables_for(evaluators);
   for (const Table& table : tables) {
@@ -141,13 +141,19 @@ std::string emit_registry(const std::vector<Evaluator>& evaluators) {
               "<Real>, " + bound(form.bound.ulp) + ", " + bound(form.bound.eps) + "},\n";
       ++count;
     }
-    text += "\ntemplate <class Real>\nstruct " + table.entry +
-            " {\n  const char* name;\n  const char* form;\n  " + table.signature +
-            ";\n  double ulp_bound;\n  double eps_bound;\n};\n";
-    text += "\ntemplate <class Real>\ninline constexpr std::array<" + table.entry + "<Real>, " +
+    text += "\n/// A row of " + table.function + "().\ntemplate <class Real>\nstruct " +
+            table.entry +
+            " {\n  const char* name;  ///< the function's\n  const char* form;  ///< its last "
+            "word\n  " +
+            table.signature +
+            ";  ///< the function\n  double ulp_bound;  ///< as no_bound says\n"
+            "  double eps_bound;  ///< as no_bound says\n};\n";
+    text += "\n/// The table behind " + table.function +
+            "().\ntemplate <class Real>\ninline constexpr std::array<" + table.entry + "<Real>, " +
             std::to_string(count) + "> " + table.table + "{{\n" + rows + "}};\n";
-    text += "\ntemplate <class Real>\nconstexpr const auto& " + table.function + "() {\n  return " +
-            table.table + "<Real>;\n}\n";
+    text += "\n/// Every evaluator of the quantity '" + table.quantity +
+            "'.\ntemplate <class Real>\nconstexpr const auto& " + table.function +
+            "() {\n  return " + table.table + "<Real>;\n}\n";
   }
   return text + visit(tables, evaluators) + "\n}  // namespace magicmass::generated\n";
 }

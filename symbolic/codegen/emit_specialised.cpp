@@ -4,7 +4,7 @@
 
 #include "codegen/expression.hpp"
 #include "codegen/kernel_expression.hpp"
-#include "codegen/specialised.hpp"
+#include "codegen/specialised_kernel.hpp"
 
 namespace magicmass::codegen {
 namespace {

@@ -210,7 +210,8 @@ Emitted emit_expressions(const Program& program, const std::string& type) {
 std::string wrapped(const std::string& line, std::size_t columns) {
   if (line.size() <= columns) return line;
   const std::size_t indent = line.find_first_not_of(' ');
-  const bool comment = line.compare(indent, 2, "//") == 0;
+  const std::size_t slashes = line.find_first_not_of('/', indent) - indent;
+  const std::string comment = slashes < 2 ? "" : std::string(slashes, '/');
   std::size_t cut = std::string::npos;
   for (const char* place : {" + ", " - ", " * ", " / ", ", "}) {
     const std::size_t found = line.rfind(place, columns - 2);
@@ -219,8 +220,8 @@ std::string wrapped(const std::string& line, std::size_t columns) {
       cut = found + (place[0] == ',' ? 1 : 2);
   }
   if (cut == std::string::npos) return line;
-  const std::string rest =
-      std::string(indent, ' ') + (comment ? "//   " : "    ") + line.substr(cut + 1);
+  const std::string rest = std::string(indent, ' ') + (comment.empty() ? "    " : comment + "   ") +
+                           line.substr(cut + 1);
   return line.substr(0, cut) + "\n" + wrapped(rest, columns);
 }
 

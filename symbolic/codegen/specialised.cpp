@@ -6,6 +6,7 @@
 
 #include "codegen/expression.hpp"
 #include "codegen/make_kernel.hpp"
+#include "codegen/specialised_kernel.hpp"
 
 namespace magicmass::codegen {
 namespace {

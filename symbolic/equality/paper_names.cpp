@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
+#include <vector>
 
 #include <ginac/ginac.h>
 
 #include "derivation/paper.hpp"
-#include "equality/edit_distance.hpp"
 #include "equality/from_ginac.hpp"
 #include "proof/text.hpp"
 
@@ -36,6 +37,22 @@ const proof::Statement* equation_for(const std::string& name) {
   for (const auto& [defined, label] : defined_names())
     if (defined == name) return &paper.at(label);
   return nullptr;
+}
+
+/// Letters to insert, delete or replace to make one word the other.
+std::size_t edit_distance(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
 }
 
 }  // namespace

@@ -26,8 +26,10 @@ std::string tree_text(const std::vector<TreeLine>& tree, const TextStyle& style)
 /// The same as documents of their own. A tree that is not empty goes in front.
 std::string derivation_markdown(const std::vector<proof::Step>& steps,
                                 const std::vector<TreeLine>& tree = {});
+/// For pdflatex.
 std::string derivation_latex(const std::vector<proof::Step>& steps,
                              const std::vector<TreeLine>& tree = {});
+/// One page with MathML, nothing loaded from elsewhere.
 std::string derivation_html(const std::vector<proof::Step>& steps,
                             const std::vector<TreeLine>& tree = {});
 

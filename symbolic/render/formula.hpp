@@ -12,30 +12,32 @@ namespace magicmass::render {
 /// ("Gamma^T Gamma", "det Gamma", "R lambda_3(n*psi) R^T"). It is for showing: nothing is computed with it, and
 /// nothing is left out, so that source() gives the text back.
 struct Formula {
+  /// What it is, and which members then mean something.
   enum class Kind {
-    number,    // text
-    name,      // text: alpha, V_CM, c', Gamma_A
-    sum,       // parts, of which some are `negative`
-    negative,  // minus parts[0]
-    product,   // parts with * between them
-    adjacent,  // parts side by side: matrices, det Gamma
-    quotient,  // parts[0]/parts[1]
-    power,     // parts[0]^parts[1]
-    call,      // text(parts...): cos(psi), a(n - 1), sqrt(alpha), v_A(n; 1/2, e)
-    matrix,    // parts row by row, `columns` to a row
-    list,      // (parts, ...)
-    absolute,  // |parts[0]|
-    dot,       // parts[0] . parts[1], a scalar product; text is what stands between them
-    entry,     // (parts[0])_text, an entry of a matrix or a column
-    relation,  // parts with signs between them
-    verbatim,  // text that could not be read
+    number,    ///< text
+    name,      ///< text: alpha, V_CM, c', Gamma_A
+    sum,       ///< parts, of which some are `negative`
+    negative,  ///< minus parts[0]
+    product,   ///< parts with * between them
+    adjacent,  ///< parts side by side: matrices, det Gamma
+    quotient,  ///< parts[0]/parts[1]
+    power,     ///< parts[0]^parts[1]
+    call,      ///< text(parts...): cos(psi), a(n - 1), sqrt(alpha), v_A(n; 1/2, e)
+    matrix,    ///< parts row by row, `columns` to a row
+    list,      ///< (parts, ...)
+    absolute,  ///< |parts[0]|
+    dot,       ///< parts[0] . parts[1], a scalar product; text is what stands between them
+    entry,     ///< (parts[0])_text, an entry of a matrix or a column
+    relation,  ///< parts with signs between them
+    verbatim,  ///< text that could not be read
   };
-  Kind kind = Kind::verbatim;
-  std::string text = {};
-  std::vector<Formula> parts = {};
-  std::vector<std::string> signs = {};
-  std::size_t columns = 0;
+  Kind kind = Kind::verbatim;           ///< which one
+  std::string text = {};                ///< see Kind
+  std::vector<Formula> parts = {};      ///< see Kind
+  std::vector<std::string> signs = {};  ///< of a relation, one fewer than parts
+  std::size_t columns = 0;              ///< of a matrix
 
+  /// The same tree.
   friend bool operator==(const Formula&, const Formula&) = default;
 };
 
@@ -56,9 +58,14 @@ std::string source(const Formula& formula);
 
 /// sum(k, 0, m, T(k)), or sum(T(k'), 0, m) with the kernel's own index k', which is shown as k.
 struct SumParts {
-  Formula index, lower, upper, term;
+  Formula index;  ///< k
+  Formula lower;  ///< 0
+  Formula upper;  ///< m
+  Formula term;   ///< T(k)
 };
+/// A finite sum in one of these notations.
 bool is_sum_over_index(const Formula& formula);
+/// Of a formula that is_sum_over_index.
 SumParts sum_parts(const Formula& sum);
 
 /// The x between two others, which is a cross product: n_A x n_B.

@@ -8,10 +8,10 @@
 
 namespace magicmass::render {
 
-/// <math> for within a line of words.
+/// A `math` element for within a line of words.
 std::string mathml(const Formula& formula);
 
-/// An equation as <math> elements between which a narrow page may break the line.
+/// An equation as `math` elements between which a narrow page may break the line.
 std::string mathml_display(const Formula& equation);
 
 /// Any characters as HTML or XML text or attribute; what XML cannot hold is left out.

@@ -11,8 +11,8 @@ namespace magicmass::render {
 
 /// What a terminal can show.
 struct TextStyle {
-  bool unicode = false;
-  bool colourful = false;
+  bool unicode = false;    ///< UTF-8, not ASCII alone
+  bool colourful = false;  ///< escape sequences for colours
 };
 
 /// On one line: "cₙ = V_CM (1 + sin[(n − ¼)ψ]/sin(ψ/4))", or the kernel's own text where Unicode is not wanted.

@@ -14,12 +14,12 @@ std::vector<std::string> foundations(const proof::Step& step, const std::vector<
 
 /// A line of a tree: a step, and how deep it stands below what was asked for.
 struct TreeLine {
-  proof::Step step;
-  std::size_t depth = 0;
-  bool last = true;                   // of those below one step
-  bool seen = false;                  // it and its foundations stand further up already
-  bool has_below = false;             // its foundations follow
-  std::vector<bool> open_above = {};  // for each level above, whether more lines follow there
+  proof::Step step;                   ///< what the line shows
+  std::size_t depth = 0;              ///< 0 for what was asked for
+  bool last = true;                   ///< of those below one step
+  bool seen = false;                  ///< it and its foundations stand further up already
+  bool has_below = false;             ///< its foundations follow
+  std::vector<bool> open_above = {};  ///< for each level above, whether more lines follow there
 };
 
 /// The steps with all that they rest on below them, each with its foundations once.

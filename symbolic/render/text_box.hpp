@@ -13,13 +13,16 @@ std::size_t columns(std::string_view text);
 
 /// Rows of one width; `baseline` is the row that stands on the line.
 struct TextBox {
-  std::vector<std::string> rows;
-  std::size_t baseline = 0;
+  std::vector<std::string> rows;  ///< from top to bottom
+  std::size_t baseline = 0;       ///< counted from the top, 0 first
 
+  /// Columns.
   std::size_t width() const { return rows.empty() ? 0 : columns(rows.front()); }
+  /// Rows.
   std::size_t height() const { return rows.size(); }
 };
 
+/// One row.
 TextBox line_box(std::string text);
 /// Left to right, baselines on one line.
 TextBox beside(const std::vector<TextBox>& boxes);
@@ -30,6 +33,7 @@ TextBox grid(const std::vector<TextBox>& cells, std::size_t columns);
 
 /// What surrounds a box: (), [] or ||, as tall as it is.
 enum class Bracket { round, square, bar };
+/// In brackets of Unicode, or of plain characters.
 TextBox surrounded(const TextBox& inside, Bracket bracket, bool unicode);
 
 }  // namespace magicmass::render

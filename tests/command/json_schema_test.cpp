@@ -2,6 +2,7 @@
 // What every command writes as JSON is what src/command/schemas says.
 #include "json_schema.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -25,8 +26,8 @@ json schema_called(const std::string& name) {
   return json::parse(text);
 }
 
-/// Command lines, by the schema of what they write.
-std::multimap<std::string, std::vector<std::string>> command_lines() {
+/// Command lines, by the schema of what they write. The folder is a class of one student, who has answered once.
+std::multimap<std::string, std::vector<std::string>> command_lines(const TemporaryFolder& folder) {
   std::multimap<std::string, std::vector<std::string>> lines{
       {"derive", {"derive", "contact"}},
       {"derive_list", {"derive", "--list"}},
@@ -51,41 +52,67 @@ std::multimap<std::string, std::vector<std::string>> command_lines() {
        {"report", "--quick", "--families", "alpha = 1", "--quantities", "counts", "--rounds", "6",
         "--no-growth"}},
       {"manual", {"manual"}},
+      {"learn_check", {"learn", "check", "half_angle", "1/(1+alpha)", "--folder", folder / "anna"}},
+      {"learn_check", {"learn", "check", "half_angle", "alpha", "--folder", folder / "bert"}},
+      {"learn_grade", {"learn", "grade", folder.path().string()}},
+      {"learn_list", {"learn", "list", "--folder", folder / "anna"}},
+      {"learn_test", {"learn", "test", "half_angle"}},
   };
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
     if (entry.path().extension() != ".toml") continue;
     lines.insert({"simulate", {"simulate", entry.path().string()}});
+    lines.insert({"simulate_lines", {"simulate", entry.path().string()}});
     lines.insert({"plan", {"plan", entry.path().string()}});
   }
   return lines;
 }
 
-}  // namespace
-
-TEST_CASE("the JSON of every command fits its schema", "[exam]") {
-  std::set<std::string> used;
-  for (const auto& [name, line] : command_lines()) {
-    std::vector<std::string> words = line;
-    words.insert(words.end(), {"--format", "json"});
-    const ProgramRun run = run_program(words, "alpha\n0.1\nmagic:3\n1e-30\n");
-    CAPTURE(words, run.errors);
-    CHECK(run.exit_code <= 1);  // 1: different
-    CHECK(complaints(schema_called(name), json::parse(run.output)) == std::vector<std::string>{});
-    used.insert(name);
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(schemas)) {
-    INFO(entry.path());
-    CHECK(used.contains(entry.path().stem().string()));
-  }
+/// What a run with that schema wrote: one value, or one a line.
+std::vector<json> values_of(const std::string& schema, const std::string& output) {
+  if (!schema.ends_with("_lines")) return {json::parse(output)};
+  std::vector<json> values;
+  for (const std::string& line : lines_of(output)) values.push_back(json::parse(line));
+  return values;
 }
 
-TEST_CASE("a command that writes JSON has a schema", "[exam]") {
-  for (const json& command : json_of({"manual"})["commands"])
-    for (const json& option : command["options"])
-      for (const json& choice : option["choices"])
-        if (choice == "json")
-          schema_called(
-              command["name"].get<std::string>().substr(std::string("magicmass ").size()));
+/// The schemas that the command tree calls for: of each command with the format json, and of one with jsonl.
+void collect_schemas(const json& command, std::set<std::string>& names) {
+  std::string name = command["name"];
+  name.erase(0, std::string("magicmass ").size());
+  std::replace(name.begin(), name.end(), ' ', '_');
+  for (const json& option : command["options"])
+    for (const json& choice : option["choices"]) {
+      if (choice == "json") names.insert(name);
+      if (choice == "jsonl") names.insert(name + "_lines");
+    }
+  for (const json& below : command["commands"]) collect_schemas(below, names);
+}
+
+}  // namespace
+
+TEST_CASE("the JSON of every command of the tree fits a schema, and each schema is used",
+          "[exam]") {
+  const TemporaryFolder folder;
+  std::set<std::string> used;
+  for (const auto& [name, line] : command_lines(folder)) {
+    std::vector<std::string> words = line;
+    words.insert(words.end(), {"--format", name.ends_with("_lines") ? "jsonl" : "json"});
+    const ProgramRun run = run_program(words, "alpha\n0.1\nmagic:3\n1e-30\n");
+    CAPTURE(words, run.errors);
+    CHECK(run.exit_code <= 1);  // 1: different, or wrong
+    const std::vector<json> values = values_of(name, run.output);
+    CHECK(!values.empty());
+    for (const json& value : values)
+      CHECK(complaints(schema_called(name), value) == std::vector<std::string>{});
+    used.insert(name);
+  }
+  std::set<std::string> called_for{"derive_list"};  // derive --list writes something else
+  collect_schemas(json_of({"manual"}), called_for);
+  CHECK(used == called_for);
+  std::set<std::string> kept;
+  for (const auto& entry : std::filesystem::directory_iterator(schemas))
+    kept.insert(entry.path().stem().string());
+  CHECK(kept == called_for);
 }
 
 TEST_CASE("what does not fit a schema is found", "[exam]") {

@@ -69,7 +69,7 @@ check_licence() {
   local declared licence=GPL-2.0-or-later
   case $1 in
     src/magicmass/reference/*) ;;
-    src/magicmass/*.[ch]pp | generated/magicmass/*.[ch]pp) licence=MIT ;;
+    src/magicmass/*.[ch]pp | generated/magicmass/*.[ch]pp | examples/*.cpp) licence=MIT ;;
     *CMakeLists.txt) licence=any ;;
   esac
   declared=$(head -n 3 "$1" | sed -nE 's/.*SPDX-License-Identifier: *([A-Za-z0-9.-]+).*/\1/p')

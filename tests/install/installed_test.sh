@@ -5,6 +5,7 @@
 set -euo pipefail
 build=$1 version=$2 compiler=$3
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+examples=$here/../../examples
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fail() {
@@ -44,9 +45,13 @@ echo "passed: exercises in C++ work where they are installed"
 
 cmake -S "$here/project" -B "$scratch/user" -DCMAKE_PREFIX_PATH="$prefix" -DWITH_SYMBOLIC=ON >/dev/null
 cmake --build "$scratch/user" >"$scratch/log" 2>&1 || fail "$(cat "$scratch/log")"
-expect "CMake: runtime" "3 + 3, 0.995649, 3 bodies" "$("$scratch/user/count")"
-expect "CMake: symbolic" "equal" "$("$scratch/user/prove" | cut -d, -f1)"
+for name in evaluate count simulate plan prove; do
+  diff "$examples/expected_output/$name.txt" <("$scratch/user/examples/$name") || fail "CMake: example $name"
+done
+expect "CMake: example generate" "double beta_k" "$("$scratch/user/examples/generate" | grep -o 'double beta_k')"
+expect "CMake: scenes" "3 bodies" "$("$scratch/user/scene")"
 
+bash "$here/public_headers_test.sh" "$prefix/include" || fail "public headers"
 if ! type -P pkg-config >/dev/null; then
   echo "skipped: no pkg-config"
   exit 0
@@ -54,9 +59,18 @@ fi
 PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name magicmass.pc)")
 export PKG_CONFIG_PATH
 expect "pkg-config's version is the project's" "$version" "$(pkg-config --modversion magicmass)"
-read -ra flags < <(pkg-config --cflags --libs magicmass)
-"$compiler" -std=c++20 "$here/project/count.cpp" "${flags[@]}" -o "$scratch/count"
-expect "pkg-config: runtime" "3 + 3, 0.995649, 3 bodies" "$("$scratch/count")"
-read -ra flags < <(pkg-config --cflags --libs magicmass-symbolic)
-"$compiler" -std=c++20 "$here/project/prove.cpp" "${flags[@]}" -o "$scratch/prove"
-expect "pkg-config: symbolic" "equal" "$("$scratch/prove" | cut -d, -f1)"
+warnings=(-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror)
+for pair in count:magicmass plan:magicmass-symbolic; do
+  name=${pair%:*} package=${pair#*:}
+  read -ra flags < <(pkg-config --cflags --libs "$package")
+  "$compiler" -std=c++20 "${warnings[@]}" "$examples/$name.cpp" "${flags[@]}" -o "$scratch/$name"
+  expect "pkg-config: $package" "$(<"$examples/expected_output/$name.txt")" "$("$scratch/$name")"
+done
+
+# Every public header by itself is a whole, and brings no warning to who includes it.
+{ find "$prefix/include/magicmass" -name '*.hpp' -printf 'magicmass/%P\n' &&
+  find "$prefix/include/magicmass-symbolic" -name '*.hpp' -printf '%P\n'; } | grep -v eigen.hpp | sort -R |
+  sed 's/.*/#include "&"/' >"$scratch/all.cpp"
+read -ra flags < <(pkg-config --cflags magicmass-symbolic)
+"$compiler" -std=c++20 -fsyntax-only "${warnings[@]}" "${flags[@]}" "$scratch/all.cpp" || fail "$(cat "$scratch/all.cpp")"
+expect "headers in any order, without a warning" 1 "$(grep -c fast.hpp "$scratch/all.cpp")"

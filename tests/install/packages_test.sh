@@ -27,12 +27,26 @@ done
 [[ ! -e $scratch/root-magicmass/usr/include ]] || fail "headers are in the program's package"
 [[ ! -e $scratch/root-libmagicmass-dev/usr/bin ]] || fail "the program is in the library's package"
 
+files() { (cd "$scratch/root-$1" && find . -type f | sort); }
+both=$(comm -12 <(files magicmass) <(files libmagicmass-dev))
+[[ -z $both ]] || fail "dpkg would not install the two together, for both have $both"
+
 program=$scratch/root-magicmass/usr/bin/magicmass
 run() { (cd / && env -i PATH=/usr/bin:/bin "$program" "$@"); }
 [[ $(run --version) == "magicmass $version" ]] || fail "the packaged program's version"
 [[ $(run doctor) == *"$scratch/root-magicmass/usr/share/magicmass/generated"* ]] || fail "doctor: $(run doctor)"
 run plan "$scratch/root-magicmass/usr/share/magicmass/scenes/wall.toml" >/dev/null
 run demo --out "$scratch/demo" >"$scratch/demo.txt" || fail "demo: $(tail -3 "$scratch/demo.txt")"
+# A contest compiles the generated headers, which are the package's own.
+contest() {
+  run learn check beat_us "$scratch/root-magicmass/usr/share/magicmass/tutorials/13_speed_and_error/exercises/beat_us/solution/answer.cpp" \
+    --folder "$scratch/answers"
+}
+[[ $(contest) == *"yours: worst error"* ]] || fail "beat_us: $(contest)"
+mv "$scratch/root-magicmass/usr/share/magicmass/generated/magicmass/quantities.hpp" "$scratch"
+if [[ $(contest) == *"yours: worst error"* ]]; then
+  fail "without its headers a contest is held all the same: this test shows nothing"
+fi
 find "$scratch/root-magicmass" -name '*.toml' -delete
 if run demo --out "$scratch/demo" >/dev/null 2>&1; then
   fail "without its scenes the demo runs all the same: this test shows nothing"

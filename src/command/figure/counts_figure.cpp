@@ -4,6 +4,7 @@
 #include "command/alpha_value.hpp"
 #include "command/figure/figure.hpp"
 #include "command/figure/ratio_grid.hpp"
+#include "magicmass/reference/count.hpp"
 #include "magicmass/reference/rational.hpp"
 
 namespace magicmass::command {
@@ -29,7 +30,7 @@ std::string threshold_line(const MassRatio& ratio) {
 }
 
 std::vector<Cell> row(const MassRatio& alpha, const std::string& threshold) {
-  const reference::LargeCounts counts = exact_counts(alpha);
+  const reference::LargeCounts counts = reference::exact_counts(alpha);
   return {number_cell(nearest_double(alpha)), digits_cell(reference::to_text(counts.N_A)),
           digits_cell(reference::to_text(counts.N_B)), text_cell(threshold)};
 }

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/data_folder.hpp"
+#include "command/generated_tree.hpp"
 #include "command/learn/pass_program.hpp"
 #include "command/scratch_folder.hpp"
 
@@ -113,7 +114,7 @@ CodeRun run_code(const Exercise& exercise, const std::string& program,
 CodeRun run_contest(const Exercise& exercise, const std::string& program,
                     const std::vector<std::vector<double>>& inputs) {
   return run_with(exercise, program, inputs, "rank.cpp",
-                  {"-O2", "-I" + data_folder("generated", "generated").string()});
+                  {"-O2", "-I", source_generated_folder().string()});
 }
 
 std::string why_stopped(const ProcessEnd& end) {

@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 
 #include "equality/constant.hpp"
-#include "equality/edit_distance.hpp"
 #include "equality/evaluate.hpp"
 #include "equality/point.hpp"
 #include "equality/typed_text.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/nearest_key.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 #include "render/formula.hpp"
 
@@ -26,7 +26,7 @@ constexpr equality::Bounds answer_bounds{std::chrono::milliseconds(3000), std::s
 
 std::string nearest(const std::string& name, const std::vector<std::string>& allowed) {
   for (const std::string& known : allowed)
-    if (name.size() > 2 && equality::edit_distance(name, known) <= 2) return known;
+    if (name.size() > 2 && edit_distance(name, known) <= 2) return known;
   return {};
 }
 

@@ -7,6 +7,7 @@ namespace magicmass {
 /// the same bits with each.
 enum class InstructionSet { baseline, avx2, avx512 };
 
+/// From the narrowest to the widest.
 inline constexpr InstructionSet all_instruction_sets[] = {
     InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 

@@ -14,7 +14,7 @@ double certified_angle(double alpha);
 /// The magic and the deficient mass ratio alpha_k and beta_k, k >= 1: the doubles nearest to the exact values. Throws
 /// InvalidInput for k < 1; Undecided as above.
 generated::Ratios<double> certified_ratios(std::int64_t k);
-double certified_magic(std::int64_t k);
-double certified_deficient(std::int64_t k);
+double certified_magic(std::int64_t k);      ///< alpha_k alone.
+double certified_deficient(std::int64_t k);  ///< beta_k alone.
 
 }  // namespace magicmass

@@ -8,6 +8,7 @@
 
 namespace magicmass {
 
+/// Which velocity: a_n of A, b_n of B, c_n of C just after P_n, c'_n of C just after Q_n.
 enum class Velocity { a, b, c, c_prime };
 
 /// a_n, b_n, c_n or c'_n in units of V: the double nearest to the exact value of the formula, ties to even, for every

@@ -17,7 +17,7 @@ std::optional<Counts> count_collisions(double alpha);
 
 /// A count and how it was decided.
 struct CountDecision {
-  std::optional<Counts> counts;
+  std::optional<Counts> counts;  ///< as those of count_collisions
   bool near_tie =
       false;  ///< pi/h was too close to an integer for long double: multiword arithmetic decided
 };

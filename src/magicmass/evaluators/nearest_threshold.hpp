@@ -9,8 +9,8 @@ namespace magicmass {
 /// The magic or deficient mass ratio closest to some alpha, and how close that is.
 struct NearestThreshold {
   bool is_magic = true;  ///< alpha_k, else beta_k
-  std::int64_t k = 1;
-  double distance = 0;  ///< (alpha - threshold)/threshold, correctly rounded
+  std::int64_t k = 1;    ///< its number, from 1 on
+  double distance = 0;   ///< (alpha - threshold)/threshold, correctly rounded
 };
 
 /// What a near tie is near to: for every double alpha whose count fits 63 bits, else nullopt. Some microseconds. Throws

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "magicmass/errors.hpp"
+#include "magicmass/evaluators/count.hpp"
 #include "magicmass/reference/cycle_map.hpp"
 #include "magicmass/reference/interval.hpp"
 #include "magicmass/reference/rational.hpp"
@@ -109,6 +110,16 @@ LargeCounts count_collisions(const cl_RA& alpha) {
   }
   throw Undecided("alpha is closer to a threshold than " + std::to_string(64 * start) +
                   " bits can tell");
+}
+
+LargeCounts exact_counts(const MassRatio& alpha) {
+  if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};
+  if (const auto* deficient = std::get_if<Deficient>(&alpha))
+    return {cln::cl_I(deficient->k) + 1, deficient->k};
+  if (const auto* value = std::get_if<double>(&alpha))
+    if (const std::optional<Counts> counts = magicmass::count_collisions(*value))
+      return {counts->N_A, counts->N_B};
+  return count_collisions(*exact(alpha));
 }
 
 }  // namespace magicmass::reference

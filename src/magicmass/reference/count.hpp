@@ -4,17 +4,23 @@
 #include <cln/integer.h>
 #include <cln/rational.h>
 
+#include "magicmass/scenes/mass_ratio.hpp"
+
 namespace magicmass::reference {
 
 /// N_A and N_B, of any size.
 struct LargeCounts {
-  cln::cl_I N_A;
-  cln::cl_I N_B;
+  cln::cl_I N_A;  ///< of A and C
+  cln::cl_I N_B;  ///< of C and B
 };
 
 /// Exact numbers of A-C and C-B collisions for rational alpha > 0 of any size, from the collision law alone; the
 /// cost grows with log(1/alpha). Throws InvalidInput for alpha <= 0; Undecided if a sign stayed open at
 /// a precision far beyond what alpha's size calls for (never seen).
 LargeCounts count_collisions(const cln::cl_RA& alpha);
+
+/// N_A and N_B, exactly; at magic:k and deficient:k by the theorems counting.N_A and counting.N_B. Throws as both
+/// count_collisions do.
+LargeCounts exact_counts(const MassRatio& alpha);
 
 }  // namespace magicmass::reference

@@ -29,9 +29,9 @@ Velocities<Scalar> meet_B(const Scalar& alpha, const Velocities<Scalar>& v) {
 /// A linear map by the images of the three unit vectors.
 template <class Scalar>
 struct LinearMap {
-  Velocities<Scalar> from_a;
-  Velocities<Scalar> from_b;
-  Velocities<Scalar> from_c;
+  Velocities<Scalar> from_a;  ///< image of (1, 0, 0)
+  Velocities<Scalar> from_b;  ///< image of (0, 1, 0)
+  Velocities<Scalar> from_c;  ///< image of (0, 0, 1)
 };
 
 /// The linear map that `change` is.

@@ -22,13 +22,17 @@ public:
   /// The tightest enclosure of [low, high] with such ends; low <= high.
   Interval(const cln::cl_RA& low, const cln::cl_RA& high, long precision);
 
+  /// p: the ends are multiples of 2^-p
   long precision() const { return precision_; }
-  cln::cl_RA low() const;
-  cln::cl_RA high() const;
-  Sign sign() const;
+  cln::cl_RA low() const;   ///< the lower end
+  cln::cl_RA high() const;  ///< the upper end
+  Sign sign() const;        ///< of all members
 
+  /// The sum, rounded outward.
   friend Interval operator+(const Interval& x, const Interval& y);
+  /// The difference, rounded outward.
   friend Interval operator-(const Interval& x, const Interval& y);
+  /// The product, rounded outward.
   friend Interval operator*(const Interval& x, const Interval& y);
   /// Throws Undecided if y may be zero.
   friend Interval operator/(const Interval& x, const Interval& y);

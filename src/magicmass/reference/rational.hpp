@@ -15,7 +15,9 @@ namespace magicmass::reference {
 
 /// The value of a finite floating-point number, exactly. Throws InvalidInput for an infinity or NaN.
 cln::cl_RA exact(float value);
+/// Likewise.
 cln::cl_RA exact(double value);
+/// Likewise.
 cln::cl_RA exact(long double value);
 
 /// The value of a mass ratio that is a rational by its form; nullopt for Magic and Deficient.
@@ -34,6 +36,7 @@ double ulp_error(Float got, const cln::cl_RA& exact_value);
 
 /// "p/q" in lowest terms with q > 1, or "p".
 std::string to_text(const cln::cl_RA& x);
+/// All digits.
 std::string to_text(const cln::cl_I& n);
 
 /// Reads "p/q" or "p": decimal digits, at most one leading '-'. Throws InvalidInput otherwise, and for q = 0.

@@ -20,9 +20,9 @@ std::optional<std::string> why_no_cradle(const ExactLine& line);
 
 /// Where a cradle is after the last whole transfer within its limits. All bodies but one block are at rest, exactly.
 struct CradleEnd {
-  bool complete = false;  ///< the block that moves will meet nothing any more
-  cln::cl_I contacts = 0;
-  cln::cl_I transfers = 0;
+  bool complete = false;      ///< the block that moves will meet nothing any more
+  cln::cl_I contacts = 0;     ///< so far
+  cln::cl_I transfers = 0;    ///< whole ones
   cln::cl_I round_trips = 0;  ///< back at the first block, moving right
   std::size_t mover = 0;      ///< body number
   int direction = 1;          ///< its velocity is V or -V

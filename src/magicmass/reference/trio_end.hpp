@@ -13,8 +13,8 @@ namespace magicmass::reference {
 
 /// Infinitely many contacts, in finite time.
 struct Collapse {
-  double time;
-  double position;
+  double time;      ///< of the last of them, in the scene's units
+  double position;  ///< of all bodies then, in the scene's units
 };
 
 /// A moves towards C while C and B move alike (a wall: C rests): the state of the theorems, in any frame and with
@@ -39,10 +39,11 @@ public:
   Velocities<double> velocities(const cln::cl_I& j) const;
   /// Contact j, the first being 0.
   struct Contact {
-    double time;
-    double position;
-    Velocities<double> after;
+    double time;               ///< in the scene's units
+    double position;           ///< of the ball, in the scene's units
+    Velocities<double> after;  ///< just after it
   };
+  /// The nearest doubles; 0 <= j < contacts().
   Contact contact(const cln::cl_I& j) const;
   /// Where A, B and C are at a time >= 0.
   Positions<double> positions(const FieldNumber& time) const;

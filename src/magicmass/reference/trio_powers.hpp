@@ -12,7 +12,7 @@ namespace magicmass::reference {
 /// the same linear map: at the time and place of contact both bodies are at one place, which that map keeps.
 template <class Scalar>
 struct TrioState {
-  Velocities<Scalar> v;
+  Velocities<Scalar> v;  ///< now
   Velocities<Scalar> x;  ///< places at time 0, as a triple
 };
 
@@ -27,6 +27,7 @@ public:
                     {line.positions[0], line.right_wall ? *line.right_wall : line.positions[2],
                      line.positions[1]}}) {}
 
+  /// From the contacts' weights and the state at time 0.
   TrioPowers(const Trio<Scalar>& trio, TrioState<Scalar> start)
       : P_(map_of<Scalar>([&](Velocities<Scalar> v) {
           trio.P.apply(v.a, v.c);
@@ -55,16 +56,20 @@ public:
 
   /// How fast the next two approach after j contacts, and their gap followed back to time 0: they meet at gap/speed.
   struct Approach {
-    Scalar speed;
-    Scalar gap;
+    Scalar speed;  ///< above 0: they meet
+    Scalar gap;    ///< at time 0
   };
+  /// Of a state after j contacts.
   static Approach approach(const TrioState<Scalar>& state, const cln::cl_I& j) {
     if (cln::oddp(j)) return {state.v.c - state.v.b, state.x.b - state.x.c};
     return {state.v.a - state.v.c, state.x.c - state.x.a};
   }
+  /// Of the state after j contacts.
   Approach approach(const cln::cl_I& j) const { return approach(after(j), j); }
 
+  /// One contact of A, then one of B.
   const LinearMap<Scalar>& cycle() const { return cycle_; }
+  /// After no contact.
   const TrioState<Scalar>& start() const { return start_; }
 
 private:

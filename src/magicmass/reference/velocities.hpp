@@ -16,11 +16,12 @@ namespace magicmass::reference {
 /// a_n, b_n, c_n, c'_n in units of V. For n = 0 these are the initial values 1, 0, 0, 0.
 template <class Value>
 struct CycleVelocities {
-  Value a;
-  Value b;
-  Value c;
-  Value c_prime;
+  Value a;        ///< of A just after P_n
+  Value b;        ///< of B just after Q_n
+  Value c;        ///< of C just after P_n
+  Value c_prime;  ///< of C just after Q_n
 
+  /// All four are equal.
   friend bool operator==(const CycleVelocities&, const CycleVelocities&) = default;
 };
 

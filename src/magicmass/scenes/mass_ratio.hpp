@@ -12,23 +12,26 @@ namespace magicmass {
 
 /// The exact rational numerator/denominator: decimal digits, no sign, no leading zero, both positive, not reduced.
 struct Fraction {
-  std::string numerator;
-  std::string denominator;
+  std::string numerator;    ///< above the line
+  std::string denominator;  ///< below it
 
+  /// The same digits.
   friend bool operator==(const Fraction&, const Fraction&) = default;
 };
 
 /// The k-th magic mass ratio of the paper, k >= 1 (irrational but for k = 1).
 struct Magic {
-  std::int64_t k = 1;
+  std::int64_t k = 1;  ///< its number
 
+  /// The same k.
   friend bool operator==(const Magic&, const Magic&) = default;
 };
 
 /// The k-th deficient mass ratio of the paper, k >= 1 (irrational for every k).
 struct Deficient {
-  std::int64_t k = 1;
+  std::int64_t k = 1;  ///< its number
 
+  /// The same k.
   friend bool operator==(const Deficient&, const Deficient&) = default;
 };
 

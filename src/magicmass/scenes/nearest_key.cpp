@@ -2,13 +2,11 @@
 #include "magicmass/scenes/nearest_key.hpp"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace magicmass {
-namespace {
 
-/// Damerau's distance by rows; a key is short, so the whole table is kept.
-std::size_t distance(std::string_view from, std::string_view to) {
+std::size_t edit_distance(std::string_view from, std::string_view to) {
+  // words are short, so the whole table is kept
   std::vector<std::vector<std::size_t>> table(from.size() + 1,
                                               std::vector<std::size_t>(to.size() + 1));
   for (std::size_t i = 0; i <= from.size(); ++i)
@@ -25,8 +23,6 @@ std::size_t distance(std::string_view from, std::string_view to) {
   return table.back().back();
 }
 
-}  // namespace
-
 std::optional<std::string_view> nearest_key(std::string_view key,
                                             const std::vector<std::string_view>& keys) {
   constexpr std::size_t longest = 40;  // longer is near to nothing
@@ -34,7 +30,7 @@ std::optional<std::string_view> nearest_key(std::string_view key,
   if (key.size() > longest) return nearest;
   std::size_t least = key.size() / 2 + 1;
   for (const std::string_view other : keys) {
-    const std::size_t changes = distance(key, other);
+    const std::size_t changes = edit_distance(key, other);
     if (changes >= least) continue;
     least = changes;
     nearest = other;

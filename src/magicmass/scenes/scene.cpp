@@ -22,9 +22,6 @@ constexpr std::array<std::pair<std::string_view, Output>, 5> output_names = {{
     {"energy", Output::energy},
 }};
 
-constexpr std::array<std::pair<std::string_view, Kind>, 3> kind_names = {
-    {{"three-body", Kind::three_body}, {"wall", Kind::wall}, {"chain", Kind::chain}}};
-
 toml::table parse_table(std::string_view text, std::string_view source_name) {
   try {
     return toml::parse(text);
@@ -36,7 +33,8 @@ toml::table parse_table(std::string_view text, std::string_view source_name) {
 }
 
 bool has_key(const SceneKey& key, Kind kind) {
-  return kind == Kind::three_body ? key.three_body : kind == Kind::wall ? key.wall : key.chain;
+  return key.kinds.empty() ||
+         std::find(key.kinds.begin(), key.kinds.end(), kind) != key.kinds.end();
 }
 
 std::vector<std::string_view> keys_of(Kind kind) {
@@ -69,17 +67,8 @@ void check_together(const Scene& scene) {
   exclude("velocities", {"V"});
   exclude("walls", {"left_wall", "right_wall"});
   exclude("times", {"every"});
-  if (scene.masses.empty())
-    refuse_key(scene,
-               scene.kind == Kind::three_body ? "alpha"
-               : scene.kind == Kind::wall     ? "mass_ratio"
-                                              : "blocks",
-               "missing",
-               scene.kind == Kind::three_body
-                   ? "a line like alpha = 0.1 or alpha = \"magic:3\", or masses = [1, 0.1, 2]"
-               : scene.kind == Kind::wall
-                   ? "a line like mass_ratio = \"100^3\", or masses = [100, 1]"
-                   : "lines like blocks = 5 and balls = \"magic:3\", or masses = [1, 0.1, 1]");
+  const SceneKind& kind = row_of(scene.kind);
+  if (scene.masses.empty()) refuse_key(scene, kind.mass_key, "missing", kind.mass_lines);
   if (has("balls") && !has("blocks"))
     refuse_key(scene, "blocks", "missing", "a whole number of blocks");
   if (has("blocks") && !has("balls") && scene.masses.size() > 1)
@@ -134,11 +123,7 @@ std::string_view to_text(Output output) {
       ->first;
 }
 
-std::string_view to_text(Kind kind) {
-  return std::find_if(kind_names.begin(), kind_names.end(),
-                      [&](const auto& entry) { return entry.second == kind; })
-      ->first;
-}
+std::string_view to_text(Kind kind) { return row_of(kind).name; }
 
 std::string body_name(const Scene& scene, std::size_t body) {
   if (scene.kind != Kind::chain) return body == 0 ? "A" : body == 1 ? "C" : "B";

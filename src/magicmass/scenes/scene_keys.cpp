@@ -14,11 +14,13 @@ void read_title(const toml::node& node, const Place& place, Scene& scene) {
 }
 
 void read_kind(const toml::node& node, const Place& place, Scene& scene) {
-  constexpr std::string_view allowed = "\"three-body\", \"wall\", \"chain\"";
+  std::string allowed;
+  for (const SceneKind& row : scene_kinds())
+    allowed += (allowed.empty() ? "\"" : ", \"") + std::string(row.name) + '"';
   const std::string name = text_of(node, place, allowed);
-  for (const Kind kind : {Kind::three_body, Kind::wall, Kind::chain}) {
-    if (name == to_text(kind)) {
-      scene.kind = kind;
+  for (const SceneKind& row : scene_kinds()) {
+    if (name == row.name) {
+      scene.kind = row.kind;
       return;
     }
   }
@@ -35,14 +37,10 @@ void read_mass_ratio(const toml::node& node, const Place& place, Scene& scene) {
 
 void read_masses(const toml::node& node, const Place& place, Scene& scene) {
   scene.masses = values_of(node, place);
-  const std::size_t needed = scene.kind == Kind::three_body ? 3 : 2;
-  const bool right =
-      scene.kind == Kind::chain ? !scene.masses.empty() : scene.masses.size() == needed;
+  const SceneKind& kind = row_of(scene.kind);
+  const bool right = kind.bodies == 0 ? !scene.masses.empty() : scene.masses.size() == kind.bodies;
   if (!right)
-    place.refuse("got " + std::to_string(scene.masses.size()) + " masses",
-                 scene.kind == Kind::three_body ? "three: those of A, C and B"
-                 : scene.kind == Kind::wall     ? "two: those of the block A and the ball C"
-                                                : "one or more, from left to right");
+    place.refuse("got " + std::to_string(scene.masses.size()) + " masses", kind.bodies_words);
 }
 
 void read_blocks(const toml::node& node, const Place& place, Scene& scene) {
@@ -154,30 +152,49 @@ void read_max_events(const toml::node& node, const Place& place, Scene& scene) {
 /// In the order in which they are read: what a key needs stands before it.
 const std::vector<SceneKey>& scene_keys() {
   static const std::vector<SceneKey> keys = {
-      {"title", read_title, true, true, true},
-      {"kind", read_kind, true, true, true},
-      {"alpha", read_alpha, true, false, false},
-      {"mass_ratio", read_mass_ratio, false, true, false},
-      {"masses", read_masses, true, true, true},
-      {"blocks", read_blocks, false, false, true},
-      {"balls", read_balls, false, false, true},
-      {"V", read_V, true, true, true},
-      {"L", read_L, true, true, true},
-      {"gap", read_gap, false, false, true},
-      {"positions", read_positions, true, true, true},
-      {"velocities", read_velocities, true, true, true},
-      {"wall", read_right_wall, false, true, false},
-      {"walls", read_walls, false, false, true},
-      {"left_wall", read_left_wall, false, false, true},
-      {"right_wall", read_right_wall, false, false, true},
-      {"restitution", read_restitution, true, true, true},
-      {"outputs", read_outputs, true, true, true},
-      {"every", read_every, true, true, true},
-      {"times", read_times, true, true, true},
-      {"until", read_until, true, true, true},
-      {"max_events", read_max_events, true, true, true},
+      {"title", read_title},
+      {"kind", read_kind},
+      {"alpha", read_alpha, {Kind::three_body}},
+      {"mass_ratio", read_mass_ratio, {Kind::wall}},
+      {"masses", read_masses},
+      {"blocks", read_blocks, {Kind::chain}},
+      {"balls", read_balls, {Kind::chain}},
+      {"V", read_V},
+      {"L", read_L},
+      {"gap", read_gap, {Kind::chain}},
+      {"positions", read_positions},
+      {"velocities", read_velocities},
+      {"wall", read_right_wall, {Kind::wall}},
+      {"walls", read_walls, {Kind::chain}},
+      {"left_wall", read_left_wall, {Kind::chain}},
+      {"right_wall", read_right_wall, {Kind::chain}},
+      {"restitution", read_restitution},
+      {"outputs", read_outputs},
+      {"every", read_every},
+      {"times", read_times},
+      {"until", read_until},
+      {"max_events", read_max_events},
   };
   return keys;
+}
+
+const std::vector<SceneKind>& scene_kinds() {
+  static const std::vector<SceneKind> kinds = {
+      {Kind::three_body, "three-body", "alpha",
+       "a line like alpha = 0.1 or alpha = \"magic:3\", or masses = [1, 0.1, 2]", 3,
+       "three: those of A, C and B"},
+      {Kind::wall, "wall", "mass_ratio", "a line like mass_ratio = \"100^3\", or masses = [100, 1]",
+       2, "two: those of the block A and the ball C"},
+      {Kind::chain, "chain", "blocks",
+       "lines like blocks = 5 and balls = \"magic:3\", or masses = [1, 0.1, 1]", 0,
+       "one or more, from left to right"},
+  };
+  return kinds;
+}
+
+const SceneKind& row_of(Kind kind) {
+  return *std::find_if(scene_kinds().begin(), scene_kinds().end(),
+                       [&](const SceneKind& row) { return row.kind == kind; });
 }
 
 }  // namespace magicmass

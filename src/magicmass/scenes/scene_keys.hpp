@@ -36,8 +36,20 @@ using KeyReader = void (*)(const toml::node&, const Place&, Scene&);
 struct SceneKey {
   std::string_view name;
   KeyReader read;
-  bool three_body, wall, chain;  ///< the kinds that have it
+  std::vector<Kind> kinds = {};  ///< that have it; none: all of them
 };
 const std::vector<SceneKey>& scene_keys();
+
+/// What tells a kind of scene from the others.
+struct SceneKind {
+  Kind kind;
+  std::string_view name;
+  std::string_view mass_key;      ///< the key by which masses are usually given
+  std::string_view mass_lines;    ///< what is allowed where there are none
+  std::size_t bodies;             ///< how many; 0: any number but none
+  std::string_view bodies_words;  ///< what is allowed where there are others
+};
+const std::vector<SceneKind>& scene_kinds();
+const SceneKind& row_of(Kind kind);
 
 }  // namespace magicmass

@@ -14,16 +14,19 @@ namespace magicmass {
 /// Whole numbers, + - * / ^ (whole exponent), sqrt(whole number) and parentheses: "1/7", "sqrt(5)-2", "100^6".
 /// Well-formed, and no more is known: it may divide by zero or leave every quadratic field.
 struct Expression {
-  std::string text;
+  std::string text;  ///< as it was written
 
+  /// The same text.
   friend bool operator==(const Expression&, const Expression&) = default;
 };
 
 /// A double stands for itself, exactly; so does everything else.
 using Value = std::variant<double, Expression, Magic, Deficient>;
 
+/// Longest text parse_value reads, in characters.
 inline constexpr std::size_t longest_value_text = 4096;
 
+/// What parse_value takes, for messages.
 inline constexpr std::string_view allowed_values =
     "a number, or a string with a decimal, a hex float, a fraction like \"1/7\", an expression of "
     "whole numbers "

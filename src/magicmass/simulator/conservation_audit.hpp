@@ -9,8 +9,8 @@ namespace magicmass {
 /// Largest relative departure from the initial kinetic energy and momentum; exactly 0 for exact scalars.
 template <class Scalar>
 struct ConservationDrift {
-  Scalar energy;
-  Scalar momentum;
+  Scalar energy;    ///< relative, at least 0
+  Scalar momentum;  ///< relative, at least 0
 };
 
 /// Watches energy and momentum of two blocks of mass 1 and a ball of mass alpha. The start must have both
@@ -18,6 +18,7 @@ struct ConservationDrift {
 template <Field Scalar>
 class ConservationAudit {
 public:
+  /// Takes note of the start.
   ConservationAudit(const Scalar& alpha, const Velocities<Scalar>& start)
       : alpha_(alpha),
         energy_(energy(start)),
@@ -30,6 +31,7 @@ public:
     keep_larger(largest_.momentum, (momentum(v) - momentum_) / momentum_);
   }
 
+  /// So far.
   const ConservationDrift<Scalar>& largest() const { return largest_; }
 
 private:

@@ -9,8 +9,8 @@ namespace magicmass {
 /// Velocities of the two bodies of a contact, just after it.
 template <class Scalar>
 struct AfterContact {
-  Scalar first;
-  Scalar second;
+  Scalar first;   ///< of the body given first
+  Scalar second;  ///< of the other
 };
 
 /// Elastic contact of bodies (m1, u1) and (m2, u2): each velocity is reflected in the velocity U of their

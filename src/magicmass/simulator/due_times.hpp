@@ -18,6 +18,7 @@ namespace magicmass {
 template <class Scalar>
 using Due = std::conditional_t<std::floating_point<Scalar>, Scalar, std::optional<Scalar>>;
 
+/// Later than any time.
 template <class Scalar>
 Due<Scalar> never() {
   if constexpr (std::floating_point<Scalar>) {
@@ -27,11 +28,13 @@ Due<Scalar> never() {
   }
 }
 
+/// Whether it is that.
 template <class Scalar>
 bool is_never(const Due<Scalar>& due) {
   return due == never<Scalar>();
 }
 
+/// Of one that is not never().
 template <class Scalar>
 const Scalar& time_of(const Due<Scalar>& due) {
   if constexpr (std::floating_point<Scalar>) {
@@ -47,6 +50,7 @@ const Scalar& time_of(const Due<Scalar>& due) {
 template <class Scalar>
 class DueTimes {
 public:
+  /// All gaps are never() due.
   explicit DueTimes(std::size_t gaps)
       : leaves_(std::bit_ceil((gaps + width - 1) / width)),
         due_((gaps + width - 1) / width * width, never<Scalar>()),
@@ -55,7 +59,9 @@ public:
     for (std::size_t node = leaves_; node-- > 1;) play(node);
   }
 
+  /// When this gap is due.
   const Due<Scalar>& operator[](std::size_t gap) const { return due_[gap]; }
+  /// first() knows of it after replay().
   void set(std::size_t gap, Due<Scalar> due) { due_[gap] = std::move(due); }
 
   /// To be called after set(): plays again what gaps first, ..., last may have changed.
@@ -73,6 +79,7 @@ public:
     }
   }
 
+  /// The gap that is due first; any, where all are never().
   std::size_t first() const { return winners_[1]; }
 
   /// The first gap of that sixteenth of all gaps which was played last: its turn comes in sixteen events or so, time
@@ -85,6 +92,7 @@ public:
     return gap;
   }
 
+  /// Memory it holds.
   std::size_t bytes() const {
     return due_.capacity() * sizeof(Due<Scalar>) + winners_.capacity() * sizeof(Gap);
   }

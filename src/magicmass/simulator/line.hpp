@@ -12,15 +12,16 @@ namespace magicmass {
 /// Bodies are numbered from 0; gap g is to the left of body g, and gap number bodies() is that to the right wall.
 template <class Scalar>
 struct Line {
-  std::vector<Scalar> masses;
-  std::vector<Scalar> positions;
-  std::vector<Scalar> velocities;
-  std::optional<Scalar> left_wall;
-  std::optional<Scalar> right_wall;
-  Scalar restitution = Scalar(1);
+  std::vector<Scalar> masses;        ///< > 0
+  std::vector<Scalar> positions;     ///< not decreasing; as many as masses
+  std::vector<Scalar> velocities;    ///< as many as masses, > 0 to the right
+  std::optional<Scalar> left_wall;   ///< its place; none without
+  std::optional<Scalar> right_wall;  ///< its place; none without
+  Scalar restitution = Scalar(1);    ///< e of every contact
   bool is_rounded =
       false;  ///< some number is the nearest one to what it stands for, not that itself
 
+  /// How many there are.
   std::size_t bodies() const { return masses.size(); }
 };
 

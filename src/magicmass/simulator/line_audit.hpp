@@ -14,6 +14,7 @@ namespace magicmass {
 template <Field Scalar>
 class LineAudit {
 public:
+  /// Takes note of the start.
   explicit LineAudit(const Line<Scalar>& start)
       : energy_(energy(start)),
         momentum_(momentum(start)),
@@ -24,18 +25,21 @@ public:
     period_ = start.bodies() < 4096 ? 4096 : static_cast<std::int64_t>(start.bodies());
   }
 
+  /// After each event of the motion.
   void look(const LineMotion<Scalar>& motion, const LineEvent<Scalar>& event) {
     if (event.gap == 0) add_impulse(motion.body(0), motion.restitution());
     if (event.gap == motion.bodies()) add_impulse(motion.body(event.gap - 1), motion.restitution());
     if (event.number % period_ == 0) look(motion.line());
   }
 
+  /// At the end.
   void look(const Line<Scalar>& line) {
     keep_larger(drift_.momentum, momentum(line) - momentum_, scale_);
     const Scalar change = energy(line) - energy_;
     if (elastic_ || Scalar(0) < change) keep_larger(drift_.energy, change, energy_);
   }
 
+  /// So far.
   const ConservationDrift<Scalar>& largest() const { return drift_; }
 
 private:

@@ -23,11 +23,11 @@ namespace magicmass {
 template <class Scalar>
 struct LineEvent {
   std::int64_t number;  ///< 1 for the first
-  std::size_t gap;
-  Scalar time;
-  Scalar position;
-  Scalar v_left;  ///< just after it; 0 for a wall
-  Scalar v_right;
+  std::size_t gap;      ///< its number
+  Scalar time;          ///< from the start
+  Scalar position;      ///< where they met
+  Scalar v_left;        ///< just after it; 0 for a wall
+  Scalar v_right;       ///< likewise
 };
 
 /// Contacts that floating point cannot tell apart, and in exact numbers those that are at once.
@@ -47,7 +47,10 @@ struct Losses {
 /// A body where it was last touched, at the time `since`.
 template <class Scalar>
 struct BodyState {
-  Scalar mass, position, velocity, since;
+  Scalar mass;      ///< > 0
+  Scalar position;  ///< at the time `since`
+  Scalar velocity;  ///< from then on
+  Scalar since;     ///< a time
 };
 
 /// Order of events: by time; of equal times the leftmost gap goes first. Gaps that share no body do not
@@ -101,8 +104,11 @@ public:
     return event;
   }
 
+  /// How many there are.
   std::size_t bodies() const { return bodies_.size(); }
+  /// Body i < bodies().
   const BodyState<Scalar>& body(std::size_t i) const { return bodies_[i]; }
+  /// e of every contact.
   const Scalar& restitution() const { return restitution_; }
   /// Each body where it was last touched, all of them copied.
   Line<Scalar> line() const {
@@ -114,17 +120,22 @@ public:
     }
     return line;
   }
+  /// Of body i, if it meets nothing until then.
   Scalar position(std::size_t i, const Scalar& time) const {
     const BodyState<Scalar>& one = bodies_[i];
     return one.position + one.velocity * (time - one.since);
   }
+  /// The time of the last event; 0 before the first.
   const Scalar& now() const { return now_; }
+  /// How many there were.
   std::int64_t events() const { return events_; }
+  /// So far.
   const Ties& ties() const { return ties_; }
   /// How far all that may be from the truth.
   const RoundingMargin<Scalar>& margin() const requires std::floating_point<Scalar> {
     return margin_;
   }
+  /// So far, and at what comes next.
   Losses losses() const {
     Losses lost{lost_rebound_, false};
     for (std::size_t gap = 0; gap <= bodies(); ++gap)

@@ -6,20 +6,22 @@ namespace magicmass {
 /// Velocities of A, B and the ball C at one moment.
 template <class Scalar>
 struct Velocities {
-  Scalar a;
-  Scalar b;
-  Scalar c;
+  Scalar a;  ///< of A
+  Scalar b;  ///< of B
+  Scalar c;  ///< of C
 
+  /// All three are equal.
   friend bool operator==(const Velocities&, const Velocities&) = default;
 };
 
 /// Places of A, B and the ball C at one moment.
 template <class Scalar>
 struct Positions {
-  Scalar a;
-  Scalar b;
-  Scalar c;
+  Scalar a;  ///< of A
+  Scalar b;  ///< of B
+  Scalar c;  ///< of C
 
+  /// All three are equal.
   friend bool operator==(const Positions&, const Positions&) = default;
 };
 

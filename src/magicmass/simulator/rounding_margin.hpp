@@ -14,8 +14,12 @@ namespace magicmass {
 /// The two sides of a gap. A wall has infinite mass and velocity 0.
 template <class Scalar>
 struct GapSides {
-  Scalar m1, u1, m2, u2;
+  Scalar m1;  ///< mass of the left side
+  Scalar u1;  ///< its velocity
+  Scalar m2;  ///< mass of the right side
+  Scalar u2;  ///< its velocity
 
+  /// Speed at which the gap closes.
   Scalar closing() const { return u1 - u2; }
 };
 
@@ -31,6 +35,7 @@ struct GapSides {
 template <class Scalar>
 class RoundingMargin {
 public:
+  /// The errors at the start, where the line is_rounded.
   explicit RoundingMargin(const Line<Scalar>& line) {
     Scalar root_mass = 0, speeds = 0;
     Scalar lightest = line.masses.front();
@@ -48,6 +53,7 @@ public:
     velocities_ = eps * speeds;
   }
 
+  /// Something is at this place.
   void look_at(Scalar position) { size_ = std::max(size_, std::abs(position)); }
 
   /// A contact at this time; velocities that were only swapped or turned round are not rounded.
@@ -85,7 +91,9 @@ public:
            within(error(spread(first), c1), error(spread(second), c2));
   }
 
+  /// The error of all velocities, in that length.
   Scalar of_velocities() const { return velocities_; }
+  /// The error of all positions at a time from the last contact on.
   Scalar of_positions(Scalar time) const { return positions_ + velocities_ * (time - last_); }
 
 private:

@@ -14,6 +14,7 @@ namespace magicmass {
 template <Field Scalar>
 class StalledClock {
 public:
+  /// How many in a row.
   static constexpr std::int64_t contacts = 1000;
 
   /// Takes note of a contact; true if the clock stands still.

@@ -17,8 +17,8 @@ namespace magicmass {
 /// One contact of a block with the ball: the n-th of that block (P_n for A, Q_n for B).
 template <class Scalar>
 struct Event {
-  Body body;
-  std::int64_t n;
+  Body body;                    ///< the block
+  std::int64_t n;               ///< from 1 on
   Scalar time;                  ///< unit of L / V; P_1 is at 0
   Scalar position;              ///< where the two met, unit of L
   Velocities<Scalar> after;     ///< just after it, unit of V
@@ -28,12 +28,12 @@ struct Event {
 /// Outcome of a run; terminal holds a_t, b_t, c_t if complete, else the velocities where it stopped.
 template <class Scalar>
 struct ThreeBodyRun {
-  RunStatus status = RunStatus::complete;
-  Counts counts;
-  Velocities<Scalar> terminal;
-  Positions<Scalar> last_positions;  ///< at last_time, the time of the last contact
-  Scalar last_time;
-  ConservationDrift<Scalar> drift;
+  RunStatus status = RunStatus::complete;  ///< whether all contacts were seen
+  Counts counts;                           ///< of the contacts seen
+  Velocities<Scalar> terminal;             ///< in the unit of V
+  Positions<Scalar> last_positions;        ///< at last_time, the time of the last contact
+  Scalar last_time;                        ///< 0 where there was none
+  ConservationDrift<Scalar> drift;         ///< the largest seen
 };
 
 /// Simulates A (speed V, reaching C at time 0), the ball C at rest at 0 and B at rest at L, blocks of mass 1 and
@@ -77,8 +77,8 @@ ThreeBodyRun<Scalar> simulate_three_body(const Scalar& alpha, const Scalar& V, c
 /// A run together with all its events.
 template <class Scalar>
 struct RecordedRun {
-  ThreeBodyRun<Scalar> run;
-  std::vector<Event<Scalar>> events;
+  ThreeBodyRun<Scalar> run;           ///< how it ended
+  std::vector<Event<Scalar>> events;  ///< all of them, in order
 };
 
 /// The same, keeping every event: memory grows with their number, so bound it by max_events.

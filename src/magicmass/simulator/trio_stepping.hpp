@@ -16,8 +16,10 @@ namespace magicmass {
 /// A contact by the shares of their relative velocity that block and ball take over, computed once.
 template <class Scalar>
 struct ContactWeights {
-  Scalar of_block, of_ball;
+  Scalar of_block;  ///< what the block takes over
+  Scalar of_ball;   ///< what the ball takes over
 
+  /// Both velocities after the contact, in their places.
   void apply(Scalar& block, Scalar& ball) const {
     const Scalar faster = block - ball;
     block = block - of_block * faster;
@@ -42,8 +44,8 @@ ContactWeights<Scalar> wall_weights(const Scalar& e) {
 /// The contacts of A with the ball, and of the ball with B.
 template <class Scalar>
 struct Trio {
-  ContactWeights<Scalar> P;
-  ContactWeights<Scalar> Q;
+  ContactWeights<Scalar> P;  ///< of A with the ball
+  ContactWeights<Scalar> Q;  ///< of the ball with B
 };
 
 /// The paper's: blocks of mass 1, a ball of mass alpha, elastic contacts.
@@ -100,6 +102,7 @@ std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int
   return contacts;
 }
 
+/// The same without a listener.
 template <Field Scalar>
 std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int64_t most) {
   return step_trio(trio, v, most, [](std::int64_t, const Velocities<Scalar>&) {});
@@ -108,9 +111,9 @@ std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int
 /// When and where the ball is, and how far from it the block that it meets next.
 template <class Scalar>
 struct TrioPlace {
-  Scalar time;
-  Scalar ball;
-  Scalar gap;
+  Scalar time;  ///< of the last contact
+  Scalar ball;  ///< its place then
+  Scalar gap;   ///< to the block that is next
 
   /// All three just after so many contacts, one or more.
   Positions<Scalar> positions(std::int64_t contacts) const {

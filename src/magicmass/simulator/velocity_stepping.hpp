@@ -15,17 +15,17 @@ namespace magicmass {
 /// One contact: the n-th of this block with the ball (P_n for A, Q_n for B) and the velocities just after it.
 template <class Scalar>
 struct VelocityEvent {
-  Body body;
-  std::int64_t n;
-  Velocities<Scalar> after;
+  Body body;                 ///< the block
+  std::int64_t n;            ///< from 1 on
+  Velocities<Scalar> after;  ///< in the unit of V
 };
 
 /// Outcome of a run; terminal holds a_t, b_t, c_t if complete, else the velocities where it stopped.
 template <class Scalar>
 struct VelocityRun {
-  RunStatus status = RunStatus::complete;
-  Counts counts;
-  Velocities<Scalar> terminal;
+  RunStatus status = RunStatus::complete;  ///< whether all contacts were seen
+  Counts counts;                           ///< of the contacts seen
+  Velocities<Scalar> terminal;             ///< in the unit of V
 };
 
 /// Steps through the contacts of A (speed V), C and B (both at rest). C is between A and B, so after a contact

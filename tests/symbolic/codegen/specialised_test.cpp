@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "codegen/specialised.hpp"
+#include "codegen/specialised_kernel.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/scene_plan.hpp"
+#include "magicmass/reference/scene_plan.hpp"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <utility>
 
-#include <fmt/format.h>
-
-#include "command/alpha_value.hpp"
-#include "command/exact_work.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/count.hpp"
+#include "magicmass/reference/exact_work.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/transfers.hpp"
 #include "magicmass/simulator/stalled_clock.hpp"
 
-namespace magicmass::command {
+namespace magicmass::reference {
 namespace {
 
 using cln::cl_I;
-using reference::ExactLine;
 
 constexpr std::array<std::pair<Model, std::string_view>, 5> model_names = {{
     {Model::closed_form, "closed form"},
@@ -41,11 +38,11 @@ struct Rehearsal {
 };
 
 Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
-  LineMotion<double> motion(reference::rounded(line));
+  LineMotion<double> motion(rounded(line));
   StalledClock<double> clock;
   const bool inelastic = motion.restitution() < 1.0;
   const double until =
-      line.until ? reference::nearest_double(*line.until) : std::numeric_limits<double>::infinity();
+      line.until ? nearest_double(*line.until) : std::numeric_limits<double>::infinity();
   for (auto next = motion.next(); next && *next <= until && motion.events() < limit;
        next = motion.next()) {
     motion.step();
@@ -60,7 +57,7 @@ constexpr std::size_t most_exact_bodies = 200'000;
 
 /// Whether exact numbers stay short: below 2^13 bits over the first 2000 events, or as many as may be looked at.
 bool stays_short(const ExactLine& line, std::int64_t limit) {
-  LineMotion<reference::FieldNumber> motion(line.together());
+  LineMotion<FieldNumber> motion(line.together());
   ExactWork work(line.common.field ? line.common.field->degree() : 1, most_rehearsed_work);
   for (auto next = motion.next(); next && motion.events() < std::min<std::int64_t>(limit, 2000);
        next = motion.next()) {
@@ -98,7 +95,7 @@ std::string why_not(Model model, const Scene& scene, const ExactLine& line, cons
     case Model::transfers:
       if (lists_events(scene) || !scene.times.empty())
         return "it goes from transfer to transfer and has no single events";
-      return reference::why_no_cradle(line).value_or("");
+      return why_no_cradle(line).value_or("");
     case Model::event_driven:
       return "";
   }
@@ -107,8 +104,8 @@ std::string why_not(Model model, const Scene& scene, const ExactLine& line, cons
 
 /// The paper's counts, exact at every size.
 std::optional<cl_I> known_contacts(const Scene& scene, const ExactLine& line) {
-  if (!scene.alpha || !(line.restitution == reference::FieldNumber(1))) return {};
-  const reference::LargeCounts counts = exact_counts(*scene.alpha);
+  if (!scene.alpha || !(line.restitution == FieldNumber(1))) return {};
+  const LargeCounts counts = exact_counts(*scene.alpha);
   return counts.N_A + counts.N_B;
 }
 
@@ -151,8 +148,8 @@ void choose_among_events(const Scene& scene, const ExactLine& line, std::int64_t
       line.one_field && line.bodies() <= most_exact_bodies && stays_short(line, limit);
   if (exactly) {
     chosen.model = Model::exact_events;
-    chosen.plan.reason =
-        fmt::format("{}; after event {} {}", needed, rehearsal.ties.first_near, exact_reason(line));
+    chosen.plan.reason = needed + "; after event " + std::to_string(rehearsal.ties.first_near) +
+                         " " + exact_reason(line);
     chosen.plan.events = limit;
     return;
   }
@@ -210,17 +207,17 @@ std::int64_t event_limit(const Scene& scene, const SceneOptions& options) {
 void refuse_as_too_long(const Scene& scene, const cl_I& events, std::int64_t limit) {
   cl_I every = 10;
   while (every * limit < events) every = every * 10;
-  refuse_key(scene, "outputs",
-             "a list of all " + reference::to_text(events) + " events is over the limit of " +
-                 std::to_string(limit),
-             "every = " + reference::to_text(every) +
-                 " to print each so manieth, times = [...] for positions at given times, or "
-                 "max_events to stop after so many");
+  refuse_key(
+      scene, "outputs",
+      "a list of all " + to_text(events) + " events is over the limit of " + std::to_string(limit),
+      "every = " + to_text(every) +
+          " to print each so manieth, times = [...] for positions at given times, or "
+          "max_events to stop after so many");
 }
 
 LinePlan plan_line(const Scene& scene, const ExactLine& line, const SceneOptions& options) {
   LinePlan chosen{Model::event_driven, {}, {}};
-  if (reference::is_theorems_start(line)) chosen.end.emplace(line, known_contacts(scene, line));
+  if (is_theorems_start(line)) chosen.end.emplace(line, known_contacts(scene, line));
   const bool collapses = chosen.end && chosen.end->collapse();
   const bool unlimited = !options.max_events && !scene.max_events && !line.until;
   if (chosen.end && !collapses && lists_events(scene) && unlimited &&
@@ -247,4 +244,30 @@ LinePlan plan_line(const Scene& scene, const ExactLine& line, const SceneOptions
   return chosen;
 }
 
-}  // namespace magicmass::command
+bool is_papers_scene(const Scene& scene, const SceneOptions& options) {
+  return scene.alpha && scene.times.empty() && scene.every == 1 && !scene.until &&
+         options.model.empty() &&
+         (options.scalars == Scalars::planned || options.scalars == Scalars::exact) &&
+         scene.restitution == Value(1.0);
+}
+
+Plan plan_papers_scene(const Scene& scene, const SceneOptions& options) {
+  if (!wants(scene, Output::events) && !wants(scene, Output::trajectory))
+    return {"closed form",
+            "only counts, terminal velocities or energy are asked for, so no event is stepped", 0};
+  const LargeCounts counts = exact_counts(*scene.alpha);
+  const cl_I events = counts.N_A + counts.N_B;
+  const bool unlimited = !options.max_events && !scene.max_events;
+  if (unlimited && events > cl_I(usual_max_events))
+    refuse_as_too_long(scene, events, usual_max_events);
+  return {"event-driven", "events or a trajectory are asked for, which need places and times",
+          cln::min(events, cl_I(event_limit(scene, options)))};
+}
+
+Plan plan(const Scene& scene, const SceneOptions& options) {
+  const ExactLine line = exact_line(scene);
+  return is_papers_scene(scene, options) ? plan_papers_scene(scene, options)
+                                         : plan_line(scene, line, options).plan;
+}
+
+}  // namespace magicmass::reference

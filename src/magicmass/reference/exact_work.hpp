@@ -10,7 +10,7 @@
 #include "magicmass/reference/number_field.hpp"
 #include "magicmass/simulator/line_motion.hpp"
 
-namespace magicmass::command {
+namespace magicmass::reference {
 
 /// Of a run, some ten seconds; and of a look ahead at one.
 inline constexpr double most_exact_work = 2e12;
@@ -29,7 +29,7 @@ public:
     if constexpr (std::floating_point<Scalar>) {
       return false;
     } else {
-      const auto length = [](const Scalar& x) { return reference::FieldNumber(x).bits(); };
+      const auto length = [](const Scalar& x) { return FieldNumber(x).bits(); };
       const long longest =
           std::max({length(event.time), length(event.v_left), length(event.v_right)});
       const auto bits = static_cast<double>(longest);
@@ -44,4 +44,4 @@ private:
   double work_ = 0.0;
 };
 
-}  // namespace magicmass::command
+}  // namespace magicmass::reference

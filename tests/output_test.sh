@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# A chapter's program prints what expected_output.txt says; and this test would see it if one character differed.
+# A program prints what a file says; and this test would see it if one character differed.
 #   output_test.sh PROGRAM EXPECTED
 set -euo pipefail
 

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#pragma once
+
+#include "command/program.hpp"
+#include "magicmass/reference/scene_plan.hpp"
+
+namespace magicmass::command {
+
+/// --model, --scalar and --max-events.
+void add_model_option(CLI::App& command, reference::SceneOptions& options);
+
+}  // namespace magicmass::command
