@@ -95,6 +95,9 @@ TEST_CASE("what has no normal form is not taken for zero", "[exam]") {
   CHECK_THROWS_WITH(
       kernel.strictly({.id = "wrong", .statement = {x, Relation::greater, y}}, weak, elsewhere),
       Catch::Contains("elsewhere is not about the same two sides"));
+  CHECK_THROWS_AS(
+      kernel.positivity({.id = "root", .statement = {pow(p, numeric(1, 3)), Relation::greater, 0}}),
+      NotProved);
 }
 
 TEST_CASE("what a ceiling says", "[exam]") {
