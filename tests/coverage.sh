@@ -22,9 +22,8 @@ llvm-cov export --summary-only --instr-profile="$build/all.profdata" "${programs
       match($0, /"count":[0-9]+/); count = substr($0, RSTART + 8, RLENGTH - 8)
       match($0, /"covered":[0-9]+/); covered = substr($0, RSTART + 10, RLENGTH - 10)
       if (file == "") next
-      folder = file
-      if (!sub(/^symbolic\/[^\/]*\/.*/, "", folder)) { n = split(file, part, "/"); folder = part[1] "/" part[2] (n > 3 ? "/" part[3] : "") }
-      else { split(file, part, "/"); folder = part[1] "/" part[2] }
+      n = split(file, part, "/")
+      folder = part[1] "/" part[2] (part[1] == "src" && n > 3 ? "/" part[3] : "")
       all[folder] += count; run[folder] += covered; all[part[1]] += count; run[part[1]] += covered
       printf "missed %6d %s %d of %d\n", count - covered, file, covered, count
       file = ""
