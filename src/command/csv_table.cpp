@@ -83,9 +83,10 @@ std::vector<std::string> fields_of(const std::string& line, const std::string& p
 
 }  // namespace
 
-CsvTable read_csv(const std::string& path, const std::vector<std::string>& headers) {
-  CsvTable table{path == "-" ? "stdin" : shown_text(path, 200), "", {}};
-  const std::vector<std::string> lines = lines_of(read_all(path, table.source));
+CsvTable parse_csv(const std::string& text, const std::string& source,
+                   const std::vector<std::string>& headers) {
+  CsvTable table{source, "", {}};
+  const std::vector<std::string> lines = lines_of(text);
   const auto place = [&](std::size_t i) { return fmt::format("{}:{}: ", table.source, i + 1); };
   const std::vector<std::string> names =
       lines.empty() ? std::vector<std::string>{} : fields_of(lines.front(), place(0));
@@ -108,6 +109,11 @@ CsvTable read_csv(const std::string& path, const std::vector<std::string>& heade
     table.rows.push_back({static_cast<unsigned>(i + 1), fields});
   }
   return table;
+}
+
+CsvTable read_csv(const std::string& path, const std::vector<std::string>& headers) {
+  const std::string source = path == "-" ? "stdin" : shown_text(path, 200);
+  return parse_csv(read_all(path, source), source, headers);
 }
 
 }  // namespace magicmass::command

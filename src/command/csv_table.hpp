@@ -17,9 +17,13 @@ struct CsvTable {
   std::vector<CsvRow> rows;
 };
 
-/// Reads a CSV file, or stdin for "-", whose first line must be one of `headers` ("alpha,n"). Fields may be quoted
-/// or have blanks around them; lines end with LF or CRLF; empty lines may follow the last row; a byte-order mark
-/// is skipped. Throws InvalidInput: file, line, column and what is allowed.
+/// Reads CSV whose first line must be one of `headers` ("alpha,n"). Fields may be quoted or have blanks around them;
+/// lines end with LF or CRLF; empty lines may follow the last row; a byte-order mark is skipped. `source` is for
+/// messages. Throws InvalidInput: source, line, column and what is allowed.
+CsvTable parse_csv(const std::string& text, const std::string& source,
+                   const std::vector<std::string>& headers);
+
+/// The same from a file, or from stdin for "-".
 CsvTable read_csv(const std::string& path, const std::vector<std::string>& headers);
 
 }  // namespace magicmass::command

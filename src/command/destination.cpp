@@ -38,25 +38,19 @@ Destination::Destination(const std::string& path) : name_("stdout") {
     if (descriptor_ < 0) refuse(errno);
     return;
   }
-  target_ = behind_links(path);
-  if (exists && ::access(target_.c_str(), W_OK) != 0) refuse(errno);
-  temporary_ = target_ + ".part-" + std::to_string(::getpid());
-  descriptor_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) {
-    temporary_.clear();
-    refuse(errno);
+  const std::string target = behind_links(path);
+  if (exists && ::access(target.c_str(), W_OK) != 0) refuse(errno);
+  try {
+    part_.emplace(target);
+  } catch (const std::system_error& error) {
+    refuse(error.code().value());
   }
-  if (exists && ::fchmod(descriptor_, existing.st_mode & 07777U) != 0) {
-    const int error = errno;
-    ::close(descriptor_);
-    ::unlink(temporary_.c_str());
-    refuse(error);
-  }
+  descriptor_ = part_->descriptor();
+  if (exists && ::fchmod(descriptor_, existing.st_mode & 07777U) != 0) refuse(errno);
 }
 
 Destination::~Destination() {
-  if (descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) ::close(descriptor_);
-  if (!temporary_.empty()) ::unlink(temporary_.c_str());
+  if (!part_ && descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) ::close(descriptor_);
 }
 
 void Destination::refuse(int error) const {
@@ -82,14 +76,17 @@ void Destination::flush() {
 
 void Destination::finish() {
   flush();
-  if (descriptor_ != STDOUT_FILENO) {
+  if (part_) {
+    try {
+      part_->become_target();
+    } catch (const std::system_error& error) {
+      refuse(error.code().value());
+    }
+  } else if (descriptor_ != STDOUT_FILENO) {
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (::close(descriptor) != 0) refuse(errno);
   }
-  if (temporary_.empty()) return;
-  if (::rename(temporary_.c_str(), target_.c_str()) != 0) refuse(errno);
-  temporary_.clear();
 }
 
 bool Destination::is_colourful() const {

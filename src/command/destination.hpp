@@ -2,16 +2,19 @@
 #pragma once
 
 #include <exception>
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "command/part_file.hpp"
 
 namespace magicmass::command {
 
 /// The reader of stdout went away: nothing more to do, and no error.
 class ClosedPipe : public std::exception {};
 
-/// Where data go: stdout, or a file that appears whole or not at all. It is written to a temporary beside it
-/// and renamed by finish(); without finish() the temporary is removed. What exists and is no regular file
+/// Where data go: stdout, or a file that appears whole or not at all. It is written to a part file beside it
+/// and renamed by finish(). What exists and is no regular file
 /// (/dev/null, a pipe) is written directly.
 class Destination {
 public:
@@ -34,10 +37,9 @@ public:
   bool is_colourful() const;
 
 private:
-  std::string name_;       // for messages
-  std::string target_;     // file to rename to, or empty
-  std::string temporary_;  // file to rename, or empty
-  int descriptor_ = 1;     // stdout
+  std::string name_;              // for messages
+  std::optional<PartFile> part_;  // of a regular file
+  int descriptor_ = 1;            // stdout
   std::string buffer_;
 
   [[noreturn]] void refuse(int error) const;

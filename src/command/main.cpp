@@ -7,9 +7,13 @@
 #include <string>
 #include <vector>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "command/commands.hpp"
 #include "command/destination.hpp"
 #include "command/known_words.hpp"
+#include "command/part_file.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
@@ -63,10 +67,21 @@ ExitCode run(int argc, char** argv) {
   return program.action();
 }
 
+/// Where one was closed a file would get its number, and what is meant for the terminal: it gets a stream that takes
+/// and gives nothing.
+void open_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0)
+      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large for its limit is refused as on a full disk
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough is no error: see ClosedPipe
+  remove_part_files_on_signals();
   ExitCode code = ExitCode::done;
   try {
     code = run(argc, argv);

@@ -111,7 +111,8 @@ private:
       if (c == '(' || c == ')' || c == '[' || c == ']') return "";  // \( ... \)
       if (c == '{' || c == '}' || c == ',' || c == ';' || c == '!' || c == ':' || c == ' ')
         return c == '{' ? "(" : c == '}' ? ")" : " ";
-      refuse(std::string("unknown command \\") + c);
+      refuse(c > ' ' && c <= '~' ? std::string("unknown command \\") + c
+                                 : "a backslash before a character that is no command");
     }
     std::string name;
     while (at_ < text_.size() && is_letter(text_[at_])) name += text_[at_++];

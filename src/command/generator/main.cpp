@@ -7,6 +7,7 @@
 
 #include "codegen/generate.hpp"
 #include "command/generated_tree.hpp"
+#include "command/part_file.hpp"
 #include "derivation/derivation.hpp"
 #include "magicmass/errors.hpp"
 
@@ -17,6 +18,7 @@ int main(int arguments, char** values) {
     std::fputs("Example: magicmass_generator --out generated\n", stderr);
     return 2;
   }
+  command::remove_part_files_on_signals();
   try {
     const derivation::Derivation derivation = derivation::derive();
     if (derivation.refused) {

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,19 +42,28 @@ Value chosen(ContentTable& table, const std::string& key, const std::string& tex
   table.refuse(key, "got \"" + shown_text(text) + "\"", allowed);
 }
 
+/// The whole numbers of "1..9", within a thousand million: how many there are fits a long.
+std::optional<std::pair<long, long>> range_of(const std::string& text) {
+  constexpr long furthest = 1'000'000'000;
+  const char* const end = text.data() + text.size();
+  long low = 0;
+  long high = 0;
+  const auto first = std::from_chars(text.data(), end, low);
+  if (first.ec != std::errc() || !std::string_view(first.ptr, end).starts_with("..")) return {};
+  const auto second = std::from_chars(first.ptr + 2, end, high);
+  if (second.ec != std::errc() || second.ptr != end) return {};
+  if (low < -furthest || high > furthest || low > high) return {};
+  return std::pair(low, high);
+}
+
 void read_variants(ContentTable& table, Exercise& exercise) {
   exercise.variants = table.records("variants");
   for (const auto& [name, text] : table.pairs("ranges")) {
-    const std::size_t dots = text.find("..");
-    try {
-      if (dots == std::string::npos) throw std::invalid_argument("no range");
-      const long low = std::stol(text.substr(0, dots));
-      const long high = std::stol(text.substr(dots + 2));
-      if (low > high) throw std::invalid_argument("empty");
-      exercise.ranges[name] = {low, high};
-    } catch (const std::exception&) {
-      table.refuse("ranges", name + " = \"" + shown_text(text) + "\"", "{ k = \"1..9\" }");
-    }
+    const auto range = range_of(text);
+    if (!range)
+      table.refuse("ranges", name + " = \"" + shown_text(text) + "\"",
+                   "{ k = \"1..9\" }, whole numbers from -1000000000 to 1000000000");
+    exercise.ranges[name] = *range;
   }
   if (exercise.variants.empty()) exercise.variants.emplace_back();
   for (const Values& variant : exercise.variants)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <system_error>
 
 #include "command/data_folder.hpp"
+#include "command/destination.hpp"
 #include "command/learn/learn.hpp"
 #include "command/nearest_name.hpp"
 #include "magicmass/errors.hpp"
@@ -57,7 +57,9 @@ ExitCode learn_new(const LearnOptions& options) {
   toml = with_key(toml, "id", options.id);
   toml = with_key(toml, "title", "A title");
   toml = with_key(toml, "chapter", options.chapter);
-  std::ofstream(folder / "exercise.toml") << toml;
+  Destination file((folder / "exercise.toml").string());
+  file.write(toml);
+  file.finish();
   Destination output(options.output.path);
   output.write(folder.string() + " is a copy of " + model.id +
                ", which works. Change it, then: magicmass learn test " + options.id + "\n");

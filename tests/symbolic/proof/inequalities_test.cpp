@@ -87,6 +87,19 @@ TEST_CASE("not more and different is less", "[exam]") {
       NotProved);
 }
 
+TEST_CASE("what has no normal form is not taken for zero", "[exam]") {
+  Kernel kernel = fresh();
+  const Theorem weak = supposed(kernel, "weak", {y, Relation::less_equal, x});
+  const Theorem elsewhere =
+      supposed(kernel, "elsewhere", {pow(x, numeric(1, 3)), Relation::not_equal, y});
+  CHECK_THROWS_WITH(
+      kernel.strictly({.id = "wrong", .statement = {x, Relation::greater, y}}, weak, elsewhere),
+      Catch::Contains("elsewhere is not about the same two sides"));
+  CHECK_THROWS_AS(
+      kernel.positivity({.id = "root", .statement = {pow(p, numeric(1, 3)), Relation::greater, 0}}),
+      NotProved);
+}
+
 TEST_CASE("what a ceiling says", "[exam]") {
   Kernel kernel = fresh();
   const Theorem count = supposed(kernel, "count", {X, ceiling(x - 1)});

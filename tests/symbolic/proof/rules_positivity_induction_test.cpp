@@ -47,6 +47,9 @@ TEST_CASE("signs by induction: what does not follow is refused", "[exam]") {
   CHECK_THROWS_AS(here.prove("factor", a(n), matrix{{1, 2 * q}, {0, 2}}, both), NotProved);
   CHECK_THROWS_AS(here.prove("negative", a(n), matrix{{1, q - 1}, {0, 2}}, both), NotProved);
   CHECK_THROWS_AS(here.prove("unknown", a(n), matrix{{1, y}, {0, 2}}, both), NotProved);
+  const ex cube_root = pow(q, GiNaC::numeric(1, 3));  // has no normal form, so no sign either
+  CHECK_THROWS_WITH(here.prove("no sign", a(n), matrix{{1, cube_root}, {0, 2}}, both),
+                    Catch::Contains("is not seen to be >= 0"));
   CHECK_THROWS_AS(here.prove("shape", a(n), matrix{{1}}, both), NotProved);
   CHECK_THROWS_AS(here.prove("foreign", c(n), right, both), NotProved);
   CHECK_THROWS_AS(here.prove("start", a(n), right, both, from_one), NotProved);

@@ -32,6 +32,21 @@ TEST_CASE("identities agree, also between elements of sequences", "[exam]") {
   CHECK(counterexample(a(n), a(n - 1), domain, {}, "seed"));
 }
 
+TEST_CASE("points keep what the domain assumes, and only those", "[exam]") {
+  const ex root = sqrt(pow(1 - alpha, 2));
+  const auto differs = [&](const ex& rhs, const Statement& assumption) {
+    Domain assuming = domain;
+    assuming.assumed = {assumption};
+    return counterexample(root, rhs, assuming, {}, "seed").has_value();
+  };
+  const Statement is_light(alpha, Relation::less_equal, 1);
+  const Statement is_heavy(alpha, Relation::greater, 1);
+  CHECK_FALSE(differs(1 - alpha, is_light));
+  CHECK_FALSE(differs(alpha - 1, is_heavy));
+  CHECK(differs(1 - alpha, is_heavy));
+  CHECK(differs(alpha - 1, is_light));
+}
+
 TEST_CASE("matrices are compared entry by entry", "[exam]") {
   const GiNaC::matrix left{{1, alpha}, {0, 1}}, right{{1, alpha}, {0, 2}};
   CHECK_FALSE(counterexample(left, left, domain, {}, "seed"));

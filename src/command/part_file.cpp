@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/part_file.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace magicmass::command {
+namespace {
+
+[[noreturn]] void fail(int error) { throw std::system_error(error, std::generic_category()); }
+
+}  // namespace
+
+std::atomic<PartFile*> PartFile::first_ = nullptr;
+static_assert(std::atomic<PartFile*>::is_always_lock_free);  // a signal handler reads the list
+
+PartFile::PartFile(const std::string& target) : target_(target) {
+  constexpr int most_writers = 1000;
+  for (int number = 1; !take(number); ++number)
+    if (number == most_writers) fail(EBUSY);
+  listed_ = name_.c_str();
+  next_ = first_.load();
+  first_ = this;
+}
+
+// False where somebody else is writing it.
+bool PartFile::take(int number) {
+  name_ = target_ + ".part-" + std::to_string(number);
+  descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor_ < 0) fail(errno);
+  struct stat held {};
+  struct stat named {};
+  // Its writer may have renamed it, and be gone, since it was opened: then it is the target.
+  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor_, &held) == 0 &&
+      ::lstat(name_.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
+      held.st_dev == named.st_dev && S_ISREG(held.st_mode) && ::ftruncate(descriptor_, 0) == 0)
+    return true;
+  ::close(descriptor_);
+  descriptor_ = -1;
+  return false;
+}
+
+PartFile::~PartFile() {
+  strike_off();
+  if (!name_.empty()) ::unlink(name_.c_str());
+  ::close(descriptor_);
+}
+
+void PartFile::become_target() {
+  // What close() would say of a full disk is asked while the lock still keeps others away.
+  const int copy = ::dup(descriptor_);
+  if (copy < 0 || ::close(copy) != 0) fail(errno);
+  if (::rename(name_.c_str(), target_.c_str()) != 0) fail(errno);
+  strike_off();
+  name_.clear();
+}
+
+void PartFile::strike_off() {
+  std::atomic<PartFile*>* link = &first_;
+  while (*link != nullptr && *link != this) link = &link->load()->next_;
+  if (*link == this) *link = next_.load();
+}
+
+void remove_part_files(int signal) {
+  for (const PartFile* file = PartFile::first_; file != nullptr; file = file->next_)
+    ::unlink(file->listed_);
+  ::raise(signal);  // with the default action, once this has returned
+}
+
+void remove_part_files_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
+    action.sa_handler = remove_part_files;
+    action.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace magicmass::command

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a student hands in: an expression, or a matrix of them, and how it is shown to them.
+#include "command/learn/expressions.hpp"
+#include "equality/form.hpp"
+#include "equality/tokens.hpp"
+#include "equality/typed_text.hpp"
+#include "fuzz_target.hpp"
+
+namespace {
+
+using namespace magicmass;
+using command::NotUnderstood;
+
+void read(const std::string& typed) {
+  for (const std::vector<std::string>& allowed :
+       {std::vector<std::string>{}, {"alpha", "n", "M_1", "u_1", "M_2", "u_2", "psi"}}) {
+    try {
+      const equality::Tree tree = command::read_answer(typed, allowed);
+      for (const auto& style :
+           {render::TextStyle{}, render::TextStyle{.unicode = true, .colourful = false}})
+        fuzz::require(!command::shown(tree, style).empty(), "nothing is shown");
+      for (const std::string& form : equality::form_names()) equality::what_lacks_form(tree, form);
+      command::replaced(tree, {{"alpha", "-alpha"}, {"n", "n + 1"}}, "answer");
+    } catch (const NotUnderstood& refusal) {
+      fuzz::require_one_line(refusal);
+    }
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string typed = fuzz::text_of(data, size);
+  read(typed);
+  try {
+    for (const auto& row : equality::matrix_entries(typed))
+      for (const std::string& entry : row) read(entry);
+  } catch (const equality::NotAnExpression& refusal) {
+    fuzz::require_one_line(refusal);
+  }
+  return 0;
+}
