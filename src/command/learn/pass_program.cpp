@@ -116,11 +116,6 @@ PassProgram made(const GeneratorPass& pass, const std::string& place) {
 
 }  // namespace
 
-const std::vector<std::string>& pass_names() {
-  static const std::vector<std::string> names{"common_subexpressions", "dead_code"};
-  return names;
-}
-
 const PassProgram& pass_program(const Exercise& exercise) {
   static std::map<std::string, PassProgram> programs;
   const std::string place = (exercise.folder / "exercise.toml").string();

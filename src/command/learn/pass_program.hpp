@@ -20,6 +20,9 @@ struct PassProgram {
 const PassProgram& pass_program(const Exercise& exercise);
 
 /// The names of the passes that an exercise may ask for.
-const std::vector<std::string>& pass_names();
+inline const std::vector<std::string>& pass_names() {
+  static const std::vector<std::string> names{"common_subexpressions", "dead_code"};
+  return names;
+}
 
 }  // namespace magicmass::command
