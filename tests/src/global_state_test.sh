@@ -5,7 +5,7 @@
 set -euo pipefail
 objdump=$1
 # Constants that are computed when they are first asked for: `static const` in a function.
-constants='magicmass::(best_instruction_set|scene_keys|tiers::single_kernels)\(\)::(best|keys)$'
+constants='magicmass::(best_instruction_set|scene_keys|scene_kinds|tiers::single_kernels)\(\)::(best|keys|kinds)$'
 
 writable() { # of objdump -t -C: what is in a section that can be written to, but for constants and other libraries'
   awk '$0 ~ /[ \t]\.(data|bss|tdata|tbss)[.\t]/ && $0 !~ /[ \t]\.data\.rel\.ro/ && $0 !~ / d +\./' |
