@@ -47,8 +47,9 @@ part_of() { # file of the repository
 }
 
 find_included() { # file, path in its #include; leaves found, a file of the repository, or nothing
-  local folder
-  for folder in "$(dirname "$1")" src generated symbolic tutorials .; do
+  local folder here=.
+  if [[ $1 == */* ]]; then here=${1%/*}; fi
+  for folder in "$here" src generated symbolic tutorials .; do
     found=$folder/$2
     if [[ -f $found ]]; then
       if [[ $found == *./* ]]; then found=$(realpath --relative-to=. "$found"); fi
@@ -66,13 +67,16 @@ complain() { # file, what is wrong
 }
 
 check_licence() {
-  local declared licence=GPL-2.0-or-later
+  local declared line licence=GPL-2.0-or-later
   case $1 in
     src/magicmass/reference/*) ;;
     src/magicmass/*.[ch]pp | generated/magicmass/*.[ch]pp | examples/*.cpp) licence=MIT ;;
     *CMakeLists.txt) licence=any ;;
   esac
-  declared=$(head -n 3 "$1" | sed -nE 's/.*SPDX-License-Identifier: *([A-Za-z0-9.-]+).*/\1/p')
+  declared=
+  for line in "${content[@]:0:3}"; do
+    if [[ $line =~ SPDX-License-Identifier:\ *([A-Za-z0-9.-]+) ]]; then declared=${BASH_REMATCH[1]}; fi
+  done
   if [[ -z $declared ]]; then
     complain "$1" "no SPDX line in the first three lines"
   elif [[ $licence != any && $declared != "$licence" ]]; then
@@ -81,8 +85,7 @@ check_licence() {
 }
 
 check_length() {
-  local lines
-  lines=$(wc -l <"$1")
+  local lines=${#content[@]}
   if [[ $1 =~ ^(symbolic|src|tests|tutorials)/ && " ${may_be_longer[*]-} " != *" $1 "* ]] && ((lines > longest)); then
     complain "$1" "has $lines lines, over $longest: it asks to be two files"
   fi
@@ -158,6 +161,7 @@ check_tree() ( # folder; status 1 after complaints
   readarray -t files < <(source_files)
   for file in "${files[@]}"; do
     if [[ ! -f $file ]]; then continue; fi # deleted, and git does not know yet
+    readarray -t content <"$file"
     for check in licence length name using_namespace includes; do "check_$check" "$file"; done
     if [[ $file == src/magicmass/reference/* ]]; then reference+=("$file"); fi
   done
