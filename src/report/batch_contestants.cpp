@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -12,6 +14,8 @@
 
 namespace magicmass::report {
 namespace {
+
+using ExpectedTime = std::function<double(const Input&)>;
 
 /// What a batch function reads and writes.
 struct Table {
@@ -25,9 +29,13 @@ struct Table {
   }
 };
 
-/// Inputs again and again: what a call costs that does no row is not what is asked.
-std::vector<Input> rows_of(std::span<const Input> inputs) {
-  constexpr std::size_t least = 512;
+/// Inputs again and again: what a call costs that does no row is not what is asked. Beside slow rows it is nothing.
+std::vector<Input> rows_of(std::span<const Input> inputs, const ExpectedTime& expected_ns) {
+  constexpr double slow_ns = 1e3;
+  const bool has_slow_rows =
+      expected_ns && std::any_of(inputs.begin(), inputs.end(),
+                                 [&](const Input& input) { return expected_ns(input) >= slow_ns; });
+  const std::size_t least = has_slow_rows ? 0 : 512;
   std::vector<Input> rows;
   do rows.insert(rows.end(), inputs.begin(), inputs.end());
   while (rows.size() < least && !inputs.empty());
@@ -37,20 +45,21 @@ std::vector<Input> rows_of(std::span<const Input> inputs) {
 /// run(Table&, InstructionSet) fills the table; members(const Table&, long double*) reads its first row.
 template <class Run, class Members>
 Contestant on_arrays(const std::string& name, const std::string& quantity, InstructionSet set,
-                     Run run, Members members) {
+                     Run run, Members members, const ExpectedTime& expected_ns = {}) {
   Contestant one;
   one.name = name + suffix(set);
   one.quantity = quantity;
   one.form = name + ", " + magicmass::name(set);
   one.precision = "double";
   one.can = [](const Input&) { return true; };
+  one.expected_ns = expected_ns;
   one.evaluate = [=](const Input& input, long double* result) {
     Table table({&input, 1});
     run(table, set);
     members(table, result);
   };
   one.prepare = [=](std::span<const Input> inputs) {
-    const std::vector<Input> rows = rows_of(inputs);
+    const std::vector<Input> rows = rows_of(inputs, expected_ns);
     const auto table = std::make_shared<Table>(rows);
     return Prepared{[=] { run(*table, set); }, static_cast<double>(rows.size())};
   };
@@ -61,13 +70,14 @@ Contestant on_arrays(const std::string& name, const std::string& quantity, Instr
   return one;
 }
 
-/// fast and accurate, with the bounds of the tiers and their time where a batch is left to them.
-std::vector<Contestant> as_slow_as_one_by_one(std::vector<Contestant> both) {
-  const std::vector<Contestant> tiers = tier_contestants(both.front().quantity);
-  for (std::size_t i = 0; i < both.size(); ++i) {
-    both[i].ulp_bound = tiers[i].ulp_bound;
-    both[i].expected_ns = tiers[i].expected_ns;
-  }
+/// make(name, function, expected time): fast and accurate, as exact and where rows are left to them as slow as the tiers.
+template <class Make, class Function>
+std::vector<Contestant> both_tiers(const std::string& quantity, Make make, Function fast,
+                                   Function accurate) {
+  const std::vector<Contestant> tiers = tier_contestants(quantity);
+  std::vector<Contestant> both = {make("batch_fast", fast, tiers[0].expected_ns),
+                                  make("batch_accurate", accurate, tiers[1].expected_ns)};
+  for (std::size_t i = 0; i < both.size(); ++i) both[i].ulp_bound = tiers[i].ulp_bound;
   return both;
 }
 
@@ -75,19 +85,18 @@ std::vector<Contestant> velocities(const std::string& quantity, InstructionSet s
   const auto members = [](const Table& table, long double* result) {
     for (const auto& column : table.reals) *result++ = column[0];
   };
-  const auto make = [&](const char* name, auto function) {
+  const auto make = [&](const char* name, auto function, const ExpectedTime& expected_ns) {
     return on_arrays(
         name, quantity, set,
         [function](Table& t, InstructionSet with) {
           function(t.in.alpha, t.in.index, t.reals[0], t.reals[1], t.reals[2], t.reals[3], with);
         },
-        members);
+        members, expected_ns);
   };
   using Function =
       void (*)(std::span<const double>, std::span<const std::int64_t>, std::span<double>,
                std::span<double>, std::span<double>, std::span<double>, InstructionSet);
-  return as_slow_as_one_by_one({make("batch_fast", Function{fast::velocities}),
-                                make("batch_accurate", Function{accurate::velocities})});
+  return both_tiers(quantity, make, Function{fast::velocities}, Function{accurate::velocities});
 }
 
 std::vector<Contestant> terminal(const std::string& quantity, InstructionSet set) {
@@ -95,16 +104,15 @@ std::vector<Contestant> terminal(const std::string& quantity, InstructionSet set
     for (std::size_t i = 0; i < 3; ++i) *result++ = table.reals[i][0];
     for (const auto& column : table.counts) *result++ = static_cast<long double>(column[0]);
   };
-  const auto make = [&](const char* name, auto function) {
+  const auto make = [&](const char* name, auto function, const ExpectedTime& expected_ns) {
     return on_arrays(
         name, quantity, set,
         [function](Table& t, InstructionSet with) {
           function(t.in.alpha, t.counts[0], t.counts[1], t.reals[0], t.reals[1], t.reals[2], with);
         },
-        members);
+        members, expected_ns);
   };
-  return as_slow_as_one_by_one(
-      {make("batch_fast", fast::terminal), make("batch_accurate", accurate::terminal)});
+  return both_tiers(quantity, make, fast::terminal, accurate::terminal);
 }
 
 std::vector<Contestant> counts(const std::string& quantity, InstructionSet set) {
@@ -115,7 +123,8 @@ std::vector<Contestant> counts(const std::string& quantity, InstructionSet set) 
       },
       [](const Table& table, long double* result) {
         for (const auto& column : table.counts) *result++ = static_cast<long double>(column[0]);
-      });
+      },
+      certified_contestants(quantity).front().expected_ns);
   one.ulp_bound = 0;
   return {one};
 }

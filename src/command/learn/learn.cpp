@@ -73,7 +73,8 @@ void add_student_commands(Adder& adder) {
   check.footer(
       "Answers: 2alpha, α, √(2+α), a^2, cos^2(psi), \\frac{a}{b} from LaTeX;\n"
       "matrices [[a, b], [c, d]]; derivations a line a step; without one, what your\n"
-      "file says. Exit codes: 0 right, 1 wrong or not in the form asked for, 2 unread,\n"
+      "file says. An answer without ID is for the next exercise, which show shows.\n"
+      "Exit codes: 0 right, 1 wrong or not in the form asked for, 2 unread,\n"
       "3 undecided. A function that is checked runs alone: 3 s, 512 MiB, no files, no\n"
       "network.");
   adder.add("hint", "The next of three hints", "magicmass learn hint half_angle", learn_hint);

@@ -106,6 +106,18 @@ bool is_worth_keeping(const StudentFolder& student, const Exercise& exercise,
          text_of(file) == text_of(exercise.folder / exercise.answer_file());
 }
 
+/// Ids are small letters, digits and _; what has anything else in it is an answer.
+bool is_no_id(const std::string& text) {
+  return text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos;
+}
+
+/// What an answer without an id is for: the exercise that `learn show` shows.
+const Exercise& answered_without_id(const Catalogue& catalogue, const StudentFolder& student,
+                                    const std::string& answer) {
+  const Exercise* next = next_exercise(catalogue, student, "");
+  return next == nullptr ? catalogue.at(answer) : *next;
+}
+
 }  // namespace
 
 ExitCode exit_code_of(Judged verdict) {
@@ -157,9 +169,11 @@ Judgement check_and_say(const Catalogue& catalogue, const Exercise& exercise,
 
 ExitCode learn_check(const LearnOptions& options) {
   const Catalogue catalogue{std::filesystem::path(options.content)};
-  const Exercise& exercise = catalogue.at(options.id);
   StudentFolder student = student_folder(options);
-  std::string answer = options.answer;
+  const bool is_for_next = options.answer.empty() && is_no_id(options.id);
+  const Exercise& exercise =
+      is_for_next ? answered_without_id(catalogue, student, options.id) : catalogue.at(options.id);
+  std::string answer = is_for_next ? options.id : options.answer;
   if (answer == "-") {
     answer = from_stdin();
   } else if (answer.empty() || exercise.kind == ExerciseKind::code) {
@@ -173,10 +187,13 @@ ExitCode learn_check(const LearnOptions& options) {
     answer = text_of(file);
   }
   Destination output(options.output.path);
+  if (is_for_next && options.output.format == "text")
+    output.write("Exercise " + exercise.id + ":\n");
   const Judgement judgement =
       check_and_say(catalogue, exercise, student, answer, options.output.format, output,
                     text_style(output, options.ascii));
-  if (!options.answer.empty() && is_worth_keeping(student, exercise, judgement))
+  const bool is_from_a_file = options.answer.empty() && !is_for_next;
+  if (!is_from_a_file && is_worth_keeping(student, exercise, judgement))
     student.keep(exercise, answer);
   output.finish();
   return exit_code_of(judgement.verdict);

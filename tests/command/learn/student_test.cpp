@@ -113,6 +113,18 @@ TEST_CASE("the verdict is in the exit code and in JSON", "[exam]") {
   CHECK(student.learn({"check", "half_angle", "-alpha"}).exit_code == 1);
 }
 
+TEST_CASE("an answer without an id is for the exercise that show shows", "[exam]") {
+  const Student student;
+  const ProgramRun unread = student.learn({"check", "2V/(1+alpha)"});
+  CHECK(unread.exit_code == 2);
+  CHECK_THAT(unread.output, StartsWith("Exercise first_contact:\n"));
+  const ProgramRun right = student.learn({"check", "u_1 - 2M_2/(M_1+M_2)*(u_1-u_2)"});
+  CHECK(right.exit_code == 0);
+  const ProgramRun next = student.learn({"check", "1/(1+"});
+  CHECK_THAT(next.output, StartsWith("Exercise ") && !StartsWith("Exercise first_contact:"));
+  CHECK_THAT(student.learn({"check", "half_angel"}).errors, Contains("did you mean half_angle?"));
+}
+
 TEST_CASE("the first wrong line of a derivation is named", "[exam]") {
   const Student student;
   const nlohmann::json chain = student.check(
@@ -219,7 +231,7 @@ TEST_CASE("misspelt exercises and folders that cannot be made get one line", "[e
   for (const std::vector<std::string>& bad : std::vector<std::vector<std::string>>{
            {"learn"},
            {"learn", "shwo"},
-           {"learn", "check"},
+           {"learn", "check"},  // neither an exercise nor an answer
            {"learn", "show", "half_angle", "--folder", "/dev/null/x"},
            {"learn", "list", "--content", "/nowhere"}}) {
     const ProgramRun refused = run_program(bad);
