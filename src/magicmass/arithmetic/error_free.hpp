@@ -60,11 +60,17 @@ template <class T>
   const T high = spread - (spread - x);
   return {high, x - high};
 }
-/// The same with at most 26 and 27 bits, of one sign.
+/// The same with at most 26 and 27 bits, of one sign: half the operations for vectors.
 template <class T>
 [[gnu::always_inline]] inline Sum<T> cut_off(T x) {
+  if constexpr (lane_count<T> == 1) return halves(x);
   const T high = leading_half(x);
   return {high, x - high};
+}
+/// The error of a product whose factors' low halves have 53 bits together at most.
+template <class T>
+[[gnu::always_inline]] inline T product_error_of_halves(Sum<T> x, Sum<T> y, T product) {
+  return x.low * y.low - (((product - x.high * y.high) - x.low * y.high) - x.high * y.low);
 }
 #endif
 
@@ -75,9 +81,8 @@ template <class T>
 #ifdef __FMA__
   return fused_difference(x, y, product);
 #else
-  // y cut off after 26 bits does as well, as the other 27 meet 26 at most, and takes vectors half the time
-  const Sum<T> a = halves(x), b = lane_count<T> == 1 ? halves(y) : cut_off(y);
-  return a.low * b.low - (((product - a.high * b.high) - a.low * b.high) - a.high * b.low);
+  // y cut off after 26 bits does as well, as the other 27 meet 26 at most
+  return product_error_of_halves(halves(x), cut_off(y), product);
 #endif
 }
 
@@ -86,7 +91,7 @@ template <class T>
 [[gnu::always_inline]] inline T product_error_by_whole(T x, T y, T product) {
 #ifndef __FMA__
   if (all(y < T(0x1p26))) {
-    const Sum<T> a = halves(x);
+    const Sum<T> a = cut_off(x);
     return a.low * y - (product - a.high * y);
   }
 #endif
@@ -108,6 +113,16 @@ template <class T>
 #else
   const Sum<T> product = two_product(x, y);
   return (T(1.0) - product.high) - product.low;
+#endif
+}
+/// The same for y of 48 bits at most, the square of a single-precision number.
+template <class T>
+[[gnu::always_inline]] inline T one_minus_product_by_short(T x, T y) {
+#ifdef __FMA__
+  return fused_remainder(T(1.0), x, y);
+#else
+  const T product = x * y;
+  return (T(1.0) - product) - product_error_of_halves(cut_off(x), cut_off(y), product);
 #endif
 }
 

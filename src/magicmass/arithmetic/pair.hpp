@@ -106,7 +106,7 @@ template <class T>
     // begins 1 + e/2 + 3/8 e^2, is 5/16 e^3 < 2^-66.
     const T y = reciprocal_square_root_estimate(w.high);
     const T square = y * y;
-    const T e = one_minus_product(w.high, square) - w.low * square;
+    const T e = one_minus_product_by_short(w.high, square) - w.low * square;
     const Sum<T> root = ordered_sum(y, y * (e * (T(0.5) + T(0.375) * e)));
     return {root.high, root.low};
   }

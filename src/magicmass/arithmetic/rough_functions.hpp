@@ -15,7 +15,7 @@ template <class T>
 [[gnu::always_inline]] inline Cut<T> reciprocal_square_root(Rough<T> w) {
   const T y = reciprocal_square_root_estimate(w.high);
   const T square = y * y;
-  const T e = one_minus_product(w.high, square) - w.low * square;
+  const T e = one_minus_product_by_short(w.high, square) - w.low * square;
   return {y, y * (e * (T(0.5) + T(0.375) * e))};
 }
 
