@@ -95,7 +95,8 @@ mount_and() { # options of the mount, the program's arguments; $scratch/place is
 }
 if unshare -rm true 2>/dev/null; then
   fresh
-  for line in "generate --out $scratch/place/generated" "animate $scene -o $scratch/place/a.html"; do
+  for line in "generate --out $scratch/place/generated" "animate $scene -o $scratch/place/a.html" \
+    "learn new mine --kind symbolic --chapter 04_sequences --content $scratch/place/content"; do
     read -ra words <<<"$line"
     mount_and size=4k "${words[@]}"
     [[ $status == 77 ]] || check "no room: ${words[0]}" refused

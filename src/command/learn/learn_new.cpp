@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <system_error>
+#include <utility>
 
 #include "command/data_folder.hpp"
 #include "command/destination.hpp"
@@ -35,6 +36,42 @@ std::string with_key(const std::string& toml, const std::string& key, const std:
   return toml.substr(0, at) + key + " = \"" + value + "\"" + toml.substr(end);
 }
 
+/// A folder that is made elsewhere and gets its name when it is whole. One that a killed program left is made anew.
+class NewFolder {
+public:
+  NewFolder(fs::path part, fs::path target) : part_(std::move(part)), target_(std::move(target)) {}
+  NewFolder(const NewFolder&) = delete;
+  NewFolder(NewFolder&&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  NewFolder& operator=(NewFolder&&) = delete;
+  ~NewFolder() {
+    std::error_code ignored;
+    fs::remove_all(part_, ignored);
+  }
+
+  const fs::path& path() const { return part_; }
+  void copy_of(const fs::path& model) const {
+    std::error_code error;
+    fs::remove_all(part_, error);
+    if (!error) fs::create_directories(part_, error);
+    if (!error) fs::copy(model, part_, fs::copy_options::recursive, error);
+    require_no(error);
+  }
+  void become_target() const {
+    std::error_code error;
+    fs::create_directories(target_.parent_path(), error);
+    if (!error) fs::rename(part_, target_, error);
+    require_no(error);
+  }
+
+private:
+  fs::path part_, target_;
+
+  void require_no(const std::error_code& error) const {
+    if (error) throw InvalidInput("cannot write " + target_.string() + ": " + error.message());
+  }
+};
+
 }  // namespace
 
 ExitCode learn_new(const LearnOptions& options) {
@@ -49,17 +86,16 @@ ExitCode learn_new(const LearnOptions& options) {
   const Exercise& model = models_catalogue.at(models().at(options.kind));
   const fs::path folder = fs::path(options.content) / options.chapter / "exercises" / options.id;
   if (fs::exists(folder)) throw InvalidInput(folder.string() + " is there already");
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (!error) fs::copy(model.folder, folder, fs::copy_options::recursive, error);
-  if (error) throw InvalidInput("cannot write " + folder.string() + ": " + error.message());
-  std::string toml = text_of(folder / "exercise.toml");
+  NewFolder made(fs::path(options.content) / ("." + options.id + ".part"), folder);
+  made.copy_of(model.folder);
+  std::string toml = text_of(made.path() / "exercise.toml");
   toml = with_key(toml, "id", options.id);
   toml = with_key(toml, "title", "A title");
   toml = with_key(toml, "chapter", options.chapter);
-  Destination file((folder / "exercise.toml").string());
+  Destination file((made.path() / "exercise.toml").string());
   file.write(toml);
   file.finish();
+  made.become_target();
   Destination output(options.output.path);
   output.write(folder.string() + " is a copy of " + model.id +
                ", which works. Change it, then: magicmass learn test " + options.id + "\n");
