@@ -7,23 +7,8 @@ set -euo pipefail
 program=$1 sources=$2
 scratch=$(mktemp -d)
 trap 'chmod -R u+w "$scratch"; rm -rf "$scratch"' EXIT
-failures=0
-scene=$sources/tutorials/scenes/trajectory_a.toml
-
-check() { # what this shows; a condition
-  if "${@:2}"; then
-    echo "passed: $1"
-  else
-    failures=$((failures + 1))
-    printf 'FAILED: %s\n  status %s, stderr: %s\n' "$1" "${status-}" "$(head -c 400 "$scratch/errors")"
-  fi
-}
-run() { # a command line; leaves status, $scratch/output and $scratch/errors
-  status=0
-  "$@" >"$scratch/output" 2>"$scratch/errors" || status=$?
-}
-refused() { [[ $status == 2 && $(wc -l <"$scratch/errors") == 1 && $(<"$scratch/errors") == magicmass:* ]]; }
-not() { ! "$@"; }
+# shellcheck source=tests/command/fault_checks.sh
+source "$sources/tests/command/fault_checks.sh"
 holds_only() { # folder, names
   [[ $(ls -A "$1") == "$(printf '%s\n' "${@:2}")" ]]
 }
