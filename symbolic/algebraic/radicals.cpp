@@ -10,6 +10,7 @@
 #include "algebraic/constant.hpp"
 #include "algebraic/cosine_field.hpp"
 #include "algebraic/surd.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::algebraic {
 namespace {
@@ -130,7 +131,8 @@ std::optional<Form> shortest(long n) {
 bool real_radicals_exist(long n) { return constructible_degree(n) > 0; }
 
 std::optional<std::string> secant_radicals(long n) {
-  if (n < 3) throw std::domain_error("sec(pi/n) - 1 with n < 3");
+  if (n < 3) throw InvalidInput("sec(pi/n) - 1 is asked for with n = " + std::to_string(n) +
+                       "; n must be 3 or more");
   if (n == 3) return "1";
   // Each halving nests the roots once more.
   const long degree = constructible_degree(n);

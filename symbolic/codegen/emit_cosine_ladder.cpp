@@ -6,6 +6,7 @@
 #include <ginac/ginac.h>
 
 #include "codegen/emit.hpp"
+#include "codegen/make_kernel.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -15,12 +16,6 @@ namespace {
 using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
-
-const proof::Theorem& find(const std::vector<proof::Theorem>& theorems, const std::string& id) {
-  for (const proof::Theorem& theorem : theorems)
-    if (theorem.id() == id) return theorem;
-  throw std::out_of_range("no theorem is called " + id);
-}
 
 // A right side in T(m), T(m + 1), T(1) with whole coefficients, by ring operations alone: the ring need not
 // know its integers, only +, - and *. `names` maps T(...) to variables.
@@ -89,10 +84,10 @@ private:
 }  // namespace
 
 std::string emit_cosine_ladder(const std::vector<proof::Theorem>& theorems) {
-  const proof::Theorem& even = find(theorems, "chebyshev.even");
-  const proof::Theorem& odd = find(theorems, "chebyshev.odd");
-  const proof::Theorem& sine = find(theorems, "chebyshev.sine");
-  const proof::Theorem& start = find(theorems, "chebyshev.T_0");
+  const proof::Theorem& even = theorem_named(theorems, "chebyshev.even");
+  const proof::Theorem& odd = theorem_named(theorems, "chebyshev.odd");
+  const proof::Theorem& sine = theorem_named(theorems, "chebyshev.sine");
+  const proof::Theorem& start = theorem_named(theorems, "chebyshev.T_0");
   if (!start.rhs().is_equal(1)) throw std::logic_error("the ladder starts at T(0) = 1");
   const ex m = proof::symbol("m");
   const std::vector<std::pair<ex, std::string>> low{

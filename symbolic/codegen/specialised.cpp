@@ -2,11 +2,11 @@
 #include "codegen/specialised.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "codegen/expression.hpp"
 #include "codegen/make_kernel.hpp"
 #include "codegen/specialised_kernel.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::codegen {
 namespace {
@@ -23,7 +23,7 @@ const PaperQuantity& quantity_named(const std::string& name) {
   const auto& all = paper_quantities();
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const PaperQuantity& quantity) { return quantity.name == name; });
-  if (found == all.end()) throw std::out_of_range("no quantity is called " + name);
+  if (found == all.end()) throw InvalidInput("no quantity is called " + name);
   return *found;
 }
 

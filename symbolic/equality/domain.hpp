@@ -32,8 +32,6 @@ struct Domain {
   std::map<std::string, Range> ranges;  ///< of every symbol
   std::vector<Comparison> further;      ///< conditions on more than one symbol
 
-  /// Throws std::out_of_range for a symbol that has none.
-  const Range& range(const std::string& name) const { return ranges.at(name); }
 };
 
 /// Conditions, each a list with commas: "0 < alpha", "alpha <= 1, n integer", "x real". A bound replaces the usual

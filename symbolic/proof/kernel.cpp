@@ -73,7 +73,7 @@ const Domain& Theorem::domain() const { return data_->domain; }
 const Conditions& Theorem::conditions() const { return data_->conditions; }
 
 NotProved::NotProved(Step refused, const std::string& reason)
-    : std::runtime_error(refused.id + ": not proved: " + refused.from + " " + refused.relation +
+    : Error(refused.id + ": not proved: " + refused.from + " " + refused.relation +
                          " " + refused.to + ": " + reason),
       step(std::move(refused)) {}
 

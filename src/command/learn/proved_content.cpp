@@ -25,7 +25,7 @@ std::string ProvedContent::complaint(const Posed& posed, const std::string& solu
   std::string proved;
   try {
     proved = proof::text(derivation_->at(theorem).rhs());
-  } catch (const std::out_of_range&) {
+  } catch (const InvalidInput&) {
     return "theorem: there is none called " + theorem + "; magicmass derive --list has them";
   }
   Posed question = posed;  // the theorem is the solution, and ours an answer to it
