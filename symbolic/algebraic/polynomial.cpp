@@ -11,7 +11,7 @@ namespace magicmass::algebraic {
 
 using cln::cl_I;
 
-std::string text(const Polynomial& polynomial, const std::string& variable) {
+std::string to_text(const Polynomial& polynomial, const std::string& variable) {
   std::ostringstream out;
   for (long power = polynomial.degree(); power >= 0; --power) {
     const cl_I& coefficient = polynomial.coefficients[static_cast<std::size_t>(power)];

@@ -24,7 +24,7 @@ struct Polynomial {
 };
 
 /// x^3 + 4*x^2 - 3*x - 1
-std::string text(const Polynomial& polynomial, const std::string& variable = "x");
+std::string to_text(const Polynomial& polynomial, const std::string& variable = "x");
 
 /// Divided by the gcd of its coefficients, the leading one positive; the polynomial is not 0.
 Polynomial primitive(Polynomial polynomial);

@@ -56,7 +56,7 @@ private:
     std::string shown = product(monomial);
     if (scale.is_equal(1)) return shown;
     if (scale.is_equal(2)) return "twice(" + shown + ")";
-    throw std::logic_error("the ladder knows no coefficient " + proof::text(scale));
+    throw std::logic_error("the ladder knows no coefficient " + proof::to_text(scale));
   }
 
   std::string product(const ex& monomial) const {
@@ -75,7 +75,7 @@ private:
   std::string variable(const ex& element) const {
     for (const auto& [known, name] : names_)
       if (known.is_equal(element)) return name;
-    throw std::logic_error("the ladder does not hold " + proof::text(element));
+    throw std::logic_error("the ladder does not hold " + proof::to_text(element));
   }
 
   const std::vector<std::pair<ex, std::string>>& names_;
@@ -110,8 +110,8 @@ struct CosinePair {
 /// T(m) and T(m + 1) from x = T(1) = cos(psi/2); `one` is the ring's 1. Integer needs >, >> and &.
 /// Domain: m >= 0. Error: none in an exact ring; each step at most quadruples an absolute error.
 /// From: chebyshev.T_0, )" +
-          even.id() + " (" + proof::text(even.statement()) + "),\n/// " + odd.id() + " (" +
-          proof::text(odd.statement()) + R"().
+          even.id() + " (" + proof::to_text(even.statement()) + "),\n/// " + odd.id() + " (" +
+          proof::to_text(odd.statement()) + R"().
 /// Cost: 2 multiplications, 4 additions a bit of m.
 template <class Ring, class Integer>
 CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one) {
@@ -135,7 +135,7 @@ CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one)
 
 /// sin(m psi/2) sin(psi/2) from x = cos(psi/2): its sign tells whether collision m takes place.
 /// From: )" +
-          sine.id() + " (" + proof::text(sine.statement()) + R"().
+          sine.id() + " (" + proof::to_text(sine.statement()) + R"().
 template <class Ring, class Integer>
 Ring sine_ladder(const Integer& m, const Ring& x, const Ring& one) {
   const CosinePair<Ring> pair = cosine_ladder(m, x, one);

@@ -66,7 +66,7 @@ TEST_CASE("the laws are the two conservation laws, the contact, the start and un
 TEST_CASE("hypotheses are conditions of what rests on them", "[exam]") {
   for (const proof::Theorem& theorem : whole().theorems) {
     if (theorem.step().verdict != "hypothesis") continue;
-    const std::string supposed = proof::text(theorem.statement());
+    const std::string supposed = proof::to_text(theorem.statement());
     for (const proof::Theorem& other : whole().theorems) {
       const auto& premises = other.step().premises;
       if (other.step().rule == "special case" ||  // it speaks of other values
@@ -84,7 +84,8 @@ TEST_CASE("hypotheses are conditions of what rests on them", "[exam]") {
 TEST_CASE("main results rest on no hypothesis", "[exam]") {
   std::set<std::string> hypotheses;
   for (const proof::Theorem& theorem : whole().theorems)
-    if (theorem.step().verdict == "hypothesis") hypotheses.insert(proof::text(theorem.statement()));
+    if (theorem.step().verdict == "hypothesis")
+      hypotheses.insert(proof::to_text(theorem.statement()));
   CHECK_FALSE(hypotheses.empty());
   for (const char* id : {"power.a",
                          "power.b",
@@ -127,11 +128,11 @@ TEST_CASE("every displayed equation that is claimed is proved under its label", 
   const derivation::Paper paper = derivation::paper();
   for (const auto& [label, statement] : paper.equations()) {
     INFO(label);
-    const std::string shown = proof::text(statement);
+    const std::string shown = proof::to_text(statement);
     CHECK(std::any_of(
         whole().theorems.begin(), whole().theorems.end(), [&](const proof::Theorem& theorem) {
-          return theorem.step().verdict == "proved" && proof::text(theorem.statement()) == shown &&
-                 !theorem.step().label.empty();
+          return theorem.step().verdict == "proved" &&
+                 proof::to_text(theorem.statement()) == shown && !theorem.step().label.empty();
         }));
   }
 }
