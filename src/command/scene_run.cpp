@@ -38,7 +38,7 @@ std::vector<Cell> event_cells(const Event<Scalar>& event) {
 }
 
 template <class Scalar>
-std::vector<Cell> trajectory_cells(const Scalar& time, const Positions<Scalar>& x) {
+std::vector<Cell> trajectory_cells(const Scalar& time, const BodyPositions<Scalar>& x) {
   return {cell(time), cell(x.a), cell(x.b), cell(x.c)};
 }
 
