@@ -20,7 +20,7 @@ cln::cl_RA parse_restitution(std::string_view text);
 /// How the motion ends: `counts` and `terminal`, or `collapse_time` in units of L/V.
 struct InelasticEnd {
   std::optional<reference::LargeCounts> counts;
-  generated::Terminal<double> terminal{};
+  generated::TerminalValues<double> terminal{};
   double collapse_time = 0.0;
 };
 

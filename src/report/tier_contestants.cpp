@@ -88,7 +88,7 @@ std::vector<Contestant> tier_contestants(const std::string& quantity) {
                 [](const Input& in) { return ending(accurate::terminal(in.alpha)); },
                 [](const Input& in) {
                   const std::optional<Counts> counts = count_collisions(in.alpha);
-                  generated::Terminal<double> result;
+                  generated::TerminalValues<double> result;
                   return counts && !tiers::first_stages(in.alpha, *counts, result);
                 });
   return {};

@@ -24,7 +24,7 @@ generated::Velocities<double> velocities_or_none(Evaluate evaluate) {
 }
 
 template <class Evaluate>
-generated::Terminal<double> terminal_or_none(Evaluate evaluate) {
+generated::TerminalValues<double> terminal_or_none(Evaluate evaluate) {
   try {
     if (const std::optional<Terminal> all = evaluate())
       return {all->a_t, all->b_t, all->c_t, all->rho};
@@ -41,10 +41,10 @@ generated::Velocities<double> fast_velocities(double alpha, std::int64_t n) {
 generated::Velocities<double> accurate_velocities(double alpha, std::int64_t n) {
   return velocities_or_none([&] { return accurate::velocities(alpha, n); });
 }
-generated::Terminal<double> fast_terminal(double alpha) {
+generated::TerminalValues<double> fast_terminal(double alpha) {
   return terminal_or_none([&] { return fast::terminal(alpha); });
 }
-generated::Terminal<double> accurate_terminal(double alpha) {
+generated::TerminalValues<double> accurate_terminal(double alpha) {
   return terminal_or_none([&] { return accurate::terminal(alpha); });
 }
 // Where alpha is too large or too small for the lanes: two collisions, or a collapse unless e = 1.

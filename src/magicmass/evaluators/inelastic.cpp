@@ -13,8 +13,8 @@ namespace magicmass {
 // than a rounding of alpha to double. All else is a dozen roundings, with no difference of nearly equal numbers but
 // where a velocity itself is small, and then its condition number is large. With two collisions h may be near pi/2,
 // and the rest near 0 for no such cause: there the rational form is used.
-generated::Terminal<double> inelastic_terminal(long double alpha, long double e,
-                                               const Counts& counts) {
+generated::TerminalValues<double> inelastic_terminal(long double alpha, long double e,
+                                                     const Counts& counts) {
   const bool only_two = counts == Counts{1, 1};
   const auto v = only_two                   ? generated::two_collisions_rational(alpha, e)
                  : counts.N_A == counts.N_B ? generated::terminal_after_Q(alpha, e, counts.N_B)

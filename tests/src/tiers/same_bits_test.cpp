@@ -42,7 +42,7 @@ std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, doub
   generated::Velocities<double> velocities;
   generated::Encounters<double> encounters;
   generated::Ratios<double> ratios;
-  generated::Terminal<double> terminal;
+  generated::TerminalValues<double> terminal;
   double angle = 0.0;
   all.push_back(kernels.velocities(alpha, n, velocities));
   all.push_back(kernels.encounters(alpha, n, encounters));
