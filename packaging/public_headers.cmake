@@ -8,13 +8,8 @@ set(runtime_headers
   src/magicmass/counts.hpp
   src/magicmass/eigen.hpp
   src/magicmass/errors.hpp
-  src/magicmass/evaluators/certified_angles.hpp
-  src/magicmass/evaluators/certified_encounters.hpp
-  src/magicmass/evaluators/certified_velocities.hpp
-  src/magicmass/evaluators/count.hpp
-  src/magicmass/evaluators/inelastic.hpp
-  src/magicmass/evaluators/nearest_threshold.hpp
   src/magicmass/fast.hpp
+  src/magicmass/nearest_threshold.hpp
   src/magicmass/parallel.hpp
   src/magicmass/scenes/mass_ratio.hpp
   src/magicmass/scenes/scene.hpp

@@ -111,7 +111,7 @@ void require_short(const cl_RA& alpha, const cl_I& events) {
 SceneResult run_scene(const Scene& scene, const reference::SceneOptions& options) {
   SceneResult result;
   result.status = "complete";
-  result.counts = reference::exact_counts(*scene.alpha);
+  result.counts = reference::count_collisions(*scene.alpha);
   result.plan = reference::plan_papers_scene(scene, options);
   const std::int64_t limit = reference::event_limit(scene, options);
   const bool steps_events = result.plan.model == "event-driven";

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 #include "magicmass/tiers/first_stages.hpp"
 #include "report/contestants.hpp"

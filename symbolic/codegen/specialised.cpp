@@ -142,7 +142,7 @@ GeneratedFile specialised_header(const std::vector<QuantityGroup>& groups, const
   if (needs_arctangent) text += "#include \"magicmass/arithmetic/arctangent.hpp\"\n";
   if (needs_sine) text += "#include \"magicmass/arithmetic/sine_cosine.hpp\"\n";
   if (needs_numbers) text += "#include \"magicmass/arithmetic/tracked.hpp\"\n";
-  if (needs_counts) text += "#include \"magicmass/evaluators/count.hpp\"\n";
+  if (needs_counts) text += "#include \"magicmass/counts.hpp\"\n";
   const std::string name = scope.empty() ? functions[0].name() : scope;
   const std::string around = "magicmass::generated" + (scope.empty() ? "" : "::" + scope);
   text += "\nnamespace " + around + " {\n";

@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 #include "random_numbers.hpp"

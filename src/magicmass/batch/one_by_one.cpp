@@ -6,7 +6,6 @@
 
 #include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/inelastic.hpp"
 #include "magicmass/fast.hpp"
 
 namespace magicmass::batch {
@@ -51,7 +50,7 @@ generated::TerminalValues<double> accurate_terminal(double alpha) {
 double transmission(double alpha, double e) {
   if (e == 1.0) return fast_terminal(alpha).rho;
   if (!(alpha > 1.0) || alpha == std::numeric_limits<double>::infinity()) return none;
-  return inelastic_terminal(alpha, e, {1, 1}).rho;
+  return fast::terminal(alpha, e, {1, 1}).rho;
 }
 generated::Ratios<double> fast_ratios(std::int64_t k) {
   return k < 1 ? generated::Ratios<double>{none, none} : fast::ratios(k);

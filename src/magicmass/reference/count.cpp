@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/reference/cycle_map.hpp"
 #include "magicmass/reference/interval.hpp"
 #include "magicmass/reference/rational.hpp"
@@ -112,7 +112,7 @@ LargeCounts count_collisions(const cl_RA& alpha) {
                   " bits can tell");
 }
 
-LargeCounts exact_counts(const MassRatio& alpha) {
+LargeCounts count_collisions(const MassRatio& alpha) {
   if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};
   if (const auto* deficient = std::get_if<Deficient>(&alpha))
     return {cln::cl_I(deficient->k) + 1, deficient->k};

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/evaluators/certified_angles.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/tiers/first_encounter.hpp"
 #include "magicmass/tiers/first_stages.hpp"
 #include "magicmass/tiers/single_kernels.hpp"

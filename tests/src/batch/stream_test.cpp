@@ -10,8 +10,8 @@
 
 #include "batch/instruction_sets.hpp"
 #include "magicmass/batch.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "random_numbers.hpp"
 
 using namespace magicmass;

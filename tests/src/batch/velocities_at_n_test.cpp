@@ -12,7 +12,6 @@
 #include "magicmass/accurate.hpp"
 #include "magicmass/batch.hpp"
 #include "magicmass/counts.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "random_numbers.hpp"
 
 using namespace magicmass;

@@ -12,8 +12,8 @@
 #include "batch/instruction_sets.hpp"
 #include "magicmass/accurate.hpp"
 #include "magicmass/batch.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/fast.hpp"
 #include "random_numbers.hpp"
 

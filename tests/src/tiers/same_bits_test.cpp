@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "batch/instruction_sets.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 #include "random_numbers.hpp"
 
