@@ -57,7 +57,6 @@ set(reference_headers
 set(symbolic_headers
   symbolic/algebraic/budget.hpp
   symbolic/algebraic/constant.hpp
-  symbolic/algebraic/interval.hpp
   symbolic/algebraic/minimal_polynomial.hpp
   symbolic/algebraic/polynomial.hpp
   symbolic/algebraic/radicals.hpp

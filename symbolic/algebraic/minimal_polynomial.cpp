@@ -12,6 +12,7 @@
 
 #include "algebraic/cosine_polynomial.hpp"
 #include "algebraic/decimal_text.hpp"
+#include "algebraic/polynomial_value.hpp"
 #include "algebraic/separation_bound.hpp"
 #include "algebraic/translation.hpp"
 

@@ -7,9 +7,6 @@
 #include <vector>
 
 #include <cln/integer.h>
-#include <cln/rational.h>
-
-#include "algebraic/interval.hpp"
 
 namespace magicmass::algebraic {
 
@@ -40,8 +37,5 @@ Polynomial reversed(Polynomial polynomial);
 
 /// Its first derivative.
 Polynomial derivative(const Polynomial& polynomial);
-
-/// An enclosure of its values on x.
-Interval value(const Polynomial& polynomial, const Interval& x, long precision);
 
 }  // namespace magicmass::algebraic

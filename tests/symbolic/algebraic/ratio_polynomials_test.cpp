@@ -8,6 +8,7 @@
 
 #include "algebraic/cosine.hpp"
 #include "algebraic/cosine_polynomial.hpp"
+#include "algebraic/polynomial_value.hpp"
 #include "magicmass/errors.hpp"
 
 using namespace magicmass::algebraic;
