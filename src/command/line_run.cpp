@@ -7,6 +7,7 @@
 
 #include "command/line_events.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/transfers.hpp"
 #include "magicmass/simulator/trio_stepping.hpp"

@@ -8,6 +8,7 @@
 #include "command/alpha_value.hpp"
 #include "command/velocity_tiers.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/three_body.hpp"
 

@@ -10,6 +10,7 @@
 #include "command/model_option.hpp"
 #include "command/scene_pages.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {

@@ -9,8 +9,10 @@
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/count.hpp"
 #include "magicmass/reference/exact_work.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/transfers.hpp"
+#include "magicmass/simulator/line_motion.hpp"
 #include "magicmass/simulator/stalled_clock.hpp"
 
 namespace magicmass::reference {
