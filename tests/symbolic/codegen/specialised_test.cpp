@@ -6,6 +6,7 @@
 
 #include "codegen/specialised_kernel.hpp"
 #include "derivation/derivation.hpp"
+#include "magicmass/errors.hpp"
 
 using namespace magicmass::codegen;
 
@@ -48,6 +49,11 @@ const std::vector<std::vector<std::string>> sets{{"a", "b", "c", "c_prime"},
                                                  {"psi"}};
 
 }  // namespace
+
+TEST_CASE("a quantity that the paper does not have is refused by its name", "[exam]") {
+  CHECK_THROWS_AS(grouped({"none"}), magicmass::InvalidInput);
+  CHECK_THROWS_WITH(grouped({"rho", "none"}), "no quantity is called none");
+}
 
 TEST_CASE("a part of the outputs costs less than all, and nothing that is no part of them",
           "[exam]") {

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <set>
+#include <type_traits>
 
 #include <catch2/catch.hpp>
 
+#include "magicmass/errors.hpp"
+#include "proof/names.hpp"
 #include "proof/text.hpp"
 
 using namespace magicmass;
@@ -30,6 +33,18 @@ TEST_CASE("every step is proved from the laws", "[exam]") {
     for (const std::string& premise : theorem.step().premises) CHECK(seen.contains(premise));
     CHECK(seen.insert(theorem.id()).second);
   }
+}
+
+TEST_CASE("what is not there is refused by its name, as bad input is everywhere", "[exam]") {
+  CHECK(whole().at("power.b").id() == "power.b");
+  CHECK_THROWS_AS(whole().at("power.z"), InvalidInput);
+  CHECK_THROWS_WITH(whole().at("power.z"), "no theorem is called power.z");
+  const derivation::Paper paper = derivation::paper();
+  CHECK_THROWS_AS(paper.at("eq:none"), InvalidInput);
+  CHECK_THROWS_AS(derivation::Beginning("none", derivation::conservation_laws(), paper),
+                  InvalidInput);
+  CHECK_THROWS_AS(proof::symbol("2x"), InvalidInput);
+  STATIC_REQUIRE(std::is_base_of_v<Error, proof::NotProved>);
 }
 
 TEST_CASE("the laws are the two conservation laws, the contact, the start and uniform motion",
