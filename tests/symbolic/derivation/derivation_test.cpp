@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include <catch2/catch.hpp>
+#include <ginac/ginac.h>
 
 #include "magicmass/errors.hpp"
 #include "proof/names.hpp"
