@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Collisions, counted exactly for any double, and the threshold that alpha is closest to.
-#include "magicmass/evaluators/count.hpp"
-
 #include <cstdio>
 
-#include "magicmass/evaluators/nearest_threshold.hpp"
+#include "magicmass/counts.hpp"
+#include "magicmass/nearest_threshold.hpp"
 
 int main() {
   const double alpha = 0x1.1c7397cb68b7ep-18;  // hardly above the 539th magic mass ratio

@@ -18,7 +18,7 @@ function(install_headers folder source)
 endfunction()
 
 # The runtime: headers and one library.
-set(runtime_targets magicmass_arithmetic magicmass_generated magicmass_runtime)
+set(runtime_targets magicmass_errors magicmass_arithmetic magicmass_generated magicmass_runtime)
 foreach(target IN LISTS runtime_targets)
   string(REPLACE magicmass_ "" exported_name ${target})
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${exported_name})

@@ -126,7 +126,7 @@ template <class Real>
 struct TerminalEvaluator {
   const char* name;  ///< the function's
   const char* form;  ///< its last word
-  Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k);  ///< the function
+  TerminalValues<Real> (*evaluate)(Real alpha, Real e, std::int64_t k);  ///< the function
   double ulp_bound;  ///< as no_bound says
   double eps_bound;  ///< as no_bound says
 };
@@ -149,7 +149,7 @@ template <class Real>
 struct TwoCollisionsEvaluator {
   const char* name;  ///< the function's
   const char* form;  ///< its last word
-  Terminal<Real> (*evaluate)(Real alpha, Real e);  ///< the function
+  TerminalValues<Real> (*evaluate)(Real alpha, Real e);  ///< the function
   double ulp_bound;  ///< as no_bound says
   double eps_bound;  ///< as no_bound says
 };

@@ -50,7 +50,7 @@ constexpr std::array<Number, 2> as_array(const Ratios<Number>& all) {
 
 /// Velocities after the last collision, in units of V, and what B got of the energy.
 template <class Number>
-struct Terminal {
+struct TerminalValues {
   Number a_t;  ///< of A
   Number b_t;  ///< of B
   Number c_t;  ///< of C
@@ -59,13 +59,13 @@ struct Terminal {
 
 /// The same in that order.
 template <class Number>
-constexpr std::array<Number, 4> as_array(const Terminal<Number>& all) {
+constexpr std::array<Number, 4> as_array(const TerminalValues<Number>& all) {
   return {all.a_t, all.b_t, all.c_t, all.rho};
 }
 
 /// Velocities after the last collision, in units of V.
 template <class Number>
-struct LastVelocities {
+struct TerminalVelocities {
   Number a_t;  ///< of A
   Number b_t;  ///< of B
   Number c_t;  ///< of C
@@ -73,7 +73,7 @@ struct LastVelocities {
 
 /// The same in that order.
 template <class Number>
-constexpr std::array<Number, 3> as_array(const LastVelocities<Number>& all) {
+constexpr std::array<Number, 3> as_array(const TerminalVelocities<Number>& all) {
   return {all.a_t, all.b_t, all.c_t};
 }
 

@@ -23,7 +23,7 @@ namespace magicmass::generated {
 /// Cost: 16 additions, 23 multiplications, 4 divisions, 2 square roots, 3 sines or cosines,
 ///   1 arctangent, 2 powers.
 template <class Real>
-Terminal<Real> terminal_after_P(Real alpha, Real e, std::int64_t k) {
+TerminalValues<Real> terminal_after_P(Real alpha, Real e, std::int64_t k) {
   using std::atan;
   using std::sin;
   using std::sqrt;

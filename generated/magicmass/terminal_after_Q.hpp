@@ -23,7 +23,7 @@ namespace magicmass::generated {
 /// Cost: 14 additions, 23 multiplications, 4 divisions, 2 square roots, 3 sines or cosines,
 ///   1 arctangent, 1 power.
 template <class Real>
-Terminal<Real> terminal_after_Q(Real alpha, Real e, std::int64_t k) {
+TerminalValues<Real> terminal_after_Q(Real alpha, Real e, std::int64_t k) {
   using std::atan;
   using std::sin;
   using std::sqrt;

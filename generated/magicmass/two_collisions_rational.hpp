@@ -15,7 +15,7 @@ namespace magicmass::generated {
 ///   inelastic_end.two_rho.
 /// Cost: 4 additions, 11 multiplications, 3 divisions.
 template <class Real>
-Terminal<Real> two_collisions_rational(Real alpha, Real e) {
+TerminalValues<Real> two_collisions_rational(Real alpha, Real e) {
   // sum_1 = 1 + alpha
   const Real sum_1 = Real(1) + alpha;
   // sum_2 = 1 + e

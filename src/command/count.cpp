@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/reference/count.hpp"
 
 #include <memory>
 #include <utility>
@@ -8,8 +8,8 @@
 #include "command/alpha_value.hpp"
 #include "command/commands.hpp"
 #include "command/questions.hpp"
-#include "magicmass/evaluators/nearest_threshold.hpp"
-#include "magicmass/reference/count.hpp"
+#include "magicmass/evaluators/count_decision.hpp"
+#include "magicmass/nearest_threshold.hpp"
 #include "magicmass/reference/rational.hpp"
 
 namespace magicmass::command {
@@ -40,7 +40,7 @@ std::vector<Cell> near_tie_cells(const MassRatio& alpha) {
 
 std::vector<Cell> count(const Question& question, bool with_near_tie) {
   const MassRatio alpha = parse_mass_ratio(question.alpha);
-  const reference::LargeCounts counts = reference::exact_counts(alpha);
+  const reference::LargeCounts counts = reference::count_collisions(alpha);
   std::vector<Cell> cells{alpha_cell(alpha), digits_cell(reference::to_text(counts.N_A)),
                           digits_cell(reference::to_text(counts.N_B))};
   if (with_near_tie)

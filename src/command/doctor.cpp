@@ -69,7 +69,7 @@ std::vector<Finding> look_around() {
         {tool.what, "program", !where.empty(), where, tool.needed_for, tool.package});
   }
   for (const InstructionSet set : all_instruction_sets)
-    findings.push_back({name(set), "instruction set", is_available(set),
+    findings.push_back({to_text(set), "instruction set", is_available(set),
                         set == best_instruction_set() ? "used" : "", "arrays at full speed", ""});
   const fs::path generated = source_generated_folder();
   std::error_code error;

@@ -70,7 +70,7 @@ void add_eval(Program& program) {
                {"alpha", "n", "tier", "a", "b", "c", "c_prime"}, [&](const Question& question) {
                  const MassRatio alpha = parse_mass_ratio(question.alpha);
                  const cln::cl_I n = parse_cycle_index(question.n);
-                 const reference::LargeCounts counts = reference::exact_counts(alpha);
+                 const reference::LargeCounts counts = reference::count_collisions(alpha);
                  require_not_beyond(n, counts.N_A, alpha);
                  if (n > counts.N_B) ++only_formula;
                  const VelocityCells v = velocities(alpha, n, wanted);

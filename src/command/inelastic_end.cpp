@@ -10,7 +10,7 @@
 #include <cln/integer.h>
 
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/inelastic.hpp"
+#include "magicmass/fast.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/ratios.hpp"
 #include "magicmass/reference/restitution.hpp"
@@ -55,7 +55,7 @@ InelasticEnd inelastic_end(const MassRatio& alpha, const cln::cl_RA& e) {
   const Wide ratio = nearest_wide(alpha);
   const Wide restitution = reference::nearest<Wide>(e);
   if (!end.counts) {
-    end.collapse_time = collapse_time(ratio, restitution);
+    end.collapse_time = fast::collapse_time(ratio, restitution);
     require_told_apart(end.collapse_time);
     return end;
   }
@@ -63,7 +63,7 @@ InelasticEnd inelastic_end(const MassRatio& alpha, const cln::cl_RA& e) {
   if (N_A > cln::cl_I(std::numeric_limits<std::int64_t>::max()))
     throw Undecided("N_A = " + reference::to_text(N_A) + " does not fit 64 bits");
   end.terminal =
-      inelastic_terminal(ratio, restitution, {cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B)});
+      fast::terminal(ratio, restitution, {cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B)});
   for (const double value :
        {end.terminal.a_t, end.terminal.b_t, end.terminal.c_t, end.terminal.rho})
     require_told_apart(value);

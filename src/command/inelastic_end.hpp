@@ -7,9 +7,9 @@
 
 #include <cln/rational.h>
 
-#include "magicmass/quantities.hpp"
 #include "magicmass/reference/count.hpp"
 #include "magicmass/scenes/mass_ratio.hpp"
+#include "magicmass/terminal.hpp"
 
 namespace magicmass::command {
 
@@ -20,12 +20,12 @@ cln::cl_RA parse_restitution(std::string_view text);
 /// How the motion ends: `counts` and `terminal`, or `collapse_time` in units of L/V.
 struct InelasticEnd {
   std::optional<reference::LargeCounts> counts;
-  generated::Terminal<double> terminal{};
+  Terminal terminal{};
   double collapse_time = 0.0;
 };
 
 /// For 0 < e <= 1. Counts, and whether there is a collapse, are exact; numbers are as good as those of
-/// inelastic_terminal and collapse_time. Throws Undecided where the counts do not fit 64 bits or alpha is closer to alpha_c(e) than
+/// fast::terminal and fast::collapse_time. Throws Undecided where the counts do not fit 64 bits or alpha is closer to alpha_c(e) than
 /// long double can tell.
 InelasticEnd inelastic_end(const MassRatio& alpha, const cln::cl_RA& e);
 

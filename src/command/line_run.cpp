@@ -7,6 +7,7 @@
 
 #include "command/line_events.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/transfers.hpp"
 #include "magicmass/simulator/trio_stepping.hpp"
@@ -32,7 +33,7 @@ std::vector<Cell> counts_of(const cl_I& contacts) {
 
 /// From left to right.
 template <class Float>
-std::vector<Float> in_order(const Scene& scene, const Velocities<Float>& v) {
+std::vector<Float> in_order(const Scene& scene, const BodyVelocities<Float>& v) {
   return scene.masses.size() == 2 ? std::vector{v.a, v.c} : std::vector{v.a, v.c, v.b};
 }
 
@@ -88,7 +89,7 @@ void closed_form(const Scene& scene, const ExactLine& line, const reference::Tri
     if (wants(scene, Output::energy)) result.drift = drift_of(reference::rounded(line), v);
   }
   for (std::size_t i = 0; i < line.times.size(); ++i) {
-    const Positions<double> x = end.positions(line.times[i]);
+    const BodyPositions<double> x = end.positions(line.times[i]);
     const Cell time = number_cell(reference::nearest_double(line.times[i]));
     const std::vector<double> places = {x.a, x.c, x.b};
     for (std::size_t body = 0; body < scene.masses.size(); ++body)
@@ -101,7 +102,7 @@ void closed_form(const Scene& scene, const ExactLine& line, const reference::Tri
 template <std::floating_point Scalar>
 void step_velocities_alone(const Scene& scene, const Line<Scalar>& line, std::int64_t limit,
                            LineResult& result) {
-  Velocities<Scalar> v = trio_velocities(line);
+  BodyVelocities<Scalar> v = trio_velocities(line);
   result.stepped = step_trio(trio_of(line), v, limit);
   if (approach(v, result.stepped)) {
     result.status = "limited";

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command/records.hpp"
+#include "magicmass/reference/exact_line.hpp"
 #include "magicmass/reference/scene_plan.hpp"
 
 namespace magicmass::command {

@@ -7,7 +7,10 @@
 namespace magicmass::command {
 
 void add_model_option(CLI::App& command, reference::SceneOptions& options) {
-  command.add_option("--model", options.model, "the model to use (plan tells which)")
+  command
+      .add_option("--model", options.model,
+                  "closed-form, velocity-stepping, event-driven, exact-events or transfers (the "
+                  "cheapest; plan tells which)")
       ->type_name("MODEL");
   command
       .add_option_function<std::string>(
@@ -17,7 +20,7 @@ void add_model_option(CLI::App& command, reference::SceneOptions& options) {
                               : name == "long-double" ? reference::Scalars::long_doubles
                                                       : reference::Scalars::exact;
           },
-          "step events in double, long-double or exact")
+          "step events, in double, long-double or exact numbers")
       ->type_name("NAME")
       ->check(CLI::IsMember({"double", "long-double", "exact"}));
   command.add_option("--max-events", options.max_events, "stop after so many (1000000)")

@@ -20,7 +20,7 @@ ExactForms forms(std::optional<std::string> radicals, std::int64_t k, bool long_
   ExactForms result{std::move(radicals), {}};
   if (k > last_polynomial) return result;
   const algebraic::Polynomial polynomial = minimal_polynomial(k);
-  std::string text = algebraic::text(polynomial);
+  std::string text = algebraic::to_text(polynomial);
   if (long_ones || text.size() <= short_polynomial)
     result.polynomial = std::move(text);
   else

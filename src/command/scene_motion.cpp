@@ -11,6 +11,7 @@
 
 #include "command/line_run.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/exact_line.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {

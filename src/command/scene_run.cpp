@@ -8,6 +8,7 @@
 #include "command/alpha_value.hpp"
 #include "command/velocity_tiers.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/three_body.hpp"
 
@@ -38,7 +39,7 @@ std::vector<Cell> event_cells(const Event<Scalar>& event) {
 }
 
 template <class Scalar>
-std::vector<Cell> trajectory_cells(const Scalar& time, const Positions<Scalar>& x) {
+std::vector<Cell> trajectory_cells(const Scalar& time, const BodyPositions<Scalar>& x) {
   return {cell(time), cell(x.a), cell(x.b), cell(x.c)};
 }
 
@@ -111,7 +112,7 @@ void require_short(const cl_RA& alpha, const cl_I& events) {
 SceneResult run_scene(const Scene& scene, const reference::SceneOptions& options) {
   SceneResult result;
   result.status = "complete";
-  result.counts = reference::exact_counts(*scene.alpha);
+  result.counts = reference::count_collisions(*scene.alpha);
   result.plan = reference::plan_papers_scene(scene, options);
   const std::int64_t limit = reference::event_limit(scene, options);
   const bool steps_events = result.plan.model == "event-driven";

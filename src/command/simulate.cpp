@@ -10,6 +10,7 @@
 #include "command/model_option.hpp"
 #include "command/scene_pages.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {
@@ -63,7 +64,7 @@ void add_simulate(Program& program) {
   command.add_option("SCENE", options->scene, "a scene file in TOML")->type_name("")->required();
   command.add_flag_callback(
       "--exact", [options] { options->run.scalars = reference::Scalars::exact; },
-      "the same as --scalar exact");
+      "short for --scalar exact");
   add_model_option(command, options->run);
   add_output_options(command, options->output, {"text", "json", "csv", "jsonl"});
   on_run(program, command, [options] { return simulate(*options); });

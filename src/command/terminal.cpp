@@ -29,7 +29,7 @@ void answer_elastic(const TerminalOptions& options) {
   const Accuracy wanted = accuracy(options.accuracy);
   answer_all(options.asked, false, options.output, elastic_columns, [&](const Question& question) {
     const MassRatio alpha = parse_mass_ratio(question.alpha);
-    const reference::LargeCounts counts = reference::exact_counts(alpha);
+    const reference::LargeCounts counts = reference::count_collisions(alpha);
     const TerminalCells v = terminal_velocities(alpha, counts, wanted);
     return std::vector<Cell>{alpha_cell(alpha),
                              digits_cell(reference::to_text(counts.N_A)),

@@ -124,6 +124,13 @@ void velocities(const Alpha& alpha, const N& n, A&& a, B&& b, C&& c, D&& c_prime
   velocities(eigen::column<double>(alpha), eigen::column<std::int64_t>(n), eigen::column<double>(a),
              eigen::column<double>(b), eigen::column<double>(c), eigen::column<double>(c_prime));
 }
+template <eigen::Doubles Alpha, eigen::WritableDoubles A, eigen::WritableDoubles B,
+          eigen::WritableDoubles C, eigen::WritableDoubles D>
+/// As of spans in batch.hpp.
+void velocities(const Alpha& alpha, std::int64_t n, A&& a, B&& b, C&& c, D&& c_prime) {
+  velocities(eigen::column<double>(alpha), n, eigen::column<double>(a), eigen::column<double>(b),
+             eigen::column<double>(c), eigen::column<double>(c_prime));
+}
 template <eigen::Doubles Alpha, eigen::WritableIntegers NA, eigen::WritableIntegers NB,
           eigen::WritableDoubles A, eigen::WritableDoubles B, eigen::WritableDoubles C>
 /// As of spans in batch.hpp.
@@ -131,6 +138,11 @@ void terminal(const Alpha& alpha, NA&& N_A, NB&& N_B, A&& a_t, B&& b_t, C&& c_t)
   terminal(eigen::column<double>(alpha), eigen::column<std::int64_t>(N_A),
            eigen::column<std::int64_t>(N_B), eigen::column<double>(a_t), eigen::column<double>(b_t),
            eigen::column<double>(c_t));
+}
+/// As of spans in batch.hpp.
+template <eigen::Doubles Alpha, eigen::WritableDoubles Rho>
+void transmission(const Alpha& alpha, double e, Rho&& rho) {
+  transmission(eigen::column<double>(alpha), e, eigen::column<double>(rho));
 }
 /// As of spans in batch.hpp.
 template <eigen::WritableDoubles M, eigen::WritableDoubles D>
@@ -146,6 +158,13 @@ template <eigen::Doubles Alpha, eigen::Integers N, eigen::WritableDoubles A,
 void velocities(const Alpha& alpha, const N& n, A&& a, B&& b, C&& c, D&& c_prime) {
   velocities(eigen::column<double>(alpha), eigen::column<std::int64_t>(n), eigen::column<double>(a),
              eigen::column<double>(b), eigen::column<double>(c), eigen::column<double>(c_prime));
+}
+template <eigen::Doubles Alpha, eigen::WritableDoubles A, eigen::WritableDoubles B,
+          eigen::WritableDoubles C, eigen::WritableDoubles D>
+/// As of spans in batch.hpp.
+void velocities(const Alpha& alpha, std::int64_t n, A&& a, B&& b, C&& c, D&& c_prime) {
+  velocities(eigen::column<double>(alpha), n, eigen::column<double>(a), eigen::column<double>(b),
+             eigen::column<double>(c), eigen::column<double>(c_prime));
 }
 template <eigen::Doubles Alpha, eigen::WritableIntegers NA, eigen::WritableIntegers NB,
           eigen::WritableDoubles A, eigen::WritableDoubles B, eigen::WritableDoubles C>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The exceptions of magicmass: one root, two leaves, each with its exit code on the command line.
+// The exceptions of magicmass: one root and two kinds, each with its exit code on the command line. Everything that a caller is to
+// blame for, or that no precision offered decides, is one of these or of a type derived from them; std::logic_error is a bug.
 #pragma once
 
 #include <stdexcept>

@@ -30,4 +30,13 @@ generated::Ratios<double> ratios(std::int64_t k);
 /// After the last collision; none where the counts do not fit 64 bits.
 std::optional<Terminal> terminal(double alpha);
 
+/// The same with restitution 0 < e <= 1, `counts` being all collisions: N_B <= N_A <= N_B + 1, alpha above alpha_c(e) =
+/// (1 - sqrt(e))^2/(2 sqrt(e)). 1.01 max(1/2, cond/2) ulp were seen, with the condition numbers in alpha and e added up. From
+/// theorems inelastic_end.*, in long double, rounded once: not finite where that cannot tell alpha from alpha_c(e).
+Terminal terminal(long double alpha, long double e, const Counts& counts);
+
+/// The time, in units of L/V, in which infinitely many collisions happen: 0 < e < 1, alpha <= alpha_c(e). The error is
+/// as above.
+double collapse_time(long double alpha, long double e);
+
 }  // namespace magicmass::fast

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The batch functions on several threads, for arrays past the cache: the results are the same bits as without. A call
-// with fewer than some ten thousand rows gains nothing.
+// with fewer than some ten thousand rows gains nothing. Every function of batch.hpp is here but velocity_stream, each row of which
+// takes the one before.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +30,7 @@ inline constexpr std::size_t least_part = 4096;
 void in_parallel(Threads threads, std::size_t size,
                  const std::function<void(std::size_t first, std::size_t rows)>& part);
 
-/// As in batch.hpp, with what is said there.
+/// As in batch.hpp, on these threads.
 void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A,
                       std::span<std::int64_t> N_B, Threads threads);
 namespace fast {
@@ -38,9 +39,15 @@ void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, 
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 Threads threads);
 /// As in batch.hpp, on these threads.
+void velocities(std::span<const double> alpha, std::int64_t n, std::span<double> a,
+                std::span<double> b, std::span<double> c, std::span<double> c_prime,
+                Threads threads);
+/// As in batch.hpp, on these threads.
 void terminal(std::span<const double> alpha, std::span<std::int64_t> N_A,
               std::span<std::int64_t> N_B, std::span<double> a_t, std::span<double> b_t,
               std::span<double> c_t, Threads threads);
+/// As in batch.hpp, on these threads.
+void transmission(std::span<const double> alpha, double e, std::span<double> rho, Threads threads);
 /// As in batch.hpp, on these threads.
 void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> deficient,
             Threads threads);
@@ -48,6 +55,10 @@ void ratios(std::int64_t first_k, std::span<double> magic, std::span<double> def
 namespace accurate {
 /// As in batch.hpp, on these threads.
 void velocities(std::span<const double> alpha, std::span<const std::int64_t> n, std::span<double> a,
+                std::span<double> b, std::span<double> c, std::span<double> c_prime,
+                Threads threads);
+/// As in batch.hpp, on these threads.
+void velocities(std::span<const double> alpha, std::int64_t n, std::span<double> a,
                 std::span<double> b, std::span<double> c, std::span<double> c_prime,
                 Threads threads);
 /// As in batch.hpp, on these threads.

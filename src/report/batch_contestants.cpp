@@ -49,7 +49,7 @@ Contestant on_arrays(const std::string& name, const std::string& quantity, Instr
   Contestant one;
   one.name = name + suffix(set);
   one.quantity = quantity;
-  one.form = name + ", " + magicmass::name(set);
+  one.form = name + ", " + to_text(set);
   one.precision = "double";
   one.can = [](const Input&) { return true; };
   one.expected_ns = expected_ns;

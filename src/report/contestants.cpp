@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/evaluators.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "report/make_contestant.hpp"
 #include "report/quantities.hpp"
 #include "report/table_contestants.hpp"

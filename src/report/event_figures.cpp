@@ -24,15 +24,16 @@ constexpr double very_light = 1e-24;  // 2 * 10^12 contacts: no run sees the las
 
 /// Three bodies on and on.
 Timed velocities_alone() {
-  return {on_steady_clock([trio = trio_of(very_light), v = Velocities<double>{1, 0, 0}]() mutable {
-            step_trio(trio, v, contacts_at_once);
-          }),
-          static_cast<double>(contacts_at_once)};
+  return {
+      on_steady_clock([trio = trio_of(very_light), v = BodyVelocities<double>{1, 0, 0}]() mutable {
+        step_trio(trio, v, contacts_at_once);
+      }),
+      static_cast<double>(contacts_at_once)};
 }
 
 Timed with_places() {
   struct State {
-    Velocities<double> v{1, 0, 0};
+    BodyVelocities<double> v{1, 0, 0};
     TrioPlace<double> place{0, 0, 1};
     double sum = 0.0;  // of all times and places, which therefore have to be worked out
   };
@@ -41,9 +42,8 @@ Timed with_places() {
             state->place = {0, 0, 1};
             state->v = {1, 0, 0};
             step_trio(trio, state->v, state->place, contacts_at_once,
-                      [&](std::int64_t, const TrioPlace<double>& at, const Velocities<double>&) {
-                        state->sum += at.time + at.ball;
-                      });
+                      [&](std::int64_t, const TrioPlace<double>& at,
+                          const BodyVelocities<double>&) { state->sum += at.time + at.ball; });
           }),
           static_cast<double>(contacts_at_once)};
 }

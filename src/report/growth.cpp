@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 
 namespace magicmass::report {
 namespace {

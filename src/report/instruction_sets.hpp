@@ -18,7 +18,7 @@ inline std::vector<InstructionSet> available_instruction_sets() {
 
 /// Behind a contestant's name: nothing for the best, so that the name is the same on every machine; else _avx2 or _baseline.
 inline std::string suffix(InstructionSet set) {
-  return set == best_instruction_set() ? "" : std::string("_") + name(set);
+  return set == best_instruction_set() ? "" : "_" + to_text(set);
 }
 
 }  // namespace magicmass::report

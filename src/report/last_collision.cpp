@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/last_collision.hpp"
 
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 
 namespace magicmass::report {
 

@@ -33,13 +33,13 @@ Unit unit_for(const cl_RA& alpha) {
   return {Interval(cl_RA(size), 0), Interval(cln::recip(cl_RA(size)), power)};
 }
 
-Relative relative(const Velocities<Interval>& v, const Unit& unit) {
+Relative relative(const BodyVelocities<Interval>& v, const Unit& unit) {
   return {v.a - v.b, (v.c + v.c - v.a - v.b) * unit.reciprocal};
 }
 
 /// All three velocities in the frame in which A, B and C began: momentum a + b + alpha c = 1.
-Velocities<Interval> absolute(const Relative& v, const Interval& alpha, const Unit& unit,
-                              const Interval& half) {
+BodyVelocities<Interval> absolute(const Relative& v, const Interval& alpha, const Unit& unit,
+                                  const Interval& half) {
   const Interval ball = v.ball * unit.size;
   const Interval c = (Interval(1) + ball) / (Interval(2) + alpha);
   const Interval mean = c - ball * half;  // (a + b)/2
@@ -64,7 +64,7 @@ Map squared(const Map& m) {
 /// One cycle, from the collision law: relative velocities are the same in every frame, so each unit vector stands for
 /// some a, b, c with the mean of the blocks at rest.
 Map cycle(const Interval& alpha, const Unit& unit, const Interval& half) {
-  const auto image = [&](const Velocities<Interval>& v) {
+  const auto image = [&](const BodyVelocities<Interval>& v) {
     return relative(reference::meet_B(alpha, reference::meet_A(alpha, v)), unit);
   };
   const Relative of_blocks = image({half, Interval(0) - half, Interval(0)});
@@ -88,8 +88,8 @@ CycleVelocities<Interval> enclosed_velocities(const cl_RA& alpha, const cl_I& n,
       if (bit + 1 < bits) map = squared(map);
     }
   }
-  const Velocities<Interval> at_P = reference::meet_A(ratio, absolute(v, ratio, unit, half));
-  const Velocities<Interval> at_Q = reference::meet_B(ratio, at_P);
+  const BodyVelocities<Interval> at_P = reference::meet_A(ratio, absolute(v, ratio, unit, half));
+  const BodyVelocities<Interval> at_Q = reference::meet_B(ratio, at_P);
   return {at_P.a, at_Q.b, at_P.c, at_Q.c};
 }
 

@@ -66,8 +66,7 @@ Contestant stream(const std::string& quantity, InstructionSet set) {
   const auto run = [set](const Input& in, Columns& out) {
     velocity_stream(in.alpha, in.index, out[0], out[1], out[2], out[3], set);
   };
-  Contestant one =
-      in_runs("stream" + suffix(set), quantity, std::string("stream, ") + name(set), run);
+  Contestant one = in_runs("stream" + suffix(set), quantity, "stream, " + to_text(set), run);
   one.eps_bound = 3;
   one.evaluate = end_of_run(run, 0, 4);
   return one;
@@ -78,7 +77,7 @@ std::vector<Contestant> ratios(const std::string& quantity, InstructionSet set) 
     const auto run = [=](const Input& in, Columns& out) {
       function(in.index, out[0], out[1], set);
     };
-    Contestant one = in_runs(of_tier + suffix(set), quantity, of_tier + ", " + name(set), run);
+    Contestant one = in_runs(of_tier + suffix(set), quantity, of_tier + ", " + to_text(set), run);
     one.evaluate = end_of_run(run, 1, 2);
     return one;
   };

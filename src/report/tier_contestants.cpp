@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 #include "magicmass/tiers/first_stages.hpp"
 #include "report/contestants.hpp"
@@ -88,7 +88,7 @@ std::vector<Contestant> tier_contestants(const std::string& quantity) {
                 [](const Input& in) { return ending(accurate::terminal(in.alpha)); },
                 [](const Input& in) {
                   const std::optional<Counts> counts = count_collisions(in.alpha);
-                  generated::Terminal<double> result;
+                  generated::TerminalValues<double> result;
                   return counts && !tiers::first_stages(in.alpha, *counts, result);
                 });
   return {};

@@ -2,8 +2,9 @@
 #pragma once
 
 #include <chrono>
-#include <stdexcept>
 #include <string>
+
+#include "magicmass/errors.hpp"
 
 namespace magicmass::algebraic {
 
@@ -18,8 +19,8 @@ struct Budget {
 };
 
 /// The budget ran out; what() says of what there was too much.
-struct BeyondBudget : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct BeyondBudget : Undecided {
+  using Undecided::Undecided;
 };
 
 /// A budget being spent.

@@ -18,7 +18,7 @@ Decision sign_of(const GiNaC::ex& constant, const Budget& budget) {
   try {
     const Verdict verdict = decide(terms, translate(constant, terms, work), work);
     return {verdict.sign, verdict.method, 0};
-  } catch (const Undecided& reason) {
+  } catch (const SignLeftOpen& reason) {
     return {{}, std::string("beyond the budget: ") + reason.what(), reason.agreeing_digits};
   } catch (const BeyondBudget& reason) {
     return {{}, std::string("beyond the budget: ") + reason.what(), 0};

@@ -8,10 +8,10 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "algebraic/budget.hpp"
+#include "magicmass/errors.hpp"
 
 namespace GiNaC {
 class ex;
@@ -21,8 +21,8 @@ namespace magicmass::algebraic {
 
 /// The expression is no real number of the class above: a symbol or another function in it, a floating-point
 /// number, a root of a negative number, a division by zero, a tangent at its pole. what() names that part.
-struct NotAlgebraic : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct NotAlgebraic : InvalidInput {
+  using InvalidInput::InvalidInput;
 };
 
 /// What is known of a constant's sign.

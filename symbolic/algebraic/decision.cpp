@@ -82,7 +82,7 @@ Verdict search(Terms& terms, std::size_t id, const Work& work) {
       precision += std::min(precision, static_cast<long>(std::min(missing, 1e9)));
     }
   } catch (const BeyondBudget& reason) {
-    throw Undecided(reason.what(), refinement.agreeing_digits());
+    throw SignLeftOpen(reason.what(), refinement.agreeing_digits());
   }
 }
 

@@ -13,8 +13,8 @@ struct Verdict {
 };
 
 /// The budget ran out with the number known to be below 10^-agreeing_digits.
-struct Undecided : BeyondBudget {
-  Undecided(const std::string& message, long digits)
+struct SignLeftOpen : BeyondBudget {
+  SignLeftOpen(const std::string& message, long digits)
       : BeyondBudget(message), agreeing_digits(digits) {}
   long agreeing_digits;
 };

@@ -12,6 +12,7 @@
 
 #include "algebraic/cosine_polynomial.hpp"
 #include "algebraic/decimal_text.hpp"
+#include "algebraic/polynomial_value.hpp"
 #include "algebraic/separation_bound.hpp"
 #include "algebraic/translation.hpp"
 
@@ -251,7 +252,7 @@ std::optional<std::string> as_root(const GiNaC::ex& constant, const Budget& budg
                          precision);
       const int sign = value(slope, all, precision).sign();
       if (sign == 1 || sign == -1)
-        return "the root near " + decimal_text(first, digits) + " of " + text(*polynomial);
+        return "the root near " + decimal_text(first, digits) + " of " + to_text(*polynomial);
     }
   } catch (const BeyondBudget&) {
   }

@@ -11,7 +11,7 @@ namespace magicmass::algebraic {
 
 using cln::cl_I;
 
-std::string text(const Polynomial& polynomial, const std::string& variable) {
+std::string to_text(const Polynomial& polynomial, const std::string& variable) {
   std::ostringstream out;
   for (long power = polynomial.degree(); power >= 0; --power) {
     const cl_I& coefficient = polynomial.coefficients[static_cast<std::size_t>(power)];
@@ -68,13 +68,6 @@ Polynomial derivative(const Polynomial& polynomial) {
   Polynomial result;
   for (std::size_t i = 1; i < polynomial.coefficients.size(); ++i)
     result.coefficients.push_back(polynomial.coefficients[i] * cl_I(i));
-  return result;
-}
-
-Interval value(const Polynomial& polynomial, const Interval& x, long precision) {
-  Interval result(0, precision);
-  for (std::size_t i = polynomial.coefficients.size(); i-- > 0;)
-    result = sum(product(result, x, precision), {polynomial.coefficients[i], precision}, precision);
   return result;
 }
 

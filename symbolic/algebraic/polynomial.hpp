@@ -7,9 +7,6 @@
 #include <vector>
 
 #include <cln/integer.h>
-#include <cln/rational.h>
-
-#include "algebraic/interval.hpp"
 
 namespace magicmass::algebraic {
 
@@ -24,7 +21,7 @@ struct Polynomial {
 };
 
 /// x^3 + 4*x^2 - 3*x - 1
-std::string text(const Polynomial& polynomial, const std::string& variable = "x");
+std::string to_text(const Polynomial& polynomial, const std::string& variable = "x");
 
 /// Divided by the gcd of its coefficients, the leading one positive; the polynomial is not 0.
 Polynomial primitive(Polynomial polynomial);
@@ -40,8 +37,5 @@ Polynomial reversed(Polynomial polynomial);
 
 /// Its first derivative.
 Polynomial derivative(const Polynomial& polynomial);
-
-/// An enclosure of its values on x.
-Interval value(const Polynomial& polynomial, const Interval& x, long precision);
 
 }  // namespace magicmass::algebraic

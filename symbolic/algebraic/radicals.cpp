@@ -10,6 +10,7 @@
 #include "algebraic/constant.hpp"
 #include "algebraic/cosine_field.hpp"
 #include "algebraic/surd.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::algebraic {
 namespace {
@@ -21,7 +22,7 @@ using Element = CosineField::Element;
 
 /// Shortest is best, but less nesting comes first.
 std::pair<long, std::size_t> cost(const Surd& surd) {
-  std::pair<long, std::size_t> result{0, text(surd).size()};
+  std::pair<long, std::size_t> result{0, to_text(surd).size()};
   for (const SurdTerm& term : surd.terms)
     result.first = std::max(result.first, 1 + cost(term.radicand).first);
   return result;
@@ -78,12 +79,12 @@ struct Form {
 Form by_sum(const CosineField& field, Splitting& splitting) {
   const Surd form =
       splitting.of(CosineField::combination(2, field.generator_inverse(), -1, field.number(1)));
-  return {text(form), expression(form)};
+  return {to_text(form), expression(form)};
 }
 
 Form by_division(const Surd& twice_cosine) {
   const bool sum = twice_cosine.terms.size() > 1 || !cln::zerop(twice_cosine.rational);
-  const std::string below = text(twice_cosine);
+  const std::string below = to_text(twice_cosine);
   return {"2/" + (sum ? "(" + below + ")" : below) + " - 1", 2 / expression(twice_cosine) - 1};
 }
 
@@ -130,7 +131,9 @@ std::optional<Form> shortest(long n) {
 bool real_radicals_exist(long n) { return constructible_degree(n) > 0; }
 
 std::optional<std::string> secant_radicals(long n) {
-  if (n < 3) throw std::domain_error("sec(pi/n) - 1 with n < 3");
+  if (n < 3)
+    throw InvalidInput("sec(pi/n) - 1 is asked for with n = " + std::to_string(n) +
+                       "; n must be 3 or more");
   if (n == 3) return "1";
   // Each halving nests the roots once more.
   const long degree = constructible_degree(n);

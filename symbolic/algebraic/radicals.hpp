@@ -12,7 +12,7 @@ constexpr std::size_t longest_radicals = 100;
 constexpr long largest_radical_degree = 64;
 
 /// sec(pi/n) - 1, n >= 3, in real square roots: "sqrt(5) - 2". Each form was proved equal by sign_of. Nothing where
-/// there is none (real_radicals_exist) or none that is short.
+/// there is none (real_radicals_exist) or none that is short. Throws InvalidInput for n < 3.
 std::optional<std::string> secant_radicals(long n);
 
 /// Of alpha_k = sec(pi/(2k+1)) - 1, k >= 1 (Ee & Lee, Table II).

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebraic/ratio_polynomials.hpp"
 
-#include <stdexcept>
-
 #include "algebraic/cosine_polynomial.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::algebraic {
 
@@ -11,7 +10,7 @@ namespace magicmass::algebraic {
 // P's coefficients times powers of 2, in reverse order, shifted by 1. The ratio is of the same degree as y, since each
 // is a rational function of the other; hence this is irreducible over the rational numbers.
 Polynomial secant_polynomial(long m) {
-  if (m == 4) throw std::domain_error("sec(pi/2) does not exist");
+  if (m == 4) throw InvalidInput("sec(pi/2) does not exist: m must not be 4");
   Polynomial scaled = cosine_polynomial(m);
   for (std::size_t i = 0; i < scaled.coefficients.size(); ++i)
     scaled.coefficients[i] = cln::ash(scaled.coefficients[i], static_cast<long>(i));

@@ -24,7 +24,7 @@ std::string integer_text(const cl_I& n) {
 std::string unsigned_text(const SurdTerm& term) {
   const cl_I above = cln::abs(cln::numerator(term.coefficient));
   const cl_I below = cln::denominator(term.coefficient);
-  const std::string root = "sqrt(" + text(term.radicand) + ")";
+  const std::string root = "sqrt(" + to_text(term.radicand) + ")";
   if (term.radicand.terms.empty() && below == term.radicand.rational)
     return integer_text(above) + "/" + root;
   return (above == 1 ? "" : integer_text(above) + "*") + root +
@@ -48,7 +48,7 @@ cl_I square_part(cl_I n) {
 
 }  // namespace
 
-std::string text(const Surd& surd) {
+std::string to_text(const Surd& surd) {
   std::vector<std::pair<bool, std::string>> parts;  // is negative, the rest
   const auto put_rational = [&] {
     if (cln::zerop(surd.rational)) return;
@@ -81,9 +81,9 @@ GiNaC::ex expression(const Surd& surd) {
 Surd sum(Surd x, const Surd& y) {
   x.rational = x.rational + y.rational;
   for (const SurdTerm& term : y.terms) {
-    const std::string radicand = text(term.radicand);
+    const std::string radicand = to_text(term.radicand);
     const auto same = std::find_if(x.terms.begin(), x.terms.end(), [&](const SurdTerm& other) {
-      return text(other.radicand) == radicand;
+      return to_text(other.radicand) == radicand;
     });
     if (same == x.terms.end())
       x.terms.push_back(term);
@@ -113,7 +113,7 @@ Surd square_root(const Surd& radicand, int sign) {
   // Only what divides both: squares of integers out of the root, or of the denominator alone.
   const cl_I t = square_part(above);
   Surd inside{0, {{sign * cl_RA(t), scaled(radicand, cl_RA(1) / (t * t))}}};
-  return text(inside).size() <= text(whole).size() ? inside : whole;
+  return to_text(inside).size() <= to_text(whole).size() ? inside : whole;
 }
 
 }  // namespace magicmass::algebraic

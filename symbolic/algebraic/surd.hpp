@@ -26,7 +26,7 @@ struct SurdTerm {
 };
 
 /// As one writes it by hand: sqrt(6) - sqrt(2) - 1, 2/sqrt(3) - 1, sqrt(4 - 2*sqrt(2)).
-std::string text(const Surd& surd);
+std::string to_text(const Surd& surd);
 GiNaC::ex expression(const Surd& surd);
 
 Surd sum(Surd x, const Surd& y);

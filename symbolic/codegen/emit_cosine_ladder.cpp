@@ -6,6 +6,7 @@
 #include <ginac/ginac.h>
 
 #include "codegen/emit.hpp"
+#include "codegen/make_kernel.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -15,12 +16,6 @@ namespace {
 using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
-
-const proof::Theorem& find(const std::vector<proof::Theorem>& theorems, const std::string& id) {
-  for (const proof::Theorem& theorem : theorems)
-    if (theorem.id() == id) return theorem;
-  throw std::out_of_range("no theorem is called " + id);
-}
 
 // A right side in T(m), T(m + 1), T(1) with whole coefficients, by ring operations alone: the ring need not
 // know its integers, only +, - and *. `names` maps T(...) to variables.
@@ -61,7 +56,7 @@ private:
     std::string shown = product(monomial);
     if (scale.is_equal(1)) return shown;
     if (scale.is_equal(2)) return "twice(" + shown + ")";
-    throw std::logic_error("the ladder knows no coefficient " + proof::text(scale));
+    throw std::logic_error("the ladder knows no coefficient " + proof::to_text(scale));
   }
 
   std::string product(const ex& monomial) const {
@@ -80,7 +75,7 @@ private:
   std::string variable(const ex& element) const {
     for (const auto& [known, name] : names_)
       if (known.is_equal(element)) return name;
-    throw std::logic_error("the ladder does not hold " + proof::text(element));
+    throw std::logic_error("the ladder does not hold " + proof::to_text(element));
   }
 
   const std::vector<std::pair<ex, std::string>>& names_;
@@ -89,10 +84,10 @@ private:
 }  // namespace
 
 std::string emit_cosine_ladder(const std::vector<proof::Theorem>& theorems) {
-  const proof::Theorem& even = find(theorems, "chebyshev.even");
-  const proof::Theorem& odd = find(theorems, "chebyshev.odd");
-  const proof::Theorem& sine = find(theorems, "chebyshev.sine");
-  const proof::Theorem& start = find(theorems, "chebyshev.T_0");
+  const proof::Theorem& even = theorem_named(theorems, "chebyshev.even");
+  const proof::Theorem& odd = theorem_named(theorems, "chebyshev.odd");
+  const proof::Theorem& sine = theorem_named(theorems, "chebyshev.sine");
+  const proof::Theorem& start = theorem_named(theorems, "chebyshev.T_0");
   if (!start.rhs().is_equal(1)) throw std::logic_error("the ladder starts at T(0) = 1");
   const ex m = proof::symbol("m");
   const std::vector<std::pair<ex, std::string>> low{
@@ -115,8 +110,8 @@ struct CosinePair {
 /// T(m) and T(m + 1) from x = T(1) = cos(psi/2); `one` is the ring's 1. Integer needs >, >> and &.
 /// Domain: m >= 0. Error: none in an exact ring; each step at most quadruples an absolute error.
 /// From: chebyshev.T_0, )" +
-          even.id() + " (" + proof::text(even.statement()) + "),\n/// " + odd.id() + " (" +
-          proof::text(odd.statement()) + R"().
+          even.id() + " (" + proof::to_text(even.statement()) + "),\n/// " + odd.id() + " (" +
+          proof::to_text(odd.statement()) + R"().
 /// Cost: 2 multiplications, 4 additions a bit of m.
 template <class Ring, class Integer>
 CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one) {
@@ -140,7 +135,7 @@ CosinePair<Ring> cosine_ladder(const Integer& m, const Ring& x, const Ring& one)
 
 /// sin(m psi/2) sin(psi/2) from x = cos(psi/2): its sign tells whether collision m takes place.
 /// From: )" +
-          sine.id() + " (" + proof::text(sine.statement()) + R"().
+          sine.id() + " (" + proof::to_text(sine.statement()) + R"().
 template <class Ring, class Integer>
 Ring sine_ladder(const Integer& m, const Ring& x, const Ring& one) {
   const CosinePair<Ring> pair = cosine_ladder(m, x, one);

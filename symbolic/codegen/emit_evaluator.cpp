@@ -83,7 +83,7 @@ std::string emit_evaluator(const Evaluator& evaluator) {
            (evaluator.bindings.empty()
                 ? ""
                 : line("/// With: " + theorem_list(evaluator.bindings) + ".")) +
-           line("/// Cost: " + codegen::text(operation_counts(program)) + ".");
+           line("/// Cost: " + codegen::to_text(operation_counts(program)) + ".");
   };
   const std::string result = form.result.empty() ? type : form.result + "<" + type + ">";
   text += documentation(form.summary, evaluator.program, evaluator.outputs);
@@ -92,8 +92,8 @@ std::string emit_evaluator(const Evaluator& evaluator) {
     for (std::size_t i = 0; i < evaluator.single.size(); ++i) {
       const std::string& output = evaluator.program.outputs[i].name;
       text += "\n" + line("/// Only " + output + ", with that domain and error, from " +
-                          theorem_list({evaluator.outputs[i]}) +
-                          "; cost: " + codegen::text(operation_counts(evaluator.single[i])) + ".");
+                          theorem_list({evaluator.outputs[i]}) + "; cost: " +
+                          codegen::to_text(operation_counts(evaluator.single[i])) + ".");
       text += function(form, evaluator.single[i], output + "_" + form.name, type);
     }
   return text + "\n}  // namespace magicmass::generated\n";

@@ -47,7 +47,7 @@ std::string kernel_opening(const KernelForm& form, const Program& program) {
          comment(form.summary) + comment("Domain: " + form.domain) +
          comment("From: " + list(from)) + (with.empty() ? "" : comment("With: " + list(with))) +
          (form.first.empty() ? "" : comment("From alpha = 1 on: " + list(form.first))) +
-         comment("Cost: " + text(operation_counts(program)));
+         comment("Cost: " + to_text(operation_counts(program)));
 }
 
 }  // namespace magicmass::codegen

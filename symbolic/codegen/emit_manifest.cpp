@@ -19,7 +19,7 @@ std::string emit_manifest(const std::vector<Evaluator>& evaluators) {
       outputs.push_back({{"name", form.outputs[i].first},
                          {"theorem", evaluator.outputs[i].id()},
                          {"label", evaluator.outputs[i].step().label},
-                         {"operations", text(operation_counts(evaluator.single[i]))}});
+                         {"operations", to_text(operation_counts(evaluator.single[i]))}});
     Json bindings = Json::array();
     for (const proof::Theorem& theorem : evaluator.bindings) bindings.push_back(theorem.id());
     all.push_back(
@@ -35,7 +35,7 @@ std::string emit_manifest(const std::vector<Evaluator>& evaluators) {
          {"ulp_bound", form.bound.ulp == no_bound ? Json() : Json(form.bound.ulp)},
          {"eps_bound", form.bound.eps == no_bound ? Json() : Json(form.bound.eps)},
          {"error", form.stated_error()},
-         {"operations", text(operation_counts(evaluator.program))}});
+         {"operations", to_text(operation_counts(evaluator.program))}});
   }
   return Json{{"generator", "magicmass " MAGICMASS_VERSION}, {"evaluators", all}}.dump(2) + "\n";
 }

@@ -30,7 +30,7 @@ std::string matrix_function(const MatrixForm& form, const std::vector<proof::The
                      line("/// From: " + form.theorem + (label.empty() ? "" : " (" + label + ")") +
                           (form.left_side ? ", its left side" : "") + ".");
   if (!with.empty()) text += line("/// With: " + with + ".");
-  text += line("/// Cost: " + codegen::text(operation_counts(program)) + ".");
+  text += line("/// Cost: " + codegen::to_text(operation_counts(program)) + ".");
   const bool is_vector = program.outputs.size() == 3;
   const bool has_integers = form.exact && !form.index.empty();
   text +=

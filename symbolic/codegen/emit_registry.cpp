@@ -28,9 +28,9 @@ const std::vector<Table>& tables() {
       {"ratios", "RatioEvaluator", "ratio_table", "ratio_evaluators",
        "Ratios<Real> (*evaluate)(std::int64_t k)"},
       {"terminal", "TerminalEvaluator", "terminal_table", "terminal_evaluators",
-       "Terminal<Real> (*evaluate)(Real alpha, Real e, std::int64_t k)"},
+       "TerminalValues<Real> (*evaluate)(Real alpha, Real e, std::int64_t k)"},
       {"two_collisions", "TwoCollisionsEvaluator", "two_collisions_table",
-       "two_collisions_evaluators", "Terminal<Real> (*evaluate)(Real alpha, Real e)"},
+       "two_collisions_evaluators", "TerminalValues<Real> (*evaluate)(Real alpha, Real e)"},
       {"velocities", "VelocityEvaluator", "velocity_table", "velocity_evaluators",
        "Velocities<Real> (*evaluate)(Real alpha, std::int64_t n)"},
   };

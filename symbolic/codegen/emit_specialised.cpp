@@ -157,7 +157,7 @@ std::string documentation(const Specialised& made, const Kernel& kernel) {
   if (!kernel.form.bindings.empty()) text += line("// With: " + listed(kernel.form.bindings) + ".");
   if (!kernel.form.first.empty())
     text += line("// From alpha = 1 on: " + listed(kernel.form.first) + ".");
-  text += line("// Cost: " + codegen::text(operation_counts(kernel.program)) + ".");
+  text += line("// Cost: " + codegen::to_text(operation_counts(kernel.program)) + ".");
   const bool is_ratio = made.group[0].kernel == "ratios";
   return text +
          line(std::string("// Error: that of Number; with the type that `evaluate` has, at most ") +

@@ -115,7 +115,7 @@ std::vector<Form> restitution_forms() {
     return Form{
         .quantity = "terminal",
         .name = "after_" + last,
-        .result = "Terminal",
+        .result = "TerminalValues",
         .summary = "With restitution e: velocities after " + collisions +
                    " collisions, of which a " + last + " is the last",
         .domain = inelastic_domain,
@@ -142,7 +142,7 @@ std::vector<Form> restitution_forms() {
           after("Q", "2k"),
           {.quantity = "two_collisions",
            .name = "rational",
-           .result = "Terminal",
+           .result = "TerminalValues",
            .summary = "With restitution e: velocities after P_1 and Q_1, the only collisions",
            .domain = "0 < e <= 1; alpha such that these are all collisions; (1 + alpha)^4 finite",
            .error = inelastic_error,
@@ -241,10 +241,10 @@ const std::vector<QuantityStruct>& quantity_structs() {
        "The k-th threshold mass ratios.",
        {{"magic", "alpha_k, where B takes everything"},
         {"deficient", "beta_k, where C ends up with B"}}},
-      {"Terminal",
+      {"TerminalValues",
        "Velocities after the last collision, in units of V, and what B got of the energy.",
        {{"a_t", "of A"}, {"b_t", "of B"}, {"c_t", "of C"}, {"rho", "(b_t/V)^2"}}},
-      {"LastVelocities",
+      {"TerminalVelocities",
        "Velocities after the last collision, in units of V.",
        {{"a_t", "of A"}, {"b_t", "of B"}, {"c_t", "of C"}}},
   };

@@ -15,7 +15,7 @@ struct GeneratedFile {
 };
 
 /// Every file of generated/, from theorems alone, in order of path; the same bytes on every run.
-/// Throws std::out_of_range when a theorem that a form needs is not among them.
+/// Throws InvalidInput when a theorem that a form needs is not among them.
 std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems);
 
 }  // namespace magicmass::codegen

@@ -180,7 +180,7 @@ OperationCounts operation_counts(const Program& program) {
   return counts;
 }
 
-std::string text(const OperationCounts& counts) {
+std::string to_text(const OperationCounts& counts) {
   struct Named {
     int count;
     const char* one;

@@ -76,6 +76,6 @@ struct OperationCounts {
   int indexed_powers = 0;
 };
 OperationCounts operation_counts(const Program& program);
-std::string text(const OperationCounts& counts);  // "3 additions, 5 multiplications, ..."
+std::string to_text(const OperationCounts& counts);  // "3 additions, 5 multiplications, ..."
 
 }  // namespace magicmass::codegen

@@ -78,7 +78,7 @@ const std::vector<KernelForm>& kernel_forms() {
        .outputs = {{"magic", "ratios.alpha_k"}, {"deficient", "ratios.beta_k"}}},
       {.name = "terminal",
        .kernel = "TerminalKernel",
-       .result = "Terminal",
+       .result = "TerminalValues",
        .summary = "Velocities after the last collision, and the energy that B takes",
        .domain = "2^-120 <= alpha <= 2^60 in lanes, any positive alpha of a single double; N_A of "
                  "that alpha, below 2^51; turn = 1 if N_B = N_A and -1 if N_B = N_A - 1",
@@ -97,7 +97,7 @@ const std::vector<KernelForm>& kernel_forms() {
        .arcsecant = "rotation.cos_half_psi"},
       {.name = "terminal_in_rows",
        .kernel = "TerminalInRowsKernel",
-       .result = "LastVelocities",
+       .result = "TerminalVelocities",
        .summary = "Velocities after the last collision as sums",
        .domain =
            "2^-120 <= alpha <= 2^60; N_A of that alpha, below 2^51; turn = 1 if N_B = N_A and "

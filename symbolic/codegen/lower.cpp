@@ -57,7 +57,7 @@ private:
       return append(program_,
                     {.op = Op::indexed_power, .args = {lowered(e.op(0)), lowered(e.op(1))}});
     if (is_a<GiNaC::function>(e)) return function(e);
-    throw std::logic_error("no operation for " + proof::text(e));
+    throw std::logic_error("no operation for " + proof::to_text(e));
   }
 
   int constant(const numeric& value) {
@@ -84,7 +84,7 @@ private:
   int bound(const proof::Theorem& theorem) {
     const int node = lowered(theorem.rhs());
     Node& made = program_.nodes[static_cast<std::size_t>(node)];
-    made.name = proof::text(theorem.lhs());
+    made.name = proof::to_text(theorem.lhs());
     made.origin = theorem.id();
     return node;
   }
@@ -149,7 +149,7 @@ private:
     const std::map<std::string, Op> known{
         {"sin", Op::sine}, {"cos", Op::cosine}, {"atan", Op::arctangent}};
     const auto found = known.find(name);
-    if (found == known.end()) throw std::logic_error("no operation for " + proof::text(e));
+    if (found == known.end()) throw std::logic_error("no operation for " + proof::to_text(e));
     return append(program_, {.op = found->second, .args = {lowered(e.op(0))}});
   }
 
@@ -159,7 +159,7 @@ private:
     const numeric scale = ex_to<numeric>(multiple.coeff(index, 1));
     const numeric offset = ex_to<numeric>(multiple.coeff(index, 0));
     if (offset != 0 && offset != 1)
-      throw std::logic_error("a ladder gives T(m) and T(m + 1), not " + proof::text(multiple));
+      throw std::logic_error("a ladder gives T(m) and T(m + 1), not " + proof::to_text(multiple));
     const proof::Theorem* first = binding(proof::T(1));
     if (first == nullptr) throw std::logic_error("nothing says what T(1) is");
     return append(program_, {.op = offset == 0 ? Op::ladder_low : Op::ladder_high,

@@ -8,6 +8,7 @@
 
 #include "codegen/lower.hpp"
 #include "codegen/pipelines.hpp"
+#include "magicmass/errors.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::codegen {
@@ -18,7 +19,7 @@ using proof::Theorem;
 const Theorem& theorem_named(const std::vector<Theorem>& theorems, const std::string& id) {
   const auto found = std::find_if(theorems.begin(), theorems.end(),
                                   [&id](const Theorem& theorem) { return theorem.id() == id; });
-  if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
+  if (found == theorems.end()) throw InvalidInput("no theorem is called " + id);
   return *found;
 }
 

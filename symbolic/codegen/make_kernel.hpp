@@ -9,7 +9,7 @@
 
 namespace magicmass::codegen {
 
-// Throws std::out_of_range for an id that is not there.
+// Throws InvalidInput for an id that is not there.
 const proof::Theorem& theorem_named(const std::vector<proof::Theorem>& theorems,
                                     const std::string& id);
 

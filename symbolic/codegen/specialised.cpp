@@ -2,11 +2,11 @@
 #include "codegen/specialised.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "codegen/expression.hpp"
 #include "codegen/make_kernel.hpp"
 #include "codegen/specialised_kernel.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::codegen {
 namespace {
@@ -23,7 +23,7 @@ const PaperQuantity& quantity_named(const std::string& name) {
   const auto& all = paper_quantities();
   const auto found = std::find_if(
       all.begin(), all.end(), [&](const PaperQuantity& quantity) { return quantity.name == name; });
-  if (found == all.end()) throw std::out_of_range("no quantity is called " + name);
+  if (found == all.end()) throw InvalidInput("no quantity is called " + name);
   return *found;
 }
 
@@ -142,7 +142,7 @@ GeneratedFile specialised_header(const std::vector<QuantityGroup>& groups, const
   if (needs_arctangent) text += "#include \"magicmass/arithmetic/arctangent.hpp\"\n";
   if (needs_sine) text += "#include \"magicmass/arithmetic/sine_cosine.hpp\"\n";
   if (needs_numbers) text += "#include \"magicmass/arithmetic/tracked.hpp\"\n";
-  if (needs_counts) text += "#include \"magicmass/evaluators/count.hpp\"\n";
+  if (needs_counts) text += "#include \"magicmass/counts.hpp\"\n";
   const std::string name = scope.empty() ? functions[0].name() : scope;
   const std::string around = "magicmass::generated" + (scope.empty() ? "" : "::" + scope);
   text += "\nnamespace " + around + " {\n";

@@ -26,7 +26,7 @@ const std::vector<PaperQuantity>& paper_quantities();
 using QuantityGroup = std::vector<PaperQuantity>;
 
 /// Names of paper_quantities() by their inputs, each once: as few groups as there are sets of inputs. psi needs alpha alone, so it
-/// goes to the first group that has alpha. Throws std::out_of_range for another name.
+/// goes to the first group that has alpha. Throws InvalidInput for another name.
 std::vector<QuantityGroup> grouped(const std::vector<std::string>& names);
 
 /// One header with a function for each group. `scope` is the namespace inside magicmass::generated that they are in, empty for

@@ -6,13 +6,14 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/wedge.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::derivation {
 
 const proof::Theorem& Derivation::at(const std::string& id) const {
   for (const proof::Theorem& theorem : theorems)
     if (theorem.id() == id) return theorem;
-  throw std::out_of_range("no theorem is called " + id);
+  throw InvalidInput("no theorem is called " + id);
 }
 
 namespace {
@@ -158,7 +159,7 @@ struct Beginning::Data {
 Beginning::Beginning(const std::string& next_chapter, const Laws& laws, const Paper& paper) {
   const auto& names = chapter_names();
   const auto found = std::find(names.begin(), names.end(), next_chapter);
-  if (found == names.end()) throw std::out_of_range("no chapter is called " + next_chapter);
+  if (found == names.end()) throw InvalidInput("no chapter is called " + next_chapter);
   auto data = std::make_shared<Data>();
   data->go_on(static_cast<std::size_t>(found - names.begin()), laws, paper);
   data_ = std::move(data);

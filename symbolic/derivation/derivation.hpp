@@ -18,7 +18,7 @@ struct Derivation {
   std::vector<proof::Theorem> theorems;     ///< in the order of their proofs
   std::optional<proof::NotProved> refused;  ///< the first step that did not hold, if one did not
 
-  /// Throws std::out_of_range for an id that is not there.
+  /// Throws InvalidInput for an id that is not there.
   const proof::Theorem& at(const std::string& id) const;
 };
 
@@ -33,7 +33,7 @@ Derivation derive();  ///< the real laws, the paper as printed
 /// not prove again what comes before it.
 class Beginning {
 public:
-  /// Throws std::out_of_range for a chapter that is not there, NotProved when a step before it is refused.
+  /// Throws InvalidInput for a chapter that is not there, NotProved when a step before it is refused.
   Beginning(const std::string& next_chapter, const Laws& laws, const Paper& paper);
   Beginning(const Laws& laws, const Paper& paper);  ///< all chapters
   /// Goes on to the end. Never throws NotProved.

@@ -99,7 +99,7 @@ void name_factors(Kernel& kernel) {
   const ex alpha = symbol("alpha"), mu = symbol("mu");
   const auto named = [&](const ex& name, const ex& meaning, const char* words) {
     kernel.definition(
-        {.id = "fixed_n." + text(name), .statement = {name, meaning}, .words = words});
+        {.id = "fixed_n." + to_text(name), .statement = {name, meaning}, .words = words});
   };
   named(mu, 1 / (1 + alpha), "a block's share of the mass in a contact");
   named(symbol("nu"), alpha * mu, "the ball's share");

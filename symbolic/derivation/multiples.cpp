@@ -92,11 +92,11 @@ void multiples(Kernel& kernel, const Contact& contact, const Rotation& rotation,
        {std::tuple{contact.theta.lhs(), table.cos_theta, table.sin_theta},
         {rotation.psi.lhs(), table.cos_psi, table.sin_psi}})
     for (const auto& [name, general] : {std::pair{"cos", sum.cosine}, {"sin", sum.sine}}) {
-      const std::string id = std::string("multiples.") + name + "_n_" + text(angle);
+      const std::string id = std::string("multiples.") + name + "_n_" + to_text(angle);
       const ex here = general.rhs().subs(x == angle);
       const Theorem special = kernel.instance({.id = id,
                                                .statement = {general.lhs().subs(x == angle), here},
-                                               .words = "for x = " + text(angle),
+                                               .words = "for x = " + to_text(angle),
                                                .label = std::string("sec:nx, ") + name,
                                                .indices = from_zero},
                                               general, {{x, angle}});
@@ -123,10 +123,10 @@ void multiples(Kernel& kernel, const Contact& contact, const Rotation& rotation,
       for (const ex& angle : {contact.theta.lhs(), rotation.psi.lhs()}) {
         if (part == std::string("1/4") && angle.is_equal(contact.theta.lhs())) continue;
         kernel.instance(
-            {.id = id + "_" + text(angle),
+            {.id = id + "_" + to_text(angle),
              .statement = {general.lhs().subs(x == angle),
                            kernel.simplified(general.rhs().subs(x == angle), from_zero)},
-             .words = "for x = " + text(angle) + ", with the table's values",
+             .words = "for x = " + to_text(angle) + ", with the table's values",
              .label = label,
              .indices = from_zero},
             general, {{x, angle}});

@@ -127,9 +127,9 @@ Transformation length_keeping(Kernel& kernel, unsigned size) {
                                             .words = "O keeps the length of every vector x",
                                             .shown_lhs = "|O x|^2",
                                             .shown_rhs = "|x|^2"});
-  std::map<std::string, Theorem> known{{text(x), length}};  // by vector
+  std::map<std::string, Theorem> known{{to_text(x), length}};  // by vector
   const auto length_of = [&](const ex& of) {
-    const std::string shown = text(of);
+    const std::string shown = to_text(of);
     if (const auto found = known.find(shown); found != known.end()) return found->second;
     Kernel::Values values;
     for (unsigned i = 0; i < size; ++i) values.emplace_back(x(i, 0), of.op(i));

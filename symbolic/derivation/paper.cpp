@@ -2,6 +2,7 @@
 #include "derivation/paper.hpp"
 
 #include "derivation/paper/equations.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::derivation {
 
@@ -16,6 +17,12 @@ const std::map<std::string, Equations>& paper_chapters() {
       {"terminal", terminal_equations()},     {"small_alpha", small_alpha_equations()},
   };
   return chapters;
+}
+
+const proof::Statement& Paper::at(const std::string& label) const {
+  const auto found = equations_.find(label);
+  if (found == equations_.end()) throw InvalidInput("no equation of the paper is called " + label);
+  return found->second;
 }
 
 Paper paper() {

@@ -17,8 +17,8 @@ public:
   explicit Paper(std::map<std::string, proof::Statement> equations)
       : equations_(std::move(equations)) {}
 
-  /// Throws std::out_of_range for a label that is not there.
-  const proof::Statement& at(const std::string& label) const { return equations_.at(label); }
+  /// Throws InvalidInput for a label that is not there.
+  const proof::Statement& at(const std::string& label) const;
   /// All of them, by label.
   const std::map<std::string, proof::Statement>& equations() const { return equations_; }
 

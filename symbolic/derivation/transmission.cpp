@@ -25,7 +25,7 @@ void transmission(Kernel& kernel, const EqualBlocks& equal, const Collapse& coll
       {4 * e * pow(1 + alpha, 2), Relation::greater, pow(1 + e, 2)}};
   const auto named = [&](const ex& name, const ex& meaning, const char* words,
                          const std::map<std::string, long>& indices = {}) {
-    return kernel.definition({.id = "transmission." + text(name),
+    return kernel.definition({.id = "transmission." + to_text(name),
                               .statement = {name, meaning},
                               .words = words,
                               .indices = indices,
@@ -55,7 +55,7 @@ void transmission(Kernel& kernel, const EqualBlocks& equal, const Collapse& coll
        {Last{"Q", 2 * k, 0, pow(e, k)}, Last{"P", 2 * k + 1, 1, pow(e, k) * sqrt(e)}}) {
     const std::string id = "transmission.";
     const auto assumed = [&](const ex& name, const ex& meaning, const char* words) {
-      return kernel.hypothesis({.id = id + text(name) + "_after_" + last.name,
+      return kernel.hypothesis({.id = id + to_text(name) + "_after_" + last.name,
                                 .statement = {name, meaning},
                                 .words = words,
                                 .indices = {{"k", 0}}});

@@ -64,7 +64,7 @@ private:
     } catch (const NotDefined&) {
     }
     if (const auto sign = exact_sign_or_nothing(tree)) return *sign;
-    throw OutsideConstants("the sign is not certain: " + text(tree));
+    throw OutsideConstants("the sign is not certain: " + to_text(tree));
   }
 
   ex root(const Tree& radicand, const numeric& order) {
@@ -78,7 +78,7 @@ private:
   }
 
   ex power(const Tree& tree) {
-    if (!is_number(tree->parts[1])) throw OutsideConstants("a power: " + text(tree));
+    if (!is_number(tree->parts[1])) throw OutsideConstants("a power: " + to_text(tree));
     const numeric exponent(tree->parts[1]->value);
     const ex base =
         exponent.is_integer() ? form(tree->parts[0]) : root(tree->parts[0], exponent.denom());
@@ -95,13 +95,13 @@ private:
       const Pair value = pair(argument);
       return value.sine / value.cosine;
     }
-    throw OutsideConstants("not algebraic in general: " + text(tree));
+    throw OutsideConstants("not algebraic in general: " + to_text(tree));
   }
 
   // cos and sin of a sum of rational multiples of pi and of inverse functions.
   Pair pair(const Tree& angle) {
     const LinearForm form_of_angle = linear_form(angle);
-    if (!form_of_angle.rest.empty()) throw OutsideConstants("no multiple of pi: " + text(angle));
+    if (!form_of_angle.rest.empty()) throw OutsideConstants("no multiple of pi: " + to_text(angle));
     const ex of_pi = numeric(form_of_angle.of_pi) * GiNaC::Pi;
     Pair total{GiNaC::cos(of_pi), GiNaC::sin(of_pi)};
     for (const auto& [factor, inverse] : form_of_angle.terms) {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include <chrono>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "equality/decide.hpp"
 #include "equality/parse.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::equality {
 
@@ -25,8 +25,8 @@ struct Bounds {
 };
 
 /// The question cannot be asked: one line that says why, and which side of it.
-struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct Refused : InvalidInput {
+  using InvalidInput::InvalidInput;
 };
 
 /// Reads and decides, here and now and without bounds on time. Throws Refused.

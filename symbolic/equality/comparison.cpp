@@ -37,7 +37,7 @@ Side side_at(const Point& point, const Tree& tree) {
 std::string shown(const Side& side, int digits) {
   if (!side.value) return "not defined (" + side.reason + ")";
   if (is_number(side.tree)) {
-    const std::string exact = text(side.tree);
+    const std::string exact = to_text(side.tree);
     if (exact.size() <= 60) return exact;
   }
   if (!equality::sign(*side.value)) {
@@ -64,7 +64,7 @@ PointComparison compare_at(const Point& point, const Tree& lhs, const Tree& rhs,
   const Side left = side_at(point, lhs);
   const Side right = side_at(point, rhs);
   PointComparison result;
-  for (const auto& [name, value] : point) result.values.point[name] = text(number(value));
+  for (const auto& [name, value] : point) result.values.point[name] = to_text(number(value));
   const auto found = [&](Outcome outcome, int digits) {
     result.outcome = outcome;
     result.values.left = shown(left, digits);

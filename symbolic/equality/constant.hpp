@@ -2,10 +2,10 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 
 #include "equality/expression.hpp"
+#include "magicmass/errors.hpp"
 
 namespace GiNaC {
 class ex;
@@ -14,8 +14,8 @@ class ex;
 namespace magicmass::equality {
 
 // Not a constant that the exact methods handle.
-struct OutsideConstants : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct OutsideConstants : Undecided {
+  using Undecided::Undecided;
 };
 
 // A constant as an algebraic number: rationals, roots, cos sin tan of rational multiples of pi and of rational

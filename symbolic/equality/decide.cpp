@@ -85,7 +85,7 @@ class FunctionQuestion {
 public:
   FunctionQuestion(const Tree& lhs, const Tree& rhs, const Domain& domain)
       : lhs_(lhs), rhs_(rhs), domain_(domain) {
-    verdict_.domain = texts(domain);
+    verdict_.domain = to_texts(domain);
   }
 
   Verdict decide(const std::function<void(const Verdict&)>& provisional) {
@@ -171,7 +171,7 @@ private:
     verdict_.proof = *proof;
     for (const auto& side : {left, right})
       for (const Requirement& requirement : side)
-        if (requirement.kind != Requirement::Kind::smooth) add_condition(text(requirement));
+        if (requirement.kind != Requirement::Kind::smooth) add_condition(to_text(requirement));
     return true;
   }
 

@@ -4,11 +4,11 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "equality/domain.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::equality {
 
@@ -37,8 +37,8 @@ struct Verdict {
 };
 
 /// The question has no answer: a side has no value anywhere that was tried, or the domain is empty.
-struct NoQuestion : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct NoQuestion : InvalidInput {
+  using InvalidInput::InvalidInput;
 };
 
 /// The names that the paper defines, written out.

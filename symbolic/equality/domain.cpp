@@ -127,8 +127,8 @@ bool Range::is_empty() const {
   return !contains(first);
 }
 
-std::string text(const std::string& name, const Range& range) {
-  const auto shown = [](const cln::cl_RA& value) { return equality::text(number(value)); };
+std::string to_text(const std::string& name, const Range& range) {
+  const auto shown = [](const cln::cl_RA& value) { return equality::to_text(number(value)); };
   std::string bounds;
   if (range.low && range.high)
     bounds = shown(*range.low) + (range.has_low ? " <= " : " < ") + name +
@@ -175,16 +175,16 @@ Domain parse_domain(const std::vector<std::string>& conditions,
   }
   for (const auto& [name, range] : domain.ranges)
     if (range.is_empty())
-      throw NotAnExpression("no value of " + name + " satisfies " + text(name, range));
+      throw NotAnExpression("no value of " + name + " satisfies " + to_text(name, range));
   return domain;
 }
 
-std::vector<std::string> texts(const Domain& domain) {
+std::vector<std::string> to_texts(const Domain& domain) {
   std::vector<std::string> result;
-  for (const auto& [name, range] : domain.ranges) result.push_back(text(name, range));
+  for (const auto& [name, range] : domain.ranges) result.push_back(to_text(name, range));
   for (const Comparison& comparison : domain.further)
-    result.push_back(text(comparison.left) + " " + comparison.relation + " " +
-                     text(comparison.right));
+    result.push_back(to_text(comparison.left) + " " + comparison.relation + " " +
+                     to_text(comparison.right));
   return result;
 }
 

@@ -24,16 +24,13 @@ struct Range {
   bool is_empty() const;
 };
 
-std::string text(const std::string& name,
-                 const Range& range);  ///< "0 < alpha <= 1", "n integer, n >= 1"
+std::string to_text(const std::string& name,
+                    const Range& range);  ///< "0 < alpha <= 1", "n integer, n >= 1"
 
 /// Where two expressions are compared: a range for each symbol, and what else was asked for ("alpha < beta").
 struct Domain {
   std::map<std::string, Range> ranges;  ///< of every symbol
   std::vector<Comparison> further;      ///< conditions on more than one symbol
-
-  /// Throws std::out_of_range for a symbol that has none.
-  const Range& range(const std::string& name) const { return ranges.at(name); }
 };
 
 /// Conditions, each a list with commas: "0 < alpha", "alpha <= 1, n integer", "x real". A bound replaces the usual
@@ -42,7 +39,7 @@ Domain parse_domain(const std::vector<std::string>& conditions,
                     const std::set<std::string>& symbols, const Limits& limits = {});
 
 /// One text a range and a condition, as parse_domain reads them.
-std::vector<std::string> texts(const Domain& domain);
+std::vector<std::string> to_texts(const Domain& domain);
 
 /// Values of a range to try, the simplest first.
 std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count);

@@ -53,13 +53,13 @@ private:
   int sign_of(const Tree& tree, const Ball& ball) {
     if (const auto sign = equality::sign(ball)) return *sign;
     if (const auto sign = exact_sign_ ? exact_sign_(tree) : std::nullopt) return *sign;
-    throw NotCertain("the sign is not certain: " + text(tree));
+    throw NotCertain("the sign is not certain: " + to_text(tree));
   }
 
   Ball inverse(const Tree& tree) { return inverse(tree, value(tree)); }
 
   Ball inverse(const Tree& tree, const Ball& below) {
-    if (sign_of(tree, below) == 0) throw NotDefined("division by zero: " + text(tree), true);
+    if (sign_of(tree, below) == 0) throw NotDefined("division by zero: " + to_text(tree), true);
     return certain(arithmetic_.reciprocal(below));
   }
 
@@ -69,7 +69,8 @@ private:
     const int sign = sign_of(radicand, inside);
     if (sign == 0) return arithmetic_.number(0);
     if (sign > 0) return certain(arithmetic_.root(inside, order));
-    if (order % 2 == 0) throw NotDefined("the root of a negative number: " + text(radicand), false);
+    if (order % 2 == 0)
+      throw NotDefined("the root of a negative number: " + to_text(radicand), false);
     return negative(certain(arithmetic_.root(negative(inside), order)));
   }
 
@@ -93,17 +94,17 @@ private:
       const cln::cl_RA n = exponent->value;
       const long order = cln::cl_I_to_long(cln::denominator(n));
       if (order > 1 && sign_of(base, below) < 0)
-        throw NotDefined("a fractional power of a negative number: " + text(base), false);
+        throw NotDefined("a fractional power of a negative number: " + to_text(base), false);
       if (n <= 0 && sign_of(base, below) == 0)
-        throw NotDefined("division by zero: " + text(tree), true);
+        throw NotDefined("division by zero: " + to_text(tree), true);
       const Ball of_base = order > 1 ? root(base, below, order) : below;
       if (n >= 0) return whole_power(of_base, cln::numerator(n));
       return whole_power(certain(arithmetic_.reciprocal(of_base)), -cln::numerator(n));
     }
     const int sign = sign_of(base, below);
-    if (sign == 0) throw NotCertain("a power of zero: " + text(tree));
+    if (sign == 0) throw NotCertain("a power of zero: " + to_text(tree));
     const Ball above = value(exponent);
-    if (sign < 0) throw NotCertain("a power of a negative number: " + text(tree));
+    if (sign < 0) throw NotCertain("a power of a negative number: " + to_text(tree));
     return certain(
         arithmetic_.exponential(arithmetic_.product(above, certain(arithmetic_.logarithm(below)))));
   }
@@ -114,7 +115,7 @@ private:
     const Tree rest = difference(number(1), equality::power(argument, number(2)));
     const Ball inside = arithmetic_.sum(arithmetic_.number(1), negative(arithmetic_.product(u, u)));
     const int sign = sign_of(rest, inside);
-    if (sign < 0) throw NotDefined("asin or acos beyond -1 and 1: " + text(argument), false);
+    if (sign < 0) throw NotDefined("asin or acos beyond -1 and 1: " + to_text(argument), false);
     const Ball cosine = sign == 0 ? arithmetic_.number(0) : certain(arithmetic_.root(inside, 2));
     const Ball below =
         certain(arithmetic_.reciprocal(arithmetic_.sum(arithmetic_.number(1), cosine)));
@@ -142,7 +143,7 @@ private:
     if (tree->name == "log") {
       const int sign = sign_of(argument, x);
       if (sign <= 0)
-        throw NotDefined("the logarithm of a number that is not positive: " + text(argument),
+        throw NotDefined("the logarithm of a number that is not positive: " + to_text(argument),
                          sign == 0);
       return certain(arithmetic_.logarithm(x));
     }

@@ -2,24 +2,24 @@
 #pragma once
 
 #include <functional>
-#include <stdexcept>
 
 #include "equality/ball.hpp"
 #include "equality/expression.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::equality {
 
 // The expression is certainly not defined. `isolated`: by a zero of a denominator alone, so that it may well be
 // defined all round.
-struct NotDefined : std::runtime_error {
+struct NotDefined : InvalidInput {
   NotDefined(const std::string& reason, bool isolated_)
-      : std::runtime_error(reason), isolated(isolated_) {}
+      : InvalidInput(reason), isolated(isolated_) {}
   bool isolated;
 };
 
 // Whether it is defined, or its value, is not certain at this precision.
-struct NotCertain : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct NotCertain : Undecided {
+  using Undecided::Undecided;
 };
 
 // The sign of a constant, exactly, where that is known to be possible; asked only where balls leave it open.

@@ -165,6 +165,6 @@ Tree substituted(const Tree& tree, const std::string& name, const Tree& value) {
   return with_parts(tree, std::move(parts));
 }
 
-std::string text(const Tree& tree) { return print(tree, of_sum); }
+std::string to_text(const Tree& tree) { return print(tree, of_sum); }
 
 }  // namespace magicmass::equality

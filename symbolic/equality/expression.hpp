@@ -82,6 +82,6 @@ Tree substituted(const Tree& tree, const std::string& name, const Tree& value);
 Tree with_parts(const Tree& tree, std::vector<Tree> parts);
 
 /// As one would type it; reads back as an equal expression.
-std::string text(const Tree& tree);
+std::string to_text(const Tree& tree);
 
 }  // namespace magicmass::equality

@@ -24,7 +24,7 @@ Tree from_ginac(const ex& e) {
   std::vector<ex> operands(e.begin(), e.end());
   if (is_a<GiNaC::add>(e) || is_a<GiNaC::mul>(e))  // GiNaC's own order changes from run to run
     std::sort(operands.begin(), operands.end(),
-              [](const ex& x, const ex& y) { return proof::text(x) < proof::text(y); });
+              [](const ex& x, const ex& y) { return proof::to_text(x) < proof::to_text(y); });
   std::vector<Tree> parts;
   parts.reserve(operands.size());
   for (const ex& part : operands) parts.push_back(from_ginac(part));

@@ -183,7 +183,7 @@ std::optional<std::string> by_derivative(const Tree& lhs, const Tree& rhs, const
       return "derivative and one point: every derivative of the difference is 0 in normal form, "
              "both "
              "sides are differentiable on the whole domain, and at " +
-             text(points[i]) + " they agree exactly (" + exact.method + ")";
+             to_text(points[i]) + " they agree exactly (" + exact.method + ")";
   }
   return std::nullopt;
 }

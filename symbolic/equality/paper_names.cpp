@@ -83,7 +83,7 @@ std::optional<Tree> meaning(const std::string& name) {
 
 std::string meaning_as_printed(const std::string& name) {
   const proof::Statement* equation = equation_for(name);
-  return equation == nullptr ? "" : proof::text(equation->rhs());
+  return equation == nullptr ? "" : proof::to_text(equation->rhs());
 }
 
 std::string usual_condition(const std::string& name) {

@@ -86,10 +86,10 @@ bool holds(const Comparison& comparison, const Point& point, const ExactSign& ex
 
 }  // namespace
 
-std::string text(const Point& point) {
+std::string to_text(const Point& point) {
   std::string result;
   for (const auto& [name, value] : point)
-    result += (result.empty() ? "" : ", ") + name + " = " + text(number(value));
+    result += (result.empty() ? "" : ", ") + name + " = " + to_text(number(value));
   return result;
 }
 

@@ -11,7 +11,7 @@ namespace magicmass::equality {
 
 using Point = std::map<std::string, cln::cl_RA>;
 
-std::string text(const Point& point);  // "alpha = 1/2, n = 3"
+std::string to_text(const Point& point);  // "alpha = 1/2, n = 3"
 
 // The tree at a point, with rational numbers computed where that is possible and their size moderate.
 Tree at(const Point& point, const Tree& tree);

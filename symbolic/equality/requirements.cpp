@@ -122,11 +122,11 @@ bool holds_everywhere(const Requirement& requirement, const Domain& domain) {
 
 }  // namespace
 
-std::string text(const Requirement& requirement) {
+std::string to_text(const Requirement& requirement) {
   const char* relation = requirement.kind == ReqKind::not_negative ? " >= 0"
                          : requirement.kind == ReqKind::positive   ? " > 0"
                                                                    : " != 0";
-  return text(requirement.tree) + relation;
+  return to_text(requirement.tree) + relation;
 }
 
 std::vector<Requirement> requirements(const Tree& tree) {

@@ -19,7 +19,7 @@ struct Requirement {
   Tree tree;
 };
 
-std::string text(const Requirement& requirement);  // "alpha - 1 != 0"
+std::string to_text(const Requirement& requirement);  // "alpha - 1 != 0"
 
 // All of them, each once. Those of constants are left out: whoever has a value at one point has seen them hold.
 std::vector<Requirement> requirements(const Tree& tree);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "magicmass/errors.hpp"
+
 namespace magicmass::equality {
 
 /// The text is no expression, or too large a one; the message is one line and begins with the column.
-struct NotAnExpression : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct NotAnExpression : InvalidInput {
+  using InvalidInput::InvalidInput;
 };
 
 /// A word of an expression.

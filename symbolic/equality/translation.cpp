@@ -111,7 +111,7 @@ ex Translation::translated(const Tree& tree) {
     }
     case Kind::quotient: {
       const ex below = translated(tree->parts[1]);
-      if (form_->is_zero(below)) throw NotInClass("division by zero: " + text(tree));
+      if (form_->is_zero(below)) throw NotInClass("division by zero: " + to_text(tree));
       return translated(tree->parts[0]) / below;
     }
     case Kind::power:
@@ -140,7 +140,7 @@ ex Translation::translated_constant(const Tree& tree) {
     throw NotInClass(error.what());
   }
   if (!sign) sign = exact_sign_or_nothing(tree);
-  if (!sign) throw NotInClass("the sign of a constant is not certain: " + text(tree));
+  if (!sign) throw NotInClass("the sign of a constant is not certain: " + to_text(tree));
   if (*sign == 0) return 0;
   const Tree positive = *sign > 0 ? tree : product({number(-1), tree});
   for (const auto& [name, value] : named_) {  // the same number in another form
@@ -153,7 +153,7 @@ ex Translation::translated_constant(const Tree& tree) {
     const auto exact = exact_sign_or_nothing(rest);
     if (exact && *exact == 0) return *sign * proof::symbol(name);
   }
-  return *sign * named(text(positive), positive);
+  return *sign * named(to_text(positive), positive);
 }
 
 ex Translation::absolute(const Tree& argument) {
@@ -178,7 +178,7 @@ ex Translation::function(const Tree& tree) {
   if (name == "sin") return cosine_and_sine(argument).second;
   if (name == "tan") {
     const auto [cosine, sine] = cosine_and_sine(argument);
-    if (form_->is_zero(cosine)) throw NotInClass("division by zero: " + text(tree));
+    if (form_->is_zero(cosine)) throw NotInClass("division by zero: " + to_text(tree));
     return sine / cosine;
   }
   const ex u = translated(argument);
@@ -187,7 +187,7 @@ ex Translation::function(const Tree& tree) {
   if (name == "atan") return atan(u);
   if (name == "log") {
     if (manner_.kept_inverses) return log(u);  // outside of the class; its derivative is not
-    const std::string key = "log(" + proof::text(form_->simplified(u)) + ")";
+    const std::string key = "log(" + proof::to_text(form_->simplified(u)) + ")";
     return proof::symbol(keys_.try_emplace(key, unsigned_name(keys_.size())).first->second);
   }
   if (name == "asin") return arcsine(u);

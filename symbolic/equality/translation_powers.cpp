@@ -21,17 +21,18 @@ ex Translation::power(const Tree& tree) {
     ex below = translated(base);
     if (!n.is_integer()) below = root(below, n.denom().to_long(), tree);
     if (n.is_negative() && form_->is_zero(below))
-      throw NotInClass("division by zero: " + text(tree));
+      throw NotInClass("division by zero: " + to_text(tree));
     return GiNaC::pow(below, n.numer());
   }
   const ex above = translated(exponent).expand();
   if (is_number(base) && base->value < 0) {  // defined for whole exponents: (-r)^m = r^m cos(m pi)
-    if (!is_integer_valued(above)) throw NotInClass("a power of a negative number: " + text(tree));
+    if (!is_integer_valued(above))
+      throw NotInClass("a power of a negative number: " + to_text(tree));
     const ex sign = cos(without_full_turns((above * GiNaC::Pi).expand()));
     return sign * product_of_exponentials(numeric(-base->value), above);
   }
   const ex below = translated(base);
-  if (!form_->is_positive(below)) throw NotInClass("a power of an unknown sign: " + text(tree));
+  if (!form_->is_positive(below)) throw NotInClass("a power of an unknown sign: " + to_text(tree));
   return product_of_exponentials(below, above);
 }
 
@@ -53,9 +54,9 @@ ex Translation::product_of_exponentials(const ex& base, const ex& exponent) {
             total *= exponential(std::to_string(prime), prime, count * exponent);
             left = GiNaC::iquo(left, prime);
           }
-        if (!left.is_equal(1)) total *= exponential(proof::text(left), left, count * exponent);
+        if (!left.is_equal(1)) total *= exponential(proof::to_text(left), left, count * exponent);
       } else if (form_->is_positive(root_of_part)) {
-        total *= exponential(proof::text(root_of_part), root_of_part, count * exponent);
+        total *= exponential(proof::to_text(root_of_part), root_of_part, count * exponent);
       } else {
         rest *= GiNaC::pow(root_of_part, count);
       }
@@ -67,7 +68,8 @@ ex Translation::product_of_exponentials(const ex& base, const ex& exponent) {
   };
   split(fraction.op(0), 1);
   split(fraction.op(1), -1);
-  if (!rest.is_equal(1)) total *= exponential(proof::text(form_->simplified(rest)), rest, exponent);
+  if (!rest.is_equal(1))
+    total *= exponential(proof::to_text(form_->simplified(rest)), rest, exponent);
   return total;
 }
 
@@ -90,7 +92,7 @@ ex Translation::exponential(const std::string& key, const ex& base, const ex& ex
     const ex unit = monomial / factor / below;
     const numeric count = factor * below;
     if (GiNaC::abs(count) > 100) throw NotInClass("too large an exponent");
-    total *= GiNaC::pow(named(key + "^(" + proof::text(unit) + ")", nullptr), count);
+    total *= GiNaC::pow(named(key + "^(" + proof::to_text(unit) + ")", nullptr), count);
   };
   const ex expanded = form_->simplified(exponent).expand();
   if (is_a<GiNaC::add>(expanded))
@@ -119,7 +121,7 @@ ex Translation::root(const ex& radicand, long order, const Tree& shown) {
       else if (GiNaC::irem(count, order).is_zero())
         result *= GiNaC::pow(base, GiNaC::iquo(count, order));
       else
-        throw NotInClass("a root of odd order: " + text(shown));
+        throw NotInClass("a root of odd order: " + to_text(shown));
     };
     if (is_a<GiNaC::mul>(factored))
       for (const ex& part : factored) add(part);

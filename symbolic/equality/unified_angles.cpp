@@ -84,7 +84,8 @@ std::optional<std::string> by_unified_angles(const Tree& lhs, const Tree& rhs, c
     if (!value) continue;
     left = replaced(left, functions[i], *value);
     right = replaced(right, functions[i], *value);
-    replacements += (replacements.empty() ? "" : ", ") + text(functions[i]) + " = " + text(*value);
+    replacements +=
+        (replacements.empty() ? "" : ", ") + to_text(functions[i]) + " = " + to_text(*value);
   }
   if (replacements.empty()) return std::nullopt;
   const auto proof = by_normal_form(left, right, domain);

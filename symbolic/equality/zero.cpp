@@ -69,7 +69,7 @@ bool Translation::is_zero(const ex& e) {
       for (const ex& part : term) inspect(part);
     else
       inspect(term);
-    coefficients.try_emplace(proof::text(rest), 0).first->second += coefficient;
+    coefficients.try_emplace(proof::to_text(rest), 0).first->second += coefficient;
   };
   if (is_a<GiNaC::add>(above))
     for (const ex& term : above) add(term);

@@ -71,14 +71,14 @@ std::vector<NormalForm::Generators::Term> NormalForm::Generators::terms(const ex
       numeric factor = 1;
       if (is_a<numeric>(whole)) {
         if (whole.is_zero()) return;
-        throw NotInClass("cos or sin of a number: " + text(whole));
+        throw NotInClass("cos or sin of a number: " + to_text(whole));
       }
       if (is_a<GiNaC::mul>(whole))
         for (const ex& part : whole)
           if (is_a<numeric>(part)) factor = ex_to<numeric>(part);
-      if (!factor.is_rational()) throw NotInClass("not a rational multiple: " + text(whole));
+      if (!factor.is_rational()) throw NotInClass("not a rational multiple: " + to_text(whole));
       if (GiNaC::abs(factor) > largest_multiple)
-        throw NotInClass("too large a multiple of an angle: " + text(whole));
+        throw NotInClass("too large a multiple of an angle: " + to_text(whole));
       result.push_back({factor, whole / factor});
     };
     if (is_a<GiNaC::add>(expanded))
@@ -104,7 +104,7 @@ std::vector<NormalForm::Generators::Term> NormalForm::Generators::terms(const ex
 void NormalForm::Generators::collect_angles(const ex& e) {
   if (is_function(e, "cos") || is_function(e, "sin") || is_function(e, "tan"))
     for (const Term& term : terms(e.op(0))) {
-      numeric& denominator = denominators_.try_emplace(text(term.angle), 1).first->second;
+      numeric& denominator = denominators_.try_emplace(to_text(term.angle), 1).first->second;
       denominator = GiNaC::lcm(denominator, term.factor.denom());
     }
   for (const ex& part : e) collect_angles(part);
@@ -116,8 +116,8 @@ NormalForm::Generators::Pair NormalForm::Generators::cosine_and_sine(const ex& a
   Pair sum{1, 0};
   bool first = true;
   for (const Term& term : terms(angle)) {
-    const std::string name = text(term.angle);
-    const std::string key = text(term.factor) + " " + name;
+    const std::string name = to_text(term.angle);
+    const std::string key = to_text(term.factor) + " " + name;
     auto known = multiples_.find(key);
     if (known == multiples_.end()) {
       const numeric denominator = denominators_.at(name);
@@ -179,7 +179,7 @@ NormalForm::Generators::Pair NormalForm::Generators::pair_of_arctangent(const ex
 
 // A generic pair with C^2 + S^2 = 1.
 NormalForm::Generators::Pair NormalForm::Generators::independent_pair(const ex& angle) {
-  const std::string key = text(angle);
+  const std::string key = to_text(angle);
   const std::string cosine_key = "cos(" + key + ")";
   const std::string sine_key = "sin(" + key + ")";
   const bool is_new = !by_key_.contains(cosine_key);

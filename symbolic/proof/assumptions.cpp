@@ -44,7 +44,7 @@ void Kernel::require_assumptions(const Claim& claim, const std::string& rule,
     bool constant = !contains_sequence(surplus) && !contains_family(surplus);
     for (const auto& [name, from] : domain_of(claim).integer)
       constant = constant && !names.contains(name);
-    require(constant, claim, rule, text(assumption) + " is not about constants");
+    require(constant, claim, rule, to_text(assumption) + " is not about constants");
     evidence.conditions.insert(condition(assumption));
   }
 }
@@ -68,7 +68,7 @@ void Kernel::require_family_law(const Claim& claim, const std::string& rule) con
 
 void Kernel::require_replaceable(const Theorem& general, const ex& replaced, const Claim& claim,
                                  const std::string& rule) const {
-  const std::string name = text(replaced);
+  const std::string name = to_text(replaced);
   if (general.domain().integer.contains(name)) return;
   const auto require_open = [&](const ex& e) {
     require(!hides_dependence(e, name), claim, rule, "sequences may depend on " + name);
@@ -90,8 +90,8 @@ void Kernel::require_replaceable(const Theorem& general, const ex& replaced, con
   for (const Theorem& earlier : theorems_)
     if (is_a<GiNaC::symbol>(earlier.lhs()) &&
         (earlier.step().rule == "last collision" || earlier.step().rule == "every other collision"))
-      require(!mentions(general, text(earlier.lhs())), claim, rule,
-              text(earlier.lhs()) + " may depend on " + name);
+      require(!mentions(general, to_text(earlier.lhs())), claim, rule,
+              to_text(earlier.lhs()) + " may depend on " + name);
 }
 
 // "x = 1 or x = y" where x and y are replaced; nothing is left of it where one holds by itself.
@@ -110,7 +110,7 @@ void Kernel::add_alternatives_at(const Condition& general, const Values& values,
     const Statement after(at_values(before.lhs()), at_values(before.rhs()));
     if (is_zero(after.lhs() - after.rhs(), claim, evidence)) return;
     here.any_of.push_back(after);
-    here.text += (here.text.empty() ? "" : " or ") + text(after);
+    here.text += (here.text.empty() ? "" : " or ") + to_text(after);
   }
   evidence.conditions.insert(here);
 }

@@ -111,11 +111,11 @@ bool depends_on_hidden(const ex& family, const std::string& name) {
 }
 
 std::string family_text(const ex& e) {
-  std::string arguments = is_sequence(e) ? text(e.op(0)) : "";
+  std::string arguments = is_sequence(e) ? to_text(e.op(0)) : "";
   if (!families_are_general(e)) {
     std::string separator = arguments.empty() ? "" : "; ";
     for (const ex& argument : arguments_of_family(e)) {
-      arguments += separator + text(argument);
+      arguments += separator + to_text(argument);
       separator = ", ";
     }
   }

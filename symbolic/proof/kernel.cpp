@@ -73,8 +73,8 @@ const Domain& Theorem::domain() const { return data_->domain; }
 const Conditions& Theorem::conditions() const { return data_->conditions; }
 
 NotProved::NotProved(Step refused, const std::string& reason)
-    : std::runtime_error(refused.id + ": not proved: " + refused.from + " " + refused.relation +
-                         " " + refused.to + ": " + reason),
+    : Error(refused.id + ": not proved: " + refused.from + " " + refused.relation + " " +
+            refused.to + ": " + reason),
       step(std::move(refused)) {}
 
 Kernel::Kernel(Domain domain) : domain_(std::move(domain)) {}
@@ -102,8 +102,8 @@ bool Kernel::mentions(const Theorem& theorem, const std::string& name) const {
 Step Kernel::step_for(const Claim& claim, const std::string& rule, const Evidence& evidence) const {
   std::vector<std::string> conditions;
   for (const Condition& condition : evidence.conditions) conditions.push_back(condition.text);
-  const std::string left = text(claim.statement.lhs()), right = text(claim.statement.rhs());
-  const std::string relation = text(claim.statement.relation());
+  const std::string left = to_text(claim.statement.lhs()), right = to_text(claim.statement.rhs());
+  const std::string relation = to_text(claim.statement.relation());
   return {claim.id,
           rule,
           claim.shown_lhs.empty() ? left : claim.shown_lhs,
@@ -174,7 +174,7 @@ void Kernel::require_equal(const ex& lhs, const ex& rhs, const Claim& claim,
   NormalForm form(domain, definitions_);
   try {
     require(form.are_equal(left, right), claim, rule,
-            "the normal form of the difference of " + text(left) + " and " + text(right) +
+            "the normal form of the difference of " + to_text(left) + " and " + to_text(right) +
                 " is not zero, though the sides agree at every point tried");
   } catch (const NotInClass& outside) {
     refuse(claim, rule, outside.what());

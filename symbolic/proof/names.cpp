@@ -6,10 +6,11 @@
 #include <map>
 #include <mutex>
 #include <set>
-#include <stdexcept>
 
 #include <cln/real.h>
 #include <ginac/ginac.h>
+
+#include "magicmass/errors.hpp"
 
 namespace magicmass::proof {
 namespace {
@@ -171,7 +172,7 @@ GiNaC::ex symbol(const std::string& name) {
                           std::all_of(name.begin(), name.end(), [](unsigned char character) {
                             return std::isalnum(character) != 0 || character == '_';
                           });
-  if (!identifier) throw std::invalid_argument("not a name for a symbol: " + name);
+  if (!identifier) throw InvalidInput("not a name for a symbol: " + name);
   const std::lock_guard lock(guard);
   const auto found = symbols.find(name);
   if (found != symbols.end()) return found->second;

@@ -2,16 +2,16 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 
+#include "magicmass/errors.hpp"
 #include "proof/definitions.hpp"
 #include "proof/domain.hpp"
 
 namespace magicmass::proof {
 
 /// The expression is outside the class that the normal form decides.
-struct NotInClass : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct NotInClass : Undecided {
+  using Undecided::Undecided;
 };
 
 /// The exact algebraic normal form. An expression becomes a rational function of generators:

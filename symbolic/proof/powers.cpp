@@ -22,8 +22,8 @@ ex NormalForm::Generators::symbolic_power(const ex& base, const ex& exponent) {
   const ex inside = rewritten(root_base);
   if (!positive(inside))
     throw NotInClass("the power of a base that is not known to be positive: " +
-                     text(GiNaC::power(base, exponent)));
-  const std::string shown = text(reduced_fraction(inside));
+                     to_text(GiNaC::power(base, exponent)));
+  const std::string shown = to_text(reduced_fraction(inside));
   const ex expanded = (scale * exponent).expand();
   ex product = 1;
   const auto factor = [&](const ex& term) {
@@ -39,9 +39,9 @@ ex NormalForm::Generators::symbolic_power(const ex& base, const ex& exponent) {
     const numeric halves = 2 * coefficient;
     if (!halves.is_integer() || GiNaC::abs(halves) > largest_exponent)
       throw NotInClass("only half and whole multiples of moderate size in exponents: " +
-                       text(exponent));
+                       to_text(exponent));
     rewritten(monomial);  // real, and with what its roots and denominators ask for
-    const std::string key = "(" + shown + ")^(" + text(monomial) + "/2)";
+    const std::string key = "(" + shown + ")^(" + to_text(monomial) + "/2)";
     const bool is_new = !by_key_.contains(key);
     const ex generator = opaque(key, GiNaC::power(root_base, monomial / 2), true);
     if (is_new) powers_.push_back({generator, root_base, monomial});
@@ -63,14 +63,14 @@ ex NormalForm::Generators::in_excesses(const ex& polynomial, GiNaC::exset& stric
     const bool greater = assumption.relation() == Relation::greater;
     const ex& base = greater ? assumption.lhs() : assumption.rhs();
     const ex& bound = greater ? assumption.rhs() : assumption.lhs();
-    if (!is_a<GiNaC::symbol>(base) || !bound.is_equal(1) || definitions_.contains(text(base)) ||
-        domain_.integer.contains(text(base)))
+    if (!is_a<GiNaC::symbol>(base) || !bound.is_equal(1) || definitions_.contains(to_text(base)) ||
+        domain_.integer.contains(to_text(base)))
       continue;
     for (const SymbolicPower& known : powers_) {
       if (!known.base.is_equal(base) || !result.has(known.generator)) continue;
-      const auto from = domain_.integer.find(text(known.exponent));
+      const auto from = domain_.integer.find(to_text(known.exponent));
       if (!is_a<GiNaC::symbol>(known.exponent) || from == domain_.integer.end() ||
-          from->second < 0 || domain_.positive.contains(text(known.exponent)))
+          from->second < 0 || domain_.positive.contains(to_text(known.exponent)))
         continue;
       const ex expanded = result.expand();
       const int degree = expanded.degree(known.generator);
@@ -86,7 +86,7 @@ ex NormalForm::Generators::in_excesses(const ex& polynomial, GiNaC::exset& stric
       if (!only_even) continue;
       result = even;
       not_negative.insert(excess);
-      used.insert(index_condition(text(known.exponent), from->second));
+      used.insert(index_condition(to_text(known.exponent), from->second));
       used.insert(condition(assumption));
     }
     if (!result.has(base)) continue;

@@ -36,7 +36,7 @@ void Kernel::require_scalar(const ex& e, const Claim& claim, const std::string& 
   NormalForm form(domain_of(claim), definitions_);
   try {
     const ex scalar = definitions_.expand_except_angles(e);
-    require(!is_a<GiNaC::matrix>(scalar), claim, rule, text(e) + " is a matrix");
+    require(!is_a<GiNaC::matrix>(scalar), claim, rule, to_text(e) + " is a matrix");
     form.require_defined(scalar);
   } catch (const NotInClass& outside) {
     refuse(claim, rule, outside.what());
@@ -49,7 +49,7 @@ void Kernel::require_visible(const ex& e, const ex& name, const Claim& claim,
   const auto visit = [&](const auto& self, const ex& part) -> void {
     if (is_a<GiNaC::symbol>(part) && definitions_.contains(ex_to<GiNaC::symbol>(part).get_name()))
       require(!definitions_.expand_all(part).has(name), claim, rule,
-              text(part) + " depends on " + text(name) + ": write it out first");
+              to_text(part) + " depends on " + to_text(name) + ": write it out first");
     for (const ex& inner : part) self(self, inner);
   };
   visit(visit, e);

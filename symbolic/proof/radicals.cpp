@@ -22,7 +22,7 @@ using Factors =
     std::map<std::string, Factor>;  // by text, so that the order is the same on every run
 
 void add_factor(const ex& base, int multiplicity, Factors& factors) {
-  Factor& factor = factors[text(base)];
+  Factor& factor = factors[to_text(base)];
   factor.base = base;
   factor.multiplicity += multiplicity;
 }
@@ -75,7 +75,7 @@ bool NormalForm::Generators::sine_product(ex& radicand, ex& root) {
 
 // The generator r with r^2 = square.
 ex NormalForm::Generators::radical(const ex& square, bool is_positive) {
-  const std::string key = "sqrt(" + text(square) + ")";
+  const std::string key = "sqrt(" + to_text(square) + ")";
   const bool is_new = !by_key_.contains(key);
   ex generator = opaque(key, GiNaC::sqrt(back(square)), is_positive);
   if (is_new) relations_.push_back({generator, square.expand()});
@@ -93,7 +93,7 @@ ex NormalForm::Generators::square_root(const ex& radicand) {
   }
   if (!positive(below))
     throw NotInClass("the sign of the denominator under a root is not known: " +
-                     text(back(radicand)));
+                     to_text(back(radicand)));
   ex under_root = (above * below).expand();
   if (under_root.is_zero()) return 0;
   ex root = 1 / below;
@@ -121,9 +121,9 @@ ex NormalForm::Generators::square_root(const ex& radicand) {
   }
   if (unsigned_part.is_equal(1)) return root;
   if (is_a<numeric>(unsigned_part))
-    throw NotInClass("square root of a negative number: " + text(back(radicand)));
+    throw NotInClass("square root of a negative number: " + to_text(back(radicand)));
   if (is_a<numeric>((unsigned_part + 1).expand()))
-    throw NotInClass("square root of a negative number: " + text(back(radicand)));
+    throw NotInClass("square root of a negative number: " + to_text(back(radicand)));
   conditions.insert(condition({-back(unsigned_part), Relation::less_equal, 0}));  // real
   return root * radical(unsigned_part, false);
 }

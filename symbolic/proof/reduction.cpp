@@ -63,7 +63,7 @@ ex NormalForm::Generators::tidied(const ex& polynomial) const {
       for (const auto& [cosine, sine] : pairs_)
         for (const ex& generator : {cosine, sine})
           trigonometric *= GiNaC::power(generator, term.degree(generator));
-      auto& entry = collected.try_emplace(text(trigonometric), trigonometric, 0).first->second;
+      auto& entry = collected.try_emplace(to_text(trigonometric), trigonometric, 0).first->second;
       entry.second += term / trigonometric;
     }
     ex result = 0;

@@ -56,7 +56,7 @@ ex Kernel::applied(const Theorem& equation, const ex& e, const Claim& claim,
           equation.id() + " is not an equation");
   const ex& left = equation.lhs();
   const bool pattern = is_sequence(left) && is_a<GiNaC::symbol>(left.op(0));
-  use(equation, claim, rule, evidence, pattern ? text(left.op(0)) : "");
+  use(equation, claim, rule, evidence, pattern ? to_text(left.op(0)) : "");
   GiNaC::exmap replacements;
   if (pattern) {
     const ex index = left.op(0);
@@ -121,12 +121,12 @@ Theorem Kernel::cancellation(const Claim& claim, const Theorem& product, const e
     const ex known = difference(nonzero->statement());
     const ex ratio = simplified(factor / known, claim.indices);
     require(is_positive(ratio, claim, evidence) || is_positive(-ratio, claim, evidence), claim,
-            rule, nonzero->id() + " does not show that " + text(factor) + " is not zero");
+            rule, nonzero->id() + " does not show that " + to_text(factor) + " is not zero");
     require_equal(factor, known * ratio, claim, rule, evidence);
     evidence.conditions.insert(condition(nonzero->statement()));
   } else {
     require(is_positive(factor, claim, evidence) || is_positive(-factor, claim, evidence), claim,
-            rule, "it is not known that " + text(factor) + " never vanishes");
+            rule, "it is not known that " + to_text(factor) + " never vanishes");
   }
   return accept(claim, rule, evidence);
 }
@@ -142,20 +142,20 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
           general.id() + " holds in the limit only");
   GiNaC::exmap replacements;
   for (const auto& [symbol, value] : values) {
-    const std::string name = text(symbol);
+    const std::string name = to_text(symbol);
     require(is_a<GiNaC::symbol>(symbol) && !definitions_.contains(name), claim, rule,
             name + " is not a free symbol");
     require(!fixed_.contains(name) || general.domain().integer.contains(name), claim, rule,
             "a law speaks of " + name + " itself, not of anything in its place");
     if (general.domain().positive.contains(name))
       require(is_positive(value, claim, evidence), claim, rule,
-              text(value) + " is not known to be positive, as " + name + " must be");
+              to_text(value) + " is not known to be positive, as " + name + " must be");
     if (const auto integer = general.domain().integer.find(name);
         integer != general.domain().integer.end())
       require(is_integer(value, claim) && is_positive(value - integer->second + 1, claim, evidence),
               claim, rule,
-              text(value) + " is not known to be an integer >= " + std::to_string(integer->second) +
-                  ", as " + name + " must be");
+              to_text(value) + " is not known to be an integer >= " +
+                  std::to_string(integer->second) + ", as " + name + " must be");
     replacements[symbol] = value;
     require_scalar(value, claim, rule, evidence);
     require_replaceable(general, symbol, claim, rule);
@@ -210,7 +210,7 @@ Theorem Kernel::cases(const Claim& claim, const std::vector<std::pair<Values, Th
     std::string shown;
     for (const auto& [name, value] : values) {
       replacements[name] = value;
-      shown += (shown.empty() ? "" : ", ") + text(name) + " = " + text(value);
+      shown += (shown.empty() ? "" : ", ") + to_text(name) + " = " + to_text(value);
     }
     one_of.text += (one_of.text.empty() ? "" : " or ") + shown;
     by_value = by_value && values.size() == 1;

@@ -32,7 +32,7 @@ Theorem Kernel::equal_angles(const Claim& claim) {
   Evidence evidence;
   for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
     require(is_angle_up_to_pi(side, claim, evidence), claim, rule,
-            text(side) + " is not seen to lie in [0, pi]");
+            to_text(side) + " is not seen to lie in [0, pi]");
   require_equal(GiNaC::cos(claim.statement.lhs()), GiNaC::cos(claim.statement.rhs()), claim, rule,
                 evidence);
   return accept(claim, rule, evidence);
@@ -53,7 +53,7 @@ Theorem Kernel::last_angle(const Claim& claim, const Theorem& cosine, const Theo
           rule, count.id() + " is not N_B = ceil(pi/psi - 1)");
   const ex angle = (last + numeric(1, 2)) * psi;
   require((claim.statement.lhs() - angle).expand().is_zero(), claim, rule,
-          "the left side must be " + text(angle));
+          "the left side must be " + to_text(angle));
   require(cosine.lhs().is_equal(GiNaC::cos(claim.statement.lhs())), claim, rule,
           cosine.id() + " does not give its cosine");
   require(is_angle_up_to_pi(psi, claim, evidence), claim, rule,

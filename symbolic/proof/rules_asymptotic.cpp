@@ -64,7 +64,7 @@ Theorem Kernel::expansion(const Claim& claim) {
   const ex function = in_small_root(definitions_.expand_all(claim.statement.lhs()));
   const ex terms = in_small_root(definitions_.expand_all(claim.statement.rhs())).expand();
   require(!terms.is_zero() && (terms * pow(s, largest_order)).expand().is_polynomial(s), claim,
-          rule, text(claim.statement.rhs()) + " is not a sum of powers of sqrt(alpha)");
+          rule, to_text(claim.statement.rhs()) + " is not a sum of powers of sqrt(alpha)");
   const int last = terms.degree(s);
   require(last <= largest_order && terms.ldegree(s) >= -largest_order, claim, rule,
           "too many terms");
@@ -74,8 +74,8 @@ Theorem Kernel::expansion(const Claim& claim) {
     require(!series.has(GiNaC::log(GiNaC::wild())), claim, rule, "the series has a logarithm");
     for (int order = std::min(series.ldegree(s), terms.ldegree(s)); order <= last; ++order)
       require(form.is_zero(series.coeff(s, order) - terms.coeff(s, order)), claim, rule,
-              "the series has " + text(series.coeff(s, order)) + " sqrt(alpha)^" +
-                  std::to_string(order) + ", the claim " + text(terms.coeff(s, order)));
+              "the series has " + to_text(series.coeff(s, order)) + " sqrt(alpha)^" +
+                  std::to_string(order) + ", the claim " + to_text(terms.coeff(s, order)));
   } catch (const NotInClass& outside) {
     refuse(claim, rule, outside.what());
   } catch (const GiNaC::pole_error& pole) {
@@ -100,7 +100,7 @@ Theorem Kernel::expansion_of_count(const Claim& claim, const Theorem& count,
               expansion.statement().relation() == Relation::asymptotic,
           claim, rule, "the claim and " + expansion.id() + " must read f ~ p");
   require(claim.statement.lhs().is_equal(count.lhs()), claim, rule,
-          "the claim must be about " + text(count.lhs()));
+          "the claim must be about " + to_text(count.lhs()));
   const auto [y, whole] = ceiling_of(count, claim, rule);
   const ex terms = in_small_root(expansion.rhs()).expand();
   const ex& s = small_root();
@@ -110,11 +110,11 @@ Theorem Kernel::expansion_of_count(const Claim& claim, const Theorem& count,
       claim, rule, expansion.id() + " does not grow beyond all bounds");
   const ex factor = (claim.statement.rhs() / expansion.rhs()).normal();
   require(is_a<numeric>(factor) && ex_to<numeric>(factor).is_positive(), claim, rule,
-          "the claim is not a multiple of " + text(expansion.rhs()));
+          "the claim is not a multiple of " + to_text(expansion.rhs()));
   const ex rest = (y - factor * expansion.lhs()).expand();
   require(
       is_a<numeric>(rest), claim, rule,
-      count.id() + " is not the ceiling of " + text(factor * expansion.lhs()) + " and a number");
+      count.id() + " is not the ceiling of " + to_text(factor * expansion.lhs()) + " and a number");
   return accept(claim, rule, evidence);
 }
 

@@ -35,13 +35,13 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
   const std::string rule = "last collision";
   Evidence evidence;
   Claim at_n = claim;  // the factors are positive at each n >= 0
-  at_n.indices[text(n)] = 0;
-  require(is_a<GiNaC::symbol>(n) && !domain_.positive.contains(text(n)), claim, rule,
-          text(n) + " is not an index");
+  at_n.indices[to_text(n)] = 0;
+  require(is_a<GiNaC::symbol>(n) && !domain_.positive.contains(to_text(n)), claim, rule,
+          to_text(n) + " is not an index");
   int shift = 1;
   for (const Theorem& speed : {before_even, before_odd}) {
     use(speed, claim, rule, evidence,
-        text(n));  // "velocities changed" holds while the pairs approach
+        to_text(n));  // "velocities changed" holds while the pairs approach
     require_equation(speed, claim, rule);
     for (const Condition& condition : speed.conditions())
       require(!condition.statement || condition.statement->relation() == Relation::not_equal ||
@@ -55,8 +55,8 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
             claim, rule,
             speed.id() + " is not a multiple of sin((2 n + " + std::to_string(shift) + ") h)");
     require(is_positive(rest, at_n, evidence), claim, rule,
-            "the factor " + text(rest) + " in " + speed.id() + " is not seen to be positive");
-    const auto from = speed.domain().integer.find(text(n));
+            "the factor " + to_text(rest) + " in " + speed.id() + " is not seen to be positive");
+    const auto from = speed.domain().integer.find(to_text(n));
     require(from != speed.domain().integer.end() && from->second == 0, claim, rule,
             speed.id() + " must hold for n >= 0");
     ++shift;
@@ -64,7 +64,7 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
   require(is_angle_up_to_pi(2 * h, claim, evidence), claim, rule,
           "2 h is not seen to lie in [0, pi]");
   std::erase_if(evidence.conditions,
-                [&](const Condition& condition) { return condition.index == text(n); });
+                [&](const Condition& condition) { return condition.index == to_text(n); });
   const ex& number = claim.statement.lhs();
   const bool of_family = contains_family(before_even.lhs()) || contains_family(before_odd.lhs());
   require(number.is_equal(of_family ? N_C() : symbol("N")), claim, rule,
@@ -75,9 +75,9 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
   for (const Theorem& earlier : theorems_)
     require(of_family ? !(earlier.lhs().has(number) || earlier.rhs().has(number))
                       : !mentions(earlier, "N"),
-            claim, rule, text(number) + " is in use already, in " + earlier.id());
+            claim, rule, to_text(number) + " is in use already, in " + earlier.id());
   require(claim.statement.rhs().is_equal(ceiling(GiNaC::Pi / h) - 1), claim, rule,
-          "the number of collisions is " + text(ceiling(GiNaC::Pi / h) - 1));
+          "the number of collisions is " + to_text(ceiling(GiNaC::Pi / h) - 1));
   evidence.conditions.insert({"the objects do not pass through each other"});
   return accept(claim, rule, evidence);
 }
@@ -93,7 +93,7 @@ Theorem Kernel::collisions_of(const Claim& claim, const Theorem& count) {
   require(of_A || claim.statement.lhs().is_equal(symbol("N_B")), claim, rule,
           "the claim must be about N_A or N_B");
   const ex share = of_A ? ceiling(count.lhs() / 2) : floor(count.lhs() / 2);
-  require(claim.statement.rhs().is_equal(share), claim, rule, "its share is " + text(share));
+  require(claim.statement.rhs().is_equal(share), claim, rule, "its share is " + to_text(share));
   return accept(claim, rule, evidence);
 }
 
@@ -106,7 +106,7 @@ Theorem Kernel::threshold(const Claim& claim, const Theorem& count, const Theore
   require_equation(count, claim, rule);
   require_equation(angle_at_threshold, claim, rule);
   require(is_a<GiNaC::symbol>(claim.statement.lhs()) &&
-              definitions_.contains(text(claim.statement.lhs())) &&
+              definitions_.contains(to_text(claim.statement.lhs())) &&
               definitions_.expand_all(claim.statement.lhs())
                   .is_equal(definitions_.expand_all(claim.statement.rhs())),
           claim, rule, "the left side must be a name for the right side");
@@ -125,9 +125,9 @@ Theorem Kernel::threshold(const Claim& claim, const Theorem& count, const Theore
   require_equal(angle_at_threshold.lhs(), meaning.subs(alpha == ratio), claim, rule, evidence);
   require_equal(angle_at_threshold.rhs(), GiNaC::Pi / (k + s), claim, rule, evidence);
   // N = k <=> k - 1 < pi/psi - s <= k <=> pi/(k + s) <= psi < pi/(k - 1 + s) <=> threshold(k) <= alpha < threshold(k - 1)
-  evidence.conditions.insert({text(count.lhs()) + " = " + text(k) + " exactly for " +
-                              text(claim.statement.lhs()) + " <= alpha < the same at " + text(k) +
-                              " - 1 (infinite for " + text(k) + " = 1)"});
+  evidence.conditions.insert({to_text(count.lhs()) + " = " + to_text(k) + " exactly for " +
+                              to_text(claim.statement.lhs()) + " <= alpha < the same at " +
+                              to_text(k) + " - 1 (infinite for " + to_text(k) + " = 1)"});
   return accept(claim, rule, evidence);
 }
 

@@ -42,7 +42,7 @@ Theorem Kernel::ceiling_bound(const Claim& claim, const Theorem& count) {
                               : claim.statement.lhs() - claim.statement.rhs();
   const ex factor = (difference / known).normal();
   require(is_positive(factor, claim, evidence), claim, rule,
-          "the claim is not a positive multiple of " + text(known) + (below ? " >= 0" : " > 0"));
+          "the claim is not a positive multiple of " + to_text(known) + (below ? " >= 0" : " > 0"));
   require_equal(difference, factor * known, claim, rule, evidence);
   return accept(claim, rule, evidence);
 }
@@ -55,9 +55,9 @@ Theorem Kernel::ceiling_value(const Claim& claim, const Theorem& count, const Th
   const auto [y, whole] = ceiling_of(count, claim, rule);
   require(
       claim.statement.relation() == Relation::equal && claim.statement.lhs().is_equal(count.lhs()),
-      claim, rule, "the claim must be about " + text(count.lhs()));
+      claim, rule, "the claim must be about " + to_text(count.lhs()));
   const ex k = (whole - count.lhs() + claim.statement.rhs()).expand();
-  require(is_integer(k, claim), claim, rule, text(k) + " is not known to be a whole number");
+  require(is_integer(k, claim), claim, rule, to_text(k) + " is not known to be a whole number");
   require(at_most.statement().relation() == Relation::less_equal, claim, rule,
           at_most.id() + " does not read x <= y");
   require(above.statement().relation() == Relation::greater, claim, rule,
@@ -65,7 +65,7 @@ Theorem Kernel::ceiling_value(const Claim& claim, const Theorem& count, const Th
   const auto same_sign = [&](const ex& difference, const ex& known, const Theorem& premise) {
     const ex factor = (difference / known).normal();
     require(is_positive(factor, claim, evidence), claim, rule,
-            premise.id() + " is not a positive multiple of " + text(known));
+            premise.id() + " is not a positive multiple of " + to_text(known));
     require_equal(difference, factor * known, claim, rule, evidence);
   };
   same_sign(at_most.rhs() - at_most.lhs(), k - y, at_most);
@@ -84,11 +84,11 @@ Theorem Kernel::angle_below_pi(const Claim& claim) {
   if (const auto multiple = multiple_of_arctangent(written_out)) {
     const auto& [q, t] = *multiple;
     require(!q.is_negative() && q <= 2 && is_positive(t, claim, evidence), claim, rule,
-            text(angle) + " is not 2 atan(t), t > 0");
+            to_text(angle) + " is not 2 atan(t), t > 0");
   } else {
     const ex d = (GiNaC::Pi / written_out).normal();
     require(!d.has(GiNaC::Pi) && is_positive(d - 1, claim, evidence), claim, rule,
-            text(angle) + " is not pi/d, d > 1");
+            to_text(angle) + " is not pi/d, d > 1");
   }
   return accept(claim, rule, evidence);
 }
@@ -106,7 +106,7 @@ Theorem Kernel::larger_angle(const Claim& claim, const Theorem& sign) {
           sign.id() + " does not read x " + (strict ? ">" : "<=") + " y");
   for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
     require(is_angle_up_to_pi(side, claim, evidence), claim, rule,
-            text(side) + " is not seen to lie in [0, pi]");
+            to_text(side) + " is not seen to lie in [0, pi]");
   const auto excess = [strict](const ex& left, const ex& right) {
     return strict ? left - right : right - left;
   };
@@ -117,7 +117,7 @@ Theorem Kernel::larger_angle(const Claim& claim, const Theorem& sign) {
   require_scalar(1 / known, claim, rule, nonzero);
   const ex ratio = simplified(fall / known, claim.indices);
   require(is_positive(ratio, claim, evidence), claim, rule,
-          "the cosines differ by " + text(ratio) + " times the difference in " + sign.id() +
+          "the cosines differ by " + to_text(ratio) + " times the difference in " + sign.id() +
               ", a factor of unknown sign");
   require_equal(fall, known * ratio, claim, rule, evidence);
   return accept(claim, rule, evidence);

@@ -20,7 +20,7 @@ constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
 // 1/x for x > 0, or b^(-c x) with b > 1 and a whole c >= 1: tends to 0 as x grows without bound.
 bool Kernel::tends_to_zero(const ex& vanishing, const ex& x, const Claim& claim,
                            Evidence& evidence) const {
-  const std::string name = text(x);
+  const std::string name = to_text(x);
   const bool grows = domain_.positive.contains(name) || claim.indices.contains(name);
   if (!grows || definitions_.contains(name)) return false;
   if (vanishing.is_equal(1 / x)) return true;
@@ -40,25 +40,26 @@ Theorem Kernel::limit(const Claim& claim, const std::optional<Theorem>& closed, 
   require(is_limit(left) && is_a<GiNaC::symbol>(left.op(1)), claim, rule,
           "the left side must be lim(f, x) for a symbol x that grows without bound");
   const ex x = left.op(1);
-  const std::string name = text(x);
+  const std::string name = to_text(x);
   ex f = left.op(0);
   if (closed) {
     use(*closed, claim, rule, evidence);
     require_equation(*closed, claim, rule);
-    require(closed->lhs().is_equal(f), claim, rule, closed->id() + " is not about " + text(f));
+    require(closed->lhs().is_equal(f), claim, rule, closed->id() + " is not about " + to_text(f));
     f = closed->rhs();
   }
-  require(!contains_sequence(f) && !contains_family(f), claim, rule, text(f) + " is not a formula");
-  require(is_a<GiNaC::symbol>(p) && !domain_of(claim).integer.contains(text(p)) &&
-              !definitions_.contains(text(p)) && !p.is_equal(x) &&
+  require(!contains_sequence(f) && !contains_family(f), claim, rule,
+          to_text(f) + " is not a formula");
+  require(is_a<GiNaC::symbol>(p) && !domain_of(claim).integer.contains(to_text(p)) &&
+              !definitions_.contains(to_text(p)) && !p.is_equal(x) &&
               !definitions_.expand_all(f).has(p) && !definitions_.expand_all(vanishing).has(p) &&
               !definitions_.expand_all(claim.statement.rhs()).has(p),
-          claim, rule, text(p) + " is not a new symbol");
+          claim, rule, to_text(p) + " is not a new symbol");
   const ex open = definitions_.expand_all(form);
   require(!open.has(x) && !definitions_.expand_all(claim.statement.rhs()).has(x), claim, rule,
           "the form or the limit depends on " + name);
   require(tends_to_zero(vanishing, x, claim, evidence), claim, rule,
-          text(vanishing) + " is not seen to tend to 0");
+          to_text(vanishing) + " is not seen to tend to 0");
   require_equal(f, open.subs(p == vanishing, no_pattern), claim, rule, evidence);
 
   for (const Condition& condition : evidence.conditions) {  // none may bound x
@@ -76,15 +77,15 @@ Theorem Kernel::limit(const Claim& claim, const std::optional<Theorem>& closed, 
   GiNaC::exmap constants;  // roots and angles free of p count as constants
   const ex fraction = open.to_rational(constants).numer_denom();
   for (const auto& [placeholder, meaning] : constants)
-    require(!meaning.has(p), claim, rule, "the form is not rational in " + text(p));
+    require(!meaning.has(p), claim, rule, "the form is not rational in " + to_text(p));
   const auto at_zero = [&](const ex& polynomial) {
-    require(polynomial.is_polynomial(p), claim, rule, "the form is not rational in " + text(p));
+    require(polynomial.is_polynomial(p), claim, rule, "the form is not rational in " + to_text(p));
     return polynomial.subs(p == 0, no_pattern).subs(constants, no_pattern);
   };
   const ex below = at_zero(fraction.op(1));
-  require(
-      is_positive(below, claim, evidence) || is_positive(-below, claim, evidence), claim, rule,
-      "the denominator " + text(below) + " is not seen to differ from 0 at " + text(p) + " = 0");
+  require(is_positive(below, claim, evidence) || is_positive(-below, claim, evidence), claim, rule,
+          "the denominator " + to_text(below) + " is not seen to differ from 0 at " + to_text(p) +
+              " = 0");
   require_equal(at_zero(fraction.op(0)) / below, claim.statement.rhs(), claim, rule, evidence);
   return accept(claim, rule, evidence);
 }

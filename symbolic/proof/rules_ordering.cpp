@@ -44,7 +44,7 @@ Theorem Kernel::ordering(const Claim& claim, const std::vector<NonnegativeTerm>&
   bool strict = false;
   for (const auto& [coefficient, factors, square] : terms) {
     require(is_positive(coefficient, claim, evidence), claim, rule,
-            text(coefficient) + " is not seen to be positive");
+            to_text(coefficient) + " is not seen to be positive");
     require_scalar(square, claim, rule, evidence);
     ex product = coefficient * pow(square, 2);
     bool all_strict = never_zero(square);
@@ -129,7 +129,7 @@ Theorem Kernel::sine_sign(const Claim& claim, const std::vector<Theorem>& bounds
                       GiNaC::ex_to<GiNaC::function>(function).get_name() == "cos";
   require(cosine || (GiNaC::is_a<GiNaC::function>(function) &&
                      GiNaC::ex_to<GiNaC::function>(function).get_name() == "sin"),
-          claim, rule, text(function) + " is not a sine or a cosine");
+          claim, rule, to_text(function) + " is not a sine or a cosine");
   require_scalar(function, claim, rule, evidence);
   const bool positive = left == strict;  // of the sine: > 0 on the left, or >= 0 on the right
   const ex x = function.op(0) + (cosine ? GiNaC::Pi / 2 : ex(0)) - (positive ? ex(0) : GiNaC::Pi);
@@ -149,9 +149,10 @@ Theorem Kernel::sine_sign(const Claim& claim, const std::vector<Theorem>& bounds
     }
     return false;
   };
-  require(known(x), claim, rule, "it is not known that " + text(x) + (strict ? " > 0" : " >= 0"));
+  require(known(x), claim, rule,
+          "it is not known that " + to_text(x) + (strict ? " > 0" : " >= 0"));
   require(known(GiNaC::Pi - x), claim, rule,
-          "it is not known that " + text(x) + (strict ? " < pi" : " <= pi"));
+          "it is not known that " + to_text(x) + (strict ? " < pi" : " <= pi"));
   return accept(claim, rule, evidence);
 }
 

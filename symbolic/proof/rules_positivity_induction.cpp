@@ -25,9 +25,9 @@ Theorem Kernel::positivity_by_induction(const Claim& claim, const std::vector<ex
   Evidence evidence;
   require(claim.statement.relation() == Relation::greater && claim.statement.rhs().is_zero(), claim,
           rule, "the claim must read e > 0");
-  require(is_a<GiNaC::symbol>(n) && claim.indices.contains(text(n)), claim, rule,
-          "the claim does not say where " + text(n) + " starts");
-  const long first = claim.indices.at(text(n));
+  require(is_a<GiNaC::symbol>(n) && claim.indices.contains(to_text(n)), claim, rule,
+          "the claim does not say where " + to_text(n) + " starts");
+  const long first = claim.indices.at(to_text(n));
   const auto size = static_cast<unsigned>(values.size());
   require(size > 0 && factors.rows() == size && factors.cols() == size, claim, rule,
           "each value needs a row of factors");
@@ -48,42 +48,43 @@ Theorem Kernel::positivity_by_induction(const Claim& claim, const std::vector<ex
   }
   GiNaC::exmap step_back;
   for (const Theorem& theorem : recurrences) {
-    use(theorem, claim, rule, evidence, text(n));
+    use(theorem, claim, rule, evidence, to_text(n));
     require_equation(theorem, claim, rule);
     require_visible(theorem.rhs(), n, claim, rule);
     require(is_sequence(theorem.lhs()) && theorem.lhs().op(0).is_equal(n), claim, rule,
-            theorem.id() + " does not give a sequence at " + text(n));
-    const auto from = theorem.domain().integer.find(text(n));
+            theorem.id() + " does not give a sequence at " + to_text(n));
+    const auto from = theorem.domain().integer.find(to_text(n));
     require(from != theorem.domain().integer.end() && from->second <= first + 1, claim, rule,
             theorem.id() + " does not hold from the first step on");
     for (const Condition& condition : theorem.conditions())
       if (condition.statement && (condition.statement->lhs() - condition.statement->rhs()).has(n))
-        evidence.conditions.insert({condition.text + ", and so at every earlier " + text(n)});
+        evidence.conditions.insert({condition.text + ", and so at every earlier " + to_text(n)});
     step_back[theorem.lhs()] = theorem.rhs();
   }
 
   Claim step = claim;
-  step.indices[text(n)] = first + 1;
+  step.indices[to_text(n)] = first + 1;
   for (unsigned i = 0; i < size; ++i) {
     const ex start = values[i].subs(n == first, no_pattern).subs(at_first, no_pattern);
     require(is_positive(start, claim, evidence), claim, rule,
-            text(values[i]) + " is not seen to be positive at " + text(n) + " = " +
+            to_text(values[i]) + " is not seen to be positive at " + to_text(n) + " = " +
                 std::to_string(first));
     ex sum = 0;
     bool some_positive = false;
     for (unsigned k = 0; k < size; ++k) {
       const ex& factor = factors(i, k);
       require(!contains_sequence(factor) && is_not_negative(factor, step, evidence), claim, rule,
-              "the factor " + text(factor) + " is not seen to be >= 0");
+              "the factor " + to_text(factor) + " is not seen to be >= 0");
       some_positive = some_positive || is_positive(factor, step, evidence);
       sum += factor * values[k].subs(n == n - 1, no_pattern);
     }
-    require(some_positive, claim, rule, "no factor of " + text(values[i]) + " is seen to be > 0");
+    require(some_positive, claim, rule,
+            "no factor of " + to_text(values[i]) + " is seen to be > 0");
     require_equal(values[i].subs(step_back, no_pattern), sum, step, rule, evidence);
   }
   std::erase_if(evidence.conditions,
-                [&](const Condition& condition) { return condition.index == text(n); });
-  evidence.conditions.insert(index_condition(text(n), first));
+                [&](const Condition& condition) { return condition.index == to_text(n); });
+  evidence.conditions.insert(index_condition(to_text(n), first));
   return accept(claim, rule, evidence);
 }
 

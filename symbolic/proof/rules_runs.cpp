@@ -21,16 +21,16 @@ Theorem Kernel::unchanged_through_runs(const Claim& claim, const Theorem& step, 
   require_own(step, claim, rule);
   require_equation(step, claim, rule);
   evidence.premises.push_back(step.id());
-  require(is_a<GiNaC::symbol>(j) && claim.indices.contains(text(j)), claim, rule,
-          "the claim does not say where " + text(j) + " starts");
-  const long first = claim.indices.at(text(j));
+  require(is_a<GiNaC::symbol>(j) && claim.indices.contains(to_text(j)), claim, rule,
+          "the claim does not say where " + to_text(j) + " starts");
+  const long first = claim.indices.at(to_text(j));
   const ex& element = claim.statement.lhs();
   require(is_sequence(element) && element.op(0).is_equal(j) &&
               claim.statement.rhs().is_equal(element.subs(j == first)),
           claim, rule, "the claim must read v(j) = v(" + std::to_string(first) + ")");
   require(step.rhs().is_equal(element) && step.lhs().is_equal(element.subs(j == j + 1)), claim,
           rule, step.id() + " does not read v(j + 1) = v(j)");
-  const auto from = step.domain().integer.find(text(j));
+  const auto from = step.domain().integer.find(to_text(j));
   require(from != step.domain().integer.end() && from->second <= first, claim, rule,
           step.id() + " does not hold from the first step on");
   Conditions conditions = step.conditions();
@@ -41,11 +41,11 @@ Theorem Kernel::unchanged_through_runs(const Claim& claim, const Theorem& step, 
   }
   std::string supposed;
   for (const Condition& condition : conditions)
-    if (condition.index != text(j)) supposed += (supposed.empty() ? "" : "; ") + condition.text;
+    if (condition.index != to_text(j)) supposed += (supposed.empty() ? "" : "; ") + condition.text;
   if (!supposed.empty())
-    evidence.conditions.insert({"for every step " + text(j) +
+    evidence.conditions.insert({"for every step " + to_text(j) +
                                 " up to there, with a run and values of its own: " + supposed});
-  evidence.conditions.insert(index_condition(text(j), first));
+  evidence.conditions.insert(index_condition(to_text(j), first));
   return accept(claim, rule, evidence);
 }
 

@@ -90,7 +90,7 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
   }
   // The variable is pi/psi, or an integer of the claim.
   const ex x = GiNaC::realsymbol("X");
-  const bool integer = claim.indices.contains(text(variable));
+  const bool integer = claim.indices.contains(to_text(variable));
   const auto in_variable = [&](const ex& e) {
     const ex written_out = definitions_.expand_except_angles(e);
     require(!written_out.has(x), claim, rule, "X is taken");
@@ -111,9 +111,9 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
     evidence.conditions.insert(proof::condition(condition));
   }
   Grid grid;
-  require(
-      collect(left.expand(), x, grid) && collect(right.expand(), x, grid), claim, rule,
-      text(left) + " or " + text(right) + " is not built from step functions of affine arguments");
+  require(collect(left.expand(), x, grid) && collect(right.expand(), x, grid), claim, rule,
+          to_text(left) + " or " + to_text(right) +
+              " is not built from step functions of affine arguments");
   for (const Statement& condition : cases)
     require(collect(condition.lhs(), x, grid) && collect(condition.rhs(), x, grid), claim, rule,
             "the case is not built from step functions");
@@ -127,12 +127,13 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
     require(condition.lhs()
                 .subs(x == 0, no_pattern)
                 .is_equal(condition.lhs().subs(x == period, no_pattern)),
-            claim, rule, "the case " + text(condition) + " is not periodic");
+            claim, rule, "the case " + to_text(condition) + " is not periodic");
   bool reached = false;
   for (numeric i = 0; i <= 2 * period * cells; i += 1)
     for (const numeric& inside : {numeric(0), numeric(1, 3), numeric(2, 3)}) {
       if (integer && !inside.is_zero()) continue;
-      const numeric value = (i + inside) / cells + (integer ? claim.indices.at(text(variable)) : 0);
+      const numeric value =
+          (i + inside) / cells + (integer ? claim.indices.at(to_text(variable)) : 0);
       if (!std::all_of(cases.begin(), cases.end(),
                        [&](const Statement& s) { return holds(s, x, value); }))
         continue;
@@ -140,12 +141,13 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
       const ex l = left.subs(x == value, no_pattern);
       const ex r = right.subs(x == value, no_pattern);
       require(l.is_equal(r), claim, rule,
-              "at " + text(variable) + " = " + text(value) + " the left side is " + text(l) +
-                  " and the right side is " + text(r));
+              "at " + to_text(variable) + " = " + to_text(value) + " the left side is " +
+                  to_text(l) + " and the right side is " + to_text(r));
     }
   require(reached, claim, rule, "the cases exclude every point");
   if (integer)
-    evidence.conditions.insert(index_condition(text(variable), claim.indices.at(text(variable))));
+    evidence.conditions.insert(
+        index_condition(to_text(variable), claim.indices.at(to_text(variable))));
   return accept(claim, rule, evidence);
 }
 

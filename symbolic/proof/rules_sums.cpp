@@ -52,7 +52,8 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
   Evidence evidence;
   const ex &left = claim.statement.lhs(), &k = summation_index();
   const auto whole = finite_sum_of(left);
-  require(whole.has_value(), claim, rule, text(left) + " is not a sum that the kernel understands");
+  require(whole.has_value(), claim, rule,
+          to_text(left) + " is not a sum that the kernel understands");
   const auto has_integer_exponents = [&](const FiniteSum& sum) {
     return is_integer(sum.p.subs(k == 0, no_pattern), claim) &&
            is_integer(sum.q.subs(k == 0, no_pattern), claim);
@@ -67,19 +68,20 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
   for (const auto& [coefficient, sum, shift] : combination) {
     right += coefficient * sum;
     const auto part = finite_sum_of(sum);
-    require(part.has_value(), claim, rule, text(sum) + " is not a sum that the kernel understands");
+    require(part.has_value(), claim, rule,
+            to_text(sum) + " is not a sum that the kernel understands");
     require(part->x.is_equal(whole->x) && part->y.is_equal(whole->y) &&
                 part->alternating == whole->alternating && has_integer_exponents(*part),
-            claim, rule, "the terms of " + text(sum) + " are not of the same kind");
+            claim, rule, "the terms of " + to_text(sum) + " are not of the same kind");
     const auto shifted = [&k, by = shift](const ex& e) { return e.subs(k == k + by, no_pattern); };
     const ex p = shifted(part->p), q = shifted(part->q);
     const auto p_steps = steps_between(p, whole->p), q_steps = steps_between(q, whole->q);
     require(p_steps && q_steps, claim, rule,
-            "the exponents in " + text(sum) + ", so shifted, are not below those on the left");
+            "the exponents in " + to_text(sum) + ", so shifted, are not below those on the left");
     const ex number =
         coefficient / (GiNaC::pow(whole->x, *p_steps) * GiNaC::pow(whole->y, *q_steps));
     require(is_a<numeric>(number) && ex_to<numeric>(number).is_rational(), claim, rule,
-            text(coefficient) + " does not lift the exponents in " + text(sum) +
+            to_text(coefficient) + " does not lift the exponents in " + to_text(sum) +
                 " to those on the left");
     const ex sign = whole->alternating && shift % 2 != 0 ? -1 : 1;
     difference += sign * number * part->front * rising(p, *p_steps) * rising(q, *q_steps);
@@ -97,7 +99,7 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
     });
     require(least != arguments.end(), claim, rule, "factorials of unrelated numbers");
     require(is_integer(*least, claim) && is_positive(*least + 1, claim, evidence), claim, rule,
-            text(*least) + " is not seen to be an integer >= 0");
+            to_text(*least) + " is not seen to be an integer >= 0");
     const ex unit = GiNaC::realsymbol("factorial");
     GiNaC::exmap in_units;
     for (const ex& argument : arguments)
@@ -105,7 +107,7 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
     difference = difference.subs(in_units, no_pattern);
   }
   require(difference.normal().expand().is_zero(), claim, rule,
-          "the terms differ by a multiple of " + text(difference.normal()));
+          "the terms differ by a multiple of " + to_text(difference.normal()));
   const auto found =
       counterexample(left, claim.statement.rhs(), domain_of(claim), definitions_, claim.id);
   if (found) refuse(claim, rule, *found);

@@ -109,15 +109,15 @@ private:
     else if (!domain_.positive.contains(name) && between(0, 1) == 1)
       value = -value;
     values_[symbol] = value;
-    shown_[name] = text(value);
+    shown_[name] = to_text(value);
   }
 
   void assign_sequences(const ex& e, GiNaC::exmap& replacements) {
     if (is_sequence(e) || is_family(e)) {
-      const std::string key = text(e);
+      const std::string key = to_text(e);
       if (!sequences_.contains(key)) {
         sequences_[key] = numeric(between(-90, 90), between(1, 40));
-        shown_[key] = text(sequences_[key]);
+        shown_[key] = to_text(sequences_[key]);
       }
       replacements[e] = sequences_[key];
     }
@@ -222,7 +222,7 @@ std::optional<std::string> not_small(const ex& function, const ex& terms, const 
   for (const numeric& point : {numeric(1, 1000000), numeric(1, 100000000)}) {
     const ex rest = ((function - terms) / pow(s, last)).subs(s == point).evalf();
     if (!is_a<numeric>(rest) || GiNaC::abs(ex_to<numeric>(rest)) > numeric(1, 1000))
-      return "at sqrt(alpha) = " + text(point) + " the sides differ by " + shortened(rest) +
+      return "at sqrt(alpha) = " + to_text(point) + " the sides differ by " + shortened(rest) +
              " sqrt(alpha)^" + std::to_string(last);
   }
   return std::nullopt;

@@ -228,7 +228,7 @@ bool NormalForm::Generators::positive_at_fraction_of_pi(const ex& e) {
 void NormalForm::Generators::require_nonzero(const ex& rational, const ex& shown) {
   const auto [above, below] = quotient(rational);
   if (above.is_zero())
-    throw NotInClass("division by an expression that is identically zero: " + text(shown));
+    throw NotInClass("division by an expression that is identically zero: " + to_text(shown));
   if (positive_at_fraction_of_pi(shown)) return;
   if (!positive(above) && !positive(-above))
     conditions.insert(

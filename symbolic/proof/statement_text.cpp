@@ -8,11 +8,12 @@
 
 namespace magicmass::proof {
 
-std::string text(const Statement& statement) {
-  return text(statement.lhs()) + " " + text(statement.relation()) + " " + text(statement.rhs());
+std::string to_text(const Statement& statement) {
+  return to_text(statement.lhs()) + " " + to_text(statement.relation()) + " " +
+         to_text(statement.rhs());
 }
 
-std::string text(Relation relation) {
+std::string to_text(Relation relation) {
   switch (relation) {
     case Relation::equal:
       return "=";

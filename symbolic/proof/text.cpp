@@ -291,6 +291,6 @@ bool leads_with_minus(const ex& sum_of_terms) {
   return sorted_terms(sum_of_terms).front().negative;
 }
 
-std::string text(const ex& e) { return print(e, sum); }
+std::string to_text(const ex& e) { return print(e, sum); }
 
 }  // namespace magicmass::proof

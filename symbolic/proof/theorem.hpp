@@ -2,10 +2,10 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "magicmass/errors.hpp"
 #include "proof/domain.hpp"
 #include "proof/statement.hpp"
 
@@ -55,7 +55,7 @@ private:
 };
 
 /// The kernel refused. The message shows both sides and, where one was found, a counterexample.
-struct NotProved : std::runtime_error {
+struct NotProved : Error {
   /// With what what() says.
   NotProved(Step refused, const std::string& reason);
   Step step;  ///< verdict "refused"

@@ -46,13 +46,13 @@ ex NormalForm::Generators::rewritten(const ex& e) {
 
 ex NormalForm::Generators::rewritten_anew(const ex& e) {
   if (is_a<numeric>(e)) {
-    if (!ex_to<numeric>(e).is_rational()) throw NotInClass("not a rational number: " + text(e));
+    if (!ex_to<numeric>(e).is_rational()) throw NotInClass("not a rational number: " + to_text(e));
     return e;
   }
   if (is_a<GiNaC::symbol>(e)) {
     const ex* meaning = definitions_.angle(ex_to<GiNaC::symbol>(e).get_name());
     if (meaning == nullptr) return e;
-    return opaque(text(e), e, positive(rewritten(*meaning)));
+    return opaque(to_text(e), e, positive(rewritten(*meaning)));
   }
   if (e.is_equal(GiNaC::Pi)) return opaque("pi", GiNaC::Pi, true);
   if (is_a<GiNaC::add>(e)) {
@@ -68,9 +68,9 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
   if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1))) {
     const numeric exponent = ex_to<numeric>(e.op(1));
     if (!exponent.is_rational() || exponent.denom() > 2)
-      throw NotInClass("only whole and half powers are handled: " + text(e));
+      throw NotInClass("only whole and half powers are handled: " + to_text(e));
     if (GiNaC::abs(exponent) > largest_exponent)
-      throw NotInClass("too large an exponent: " + text(e));
+      throw NotInClass("too large an exponent: " + to_text(e));
     ex base = rewritten(e.op(0));
     if (exponent.is_negative()) require_nonzero(base, e.op(0));
     if (exponent.is_integer()) return GiNaC::power(base, exponent);
@@ -89,34 +89,34 @@ ex NormalForm::Generators::rewritten_anew(const ex& e) {
     if (name == "atan") {
       const ex argument = rewritten(e.op(0));
       const auto [above, below] = quotient(argument);
-      return opaque("atan(" + text(above / below) + ")", e, positive(argument));
+      return opaque("atan(" + to_text(above / below) + ")", e, positive(argument));
     }
     if (is_finite_sum(e)) return opaque_sum(e);
 
     if (is_step_function(e)) {  // equal arguments, equal values
       const auto [above, below] = quotient(rewritten(e.op(0)));
-      return opaque(function_name(e) + "(" + text(above / below) + ")", e, false);
+      return opaque(function_name(e) + "(" + to_text(above / below) + ")", e, false);
     }
     if (is_family(e)) {
       std::string key = function_name(e);  // arguments in one form, or one element is taken for two
       for (const ex& argument : e) {
         const auto [above, below] = quotient(rewritten(argument));
-        key += ";" + text(above.expand()) + "/" + text(below.expand());
+        key += ";" + to_text(above.expand()) + "/" + to_text(below.expand());
       }
       return opaque(key, e, false);
     }
     if (is_sequence(e)) {
       const ex index = e.op(0).expand();
-      return opaque(function_name(e) + "(" + text(index) + ")", e, false);
+      return opaque(function_name(e) + "(" + to_text(index) + ")", e, false);
     }
   }
-  throw NotInClass("no normal form for " + text(e));
+  throw NotInClass("no normal form for " + to_text(e));
 }
 
 // A sum stands for itself; its bases and what stands in front of it must be defined.
 ex NormalForm::Generators::opaque_sum(const ex& sum) {
   const auto shape = finite_sum_of(sum);
-  if (!shape) throw NotInClass("not a sum that the kernel understands: " + text(sum));
+  if (!shape) throw NotInClass("not a sum that the kernel understands: " + to_text(sum));
   rewritten(shape->x);
   rewritten(shape->y);
   const auto visit = [this](const auto& self, const ex& part) -> void {
@@ -130,7 +130,7 @@ ex NormalForm::Generators::opaque_sum(const ex& sum) {
           return;
         }
       }
-      throw NotInClass("not seen to be the factorial of an integer >= 0: " + text(part));
+      throw NotInClass("not seen to be the factorial of an integer >= 0: " + to_text(part));
     }
     if (is_a<GiNaC::mul>(part)) {
       for (const ex& factor : part) self(self, factor);
@@ -139,7 +139,7 @@ ex NormalForm::Generators::opaque_sum(const ex& sum) {
     }
   };
   visit(visit, shape->front);
-  return opaque(text(sum), sum, false);
+  return opaque(to_text(sum), sum, false);
 }
 
 }  // namespace magicmass::proof

@@ -29,7 +29,7 @@ TEST_CASE("exact velocities are those of stepping the collisions", "[check]") {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> part(1, 40);
   std::string table = "alpha,n\n";
-  std::vector<magicmass::Velocities<cln::cl_RA>> expected;  // a, b, and c' in c
+  std::vector<magicmass::BodyVelocities<cln::cl_RA>> expected;  // a, b, and c' in c
   std::vector<cln::cl_RA> expected_c;
   while (expected.size() < 300) {
     const cln::cl_RA alpha = cln::cl_RA(part(random)) / part(random);

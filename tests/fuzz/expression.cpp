@@ -23,7 +23,7 @@ struct FarEnough {};
 
 Tree side(const std::string& typed) {
   Tree tree = parse(plain_text(typed), bounded);
-  fuzz::require(symbols_of(parse(text(tree))) == symbols_of(tree), "a tree is not read back");
+  fuzz::require(symbols_of(parse(to_text(tree))) == symbols_of(tree), "a tree is not read back");
   for (const std::string& form : form_names()) what_lacks_form(tree, form);
   return tree;
 }

@@ -10,8 +10,8 @@
 #include <cln/integer.h>
 #include <cln/real.h>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/evaluators.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/ratios.hpp"
 #include "magicmass/reference/velocities.hpp"

@@ -8,7 +8,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 
 using namespace magicmass;
 using Catch::Matchers::WithinAbs;

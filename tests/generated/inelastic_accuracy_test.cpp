@@ -14,7 +14,7 @@
 #include <cln/real.h>
 
 #include "magicmass/evaluators.hpp"
-#include "magicmass/evaluators/inelastic.hpp"
+#include "magicmass/fast.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/restitution.hpp"
 
@@ -57,7 +57,7 @@ void keep_largest(double& before, double got, const cl_F& exact, double cond) {
 }
 
 struct Largest {
-  double rounded_once = 0.0;  // inelastic_terminal
+  double rounded_once = 0.0;  // fast::terminal
   double in_double = 0.0;     // the generated evaluators in double
 };
 
@@ -73,7 +73,7 @@ Largest largest_errors(const std::vector<Sample>& samples) {
     if (N > 2000) continue;
     ++compared;
     INFO("alpha = " << alpha << ", e = " << e << ", N = " << N);
-    const auto once = inelastic_terminal(alpha, e, counts);
+    const auto once = fast::terminal(alpha, e, counts);
     const auto plain = N == 2 ? generated::two_collisions_rational(alpha, e)
                        : counts.N_A == counts.N_B
                            ? generated::terminal_after_Q(alpha, e, counts.N_B)
@@ -199,7 +199,7 @@ TEST_CASE("the time of a collapse is the limit of stepping, within the errors th
     const cl_F x = number(alpha), y = number(e), at = time(x, y);
     const double cond = condition(time(x * (1 - step), y), at, time(x * (1 + step), y), step) +
                         condition(time(x, y * (1 - step)), at, time(x, y * (1 + step)), step);
-    keep_largest(largest.rounded_once, collapse_time(alpha, e), at, cond);
+    keep_largest(largest.rounded_once, fast::collapse_time(alpha, e), at, cond);
     keep_largest(largest.in_double, generated::collapse_product(alpha, e), at, cond);
   }
   CHECK(largest.rounded_once <= 4);

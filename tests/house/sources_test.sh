@@ -13,21 +13,22 @@ may_be_longer=() # files, each with its reason in a comment
 
 # What each part of the tree may include besides itself. `library`: neither GiNaC, CLN nor the standard library.
 declare -A may_include=(
-  [proof]='ginac cln library'
-  [algebraic]='ginac cln library'
-  [derivation]='proof ginac cln library'
-  [codegen]='proof ginac cln library'
-  [render]='proof derivation ginac cln library'
+  [proof]='errors ginac cln library'
+  [algebraic]='errors ginac cln library'
+  [derivation]='proof errors ginac cln library'
+  [codegen]='proof errors ginac cln library'
+  [render]='proof derivation errors ginac cln library'
   [arithmetic]='library'
   [generated]='arithmetic'
-  [runtime]='arithmetic generated library'
-  [reference]='runtime cln library'
-  [equality]='algebraic proof derivation ginac cln library'
+  [errors]='library'
+  [runtime]='arithmetic generated errors library'
+  [reference]='runtime errors cln library'
+  [equality]='algebraic proof derivation errors ginac cln library'
   [course]='proof derivation render library'
-  [tutorial]='proof derivation codegen generated runtime reference ginac cln library'
-  [report]='generated runtime reference cln library'
-  [command]='algebraic proof derivation equality codegen render generated runtime reference report ginac cln library'
-  [command-header]='algebraic proof derivation equality codegen render generated runtime reference report cln library'
+  [tutorial]='proof derivation codegen generated errors runtime reference ginac cln library'
+  [report]='generated errors runtime reference cln library'
+  [command]='algebraic proof derivation equality codegen render generated errors runtime reference report ginac cln library'
+  [command-header]='algebraic proof derivation equality codegen render generated errors runtime reference report cln library'
 )
 
 part_of() { # file of the repository
@@ -35,6 +36,7 @@ part_of() { # file of the repository
     symbolic/*/*) part=${1#symbolic/} part=${part%%/*} ;;
     generated/*) part=generated ;;
     src/magicmass/arithmetic/*) part=arithmetic ;;
+    src/magicmass/errors.hpp) part=errors ;;
     src/magicmass/reference/*) part=reference ;;
     src/magicmass/*) part=runtime ;;
     src/report/*) part=report ;;
@@ -188,11 +190,12 @@ plant() { # file, licence, further lines
 good_tree() {
   rm -rf "${planted:?}"/*
   plant setup GPL-2.0-or-later
-  plant symbolic/proof/kernel.hpp GPL-2.0-or-later '#include <ginac/ginac.h>' '#include <vector>'
+  plant symbolic/proof/kernel.hpp GPL-2.0-or-later '#include <ginac/ginac.h>' '#include <vector>' '#include "magicmass/errors.hpp"'
   plant symbolic/derivation/contact.hpp GPL-2.0-or-later '#include "proof/kernel.hpp"'
   plant symbolic/codegen/passes/common_subexpressions.cpp GPL-2.0-or-later '#include "proof/kernel.hpp"'
   plant generated/magicmass/velocities.hpp MIT '#include <cmath>'
   plant src/magicmass/errors.hpp MIT '#include <stdexcept>'
+  plant src/magicmass/terminal.hpp MIT
   plant src/magicmass/scenes/scene.cpp MIT '#include <toml++/toml.h>' '#include "magicmass/errors.hpp"'
   plant src/magicmass/eigen.hpp MIT '#include <Eigen/Core>'
   plant src/magicmass/evaluators/fast.hpp MIT '#include "magicmass/velocities.hpp"'
@@ -238,9 +241,9 @@ refused "'SceneManager' does not say what is in it" src/command/SceneManager/sce
 refused "using namespace in a header" src/command/eval.hpp $gpl '  using namespace std;'
 refused "proof may not include derivation: derivation/contact.hpp" symbolic/proof/rules.cpp $gpl '#include "derivation/contact.hpp"'
 refused "codegen may not include derivation: ../derivation/contact.hpp" symbolic/codegen/ir.hpp $gpl '#include "../derivation/contact.hpp"'
-refused "equality may not include runtime: magicmass/errors.hpp" symbolic/equality/decide.cpp $gpl '#include "magicmass/errors.hpp"'
+refused "equality may not include runtime: magicmass/terminal.hpp" symbolic/equality/decide.cpp $gpl '#include "magicmass/terminal.hpp"'
 refused "algebraic may not include proof: proof/kernel.hpp" symbolic/algebraic/constant.cpp $gpl '#include "proof/kernel.hpp"'
-refused "proof may not include runtime: magicmass/errors.hpp" symbolic/proof/rules.cpp $gpl '#include <magicmass/errors.hpp>'
+refused "proof may not include runtime: magicmass/terminal.hpp" symbolic/proof/rules.cpp $gpl '#include <magicmass/terminal.hpp>'
 refused "runtime may not include proof: proof/kernel.hpp" src/magicmass/evaluators/slow.hpp MIT '#include "proof/kernel.hpp"'
 refused "runtime may not include cln: cln/cln.h" src/magicmass/evaluators/slow.hpp MIT '#  include <cln/cln.h>'
 refused "runtime may not include ginac: ginac/ginac.h" src/magicmass/scenes/ratio.cpp MIT '#include <ginac/ginac.h>'
@@ -252,7 +255,7 @@ refused "report may not include proof: proof/kernel.hpp" src/report/contestants.
 refused "reference may not include report: report/oracle.hpp" src/magicmass/reference/digits.cpp $gpl '#include "report/oracle.hpp"'
 refused "command-header may not include ginac: ginac/ginac.h" src/command/derive.hpp $gpl '#include <ginac/ginac.h>'
 refused "generated may not include library: fmt/core.h" generated/magicmass/counts.hpp MIT '#include <fmt/core.h>'
-refused "generated may not include runtime: magicmass/errors.hpp" generated/magicmass/counts.hpp MIT '#include "magicmass/errors.hpp"'
+refused "generated may not include errors: magicmass/errors.hpp" generated/magicmass/counts.hpp MIT '#include "magicmass/errors.hpp"'
 
 refused "course may not include ginac: ginac/ginac.h" tutorials/course/pages.cpp $gpl '#include <ginac/ginac.h>'
 refused "tutorial may not include report: report/oracle.hpp" tutorials/01_contact/tutorial.cpp $gpl '#include "report/oracle.hpp"'

@@ -26,7 +26,7 @@ fi
 for file in bin/magicmass share/man/man1/magicmass-eval.1 share/bash-completion/completions/magicmass \
   share/zsh/vendor-completions/_magicmass share/fish/vendor_completions.d/magicmass.fish \
   share/magicmass/scenes/cradle.toml share/magicmass/schemas/eval.json include/magicmass/fast.hpp \
-  include/magicmass/velocities_product.hpp include/magicmass-symbolic/proof/kernel.hpp; do
+  include/magicmass/velocities_tangent.hpp include/magicmass-symbolic/proof/kernel.hpp; do
   [[ -s $prefix/$file ]] || fail "$file is not installed"
 done
 

@@ -9,10 +9,10 @@
 #include "long_run/stages.hpp"
 #include "magicmass/accurate.hpp"
 #include "magicmass/batch.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/evaluators/certified_angles.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
-#include "magicmass/evaluators/count.hpp"
 
 namespace magicmass::long_run {
 namespace {

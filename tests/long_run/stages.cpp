@@ -54,7 +54,7 @@ Stage ratios_stage(std::int64_t k) {
   return stage<generated::RatiosKernel>(tiers::first_stages(k, result), static_cast<double>(k));
 }
 Stage terminal_stage(double alpha, const Counts& counts) {
-  generated::Terminal<double> result;
+  generated::TerminalValues<double> result;
   return stage<generated::TerminalKernel>(tiers::first_stages(alpha, counts, result), alpha,
                                           static_cast<double>(counts.N_A),
                                           counts.N_B == counts.N_A ? 1.0 : -1.0);

@@ -10,8 +10,7 @@
 
 #include "magicmass/accurate.hpp"
 #include "magicmass/batch.hpp"
-#include "magicmass/evaluators/count.hpp"
-#include "magicmass/evaluators/inelastic.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 #include "magicmass/parallel.hpp"
 #include "magicmass/scenes/scene.hpp"
@@ -40,7 +39,7 @@ void add_one_by_one(Bits& bits, double alpha) {
   add(bits, accurate::encounters(alpha, 1).t);
   add(bits, accurate::terminal(alpha).value().b_t);
   add(bits, fast::ratios(counts.N_A).magic);
-  add(bits, inelastic_terminal(alpha, 0.9L, counts).b_t);
+  add(bits, fast::terminal(alpha, 0.9L, counts).b_t);
 }
 
 /// In two threads of its own.

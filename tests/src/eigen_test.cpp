@@ -8,7 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 #include "random_numbers.hpp"
@@ -149,6 +149,13 @@ TEST_CASE("every batch function takes arrays", "[exam]") {
   }
   velocity_stream(1e-5, 2, a, b, c, d);
   CHECK(d(0) == Approx(accurate::velocities(1e-5, 2).c_prime));
+  for (const auto at_n : {0, 1}) {
+    if (at_n == 0) fast::velocities(in.alpha, 1, a, b, c, d);
+    if (at_n == 1) accurate::velocities(in.alpha, 1, a, b, c, d);
+    CHECK(b(4) == Approx(accurate::velocities(in.alpha(4), 1).b));
+  }
+  fast::transmission(in.alpha, 1.0, a);
+  CHECK(a(4) == Approx(accurate::terminal(in.alpha(4))->rho));
   fast::ratios(1, a, b);
   accurate::ratios(1, c, d);
   CHECK(c(2) == accurate::ratios(3).magic);

@@ -12,6 +12,7 @@
 using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::matrix;
+using magicmass::proof::to_text;
 namespace derivation = magicmass::derivation;
 namespace proof = magicmass::proof;
 
@@ -23,13 +24,11 @@ matrix at_alpha(const ex& formula) {
   return ex_to<matrix>(formula.subs(proof::symbol("alpha") == alpha).evalm());
 }
 
-std::string text(const ex& number) { return proof::text(number); }
-
 void print_matrix(const char* name, const matrix& m) {
   std::printf("%s:\n  entry | 1 | 2 | 3\n", name);
   for (unsigned row = 0; row < m.rows(); ++row)
-    std::printf("  row %u | %s | %s | %s\n", row + 1, text(m(row, 0)).c_str(),
-                text(m(row, 1)).c_str(), text(m(row, 2)).c_str());
+    std::printf("  row %u | %s | %s | %s\n", row + 1, to_text(m(row, 0)).c_str(),
+                to_text(m(row, 1)).c_str(), to_text(m(row, 2)).c_str());
 }
 
 int main() {
@@ -45,7 +44,7 @@ int main() {
   const matrix Gamma_A = at_alpha(cycle.Gamma_A.rhs()),
                Gamma_B = at_alpha(cycle.Gamma_B.rhs());
   const matrix Lambda = at_alpha(cycle.Lambda.rhs());
-  std::printf("alpha: %s\n", text(alpha).c_str());
+  std::printf("alpha: %s\n", to_text(alpha).c_str());
   print_matrix("Lambda", Lambda);
   print_matrix("mirror_twice", Gamma_A.mul(Gamma_A));
   print_matrix("other_order", Gamma_A.mul(Gamma_B));
@@ -60,9 +59,9 @@ int main() {
   for (int n = 0; n <= 4; ++n) {
     const ex length = (V_n.transpose().mul(V_n))(0, 0);
     const bool catches_up = V_n(0, 0) > V_n(2, 0) / sqrt(alpha);
-    std::printf("  %d | %s | %s | %s | %s | %s\n", n, text(V_n(0, 0)).c_str(),
-                text(V_n(1, 0)).c_str(), text(V_n(2, 0)).c_str(),
-                text(length).c_str(), catches_up ? "yes" : "no");
+    std::printf("  %d | %s | %s | %s | %s | %s\n", n, to_text(V_n(0, 0)).c_str(),
+                to_text(V_n(1, 0)).c_str(), to_text(V_n(2, 0)).c_str(),
+                to_text(length).c_str(), catches_up ? "yes" : "no");
     V_n = Lambda.mul(V_n);
   }
 }

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "magicmass/accurate.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/cycle_matrices.hpp"
-#include "magicmass/evaluators/count.hpp"
 
 using Vector = std::array<double, 3>;
 

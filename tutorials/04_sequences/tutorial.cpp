@@ -8,7 +8,7 @@
 #include <cln/rational.h>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 #include "magicmass/velocities_exact.hpp"

@@ -10,7 +10,7 @@
 
 #include "magicmass/accurate.hpp"
 #include "magicmass/angle_closed.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 
 using magicmass::Body;

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/reference/number_field.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "magicmass/evaluators/inelastic.hpp"
+#include "magicmass/fast.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/restitution.hpp"
 #include "magicmass/simulator/line_motion.hpp"
@@ -96,5 +96,5 @@ int main() {
     const Outcome end = run(1, below, most);
     std::printf("  %lld | %.6f\n", static_cast<long long>(most), end.time);
   }
-  std::printf("collapse_time: %.6f\n", magicmass::collapse_time(1, below));
+  std::printf("collapse_time: %.6f\n", magicmass::fast::collapse_time(1, below));
 }

@@ -28,7 +28,7 @@ void print_stage(const std::string& name, const codegen::Program& program) {
                      " | " + nodes + "\n";
   std::printf("%s_nodes: %s\n", name.c_str(), nodes.c_str());
   std::printf("%s_cost: %s\n", name.c_str(),
-              codegen::text(codegen::operation_counts(program)).c_str());
+              codegen::to_text(codegen::operation_counts(program)).c_str());
 }
 
 void print_code(const char* name, const codegen::Program& program) {

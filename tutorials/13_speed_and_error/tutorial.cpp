@@ -15,7 +15,7 @@
 #include <cln/rational.h>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 #include "magicmass/reference/decimal.hpp"
 #include "magicmass/reference/rational.hpp"

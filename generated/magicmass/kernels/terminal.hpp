@@ -61,7 +61,7 @@ struct TerminalKernel {
     }
   }
 
-  [[gnu::always_inline]] Terminal<Number> result() const {
+  [[gnu::always_inline]] TerminalValues<Number> result() const {
     const Number product = tan_quarter * cosine;
     const Number sum = product - sine;
     const Number product_2 = cot_half * cosine;
@@ -75,7 +75,7 @@ struct TerminalKernel {
   }
 
   // The same, each rounded to the nearest or so.
-  [[gnu::always_inline]] Terminal<Real> rounded_result() const {
+  [[gnu::always_inline]] TerminalValues<Real> rounded_result() const {
     const Number product = tan_quarter * cosine;
     const Number sum = product - sine;
     const Number product_2 = cot_half * cosine;
@@ -97,7 +97,7 @@ struct TerminalKernel {
     cosine = Number(Real(1.0));
   }
 
-  [[gnu::always_inline]] static Terminal<Number> evaluate(Real alpha, Real N_A, Real turn) {
+  [[gnu::always_inline]] static TerminalValues<Number> evaluate(Real alpha, Real N_A, Real turn) {
     TerminalKernel kernel;
     kernel.alpha = alpha;
     kernel.N_A = N_A;

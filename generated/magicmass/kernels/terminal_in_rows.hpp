@@ -53,7 +53,7 @@ struct TerminalInRowsKernel {
     cosine = select(is_beyond, typename Number::SmallCosine(Real(1.0)), cosine);
   }
 
-  [[gnu::always_inline]] LastVelocities<typename Number::Result> result() const {
+  [[gnu::always_inline]] TerminalVelocities<typename Number::Result> result() const {
     const auto tan_quarter_parts = parts(tan_quarter);
     const auto tan_narrowed = tan_quarter_parts * cosine * cosine;
     const auto sine_cosine = cosine * sine;

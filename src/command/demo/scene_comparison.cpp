@@ -61,8 +61,8 @@ void save_trajectory(const SceneResult& result, const ThreeBodyRun<double>& run,
   Destination file(path.string());
   file.write(fmt::format("{}\n", fmt::join(trajectory_columns, ",")));
   for (const std::vector<Cell>& point : result.trajectory) file.write(csv_line(point));
-  const Positions<double>& x = run.last_positions;
-  const Velocities<double>& v = run.terminal;
+  const BodyPositions<double>& x = run.last_positions;
+  const BodyVelocities<double>& v = run.terminal;
   const double rest =
       figure_end - run.last_time;  // all three move freely from the last collision on
   file.write(csv_line({number_cell(figure_end), number_cell(x.a + v.a * rest),

@@ -30,7 +30,7 @@ std::string threshold_line(const MassRatio& ratio) {
 }
 
 std::vector<Cell> row(const MassRatio& alpha, const std::string& threshold) {
-  const reference::LargeCounts counts = reference::exact_counts(alpha);
+  const reference::LargeCounts counts = reference::count_collisions(alpha);
   return {number_cell(nearest_double(alpha)), digits_cell(reference::to_text(counts.N_A)),
           digits_cell(reference::to_text(counts.N_B)), text_cell(threshold)};
 }

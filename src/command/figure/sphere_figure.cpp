@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "command/figure/figure.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/cycle_matrices.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/fast.hpp"
 
 namespace magicmass::command {

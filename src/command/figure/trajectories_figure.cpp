@@ -55,7 +55,7 @@ private:
 };
 
 void add_panel(Figure& figure, const Panel& panel) {
-  const reference::LargeCounts counts = reference::exact_counts(panel.alpha);
+  const reference::LargeCounts counts = reference::count_collisions(panel.alpha);
   const std::int64_t collisions = cln::cl_I_to_long(counts.N_A + counts.N_B);
   const double alpha = nearest_double(panel.alpha);
   FreeMotion motion(figure, panel, alpha);

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "command/figure/figure.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 
 namespace magicmass::command {

@@ -79,7 +79,7 @@ private:
       return;
     }
     Values values = posed.values;
-    values["answer"] = equality::text(
+    values["answer"] = equality::to_text(
         with_values(read_content(posed.solution, "solution/answer.txt"), posed.values));
     if (!holds(posed.exercise.law, values, "law"))
       fail("the law does not hold: " + posed.exercise.law);
@@ -150,9 +150,9 @@ private:
         equality::Tree tree = read_content(answer, "misconceptions.toml");
         for (const auto& [name, value] : posed.values)
           tree = equality::substituted(tree, name, read_content(value, name));
-        judgement = judged(posed, equality::text(tree));
+        judgement = judged(posed, equality::to_text(tree));
         if (judgement.verdict == Judged::unread)
-          judgement = judged(posed, equality::text(equality::with_meanings(tree)));
+          judgement = judged(posed, equality::to_text(equality::with_meanings(tree)));
       }
       if (judgement.misconception != one.name)
         fail(fmt::format("misconception \"{}\" is not recognised in {}: {} {} {}", one.name,

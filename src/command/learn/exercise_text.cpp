@@ -96,7 +96,7 @@ std::string complaint_about_claim(const std::string& content, const Posed& posed
     const bool is_true =
         one.relation == "="
             ? are_equal(left, right, posed.exercise.domain)
-            : holds(equality::text(left) + one.relation + equality::text(right), {}, "text");
+            : holds(equality::to_text(left) + one.relation + equality::to_text(right), {}, "text");
     if (!is_true) return "{{" + content + "}} is not proved";
   }
   return {};

@@ -148,7 +148,7 @@ equality::Verdict decided(const Tree& left, const Tree& right,
                           const std::vector<std::string>& domain) {
   std::set<std::string> symbols = equality::symbols_of(left);
   equality::collect_symbols(right, symbols);
-  equality::Question question{equality::text(left), equality::text(right), {}};
+  equality::Question question{equality::to_text(left), equality::to_text(right), {}};
   for (const std::string& condition : domain)
     if (speaks_of_these(condition, symbols)) question.domain.push_back(condition);
   try {
@@ -203,7 +203,7 @@ std::string digits_of(const Tree& constant, int digits, const std::string& place
 }
 
 std::string shown(const Tree& tree, const render::TextStyle& style) {
-  const std::string text = equality::text(tree);
+  const std::string text = equality::to_text(tree);
   const auto formula = render::read_formula(text);
   return formula ? render::inline_text(*formula, style) : text;
 }

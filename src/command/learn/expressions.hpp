@@ -2,20 +2,20 @@
 // Expressions of exercises and answers, on their way to the kernel of `equal`.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "command/learn/exercise.hpp"
 #include "equality/bounded.hpp"
 #include "equality/expression.hpp"
+#include "magicmass/errors.hpp"
 #include "render/formula_text.hpp"
 
 namespace magicmass::command {
 
 /// The answer cannot be read; the message says why and what would do.
-struct NotUnderstood : std::runtime_error {
-  using std::runtime_error::runtime_error;
+struct NotUnderstood : InvalidInput {
+  using InvalidInput::InvalidInput;
 };
 
 /// What a student typed, LaTeX too. Throws NotUnderstood for what is no expression, and for symbols that are not

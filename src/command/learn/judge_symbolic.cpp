@@ -130,7 +130,7 @@ Tree in_order(const Tree& tree) {
   for (Tree& part : node.parts) part = in_order(part);
   if (node.kind == equality::Kind::sum || node.kind == equality::Kind::product)
     std::sort(node.parts.begin(), node.parts.end(), [](const Tree& left, const Tree& right) {
-      return equality::text(left) < equality::text(right);
+      return equality::to_text(left) < equality::to_text(right);
     });
   return std::make_shared<const equality::Node>(std::move(node));
 }
@@ -200,7 +200,7 @@ std::string replaced_solution(const Posed& posed, const Misconception& misconcep
     std::string line;
     for (const Tree& entry : row)
       line += (line.empty() ? "" : ", ") +
-              equality::text(replaced(entry, misconception.replace, "misconceptions.toml"));
+              equality::to_text(replaced(entry, misconception.replace, "misconceptions.toml"));
     text += (text.empty() ? "[" : ", [") + line + "]";
   }
   return exercise.shape == Shape::matrix ? "[" + text + "]" : text.substr(1, text.size() - 2);

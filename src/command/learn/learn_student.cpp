@@ -62,7 +62,7 @@ std::string solution_page(const Posed& posed) {
   const Exercise& exercise = posed.exercise;
   std::string text = posed.solution;
   if (exercise.kind == ExerciseKind::predict && exercise.choices.empty())
-    text = equality::text(equality::at(
+    text = equality::to_text(equality::at(
         {}, with_values(read_content(posed.solution, "solution/answer.txt"), posed.values)));
   for (std::size_t i = 0; i < exercise.choices.size(); ++i)
     if (text == std::string(1, static_cast<char>('a' + i))) text += ") " + exercise.choices[i].text;

@@ -79,7 +79,7 @@ std::string input(const Posed& posed) {
 
 std::string maxima(const Tree& tree) {
   const std::string text =
-      equality::text(equality::substituted(without_roots(tree), "e", equality::symbol("e_r")));
+      equality::to_text(equality::substituted(without_roots(tree), "e", equality::symbol("e_r")));
   std::string result;
   std::string word;
   for (std::size_t i = 0; i <= text.size(); ++i) {

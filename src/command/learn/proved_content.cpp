@@ -24,8 +24,8 @@ std::string ProvedContent::complaint(const Posed& posed, const std::string& solu
   if (!derivation_) derivation_ = std::make_unique<derivation::Derivation>(derivation::derive());
   std::string proved;
   try {
-    proved = proof::text(derivation_->at(theorem).rhs());
-  } catch (const std::out_of_range&) {
+    proved = proof::to_text(derivation_->at(theorem).rhs());
+  } catch (const InvalidInput&) {
     return "theorem: there is none called " + theorem + "; magicmass derive --list has them";
   }
   Posed question = posed;  // the theorem is the solution, and ours an answer to it

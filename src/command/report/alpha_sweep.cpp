@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/reference/ratios.hpp"
 #include "report/exact_value.hpp"
 #include "report/quantities.hpp"

@@ -8,17 +8,11 @@
 #include <fmt/format.h>
 #include <ginac/ginac.h>
 
+#include "codegen/make_kernel.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::command {
 namespace {
-
-const proof::Theorem& theorem(const std::vector<proof::Theorem>& theorems, const std::string& id) {
-  const auto found = std::find_if(theorems.begin(), theorems.end(),
-                                  [&](const proof::Theorem& one) { return one.id() == id; });
-  if (found == theorems.end()) throw std::out_of_range("no theorem is called " + id);
-  return *found;
-}
 
 void require_no_other_symbol(const GiNaC::ex& formula, const GiNaC::lst& inputs) {
   for (auto part = formula.preorder_begin(); part != formula.preorder_end(); ++part)
@@ -54,10 +48,10 @@ std::vector<std::string> inputs_of(const codegen::Form& form) {
 DerivedForm derived_form(const codegen::Form& form, const std::vector<proof::Theorem>& theorems) {
   std::vector<GiNaC::ex> outputs;
   for (const auto& [name, id] : form.outputs) {
-    GiNaC::ex formula = theorem(theorems, id).rhs();
+    GiNaC::ex formula = codegen::theorem_named(theorems, id).rhs();
     for (std::size_t i = 0; i < form.bindings.size(); ++i)  // one may need another
       for (const std::string& binding : form.bindings) {
-        const proof::Theorem& bound = theorem(theorems, binding);
+        const proof::Theorem& bound = codegen::theorem_named(theorems, binding);
         formula = formula.subs(bound.lhs() == bound.rhs());
       }
     formula = formula.subs(GiNaC::lst{proof::symbol("V") == 1, proof::symbol("L") == 1});

@@ -23,7 +23,7 @@ struct DerivedForm {
 /// A form's inputs by name, as its theorems call them: "alpha" and "n".
 std::vector<std::string> inputs_of(const codegen::Form& form);
 
-/// Throws std::out_of_range when a theorem is not there, std::logic_error when a symbol without a value stays.
+/// Throws InvalidInput when a theorem is not there, std::logic_error when a symbol without a value stays.
 DerivedForm derived_form(const codegen::Form& form, const std::vector<proof::Theorem>& theorems);
 
 /// The outputs in Python's syntax.

@@ -80,7 +80,7 @@ std::string report_legend(const Measurement& measurement) {
       "a tenth, as the batches disagree.";
   text += fmt::format(
       " batch_... and stream work on whole arrays, with {} where the name says nothing else.",
-      name(best_instruction_set()));
+      to_text(best_instruction_set()));
   if (self.families > 0)
     text += fmt::format(
         " Naive against a second copy of itself: ratios {:.3f} to {:.3f}, {} of {} intervals hold "

@@ -18,7 +18,8 @@ ComparisonSection terminal_section() {
   for (const std::int64_t k : {1, 2, 3, 10}) {
     const auto at_magic =
         k == 1 ? MassRatio(1.0) : MassRatio(Magic{k});  // 1 is a double: no field is needed
-    const TerminalCells v = terminal_velocities(at_magic, reference::exact_counts(at_magic), exact);
+    const TerminalCells v =
+        terminal_velocities(at_magic, reference::count_collisions(at_magic), exact);
     section.rows.push_back({"fig:atbtct", fmt::format("a_t at alpha_{}", k), "0", v.a_t.text, ""});
     section.rows.push_back({"fig:atbtct", fmt::format("b_t at alpha_{}", k), "1", v.b_t.text, ""});
     section.rows.push_back({"fig:atbtct", fmt::format("c_t at alpha_{}", k), "0", v.c_t.text, ""});
@@ -26,7 +27,7 @@ ComparisonSection terminal_section() {
   for (const std::int64_t k : {1, 2, 3, 10}) {
     const MassRatio at_deficient = Deficient{k};
     const TerminalCells v =
-        terminal_velocities(at_deficient, reference::exact_counts(at_deficient), exact);
+        terminal_velocities(at_deficient, reference::count_collisions(at_deficient), exact);
     section.rows.push_back({"fig:atbtct", fmt::format("b_t at beta_{}", k), "c_t", v.b_t.text, "",
                             v.b_t.text == v.c_t.text});
   }

@@ -15,8 +15,8 @@ namespace batch {
 const Kernels& kernels(InstructionSet instruction_set) {
   if (!is_available(instruction_set)) {
     throw InvalidInput("this machine does not have the instruction set " +
-                       std::string(name(instruction_set)) + "; the best it has is " +
-                       name(best_instruction_set()));
+                       to_text(instruction_set) + "; the best it has is " +
+                       to_text(best_instruction_set()));
   }
   switch (instruction_set) {
     case InstructionSet::avx512:

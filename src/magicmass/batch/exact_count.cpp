@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 
 namespace magicmass::batch {
 

@@ -14,7 +14,7 @@ InstructionSet widest_available() {
 
 }  // namespace
 
-const char* name(InstructionSet instruction_set) {
+std::string to_text(InstructionSet instruction_set) {
   switch (instruction_set) {
     case InstructionSet::avx512:
       return "avx512";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+
 namespace magicmass {
 
 /// What a batch function may use: SSE2 alone (any x86-64), AVX2 and FMA, or AVX-512 (F, DQ, VL) and FMA. The results are
@@ -12,7 +14,7 @@ inline constexpr InstructionSet all_instruction_sets[] = {
     InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512};
 
 /// "baseline", "avx2" or "avx512".
-const char* name(InstructionSet instruction_set);
+std::string to_text(InstructionSet instruction_set);
 
 /// Whether this processor and its operating system have it.
 bool is_available(InstructionSet instruction_set);

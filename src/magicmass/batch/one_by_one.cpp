@@ -6,7 +6,6 @@
 
 #include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/inelastic.hpp"
 #include "magicmass/fast.hpp"
 
 namespace magicmass::batch {
@@ -24,7 +23,7 @@ generated::Velocities<double> velocities_or_none(Evaluate evaluate) {
 }
 
 template <class Evaluate>
-generated::Terminal<double> terminal_or_none(Evaluate evaluate) {
+generated::TerminalValues<double> terminal_or_none(Evaluate evaluate) {
   try {
     if (const std::optional<Terminal> all = evaluate())
       return {all->a_t, all->b_t, all->c_t, all->rho};
@@ -41,17 +40,17 @@ generated::Velocities<double> fast_velocities(double alpha, std::int64_t n) {
 generated::Velocities<double> accurate_velocities(double alpha, std::int64_t n) {
   return velocities_or_none([&] { return accurate::velocities(alpha, n); });
 }
-generated::Terminal<double> fast_terminal(double alpha) {
+generated::TerminalValues<double> fast_terminal(double alpha) {
   return terminal_or_none([&] { return fast::terminal(alpha); });
 }
-generated::Terminal<double> accurate_terminal(double alpha) {
+generated::TerminalValues<double> accurate_terminal(double alpha) {
   return terminal_or_none([&] { return accurate::terminal(alpha); });
 }
 // Where alpha is too large or too small for the lanes: two collisions, or a collapse unless e = 1.
 double transmission(double alpha, double e) {
   if (e == 1.0) return fast_terminal(alpha).rho;
   if (!(alpha > 1.0) || alpha == std::numeric_limits<double>::infinity()) return none;
-  return inelastic_terminal(alpha, e, {1, 1}).rho;
+  return fast::terminal(alpha, e, {1, 1}).rho;
 }
 generated::Ratios<double> fast_ratios(std::int64_t k) {
   return k < 1 ? generated::Ratios<double>{none, none} : fast::ratios(k);

@@ -11,8 +11,8 @@ namespace magicmass::batch {
 /// collision may have none.
 generated::Velocities<double> fast_velocities(double alpha, std::int64_t n);
 generated::Velocities<double> accurate_velocities(double alpha, std::int64_t n);
-generated::Terminal<double> fast_terminal(double alpha);
-generated::Terminal<double> accurate_terminal(double alpha);
+generated::TerminalValues<double> fast_terminal(double alpha);
+generated::TerminalValues<double> accurate_terminal(double alpha);
 double transmission(double alpha, double e);
 generated::Ratios<double> fast_ratios(std::int64_t k);
 generated::Ratios<double> accurate_ratios(std::int64_t k);

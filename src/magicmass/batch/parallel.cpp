@@ -72,6 +72,18 @@ void velocities_in_parts(Serial serial, std::span<const double> alpha,
 }
 
 template <class Serial>
+void velocities_in_parts(Serial serial, std::span<const double> alpha, std::int64_t n, Doubles a,
+                         Doubles b, Doubles c, Doubles c_prime, Threads threads) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("a", a),
+                                   batch::output("b", b), batch::output("c", c),
+                                   batch::output("c_prime", c_prime)});
+  in_parallel(threads, alpha.size(), [&](std::size_t first, std::size_t rows) {
+    serial(alpha.subspan(first, rows), n, a.subspan(first, rows), b.subspan(first, rows),
+           c.subspan(first, rows), c_prime.subspan(first, rows));
+  });
+}
+
+template <class Serial>
 void terminal_in_parts(Serial serial, std::span<const double> alpha, Integers N_A, Integers N_B,
                        Doubles a_t, Doubles b_t, Doubles c_t, Threads threads) {
   batch::require_separate_columns({batch::input("alpha", alpha), batch::output("N_A", N_A),
@@ -109,10 +121,22 @@ void fast::velocities(std::span<const double> alpha, std::span<const std::int64_
   velocities_in_parts([](auto... columns) { velocities(columns...); }, alpha, n, a, b, c, c_prime,
                       threads);
 }
+void fast::velocities(std::span<const double> alpha, std::int64_t n, Doubles a, Doubles b,
+                      Doubles c, Doubles c_prime, Threads threads) {
+  velocities_in_parts([](auto... columns) { velocities(columns...); }, alpha, n, a, b, c, c_prime,
+                      threads);
+}
 void fast::terminal(std::span<const double> alpha, Integers N_A, Integers N_B, Doubles a_t,
                     Doubles b_t, Doubles c_t, Threads threads) {
   terminal_in_parts([](auto... columns) { terminal(columns...); }, alpha, N_A, N_B, a_t, b_t, c_t,
                     threads);
+}
+void fast::transmission(std::span<const double> alpha, double e, Doubles rho, Threads threads) {
+  batch::require_separate_columns({batch::input("alpha", alpha), batch::output("rho", rho)});
+  transmission(alpha.first(0), e, rho.first(0));  // refuses what e may not be, also of no rows
+  in_parallel(threads, alpha.size(), [&](std::size_t first, std::size_t rows) {
+    transmission(alpha.subspan(first, rows), e, rho.subspan(first, rows));
+  });
 }
 void fast::ratios(std::int64_t first_k, Doubles magic, Doubles deficient, Threads threads) {
   ratios_in_parts([](auto... columns) { ratios(columns...); }, first_k, magic, deficient, threads);
@@ -120,6 +144,11 @@ void fast::ratios(std::int64_t first_k, Doubles magic, Doubles deficient, Thread
 
 void accurate::velocities(std::span<const double> alpha, std::span<const std::int64_t> n, Doubles a,
                           Doubles b, Doubles c, Doubles c_prime, Threads threads) {
+  velocities_in_parts([](auto... columns) { velocities(columns...); }, alpha, n, a, b, c, c_prime,
+                      threads);
+}
+void accurate::velocities(std::span<const double> alpha, std::int64_t n, Doubles a, Doubles b,
+                          Doubles c, Doubles c_prime, Threads threads) {
   velocities_in_parts([](auto... columns) { velocities(columns...); }, alpha, n, a, b, c, c_prime,
                       threads);
 }

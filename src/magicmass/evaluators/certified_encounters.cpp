@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/evaluators/encounter_attempts.hpp"
 
 namespace magicmass {

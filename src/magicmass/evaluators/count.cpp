@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "magicmass/evaluators/count.hpp"
-
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -8,6 +6,7 @@
 #include <numbers>
 
 #include "magicmass/angle_product.hpp"
+#include "magicmass/evaluators/count_decision.hpp"
 #include "magicmass/evaluators/multiword_functions.hpp"
 #include "magicmass/evaluators/multiword_pi.hpp"
 #include "magicmass/evaluators/ziv.hpp"

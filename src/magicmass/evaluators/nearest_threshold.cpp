@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "magicmass/evaluators/nearest_threshold.hpp"
+#include "magicmass/nearest_threshold.hpp"
 
 #include <cmath>
 #include <cstddef>
 
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/evaluators/multiword_functions.hpp"
 #include "magicmass/evaluators/multiword_pi.hpp"
 #include "magicmass/evaluators/ziv.hpp"

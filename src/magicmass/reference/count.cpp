@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/reference/cycle_map.hpp"
 #include "magicmass/reference/interval.hpp"
 #include "magicmass/reference/rational.hpp"
@@ -20,7 +20,7 @@ using cln::cl_RA;
 /// Contact by contact in exact rationals, so that bodies at rest relative to each other are seen not to meet.
 LargeCounts step_exactly(const cl_RA& alpha) {
   LargeCounts counts{0, 0};
-  Velocities<cl_RA> v = initial_velocities<cl_RA>();
+  BodyVelocities<cl_RA> v = initial_velocities<cl_RA>();
   for (;;) {
     if (!(v.c < v.a)) {
       return counts;
@@ -52,10 +52,10 @@ std::optional<bool> approach(const Interval& closing) {
 /// 2 pi, and the largest n with f(n) > 0 has its bits found from the top.
 std::optional<LargeCounts> search(const cl_RA& alpha, long precision) {
   const Interval ratio(alpha, precision);
-  const Velocities<Interval> start = initial_velocities<Interval>();
+  const BodyVelocities<Interval> start = initial_velocities<Interval>();
   std::vector<LinearMap<Interval>> powers{cycle_map(ratio)};  // powers[i] is 2^i cycles
   for (;;) {
-    const Velocities<Interval> v = apply(powers.back(), start);
+    const BodyVelocities<Interval> v = apply(powers.back(), start);
     const std::optional<bool> meet = approach(v.a - v.c);
     if (!meet) {
       return std::nullopt;
@@ -66,9 +66,9 @@ std::optional<LargeCounts> search(const cl_RA& alpha, long precision) {
     powers.push_back(compose(powers.back(), powers.back()));
   }
   cl_I cycles(0);
-  Velocities<Interval> last = start;
+  BodyVelocities<Interval> last = start;
   for (std::size_t i = powers.size() - 1; i-- > 0;) {
-    const Velocities<Interval> v = apply(powers[i], last);
+    const BodyVelocities<Interval> v = apply(powers[i], last);
     const std::optional<bool> meet = approach(v.a - v.c);
     if (!meet) {
       return std::nullopt;
@@ -79,7 +79,7 @@ std::optional<LargeCounts> search(const cl_RA& alpha, long precision) {
     }
   }
   // `last` is just before A's last contact; B may or may not be met once more after it.
-  const Velocities<Interval> after = meet_A(ratio, last);
+  const BodyVelocities<Interval> after = meet_A(ratio, last);
   const std::optional<bool> meet_again = approach(after.c - after.b);
   if (!meet_again) {
     return std::nullopt;
@@ -112,7 +112,7 @@ LargeCounts count_collisions(const cl_RA& alpha) {
                   " bits can tell");
 }
 
-LargeCounts exact_counts(const MassRatio& alpha) {
+LargeCounts count_collisions(const MassRatio& alpha) {
   if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};
   if (const auto* deficient = std::get_if<Deficient>(&alpha))
     return {cln::cl_I(deficient->k) + 1, deficient->k};

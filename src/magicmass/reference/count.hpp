@@ -19,8 +19,8 @@ struct LargeCounts {
 /// a precision far beyond what alpha's size calls for (never seen).
 LargeCounts count_collisions(const cln::cl_RA& alpha);
 
-/// N_A and N_B, exactly; at magic:k and deficient:k by the theorems counting.N_A and counting.N_B. Throws as both
-/// count_collisions do.
-LargeCounts exact_counts(const MassRatio& alpha);
+/// Of any mass ratio; at magic:k and deficient:k by the theorems counting.N_A and counting.N_B. Throws as above, and as
+/// magicmass::count_collisions.
+LargeCounts count_collisions(const MassRatio& alpha);
 
 }  // namespace magicmass::reference

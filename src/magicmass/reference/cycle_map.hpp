@@ -14,14 +14,14 @@ namespace magicmass::reference {
 
 /// Velocities after A and the ball met: the collision law, blocks of mass 1.
 template <Arithmetic Scalar>
-Velocities<Scalar> meet_A(const Scalar& alpha, const Velocities<Scalar>& v) {
+BodyVelocities<Scalar> meet_A(const Scalar& alpha, const BodyVelocities<Scalar>& v) {
   const AfterContact<Scalar> after = collide(Scalar(1), v.a, alpha, v.c);
   return {after.first, v.b, after.second};
 }
 
 /// Velocities after B and the ball met.
 template <Arithmetic Scalar>
-Velocities<Scalar> meet_B(const Scalar& alpha, const Velocities<Scalar>& v) {
+BodyVelocities<Scalar> meet_B(const Scalar& alpha, const BodyVelocities<Scalar>& v) {
   const AfterContact<Scalar> after = collide(Scalar(1), v.b, alpha, v.c);
   return {v.a, after.first, after.second};
 }
@@ -29,9 +29,9 @@ Velocities<Scalar> meet_B(const Scalar& alpha, const Velocities<Scalar>& v) {
 /// A linear map by the images of the three unit vectors.
 template <class Scalar>
 struct LinearMap {
-  Velocities<Scalar> from_a;  ///< image of (1, 0, 0)
-  Velocities<Scalar> from_b;  ///< image of (0, 1, 0)
-  Velocities<Scalar> from_c;  ///< image of (0, 0, 1)
+  BodyVelocities<Scalar> from_a;  ///< image of (1, 0, 0)
+  BodyVelocities<Scalar> from_b;  ///< image of (0, 1, 0)
+  BodyVelocities<Scalar> from_c;  ///< image of (0, 0, 1)
 };
 
 /// The linear map that `change` is.
@@ -39,13 +39,14 @@ template <class Scalar, class Change>
 LinearMap<Scalar> map_of(const Change& change) {
   const Scalar zero(0);
   const Scalar one(1);
-  return {change(Velocities<Scalar>{one, zero, zero}), change(Velocities<Scalar>{zero, one, zero}),
-          change(Velocities<Scalar>{zero, zero, one})};
+  return {change(BodyVelocities<Scalar>{one, zero, zero}),
+          change(BodyVelocities<Scalar>{zero, one, zero}),
+          change(BodyVelocities<Scalar>{zero, zero, one})};
 }
 
 /// Image of v.
 template <class Scalar>
-Velocities<Scalar> apply(const LinearMap<Scalar>& map, const Velocities<Scalar>& v) {
+BodyVelocities<Scalar> apply(const LinearMap<Scalar>& map, const BodyVelocities<Scalar>& v) {
   return {map.from_a.a * v.a + map.from_b.a * v.b + map.from_c.a * v.c,
           map.from_a.b * v.a + map.from_b.b * v.b + map.from_c.b * v.c,
           map.from_a.c * v.a + map.from_b.c * v.b + map.from_c.c * v.c};
@@ -59,7 +60,8 @@ LinearMap<Scalar> compose(const LinearMap<Scalar>& outer, const LinearMap<Scalar
 
 /// map applied n >= 0 times to v, by binary exponentiation.
 template <class Scalar>
-Velocities<Scalar> apply_power(LinearMap<Scalar> map, const cln::cl_I& n, Velocities<Scalar> v) {
+BodyVelocities<Scalar> apply_power(LinearMap<Scalar> map, const cln::cl_I& n,
+                                   BodyVelocities<Scalar> v) {
   const std::size_t bits = cln::integer_length(n);
   for (std::size_t bit = 0; bit < bits; ++bit) {
     if (cln::logbitp(bit, n)) {
@@ -76,12 +78,12 @@ Velocities<Scalar> apply_power(LinearMap<Scalar> map, const cln::cl_I& n, Veloci
 template <Arithmetic Scalar>
 LinearMap<Scalar> cycle_map(const Scalar& alpha) {
   return map_of<Scalar>(
-      [&](const Velocities<Scalar>& v) { return meet_B(alpha, meet_A(alpha, v)); });
+      [&](const BodyVelocities<Scalar>& v) { return meet_B(alpha, meet_A(alpha, v)); });
 }
 
 /// A moves with unit speed, the others rest.
 template <class Scalar>
-Velocities<Scalar> initial_velocities() {
+BodyVelocities<Scalar> initial_velocities() {
   return {Scalar(1), Scalar(0), Scalar(0)};
 }
 

@@ -9,8 +9,10 @@
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/count.hpp"
 #include "magicmass/reference/exact_work.hpp"
+#include "magicmass/reference/line_plan.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/transfers.hpp"
+#include "magicmass/simulator/line_motion.hpp"
 #include "magicmass/simulator/stalled_clock.hpp"
 
 namespace magicmass::reference {
@@ -105,7 +107,7 @@ std::string why_not(Model model, const Scene& scene, const ExactLine& line, cons
 /// The paper's counts, exact at every size.
 std::optional<cl_I> known_contacts(const Scene& scene, const ExactLine& line) {
   if (!scene.alpha || !(line.restitution == FieldNumber(1))) return {};
-  const LargeCounts counts = exact_counts(*scene.alpha);
+  const LargeCounts counts = count_collisions(*scene.alpha);
   return counts.N_A + counts.N_B;
 }
 
@@ -255,7 +257,7 @@ Plan plan_papers_scene(const Scene& scene, const SceneOptions& options) {
   if (!wants(scene, Output::events) && !wants(scene, Output::trajectory))
     return {"closed form",
             "only counts, terminal velocities or energy are asked for, so no event is stepped", 0};
-  const LargeCounts counts = exact_counts(*scene.alpha);
+  const LargeCounts counts = count_collisions(*scene.alpha);
   const cl_I events = counts.N_A + counts.N_B;
   const bool unlimited = !options.max_events && !scene.max_events;
   if (unlimited && events > cl_I(usual_max_events))

@@ -6,20 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "magicmass/reference/exact_line.hpp"
-#include "magicmass/reference/trio_end.hpp"
+#include <cln/integer.h>
+
 #include "magicmass/scenes/scene.hpp"
-#include "magicmass/simulator/line_motion.hpp"
 
 namespace magicmass::reference {
-
-/// What answers a scene: theorems; stepping velocities; stepping events in floating point or exactly; theorems of a cradle.
-enum class Model { closed_form, velocity_stepping, event_driven, exact_events, transfers };
-
-/// "closed form", "velocity stepping", "event-driven", "exact events", "transfers".
-std::string to_text(Model model);
-/// The same with hyphens, as --model takes it. Throws InvalidInput.
-Model parse_model(const std::string& name);
 
 /// In which events are stepped. planned: in doubles, or exactly where doubles cannot tell.
 enum class Scalars { planned, doubles, long_doubles, exact };
@@ -28,7 +19,7 @@ enum class Scalars { planned, doubles, long_doubles, exact };
 struct SceneOptions {
   std::optional<std::int64_t> max_events;  ///< 1000000 where neither this nor the scene says
   Scalars scalars = Scalars::planned;      ///< other than planned: events are stepped
-  std::string model;                       ///< empty: the cheapest
+  std::string model;                       ///< as Plan's, with hyphens; empty: the cheapest
 };
 /// Events that are stepped where nothing else is said.
 inline constexpr std::int64_t usual_max_events = 1'000'000;
@@ -37,35 +28,15 @@ std::int64_t event_limit(const Scene& scene, const SceneOptions& options);
 
 /// The model chosen, why, and how many events it steps through.
 struct Plan {
-  std::string model;   ///< to_text(Model)
+  std::string
+      model;  ///< "closed form", "velocity stepping", "event-driven", "exact events" or "transfers"
   std::string reason;  ///< a clause
   cln::cl_I events;    ///< 0 where none is stepped
 };
 
-/// A plan together with what was found out on the way.
-struct LinePlan {
-  Model model;                 ///< the one chosen
-  Plan plan;                   ///< the same in words
-  std::optional<TrioEnd> end;  ///< where theorems hold
-};
-
-/// Plans a scene. Steps through events, in doubles and without any output, where only that tells how many there are
-/// and whether doubles can decide them. Throws InvalidInput where the model asked for cannot give the outputs, and where a
-/// trajectory would take more events than the limit, with what to ask for instead.
-LinePlan plan_line(const Scene& scene, const ExactLine& line, const SceneOptions& options);
-
-/// A scene for plan_papers_scene: the paper's initial state, no model asked for, nothing left out and no times of its own.
-bool is_papers_scene(const Scene& scene, const SceneOptions& options);
-
-/// Its plan, from counts alone. Throws InvalidInput where a list of events would be longer than the usual limit and no other
-/// was set.
-Plan plan_papers_scene(const Scene& scene, const SceneOptions& options);
-
-/// The plan of any scene: what `magicmass plan` says. Throws as exact_line, plan_papers_scene and plan_line do.
+/// The plan of any scene: what `magicmass plan` says. Throws InvalidInput where the scene makes no
+/// sense (file, line and key), where the model asked for cannot give the outputs, and where a trajectory would take more events
+/// than the limit, with what to ask for instead.
 Plan plan(const Scene& scene, const SceneOptions& options = {});
-
-/// The limit is in the way of this many events: what else to ask for. Throws InvalidInput.
-[[noreturn]] void refuse_as_too_long(const Scene& scene, const cln::cl_I& events,
-                                     std::int64_t limit);
 
 }  // namespace magicmass::reference

@@ -22,8 +22,8 @@ struct SpeedMap {
   Scalar k11, k21, k12, k22;
 
   explicit SpeedMap(const LinearMap<Scalar>& cycle) {
-    const auto first = apply(cycle, Velocities<Scalar>{Scalar(1), Scalar(0), Scalar(0)});
-    const auto second = apply(cycle, Velocities<Scalar>{Scalar(1), Scalar(0), Scalar(1)});
+    const auto first = apply(cycle, BodyVelocities<Scalar>{Scalar(1), Scalar(0), Scalar(0)});
+    const auto second = apply(cycle, BodyVelocities<Scalar>{Scalar(1), Scalar(0), Scalar(1)});
     k11 = first.a - first.c;
     k21 = first.c - first.b;
     k12 = second.a - second.c;
@@ -142,12 +142,12 @@ double TrioEnd::value_after(
                   std::to_string(start + further_bits_) + " bits can tell");
 }
 
-std::optional<Velocities<FieldNumber>> TrioEnd::exact_velocities(const cl_I& j) const {
+std::optional<BodyVelocities<FieldNumber>> TrioEnd::exact_velocities(const cl_I& j) const {
   if (!stays_short(j)) return std::nullopt;
   return exact_->after(j).v;
 }
 
-Velocities<double> TrioEnd::velocities(const cl_I& j) const {
+BodyVelocities<double> TrioEnd::velocities(const cl_I& j) const {
   if (const auto exactly = exact_velocities(j))
     return {nearest_double(exactly->a), nearest_double(exactly->b), nearest_double(exactly->c)};
   using State = TrioState<Interval>;
@@ -157,7 +157,7 @@ Velocities<double> TrioEnd::velocities(const cl_I& j) const {
 }
 
 TrioEnd::Contact TrioEnd::contact(const cl_I& j) const {
-  const Velocities<double> v = velocities(j + 1);
+  const BodyVelocities<double> v = velocities(j + 1);
   if (stays_short(j)) {
     const auto next = exact_->approach(j);
     const FieldNumber time = next.gap / next.speed;
@@ -174,7 +174,7 @@ TrioEnd::Contact TrioEnd::contact(const cl_I& j) const {
       v};
 }
 
-Positions<double> TrioEnd::positions(const FieldNumber& time) const {
+BodyPositions<double> TrioEnd::positions(const FieldNumber& time) const {
   if (collapse_)
     throw Undecided("positions at given times are not offered where there is a collapse");
   // Contact j, the first being 0, has happened where gap <= speed * time; positions are continuous there.
@@ -193,13 +193,13 @@ Positions<double> TrioEnd::positions(const FieldNumber& time) const {
     return {nearest_double(s.x.a + s.v.a * time), nearest_double(s.x.b + s.v.b * time),
             nearest_double(s.x.c + s.v.c * time)};
   }
-  const auto place = [&](Interval Velocities<Interval>::*body) {
+  const auto place = [&](Interval BodyVelocities<Interval>::*body) {
     return value_after(j, [&](const TrioState<Interval>& s, long precision) {
       return s.x.*body + s.v.*body * time.enclosed(precision);
     });
   };
-  return {place(&Velocities<Interval>::a), place(&Velocities<Interval>::b),
-          place(&Velocities<Interval>::c)};
+  return {place(&BodyVelocities<Interval>::a), place(&BodyVelocities<Interval>::b),
+          place(&BodyVelocities<Interval>::c)};
 }
 
 void TrioEnd::find_collapse() {

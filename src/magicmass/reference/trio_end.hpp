@@ -36,19 +36,19 @@ public:
   /// Number of contacts, without a collapse: those before the first pair that does not approach.
   const cln::cl_I& contacts() const { return contacts_; }
   /// Velocities after j contacts, as the nearest doubles: 0 where it is 0 or underflows.
-  Velocities<double> velocities(const cln::cl_I& j) const;
+  BodyVelocities<double> velocities(const cln::cl_I& j) const;
   /// Contact j, the first being 0.
   struct Contact {
-    double time;               ///< in the scene's units
-    double position;           ///< of the ball, in the scene's units
-    Velocities<double> after;  ///< just after it
+    double time;                   ///< in the scene's units
+    double position;               ///< of the ball, in the scene's units
+    BodyVelocities<double> after;  ///< just after it
   };
   /// The nearest doubles; 0 <= j < contacts().
   Contact contact(const cln::cl_I& j) const;
   /// Where A, B and C are at a time >= 0.
-  Positions<double> positions(const FieldNumber& time) const;
+  BodyPositions<double> positions(const FieldNumber& time) const;
   /// Exactly, where the scene is of one field and that is short enough.
-  std::optional<Velocities<FieldNumber>> exact_velocities(const cln::cl_I& j) const;
+  std::optional<BodyVelocities<FieldNumber>> exact_velocities(const cln::cl_I& j) const;
 
 private:
   const ExactLine& line_;

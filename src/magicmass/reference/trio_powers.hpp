@@ -12,8 +12,8 @@ namespace magicmass::reference {
 /// the same linear map: at the time and place of contact both bodies are at one place, which that map keeps.
 template <class Scalar>
 struct TrioState {
-  Velocities<Scalar> v;  ///< now
-  Velocities<Scalar> x;  ///< places at time 0, as a triple
+  BodyVelocities<Scalar> v;  ///< now
+  BodyVelocities<Scalar> x;  ///< places at time 0, as a triple
 };
 
 /// A meets the ball first, then the ball and B (or the wall) meet, in turn.
@@ -29,11 +29,11 @@ public:
 
   /// From the contacts' weights and the state at time 0.
   TrioPowers(const Trio<Scalar>& trio, TrioState<Scalar> start)
-      : P_(map_of<Scalar>([&](Velocities<Scalar> v) {
+      : P_(map_of<Scalar>([&](BodyVelocities<Scalar> v) {
           trio.P.apply(v.a, v.c);
           return v;
         })),
-        Q_(map_of<Scalar>([&](Velocities<Scalar> v) {
+        Q_(map_of<Scalar>([&](BodyVelocities<Scalar> v) {
           trio.Q.apply(v.b, v.c);
           return v;
         })),

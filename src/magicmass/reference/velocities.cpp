@@ -23,7 +23,7 @@ struct IntegerMap {
 
 cl_I common_denominator(const LinearMap<cl_RA>& map) {
   cl_I common(1);
-  for (const Velocities<cl_RA>& column : {map.from_a, map.from_b, map.from_c}) {
+  for (const BodyVelocities<cl_RA>& column : {map.from_a, map.from_b, map.from_c}) {
     for (const cl_RA& entry : {column.a, column.b, column.c}) {
       common = cln::lcm(common, cln::denominator(entry));
     }
@@ -33,9 +33,9 @@ cl_I common_denominator(const LinearMap<cl_RA>& map) {
 
 IntegerMap over_common_denominator(const LinearMap<cl_RA>& map) {
   const cl_I common = common_denominator(map);
-  const auto column = [&](const Velocities<cl_RA>& v) {
-    return Velocities<cl_I>{cln::numerator(v.a * common), cln::numerator(v.b * common),
-                            cln::numerator(v.c * common)};
+  const auto column = [&](const BodyVelocities<cl_RA>& v) {
+    return BodyVelocities<cl_I>{cln::numerator(v.a * common), cln::numerator(v.b * common),
+                                cln::numerator(v.c * common)};
   };
   return {{column(map.from_a), column(map.from_b), column(map.from_c)}, common};
 }
@@ -46,7 +46,7 @@ struct IntegerContacts {
 };
 
 IntegerContacts integer_contacts(const cl_RA& alpha) {
-  using V = Velocities<cl_RA>;
+  using V = BodyVelocities<cl_RA>;
   return {over_common_denominator(map_of<cl_RA>([&](const V& v) { return meet_A(alpha, v); })),
           over_common_denominator(map_of<cl_RA>([&](const V& v) { return meet_B(alpha, v); }))};
 }
@@ -75,10 +75,10 @@ CycleVelocities<cl_RA> exact_velocities(const IntegerContacts& contacts, const c
   }
   const auto& [with_A, with_B] = contacts;
   const cl_I cycle = with_A.denominator * with_B.denominator;
-  const Velocities<cl_I> before =
+  const BodyVelocities<cl_I> before =
       apply_power(compose(with_B.numerators, with_A.numerators), n - 1, initial_velocities<cl_I>());
-  const Velocities<cl_I> at_P = apply(with_A.numerators, before);
-  const Velocities<cl_I> at_Q = apply(with_B.numerators, at_P);
+  const BodyVelocities<cl_I> at_P = apply(with_A.numerators, before);
+  const BodyVelocities<cl_I> at_Q = apply(with_B.numerators, at_P);
   const cl_I below = cln::expt_pos(cycle, n);
   return {cl_RA(at_P.a) * with_B.denominator / below, cl_RA(at_Q.b) / below,
           cl_RA(at_P.c) * with_B.denominator / below, cl_RA(at_Q.c) / below};
@@ -165,10 +165,10 @@ CycleVelocities<Interval> enclosed_velocities(const Enclosure& alpha, const cl_I
     return {1, 0, 0, 0};
   }
   const Interval ratio = alpha(precision);
-  const Velocities<Interval> before =
+  const BodyVelocities<Interval> before =
       apply_power(cycle_map(ratio), n - 1, initial_velocities<Interval>());
-  const Velocities<Interval> at_P = meet_A(ratio, before);
-  const Velocities<Interval> at_Q = meet_B(ratio, at_P);
+  const BodyVelocities<Interval> at_P = meet_A(ratio, before);
+  const BodyVelocities<Interval> at_Q = meet_B(ratio, at_P);
   return {at_P.a, at_Q.b, at_P.c, at_Q.c};
 }
 

@@ -19,14 +19,14 @@ template <Field Scalar>
 class ConservationAudit {
 public:
   /// Takes note of the start.
-  ConservationAudit(const Scalar& alpha, const Velocities<Scalar>& start)
+  ConservationAudit(const Scalar& alpha, const BodyVelocities<Scalar>& start)
       : alpha_(alpha),
         energy_(energy(start)),
         momentum_(momentum(start)),
         largest_{Scalar(0), Scalar(0)} {}
 
   /// Takes note of the velocities at a later time.
-  void look(const Velocities<Scalar>& v) {
+  void look(const BodyVelocities<Scalar>& v) {
     keep_larger(largest_.energy, (energy(v) - energy_) / energy_);
     keep_larger(largest_.momentum, (momentum(v) - momentum_) / momentum_);
   }
@@ -41,10 +41,10 @@ private:
   ConservationDrift<Scalar> largest_;
 
   /// Twice the kinetic energy. (alpha c) c, not alpha (c c): c c underflows where alpha is huge.
-  Scalar energy(const Velocities<Scalar>& v) const {
+  Scalar energy(const BodyVelocities<Scalar>& v) const {
     return v.a * v.a + v.b * v.b + (alpha_ * v.c) * v.c;
   }
-  Scalar momentum(const Velocities<Scalar>& v) const { return v.a + v.b + alpha_ * v.c; }
+  Scalar momentum(const BodyVelocities<Scalar>& v) const { return v.a + v.b + alpha_ * v.c; }
 
   static void keep_larger(Scalar& kept, const Scalar& drift) {
     const Scalar size = drift < Scalar(0) ? Scalar(Scalar(0) - drift) : drift;

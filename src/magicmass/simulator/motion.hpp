@@ -5,27 +5,27 @@ namespace magicmass {
 
 /// Velocities of A, B and the ball C at one moment.
 template <class Scalar>
-struct Velocities {
+struct BodyVelocities {
   Scalar a;  ///< of A
   Scalar b;  ///< of B
   Scalar c;  ///< of C
 
   /// All three are equal.
-  friend bool operator==(const Velocities&, const Velocities&) = default;
+  friend bool operator==(const BodyVelocities&, const BodyVelocities&) = default;
 };
 
 /// Places of A, B and the ball C at one moment.
 template <class Scalar>
-struct Positions {
+struct BodyPositions {
   Scalar a;  ///< of A
   Scalar b;  ///< of B
   Scalar c;  ///< of C
 
   /// All three are equal.
-  friend bool operator==(const Positions&, const Positions&) = default;
+  friend bool operator==(const BodyPositions&, const BodyPositions&) = default;
 };
 
-/// Velocities or Positions in another unit.
+/// BodyVelocities or BodyPositions in another unit.
 template <template <class> class Triple, class Scalar>
 Triple<Scalar> scaled(const Triple<Scalar>& triple, const Scalar& unit) {
   return {triple.a * unit, triple.b * unit, triple.c * unit};

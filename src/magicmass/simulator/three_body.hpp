@@ -17,12 +17,12 @@ namespace magicmass {
 /// One contact of a block with the ball: the n-th of that block (P_n for A, Q_n for B).
 template <class Scalar>
 struct Event {
-  Body body;                    ///< the block
-  std::int64_t n;               ///< from 1 on
-  Scalar time;                  ///< unit of L / V; P_1 is at 0
-  Scalar position;              ///< where the two met, unit of L
-  Velocities<Scalar> after;     ///< just after it, unit of V
-  Positions<Scalar> positions;  ///< of all three at that time
+  Body body;                        ///< the block
+  std::int64_t n;                   ///< from 1 on
+  Scalar time;                      ///< unit of L / V; P_1 is at 0
+  Scalar position;                  ///< where the two met, unit of L
+  BodyVelocities<Scalar> after;     ///< just after it, unit of V
+  BodyPositions<Scalar> positions;  ///< of all three at that time
 };
 
 /// Outcome of a run; terminal holds a_t, b_t, c_t if complete, else the velocities where it stopped.
@@ -30,8 +30,8 @@ template <class Scalar>
 struct ThreeBodyRun {
   RunStatus status = RunStatus::complete;  ///< whether all contacts were seen
   Counts counts;                           ///< of the contacts seen
-  Velocities<Scalar> terminal;             ///< in the unit of V
-  Positions<Scalar> last_positions;        ///< at last_time, the time of the last contact
+  BodyVelocities<Scalar> terminal;         ///< in the unit of V
+  BodyPositions<Scalar> last_positions;    ///< at last_time, the time of the last contact
   Scalar last_time;                        ///< 0 where there was none
   ConservationDrift<Scalar> drift;         ///< the largest seen
 };
@@ -51,7 +51,7 @@ ThreeBodyRun<Scalar> simulate_three_body(const Scalar& alpha, const Scalar& V, c
   require_positive_finite("L", L);
   require_scales_fit(V, L);
   const Scalar unit_time = L / V;
-  Velocities<Scalar> v{Scalar(1), Scalar(0), Scalar(0)};
+  BodyVelocities<Scalar> v{Scalar(1), Scalar(0), Scalar(0)};
   TrioPlace<Scalar> place{Scalar(0), Scalar(0), Scalar(1)};
   ConservationAudit<Scalar> audit(alpha, v);
   ThreeBodyRun<Scalar> run{};
@@ -59,7 +59,7 @@ ThreeBodyRun<Scalar> simulate_three_body(const Scalar& alpha, const Scalar& V, c
   run.last_time = Scalar(0);
   const std::int64_t contacts = step_trio(
       trio_of(alpha), v, place, max_events,
-      [&](std::int64_t j, const TrioPlace<Scalar>& at, const Velocities<Scalar>& after) {
+      [&](std::int64_t j, const TrioPlace<Scalar>& at, const BodyVelocities<Scalar>& after) {
         audit.look(after);
         run.last_time = at.time * unit_time;
         run.last_positions = scaled(at.positions(j), L);

@@ -66,7 +66,7 @@ Trio<Scalar> trio_of(const Line<Scalar>& line) {
 
 /// Their velocities, a wall's included.
 template <Arithmetic Scalar>
-Velocities<Scalar> trio_velocities(const Line<Scalar>& line) {
+BodyVelocities<Scalar> trio_velocities(const Line<Scalar>& line) {
   return {line.velocities[0], line.right_wall ? Scalar(0) : line.velocities[2], line.velocities[1]};
 }
 
@@ -77,7 +77,7 @@ constexpr Counts counts_of(std::int64_t contacts) {
 
 /// After so many contacts, do the next two approach?
 template <Field Scalar>
-bool approach(const Velocities<Scalar>& v, std::int64_t contacts) {
+bool approach(const BodyVelocities<Scalar>& v, std::int64_t contacts) {
   return contacts % 2 == 0 ? v.c < v.a : v.b < v.c;
 }
 
@@ -86,10 +86,10 @@ bool approach(const Velocities<Scalar>& v, std::int64_t contacts) {
 /// a subtraction, a multiplication and an addition.
 /// on_event(n, velocities after it), n = 1, 2, ...
 template <Field Scalar, class OnEvent>
-std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int64_t most,
+std::int64_t step_trio(const Trio<Scalar>& trio, BodyVelocities<Scalar>& v, std::int64_t most,
                        OnEvent&& on_event) {
   std::int64_t contacts = 0;
-  Velocities<Scalar> w = v;
+  BodyVelocities<Scalar> w = v;
   const ContactWeights<Scalar> P = trio.P, Q = trio.Q;
   while (contacts < most && w.c < w.a) {
     P.apply(w.a, w.c);
@@ -104,8 +104,8 @@ std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int
 
 /// The same without a listener.
 template <Field Scalar>
-std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, std::int64_t most) {
-  return step_trio(trio, v, most, [](std::int64_t, const Velocities<Scalar>&) {});
+std::int64_t step_trio(const Trio<Scalar>& trio, BodyVelocities<Scalar>& v, std::int64_t most) {
+  return step_trio(trio, v, most, [](std::int64_t, const BodyVelocities<Scalar>&) {});
 }
 
 /// When and where the ball is, and how far from it the block that it meets next.
@@ -116,7 +116,7 @@ struct TrioPlace {
   Scalar gap;   ///< to the block that is next
 
   /// All three just after so many contacts, one or more.
-  Positions<Scalar> positions(std::int64_t contacts) const {
+  BodyPositions<Scalar> positions(std::int64_t contacts) const {
     if (contacts % 2 == 0) return {ball - gap, ball, ball};
     return {ball, ball + gap, ball};
   }
@@ -125,8 +125,8 @@ struct TrioPlace {
 /// The same with times and places. At the start A meets the ball at place.ball and place.time, and B is place.gap ahead;
 /// after n contacts `place` is that of the n-th. on_event(n, place, velocities after it).
 template <Field Scalar, class OnEvent>
-std::int64_t step_trio(const Trio<Scalar>& trio, Velocities<Scalar>& v, TrioPlace<Scalar>& place,
-                       std::int64_t most, OnEvent&& on_event) {
+std::int64_t step_trio(const Trio<Scalar>& trio, BodyVelocities<Scalar>& v,
+                       TrioPlace<Scalar>& place, std::int64_t most, OnEvent&& on_event) {
   std::int64_t contacts = 0;
   const auto fly = [&](const Scalar& closing, const Scalar& opening) {
     const Scalar step = place.gap / closing;

@@ -54,7 +54,7 @@ void require_scales_fit(const Scalar& V, const Scalar& L) {
 
 /// Throws Undecided if a time or place of a contact left the range of a floating-point type.
 template <Field Scalar>
-void require_contact_fits(const Scalar& time, const Positions<Scalar>& places) {
+void require_contact_fits(const Scalar& time, const BodyPositions<Scalar>& places) {
   if constexpr (std::is_floating_point_v<Scalar>) {
     const bool fits = std::isfinite(time) && std::isfinite(places.a) && std::isfinite(places.b) &&
                       std::isfinite(places.c);

@@ -15,9 +15,9 @@ namespace magicmass {
 /// One contact: the n-th of this block with the ball (P_n for A, Q_n for B) and the velocities just after it.
 template <class Scalar>
 struct VelocityEvent {
-  Body body;                 ///< the block
-  std::int64_t n;            ///< from 1 on
-  Velocities<Scalar> after;  ///< in the unit of V
+  Body body;                     ///< the block
+  std::int64_t n;                ///< from 1 on
+  BodyVelocities<Scalar> after;  ///< in the unit of V
 };
 
 /// Outcome of a run; terminal holds a_t, b_t, c_t if complete, else the velocities where it stopped.
@@ -25,7 +25,7 @@ template <class Scalar>
 struct VelocityRun {
   RunStatus status = RunStatus::complete;  ///< whether all contacts were seen
   Counts counts;                           ///< of the contacts seen
-  Velocities<Scalar> terminal;             ///< in the unit of V
+  BodyVelocities<Scalar> terminal;         ///< in the unit of V
 };
 
 /// Steps through the contacts of A (speed V), C and B (both at rest). C is between A and B, so after a contact
@@ -39,9 +39,9 @@ VelocityRun<Scalar> step_velocities(const Scalar& alpha, const Scalar& V,
                                     std::int64_t max_collisions, OnEvent&& on_event) {
   require_positive_finite("alpha", alpha);
   require_positive_finite("V", V);
-  Velocities<Scalar> v{Scalar(1), Scalar(0), Scalar(0)};
+  BodyVelocities<Scalar> v{Scalar(1), Scalar(0), Scalar(0)};
   const std::int64_t contacts = step_trio(
-      trio_of(alpha), v, max_collisions, [&](std::int64_t j, const Velocities<Scalar>& after) {
+      trio_of(alpha), v, max_collisions, [&](std::int64_t j, const BodyVelocities<Scalar>& after) {
         on_event(
             VelocityEvent<Scalar>{j % 2 == 0 ? Body::B : Body::A, (j + 1) / 2, scaled(after, V)});
       });

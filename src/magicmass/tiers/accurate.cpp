@@ -3,10 +3,10 @@
 
 #include <cmath>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/evaluators/certified_angles.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/tiers/first_encounter.hpp"
 #include "magicmass/tiers/first_stages.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
@@ -48,7 +48,7 @@ bool first_stages(double alpha, std::int64_t j, generated::Encounters<double>& r
          single_kernels().encounters(alpha, static_cast<double>(j), result) && result.s > 0.0;
 }
 
-bool first_stages(double alpha, const Counts& counts, generated::Terminal<double>& result) {
+bool first_stages(double alpha, const Counts& counts, generated::TerminalValues<double>& result) {
   return is_in_range(alpha) && counts.N_A <= most_index &&
          single_kernels().terminal(alpha, static_cast<double>(counts.N_A),
                                    counts.N_B == counts.N_A ? 1.0 : -1.0, result);
@@ -83,7 +83,7 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
 std::optional<Terminal> terminal(double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   if (!counts) return std::nullopt;
-  generated::Terminal<double> result;
+  generated::TerminalValues<double> result;
   if (tiers::first_stages(alpha, *counts, result)) [[likely]]
     return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
   return Terminal{*counts, certified_velocity(Velocity::a, alpha, counts->N_A),

@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/simulator/valid_input.hpp"
 #include "magicmass/tiers/first_encounter.hpp"
 #include "magicmass/tiers/single_kernels.hpp"

@@ -31,14 +31,15 @@ struct SingleKernels {
   /// With the counts, for 2^-900 <= alpha <= 2^960; false where these would take more digits or do not fit.
   bool (*fast_terminal)(double alpha, Terminal& result);
   /// N_A as high + low, too.
-  generated::Terminal<double> (*fast_terminal_at)(double alpha, double N_A, double N_A_low,
-                                                  double turn);
+  generated::TerminalValues<double> (*fast_terminal_at)(double alpha, double N_A, double N_A_low,
+                                                        double turn);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);
   bool (*angle)(double alpha, double& result);
   bool (*ratios)(double k, generated::Ratios<double>& result);
-  bool (*terminal)(double alpha, double N_A, double turn, generated::Terminal<double>& result);
+  bool (*terminal)(double alpha, double N_A, double turn,
+                   generated::TerminalValues<double>& result);
 };
 
 /// single_kernels_for_target.cpp, compiled once for each instruction set: constants, so that asking for one runs none of

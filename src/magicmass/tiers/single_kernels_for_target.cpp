@@ -34,8 +34,8 @@ using generated::EncountersKernel;
 using generated::Ratios;
 using generated::RatiosKernel;
 using generated::RatiosOfPartsKernel;
-using generated::Terminal;
 using generated::TerminalKernel;
+using generated::TerminalValues;
 using generated::Velocities;
 using generated::VelocitiesKernel;
 
@@ -52,7 +52,7 @@ Ratios<double> nearest(const Ratios<Number>& x) {
   return {rounded(x.magic), rounded(x.deficient)};
 }
 template <class Number>
-Terminal<double> nearest(const Terminal<Number>& x) {
+TerminalValues<double> nearest(const TerminalValues<Number>& x) {
   return {rounded(x.a_t), rounded(x.b_t), rounded(x.c_t), rounded(x.rho)};
 }
 template <class Number>
@@ -176,7 +176,7 @@ Ratios<double> fast_ratios(double k, double k_low) {
 
 using FastTerminal = TerminalKernel<Tabled<double>>;
 
-[[gnu::always_inline]] inline Terminal<double> fast_result(const FastTerminal& kernel) {
+[[gnu::always_inline]] inline TerminalValues<double> fast_result(const FastTerminal& kernel) {
   auto result = kernel.rounded_result();
   // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
   if (result.rho < 0x1p-960) [[unlikely]]
@@ -184,7 +184,7 @@ using FastTerminal = TerminalKernel<Tabled<double>>;
   return result;
 }
 
-Terminal<double> fast_terminal_at(double alpha, double N_A, double N_A_low, double turn) {
+TerminalValues<double> fast_terminal_at(double alpha, double N_A, double N_A_low, double turn) {
   FastTerminal kernel;
   kernel.alpha = alpha;
   kernel.N_A = N_A;
@@ -202,7 +202,7 @@ Terminal<double> fast_terminal_at(double alpha, double N_A, double N_A_low, doub
 
 /// In place, as a double that is stored alone and loaded beside another is waited for.
 [[gnu::always_inline]] inline void put(const FastTerminal& kernel, magicmass::Terminal& result) {
-  const Terminal<double> velocities = fast_result(kernel);
+  const TerminalValues<double> velocities = fast_result(kernel);
   result.a_t = velocities.a_t;
   result.b_t = velocities.b_t;
   result.c_t = velocities.c_t;
@@ -277,7 +277,7 @@ bool ratios(double k, Ratios<double>& result) {
     return true;
   return in_two_stages<RatiosKernel>(result, k);
 }
-bool terminal(double alpha, double N_A, double turn, Terminal<double>& result) {
+bool terminal(double alpha, double N_A, double turn, TerminalValues<double>& result) {
   return in_two_stages<TerminalKernel>(result, alpha, N_A, turn);
 }
 

@@ -71,7 +71,7 @@ Results at_every_width(const char* name, const Columns& inputs, bool is_zero_sig
     const Primitive& one = primitive(set, name);
     for (int width = 0; width < 4; ++width) {
       if (one.run[width] == nullptr) continue;
-      INFO(name << " on " << magicmass::name(set) << ", " << (1 << width) << " at once");
+      INFO(name << " on " << to_text(set) << ", " << (1 << width) << " at once");
       REQUIRE(same(run(one, one.run[width], inputs), width == 0 ? results.single : results.lanes,
                    is_zero_signed));
     }
@@ -92,7 +92,7 @@ Columns of_single_doubles(const char* name, const Columns& inputs) {
   };
   const Columns results = single(InstructionSet::baseline);
   for (const InstructionSet set : available_instruction_sets()) {
-    INFO(name << " on " << magicmass::name(set));
+    INFO(name << " on " << to_text(set));
     REQUIRE(same(single(set), results, false));
   }
   return results;

@@ -46,7 +46,7 @@ void require_exact(std::span<const double> alpha) {
   for (const InstructionSet set : testing::available_instruction_sets()) {
     const BatchCounts got = by_the_batch(alpha, set);
     for (std::size_t i = 0; i < alpha.size(); ++i) {
-      INFO(name(set) << ", alpha = " << alpha[i]);
+      INFO(to_text(set) << ", alpha = " << alpha[i]);
       REQUIRE(got.N_A[i] == expected.N_A[i]);
       REQUIRE(got.N_B[i] == expected.N_B[i]);
     }

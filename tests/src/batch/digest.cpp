@@ -32,7 +32,7 @@ public:
     add(std::span<const Value>(values));
   }
   void print(const char* function, InstructionSet set) const {
-    std::printf("%-20s %-8s %016llx\n", function, name(set),
+    std::printf("%-20s %-8s %016llx\n", function, to_text(set).c_str(),
                 static_cast<unsigned long long>(hash_));
   }
 

@@ -14,8 +14,8 @@ using namespace magicmass;
 TEST_CASE("the best instruction set is the last that is available", "[exam]") {
   CHECK(is_available(InstructionSet::baseline));
   CHECK(testing::available_instruction_sets().back() == best_instruction_set());
-  CHECK(std::string(name(InstructionSet::avx512)) == "avx512");
-  CHECK(std::string(name(InstructionSet::baseline)) == "baseline");
+  CHECK(to_text(InstructionSet::avx512) == "avx512");
+  CHECK(to_text(InstructionSet::baseline) == "baseline");
 }
 
 TEST_CASE("an instruction set that the machine lacks is refused in one line", "[exam]") {
@@ -24,8 +24,8 @@ TEST_CASE("an instruction set that the machine lacks is refused in one line", "[
       CHECK_NOTHROW(count_collisions({}, {}, {}, set));
     } else {
       CHECK_THROWS_WITH(count_collisions({}, {}, {}, set),
-                        "this machine does not have the instruction set " + std::string(name(set)) +
-                            "; the best it has is " + name(best_instruction_set()));
+                        "this machine does not have the instruction set " + to_text(set) +
+                            "; the best it has is " + to_text(best_instruction_set()));
     }
   }
 }

@@ -74,7 +74,7 @@ TEST_CASE("several threads give the same bits as none", "[check]") {
   Integers n(size);
   for (std::size_t i = 0; i < size; ++i) n[i] = static_cast<std::int64_t>(i % 5) - 1;
   const auto run = [&](auto... threads) {
-    std::vector<Doubles> numbers(20, Doubles(size));
+    std::vector<Doubles> numbers(29, Doubles(size));
     std::vector<Integers> counts(6, Integers(size));
     auto& v = numbers;
     count_collisions(alpha, counts[0], counts[1], threads...);
@@ -85,6 +85,9 @@ TEST_CASE("several threads give the same bits as none", "[check]") {
     fast::ratios(-100, v[14], v[15], threads...);
     accurate::ratios(-100, v[16], v[17], threads...);
     fast::ratios(std::numeric_limits<std::int64_t>::max() - 3, v[18], v[19], threads...);
+    fast::velocities(alpha, 1, v[20], v[21], v[22], v[23], threads...);
+    accurate::velocities(alpha, 3, v[24], v[25], v[26], v[27], threads...);
+    fast::transmission(alpha, 0.9, v[28], threads...);
     return std::pair(numbers, counts);
   };
   const auto [numbers, counts] = run();
@@ -124,5 +127,10 @@ TEST_CASE("columns are looked at whole: an output may not overlap another part's
   CHECK(same_bits(memory, before));
   CHECK_THROWS_AS(count_collisions(b, n, n, Threads{2}), InvalidInput);
   CHECK_THROWS_WITH(fast::ratios(1, b, c, Threads{0}), "threads must be 1 or more, got 0");
+  CHECK_THROWS_AS(
+      fast::velocities(all.first(10000), 1, all.subspan(5000, 10000), b, c, d, Threads{2}),
+      InvalidInput);
+  CHECK_THROWS_AS(fast::transmission(b, 0.5, b, Threads{2}), InvalidInput);
+  CHECK_THROWS_AS(fast::transmission({}, 2.0, {}, Threads{2}), InvalidInput);
   CHECK(Threads::all().count >= 1);
 }

@@ -36,7 +36,7 @@ void require_nearest(std::int64_t first_k, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i) {
       const auto k = first_k + static_cast<std::int64_t>(i);
       const auto one = accurate::ratios(k);
-      INFO(name(set) << ", k = " << k);
+      INFO(to_text(set) << ", k = " << k);
       REQUIRE(got.magic[i] == one.magic);
       REQUIRE(got.deficient[i] == one.deficient);
     }

@@ -11,7 +11,7 @@
 
 #include "batch/instruction_sets.hpp"
 #include "magicmass/batch.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/velocities.hpp"
 #include "random_numbers.hpp"

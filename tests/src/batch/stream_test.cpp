@@ -10,8 +10,8 @@
 
 #include "batch/instruction_sets.hpp"
 #include "magicmass/batch.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "random_numbers.hpp"
 
 using namespace magicmass;
@@ -60,7 +60,7 @@ TEST_CASE("streams of every length have the same bits with every instruction set
           const auto from = longest.begin() + static_cast<std::ptrdiff_t>(600 * v);
           expected.insert(expected.end(), from, from + static_cast<std::ptrdiff_t>(size));
         }
-        INFO(name(set) << ", alpha = " << alpha << ", size " << size);
+        INFO(to_text(set) << ", alpha = " << alpha << ", size " << size);
         REQUIRE(same_bits(stream(alpha, 1, size, set, size % 9), expected));
       }
     }
@@ -76,7 +76,7 @@ TEST_CASE("random windows have the same bits with every instruction set", "[chec
         generator, 0, counts ? counts->N_A : std::numeric_limits<std::int64_t>::max());
     const std::vector<double> expected = stream(alpha, first_n, 700, InstructionSet::baseline);
     for (const InstructionSet set : testing::available_instruction_sets()) {
-      INFO(name(set) << ", alpha = " << alpha << ", n = " << first_n);
+      INFO(to_text(set) << ", alpha = " << alpha << ", n = " << first_n);
       REQUIRE(same_bits(stream(alpha, first_n, 700, set), expected));
     }
   }

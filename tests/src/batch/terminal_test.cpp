@@ -13,8 +13,8 @@
 #include "batch/instruction_sets.hpp"
 #include "magicmass/accurate.hpp"
 #include "magicmass/batch.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "random_numbers.hpp"
 
 using namespace magicmass;
@@ -66,7 +66,7 @@ Rows require_same(Run run, std::span<const double> alpha) {
   for (const InstructionSet set : testing::available_instruction_sets()) {
     const Rows got = rows(run, alpha, set);
     for (std::size_t i = 0; i < alpha.size(); ++i) {
-      INFO(name(set) << ", alpha = " << alpha[i]);
+      INFO(to_text(set) << ", alpha = " << alpha[i]);
       REQUIRE(got.is_like(expected, i, i));
     }
   }
@@ -152,7 +152,7 @@ TEST_CASE("terminal velocities of tails of every length, at every offset", "[exa
           const std::size_t length = size + whole_blocks, first = size % 11;
           const Rows got = rows(run, std::span(alpha).subspan(first, length), set, size % 8);
           for (std::size_t i = 0; i < length; ++i) {
-            INFO(name(set) << ", size " << length << ", row " << i);
+            INFO(to_text(set) << ", size " << length << ", row " << i);
             REQUIRE(got.is_like(all, i, first + i));
           }
         }
@@ -170,7 +170,7 @@ TEST_CASE("alpha that is no mass ratio gets -1 and NaN in its place alone", "[ex
         const Rows before = rows(run, alpha, set);
         alpha[7] = wrong;
         const Rows got = rows(run, alpha, set);
-        INFO(name(set) << ", alpha = " << wrong);
+        INFO(to_text(set) << ", alpha = " << wrong);
         CHECK((got.N_A[7] == -1 && got.N_B[7] == -1));
         CHECK((std::isnan(got.a[7]) && std::isnan(got.b[7]) && std::isnan(got.c[7])));
         for (std::size_t i = 0; i < 20; ++i)

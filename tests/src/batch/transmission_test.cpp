@@ -140,7 +140,7 @@ TEST_CASE("a collapse is told from a last collision to the last bit of alpha", "
     for (const InstructionSet set : testing::available_instruction_sets()) {
       const auto got = rhos(alphas, e, set);
       for (std::size_t i = 0; i < alphas.size(); ++i) {
-        INFO("alpha = " << alphas[i] << ", e = " << e << ", " << name(set));
+        INFO("alpha = " << alphas[i] << ", e = " << e << ", " << to_text(set));
         CHECK(std::isnan(got[i]) != ends(alphas[i], e));
       }
     }

@@ -12,7 +12,6 @@
 #include "magicmass/accurate.hpp"
 #include "magicmass/batch.hpp"
 #include "magicmass/counts.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "random_numbers.hpp"
 
 using namespace magicmass;
@@ -60,7 +59,7 @@ TEST_CASE("accurate velocities at one n are those of one input", "[check]") {
       accurate::velocities(alpha, n, got.a, got.b, got.c, got.c_prime, set);
       for (std::size_t i = 0; i < alpha.size(); ++i) {
         const auto one = accurate::velocities(alpha[i], n);
-        INFO(name(set) << ", n = " << n << ", alpha = " << alpha[i]);
+        INFO(to_text(set) << ", n = " << n << ", alpha = " << alpha[i]);
         REQUIRE(got.a[i] == one.a);
         REQUIRE(got.b[i] == one.b);
         REQUIRE(got.c[i] == one.c);

@@ -12,8 +12,8 @@
 #include "batch/instruction_sets.hpp"
 #include "magicmass/accurate.hpp"
 #include "magicmass/batch.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/fast.hpp"
 #include "random_numbers.hpp"
 
@@ -67,7 +67,7 @@ std::vector<double> require_same(Run run, const Inputs& in) {
     const auto got = rows(run, in, 0, in.n.size(), set);
     for (std::size_t i = 0; i < got.size(); ++i) {
       const std::size_t row = i % in.n.size();
-      INFO(name(set) << ", alpha = " << in.alpha[row] << ", n = " << in.n[row]);
+      INFO(to_text(set) << ", alpha = " << in.alpha[row] << ", n = " << in.n[row]);
       REQUIRE(alike(got[i], expected[i]));
     }
   }
@@ -163,7 +163,7 @@ TEST_CASE("velocities of tails of every length, at every offset", "[exam]") {
           const std::size_t length = size + whole_blocks, first = size % 11;
           const auto got = rows(run, in, first, length, set, size % 8);
           for (std::size_t i = 0; i < got.size(); ++i) {
-            INFO(name(set) << ", size " << length << ", place " << i);
+            INFO(to_text(set) << ", size " << length << ", place " << i);
             REQUIRE(alike(got[i], all[i / length * 300 + first + i % length]));
           }
         }
@@ -197,7 +197,7 @@ TEST_CASE("rows without an answer are NaN in their place alone", "[exam]") {
         in.n[7] = n;
         const auto got = rows(run, in, 0, 20, set);
         for (std::size_t i = 0; i < got.size(); ++i) {
-          INFO(name(set) << ", alpha = " << alpha << ", n = " << n << ", place " << i);
+          INFO(to_text(set) << ", alpha = " << alpha << ", n = " << n << ", place " << i);
           if (i % 20 == 7)
             CHECK(std::isnan(got[i]));
           else

@@ -10,10 +10,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/evaluators/certified_angles.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "report/family.hpp"
 #include "report/transcription.hpp"
 

@@ -9,8 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/evaluators/velocity_attempts.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/velocities.hpp"

@@ -2,7 +2,7 @@
 // The exact count of src/magicmass/evaluators against an oracle that knows only the collision law.
 #include <catch2/catch.hpp>
 
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/reference/count.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/ratios.hpp"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/evaluators/count.hpp"
-
 #include <cmath>
 #include <limits>
 
 #include <catch2/catch.hpp>
 
 #include "magicmass/errors.hpp"
+#include "magicmass/evaluators/count_decision.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 #include "random_numbers.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/evaluators/nearest_threshold.hpp"
+#include "magicmass/nearest_threshold.hpp"
 
 #include <cmath>
 #include <cstdint>

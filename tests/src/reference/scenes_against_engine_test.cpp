@@ -171,8 +171,8 @@ TEST_CASE("a value that no precision decides is not guessed", "[exam]") {
         reference::exact_line(parse_scene("alpha = \"magic:1001\"\nV = \"" + V + "\"", "halfway"));
     return reference::TrioEnd(line, cln::cl_I(2002), 1024).velocities(2002);
   };
-  const Velocities<double> v = after_all("1");
-  CHECK(v == Velocities<double>{0.0, 1.0, 0.0});
+  const BodyVelocities<double> v = after_all("1");
+  CHECK(v == BodyVelocities<double>{0.0, 1.0, 0.0});
   CHECK_FALSE(std::signbit(v.a));
   CHECK_FALSE(std::signbit(v.c));
   // B ends with V, halfway between two doubles.

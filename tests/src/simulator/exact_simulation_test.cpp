@@ -48,8 +48,8 @@ TEST_CASE("nothing drifts, bodies take turns and meet where they are, at random 
     const auto [run, events] = record_three_body(alpha, V, L);
     REQUIRE(run.drift.energy == 0);
     REQUIRE(run.drift.momentum == 0);
-    Positions<cl_RA> x{0, L, 0};
-    Velocities<cl_RA> v{V, 0, 0};
+    BodyPositions<cl_RA> x{0, L, 0};
+    BodyVelocities<cl_RA> v{V, 0, 0};
     cl_RA time = 0;
     for (std::size_t j = 0; j < events.size(); ++j) {
       const Event<cl_RA>& event = events[j];
@@ -58,7 +58,7 @@ TEST_CASE("nothing drifts, bodies take turns and meet where they are, at random 
       REQUIRE(event.n == static_cast<std::int64_t>(j / 2 + 1));
       REQUIRE((j == 0 ? event.time == 0 : passed > 0));
       REQUIRE(event.positions ==
-              Positions<cl_RA>{x.a + v.a * passed, x.b + v.b * passed, x.c + v.c * passed});
+              BodyPositions<cl_RA>{x.a + v.a * passed, x.b + v.b * passed, x.c + v.c * passed});
       REQUIRE(event.position == event.positions.c);
       REQUIRE(event.position == (event.body == Body::A ? event.positions.a : event.positions.b));
       x = event.positions;

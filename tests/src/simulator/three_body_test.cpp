@@ -20,12 +20,12 @@ TEST_CASE("a ball three times as heavy as the blocks, times and places by hand",
   CHECK(events[0].body == Body::A);
   CHECK(events[0].time == 0.0);
   CHECK(events[0].position == 0.0);
-  CHECK(events[0].positions == Positions<double>{0.0, 1.0, 0.0});
+  CHECK(events[0].positions == BodyPositions<double>{0.0, 1.0, 0.0});
   CHECK(events[1].body == Body::B);
   CHECK(events[1].time == 2.0);
   CHECK(events[1].position == 1.0);
-  CHECK(events[1].after == Velocities<double>{-0.5, 0.75, 0.25});
-  CHECK(events[1].positions == Positions<double>{-1.0, 1.0, 1.0});
+  CHECK(events[1].after == BodyVelocities<double>{-0.5, 0.75, 0.25});
+  CHECK(events[1].positions == BodyPositions<double>{-1.0, 1.0, 1.0});
   CHECK(run.status == RunStatus::complete);
   CHECK(run.counts == Counts{1, 1});
   CHECK(run.last_time == 2.0);
@@ -44,7 +44,7 @@ TEST_CASE("bodies stay in order and in time, and meet where they are", "[check]"
       REQUIRE(events[j].body == (j % 2 == 0 ? Body::A : Body::B));
       REQUIRE(events[j].n == static_cast<std::int64_t>(j / 2 + 1));
       REQUIRE((j == 0 || events[j - 1].time < events[j].time));
-      const Positions<double>& x = events[j].positions;
+      const BodyPositions<double>& x = events[j].positions;
       REQUIRE((x.a <= x.c && x.c <= x.b));
       REQUIRE((events[j].body == Body::A ? x.a : x.b) == x.c);
       REQUIRE(events[j].position == x.c);

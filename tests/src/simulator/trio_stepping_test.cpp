@@ -22,9 +22,9 @@ TEST_CASE("stepping by weights is stepping by the law", "[check]") {
     const double alpha = testing::log_uniform(generator, 1e-3, 1e3);
     const Trio<double> trio{contact_weights(1.0, alpha, 1.0), contact_weights(1.0, alpha, 1.0)};
     const auto recorded = record_three_body(alpha);
-    Velocities<double> alone{1.0, 0.0, 0.0};
+    BodyVelocities<double> alone{1.0, 0.0, 0.0};
     CHECK(step_trio(trio, alone, no_limit) == static_cast<std::int64_t>(recorded.events.size()));
-    Velocities<double> v{1.0, 0.0, 0.0};
+    BodyVelocities<double> v{1.0, 0.0, 0.0};
     TrioPlace<double> place{0.0, 0.0, 1.0};
     const auto contacts =
         step_trio(trio, v, place, no_limit, [&](std::int64_t n, const auto& at, const auto& after) {
@@ -42,7 +42,7 @@ TEST_CASE("a block and a wall count digits of pi, event by event", "[exam]") {
   double ratio = 1.0;
   for (const std::int64_t digits : expected) {
     const Trio<double> trio{contact_weights(ratio, 1.0, 1.0), wall_weights(1.0)};
-    Velocities<double> v{1.0, 0.0, 0.0};
+    BodyVelocities<double> v{1.0, 0.0, 0.0};
     CHECK(step_trio(trio, v, no_limit) == digits);
     ratio *= 100.0;
   }
@@ -50,13 +50,13 @@ TEST_CASE("a block and a wall count digits of pi, event by event", "[exam]") {
 
 TEST_CASE("a limit stops stepping where it is", "[exam]") {
   const Trio<double> trio{contact_weights(1e6, 1.0, 1.0), wall_weights(1.0)};
-  Velocities<double> v{1.0, 0.0, 0.0};
+  BodyVelocities<double> v{1.0, 0.0, 0.0};
   CHECK(step_trio(trio, v, 101) == 101);
   CHECK(v.c > 0.0);  // after P
 }
 
 TEST_CASE("... and 3 * 10^8 events count nine digits, in doubles", "[time]") {
   const Trio<double> trio{contact_weights(1e16, 1.0, 1.0), wall_weights(1.0)};
-  Velocities<double> v{1.0, 0.0, 0.0};
+  BodyVelocities<double> v{1.0, 0.0, 0.0};
   CHECK(step_trio(trio, v, no_limit) == 314159265);
 }

@@ -16,7 +16,7 @@ TEST_CASE("equal masses hand everything on", "[exam]") {
   const auto run = step_velocities(1.0);
   CHECK(run.status == RunStatus::complete);
   CHECK(run.counts == Counts{1, 1});
-  CHECK(run.terminal == Velocities<double>{0.0, 1.0, 0.0});
+  CHECK(run.terminal == BodyVelocities<double>{0.0, 1.0, 0.0});
 }
 
 TEST_CASE("a ball three times as heavy as the blocks, by hand", "[exam]") {
@@ -28,10 +28,10 @@ TEST_CASE("a ball three times as heavy as the blocks, by hand", "[exam]") {
   REQUIRE(events.size() == 2);
   CHECK(events[0].body == Body::A);
   CHECK(events[0].n == 1);
-  CHECK(events[0].after == Velocities<double>{-0.5, 0.0, 0.5});
+  CHECK(events[0].after == BodyVelocities<double>{-0.5, 0.0, 0.5});
   CHECK(events[1].body == Body::B);
   CHECK(events[1].n == 1);
-  CHECK(events[1].after == Velocities<double>{-0.5, 0.75, 0.25});
+  CHECK(events[1].after == BodyVelocities<double>{-0.5, 0.75, 0.25});
 }
 
 TEST_CASE("the paper's counts at 0.12 and 0.10, in every floating-point type", "[exam]") {
@@ -48,7 +48,7 @@ TEST_CASE("the largest number of collisions stops a run, and only then is it lim
   CHECK(step_velocities(0.10, 1.0, 6).counts == Counts{3, 3});
   CHECK(step_velocities(0.10, 1.0, 7).status == RunStatus::complete);
   CHECK(step_velocities(0.10, 1.0, 0).counts == Counts{0, 0});
-  CHECK(step_velocities(0.10, 1.0, 0).terminal == Velocities<double>{1.0, 0.0, 0.0});
+  CHECK(step_velocities(0.10, 1.0, 0).terminal == BodyVelocities<double>{1.0, 0.0, 0.0});
 }
 
 TEST_CASE("speed only scales, down to the smallest double", "[exam]") {

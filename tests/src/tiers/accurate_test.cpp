@@ -9,9 +9,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/certified_velocities.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "magicmass/reference/velocities.hpp"
 #include "magicmass/scenes/mass_ratio.hpp"

@@ -9,8 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "magicmass/counts.hpp"
 #include "magicmass/errors.hpp"
-#include "magicmass/evaluators/count.hpp"
 #include "magicmass/scenes/mass_ratio.hpp"
 #include "random_numbers.hpp"
 #include "report/family.hpp"

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "batch/instruction_sets.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 #include "random_numbers.hpp"
 
@@ -42,7 +42,7 @@ std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, doub
   generated::Velocities<double> velocities;
   generated::Encounters<double> encounters;
   generated::Ratios<double> ratios;
-  generated::Terminal<double> terminal;
+  generated::TerminalValues<double> terminal;
   double angle = 0.0;
   all.push_back(kernels.velocities(alpha, n, velocities));
   all.push_back(kernels.encounters(alpha, n, encounters));
@@ -66,7 +66,7 @@ void require_same(double low, double high, std::uint64_t seed, int size) {
         testing::whole(generator, alpha < 1.0 ? 2 : 0, std::max<std::int64_t>(counts.N_A, 1)));
     const auto expected = bits(tiers::single_kernels(InstructionSet::baseline), alpha, n, counts);
     for (const InstructionSet set : testing::available_instruction_sets()) {
-      INFO(name(set) << ", alpha = " << alpha << ", n = " << n);
+      INFO(to_text(set) << ", alpha = " << alpha << ", n = " << n);
       REQUIRE(bits(tiers::single_kernels(set), alpha, n, counts) == expected);
     }
   }
@@ -86,7 +86,7 @@ TEST_CASE("from alpha = 1 on, too", "[check]") {
     for (const double n : {0.0, 1.0}) {
       const auto expected = bits(tiers::single_kernels(InstructionSet::baseline), alpha, n, {1, 1});
       for (const InstructionSet set : testing::available_instruction_sets()) {
-        INFO(name(set) << ", alpha = " << alpha << ", n = " << n);
+        INFO(to_text(set) << ", alpha = " << alpha << ", n = " << n);
         REQUIRE(bits(tiers::single_kernels(set), alpha, n, {1, 1}) == expected);
       }
     }
@@ -101,7 +101,7 @@ TEST_CASE("from alpha = 1 on, too", "[check]") {
       add(all, tiers::single_kernels(set).fast_velocities(alpha, 1.0, 0.0));
       add(all, tiers::single_kernels(set).fast_terminal_at(alpha, 1.0, 0.0, 1.0));
       if (expected.empty()) expected = all;
-      INFO(name(set) << ", alpha = " << alpha);
+      INFO(to_text(set) << ", alpha = " << alpha);
       REQUIRE(all == expected);
     }
   }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "magicmass/accurate.hpp"
-#include "magicmass/evaluators/count.hpp"
+#include "magicmass/counts.hpp"
 #include "magicmass/fast.hpp"
 #include "report/transcription.hpp"
 

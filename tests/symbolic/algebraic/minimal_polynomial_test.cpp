@@ -17,7 +17,7 @@ namespace {
 
 std::string polynomial_of(const ex& constant) {
   const auto polynomial = minimal_polynomial(constant);
-  return polynomial ? text(*polynomial) : "none";
+  return polynomial ? to_text(*polynomial) : "none";
 }
 
 }  // namespace

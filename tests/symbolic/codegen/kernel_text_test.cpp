@@ -57,7 +57,7 @@ TEST_CASE("each kernel asks for no more than its forms need", "[exam]") {
   for (const KernelForm& one : codegen::kernel_forms()) {
     const codegen::Kernel kernel = make_kernel(one, theorems());
     const auto counts = operation_counts(kernel.program);
-    INFO(one.name << ": " << text(counts));
+    INFO(one.name << ": " << to_text(counts));
     const bool has_angle = turns_by_an_angle_of_alpha(one);
     CHECK(counts.square_roots == (has_angle ? 1 : 0));
     CHECK(counts.arctangents == (has_angle ? 1 : 0));

@@ -149,5 +149,5 @@ TEST_CASE("a power whose exponent is an index is shown and counted, and stays on
   const Program reduced = strength_reduction(common_subexpressions(canonical_order(build.program)));
   CHECK(shown(reduced) == "e^(1 + k)");
   CHECK(count(reduced, Op::indexed_power) == 1);
-  CHECK(text(operation_counts(reduced)) == "1 addition, 1 power");
+  CHECK(to_text(operation_counts(reduced)) == "1 addition, 1 power");
 }

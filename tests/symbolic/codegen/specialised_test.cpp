@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "codegen/specialised_kernel.hpp"
-
 #include <algorithm>
 #include <set>
 
 #include <catch2/catch.hpp>
 
+#include "codegen/specialised_kernel.hpp"
 #include "derivation/derivation.hpp"
+#include "magicmass/errors.hpp"
 
 using namespace magicmass::codegen;
 
@@ -49,6 +49,11 @@ const std::vector<std::vector<std::string>> sets{{"a", "b", "c", "c_prime"},
                                                  {"psi"}};
 
 }  // namespace
+
+TEST_CASE("a quantity that the paper does not have is refused by its name", "[exam]") {
+  CHECK_THROWS_AS(grouped({"none"}), magicmass::InvalidInput);
+  CHECK_THROWS_WITH(grouped({"rho", "none"}), "no quantity is called none");
+}
 
 TEST_CASE("a part of the outputs costs less than all, and nothing that is no part of them",
           "[exam]") {
@@ -98,8 +103,9 @@ TEST_CASE("the header says its own count, and does not depend on the order of th
   const GeneratedFile file = header({"a_t", "rho"});
   CHECK(file.path == "magicmass/a_t_rho.hpp");
   CHECK(file.content == header({"rho", "a_t", "rho"}).content);
-  CHECK_THAT(file.content,
-             Catch::Contains("Cost: " + text(operation_counts(program_of(made({"rho", "a_t"}))))));
+  CHECK_THAT(
+      file.content,
+      Catch::Contains("Cost: " + to_text(operation_counts(program_of(made({"rho", "a_t"}))))));
   for (const char* words : {"offset.rho", "offset.a_after_Q", "tangent.first_a",
                             "Domain:", "Error:", "// Compile with: ", "`a command`"})
     CHECK_THAT(file.content, Catch::Contains(words));

@@ -13,7 +13,7 @@ TEST_CASE("complete transfer states what each step supposes", "[exam]") {
   const derivation::Derivation all = derivation::derive();
   REQUIRE_FALSE(all.refused);
   const proof::Theorem& trip = all.at("chain.round_trip");
-  CHECK(proof::text(trip.statement()) == "w(K) = -v(1)");
+  CHECK(proof::to_text(trip.statement()) == "w(K) = -v(1)");
   // Each way: one at a time, its own magic ratio, and which run it is; at the wall: the energy, and a bounce.
   const auto& conditions = trip.step().conditions;
   for (const char* way : {"v(j + 1) = b(k); v(j) = V", "w(j + 1) = -b(k); w(j) = -V"})

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <set>
+#include <type_traits>
 
 #include <catch2/catch.hpp>
+#include <ginac/ginac.h>
 
+#include "magicmass/errors.hpp"
+#include "proof/names.hpp"
 #include "proof/text.hpp"
 
 using namespace magicmass;
@@ -30,6 +34,18 @@ TEST_CASE("every step is proved from the laws", "[exam]") {
     for (const std::string& premise : theorem.step().premises) CHECK(seen.contains(premise));
     CHECK(seen.insert(theorem.id()).second);
   }
+}
+
+TEST_CASE("what is not there is refused by its name, as bad input is everywhere", "[exam]") {
+  CHECK(whole().at("power.b").id() == "power.b");
+  CHECK_THROWS_AS(whole().at("power.z"), InvalidInput);
+  CHECK_THROWS_WITH(whole().at("power.z"), "no theorem is called power.z");
+  const derivation::Paper paper = derivation::paper();
+  CHECK_THROWS_AS(paper.at("eq:none"), InvalidInput);
+  CHECK_THROWS_AS(derivation::Beginning("none", derivation::conservation_laws(), paper),
+                  InvalidInput);
+  CHECK_THROWS_AS(proof::symbol("2x"), InvalidInput);
+  STATIC_REQUIRE(std::is_base_of_v<Error, proof::NotProved>);
 }
 
 TEST_CASE("the laws are the two conservation laws, the contact, the start and uniform motion",
@@ -66,7 +82,7 @@ TEST_CASE("the laws are the two conservation laws, the contact, the start and un
 TEST_CASE("hypotheses are conditions of what rests on them", "[exam]") {
   for (const proof::Theorem& theorem : whole().theorems) {
     if (theorem.step().verdict != "hypothesis") continue;
-    const std::string supposed = proof::text(theorem.statement());
+    const std::string supposed = proof::to_text(theorem.statement());
     for (const proof::Theorem& other : whole().theorems) {
       const auto& premises = other.step().premises;
       if (other.step().rule == "special case" ||  // it speaks of other values
@@ -84,7 +100,8 @@ TEST_CASE("hypotheses are conditions of what rests on them", "[exam]") {
 TEST_CASE("main results rest on no hypothesis", "[exam]") {
   std::set<std::string> hypotheses;
   for (const proof::Theorem& theorem : whole().theorems)
-    if (theorem.step().verdict == "hypothesis") hypotheses.insert(proof::text(theorem.statement()));
+    if (theorem.step().verdict == "hypothesis")
+      hypotheses.insert(proof::to_text(theorem.statement()));
   CHECK_FALSE(hypotheses.empty());
   for (const char* id : {"power.a",
                          "power.b",
@@ -127,11 +144,11 @@ TEST_CASE("every displayed equation that is claimed is proved under its label", 
   const derivation::Paper paper = derivation::paper();
   for (const auto& [label, statement] : paper.equations()) {
     INFO(label);
-    const std::string shown = proof::text(statement);
+    const std::string shown = proof::to_text(statement);
     CHECK(std::any_of(
         whole().theorems.begin(), whole().theorems.end(), [&](const proof::Theorem& theorem) {
-          return theorem.step().verdict == "proved" && proof::text(theorem.statement()) == shown &&
-                 !theorem.step().label.empty();
+          return theorem.step().verdict == "proved" &&
+                 proof::to_text(theorem.statement()) == shown && !theorem.step().label.empty();
         }));
   }
 }

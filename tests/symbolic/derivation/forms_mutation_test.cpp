@@ -64,10 +64,10 @@ TEST_CASE("no spoiled form is proved", "[exam]") {
     if (theorem.step().rule != "substitution") continue;
     chapters.insert(id.substr(0, id.find('.')));
     Kernel kernel = before.kernel();
-    INFO(proof::text(theorem.statement()));
+    INFO(proof::to_text(theorem.statement()));
     REQUIRE_NOTHROW(proved_again(kernel, theorem, theorem.statement()));
     for (const proof::Statement& mutant : deep_mutants(theorem.statement())) {
-      INFO("mutant: " << proof::text(mutant));
+      INFO("mutant: " << proof::to_text(mutant));
       kernel = before.kernel();
       CHECK_THROWS_AS(proved_again(kernel, theorem, mutant), proof::NotProved);
     }

@@ -18,7 +18,7 @@ using proof::Statement;
 namespace {
 
 void check_refused(const derivation::Derivation& result, const Statement& mutant) {
-  INFO("mutant: " << proof::text(mutant));
+  INFO("mutant: " << proof::to_text(mutant));
   REQUIRE(result.refused);
   CHECK_THAT(result.refused->what(), Catch::Contains("not proved"));
 }

@@ -30,7 +30,7 @@ TEST_CASE("the straight line gives the same times and distances by another way",
     const std::string line = std::string("unfolding.") + name,
                       direct = std::string("times.") + name;
     INFO(line);
-    CHECK(proof::text(all.at(line).statement()) == proof::text(all.at(direct).statement()));
+    CHECK(proof::to_text(all.at(line).statement()) == proof::to_text(all.at(direct).statement()));
     const std::set<std::string> by_line = ancestors(all, line),
                                 by_recurrence = ancestors(all, direct);
     for (const char* recurrence : {"times.t_next", "times.s_next", "times.P"}) {

@@ -14,7 +14,7 @@ namespace {
 std::string shown(const std::vector<std::string>& conditions,
                   const std::set<std::string>& symbols) {
   std::string all;
-  for (const std::string& condition : texts(parse_domain(conditions, symbols)))
+  for (const std::string& condition : to_texts(parse_domain(conditions, symbols)))
     all += (all.empty() ? "" : "; ") + condition;
   return all;
 }
@@ -55,13 +55,13 @@ TEST_CASE("points lie in the domain, the simplest first", "[exam]") {
   const std::vector<Point> points = points_of(domain, 40, {});
   REQUIRE(points.size() == 40);
   for (const Point& point : points) {
-    INFO(text(point));
-    CHECK(domain.range("x").contains(point.at("x")));
-    CHECK(domain.range("n").contains(point.at("n")));
+    INFO(to_text(point));
+    CHECK(domain.ranges.at("x").contains(point.at("x")));
+    CHECK(domain.ranges.at("n").contains(point.at("n")));
     CHECK(point.at("y") < point.at("x"));
   }
   CHECK(points.front().at("n") == 3);
   CHECK(points.front().at("x") == cln::cl_RA(1) / 2);
-  CHECK(simple_values(parse_domain({}, {"alpha"}).range("alpha"), 3) ==
+  CHECK(simple_values(parse_domain({}, {"alpha"}).ranges.at("alpha"), 3) ==
         std::vector<cln::cl_RA>{1, 2, 3});
 }

@@ -9,7 +9,7 @@ using namespace magicmass::equality;
 
 namespace {
 
-std::string read(const std::string& typed) { return text(parse(typed)); }
+std::string read(const std::string& typed) { return to_text(parse(typed)); }
 
 }  // namespace
 
@@ -86,7 +86,7 @@ TEST_CASE("sizes are known before anything is computed", "[exam]") {
   std::string deep = "2";
   for (int i = 0; i < 1000; ++i) deep = "sqrt(" + deep + ")";
   CHECK_THROWS_WITH(parse(deep), Catch::Contains("nested"));
-  CHECK(text(parse(std::string(15000, '-') + "1")) == "1");
+  CHECK(to_text(parse(std::string(15000, '-') + "1")) == "1");
 }
 
 TEST_CASE("what is printed reads back", "[exam]") {

@@ -83,7 +83,7 @@ TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not
   const std::set<std::string> undecided{"ratios.alpha_k_back", "ratios.beta_k_back"};
   CHECK(equations.size() >= 10);
   for (const Sides& sides : equations) {
-    INFO(sides.id << ": " << text(sides.lhs) << " = " << text(sides.rhs));
+    INFO(sides.id << ": " << to_text(sides.lhs) << " = " << to_text(sides.rhs));
     const Verdict verdict = verdict_on(sides.lhs, sides.rhs);
     INFO(verdict.proof);
     if (undecided.contains(sides.id))
@@ -91,7 +91,7 @@ TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not
     else
       CHECK(verdict.answer == Answer::equal);
     mutants(sides.rhs, [&](const Tree& wrong) {
-      INFO("mutant " << text(wrong));
+      INFO("mutant " << to_text(wrong));
       try {
         CHECK(verdict_on(sides.lhs, wrong).answer == Answer::different);
       } catch (const NoQuestion&) {  // a root of a negative number

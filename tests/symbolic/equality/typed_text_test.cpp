@@ -13,7 +13,7 @@ using Catch::Contains;
 
 namespace {
 
-std::string read(const std::string& typed) { return text(parse(plain_text(typed))); }
+std::string read(const std::string& typed) { return to_text(parse(plain_text(typed))); }
 
 }  // namespace
 
@@ -59,8 +59,8 @@ TEST_CASE("a matrix may be typed in several ways", "[exam]") {
   const Entries latex =
       matrix_entries(R"(\begin{pmatrix} \frac{1}{2} & 0 \\ 0 & \alpha \end{pmatrix})");
   REQUIRE(latex.size() == 2);
-  CHECK(text(parse(latex[0][0])) == "1/2");
-  CHECK(text(parse(latex[1][1])) == "alpha");
+  CHECK(to_text(parse(latex[0][0])) == "1/2");
+  CHECK(to_text(parse(latex[1][1])) == "alpha");
   CHECK_THROWS_WITH(matrix_entries("[[a, b], [c]]"), Contains("row 2 has 1 entries, row 1 has 2"));
   CHECK_THROWS_AS(matrix_entries(""), NotAnExpression);
   CHECK_THROWS_AS(matrix_entries("[[a, b], c]"), NotAnExpression);

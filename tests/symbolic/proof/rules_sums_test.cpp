@@ -126,7 +126,7 @@ TEST_CASE("the index of a sum is nothing outside it", "[exam]") {
   CHECK_THROWS(kernel.identity({.id = "a", .statement = {k, k}}));
   CHECK_THROWS(kernel.hypothesis({.id = "b", .statement = {x, k}}));
   CHECK_THROWS(symbol("k'"));
-  CHECK(text(k) == "k'");
+  CHECK(to_text(k) == "k'");
   NormalForm form(Domain{}.with_integer("n", 0), {});
   CHECK(form.is_zero(binomial_sum(n) - binomial_sum(n)));
   CHECK_FALSE(form.is_zero(binomial_sum(n) - binomial_sum(n + 1)));
