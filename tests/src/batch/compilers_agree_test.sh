@@ -33,7 +33,9 @@ fi
 # Where the library is, a compiler, a build type and further flags; fails if the program that they make disagrees.
 linked_agrees() {
   local library optimisation=-O2
-  library=$(find "$1" -name 'libmagicmass_runtime.a') && shift
+  library=$(find "$1" -name 'libmagicmass_runtime.a')
+  [[ -n $library ]] || { echo "FAILED: no library below $1"; exit 1; }
+  shift
   if [[ $2 == Debug ]]; then optimisation=-O0; fi
   # shellcheck disable=SC2086
   "$1" -std=c++20 $optimisation ${3-} -ffp-contract=off -I "$source/src" -I "$source/generated" \
