@@ -9,6 +9,7 @@
 #include "command/animate/animation.hpp"
 #include "command/commands.hpp"
 #include "command/destination.hpp"
+#include "command/program.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "command/program.hpp"
-
 namespace magicmass::command {
+
+struct Program;
 
 void add_derive(Program& program);
 void add_verify(Program& program);

@@ -7,6 +7,7 @@
 
 #include "command/alpha_value.hpp"
 #include "command/commands.hpp"
+#include "command/program.hpp"
 #include "command/questions.hpp"
 #include "magicmass/evaluators/count_decision.hpp"
 #include "magicmass/nearest_threshold.hpp"

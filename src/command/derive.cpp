@@ -6,6 +6,7 @@
 
 #include "command/commands.hpp"
 #include "command/nearest_name.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "command/refusal.hpp"
 #include "command/terminal_style.hpp"

@@ -10,6 +10,7 @@
 
 #include "command/commands.hpp"
 #include "command/generated_tree.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "magicmass/batch/instruction_set.hpp"
 

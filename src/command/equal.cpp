@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "command/commands.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "equality/bounded.hpp"
 #include "magicmass/errors.hpp"

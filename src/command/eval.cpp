@@ -8,6 +8,7 @@
 
 #include "command/alpha_value.hpp"
 #include "command/commands.hpp"
+#include "command/program.hpp"
 #include "command/questions.hpp"
 #include "command/velocity_tiers.hpp"
 #include "magicmass/errors.hpp"

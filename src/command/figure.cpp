@@ -11,6 +11,7 @@
 #include "command/destination.hpp"
 #include "command/figure/drawing.hpp"
 #include "command/nearest_name.hpp"
+#include "command/program.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 

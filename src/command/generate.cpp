@@ -9,6 +9,7 @@
 
 #include "command/commands.hpp"
 #include "command/generated_tree.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "command/refusal.hpp"
 #include "command/specialised_header.hpp"

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "command/nearest_name.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/nearest_key.hpp"

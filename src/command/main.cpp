@@ -14,6 +14,7 @@
 #include "command/destination.hpp"
 #include "command/known_words.hpp"
 #include "command/part_file.hpp"
+#include "command/program.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 

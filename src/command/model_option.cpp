@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/model_option.hpp"
+#include "command/program.hpp"
 
 #include <cstdint>
 #include <string>

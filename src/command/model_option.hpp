@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include "command/program.hpp"
 #include "magicmass/reference/scene_plan.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace magicmass::command {
 

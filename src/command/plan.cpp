@@ -6,6 +6,7 @@
 #include "command/commands.hpp"
 #include "command/line_pages.hpp"
 #include "command/model_option.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "render/wrapping.hpp"

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "command/csv_table.hpp"
+#include "command/program.hpp"
 #include "magicmass/errors.hpp"
 
 namespace magicmass::command {

@@ -7,8 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "command/program.hpp"
 #include "command/records.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace magicmass::command {
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "command/commands.hpp"
+#include "command/program.hpp"
 #include "command/ratio_forms.hpp"
 #include "command/records.hpp"
 #include "command/velocity_tiers.hpp"

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "command/destination.hpp"
-#include "command/program.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace magicmass::command {
 

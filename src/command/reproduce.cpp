@@ -10,6 +10,7 @@
 #include "command/commands.hpp"
 #include "command/destination.hpp"
 #include "command/figure/drawing.hpp"
+#include "command/program.hpp"
 #include "command/report/progress.hpp"
 #include "command/reproduce/pages.hpp"
 #include "command/reproduce/sections.hpp"

@@ -8,6 +8,7 @@
 #include "command/commands.hpp"
 #include "command/line_output.hpp"
 #include "command/model_option.hpp"
+#include "command/program.hpp"
 #include "command/scene_pages.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/line_plan.hpp"

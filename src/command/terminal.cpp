@@ -7,6 +7,7 @@
 #include "command/alpha_value.hpp"
 #include "command/commands.hpp"
 #include "command/inelastic_end.hpp"
+#include "command/program.hpp"
 #include "command/questions.hpp"
 #include "command/velocity_tiers.hpp"
 #include "magicmass/errors.hpp"

@@ -10,6 +10,7 @@
 
 #include "command/alpha_value.hpp"
 #include "command/certified.hpp"
+#include "command/program.hpp"
 #include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/fast.hpp"

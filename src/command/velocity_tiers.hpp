@@ -9,6 +9,10 @@
 #include "magicmass/reference/count.hpp"
 #include "magicmass/scenes/mass_ratio.hpp"
 
+namespace CLI {
+class App;
+}
+
 namespace magicmass::command {
 
 /// fast: tier fast at the nearest double. accurate: the double nearest to the value at alpha as it is written, counts of any size.

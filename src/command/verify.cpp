@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "command/commands.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "command/refusal.hpp"
 #include "render/steps.hpp"

@@ -7,6 +7,7 @@
 
 #include "magicmass/counts.hpp"
 #include "magicmass/evaluators.hpp"
+#include "magicmass/evaluators/count_decision.hpp"
 #include "report/make_contestant.hpp"
 #include "report/quantities.hpp"
 #include "report/table_contestants.hpp"

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Where GiNaC and CLN cannot be found, the library part builds as a subproject that changes nothing of the project it
 # is in, installs, and is found there without its symbolic part.
-# cmake -D SOURCE=... -D BINARY=... -P runtime_alone.cmake
+# What is installed stays in BINARY/stage, where compilers_agree compares its bits.
+# cmake -D SOURCE=... -D BINARY=... -D COMPILER=... -P runtime_alone.cmake
 set(project ${CMAKE_CURRENT_LIST_DIR}/project)
 set(quietly COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 file(REMOVE_RECURSE ${BINARY})
+set(ENV{CXX} ${COMPILER})
 set(ENV{PKG_CONFIG_LIBDIR} ${BINARY}/nothing) # pkg-config finds no ginac, no cln
 
 function(expect_examples folder)
@@ -22,7 +24,7 @@ function(expect_examples folder)
 endfunction()
 
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${BINARY} -DMAGICMASS_SUBPROJECT=${SOURCE}
-  -DMAGICMASS_INSTALL=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON ${quietly})
+  -DMAGICMASS_INSTALL=ON -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON ${quietly})
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY} ${quietly})
 expect_examples(${BINARY})
 file(STRINGS ${BINARY}/compile_commands.json warned REGEX "-W(all|extra|error)")
@@ -46,4 +48,3 @@ if(with_symbolic EQUAL 0)
 elseif(user_of_symbolic EQUAL 0 OR NOT said MATCHES "built with MAGICMASS_SYMBOLIC=OFF")
   message(FATAL_ERROR "a symbolic part that is not there was found: ${said}")
 endif()
-file(REMOVE_RECURSE ${BINARY})

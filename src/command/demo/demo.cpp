@@ -8,6 +8,7 @@
 #include "command/commands.hpp"
 #include "command/demo/demo_report.hpp"
 #include "command/generated_tree.hpp"
+#include "command/program.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 #include "render/derivation_pages.hpp"

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "command/commands.hpp"
+#include "command/program.hpp"
 
 namespace magicmass::command {
 namespace {

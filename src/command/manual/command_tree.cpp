@@ -3,6 +3,8 @@
 
 #include <sstream>
 
+#include <CLI/CLI.hpp>
+
 namespace magicmass::command {
 namespace {
 

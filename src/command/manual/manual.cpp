@@ -7,6 +7,7 @@
 #include "command/commands.hpp"
 #include "command/manual/completions.hpp"
 #include "command/manual/manual_page.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"

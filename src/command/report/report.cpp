@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "command/commands.hpp"
+#include "command/program.hpp"
 #include "command/records.hpp"
 #include "command/report/comparison.hpp"
 #include "command/report/figures.hpp"

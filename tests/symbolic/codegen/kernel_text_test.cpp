@@ -7,7 +7,7 @@
 #include "codegen/emit.hpp"
 #include "codegen/kernel_forms.hpp"
 #include "codegen/make_kernel.hpp"
-#include "derivation/derivation.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 using codegen::KernelForm;
@@ -15,10 +15,7 @@ using codegen::Op;
 
 namespace {
 
-const std::vector<proof::Theorem>& theorems() {
-  static const std::vector<proof::Theorem> all = derivation::derive().theorems;
-  return all;
-}
+const std::vector<proof::Theorem>& theorems() { return whole_derivation().theorems; }
 
 KernelForm form(const std::string& name) {
   const auto& all = codegen::kernel_forms();
@@ -40,7 +37,8 @@ int times(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("a case of an output with another right side is refused, and both are named", "[exam]") {
+TEST_CASE("a case of an output with another right side is refused, and both are named",
+          "[exam][derived]") {
   KernelForm terminal = form("terminal");
   CHECK_NOTHROW(make_kernel(terminal, theorems()));
   terminal.other_cases = {{"a_t", {"offset.a_after_P", "offset.c_after_P"}}};
@@ -53,7 +51,7 @@ TEST_CASE("a case of an output with another right side is refused, and both are 
                     "no output is called a, of which offset.a_after_P is to be a case");
 }
 
-TEST_CASE("each kernel asks for no more than its forms need", "[exam]") {
+TEST_CASE("each kernel asks for no more than its forms need", "[exam][derived]") {
   for (const KernelForm& one : codegen::kernel_forms()) {
     const codegen::Kernel kernel = make_kernel(one, theorems());
     const auto counts = operation_counts(kernel.program);
@@ -71,7 +69,7 @@ TEST_CASE("each kernel asks for no more than its forms need", "[exam]") {
   }
 }
 
-TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam]") {
+TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam][derived]") {
   for (const KernelForm& one : codegen::kernel_forms()) {
     const std::string text = emit_kernel(make_kernel(one, theorems()));
     INFO(text);
@@ -91,7 +89,7 @@ TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam]"
   }
 }
 
-TEST_CASE("a kernel that rounds its results names no number type for them", "[exam]") {
+TEST_CASE("a kernel that rounds its results names no number type for them", "[exam][derived]") {
   const std::string rows = emit_kernel(make_kernel(form("velocities_in_rows"), theorems()));
   INFO(rows);
   CHECK(times(rows, "typename Number::Root cot_half;") == 1);

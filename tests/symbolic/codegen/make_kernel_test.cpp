@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "derivation/derivation.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 using codegen::KernelForm;
@@ -23,8 +23,8 @@ KernelForm form_named(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam]") {
-  const auto theorems = derivation::derive().theorems;
+TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam][derived]") {
+  const auto& theorems = whole_derivation().theorems;
   const auto refused = [&theorems](const KernelForm& form, const char* message) {
     CHECK_THROWS_WITH(codegen::make_kernel(form, theorems), message);
   };

@@ -6,11 +6,12 @@
 
 #include "derivation/derivation.hpp"
 #include "proof/text.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 
-TEST_CASE("complete transfer states what each step supposes", "[exam]") {
-  const derivation::Derivation all = derivation::derive();
+TEST_CASE("complete transfer states what each step supposes", "[exam][derived]") {
+  const derivation::Derivation& all = whole_derivation();
   REQUIRE_FALSE(all.refused);
   const proof::Theorem& trip = all.at("chain.round_trip");
   CHECK(proof::to_text(trip.statement()) == "w(K) = -v(1)");

@@ -11,24 +11,16 @@
 #include "magicmass/errors.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 
-namespace {
-
-const derivation::Derivation& whole() {
-  static const derivation::Derivation result = derivation::derive();
-  return result;
-}
-
-}  // namespace
-
-TEST_CASE("every step is proved from the laws", "[exam]") {
-  INFO((whole().refused ? whole().refused->what() : ""));
-  REQUIRE_FALSE(whole().refused);
+TEST_CASE("every step is proved from the laws", "[exam][derived]") {
+  INFO((whole_derivation().refused ? whole_derivation().refused->what() : ""));
+  REQUIRE_FALSE(whole_derivation().refused);
   const std::set<std::string> verdicts{"proved", "law", "definition", "hypothesis"};
   std::set<std::string> seen;
-  for (const proof::Theorem& theorem : whole().theorems) {
+  for (const proof::Theorem& theorem : whole_derivation().theorems) {
     INFO(theorem.id());
     CHECK(verdicts.contains(theorem.step().verdict));
     for (const std::string& premise : theorem.step().premises) CHECK(seen.contains(premise));
@@ -36,10 +28,11 @@ TEST_CASE("every step is proved from the laws", "[exam]") {
   }
 }
 
-TEST_CASE("what is not there is refused by its name, as bad input is everywhere", "[exam]") {
-  CHECK(whole().at("power.b").id() == "power.b");
-  CHECK_THROWS_AS(whole().at("power.z"), InvalidInput);
-  CHECK_THROWS_WITH(whole().at("power.z"), "no theorem is called power.z");
+TEST_CASE("what is not there is refused by its name, as bad input is everywhere",
+          "[exam][derived]") {
+  CHECK(whole_derivation().at("power.b").id() == "power.b");
+  CHECK_THROWS_AS(whole_derivation().at("power.z"), InvalidInput);
+  CHECK_THROWS_WITH(whole_derivation().at("power.z"), "no theorem is called power.z");
   const derivation::Paper paper = derivation::paper();
   CHECK_THROWS_AS(paper.at("eq:none"), InvalidInput);
   CHECK_THROWS_AS(derivation::Beginning("none", derivation::conservation_laws(), paper),
@@ -49,9 +42,9 @@ TEST_CASE("what is not there is refused by its name, as bad input is everywhere"
 }
 
 TEST_CASE("the laws are the two conservation laws, the contact, the start and uniform motion",
-          "[exam]") {
+          "[exam][derived]") {
   std::set<std::string> laws;
-  for (const proof::Theorem& theorem : whole().theorems)
+  for (const proof::Theorem& theorem : whole_derivation().theorems)
     if (theorem.step().verdict == "law") laws.insert(theorem.id());
   CHECK(laws == std::set<std::string>{"contact.momentum",
                                       "contact.energy",
@@ -79,11 +72,11 @@ TEST_CASE("the laws are the two conservation laws, the contact, the start and un
                                       "wedge.gap_P"});
 }
 
-TEST_CASE("hypotheses are conditions of what rests on them", "[exam]") {
-  for (const proof::Theorem& theorem : whole().theorems) {
+TEST_CASE("hypotheses are conditions of what rests on them", "[exam][derived]") {
+  for (const proof::Theorem& theorem : whole_derivation().theorems) {
     if (theorem.step().verdict != "hypothesis") continue;
     const std::string supposed = proof::to_text(theorem.statement());
-    for (const proof::Theorem& other : whole().theorems) {
+    for (const proof::Theorem& other : whole_derivation().theorems) {
       const auto& premises = other.step().premises;
       if (other.step().rule == "special case" ||  // it speaks of other values
           std::find(premises.begin(), premises.end(), theorem.id()) == premises.end())
@@ -97,9 +90,9 @@ TEST_CASE("hypotheses are conditions of what rests on them", "[exam]") {
   }
 }
 
-TEST_CASE("main results rest on no hypothesis", "[exam]") {
+TEST_CASE("main results rest on no hypothesis", "[exam][derived]") {
   std::set<std::string> hypotheses;
-  for (const proof::Theorem& theorem : whole().theorems)
+  for (const proof::Theorem& theorem : whole_derivation().theorems)
     if (theorem.step().verdict == "hypothesis")
       hypotheses.insert(proof::to_text(theorem.statement()));
   CHECK_FALSE(hypotheses.empty());
@@ -134,30 +127,32 @@ TEST_CASE("main results rest on no hypothesis", "[exam]") {
                          "wedge.tau_P",
                          "special_cases.digits_of_pi",
                          "collapse.always_P"})
-    for (const std::string& condition : whole().at(id).step().conditions) {
+    for (const std::string& condition : whole_derivation().at(id).step().conditions) {
       INFO(id << ": " << condition);
       CHECK_FALSE(hypotheses.contains(condition));
     }
 }
 
-TEST_CASE("every displayed equation that is claimed is proved under its label", "[exam]") {
+TEST_CASE("every displayed equation that is claimed is proved under its label", "[exam][derived]") {
   const derivation::Paper paper = derivation::paper();
   for (const auto& [label, statement] : paper.equations()) {
     INFO(label);
     const std::string shown = proof::to_text(statement);
-    CHECK(std::any_of(
-        whole().theorems.begin(), whole().theorems.end(), [&](const proof::Theorem& theorem) {
-          return theorem.step().verdict == "proved" &&
-                 proof::to_text(theorem.statement()) == shown && !theorem.step().label.empty();
-        }));
+    CHECK(std::any_of(whole_derivation().theorems.begin(), whole_derivation().theorems.end(),
+                      [&](const proof::Theorem& theorem) {
+                        return theorem.step().verdict == "proved" &&
+                               proof::to_text(theorem.statement()) == shown &&
+                               !theorem.step().label.empty();
+                      }));
   }
 }
 
-TEST_CASE("a second derivation gives the same steps, word for word", "[check]") {
+TEST_CASE("a second derivation gives the same steps, word for word", "[check][derived]") {
   const derivation::Derivation again = derivation::derive();
-  REQUIRE(again.theorems.size() == whole().theorems.size());
+  REQUIRE(again.theorems.size() == whole_derivation().theorems.size());
   for (std::size_t i = 0; i < again.theorems.size(); ++i) {
-    const proof::Step &one = whole().theorems[i].step(), &other = again.theorems[i].step();
+    const proof::Step &one = whole_derivation().theorems[i].step(),
+                      &other = again.theorems[i].step();
     CHECK(one.id == other.id);
     CHECK(one.from == other.from);
     CHECK(one.to == other.to);

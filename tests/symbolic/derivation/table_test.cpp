@@ -5,12 +5,13 @@
 #include <catch2/catch.hpp>
 
 #include "derivation/derivation.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 
 TEST_CASE("the table holds for every positive alpha, its tangents where they have no pole",
-          "[exam]") {
-  const derivation::Derivation all = derivation::derive();
+          "[exam][derived]") {
+  const derivation::Derivation& all = whole_derivation();
   REQUIRE_FALSE(all.refused);
   int entries = 0;
   for (const proof::Theorem& theorem : all.theorems) {

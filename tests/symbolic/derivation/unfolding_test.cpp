@@ -6,6 +6,7 @@
 
 #include "derivation/derivation.hpp"
 #include "proof/text.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 
@@ -23,8 +24,9 @@ std::set<std::string> ancestors(const derivation::Derivation& all, const std::st
 
 }  // namespace
 
-TEST_CASE("the straight line gives the same times and distances by another way", "[exam]") {
-  const derivation::Derivation all = derivation::derive();
+TEST_CASE("the straight line gives the same times and distances by another way",
+          "[exam][derived]") {
+  const derivation::Derivation& all = whole_derivation();
   REQUIRE_FALSE(all.refused);
   for (const char* name : {"t_of_P", "t_of_Q", "s_of_P", "s_of_Q"}) {
     const std::string line = std::string("unfolding.") + name,

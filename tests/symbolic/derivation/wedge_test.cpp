@@ -9,6 +9,7 @@
 
 #include "derivation/derivation.hpp"
 #include "proof/names.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 using GiNaC::ex;
@@ -17,11 +18,6 @@ using GiNaC::numeric;
 using proof::symbol;
 
 namespace {
-
-const derivation::Derivation& whole() {
-  static const derivation::Derivation result = derivation::derive();
-  return result;
-}
 
 struct Wedge {
   numeric M_A, M_B, m, e, V, L;
@@ -124,8 +120,8 @@ void check_velocities(const Event& event, bool with_A, const Closed& closed) {
 
 }  // namespace
 
-TEST_CASE("the wedge theorem agrees with stepping event by event", "[check]") {
-  REQUIRE_FALSE(whole().refused);
+TEST_CASE("the wedge theorem agrees with stepping event by event", "[check][derived]") {
+  REQUIRE_FALSE(whole_derivation().refused);
   const Precision precision;
   Random random(1);
   int compared = 0;
@@ -135,7 +131,7 @@ TEST_CASE("the wedge theorem agrees with stepping event by event", "[check]") {
     ++compared;
     INFO("M_A " << w.M_A << " M_B " << w.M_B << " m " << w.m << " e " << w.e << " wall " << w.wall);
     GiNaC::exmap at = values_of(w);
-    const auto closed = [&](const char* id) { return value(whole().at(id).rhs(), at); };
+    const auto closed = [&](const char* id) { return value(whole_derivation().at(id).rhs(), at); };
     at[symbol("g")] = closed("wedge.g");
     at[symbol("h")] = closed("wedge.h");
     const std::vector<Event> events = step(w, 400);
@@ -161,7 +157,7 @@ TEST_CASE("the wedge theorem agrees with stepping event by event", "[check]") {
   }
 }
 
-TEST_CASE("equal blocks and walls agree with stepping", "[check]") {
+TEST_CASE("equal blocks and walls agree with stepping", "[check][derived]") {
   const Precision precision;
   Random random(2);
   int compared = 0;
@@ -175,7 +171,7 @@ TEST_CASE("equal blocks and walls agree with stepping", "[check]") {
     at[symbol("alpha")] = alpha;
     at[symbol("V_CM")] = w.V / (2 + alpha);
     const auto closed = [&](const std::string& id) {
-      return value(whole().at("special_cases." + id).rhs(), at);
+      return value(whole_derivation().at("special_cases." + id).rhs(), at);
     };
     at[symbol("h_e")] = w.wall ? ex(0) : closed("h_e");
     at[symbol("h_w")] = w.wall ? closed("h_w") : ex(0);
@@ -197,18 +193,19 @@ TEST_CASE("equal blocks and walls agree with stepping", "[check]") {
   }
 }
 
-TEST_CASE("a ball between a block and a wall counts digits of pi", "[exam]") {
+TEST_CASE("a ball between a block and a wall counts digits of pi", "[exam][derived]") {
   const Precision precision;
   const long digits[] = {3, 31, 314, 3141};
   for (long k = 0; k < 4; ++k) {
     const numeric M = numeric(100).power(numeric(k));
-    CHECK(value(whole().at("special_cases.digits_of_pi").rhs(), {{symbol("k"), k}}) == digits[k]);
+    CHECK(value(whole_derivation().at("special_cases.digits_of_pi").rhs(), {{symbol("k"), k}}) ==
+          digits[k]);
     if (k < 3)
       CHECK(step({M, 1, 1, 1, 1, 1, true}, 10000).size() == static_cast<std::size_t>(digits[k]));
   }
 }
 
-TEST_CASE("where collisions never end, times approach the collapse", "[check]") {
+TEST_CASE("where collisions never end, times approach the collapse", "[check][derived]") {
   const Precision precision;
   Random random(3);
   int compared = 0;
@@ -219,7 +216,7 @@ TEST_CASE("where collisions never end, times approach the collapse", "[check]") 
     INFO("M_A " << w.M_A << " M_B " << w.M_B << " m " << w.m << " e " << w.e << " wall " << w.wall);
     GiNaC::exmap at = values_of(w);
     const auto closed = [&](const std::string& id) {
-      return value(whole().at("collapse." + id).rhs(), at);
+      return value(whole_derivation().at("collapse." + id).rhs(), at);
     };
     at[symbol("xi")] = closed("exp_eta");
     const numeric end = closed("t_P_infinity");
@@ -241,19 +238,20 @@ TEST_CASE("where collisions never end, times approach the collapse", "[check]") 
   }
 }
 
-TEST_CASE("the heaviest ball with a collapse", "[check]") {
+TEST_CASE("the heaviest ball with a collapse", "[check][derived]") {
   const Precision precision;
   Random random(4);
   for (int tries = 0; tries < 40; ++tries) {
     Wedge w = random.wedge();
     w.M_B = w.M_A;
     w.wall = false;
-    const numeric heaviest = value(whole().at("collapse.alpha_c").rhs(), {{symbol("e"), w.e}});
+    const numeric heaviest =
+        value(whole_derivation().at("collapse.alpha_c").rhs(), {{symbol("e"), w.e}});
     CHECK((w.m / w.M_A > heaviest) == ending(w).is_positive());
   }
 }
 
-TEST_CASE("at the threshold itself speeds grow linearly", "[exam]") {
+TEST_CASE("at the threshold itself speeds grow linearly", "[exam][derived]") {
   const Precision precision;
   // mu_A mu_B = 4 e/(1 + e)^2 in rational numbers: e = 1/4 gives 16/25 = (4/5)^2.
   const Wedge w{4, 4, 1, numeric(1, 4), 1, 1, false};
@@ -265,7 +263,7 @@ TEST_CASE("at the threshold itself speeds grow linearly", "[exam]") {
     const bool with_A = j % 2 == 0;
     at[symbol("n")] = static_cast<long>(j / 2 + 1);
     const auto closed = [&](const std::string& id) {
-      return value(whole().at("collapse.threshold_" + id).rhs(), at);
+      return value(whole_derivation().at("collapse.threshold_" + id).rhs(), at);
     };
     check_equal(closed(with_A ? "tau_P" : "tau_Q"), events[j].time);
     check_equal(closed(with_A ? "r_P" : "r_Q"), events[j].approach);

@@ -11,16 +11,12 @@
 #include "equality/from_ginac.hpp"
 #include "equality/paper_names.hpp"
 #include "proof/names.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 using namespace magicmass::equality;
 
 namespace {
-
-const derivation::Derivation& whole() {
-  static const derivation::Derivation derivation = derivation::derive();
-  return derivation;
-}
 
 struct Sides {
   std::string id;
@@ -35,7 +31,7 @@ bool has_step_function(const GiNaC::ex& e) {
 std::vector<Sides> scalar_equations() {
   const std::set<std::string> known{"alpha", "n", "k", "m", "V", "L"};
   std::vector<Sides> result;
-  for (const proof::Theorem& theorem : whole().theorems) {
+  for (const proof::Theorem& theorem : whole_derivation().theorems) {
     const GiNaC::ex& left = theorem.lhs();
     const GiNaC::ex& right = theorem.rhs();
     if (theorem.step().verdict != "proved" ||
@@ -77,7 +73,8 @@ void mutants(const Tree& tree, const std::function<void(const Tree&)>& use) {
 
 }  // namespace
 
-TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not", "[check]") {
+TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not",
+          "[check][derived]") {
   const std::vector<Sides> equations = scalar_equations();
   // sqrt(sec x - 1) sqrt(sec x + 1) is tan x only where its sign is known from the range of x
   const std::set<std::string> undecided{"ratios.alpha_k_back", "ratios.beta_k_back"};
@@ -100,7 +97,7 @@ TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not
   }
 }
 
-TEST_CASE("the defined names mean what the derivation proves", "[exam]") {
+TEST_CASE("the defined names mean what the derivation proves", "[exam][derived]") {
   const std::vector<std::pair<std::string, std::string>> proved{
       {"psi", "rotation.psi_paper"},
       {"theta", "contact.theta_paper"},
@@ -116,7 +113,7 @@ TEST_CASE("the defined names mean what the derivation proves", "[exam]") {
   for (const auto& [name, id] : proved) {
     INFO(name);
     const Tree meant = meaning(name).value();
-    const Tree theorem = with_meanings(from_ginac(whole().at(id).rhs()));
+    const Tree theorem = with_meanings(from_ginac(whole_derivation().at(id).rhs()));
     CHECK(verdict_on(meant, theorem).answer == Answer::equal);
   }
 }

@@ -3,14 +3,14 @@
 
 #include <catch2/catch.hpp>
 
-#include "derivation/derivation.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 using namespace magicmass::render;
 using Kind = Formula::Kind;
 
-TEST_CASE("every side of the derivation is read, and written back as it was", "[exam]") {
-  for (const proof::Theorem& theorem : derivation::derive().theorems) {
+TEST_CASE("every side of the derivation is read, and written back as it was", "[exam][derived]") {
+  for (const proof::Theorem& theorem : whole_derivation().theorems) {
     const proof::Step& step = theorem.step();
     INFO(step.id);
     for (const std::string& side : {step.from, step.to}) {

@@ -12,6 +12,7 @@
 #include "render/rule_words.hpp"
 #include "render/steps.hpp"
 #include "render/theorem_index.hpp"
+#include "whole_derivation.hpp"
 #include "xml_reader.hpp"
 
 using namespace magicmass;
@@ -20,7 +21,7 @@ using namespace magicmass::render;
 namespace {
 
 const std::vector<proof::Step>& steps() {
-  static const std::vector<proof::Step> all = steps_of(derivation::derive());
+  static const std::vector<proof::Step> all = steps_of(whole_derivation());
   return all;
 }
 
@@ -52,7 +53,7 @@ bool contains(const std::string& page, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("every step, its label and its verdict are on every page", "[exam]") {
+TEST_CASE("every step, its label and its verdict are on every page", "[exam][derived]") {
   const std::string text = derivation_text(steps(), {.unicode = true});
   const std::string ascii = derivation_text(steps(), {});
   const std::string markdown = derivation_markdown(steps());
@@ -74,7 +75,7 @@ TEST_CASE("every step, its label and its verdict are on every page", "[exam]") {
   }
 }
 
-TEST_CASE("text keeps within 80 columns, ASCII within ASCII", "[exam]") {
+TEST_CASE("text keeps within 80 columns, ASCII within ASCII", "[exam][derived]") {
   for (const TextStyle& style : {TextStyle{.unicode = true}, TextStyle{}}) {
     CHECK(widest(derivation_text(steps(), style)) <= 80);
     CHECK(widest(derivation_summary(steps(), style)) <= 80);
@@ -91,7 +92,7 @@ TEST_CASE("text keeps within 80 columns, ASCII within ASCII", "[exam]") {
   }));
 }
 
-TEST_CASE("HTML is well-formed XML, small, and asks nothing of a network", "[exam]") {
+TEST_CASE("HTML is well-formed XML, small, and asks nothing of a network", "[exam][derived]") {
   const auto tree = premise_tree({steps().back(), steps()[40]}, steps());
   for (const std::string& page :
        {derivation_html(steps()), derivation_html(steps_of_tree(tree, steps()), tree),

@@ -8,6 +8,7 @@
 
 #include "render/step_names.hpp"
 #include "render/steps.hpp"
+#include "whole_derivation.hpp"
 
 using namespace magicmass;
 using namespace magicmass::render;
@@ -15,7 +16,7 @@ using namespace magicmass::render;
 namespace {
 
 const TheoremIndex& index() {
-  static const TheoremIndex result = theorem_index(steps_of(derivation::derive()));
+  static const TheoremIndex result = theorem_index(steps_of(whole_derivation()));
   return result;
 }
 
@@ -39,7 +40,7 @@ bool is_in_the_paper(const std::string& label) {
 }  // namespace
 
 TEST_CASE("every equation of the paper is proved, or there is a reason why it is not claimed",
-          "[exam]") {
+          "[exam][derived]") {
   std::set<std::string_view> seen;
   for (const IndexedEquation& indexed : index().equations) {
     const derivation::PaperEquation& equation = indexed.equation;
@@ -60,7 +61,7 @@ TEST_CASE("every equation of the paper is proved, or there is a reason why it is
 }
 
 TEST_CASE("a label of the paper is carried by what the kernel accepted, and it is in the paper",
-          "[exam]") {
+          "[exam][derived]") {
   const std::set<std::string> verdicts{"proved", "law", "definition"};
   for (const proof::Step& step : index().steps) {
     INFO(step.id << ": " << step.label);
@@ -99,7 +100,7 @@ TEST_CASE("labels with a comma in them are told from several labels", "[exam]") 
   CHECK_FALSE(derivation::speaks_of("eq:ac", "eq:ac-dc"));
 }
 
-TEST_CASE("what goes beyond the paper is there and carries no label of it", "[exam]") {
+TEST_CASE("what goes beyond the paper is there and carries no label of it", "[exam][derived]") {
   for (const IndexedResult& indexed : index().beyond) {
     INFO(indexed.result.name);
     CHECK_FALSE(indexed.theorems.empty());
@@ -110,7 +111,7 @@ TEST_CASE("what goes beyond the paper is there and carries no label of it", "[ex
   }
 }
 
-TEST_CASE("the index misses an equation that loses its theorem", "[exam]") {
+TEST_CASE("the index misses an equation that loses its theorem", "[exam][derived]") {
   std::vector<proof::Step> steps = index().steps;
   std::erase_if(steps, [](const proof::Step& step) { return step.id == "power.a"; });
   const TheoremIndex less = theorem_index(steps);
