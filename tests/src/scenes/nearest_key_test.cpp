@@ -18,3 +18,10 @@ TEST_CASE("a misspelt key is near to the one that was meant, and to no other", "
   CHECK(!nearest_key(std::string(1000, 'a'), keys));
   CHECK(!nearest_key("alpha", {}));
 }
+
+TEST_CASE("keys of forty letters are compared, and no longer ones", "[exam]") {
+  const std::string forty(40, 'a'), more = forty + "a";
+  CHECK(nearest_key(forty, {forty}) == forty);
+  CHECK(nearest_key(forty, {more}) == more);
+  CHECK(!nearest_key(more, {forty}));
+}
