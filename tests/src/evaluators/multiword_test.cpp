@@ -112,6 +112,13 @@ TEST_CASE("what is exact is known to be, and what is cut off is not", "[exam]") 
   CHECK(times(multiword<2>(1), 0).is_exact_zero());
 }
 
+TEST_CASE("a whole factor or divisor scales the bound, and adds one unit at most", "[exam]") {
+  auto x = multiword<4>(77, 40);
+  x.error = 1e6;
+  CHECK(times(x, -1000).error == Approx(1e9).margin(1.001));
+  CHECK(over(x, 1000).error == Approx(1e3).margin(1.001));
+}
+
 TEST_CASE("division refuses what may be zero", "[exam]") {
   auto small = multiword<4>(1, -300);
   small.error = 1e65;  // the stored number is 2^212 units

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+using magicmass::edit_distance;
 using magicmass::nearest_key;
 
 TEST_CASE("a misspelt key is near to the one that was meant, and to no other", "[exam]") {
@@ -17,6 +18,18 @@ TEST_CASE("a misspelt key is near to the one that was meant, and to no other", "
   CHECK(!nearest_key("", keys));
   CHECK(!nearest_key(std::string(1000, 'a'), keys));
   CHECK(!nearest_key("alpha", {}));
+}
+
+TEST_CASE("a letter inserted, deleted, replaced or swapped is one change", "[exam]") {
+  CHECK(edit_distance("", "") == 0);
+  CHECK(edit_distance("", "abc") == 3);
+  CHECK(edit_distance("abc", "") == 3);
+  CHECK(edit_distance("abc", "abxc") == 1);
+  CHECK(edit_distance("abc", "ac") == 1);
+  CHECK(edit_distance("abc", "abd") == 1);
+  CHECK(edit_distance("abc", "acb") == 1);
+  CHECK(edit_distance("abc", "cab") == 2);
+  CHECK(edit_distance("kitten", "sitting") == 3);
 }
 
 TEST_CASE("keys of forty letters are compared, and no longer ones", "[exam]") {
