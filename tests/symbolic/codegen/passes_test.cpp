@@ -171,3 +171,17 @@ TEST_CASE("a power whose exponent is an index is shown and counted, and stays on
   CHECK(count(reduced, Op::indexed_power) == 1);
   CHECK(text(operation_counts(reduced)) == "1 addition, 1 power");
 }
+
+TEST_CASE("only numbers with a sign or a bar stand in parentheses in a product", "[exam]") {
+  const auto product_with = [](int numerator, int denominator) {
+    Builder build;
+    const int number = append(
+        build.program, {.op = Op::constant, .numerator = numerator, .denominator = denominator});
+    build.output("f", build.make(Op::multiply, {number, build.input("x")}));
+    return shown(build.program);
+  };
+  CHECK(product_with(3, 1) == "3*x");
+  CHECK(product_with(0, 1) == "0*x");
+  CHECK(product_with(-3, 1) == "(-3)*x");
+  CHECK(product_with(1, 2) == "(1/2)*x");
+}
