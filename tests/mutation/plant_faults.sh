@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Do the tests find faults? Plants small ones, one at a time, in a copy of this checkout, builds what tells and runs it,
-# the quickest first, up to the first failure. An hour or two for all hundred; needs what `setup` installs, and is
+# the quickest first, up to the first failure. An hour for all hundred; needs what `setup` installs, and is
 # much slower without ccache.
 #   plant_faults.sh [--seed N] [--minutes N] [--only GROUPS] [--tests quick] [--scratch FOLDER] [--faults FILE]
 # A line for each fault: found or survived, file:line:column, before -> after, and what told. Then the score.
