@@ -32,6 +32,15 @@ TEST_CASE("a letter inserted, deleted, replaced or swapped is one change", "[exa
   CHECK(edit_distance("kitten", "sitting") == 3);
 }
 
+TEST_CASE("one change for each two letters is near, one more is not", "[exam]") {
+  CHECK(nearest_key("ab", {"ax"}) == "ax");
+  CHECK(!nearest_key("ab", {"xy"}));
+  CHECK(nearest_key("abcd", {"abxy"}) == "abxy");
+  CHECK(!nearest_key("abcd", {"axyz"}));
+  CHECK(nearest_key("abcde", {"abcxy"}) == "abcxy");
+  CHECK(!nearest_key("abcde", {"abxyz"}));
+}
+
 TEST_CASE("keys of forty letters are compared, and no longer ones", "[exam]") {
   const std::string forty(40, 'a'), more = forty + "a";
   CHECK(nearest_key(forty, {forty}) == forty);
