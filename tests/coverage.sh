@@ -6,6 +6,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/coverage
+unset CCACHE_BASEDIR # else each source has the name that it has from where it is compiled
 cmake --preset coverage
 cmake --build --preset coverage
 rm -rf "$build/profiles"

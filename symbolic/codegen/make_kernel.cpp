@@ -51,9 +51,12 @@ ex written_out(const std::vector<Theorem>& bindings, ex right) {
     return std::any_of(std::begin(kept_names), std::end(kept_names),
                        [&](const char* kept) { return name.is_equal(proof::symbol(kept)); });
   };
-  for (std::size_t depth = 0; depth < bindings.size(); ++depth)  // a name may stand for others
+  ex before;
+  do {  // a name may stand for others
+    before = right;
     for (const Theorem& named : bindings)
       if (!stays(named.lhs())) right = right.subs(named.lhs() == named.rhs());
+  } while (!right.is_equal(before));
   return right;
 }
 

@@ -80,7 +80,6 @@ private:
   bool positive_polynomial(const ex& polynomial);
   const std::vector<std::pair<ex, Condition>>& assumptions();
   bool assumed_positive(const ex& polynomial);
-  bool takes_both_signs(const ex& polynomial);
   bool sine_product(ex& radicand, ex& root);
 
   Domain domain_;

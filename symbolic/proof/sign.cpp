@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <random>
-
 #include "proof/factored.hpp"
 #include "proof/generators.hpp"
 #include "proof/text.hpp"
@@ -141,60 +138,8 @@ bool NormalForm::Generators::not_negative(const ex& rational) {
   return false;
 }
 
-// Both signs are seen at points where all that counts as positive is positive: then no proof by signs of
-// factors can succeed. A cheap way out before a polynomial in cosines and sines is factored.
-bool NormalForm::Generators::takes_both_signs(const ex& polynomial) {
-  const bool oscillates = std::any_of(pairs_.begin(), pairs_.end(), [&](const auto& pair) {
-    return polynomial.has(pair.first) || polynomial.has(pair.second);
-  });
-  const bool in_excess =
-      std::any_of(domain_.assumed.begin(), domain_.assumed.end(), [](const Statement& assumption) {
-        return assumption.lhs().is_equal(1) || assumption.rhs().is_equal(1);
-      });
-  if (!oscillates || in_excess) return false;
-  GiNaC::exset symbols;
-  collect_symbols(polynomial, symbols);
-  for (const auto& [assumed, assumption] : assumptions()) collect_symbols(assumed, symbols);
-  std::minstd_rand random(1);
-  bool above = false;
-  bool below = false;
-  for (int tries = 0; tries < 40 && !(above && below); ++tries) {
-    GiNaC::exmap point;
-    for (const ex& symbol : symbols) {
-      const numeric value(static_cast<long>(1 + random() % 60),
-                          static_cast<long>(1 + random() % 30));
-      const std::string name = name_of(symbol);
-      const auto integer = domain_.integer.find(name);
-      if (integer != domain_.integer.end())
-        point[symbol] = integer->second + static_cast<long>(random() % 10);
-      else
-        point[symbol] = value;
-    }
-    for (const auto& [cosine, sine] : pairs_) {  // a rational point of the circle
-      const numeric t(static_cast<long>(random() % 41) - 20, static_cast<long>(1 + random() % 20));
-      const numeric length = 1 + t * t;
-      const bool upper = positive_generators_.contains(sine);
-      const bool right = positive_generators_.contains(cosine);
-      point[cosine] = (right ? GiNaC::abs(1 - t * t) : 1 - t * t) / length;
-      point[sine] = (upper ? GiNaC::abs(2 * t) : 2 * t) / length;
-    }
-    const auto at = [&](const ex& e) {
-      return ex_to<numeric>(e.subs(point, GiNaC::subs_options::no_pattern));
-    };
-    const bool allowed =
-        std::all_of(assumptions().begin(), assumptions().end(),
-                    [&](const auto& known) { return at(known.first).is_positive(); });
-    if (!allowed) continue;
-    const numeric value = at(polynomial);
-    above = above || value.is_positive();
-    below = below || value.is_negative();
-  }
-  return above && below;
-}
-
 bool NormalForm::Generators::positive(const ex& rational) {
   const auto [above, below] = quotient(rational);
-  if (takes_both_signs(above)) return false;
   const auto product_positive = [this](const ex& polynomial) {
     if (positive_polynomial(polynomial)) return true;
     const ex factors = factored(polynomial);

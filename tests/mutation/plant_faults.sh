@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Do the tests find faults? Plants small ones, one at a time, in a copy of this checkout, builds what tells and runs it,
-# the quickest first, up to the first failure. An hour or two for all hundred; needs what `setup` installs, and is
+# the quickest first, up to the first failure. An hour for all hundred; needs what `setup` installs, and is
 # much slower without ccache.
 #   plant_faults.sh [--seed N] [--minutes N] [--only GROUPS] [--tests quick] [--scratch FOLDER] [--faults FILE]
 # A line for each fault: found or survived, file:line:column, before -> after, and what told. Then the score.
@@ -46,8 +46,12 @@ mkdir -p "$tree"
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$repository}
 if type -P ccache >/dev/null; then export CMAKE_CXX_COMPILER_LAUNCHER=ccache; fi
 cd "$repository"
-git ls-files --cached --others --exclude-standard | while read -r file; do [[ ! -e $file ]] || echo "$file"; done |
-  tar -c -T - | tar -x -C "$tree"
+# What differs alone: a file as old as here would be older than what was built of it with a fault in it.
+git ls-files --cached --others --exclude-standard | while read -r file; do
+  if [[ ! -e $file ]] || cmp -s "$file" "$tree/$file"; then continue; fi
+  mkdir -p "$tree/$(dirname "$file")"
+  cp "$file" "$tree/$file"
+done
 g++ -std=c++20 -O1 "$repository/tests/mutation/faults.cpp" -o "$scratch/faults"
 cmake -S "$tree" -B "$build" -DCMAKE_BUILD_TYPE=Release >"$log" 2>&1
 
@@ -69,20 +73,57 @@ generates() {
   by='other code is generated'
   diff -rq --exclude=CMakeLists.txt "$tree/generated" "$scratch/generated" >"$log" 2>&1
 }
-quick='~[time]~[#mutation_test]~[#forms_mutation_test]~[#specialised_test]~[#generate_test]~[#chain_test]~[#make_kernel_test]'
-symbolic_steps=(
-  'built magicmass_generator' generates 'built magicmass_symbolic_tests'
-  "passes symbolic_tests $tests/symbolic/magicmass_symbolic_tests -# -a $quick"
-  "passes slower_symbolic_tests $tests/symbolic/magicmass_symbolic_tests -# -a [#mutation_test]~[time],[#forms_mutation_test]~[time],[#specialised_test]~[time],[#generate_test]~[time],[#chain_test]~[time],[#make_kernel_test]~[time]")
-runtime_steps=('built magicmass_runtime_tests' "passes runtime_tests $tests/src/magicmass_runtime_tests -a ~[time]")
-for name in arithmetic report reference; do
-  runtime_steps+=("built magicmass_${name}_tests" "passes ${name}_tests $tests/src/magicmass_${name}_tests -a ~[time]")
-done
-if [[ $which == quick ]]; then unset 'symbolic_steps[-1]' 'runtime_steps[-1]' 'runtime_steps[-1]'; fi
+slow=(mutation forms_mutation specialised generate chain make_kernel)
+except() { printf '~[#%s_test]' "$@"; }
+# Catch2's names of the tests in a folder, except the slow ones: what a fault in the folder beside it fails first.
+tests_in() { # folder
+  local file name
+  for file in "$tree/$1"/*_test.cpp; do
+    name=$(basename "$file" _test.cpp)
+    if [[ -e $file && " ${slow[*]} " != *" $name "* ]]; then echo "$name"; fi
+  done
+}
+# Which program has the tests of a file, or else of its folder.
+program_of() { # file below src/magicmass, without its suffix
+  local found
+  found=$(sed -n "/^ *add_executable/h; \#^ *$1[a-z_]*_test\.cpp#{g;p}" "$tree/tests/src/CMakeLists.txt" |
+    sed -n '/magicmass_\(runtime\|arithmetic\|report\|reference\)_tests/{s/.*magicmass_\(.*\)_tests/\1/p;q}')
+  if [[ -z $found && $1 == */?* ]]; then found=$(program_of "${1%/*}/"); fi
+  echo "${found:-runtime}"
+}
+steps_for() { # file; sets steps
+  local program first folder near
+  folder=$(dirname "${1#src/magicmass/}")
+  if [[ $1 == symbolic/* ]]; then
+    program=$tests/symbolic/magicmass_symbolic_tests
+    readarray -t near < <(tests_in "tests/$(cut -d / -f 1-2 <<<"$1")")
+    steps=('built magicmass_generator' generates 'built magicmass_symbolic_tests')
+    if ((${#near[@]} > 0)); then
+      steps+=("passes symbolic_tests $program -# -a $(printf '[#%s_test]~[time],' "${near[@]}")")
+    fi
+    steps+=("passes symbolic_tests $program -# -a ~[time]$(except "${slow[@]}" "${near[@]}")")
+    if [[ $which != quick ]]; then
+      steps+=("passes slower_symbolic_tests $program -# -a $(printf '[#%s_test]~[time],' "${slow[@]}")")
+    fi
+    return
+  fi
+  first=${1#src/magicmass/} first=$(program_of "${first%.*}")
+  readarray -t near < <(tests_in "tests/src/$folder")
+  steps=()
+  for program in "$first" runtime arithmetic report reference; do
+    if [[ " ${steps[*]} " == *"magicmass_${program}_tests "* ]]; then continue; fi
+    if [[ $which == quick && $program == re[pf]* && $program != "$first" ]]; then continue; fi
+    steps+=("built magicmass_${program}_tests")
+    if ((${#near[@]} > 0)); then
+      steps+=("passes ${program}_tests $tests/src/magicmass_${program}_tests -# -a $(printf '[#%s_test]~[time],' "${near[@]}")")
+    fi
+    steps+=("passes ${program}_tests $tests/src/magicmass_${program}_tests -# -a ~[time]$(except "${near[@]}")")
+  done
+}
 # Sets outcome: survived, found, or none where it does not compile.
 try() { # file
-  local step steps=("${runtime_steps[@]}") words
-  if [[ $1 == symbolic/* ]]; then steps=("${symbolic_steps[@]}"); fi
+  local step steps words
+  steps_for "$1"
   outcome=survived
   for step in "${steps[@]}"; do
     read -ra words <<<"$step"

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/fast.hpp"
 
+#include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "magicmass/counts.hpp"
+#include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/certified_encounters.hpp"
 #include "magicmass/simulator/valid_input.hpp"
@@ -55,14 +56,9 @@ constexpr double least_alpha = 0x1p-124;
   return result;
 }
 
-[[gnu::noinline, gnu::cold]] std::optional<Terminal> terminal_from_exact_counts(double alpha) {
-  const std::optional<Counts> counts = count_collisions(alpha);
-  if (!counts) return std::nullopt;
-  if (alpha > largest_alpha) return terminal_at_huge(alpha);
-  const auto result = tiers::single_kernels().fast_terminal_at(
-      alpha, static_cast<double>(counts->N_A), tiers::low_part(counts->N_A),
-      counts->N_B == counts->N_A ? 1.0 : -1.0);
-  return Terminal{*counts, result.a_t, result.b_t, result.c_t, result.rho};
+[[gnu::noinline, gnu::cold]] std::optional<Terminal> terminal_elsewhere(double alpha) {
+  if (alpha > largest_alpha && std::isfinite(alpha)) return terminal_at_huge(alpha);
+  return accurate::terminal(alpha);
 }
 
 }  // namespace
@@ -100,7 +96,7 @@ std::optional<Terminal> terminal(double alpha) {
   std::optional<Terminal> found(std::in_place);
   if (!(alpha >= least_alpha && alpha <= largest_alpha &&
         tiers::single_kernels().fast_terminal(alpha, *found))) [[unlikely]]
-    found = terminal_from_exact_counts(alpha);
+    found = terminal_elsewhere(alpha);
   return found;
 }
 

@@ -30,9 +30,6 @@ struct SingleKernels {
   generated::Ratios<double> (*fast_ratios)(double k, double k_low);
   /// With the counts, for 2^-900 <= alpha <= 2^960; false where these would take more digits or do not fit.
   bool (*fast_terminal)(double alpha, Terminal& result);
-  /// N_A as high + low, too.
-  generated::TerminalValues<double> (*fast_terminal_at)(double alpha, double N_A, double N_A_low,
-                                                        double turn);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);

@@ -176,33 +176,12 @@ Ratios<double> fast_ratios(double k, double k_low) {
 
 using FastTerminal = TerminalKernel<Tabled<double>>;
 
-[[gnu::always_inline]] inline TerminalValues<double> fast_result(const FastTerminal& kernel) {
-  auto result = kernel.rounded_result();
-  // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
-  if (result.rho < 0x1p-960) [[unlikely]]
-    result.rho = result.b_t * result.b_t;
-  return result;
-}
-
-TerminalValues<double> fast_terminal_at(double alpha, double N_A, double N_A_low, double turn) {
-  FastTerminal kernel;
-  kernel.alpha = alpha;
-  kernel.N_A = N_A;
-  kernel.turn = turn;
-  if (alpha >= 1.0) {
-    kernel.first();
-  } else {
-    kernel.stage_1();
-    kernel.stage_2();
-    kernel.angle = with_low_part(kernel.angle, N_A_low / N_A);
-    kernel.stage_3();
-  }
-  return fast_result(kernel);
-}
-
 /// In place, as a double that is stored alone and loaded beside another is waited for.
 [[gnu::always_inline]] inline void put(const FastTerminal& kernel, magicmass::Terminal& result) {
-  const TerminalValues<double> velocities = fast_result(kernel);
+  auto velocities = kernel.rounded_result();
+  // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
+  if (velocities.rho < 0x1p-960) [[unlikely]]
+    velocities.rho = velocities.b_t * velocities.b_t;
   result.a_t = velocities.a_t;
   result.b_t = velocities.b_t;
   result.c_t = velocities.c_t;
@@ -289,7 +268,6 @@ const SingleKernels tables::MAGICMASS_TARGET = {
     .fast_angle = fast_angle,
     .fast_ratios = fast_ratios,
     .fast_terminal = fast_terminal,
-    .fast_terminal_at = fast_terminal_at,
     .velocities = velocities,
     .encounters = encounters,
     .angle = angle,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/evaluators/multiword.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -51,7 +52,33 @@ int broken_bounds(double factor) {
   return broken;
 }
 
+/// Both bounds of stored magnitudes hold and are as near as their rounding lets them.
+template <std::size_t Words>
+void sizes_enclose() {
+  Generator generator(47 + Words);
+  // neighbours in memory, of all zeros and all ones among others
+  std::array<Multiword<Words>, 300> numbers;
+  for (auto& x : numbers) x = random_multiword<Words>(generator, 2);
+  for (const auto& x : numbers) {
+    const cl_RA size = cln::abs(stored(x)) * power_of_two(-64 * x.exponent);
+    const cl_RA above = reference::exact(size_above(x));
+    const cl_RA below = reference::exact(size_below(x));
+    CHECK(below <= size);
+    CHECK(size <= above);
+    CHECK(above - below <= size * power_of_two(-48) + power_of_two(-127));
+  }
+  CHECK(size_above(Multiword<Words>()) == 0);
+  CHECK(size_below(Multiword<Words>()) == 0);
+}
+
 }  // namespace
+
+TEST_CASE("the size of what is stored is bounded from above and below", "[check]") {
+  sizes_enclose<2>();
+  sizes_enclose<3>();
+  sizes_enclose<4>();
+  sizes_enclose<8>();
+}
 
 TEST_CASE("the bound holds the true result of every operation", "[check]") {
   CHECK(broken_bounds<2>(1.0) == 0);
@@ -83,6 +110,13 @@ TEST_CASE("what is exact is known to be, and what is cut off is not", "[exam]") 
   CHECK(over(multiword<4>(6), 3).error == 0);
   CHECK(over(multiword<4>(7), 3).error >= 1);
   CHECK(times(multiword<2>(1), 0).is_exact_zero());
+}
+
+TEST_CASE("a whole factor or divisor scales the bound, and adds one unit at most", "[exam]") {
+  auto x = multiword<4>(77, 40);
+  x.error = 1e6;
+  CHECK(times(x, -1000).error == Approx(1e9).margin(1.001));
+  CHECK(over(x, 1000).error == Approx(1e3).margin(1.001));
 }
 
 TEST_CASE("division refuses what may be zero", "[exam]") {

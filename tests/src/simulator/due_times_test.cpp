@@ -53,3 +53,22 @@ TEST_CASE("a gap that never closes comes after all others", "[exam]") {
   due.replay(8, 8);
   CHECK(due.first() == 8);
 }
+
+TEST_CASE("what is soon asked for is the first gap of the sixteenth that was played last",
+          "[exam]") {
+  DueTimes<double> due(
+      1000);  // eight times 16 blocks of eight gaps: gaps 448, ..., 511 are a sixteenth
+  const auto set = [&due](std::size_t gap, double time) {
+    due.set(gap, time);
+    due.replay(gap, gap);
+  };
+  set(460, 2.0);
+  CHECK(due.fetch_soon() == 460);
+  set(10, 1.0);
+  CHECK(due.fetch_soon() == 10);
+  set(511, 1.5);
+  CHECK(due.first() == 10);
+  CHECK(due.fetch_soon() == 511);
+  set(511, 3.0);
+  CHECK(due.fetch_soon() == 460);
+}

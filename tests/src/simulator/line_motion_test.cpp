@@ -160,6 +160,21 @@ TEST_CASE("energy and momentum are watched, walls included", "[check]") {
   CHECK(audit.largest().momentum > 1e-7);
 }
 
+TEST_CASE("less energy is a departure where contacts are elastic, more is one everywhere",
+          "[exam]") {
+  const auto departure = [](double e, double speed) {
+    Line<double> line{{1.0, 1.0}, {0.0, 1.0}, {1.0, -1.0}, std::nullopt, std::nullopt, e};
+    LineAudit<double> audit(line);
+    line.velocities = {-speed, speed};
+    audit.look(line);
+    return audit.largest().energy;
+  };
+  CHECK(departure(1.0, 0.5) == 0.75);
+  CHECK(departure(0.5, 0.5) == 0.0);
+  CHECK(departure(1.0, 2.0) == 3.0);
+  CHECK(departure(0.5, 2.0) == 3.0);
+}
+
 TEST_CASE("a collapse in a chain makes the clock stand still, and nothing else does", "[exam]") {
   const auto stalls = [](double e) {
     LineMotion<double> motion(

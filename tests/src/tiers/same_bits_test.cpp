@@ -23,6 +23,11 @@ template <class Result>
 void add(std::vector<std::uint64_t>& bits, const Result& all) {
   for (const double x : as_array(all)) add(bits, x);
 }
+void add_terminal(std::vector<std::uint64_t>& bits, const SingleKernels& kernels, double alpha) {
+  Terminal all{};
+  bits.push_back(kernels.fast_terminal(alpha, all));
+  for (const double x : {all.a_t, all.b_t, all.c_t, all.rho}) add(bits, x);
+}
 
 /// All that the kernels say of one alpha and one n.
 std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, double n,
@@ -34,11 +39,7 @@ std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, doub
   add(all, kernels.fast_encounters(alpha, n, n > 0x1p40 ? 0.5 : 0.0));
   add(all, kernels.fast_angle(alpha));
   add(all, kernels.fast_ratios(n + 1, n > 0x1p40 ? 0.5 : 0.0));
-  Terminal with_counts{};
-  all.push_back(kernels.fast_terminal(alpha, with_counts));
-  for (const double x : {with_counts.a_t, with_counts.b_t, with_counts.c_t, with_counts.rho})
-    add(all, x);
-  add(all, kernels.fast_terminal_at(alpha, N_A, 0.0, turn));
+  add_terminal(all, kernels, alpha);
   generated::Velocities<double> velocities;
   generated::Encounters<double> encounters;
   generated::Ratios<double> ratios;
@@ -99,7 +100,7 @@ TEST_CASE("from alpha = 1 on, too", "[check]") {
     for (const InstructionSet set : testing::available_instruction_sets()) {
       std::vector<std::uint64_t> all;
       add(all, tiers::single_kernels(set).fast_velocities(alpha, 1.0, 0.0));
-      add(all, tiers::single_kernels(set).fast_terminal_at(alpha, 1.0, 0.0, 1.0));
+      add_terminal(all, tiers::single_kernels(set), alpha);
       if (expected.empty()) expected = all;
       INFO(to_text(set) << ", alpha = " << alpha);
       REQUIRE(all == expected);

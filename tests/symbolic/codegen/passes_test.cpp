@@ -73,6 +73,26 @@ TEST_CASE("equal expressions become one, also up to a constant factor", "[exam]"
   CHECK(operation_counts(canonical_order(build.program)).multiplications == 3);
 }
 
+TEST_CASE("what is known by its name is one only where the name is one", "[exam]") {
+  for (const Op op : {Op::ladder_low, Op::ladder_high}) {
+    Builder build;
+    const int cosine = build.input("c");
+    std::vector<int> terms;
+    for (const char* index : {"m", "n", "m"})
+      terms.push_back(append(build.program, {.op = op, .args = {cosine}, .name = index}));
+    build.output("f", build.make(Op::add, terms));
+    CHECK(count(common_subexpressions(build.program), op) == 2);
+  }
+  for (const Op op : {Op::input, Op::index}) {
+    Builder build;
+    std::vector<int> terms;
+    for (const char* name : {"m", "n", "m"})
+      terms.push_back(append(build.program, {.op = op, .name = name}));
+    build.output("f", build.make(Op::add, terms));
+    CHECK(count(common_subexpressions(build.program), op) == 2);
+  }
+}
+
 TEST_CASE("powers become products and square roots", "[exam]") {
   Builder build;
   const int x = build.input("x");
@@ -150,4 +170,18 @@ TEST_CASE("a power whose exponent is an index is shown and counted, and stays on
   CHECK(shown(reduced) == "e^(1 + k)");
   CHECK(count(reduced, Op::indexed_power) == 1);
   CHECK(to_text(operation_counts(reduced)) == "1 addition, 1 power");
+}
+
+TEST_CASE("only numbers with a sign or a bar stand in parentheses in a product", "[exam]") {
+  const auto product_with = [](int numerator, int denominator) {
+    Builder build;
+    const int number = append(
+        build.program, {.op = Op::constant, .numerator = numerator, .denominator = denominator});
+    build.output("f", build.make(Op::multiply, {number, build.input("x")}));
+    return shown(build.program);
+  };
+  CHECK(product_with(3, 1) == "3*x");
+  CHECK(product_with(0, 1) == "0*x");
+  CHECK(product_with(-3, 1) == "(-3)*x");
+  CHECK(product_with(1, 2) == "(1/2)*x");
 }

@@ -49,6 +49,19 @@ TEST_CASE("only positive bases have powers, and exponents are moderate", "[exam]
   CHECK(form.conditions().contains({"e > 0"}));
 }
 
+TEST_CASE("a power that is simplified keeps its value", "[exam]") {
+  const auto value = [](const ex& expression) {
+    return expression.subs(GiNaC::lst{e == numeric(9, 4), n == 3});
+  };
+  NormalForm form(domain, {});
+  for (const ex& power : {ex(pow(e, n)), ex(pow(e, n + 1) / e), ex(pow(e, 2 * n)),
+                          ex(pow(e, n / 2)), ex(pow(e, -n) * (1 + pow(e, n / 2)))}) {
+    CAPTURE(power);
+    CHECK(value(form.simplified(power)).is_equal(value(power)));
+  }
+  CHECK_FALSE(value(form.simplified(pow(e, n))).is_equal(value(pow(e, n / 2))));
+}
+
 TEST_CASE("powers of b > 1 grow, and no others", "[exam]") {
   NormalForm form(above_one(), {});
   CHECK(form.is_positive(pow(lambda, 2 * n) - 1));
