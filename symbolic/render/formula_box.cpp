@@ -222,10 +222,6 @@ std::string entries(const Formula& matrix, const TextStyle& style, std::size_t i
 
 }  // namespace
 
-TextBox display_box(const Formula& formula, const TextStyle& style) {
-  return Display(style).box(formula);
-}
-
 std::string display_text(const Formula& equation, const TextStyle& style, std::size_t indent) {
   const Display display(style);
   const TextBox whole = display.box(equation);

@@ -18,10 +18,8 @@ struct TextStyle {
 /// On one line: "cₙ = V_CM (1 + sin[(n − ¼)ψ]/sin(ψ/4))", or the kernel's own text where Unicode is not wanted.
 std::string inline_text(const Formula& formula, const TextStyle& style);
 
-/// Fractions of more than numbers over several lines, matrices in tall brackets.
-TextBox display_box(const Formula& formula, const TextStyle& style);
-
-/// An equation as lines of at most 80 columns, indented; two-dimensional where it fits.
+/// An equation as lines of at most 80 columns, indented; two-dimensional where it fits: fractions of more than numbers
+/// over several lines, matrices in tall brackets.
 std::string display_text(const Formula& equation, const TextStyle& style, std::size_t indent);
 
 }  // namespace magicmass::render
