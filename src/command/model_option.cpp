@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/model_option.hpp"
-#include "command/program.hpp"
 
 #include <cstdint>
 #include <string>
 
+#include "command/program.hpp"
+
 namespace magicmass::command {
 
 void add_model_option(CLI::App& command, reference::SceneOptions& options) {
-  command
-      .add_option("--model", options.model,
-                  "closed-form, velocity-stepping, event-driven, exact-events or transfers (the "
-                  "cheapest; plan tells which)")
+  command.add_option("--model", options.model, "the model to use (plan tells which)")
       ->type_name("MODEL");
   command
       .add_option_function<std::string>(

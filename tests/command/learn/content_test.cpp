@@ -86,7 +86,7 @@ const std::vector<Spoiled>& spoiled() {
        "wrong answer √5-2 is judged right"},
       // a pass of the generator
       {"12_formula_to_code", "share_nodes", "exercise.toml", "power.a_product", "power.a_produced",
-       "there is no theorem called power.a_produced"},
+       "no theorem is called power.a_produced"},
       {"12_formula_to_code", "share_nodes", "solution/answer.cpp", "node.value};", "0.0};",
        "the solution is judged wrong"},
       // the second variant alone
