@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The energy that reaches B with restitution, against stepping in rational numbers.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -120,7 +121,8 @@ TEST_CASE("where there is no last collision there is no transmission", "[exam]")
   const auto got = rhos({0.25, std::nextafter(0.25, 0.0), std::nextafter(0.25, 1.0), 1e-300, -1.0,
                          0.0, INFINITY, NAN, 0.26},
                         0.25, best_instruction_set());
-  for (const std::size_t row : {0, 1, 3, 4, 5, 6, 7}) CHECK(std::isnan(got[row]));
+  for (const std::size_t row : std::array<std::size_t, 7>{0, 1, 3, 4, 5, 6, 7})
+    CHECK(std::isnan(got[row]));
   CHECK(got[2] > 0.0);
   CHECK(got[8] > 0.0);
 }

@@ -2,6 +2,7 @@
 #include "magicmass/simulator/line_motion.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <vector>
@@ -83,7 +84,7 @@ TEST_CASE("A and B take turns, though the engine does not assume it", "[check]")
 
 TEST_CASE("the queue finds the events that looking everywhere finds", "[check]") {
   testing::Generator generator(62);
-  for (const std::size_t bodies : {1, 2, 3, 4, 5, 7, 8, 9, 20, 33}) {
+  for (const std::size_t bodies : std::array<std::size_t, 10>{1, 2, 3, 4, 5, 7, 8, 9, 20, 33}) {
     const Line<double> line = random_line(generator, bodies);
     LineMotion<double> motion(line);
     const auto events = all_events(motion, 500);

@@ -39,7 +39,6 @@ struct Degree {
   friend Degree operator+(Degree x, double) { return x; }
   friend Degree operator*(Degree x, Degree y) { return of(x.count + y.count); }
   friend Degree operator*(Degree x, double) { return x; }
-  friend Degree operator/(Degree x, Degree y) { return x * y; }
   friend Degree scaled(Degree x, double) { return x; }
   friend Degree select(bool, Degree yes, Degree no) { return yes + no; }
   friend Degree reciprocal(Degree x) { return x; }
