@@ -61,7 +61,7 @@ nlohmann::json with_ratios_moved(nlohmann::json all, int count, double factor) {
 
 }  // namespace
 
-TEST_CASE("a report agrees with itself", "[exam]") {
+TEST_CASE("a report agrees with itself", "[exam][shared]") {
   const ProgramRun run = compared(measured(), measured());
   CHECK(run.exit_code == 0);
   CHECK(run.output.find("all the same") != std::string::npos);
@@ -69,7 +69,7 @@ TEST_CASE("a report agrees with itself", "[exam]") {
   CHECK(run.errors.empty());
 }
 
-TEST_CASE("this run agrees with an old one on every error figure", "[exam]") {
+TEST_CASE("this run agrees with an old one on every error figure", "[exam][shared]") {
   const TemporaryFolder folder;
   nlohmann::json old = measured();
   for (auto& one : old) one["machine"] = "another";  // so that noise decides nothing
@@ -82,7 +82,7 @@ TEST_CASE("this run agrees with an old one on every error figure", "[exam]") {
   CHECK(read_file(folder / "new.txt").starts_with("Speed against error"));
 }
 
-TEST_CASE("any error figure that differs is found", "[exam]") {
+TEST_CASE("any error figure that differs is found", "[exam][shared]") {
   for (const char* column : {"max_ulp", "worst_index", "ulp_median", "wrong_signs", "max_eps"}) {
     nlohmann::json other = measured();
     for (auto& one : other)
@@ -99,14 +99,15 @@ TEST_CASE("any error figure that differs is found", "[exam]") {
   }
 }
 
-TEST_CASE("what is not reproducible may differ", "[exam]") {
+TEST_CASE("what is not reproducible may differ", "[exam][shared]") {
   nlohmann::json other = measured();
   for (auto& one : other)
     if (one["reproducible"] == false) one["max_ulp"] = 4711;
   CHECK(compared(measured(), other).exit_code == 0);
 }
 
-TEST_CASE("ratios may miss their intervals by chance, but neither often nor by far", "[exam]") {
+TEST_CASE("ratios may miss their intervals by chance, but neither often nor by far",
+          "[exam][shared]") {
   const nlohmann::json all = steady(1);
   const ProgramRun by_chance = compared(all, with_ratios_moved(all, 2, 1.05));
   CHECK(by_chance.exit_code == 0);
@@ -117,7 +118,7 @@ TEST_CASE("ratios may miss their intervals by chance, but neither often nor by f
   CHECK(compared(all, with_ratios_moved(all, 2, 0.8)).exit_code == 1);
 }
 
-TEST_CASE("what is in one report alone is counted", "[exam]") {
+TEST_CASE("what is in one report alone is counted", "[exam][shared]") {
   nlohmann::json fewer = measured();
   fewer.erase(fewer.begin());
   const ProgramRun run = compared(fewer, measured());
@@ -127,7 +128,7 @@ TEST_CASE("what is in one report alone is counted", "[exam]") {
 }
 
 TEST_CASE("files that are no reports cost one clear line and exit 2, before any measuring",
-          "[exam]") {
+          "[exam][shared]") {
   const TemporaryFolder folder;
   write_file(folder / "text", "Speed against error\n");
   write_file(folder / "empty.json", "[]");

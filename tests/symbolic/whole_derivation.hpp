@@ -3,7 +3,7 @@
 
 #include "derivation/derivation.hpp"
 
-/// All chapters, derived once a process. Cases that look at them have the tag [derived] and run in one.
+/// All chapters, derived once a process. Cases that look at them have the tag [shared] and run in one.
 inline const magicmass::derivation::Derivation& whole_derivation() {
   static const magicmass::derivation::Derivation result = magicmass::derivation::derive();
   return result;

@@ -24,7 +24,7 @@ std::string contents(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("the committed files are what the theorems give, byte for byte", "[exam][derived]") {
+TEST_CASE("the committed files are what the theorems give, byte for byte", "[exam][shared]") {
   const std::filesystem::path committed = MAGICMASS_GENERATED;
   std::set<std::string> paths;
   for (const codegen::GeneratedFile& file : codegen::generate(whole_derivation().theorems)) {
@@ -39,7 +39,7 @@ TEST_CASE("the committed files are what the theorems give, byte for byte", "[exa
   }
 }
 
-TEST_CASE("generating twice gives the same bytes", "[check][derived]") {
+TEST_CASE("generating twice gives the same bytes", "[check][shared]") {
   const auto once = codegen::generate(whole_derivation().theorems),
              again = codegen::generate(derivation::derive().theorems);
   REQUIRE(once.size() == again.size());

@@ -38,7 +38,7 @@ int times(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("a case of an output with another right side is refused, and both are named",
-          "[exam][derived]") {
+          "[exam][shared]") {
   KernelForm terminal = form("terminal");
   CHECK_NOTHROW(make_kernel(terminal, theorems()));
   terminal.other_cases = {{"a_t", {"offset.a_after_P", "offset.c_after_P"}}};
@@ -51,7 +51,7 @@ TEST_CASE("a case of an output with another right side is refused, and both are 
                     "no output is called a, of which offset.a_after_P is to be a case");
 }
 
-TEST_CASE("each kernel asks for no more than its forms need", "[exam][derived]") {
+TEST_CASE("each kernel asks for no more than its forms need", "[exam][shared]") {
   for (const KernelForm& one : codegen::kernel_forms()) {
     const codegen::Kernel kernel = make_kernel(one, theorems());
     const auto counts = operation_counts(kernel.program);
@@ -69,7 +69,7 @@ TEST_CASE("each kernel asks for no more than its forms need", "[exam][derived]")
   }
 }
 
-TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam][derived]") {
+TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam][shared]") {
   for (const KernelForm& one : codegen::kernel_forms()) {
     const std::string text = emit_kernel(make_kernel(one, theorems()));
     INFO(text);
@@ -89,7 +89,7 @@ TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam][
   }
 }
 
-TEST_CASE("a kernel that rounds its results names no number type for them", "[exam][derived]") {
+TEST_CASE("a kernel that rounds its results names no number type for them", "[exam][shared]") {
   const std::string rows = emit_kernel(make_kernel(form("velocities_in_rows"), theorems()));
   INFO(rows);
   CHECK(times(rows, "typename Number::Root cot_half;") == 1);

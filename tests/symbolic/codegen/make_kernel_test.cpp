@@ -23,7 +23,7 @@ KernelForm form_named(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam][derived]") {
+TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam][shared]") {
   const auto& theorems = whole_derivation().theorems;
   const auto refused = [&theorems](const KernelForm& form, const char* message) {
     CHECK_THROWS_WITH(codegen::make_kernel(form, theorems), message);

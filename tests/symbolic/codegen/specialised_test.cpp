@@ -53,7 +53,7 @@ TEST_CASE("a quantity that the paper does not have is refused by its name", "[ex
 }
 
 TEST_CASE("a part of the outputs costs less than all, and nothing that is no part of them",
-          "[exam][derived]") {
+          "[exam][shared]") {
   CHECK(operations(program_of(made({"a_t", "rho"}))) <
         operations(program_of(made({"a_t", "b_t", "c_t", "rho"}))));
   for (const std::vector<std::string>& set : sets) {
@@ -73,7 +73,7 @@ TEST_CASE("a part of the outputs costs less than all, and nothing that is no par
   }
 }
 
-TEST_CASE("shared values are computed once", "[exam][derived]") {
+TEST_CASE("shared values are computed once", "[exam][shared]") {
   const OperationCounts counts = operation_counts(program_of(made({"a", "b", "c", "c_prime"})));
   CHECK(counts.square_roots == 1);
   CHECK(counts.arctangents == 1);
@@ -84,7 +84,7 @@ TEST_CASE("shared values are computed once", "[exam][derived]") {
   CHECK(operations(program_of(made({"a_t", "psi"}))) <= apart("a_t") + 1);
 }
 
-TEST_CASE("an operation that no output needs is seen", "[exam][derived]") {
+TEST_CASE("an operation that no output needs is seen", "[exam][shared]") {
   Program program = program_of(made({"a_t", "rho"}));
   const int before = operations(program);
   append(program, {.op = Op::add, .args = {0, 0}});
@@ -93,7 +93,7 @@ TEST_CASE("an operation that no output needs is seen", "[exam][derived]") {
 }
 
 TEST_CASE("the header says its own count, and does not depend on the order of the names",
-          "[exam][derived]") {
+          "[exam][shared]") {
   const auto header = [](const std::vector<std::string>& names) {
     return specialised_header(grouped(names), "", "a command", {}, theorems());
   };
@@ -109,7 +109,7 @@ TEST_CASE("the header says its own count, and does not depend on the order of th
   CHECK_THAT(file.content, !Catch::Contains("c_t"));
 }
 
-TEST_CASE("quantities are grouped by their inputs", "[exam][derived]") {
+TEST_CASE("quantities are grouped by their inputs", "[exam][shared]") {
   CHECK(grouped({"t", "a"}).size() == 2);
   CHECK(grouped({"a", "psi", "t"}).size() == 2);
   CHECK(grouped({"psi", "alpha_k"}).size() == 2);

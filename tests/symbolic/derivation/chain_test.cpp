@@ -10,7 +10,7 @@
 
 using namespace magicmass;
 
-TEST_CASE("complete transfer states what each step supposes", "[exam][derived]") {
+TEST_CASE("complete transfer states what each step supposes", "[exam][shared]") {
   const derivation::Derivation& all = whole_derivation();
   REQUIRE_FALSE(all.refused);
   const proof::Theorem& trip = all.at("chain.round_trip");

@@ -15,7 +15,7 @@
 
 using namespace magicmass;
 
-TEST_CASE("every step is proved from the laws", "[exam][derived]") {
+TEST_CASE("every step is proved from the laws", "[exam][shared]") {
   INFO((whole_derivation().refused ? whole_derivation().refused->what() : ""));
   REQUIRE_FALSE(whole_derivation().refused);
   const std::set<std::string> verdicts{"proved", "law", "definition", "hypothesis"};
@@ -29,7 +29,7 @@ TEST_CASE("every step is proved from the laws", "[exam][derived]") {
 }
 
 TEST_CASE("what is not there is refused by its name, as bad input is everywhere",
-          "[exam][derived]") {
+          "[exam][shared]") {
   CHECK(whole_derivation().at("power.b").id() == "power.b");
   CHECK_THROWS_AS(whole_derivation().at("power.z"), InvalidInput);
   CHECK_THROWS_WITH(whole_derivation().at("power.z"), "no theorem is called power.z");
@@ -42,7 +42,7 @@ TEST_CASE("what is not there is refused by its name, as bad input is everywhere"
 }
 
 TEST_CASE("the laws are the two conservation laws, the contact, the start and uniform motion",
-          "[exam][derived]") {
+          "[exam][shared]") {
   std::set<std::string> laws;
   for (const proof::Theorem& theorem : whole_derivation().theorems)
     if (theorem.step().verdict == "law") laws.insert(theorem.id());
@@ -72,7 +72,7 @@ TEST_CASE("the laws are the two conservation laws, the contact, the start and un
                                       "wedge.gap_P"});
 }
 
-TEST_CASE("hypotheses are conditions of what rests on them", "[exam][derived]") {
+TEST_CASE("hypotheses are conditions of what rests on them", "[exam][shared]") {
   for (const proof::Theorem& theorem : whole_derivation().theorems) {
     if (theorem.step().verdict != "hypothesis") continue;
     const std::string supposed = proof::to_text(theorem.statement());
@@ -90,7 +90,7 @@ TEST_CASE("hypotheses are conditions of what rests on them", "[exam][derived]") 
   }
 }
 
-TEST_CASE("main results rest on no hypothesis", "[exam][derived]") {
+TEST_CASE("main results rest on no hypothesis", "[exam][shared]") {
   std::set<std::string> hypotheses;
   for (const proof::Theorem& theorem : whole_derivation().theorems)
     if (theorem.step().verdict == "hypothesis")
@@ -133,7 +133,7 @@ TEST_CASE("main results rest on no hypothesis", "[exam][derived]") {
     }
 }
 
-TEST_CASE("every displayed equation that is claimed is proved under its label", "[exam][derived]") {
+TEST_CASE("every displayed equation that is claimed is proved under its label", "[exam][shared]") {
   const derivation::Paper paper = derivation::paper();
   for (const auto& [label, statement] : paper.equations()) {
     INFO(label);
@@ -147,7 +147,7 @@ TEST_CASE("every displayed equation that is claimed is proved under its label", 
   }
 }
 
-TEST_CASE("a second derivation gives the same steps, word for word", "[check][derived]") {
+TEST_CASE("a second derivation gives the same steps, word for word", "[check][shared]") {
   const derivation::Derivation again = derivation::derive();
   REQUIRE(again.theorems.size() == whole_derivation().theorems.size());
   for (std::size_t i = 0; i < again.theorems.size(); ++i) {

@@ -10,7 +10,7 @@
 using namespace magicmass;
 
 TEST_CASE("the table holds for every positive alpha, its tangents where they have no pole",
-          "[exam][derived]") {
+          "[exam][shared]") {
   const derivation::Derivation& all = whole_derivation();
   REQUIRE_FALSE(all.refused);
   int entries = 0;

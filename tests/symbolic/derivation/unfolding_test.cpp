@@ -24,8 +24,7 @@ std::set<std::string> ancestors(const derivation::Derivation& all, const std::st
 
 }  // namespace
 
-TEST_CASE("the straight line gives the same times and distances by another way",
-          "[exam][derived]") {
+TEST_CASE("the straight line gives the same times and distances by another way", "[exam][shared]") {
   const derivation::Derivation& all = whole_derivation();
   REQUIRE_FALSE(all.refused);
   for (const char* name : {"t_of_P", "t_of_Q", "s_of_P", "s_of_Q"}) {

@@ -120,7 +120,7 @@ void check_velocities(const Event& event, bool with_A, const Closed& closed) {
 
 }  // namespace
 
-TEST_CASE("the wedge theorem agrees with stepping event by event", "[check][derived]") {
+TEST_CASE("the wedge theorem agrees with stepping event by event", "[check][shared]") {
   REQUIRE_FALSE(whole_derivation().refused);
   const Precision precision;
   Random random(1);
@@ -157,7 +157,7 @@ TEST_CASE("the wedge theorem agrees with stepping event by event", "[check][deri
   }
 }
 
-TEST_CASE("equal blocks and walls agree with stepping", "[check][derived]") {
+TEST_CASE("equal blocks and walls agree with stepping", "[check][shared]") {
   const Precision precision;
   Random random(2);
   int compared = 0;
@@ -193,7 +193,7 @@ TEST_CASE("equal blocks and walls agree with stepping", "[check][derived]") {
   }
 }
 
-TEST_CASE("a ball between a block and a wall counts digits of pi", "[exam][derived]") {
+TEST_CASE("a ball between a block and a wall counts digits of pi", "[exam][shared]") {
   const Precision precision;
   const long digits[] = {3, 31, 314, 3141};
   for (long k = 0; k < 4; ++k) {
@@ -205,7 +205,7 @@ TEST_CASE("a ball between a block and a wall counts digits of pi", "[exam][deriv
   }
 }
 
-TEST_CASE("where collisions never end, times approach the collapse", "[check][derived]") {
+TEST_CASE("where collisions never end, times approach the collapse", "[check][shared]") {
   const Precision precision;
   Random random(3);
   int compared = 0;
@@ -238,7 +238,7 @@ TEST_CASE("where collisions never end, times approach the collapse", "[check][de
   }
 }
 
-TEST_CASE("the heaviest ball with a collapse", "[check][derived]") {
+TEST_CASE("the heaviest ball with a collapse", "[check][shared]") {
   const Precision precision;
   Random random(4);
   for (int tries = 0; tries < 40; ++tries) {
@@ -251,7 +251,7 @@ TEST_CASE("the heaviest ball with a collapse", "[check][derived]") {
   }
 }
 
-TEST_CASE("at the threshold itself speeds grow linearly", "[exam][derived]") {
+TEST_CASE("at the threshold itself speeds grow linearly", "[exam][shared]") {
   const Precision precision;
   // mu_A mu_B = 4 e/(1 + e)^2 in rational numbers: e = 1/4 gives 16/25 = (4/5)^2.
   const Wedge w{4, 4, 1, numeric(1, 4), 1, 1, false};

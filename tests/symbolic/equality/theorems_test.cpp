@@ -74,7 +74,7 @@ void mutants(const Tree& tree, const std::function<void(const Tree&)>& use) {
 }  // namespace
 
 TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not",
-          "[check][derived]") {
+          "[check][shared]") {
   const std::vector<Sides> equations = scalar_equations();
   // sqrt(sec x - 1) sqrt(sec x + 1) is tan x only where its sign is known from the range of x
   const std::set<std::string> undecided{"ratios.alpha_k_back", "ratios.beta_k_back"};
@@ -97,7 +97,7 @@ TEST_CASE("the derivation's scalar theorems are equal, and their mutants are not
   }
 }
 
-TEST_CASE("the defined names mean what the derivation proves", "[exam][derived]") {
+TEST_CASE("the defined names mean what the derivation proves", "[exam][shared]") {
   const std::vector<std::pair<std::string, std::string>> proved{
       {"psi", "rotation.psi_paper"},
       {"theta", "contact.theta_paper"},

@@ -9,7 +9,7 @@ using namespace magicmass;
 using namespace magicmass::render;
 using Kind = Formula::Kind;
 
-TEST_CASE("every side of the derivation is read, and written back as it was", "[exam][derived]") {
+TEST_CASE("every side of the derivation is read, and written back as it was", "[exam][shared]") {
   for (const proof::Theorem& theorem : whole_derivation().theorems) {
     const proof::Step& step = theorem.step();
     INFO(step.id);

@@ -53,7 +53,7 @@ bool contains(const std::string& page, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("every step, its label and its verdict are on every page", "[exam][derived]") {
+TEST_CASE("every step, its label and its verdict are on every page", "[exam][shared]") {
   const std::string text = derivation_text(steps(), {.unicode = true});
   const std::string ascii = derivation_text(steps(), {});
   const std::string markdown = derivation_markdown(steps());
@@ -75,7 +75,7 @@ TEST_CASE("every step, its label and its verdict are on every page", "[exam][der
   }
 }
 
-TEST_CASE("text keeps within 80 columns, ASCII within ASCII", "[exam][derived]") {
+TEST_CASE("text keeps within 80 columns, ASCII within ASCII", "[exam][shared]") {
   for (const TextStyle& style : {TextStyle{.unicode = true}, TextStyle{}}) {
     CHECK(widest(derivation_text(steps(), style)) <= 80);
     CHECK(widest(derivation_summary(steps(), style)) <= 80);
@@ -92,7 +92,7 @@ TEST_CASE("text keeps within 80 columns, ASCII within ASCII", "[exam][derived]")
   }));
 }
 
-TEST_CASE("HTML is well-formed XML, small, and asks nothing of a network", "[exam][derived]") {
+TEST_CASE("HTML is well-formed XML, small, and asks nothing of a network", "[exam][shared]") {
   const auto tree = premise_tree({steps().back(), steps()[40]}, steps());
   for (const std::string& page :
        {derivation_html(steps()), derivation_html(steps_of_tree(tree, steps()), tree),

@@ -48,7 +48,7 @@ TEST_CASE("a tree shows each step once, with definitions that are mentioned", "[
   CHECK(steps.front().id == "x.law");
 }
 
-TEST_CASE("whatever a result rests on is in its tree", "[exam][derived]") {
+TEST_CASE("whatever a result rests on is in its tree", "[exam][shared]") {
   const auto all = steps_of(whole_derivation());
   const auto root =
       std::find_if(all.begin(), all.end(), [](const auto& each) { return each.id == "power.a"; });

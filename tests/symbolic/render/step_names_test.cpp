@@ -19,7 +19,7 @@ std::vector<std::string> ids(const std::string& name) {
 using Ids = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE("a result is found by the paper's symbol, its label or its id", "[exam][derived]") {
+TEST_CASE("a result is found by the paper's symbol, its label or its id", "[exam][shared]") {
   CHECK(ids("a_n") == Ids{"power.a"});
   CHECK(ids("b_n") == Ids{"power.b"});
   CHECK(ids("c_n") == Ids{"power.c"});

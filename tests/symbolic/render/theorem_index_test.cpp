@@ -40,7 +40,7 @@ bool is_in_the_paper(const std::string& label) {
 }  // namespace
 
 TEST_CASE("every equation of the paper is proved, or there is a reason why it is not claimed",
-          "[exam][derived]") {
+          "[exam][shared]") {
   std::set<std::string_view> seen;
   for (const IndexedEquation& indexed : index().equations) {
     const derivation::PaperEquation& equation = indexed.equation;
@@ -61,7 +61,7 @@ TEST_CASE("every equation of the paper is proved, or there is a reason why it is
 }
 
 TEST_CASE("a label of the paper is carried by what the kernel accepted, and it is in the paper",
-          "[exam][derived]") {
+          "[exam][shared]") {
   const std::set<std::string> verdicts{"proved", "law", "definition"};
   for (const proof::Step& step : index().steps) {
     INFO(step.id << ": " << step.label);
@@ -100,7 +100,7 @@ TEST_CASE("labels with a comma in them are told from several labels", "[exam]") 
   CHECK_FALSE(derivation::speaks_of("eq:ac", "eq:ac-dc"));
 }
 
-TEST_CASE("what goes beyond the paper is there and carries no label of it", "[exam][derived]") {
+TEST_CASE("what goes beyond the paper is there and carries no label of it", "[exam][shared]") {
   for (const IndexedResult& indexed : index().beyond) {
     INFO(indexed.result.name);
     CHECK_FALSE(indexed.theorems.empty());
@@ -111,7 +111,7 @@ TEST_CASE("what goes beyond the paper is there and carries no label of it", "[ex
   }
 }
 
-TEST_CASE("the index misses an equation that loses its theorem", "[exam][derived]") {
+TEST_CASE("the index misses an equation that loses its theorem", "[exam][shared]") {
   std::vector<proof::Step> steps = index().steps;
   std::erase_if(steps, [](const proof::Step& step) { return step.id == "power.a"; });
   const TheoremIndex less = theorem_index(steps);
