@@ -98,7 +98,7 @@ bool is_everything(const ReportRequest& request) {
 void measure_families(const ReportRequest& request, const std::vector<Task>& tasks,
                       const std::vector<DerivedForm>& forms, Progress& progress,
                       Measurement& measurement) {
-  const std::size_t batches = report::batch_plan(request.rounds).batches;
+  const std::size_t batches = report::batch_plan(request.timing_rounds()).batches;
   const std::string formulas = in_one_line(forms);
   std::vector<std::vector<report::TimeRow>> times;
   std::size_t all = 0;

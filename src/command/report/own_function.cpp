@@ -48,10 +48,10 @@ Function compiled(const std::string& file) {
   limits.time = std::chrono::seconds(30);
   limits.memory = std::size_t{2} << 30U;
   limits.is_computing_only = false;
-  const ProcessEnd end =
-      run_confined({"env", "LC_ALL=C", "TMPDIR=" + scratch.path().string(), "c++", "-std=c++20", "-O2",
-                    "-ffp-contract=off", "-w", "-fPIC", "-shared", "-o", "yours.so", "called.cpp"},
-                   "", scratch.path(), limits);
+  const ProcessEnd end = run_confined(
+      {"env", "LC_ALL=C", "TMPDIR=" + scratch.path().string(), "c++", "-std=c++20", "-O2",
+       "-ffp-contract=off", "-w", "-fPIC", "-shared", "-o", "yours.so", "called.cpp"},
+      "", scratch.path(), limits);
   if (!end.is_good())
     throw InvalidInput(
         fmt::format("{} does not compile: {}; asked for: a function Velocities velocities(double "

@@ -140,7 +140,7 @@ void add_report(Program& program) {
           "inputs a family, at most (2048; 96 if quick)")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 20U).description(""));
-  command.add_option("--rounds", request.rounds, "of timing (51)")
+  command.add_option("--rounds", request.rounds, "of timing (51; 27 if quick)")
       ->type_name("N")
       ->check(CLI::Range(std::size_t{6}, std::size_t{100000}).description(""));
   command.add_flag("--growth,!--no-growth", request.growth, "error and time as the work grows");

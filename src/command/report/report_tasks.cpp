@@ -86,7 +86,7 @@ std::vector<Task> report_tasks(const ReportRequest& request,
 
 report::TimingPlan timing_plan(const ReportRequest& request) {
   report::TimingPlan plan;
-  plan.rounds.rounds = request.rounds;
+  plan.rounds.rounds = request.timing_rounds();
   plan.longest_pass_ns = request.quick ? 2e4 : 1e6;
   plan.longest_call_ns = request.quick ? 1e5 : 2e7;
   if (request.quick) plan.rounds.shortest_ns = 1e4;

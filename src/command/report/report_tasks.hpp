@@ -21,7 +21,8 @@ struct ReportRequest {
   std::vector<std::string> evaluators;  ///< empty: all; naive is always there
   std::vector<std::string> quantities;  ///< empty: all
   std::optional<std::size_t> size;      ///< inputs a family
-  std::size_t rounds = 51;
+  std::optional<std::size_t> rounds = {};
+  std::size_t timing_rounds() const { return rounds.value_or(quick ? 27 : 51); }
   bool growth = true;
   bool sweeps = false;  ///< errors against alpha, for a figure
 };

@@ -23,7 +23,7 @@ constexpr const char* nothing = "-";
 std::vector<std::string> words_of(const ReportRequest& request, std::size_t batch) {
   std::vector<std::string> words = {"/proc/self/exe", "report",
                                     "--timing-batch", std::to_string(batch),
-                                    "--rounds",       std::to_string(request.rounds)};
+                                    "--rounds",       std::to_string(request.timing_rounds())};
   if (request.quick) words.emplace_back("--quick");
   if (request.peers) words.emplace_back("--peers");
   if (!request.function.empty()) words.push_back("--function=" + request.function);
@@ -106,7 +106,7 @@ void run_timing_batch(const ReportRequest& request, std::size_t batch, std::istr
                                                                     : forms_from_line(formulas),
                                                 request, remarks));
   report::TimingPlan plan = timing_plan(request);
-  plan.rounds.rounds = report::batch_plan(request.rounds).rounds;
+  plan.rounds.rounds = report::batch_plan(request.timing_rounds()).rounds;
   plan.rounds.seed += batch;
   Heartbeat heartbeat(out);
   for (std::size_t i = 0; i < tasks.size(); ++i) {
