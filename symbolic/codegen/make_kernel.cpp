@@ -51,13 +51,13 @@ ex written_out(const std::vector<Theorem>& bindings, ex right) {
     return std::any_of(std::begin(kept_names), std::end(kept_names),
                        [&](const char* kept) { return name.is_equal(proof::symbol(kept)); });
   };
-  ex before;
-  do {  // a name may stand for others
-    before = right;
+  for (std::size_t round = 0; round <= bindings.size(); ++round) {  // a name may stand for others
+    const ex before = right;
     for (const Theorem& named : bindings)
       if (!stays(named.lhs())) right = right.subs(named.lhs() == named.rhs());
-  } while (!right.is_equal(before));
-  return right;
+    if (right.is_equal(before)) return right;
+  }
+  throw std::logic_error("the names that a kernel binds stand for each other");
 }
 
 // The outputs' right sides with what the kernel puts in from alpha = 1 on.

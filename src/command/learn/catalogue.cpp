@@ -11,6 +11,12 @@
 
 namespace magicmass::command {
 
+bool is_id(const std::string& text) {
+  return !text.empty() && text.size() <= 30 && std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
 Catalogue::Catalogue(const std::filesystem::path& content) {
   namespace fs = std::filesystem;
   std::error_code error;

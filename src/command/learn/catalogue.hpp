@@ -9,6 +9,9 @@
 
 namespace magicmass::command {
 
+/// Whether an exercise, or its chapter, may be called that: up to 30 small letters, digits and _.
+bool is_id(const std::string& text);
+
 /// The exercises in the order of the course: by chapter, difficulty and id.
 class Catalogue {
 public:

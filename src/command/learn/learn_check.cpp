@@ -106,11 +106,6 @@ bool is_worth_keeping(const StudentFolder& student, const Exercise& exercise,
          text_of(file) == text_of(exercise.folder / exercise.answer_file());
 }
 
-/// Ids are small letters, digits and _; what has anything else in it is an answer.
-bool is_no_id(const std::string& text) {
-  return text.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos;
-}
-
 /// What an answer without an id is for: the exercise that `learn show` shows.
 const Exercise& answered_without_id(const Catalogue& catalogue, const StudentFolder& student,
                                     const std::string& answer) {
@@ -170,7 +165,7 @@ Judgement check_and_say(const Catalogue& catalogue, const Exercise& exercise,
 ExitCode learn_check(const LearnOptions& options) {
   const Catalogue catalogue{std::filesystem::path(options.content)};
   StudentFolder student = student_folder(options);
-  const bool is_for_next = options.answer.empty() && is_no_id(options.id);
+  const bool is_for_next = options.answer.empty() && !options.id.empty() && !is_id(options.id);
   const Exercise& exercise =
       is_for_next ? answered_without_id(catalogue, student, options.id) : catalogue.at(options.id);
   std::string answer = is_for_next ? options.id : options.answer;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
 #include <map>
 #include <system_error>
 #include <utility>
@@ -21,12 +20,6 @@ const std::map<std::string, std::string>& models() {
   static const std::map<std::string, std::string> table{
       {"symbolic", "half_angle"}, {"code", "collide"}, {"predict", "count_them"}};
   return table;
-}
-
-bool is_name(const std::string& id) {
-  return !id.empty() && id.size() <= 30 && std::all_of(id.begin(), id.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
-  });
 }
 
 std::string with_key(const std::string& toml, const std::string& key, const std::string& value) {
@@ -76,10 +69,10 @@ private:
 
 ExitCode learn_new(const LearnOptions& options) {
   require_name("kind", options.kind, {"code", "predict", "symbolic"});
-  if (!is_name(options.id))
+  if (!is_id(options.id))
     throw InvalidInput("the name \"" + shown_text(options.id) +
                        "\" is not allowed; up to 30 small letters, digits and _ are");
-  if (!is_name(options.chapter))
+  if (!is_id(options.chapter))
     throw InvalidInput("the chapter \"" + shown_text(options.chapter) +
                        "\" is not allowed; a folder's name is, as 04_sequences");
   const Catalogue models_catalogue{data_folder("tutorials", "tutorials")};

@@ -63,9 +63,12 @@ template <class T>
 /// The same with at most 26 and 27 bits, of one sign: half the operations for vectors.
 template <class T>
 [[gnu::always_inline]] inline Sum<T> cut_off(T x) {
-  if constexpr (lane_count<T> == 1) return halves(x);
-  const T high = leading_half(x);
-  return {high, x - high};
+  if constexpr (lane_count<T> == 1) {
+    return halves(x);
+  } else {
+    const T high = leading_half(x);
+    return {high, x - high};
+  }
 }
 /// The error of a product whose factors' low halves have 53 bits together at most.
 template <class T>
