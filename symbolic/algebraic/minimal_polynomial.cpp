@@ -22,7 +22,7 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 
-constexpr unsigned long longest_coefficient = 2000;  // bits; GiNaC::factor cannot be interrupted
+constexpr unsigned long longest_to_factor = 2000;  // bits; GiNaC::factor cannot be interrupted
 
 /// p_0, ..., p_count, the sums of the powers of all roots.
 using PowerSums = std::vector<cl_RA>;
@@ -113,7 +113,7 @@ Polynomial of_roots(const Polynomial& a, const cl_I& index) {
 
 std::vector<Polynomial> irreducible_factors(const Polynomial& polynomial) {
   for (const cl_I& coefficient : polynomial.coefficients)
-    if (cln::integer_length(coefficient) > longest_coefficient)
+    if (cln::integer_length(coefficient) > longest_to_factor)
       throw BeyondBudget("a polynomial with coefficients too long to factor it");
   const GiNaC::symbol x("x");
   GiNaC::ex sum = 0;

@@ -5,8 +5,6 @@
 namespace magicmass::codegen {
 namespace {
 
-std::string line(const std::string& text) { return wrapped(text) + "\n"; }
-
 std::string theorem_list(const std::vector<proof::Theorem>& theorems) {
   std::string result;
   for (const proof::Theorem& theorem : theorems) {
@@ -44,12 +42,12 @@ std::string function(const Form& form, const Program& program, const std::string
   replace(text, "%RESULT%", result_type);
   replace(text, "%NAME%", name);
   const Emitted emitted = emit_expressions(program, type);
-  for (const std::string& definition : emitted.lines) text += line("  " + definition);
+  for (const std::string& definition : emitted.lines) text += wrapped_line("  " + definition);
   if (emitted.outputs.size() == 1)
-    return text + line("  return " + emitted.outputs[0] + ";") + "}\n";
+    return text + wrapped_line("  return " + emitted.outputs[0] + ";") + "}\n";
   text += "  return {\n";
   for (std::size_t i = 0; i < emitted.outputs.size(); ++i)
-    text += line("      ." + program.outputs[i].name + " = " + emitted.outputs[i] + ",");
+    text += wrapped_line("      ." + program.outputs[i].name + " = " + emitted.outputs[i] + ",");
   return text + "  };\n}\n";
 }
 
@@ -77,13 +75,13 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   text += "\nnamespace magicmass::generated {\n\n";
   const auto documentation = [&](const std::string& what, const Program& program,
                                  const std::vector<proof::Theorem>& from) {
-    return line("/// " + what + ".") + line("/// Domain: " + form.domain + ".") +
-           line("/// Error: " + form.stated_error() + ".") +
-           line("/// From: " + theorem_list(from) + ".") +
+    return wrapped_line("/// " + what + ".") + wrapped_line("/// Domain: " + form.domain + ".") +
+           wrapped_line("/// Error: " + form.stated_error() + ".") +
+           wrapped_line("/// From: " + theorem_list(from) + ".") +
            (evaluator.bindings.empty()
                 ? ""
-                : line("/// With: " + theorem_list(evaluator.bindings) + ".")) +
-           line("/// Cost: " + codegen::to_text(operation_counts(program)) + ".");
+                : wrapped_line("/// With: " + theorem_list(evaluator.bindings) + ".")) +
+           wrapped_line("/// Cost: " + codegen::to_text(operation_counts(program)) + ".");
   };
   const std::string result = form.result.empty() ? type : form.result + "<" + type + ">";
   text += documentation(form.summary, evaluator.program, evaluator.outputs);
@@ -91,9 +89,9 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   if (evaluator.single.size() > 1)
     for (std::size_t i = 0; i < evaluator.single.size(); ++i) {
       const std::string& output = evaluator.program.outputs[i].name;
-      text += "\n" + line("/// Only " + output + ", with that domain and error, from " +
-                          theorem_list({evaluator.outputs[i]}) + "; cost: " +
-                          codegen::to_text(operation_counts(evaluator.single[i])) + ".");
+      text += "\n" + wrapped_line("/// Only " + output + ", with that domain and error, from " +
+                                  theorem_list({evaluator.outputs[i]}) + "; cost: " +
+                                  codegen::to_text(operation_counts(evaluator.single[i])) + ".");
       text += function(form, evaluator.single[i], output + "_" + form.name, type);
     }
   return text + "\n}  // namespace magicmass::generated\n";

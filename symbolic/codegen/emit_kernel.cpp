@@ -14,8 +14,6 @@
 namespace magicmass::codegen {
 namespace {
 
-std::string line(const std::string& text) { return wrapped(text) + "\n"; }
-
 class KernelEmitter {
 public:
   explicit KernelEmitter(const Kernel& kernel)
@@ -40,8 +38,8 @@ public:
     for (const std::string& input : inputs()) text += "  Real " + input + ";\n";
     for (const std::string& input : form_.numbers) text += "  Number " + input + ";\n";
     for (const int number : carried_)
-      text += line("  " + type(number) + " " + printer_.name(number) + ";  // " +
-                   formula(program_, number) + origin(number));
+      text += wrapped_line("  " + type(number) + " " + printer_.name(number) + ";  // " +
+                           formula(program_, number) + origin(number));
     for (int s = 0; s + 1 < stages_.count; ++s) text += "\n" + stage_function(s);
     text += "\n" + result_function();
     if (!form_.rounds_results) {
@@ -88,8 +86,8 @@ private:
       if (op == Op::sine || op == Op::cosine) {
         const std::string turned = "turned" + (done.empty() ? "" : fmt::format("_{}", done.size()));
         const std::string of_small = form_.small_angle.empty() ? "" : "small_";
-        text += line(indent + "const auto " + turned + " = " + of_small +
-                     printer_.right_side(number) + ";");
+        text += wrapped_line(indent + "const auto " + turned + " = " + of_small +
+                             printer_.right_side(number) + ";");
         for (std::size_t j = i; j < program_.nodes.size(); ++j) {
           const Node& other = program_.nodes[j];
           if ((other.op != Op::sine && other.op != Op::cosine) || other.args != node(number).args)
@@ -107,7 +105,8 @@ private:
         text += is_beyond(indent);
         value = "reciprocal_square_root(Number::root_argument(alpha, is_beyond))";
       } else if (op == Op::reciprocal_square_root && !form_.first.empty()) {
-        text += line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
+        text +=
+            wrapped_line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
         text += indent + "if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)\n" +
                 indent +
                 "  square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + "
@@ -115,7 +114,7 @@ private:
                 indent + "}\n";
         value = "reciprocal_square_root(square)";
       }
-      text += line(indent + assigned(number) + " = " + value + ";");
+      text += wrapped_line(indent + assigned(number) + " = " + value + ";");
     }
     return text;
   }
@@ -133,9 +132,9 @@ private:
     for (std::size_t j = static_cast<std::size_t>(number) + 1; j < program_.nodes.size(); ++j) {
       const int other = static_cast<int>(j);
       if (node(other).op != Op::secant_less_one || stage(other) != stage(number)) continue;
-      text += line(indent + "const auto secants = secants_less_one(" +
-                   printer_.value(node(number).args[0]) + ", " +
-                   printer_.value(node(other).args[0]) + ");") +
+      text += wrapped_line(indent + "const auto secants = secants_less_one(" +
+                           printer_.value(node(number).args[0]) + ", " +
+                           printer_.value(node(other).args[0]) + ");") +
               indent + assigned(number) + " = secants.first;\n" + indent + assigned(other) +
               " = secants.second;\n";
       done.insert(other);
@@ -194,7 +193,7 @@ private:
   std::string members(const Value& value) const {
     std::string text = "    return {\n";
     for (const Output& output : program_.outputs)
-      text += line("        ." + output.name + " = " + value(output.node) + ",");
+      text += wrapped_line("        ." + output.name + " = " + value(output.node) + ",");
     return text + "    };\n  }\n";
   }
   std::string rounded_result_function() const {
@@ -213,7 +212,8 @@ private:
     if (form_.rounds_results) return text + rounded_results();
     text += assignments(stages_.count - 1, "    ");
     if (form_.result.empty())
-      return text + line("    return " + printer_.value(program_.outputs[0].node) + ";") + "  }\n";
+      return text + wrapped_line("    return " + printer_.value(program_.outputs[0].node) + ";") +
+             "  }\n";
     return text + members([&](int output) {
              return has_products() ? "{" + *printer_.as_product(output) + "}"
                                    : printer_.value(output);
@@ -230,7 +230,7 @@ private:
           node(number).op == Op::multiply && is_needed_in(number, last, program_, stages_, form_);
       if (!is_tangent) continue;
       const std::string parts = printer_.name(number) + "_parts";
-      text += line("    const auto " + parts + " = parts(" + printer_.name(number) + ");");
+      text += wrapped_line("    const auto " + parts + " = parts(" + printer_.name(number) + ");");
       in_parts.printer_.rename(number, parts);
     }
     return text + in_parts.assignments(last, "    ") +
@@ -245,7 +245,8 @@ private:
         "    cot_half = reciprocal(Number::sum(Real(1.0), alpha));\n";
     for (const int number : carried_)
       if (node(number).op == Op::multiply || node(number).op == Op::add)
-        text += line("    " + printer_.name(number) + " = " + printer_.right_side(number) + ";");
+        text += wrapped_line("    " + printer_.name(number) + " = " + printer_.right_side(number) +
+                             ";");
     return text + "    sine = " + form_.first_sine() + ";\n    cosine = " + form_.first_cosine() +
            ";\n  }\n";
   }
@@ -260,8 +261,8 @@ private:
       parameters += (parameters.empty() ? "Number " : ", Number ") + input;
       members += "    kernel." + input + " = " + input + ";\n";
     }
-    std::string text = line("  [[gnu::always_inline]] static " + result_type() + " evaluate(" +
-                            parameters + ") {") +
+    std::string text = wrapped_line("  [[gnu::always_inline]] static " + result_type() +
+                                    " evaluate(" + parameters + ") {") +
                        "    " + form_.kernel + " kernel;\n" + members;
     if (!form_.first.empty())
       text +=

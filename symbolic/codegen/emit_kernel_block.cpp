@@ -10,8 +10,6 @@
 namespace magicmass::codegen {
 namespace {
 
-std::string line(const std::string& text) { return wrapped(text) + "\n"; }
-
 // Where an output goes.
 std::string stored(const KernelForm& form, const std::string& output) {
   return "    if (" + output + " != nullptr) " +
@@ -56,7 +54,7 @@ std::string emit_block(const KernelForm& form, const Program& program, const Sta
   for (const std::string& input : inputs) signature += ", const double* " + input;
   for (const Output& output : program.outputs) signature += ", double* " + output.name;
   if (!form.rounds_results) signature += ", arithmetic::Certainty<Number>& certain";
-  text += line(signature + ") {");
+  text += wrapped_line(signature + ") {");
   text += "  using Kernel = " + form.kernel +
           "<Number>;\n  using Real = typename Number::Real;\n  constexpr std::size_t lanes = "
           "arithmetic::lane_count<Real>;\n";

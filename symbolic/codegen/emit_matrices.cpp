@@ -10,8 +10,6 @@
 namespace magicmass::codegen {
 namespace {
 
-std::string line(const std::string& text) { return wrapped(text) + "\n"; }
-
 std::string matrix_function(const MatrixForm& form, const std::vector<proof::Theorem>& theorems) {
   const auto named = [&](const std::string& id) { return theorem_named(theorems, id); };
   Source source{{{"entry", named(form.theorem)}}, {}, {"alpha"}, form.index, {"V", "L"}};
@@ -24,13 +22,14 @@ std::string matrix_function(const MatrixForm& form, const std::vector<proof::The
   const Program program = in_plain_numbers(lower(source));
   const std::string type = form.exact ? "Field" : "Real";
   const std::string& label = source.outputs[0].second.step().label;
-  std::string text = "\n" + line("/// " + form.summary + ".") +
-                     line("/// Domain: " + form.domain + ".") +
-                     line("/// Error: " + form.error + ".") +
-                     line("/// From: " + form.theorem + (label.empty() ? "" : " (" + label + ")") +
-                          (form.left_side ? ", its left side" : "") + ".");
-  if (!with.empty()) text += line("/// With: " + with + ".");
-  text += line("/// Cost: " + codegen::to_text(operation_counts(program)) + ".");
+  std::string text =
+      "\n" + wrapped_line("/// " + form.summary + ".") +
+      wrapped_line("/// Domain: " + form.domain + ".") +
+      wrapped_line("/// Error: " + form.error + ".") +
+      wrapped_line("/// From: " + form.theorem + (label.empty() ? "" : " (" + label + ")") +
+                   (form.left_side ? ", its left side" : "") + ".");
+  if (!with.empty()) text += wrapped_line("/// With: " + with + ".");
+  text += wrapped_line("/// Cost: " + codegen::to_text(operation_counts(program)) + ".");
   const bool is_vector = program.outputs.size() == 3;
   const bool has_integers = form.exact && !form.index.empty();
   text +=
@@ -41,15 +40,15 @@ std::string matrix_function(const MatrixForm& form, const std::vector<proof::The
                           : (has_integers ? ", const Integer& " : ", std::int64_t ") + form.index) +
       ") {\n";
   const Emitted emitted = emit_expressions(program, type);
-  for (const std::string& definition : emitted.lines) text += line("  " + definition);
+  for (const std::string& definition : emitted.lines) text += wrapped_line("  " + definition);
   text += is_vector ? "  return {\n" : "  return {{\n";
   const auto& entries = emitted.outputs;
   for (std::size_t i = 0; i < entries.size(); i += is_vector ? 1 : 3)
-    text +=
-        line("      " +
-             (is_vector ? entries[i]
-                        : "{" + entries[i] + ", " + entries[i + 1] + ", " + entries[i + 2] + "}") +
-             ",");
+    text += wrapped_line(
+        "      " +
+        (is_vector ? entries[i]
+                   : "{" + entries[i] + ", " + entries[i + 1] + ", " + entries[i + 2] + "}") +
+        ",");
   return text + (is_vector ? "  };\n}\n" : "  }};\n}\n");
 }
 

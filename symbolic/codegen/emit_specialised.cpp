@@ -9,8 +9,6 @@
 namespace magicmass::codegen {
 namespace {
 
-std::string line(const std::string& text) { return wrapped(text) + "\n"; }
-
 // The program of a kernel as straight lines for one number. Where the kernel has theorems for alpha from 1 on, what they replace
 // is set by cases: the root and what follows from it, the sine and the cosine.
 class StraightLines {
@@ -34,7 +32,7 @@ public:
       std::string declared;
       for (const int number : by_cases)
         declared += (declared.empty() ? "  Number " : ", ") + printer_.name(number);
-      text = line(declared + ";") + defined(0, after_psi, "  ", by_cases) +
+      text = wrapped_line(declared + ";") + defined(0, after_psi, "  ", by_cases) +
              "  if (alpha < Real(1.0)) {\n" + defined(after_psi, end, "    ", by_cases) +
              "  } else {  // the first collisions are all there are\n" + from_one(by_cases) +
              "  }\n";
@@ -44,7 +42,7 @@ public:
     }
     text += "  return {\n";
     for (const Output& output : program_.outputs)
-      text += line("      ." + output.name + " = " + printer_.value(output.node) + ",");
+      text += wrapped_line("      ." + output.name + " = " + printer_.value(output.node) + ",");
     return text + "  };\n";
   }
 
@@ -85,9 +83,9 @@ private:
   std::string definition(int number, const std::string& before) const {
     const std::string indent = before.substr(0, before.find_first_not_of(' '));
     const std::string origin = node(number).origin.empty() ? "" : ", step " + node(number).origin;
-    return line(indent + "// " + printer_.name(number) + " = " + formula(program_, number) +
-                origin) +
-           line(before + printer_.name(number) + " = " + printer_.right_side(number) + ";");
+    return wrapped_line(indent + "// " + printer_.name(number) + " = " + formula(program_, number) +
+                        origin) +
+           wrapped_line(before + printer_.name(number) + " = " + printer_.right_side(number) + ";");
   }
 
   // The named values from one node to another; what is set by cases is declared already, and what follows the
@@ -111,11 +109,12 @@ private:
                      std::set<int>& done) const {
     const std::string pair = "turned_to_" + printer_.name(number);
     std::string text =
-        line(indent + "const auto " + pair + " = " + printer_.right_side(number) + ";");
+        wrapped_line(indent + "const auto " + pair + " = " + printer_.right_side(number) + ";");
     for (int other = number; other < static_cast<int>(program_.nodes.size()); ++other) {
       if (!is_turn(node(other)) || node(other).args != node(number).args) continue;
       done.insert(other);
-      text += line(indent + "// " + printer_.name(other) + " = " + formula(program_, other));
+      text +=
+          wrapped_line(indent + "// " + printer_.name(other) + " = " + formula(program_, other));
       text += indent + (by_cases.contains(other) ? "" : "const Number ") + printer_.name(other) +
               " = " + pair + (node(other).op == Op::sine ? ".sine" : ".cosine") + ";\n";
     }
@@ -131,7 +130,7 @@ private:
                                 : made.op == Op::sine   ? form_.first_sine()
                                 : made.op == Op::cosine ? form_.first_cosine()
                                                         : printer_.right_side(number);
-      text += line("    " + printer_.name(number) + " = " + value + ";");
+      text += wrapped_line("    " + printer_.name(number) + " = " + value + ";");
     }
     return text;
   }
@@ -151,17 +150,19 @@ std::string listed(const std::vector<std::string>& texts) {
 std::string documentation(const Specialised& made, const Kernel& kernel) {
   std::vector<std::string> from;
   for (const auto& [name, theorem] : kernel.form.outputs) from.push_back(theorem);
-  std::string text = line("// Domain: " + kernel.form.domain +
-                          (made.has("psi") ? "; alpha at most 2^400" : "") + ".") +
-                     line("// From: " + listed(from) + ".");
-  if (!kernel.form.bindings.empty()) text += line("// With: " + listed(kernel.form.bindings) + ".");
+  std::string text = wrapped_line("// Domain: " + kernel.form.domain +
+                                  (made.has("psi") ? "; alpha at most 2^400" : "") + ".") +
+                     wrapped_line("// From: " + listed(from) + ".");
+  if (!kernel.form.bindings.empty())
+    text += wrapped_line("// With: " + listed(kernel.form.bindings) + ".");
   if (!kernel.form.first.empty())
-    text += line("// From alpha = 1 on: " + listed(kernel.form.first) + ".");
-  text += line("// Cost: " + codegen::to_text(operation_counts(kernel.program)) + ".");
+    text += wrapped_line("// From alpha = 1 on: " + listed(kernel.form.first) + ".");
+  text += wrapped_line("// Cost: " + codegen::to_text(operation_counts(kernel.program)) + ".");
   const bool is_ratio = made.group[0].kernel == "ratios";
   return text +
-         line(std::string("// Error: that of Number; with the type that `evaluate` has, at most ") +
-              (is_ratio ? "1 ulp." : "4 max(1/2, cond/2) ulp, where cond = |alpha y'/y|."));
+         wrapped_line(
+             std::string("// Error: that of Number; with the type that `evaluate` has, at most ") +
+             (is_ratio ? "1 ulp." : "4 max(1/2, cond/2) ulp, where cond = |alpha y'/y|."));
 }
 
 // The quantities as members of a struct.
@@ -170,8 +171,8 @@ std::string members(const Specialised& made, const std::string& type, bool with_
   for (const PaperQuantity& quantity : made.group) {
     const bool is_count = quantity.member.empty();
     if (is_count && !with_counts) continue;
-    text += line("  " + (is_count ? "std::int64_t" : type) + " " + quantity.name + ";  // " +
-                 quantity.words);
+    text += wrapped_line("  " + (is_count ? "std::int64_t" : type) + " " + quantity.name +
+                         ";  // " + quantity.words);
   }
   return text;
 }
@@ -185,8 +186,8 @@ std::string in_any_number(const Specialised& made, const Kernel& kernel) {
   return "// Numbers of a type of magicmass/arithmetic.\ntemplate <class Number>\nstruct Outputs "
          "{\n" +
          members(made, "Number", false) + "};\n\n" + documentation(made, kernel) +
-         line("template <class Number>\nOutputs<Number> evaluate_in(" + listed(parameters) +
-              ") {") +
+         wrapped_line("template <class Number>\nOutputs<Number> evaluate_in(" + listed(parameters) +
+                      ") {") +
          "  using Real = typename Number::Real;\n" + StraightLines(kernel).run() + "}\n\n";
 }
 
@@ -230,7 +231,8 @@ std::string in_doubles(const Specialised& made) {
             std::string(needs_cycles ? " || counts->N_A > std::int64_t{1} << 51U" : "") +
             ") return std::nullopt;\n";
   if (!made.kernel.empty())
-    text += line("  const auto all = evaluate_in<" + number_type(made) + ">(" + arguments + ");");
+    text += wrapped_line("  const auto all = evaluate_in<" + number_type(made) + ">(" + arguments +
+                         ");");
   text += counts ? "  return Answer{\n" : "  return {\n";
   for (const PaperQuantity& quantity : made.group)
     text += "      ." + quantity.name + " = " +

@@ -225,4 +225,6 @@ std::string wrapped(const std::string& line, std::size_t columns) {
   return line.substr(0, cut) + "\n" + wrapped(rest, columns);
 }
 
+std::string wrapped_line(const std::string& line) { return wrapped(line) + "\n"; }
+
 }  // namespace magicmass::codegen

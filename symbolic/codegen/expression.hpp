@@ -21,5 +21,7 @@ Emitted emit_expressions(const Program& program, const std::string& type);
 
 // Broken after an operator so that no line is longer than 100 columns.
 std::string wrapped(const std::string& line, std::size_t columns = 100);
+/// And its end of line.
+std::string wrapped_line(const std::string& line);
 
 }  // namespace magicmass::codegen

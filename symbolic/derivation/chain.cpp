@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -13,8 +14,7 @@ using GiNaC::ex;
 
 namespace {
 
-const std::map<std::string, long> j_from_one{{"j", 1}}, k_from_one{{"k", 1}}, K_from_one{{"K", 1}},
-    both_from_one{{"j", 1}, {"k", 1}};
+const Indices j_from_one{{"j", 1}}, K_from_one{{"K", 1}}, both_from_one{{"j", 1}, {"k", 1}};
 
 // How long a run lasts and how far B gets in it: what lies ahead must be at least that far away.
 Theorem room(Kernel& kernel, const Ratios& ratios, const Unfolding& unfolding) {

@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -14,7 +15,7 @@ using GiNaC::ex;
 Chebyshev chebyshev(Kernel& kernel, const Rotation& rotation, const Power& power) {
   const ex n = symbol("n"), m = symbol("m"), alpha = symbol("alpha"), psi = symbol("psi"),
            V_CM = symbol("V_CM");
-  const std::map<std::string, long> m_from_zero{{"m", 0}}, from_zero{{"n", 0}}, from_one{{"n", 1}};
+  const Indices m_from_zero{{"m", 0}};
 
   const Theorem definition =
       kernel.definition({.id = "chebyshev.T",
@@ -53,7 +54,7 @@ Chebyshev chebyshev(Kernel& kernel, const Rotation& rotation, const Power& power
   // T(2 n - 1) is written by the recurrence, so that T(2 n) and T(2 n + 1) suffice for all four.
   const ex before = 2 * T(1) * T(2 * n) - T(2 * n + 1);
   const auto velocity = [&](const char* id, const ex& element, const ex& form,
-                            const Theorem& closed, const std::map<std::string, long>& indices) {
+                            const Theorem& closed, const Indices& indices) {
     return kernel.rewriting({.id = id,
                              .statement = {element, form},
                              .words = "as a polynomial in cos(psi/2)",

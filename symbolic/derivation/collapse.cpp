@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "derivation/wedge.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
@@ -15,9 +16,6 @@ using GiNaC::matrix;
 using GiNaC::numeric;
 
 namespace {
-
-using Indices = std::map<std::string, long>;
-const Indices from_one{{"n", 1}}, from_two{{"n", 2}};
 
 Theorem at_parameters(Kernel& kernel, const std::string& id, const Theorem& general,
                       const Kernel::Values& values, const Indices& indices,
@@ -131,9 +129,8 @@ Theorem threshold(Kernel& kernel) {
          .statement = {critical.rhs().subs(GiNaC::lst{mu_A == at_A, mu_B == at_B}), e_there},
          .words = words});
   };
-  const ex half = numeric(1, 2);
-  value("collapse.equal_masses", half, half, 7 - 4 * sqrt(ex(3)), "three equal masses");
-  value("collapse.wall_equal_masses", half, 1, 3 - 2 * sqrt(ex(2)),
+  value("collapse.equal_masses", one_half, one_half, 7 - 4 * sqrt(ex(3)), "three equal masses");
+  value("collapse.wall_equal_masses", one_half, 1, 3 - 2 * sqrt(ex(2)),
         "a ball as heavy as the block, and a wall");
   const ex heaviest = symbol("alpha_c");
   const Theorem alpha_c =

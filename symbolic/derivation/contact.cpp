@@ -4,6 +4,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -15,7 +16,6 @@ using GiNaC::matrix;
 
 namespace {
 
-const std::map<std::string, long> from_one{{"n", 1}};
 const std::set<std::string> any_two_bodies{"M_1", "M_2", "u_1", "u_2", "v_1", "v_2"};
 
 // The polynomial's factor that contains `sought`, divided by it; zero if there is none.

@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -16,8 +17,6 @@ Counting counting(Kernel& kernel, const Rotation& rotation, const Power& power,
                   const Paper& paper) {
   const ex n = symbol("n"), alpha = symbol("alpha"), psi = symbol("psi");
   const ex N = symbol("N"), N_A = symbol("N_A"), N_B = symbol("N_B");
-  const ex half = numeric(1, 2);
-  const std::map<std::string, long> from_zero{{"n", 0}};
 
   // The approach speeds. Their size is what they are before the first such collision.
   const auto value = [&](const Theorem& velocity, long at) { return velocity.rhs().subs(n == at); };
@@ -25,7 +24,7 @@ Counting counting(Kernel& kernel, const Rotation& rotation, const Power& power,
   const ex size_B = kernel.simplified((value(power.c, 1) - value(power.b, 0)) / sin(psi));
   const Theorem before_P =
       kernel.rewriting({.id = "counting.before_P",
-                        .statement = {a(n) - c_prime(n), size_A * sin((n + half) * psi)},
+                        .statement = {a(n) - c_prime(n), size_A * sin((n + one_half) * psi)},
                         .words = "how fast A catches up with C before P_(n+1)",
                         .indices = from_zero},
                        {power.a, power.c_prime});
@@ -64,8 +63,8 @@ Counting counting(Kernel& kernel, const Rotation& rotation, const Power& power,
   // The paper's two cases, by the fractional part of pi/psi.
   const std::string label = "eq:NANB-ans, eq:NANB-ans-txt";
   const Statement above_zero{sawtooth(x), Relation::greater, 0},
-      to_half{sawtooth(x), Relation::less_equal, half};
-  const Statement above_half{sawtooth(x), Relation::greater, half},
+      to_half{sawtooth(x), Relation::less_equal, one_half};
+  const Statement above_half{sawtooth(x), Relation::greater, one_half},
       at_zero{sawtooth(x), Relation::less_equal, 0};
   kernel.step_functions({.id = "counting.equal",
                          .statement = paper.at("eq:NANB-ans, equal"),

@@ -4,6 +4,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -15,7 +16,6 @@ using GiNaC::matrix;
 Cycle cycle(Kernel& kernel, const Contact& contact, const Paper& paper) {
   const ex n = symbol("n"), alpha = symbol("alpha");
   const ex root = sqrt(alpha);
-  const std::map<std::string, long> from_one{{"n", 1}};
   const matrix Gamma = GiNaC::ex_to<matrix>(contact.Gamma.rhs());
 
   const Theorem Gamma_A = kernel.definition(

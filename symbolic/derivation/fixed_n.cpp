@@ -5,6 +5,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -57,7 +58,6 @@ void heavy_ball(Kernel& kernel, const Counting& counting, const Terminal& termin
                                              .statement = {2 * Pi / 3, Relation::less_equal, psi},
                                              .words = "then psi is a third of a turn or more"},
                                             heavy);
-  const ex half = numeric(1, 2);
   const auto bound = [&](const char* id, const Statement& statement, const char* words,
                          const std::vector<Kernel::NonnegativeTerm>& terms) {
     return kernel.ordering(
@@ -65,13 +65,13 @@ void heavy_ball(Kernel& kernel, const Counting& counting, const Terminal& termin
   };
   const Theorem A_reached =
       bound("A_reached", {Pi, Relation::less_equal, 3 * psi / 2},
-            "one cycle and a half turn by pi or more", {{3 * half, {large}, 1}});
+            "one cycle and a half turn by pi or more", {{3 * one_half, {large}, 1}});
   const Theorem B_reached =
       bound("B_reached", {Pi, Relation::less_equal, 2 * psi}, "and so do two cycles",
-            {{3 * half, {large}, 1}, {half * psi, {}, 1}});
+            {{3 * one_half, {large}, 1}, {one_half * psi, {}, 1}});
   const Theorem A_not_before =
       bound("A_not_before", {Pi, Relation::greater, psi / 2}, "half a cycle does not",
-            {{1, {terminal.psi_below_pi}, 1}, {half * psi, {}, 1}});
+            {{1, {terminal.psi_below_pi}, 1}, {one_half * psi, {}, 1}});
   const auto once = [&](const char* id, const ex& number, const Theorem& count,
                         const Theorem& reached, const Theorem& not_before) {
     return kernel.ceiling_value({.id = std::string("fixed_n.") + id,

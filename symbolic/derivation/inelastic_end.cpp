@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "derivation/wedge.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
@@ -15,9 +16,6 @@ using GiNaC::ex;
 using GiNaC::Pi;
 
 namespace {
-
-using Indices = std::map<std::string, long>;
-const Indices from_zero{{"k", 0}};
 
 // The last collision of all is Q_k or P_(k + 1): after N = 2 k or 2 k + 1 of them the unfolded motion has turned
 // by N h and has at most one h left to pi. That rest, and h less the rest, give positive multiples.
@@ -39,7 +37,7 @@ void after_last(Kernel& kernel, const EqualBlocks& equal, const Statement& endin
     const Theorem left = kernel.definition({.id = id + "_rest",
                                             .statement = {rest, Pi - last.collisions * h},
                                             .words = "what the turn by N h leaves of pi",
-                                            .indices = from_zero,
+                                            .indices = k_from_zero,
                                             .assuming = assuming});
     // e^(N/2) sin((N + 1) h) and e^((N + 1)/2) sin(N h), both over sin h, up to a sign.
     const ex odd = pow(e, k) * sqrt(e);
@@ -50,7 +48,7 @@ void after_last(Kernel& kernel, const EqualBlocks& equal, const Statement& endin
       return kernel.rewriting({.id = id + "_" + name,
                                .statement = {general.lhs().subs(n == index), V_CM * form},
                                .words = "if " + last.name + " is the last collision of all",
-                               .indices = from_zero,
+                               .indices = k_from_zero,
                                .assuming = assuming},
                               {general, left});
     };
@@ -62,7 +60,7 @@ void after_last(Kernel& kernel, const EqualBlocks& equal, const Statement& endin
     kernel.consequence({.id = id + "_rho",
                         .statement = {pow(of_B.lhs() / V, 2), pow(of_B.rhs() / V, 2)},
                         .words = "the fraction rho of the energy that reaches B",
-                        .indices = from_zero,
+                        .indices = k_from_zero,
                         .assuming = assuming},
                        {{of_B, (of_B.lhs() + of_B.rhs()) / pow(V, 2)}});
   }

@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -14,13 +15,11 @@ using GiNaC::Pi;
 
 namespace {
 
-const ex half = numeric(1, 2);
-const std::map<std::string, long> n_from_one{{"n", 1}}, k_from_one{{"k", 1}},
-    k_and_last{{"k", 1}, {"N_B", 1}};
+const Indices k_and_last{{"k", 1}, {"N_B", 1}};
 
 // b_n where psi/2 = h: what B lacks is a squared ratio of cosines.
 ex velocity_of_B(const ex& n, const ex& h) {
-  return symbol("V") * (1 - pow(cos((n + half) * h) / cos(h / 2), 2));
+  return symbol("V") * (1 - pow(cos((n + one_half) * h) / cos(h / 2), 2));
 }
 
 // For h_1 < h_2 <= pi/(2 n + 1) the ratio cos((n + 1/2) h)/cos(h/2) falls, so the velocity rises.
@@ -28,7 +27,7 @@ Theorem rise(Kernel& kernel) {
   const ex n = symbol("n"), h_1 = symbol("h_1"), h_2 = symbol("h_2"), V = symbol("V");
   const auto hypothesis = [&](const char* id, const Statement& statement, const char* words) {
     return kernel.hypothesis(
-        {.id = id, .statement = statement, .words = words, .indices = n_from_one});
+        {.id = id, .statement = statement, .words = words, .indices = from_one});
   };
   const Theorem later =
       hypothesis("minima.later", {h_2, Relation::greater, h_1}, "take two half-angles psi/2 ...");
@@ -39,7 +38,7 @@ Theorem rise(Kernel& kernel) {
     return kernel.ordering({.id = id,
                             .statement = statement,
                             .words = "what the two conditions say of the angles below",
-                            .indices = n_from_one},
+                            .indices = from_one},
                            terms);
   };
   const Theorem mean_below_pi =
@@ -51,7 +50,7 @@ Theorem rise(Kernel& kernel) {
     return kernel.sine_sign({.id = id,
                              .statement = {sin(x), Relation::greater, 0},
                              .words = "a sine between 0 and pi",
-                             .indices = n_from_one},
+                             .indices = from_one},
                             bounds);
   };
   const auto apart = [&](const char* id, const ex& multiple) {
@@ -67,13 +66,13 @@ Theorem rise(Kernel& kernel) {
   const Theorem difference_next =
       sine("minima.sine_difference_next", (n + 1) * (h_2 - h_1) / 2, {apart_next, mean_below_pi});
 
-  const ex far_1 = cos((n + half) * h_1), far_2 = cos((n + half) * h_2);
+  const ex far_1 = cos((n + one_half) * h_1), far_2 = cos((n + one_half) * h_2);
   const ex near_1 = cos(h_1 / 2), near_2 = cos(h_2 / 2);
   const Theorem ratio_falls = kernel.ordering(
       {.id = "minima.ratio_falls",
        .statement = {far_1 * near_2, Relation::greater, far_2 * near_1},
        .words = "products of cosines as sums, their differences as products of sines",
-       .indices = n_from_one},
+       .indices = from_one},
       {{1, {sum_next, difference_n}, 1}, {1, {sum_n, difference_next}, 1}});
 
   const auto within = [&](const std::string& id, const Statement& statement,
@@ -81,14 +80,14 @@ Theorem rise(Kernel& kernel) {
     return angle(id.c_str(), statement, terms);
   };
   const Theorem far_2_within =
-      within("minima.far_2_within", {(n + half) * h_2, Relation::less_equal, Pi / 2},
-             {{half, {early}, 1}});
+      within("minima.far_2_within", {(n + one_half) * h_2, Relation::less_equal, Pi / 2},
+             {{one_half, {early}, 1}});
   const Theorem far_1_within =
-      within("minima.far_1_within", {Pi / 2, Relation::greater, (n + half) * h_1},
-             {{n + half, {later}, 1}, {half, {early}, 1}});
+      within("minima.far_1_within", {Pi / 2, Relation::greater, (n + one_half) * h_1},
+             {{n + one_half, {later}, 1}, {one_half, {early}, 1}});
   const auto cosine = [&](const char* id, const Statement& statement, const Theorem& bound) {
     return kernel.sine_sign(
-        {.id = id, .statement = statement, .words = "a cosine up to pi/2", .indices = n_from_one},
+        {.id = id, .statement = statement, .words = "a cosine up to pi/2", .indices = from_one},
         {bound});
   };
   const Theorem far_1_positive =
@@ -99,7 +98,7 @@ Theorem rise(Kernel& kernel) {
       within("minima.near_2_within", {Pi / 2, Relation::greater, h_2 / 2},
              {{1 / (2 * (2 * n + 1)), {early}, 1}, {n * Pi / (2 * n + 1), {}, 1}});
   const Theorem near_1_within = within("minima.near_1_within", {Pi / 2, Relation::greater, h_1 / 2},
-                                       {{1, {near_2_within}, 1}, {half, {later}, 1}});
+                                       {{1, {near_2_within}, 1}, {one_half, {later}, 1}});
   const Theorem near_1_positive =
       cosine("minima.near_1_positive", {near_1, Relation::greater, 0}, near_1_within);
   const Theorem near_2_positive =
@@ -111,13 +110,13 @@ Theorem rise(Kernel& kernel) {
       kernel.ordering({.id = "minima.rises_where_defined",
                        .statement = rises,
                        .words = "a difference of squares",
-                       .indices = n_from_one},
+                       .indices = from_one},
                       {{V, {ratio_falls, far_1_positive, near_2_positive}, below},
                        {V, {ratio_falls, far_2_positive, near_1_positive}, below}});
   return kernel.discharge({.id = "minima.rises",
                            .statement = rises,
                            .words = "with n collisions of B, b_n rises with psi up to pi/(n + 1/2)",
-                           .indices = n_from_one},
+                           .indices = from_one},
                           where_defined, {near_1_positive, near_2_positive});
 }
 
@@ -138,7 +137,7 @@ void minima(Kernel& kernel, const Rotation& rotation, const Power& power, const 
   const auto halved = [&](const std::string& id, const Statement& statement, const Theorem& whole) {
     return kernel.ordering(
         {.id = id, .statement = statement, .words = "divided by two", .indices = {{"N_B", 1}}},
-        {{half, {whole}, 1}});
+        {{one_half, {whole}, 1}});
   };
   const Theorem reached = halved(
       "minima.half_reached", {Pi / 2, Relation::less_equal, (N_B + 1) * psi / 2}, terminal.reached);

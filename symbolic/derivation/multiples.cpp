@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
 
@@ -13,8 +14,6 @@ using GiNaC::ex;
 using GiNaC::matrix;
 
 namespace {
-
-const std::map<std::string, long> from_zero{{"n", 0}}, from_one{{"n", 1}};
 
 struct Sums {
   Theorem cosine, sine;

@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -13,8 +14,6 @@ using GiNaC::numeric;
 using GiNaC::Pi;
 
 namespace {
-
-const std::map<std::string, long> last{{"N_A", 1}, {"N_B", 1}};
 
 // What the last collision is, and the bounds on angles that then say 0 <= r_t and r_t <= psi/4.
 struct Case {
@@ -38,38 +37,38 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
       kernel.definition({.id = "offset.is_P",
                          .statement = {is_P, N_A - N_B},
                          .words = "1 when the last collision is a P, 0 when it is a Q",
-                         .indices = last});
+                         .indices = last_collisions});
   const Theorem meaning =
       kernel.definition({.id = "offset.r_t",
                          .statement = {r, (1 - 2 * is_P) * (Pi / 2 - N_A * psi / 2)},
                          .words = "from N_A psi/2 to a quarter turn, or back from there",
-                         .indices = last});
+                         .indices = last_collisions});
   const Theorem turn =
       kernel.definition({.id = "offset.turn",
                          .statement = {symbol("turn"), 1 - 2 * is_P},
                          .words = "1 when the last collision is a Q, -1 when it is a P",
-                         .indices = last});
+                         .indices = last_collisions});
   kernel.rewriting({.id = "offset.r_from_turn",
                     .statement = {r, symbol("turn") * (Pi / 2 - N_A * psi / 2)},
                     .words = "the offset with its sign",
-                    .indices = last},
+                    .indices = last_collisions},
                    {meaning, turn});
   kernel.definition({.id = "offset.rho",
                      .statement = {rho, pow(b_t / V, 2)},
                      .words = "the fraction of the energy that B takes",
-                     .indices = last});
+                     .indices = last_collisions});
 
   const ex S = sin(r), C = cos(r);
   const ex mixed = symbol("sine_cosine"), narrowed = symbol("tan_narrowed");
   const Theorem product = kernel.definition({.id = "offset.sine_cosine",
                                              .statement = {mixed, S * C},
                                              .words = "half of the sine of twice the offset",
-                                             .indices = last});
+                                             .indices = last_collisions});
   const Theorem narrow = kernel.definition(
       {.id = "offset.tan_narrowed",
        .statement = {narrowed, t * pow(C, 2)},
        .words = "the tangent by the square of the offset's cosine, which is near 1",
-       .indices = last});
+       .indices = last_collisions});
   for (const Case& at_last :
        {Case{"after_Q", counting.equal, c_prime(N_B), terminal.not_before, terminal.A_reached},
         Case{"after_P", counting.one_more_above_half, c(N_A), terminal.reached,
@@ -81,7 +80,7 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
       kernel.rewriting({.id = "offset." + name + "_" + at_last.name,
                         .statement = {element, form},
                         .words = "from the sine and the cosine of the offset",
-                        .indices = last},
+                        .indices = last_collisions},
                        {narrow, product, meaning, which, at_last.counts, closed});
     };
     velocity("a", a_t, V * (S - t * C) * (S + t * C), power.a);
@@ -97,7 +96,7 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
       kernel.ordering({.id = "offset." + name + "_" + at_last.name,
                        .statement = statement,
                        .words = words,
-                       .indices = last},
+                       .indices = last_collisions},
                       {{numeric(1, 2), {angles}, 1}}, {meaning, which, at_last.counts});
     };
     bound("not_negative", {0, Relation::less_equal, r}, at_last.above_zero,

@@ -4,6 +4,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -18,7 +19,6 @@ Power power(Kernel& kernel, const Laws& laws, const Contact& contact, const Cycl
   const ex n = symbol("n"), alpha = symbol("alpha"), V = symbol("V"), psi = symbol("psi"),
            V_CM = symbol("V_CM");
   const ex root = sqrt(alpha);
-  const std::map<std::string, long> from_zero{{"n", 0}}, from_one{{"n", 1}};
 
   const ex R = rotation.R.rhs();
   const ex Lambda_n = (R * rotation_3(n * psi) * transpose(R)).evalm();
@@ -100,11 +100,10 @@ Power power(Kernel& kernel, const Laws& laws, const Contact& contact, const Cycl
 
   // Products of sines and cosines of multiples of h = psi/2: no difference of nearly equal numbers is left.
   const ex h = psi / 2;
-  const ex half = numeric(1, 2);
   const ex front = 2 * V_CM * (1 + alpha);
   const ex front_of_ball = 2 * V_CM / sin(h / 2);
   const auto product = [&](const char* id, const ex& element, const ex& form, const Theorem& closed,
-                           const std::map<std::string, long>& indices) {
+                           const Indices& indices) {
     return kernel.rewriting({.id = id,
                              .statement = {element, form},
                              .words = "sums of cosines and sines as products",
@@ -119,13 +118,13 @@ Power power(Kernel& kernel, const Laws& laws, const Contact& contact, const Cycl
           b_n,
           c_prime_n,
           c_n,
-          product("power.a_product", a(n), front * cos((n + half) * h) * cos((n - half) * h), a_n,
-                  from_zero),
+          product("power.a_product", a(n),
+                  front * cos((n + one_half) * h) * cos((n - one_half) * h), a_n, from_zero),
           product("power.b_product", b(n), front * sin((n + 1) * h) * sin(n * h), b_n, from_zero),
-          product("power.c_product", c(n), front_of_ball * sin(n * h) * cos((n - half) * h), c_n,
-                  from_one),
+          product("power.c_product", c(n), front_of_ball * sin(n * h) * cos((n - one_half) * h),
+                  c_n, from_one),
           product("power.c_prime_product", c_prime(n),
-                  -front_of_ball * sin(n * h) * cos((n + half) * h), c_prime_n, from_zero)};
+                  -front_of_ball * sin(n * h) * cos((n + one_half) * h), c_prime_n, from_zero)};
 }
 
 }  // namespace magicmass::derivation

@@ -4,6 +4,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -15,9 +16,6 @@ using GiNaC::Pi;
 
 namespace {
 
-const ex half = numeric(1, 2);
-using Indices = std::map<std::string, long>;
-const Indices k_from_one{{"k", 1}};
 const Indices last_from_one{{"N_B", 1}};
 
 struct Threshold {
@@ -97,7 +95,6 @@ struct Totals {
 Totals totals(Kernel& kernel, const Power& power) {
   const ex n = symbol("n"), alpha = symbol("alpha"), V = symbol("V");
   const ex a_t = symbol("a_t"), b_t = symbol("b_t"), c_t = symbol("c_t");
-  const Indices from_one{{"n", 1}};
   const std::vector<Theorem> velocities{power.a, power.b, power.c, power.c_prime};
   const Kernel::Values after_Q{{a_t, a(n)}, {b_t, b(n)}, {c_t, c_prime(n)}};
   const Kernel::Values after_P{{a_t, a(n)}, {b_t, b(n - 1)}, {c_t, c(n)}};
@@ -135,8 +132,9 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
            V = symbol("V");
   const ex N_A = symbol("N_A"), N_B = symbol("N_B"), a_t = symbol("a_t"), b_t = symbol("b_t"),
            c_t = symbol("c_t");
-  const Threshold magic = threshold(kernel, rotation, counting.N_A, counting.psi_increases, half,
-                                    "alpha_k", "exact:ak", "NA-range", "eq:Naatcritical", paper);
+  const Threshold magic =
+      threshold(kernel, rotation, counting.N_A, counting.psi_increases, one_half, "alpha_k",
+                "exact:ak", "NA-range", "eq:Naatcritical", paper);
   const Threshold deficient = threshold(kernel, rotation, counting.N_B, counting.psi_increases, 1,
                                         "beta_k", "exact:bk", "NB-range", "eq:Nbatcritical", paper);
 
@@ -195,7 +193,7 @@ Ratios ratios(Kernel& kernel, const Rotation& rotation, const Power& power,
                                                    .label = "eq:magic-b-cond",
                                                    .indices = last_from_one},
                                                   {{b_terminal, scale}, {complete, -scale}});
-  const ex last_angle = (N_B + half) * psi;
+  const ex last_angle = (N_B + one_half) * psi;
   const Theorem magic_angle = kernel.last_angle({.id = "ratios.magic_angle",
                                                  .statement = {last_angle, Pi},
                                                  .words = "and the angle is pi",

@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "derivation/wedge.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
@@ -14,9 +15,6 @@ using GiNaC::ex;
 using GiNaC::Pi;
 
 namespace {
-
-using Indices = std::map<std::string, long>;
-const Indices from_zero{{"n", 0}}, from_one{{"n", 1}};
 
 ex put_in(const ex& e, const Kernel::Values& values) {
   GiNaC::exmap replacements;

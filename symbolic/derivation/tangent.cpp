@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -61,7 +62,7 @@ Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, co
 
   // As sums of two products, which need no more digits than the results: C moves to and fro about a mean.
   const ex chord = symbol("chord"), mean = symbol("ball_mean"), swing = symbol("ball_swing");
-  const std::map<std::string, long> cycles{{"n", 0}};
+  const Indices cycles{{"n", 0}};
   kernel.definition({.id = "tangent.chord",
                      .statement = {chord, cotangent * S},
                      .words = "the sine over the tangent of a half of psi",

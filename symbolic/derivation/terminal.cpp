@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -13,9 +14,6 @@ using GiNaC::numeric;
 using GiNaC::Pi;
 
 namespace {
-
-const ex half = numeric(1, 2);
-const std::map<std::string, long> last{{"N_A", 1}, {"N_B", 1}};
 
 // What N = ceil(pi/psi - s) says of the angles before and after the last collision of one block.
 struct LastCollision {
@@ -33,30 +31,30 @@ LastCollision last_collision(Kernel& kernel, const Theorem& count, const ex& s,
       kernel.ceiling_bound({.id = id + "_reached",
                             .statement = {Pi, Relation::less_equal, after},
                             .words = "the ceiling from below: the angle has reached pi",
-                            .indices = last},
+                            .indices = last_collisions},
                            count);
   const Theorem not_before =
       kernel.ceiling_bound({.id = id + "_not_before",
                             .statement = {Pi, Relation::greater, before},
                             .words = "the ceiling from above: one cycle earlier it had not",
-                            .indices = last},
+                            .indices = last_collisions},
                            count);
   const Theorem within = kernel.ordering({.id = id + "_within",
                                           .statement = {2 * Pi, Relation::greater, after},
                                           .words = "and psi < pi more is less than 2 pi",
-                                          .indices = last},
+                                          .indices = last_collisions},
                                          {{1, {not_before}, 1}, {1, {psi_below_pi}, 1}});
   const Theorem sine_before = kernel.sine_sign({.id = id + "_sine_before",
                                                 .statement = paper.at(label + ", before"),
                                                 .words = "so the last collision takes place",
                                                 .label = label,
-                                                .indices = last},
+                                                .indices = last_collisions},
                                                {not_before});
   const Theorem sine_after = kernel.sine_sign({.id = id + "_sine_after",
                                                .statement = paper.at(label + ", after"),
                                                .words = "and no other comes after it",
                                                .label = label,
-                                               .indices = last},
+                                               .indices = last_collisions},
                                               {reached, within});
   return {reached, not_before, within, sine_before, sine_after};
 }
@@ -70,26 +68,26 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
   const Theorem psi_below_pi = kernel.angle_below_pi({.id = "terminal.psi_below_pi",
                                                       .statement = {Pi, Relation::greater, psi},
                                                       .words = "twice an arctangent"});
-  const LastCollision of_A =
-      last_collision(kernel, counting.N_A, half, psi_below_pi, paper, "eq:NA-constraint-simple");
+  const LastCollision of_A = last_collision(kernel, counting.N_A, one_half, psi_below_pi, paper,
+                                            "eq:NA-constraint-simple");
   const LastCollision of_B =
       last_collision(kernel, counting.N_B, 1, psi_below_pi, paper, "eq:NB-constraint-simple");
 
   // The approach speeds are positive multiples of those sines.
   const std::vector<Theorem> velocities{power.a, power.b, power.c, power.c_prime};
-  const ex size_A = counting.before_P.rhs() / sin((n + half) * psi);
+  const ex size_A = counting.before_P.rhs() / sin((n + one_half) * psi);
   const ex size_B = counting.before_Q.rhs() / sin((n + 1) * psi);
   kernel.ordering({.id = "terminal.A_stays_behind",
                    .statement = paper.at("eq:NA-constraint"),
                    .words = "after its last collision A does not catch up with C",
                    .label = "eq:NA-constraint",
-                   .indices = last},
+                   .indices = last_collisions},
                   {{size_A, {of_A.sine_after}, 1}}, velocities);
   kernel.ordering({.id = "terminal.C_stays_behind",
                    .statement = paper.at("eq:NB-constraint"),
                    .words = "after B's last collision C does not catch up with it",
                    .label = "eq:NB-constraint",
-                   .indices = last},
+                   .indices = last_collisions},
                   {{size_B, {of_B.sine_after}, 1}}, velocities);
 
   // The last collision of all is a Q (N_A = N_B) or a P (N_A = N_B + 1).
@@ -110,20 +108,20 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
                       .statement = paper.at(at_last.label),
                       .words = "the ball's terminal velocity, as momentum demands",
                       .label = "eq:ct",
-                      .indices = last},
+                      .indices = last_collisions},
                      equations);
     const bool is_Q = at_last.name == "after_Q";
     kernel.ordering({.id = id + "_a_below_c",
                      .statement = {a(N_A), Relation::less_equal, at_last.c_t},
                      .words = is_Q ? "A does not catch up" : "A has just been hit by C",
                      .label = "sec:result, a_t <= c_t <= b_t",
-                     .indices = last},
+                     .indices = last_collisions},
                     {{size_A, {is_Q ? of_A.sine_after : of_A.sine_before}, 1}}, equations);
     kernel.ordering({.id = id + "_c_below_b",
                      .statement = {at_last.c_t, Relation::less_equal, b(N_B)},
                      .words = is_Q ? "C has just hit B" : "C does not catch up",
                      .label = "sec:result, a_t <= c_t <= b_t",
-                     .indices = last},
+                     .indices = last_collisions},
                     {{size_B, {is_Q ? of_B.sine_before : of_B.sine_after}, 1}}, equations);
   }
 
@@ -132,15 +130,15 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
                        .statement = paper.at("sec:result, b_t <= V"),
                        .words = "V - b_t is a square times something positive",
                        .label = "sec:result, b_t <= V",
-                       .indices = last},
-                      {{2 * V_CM * (1 + alpha), {}, cos((N_B + half) * psi / 2)}}, {power.b});
+                       .indices = last_collisions},
+                      {{2 * V_CM * (1 + alpha), {}, cos((N_B + one_half) * psi / 2)}}, {power.b});
 
   // a_t as a product: one factor is positive, the other is not, and it vanishes at the thresholds of A only.
-  const ex after = (N_A + half) * psi / 2, before = (N_A - half) * psi / 2;
+  const ex after = (N_A + one_half) * psi / 2, before = (N_A - one_half) * psi / 2;
   const auto halved = [&](const std::string& id, const Statement& statement, const Theorem& whole) {
     return kernel.ordering(
-        {.id = id, .statement = statement, .words = "divided by two", .indices = last},
-        {{half, {whole}, 1}});
+        {.id = id, .statement = statement, .words = "divided by two", .indices = last_collisions},
+        {{one_half, {whole}, 1}});
   };
   const Theorem half_before =
       halved("terminal.half_before", {Pi / 2, Relation::greater, before}, of_A.not_before);
@@ -153,7 +151,7 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
     return kernel.sine_sign({.id = id,
                              .statement = statement,
                              .words = "a cosine on that side of pi/2",
-                             .indices = last},
+                             .indices = last_collisions},
                             bounds);
   };
   const Theorem cosine_before =
@@ -165,18 +163,19 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
                    .statement = {a(N_A), Relation::less_equal, 0},
                    .words = "A never goes on forward",
                    .label = "sec:result, a_t < 0",
-                   .indices = last},
+                   .indices = last_collisions},
                   {{front, {cosine_before, cosine_after}, 1}}, {power.a});
   const Theorem not_magic =
       kernel.hypothesis({.id = "terminal.not_magic",
-                         .statement = {Pi, Relation::not_equal, (N_A + half) * psi},
+                         .statement = {Pi, Relation::not_equal, (N_A + one_half) * psi},
                          .words = "away from the magic ratios, where psi = pi/(k + 1/2), k = N_A",
-                         .indices = last});
-  const Theorem beyond = kernel.strictly({.id = "terminal.beyond",
-                                          .statement = {(N_A + half) * psi, Relation::greater, Pi},
-                                          .words = "the angle is beyond pi",
-                                          .indices = last},
-                                         of_A.reached, not_magic);
+                         .indices = last_collisions});
+  const Theorem beyond =
+      kernel.strictly({.id = "terminal.beyond",
+                       .statement = {(N_A + one_half) * psi, Relation::greater, Pi},
+                       .words = "the angle is beyond pi",
+                       .indices = last_collisions},
+                      of_A.reached, not_magic);
   const Theorem half_beyond =
       halved("terminal.half_beyond", {after, Relation::greater, Pi / 2}, beyond);
   const Theorem cosine_beyond = cosine("terminal.cosine_beyond", {0, Relation::greater, cos(after)},
@@ -185,11 +184,11 @@ Terminal terminal(Kernel& kernel, const Power& power, const Counting& counting,
                    .statement = paper.at("sec:result, a_t < 0"),
                    .words = "so A recoils at every other mass ratio",
                    .label = "sec:result, a_t < 0",
-                   .indices = last},
+                   .indices = last_collisions},
                   {{front, {cosine_before, cosine_beyond}, 1}}, {power.a});
 
   // At the thresholds.
-  const std::map<std::string, long> at_k{{"k", 1}, {"N_A", 1}, {"N_B", 1}};
+  const Indices at_k{{"k", 1}, {"N_A", 1}, {"N_B", 1}};
   const auto value_at = [&](const std::string& id, const std::string& label, const RatioCase& at,
                             const char* words) {
     std::vector<Theorem> equations{at.N_A, at.N_B};

@@ -4,6 +4,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -16,7 +17,6 @@ using GiNaC::numeric;
 Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting& counting,
             const Chebyshev& chebyshev) {
   const ex n = symbol("n"), j = symbol("j"), psi = symbol("psi"), L = symbol("L"), V = symbol("V");
-  const std::map<std::string, long> from_one{{"n", 1}}, from_two{{"n", 2}}, j_from_zero{{"j", 0}};
 
   const Theorem t_1 = kernel.law({.id = "times.t_1",
                                   .statement = laws.t_initial,
@@ -41,8 +41,7 @@ Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting
                                     .indices = from_two});
 
   // The approach speeds are known; so each crossing takes a known time ...
-  const auto approach_at = [&](const char* id, const Theorem& speed,
-                               const std::map<std::string, long>& indices) {
+  const auto approach_at = [&](const char* id, const Theorem& speed, const Indices& indices) {
     const auto here = [&](const ex& e) { return e.subs(n == n - 1); };
     return kernel.instance({.id = id,
                             .statement = {here(speed.lhs()), here(speed.rhs())},
@@ -53,8 +52,7 @@ Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting
   const Theorem towards_B = approach_at("times.towards_B", counting.before_Q, from_one);
   const Theorem towards_A = approach_at("times.towards_A", counting.before_P, from_two);
   const auto crossing = [&](const char* id, const Theorem& law, const Theorem& speed,
-                            const ex& arrival, const ex& departure,
-                            const std::map<std::string, long>& indices) {
+                            const ex& arrival, const ex& departure, const Indices& indices) {
     return kernel.consequence(
         {.id = id,
          .statement = {arrival, departure + law.rhs() / speed.rhs()},
@@ -67,7 +65,7 @@ Times times(Kernel& kernel, const Laws& laws, const Power& power, const Counting
   // ... in which A and B move apart or together by a known distance.
   const auto separation = [&](const char* id, const Theorem& law, const Theorem& crossing_time,
                               const ex& after, const ex& before, const ex& departure,
-                              const ex& arrival, const std::map<std::string, long>& indices) {
+                              const ex& arrival, const Indices& indices) {
     const ex speed = (law.rhs() / (arrival - departure)).normal();
     const ex time = crossing_time.rhs() - departure;
     return kernel.consequence({.id = id,

@@ -4,6 +4,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "derivation/wedge.hpp"
 #include "proof/names.hpp"
 #include "proof/text.hpp"
@@ -24,7 +25,7 @@ void transmission(Kernel& kernel, const EqualBlocks& equal, const Collapse& coll
       {alpha, Relation::greater, alpha_c},
       {4 * e * pow(1 + alpha, 2), Relation::greater, pow(1 + e, 2)}};
   const auto named = [&](const ex& name, const ex& meaning, const char* words,
-                         const std::map<std::string, long>& indices = {}) {
+                         const Indices& indices = {}) {
     return kernel.definition({.id = "transmission." + to_text(name),
                               .statement = {name, meaning},
                               .words = words,

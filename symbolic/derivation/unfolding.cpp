@@ -5,6 +5,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -14,8 +15,6 @@ using GiNaC::ex;
 using GiNaC::matrix;
 
 namespace {
-
-const std::map<std::string, long> from_one{{"n", 1}}, from_two{{"n", 2}}, j_from_zero{{"j", 0}};
 
 // What the first collisions did to the velocities is undone by reflecting back: the same straight motion.
 void reflections(Kernel& kernel, const Cycle& cycle, const Mapping& mapping,
@@ -61,8 +60,7 @@ void reflections(Kernel& kernel, const Cycle& cycle, const Mapping& mapping,
                    .label = "sec:comparison",
                    .shown_lhs = "(d_B n_B)^T [[V], [0], [0]]"});
   const auto turned = [&](const char* id, const ex& back, const ex& velocities, const char* shown,
-                          const std::vector<Theorem>& closed,
-                          const std::map<std::string, long>& indices) {
+                          const std::vector<Theorem>& closed, const Indices& indices) {
     kernel.rewriting(
         {.id = id,
          .statement = {seen(velocities), (scale * transpose(back) * matrix{{-V}, {0}}).evalm()},
@@ -118,8 +116,7 @@ Unfolding unfolding(Kernel& kernel, const Cycle& cycle, const Power& power, cons
   const auto leg = [&](const std::string& id, const Theorem& crossing, const Theorem& gap,
                        const ex& s_before, const ex& s_after, const ex& angle_before,
                        const ex& angle_after, const ex& departure, const ex& arrival,
-                       const std::vector<Theorem>& closed,
-                       const std::map<std::string, long>& indices) {
+                       const std::vector<Theorem>& closed, const Indices& indices) {
     const ex duration = arrival - departure;
     const ex start = crossing.lhs(), end = start + gap.rhs();
     const ex start_speed = start / duration, end_speed = start_speed + gap.rhs() / duration;

@@ -6,6 +6,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
 
@@ -16,10 +17,6 @@ using GiNaC::ex;
 using GiNaC::matrix;
 
 std::set<std::string> any_wedge() { return {"mu_A", "mu_B", "e"}; }
-
-namespace {
-const std::map<std::string, long> from_zero{{"n", 0}}, from_one{{"n", 1}}, from_two{{"n", 2}};
-}
 
 Statement collisions_end() {
   const ex e = symbol("e");

@@ -4,6 +4,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "derivation/wedge.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
@@ -15,7 +16,6 @@ using GiNaC::ex;
 using GiNaC::Pi;
 
 Wedge wedge(Kernel& kernel, const Laws& laws, const Restitution& contact) {
-  const std::map<std::string, long> from_zero{{"n", 0}}, from_one{{"n", 1}};
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), g = symbol("g"), h = symbol("h"),
            j = symbol("j"), L = symbol("L");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B");

@@ -3,6 +3,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
+#include "derivation/shorthand.hpp"
 #include "derivation/wedge.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
@@ -14,8 +15,6 @@ using GiNaC::ex;
 using GiNaC::matrix;
 
 namespace {
-
-const std::map<std::string, long> from_one{{"n", 1}}, from_two{{"n", 2}};
 
 // The elastic chapters' laws of motion, for the wedge's sequences.
 Statement for_wedge(const Statement& law) {
@@ -37,7 +36,6 @@ WedgeMotion wedge_motion(Kernel& kernel, const Laws& laws, const WedgeEvents& ev
                          const WedgeSpeeds& speeds) {
   const ex n = symbol("n"), e = symbol("e"), L = symbol("L");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
-  using Indices = std::map<std::string, long>;
   const auto law = [&](const char* id, const Statement& elastic, const char* words,
                        const Indices& indices) {
     return kernel.law({.id = id,
@@ -164,7 +162,6 @@ WedgeSolution wedge_solution(Kernel& kernel, const Regime& regime, const WedgeSp
   const auto here = [&](const ex& expression) { return expression.subs(regime.parameters); };
   const ex g = here(regime.g);
   const auto named = [&](const std::string& name) { return regime.id + name; };
-  using Indices = std::map<std::string, long>;
   // A premise at this regime's parameters.
   const auto premise = [&](const char* name, const Theorem& theorem, const Indices& indices) {
     if (regime.parameters.empty()) return theorem;

@@ -4,6 +4,7 @@
 
 #include "derivation/chapters.hpp"
 #include "derivation/matrices.hpp"
+#include "derivation/shorthand.hpp"
 #include "derivation/wedge.hpp"
 #include "proof/families.hpp"
 #include "proof/names.hpp"
@@ -15,8 +16,6 @@ using GiNaC::ex;
 
 WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
                                  const WedgeTheorem& theorem) {
-  using Indices = std::map<std::string, long>;
-  const Indices from_zero{{"n", 0}}, from_one{{"n", 1}};
   const std::vector<Statement> assuming{collisions_end()};
   const ex n = symbol("n"), e = symbol("e"), V = symbol("V"), g = symbol("g"), h = symbol("h");
   const ex mu_A = symbol("mu_A"), mu_B = symbol("mu_B");
@@ -136,7 +135,6 @@ WedgeVelocities wedge_velocities(Kernel& kernel, const WedgeEvents& events,
 
   // B keeps what its last collision gave it, and that is its floor(N_C/2)-th.
   const ex k = symbol("k");
-  const Indices k_from_zero{{"k", 0}};
   const Theorem last = kernel.hypothesis({.id = "wedge.last_of_B",
                                           .statement = {k, floor(N_C() / 2)},
                                           .words = "the number of collisions of B",

@@ -60,12 +60,15 @@ private:
       const char c = text_[at_];
       if (c == '}') break;
       if (c == '{') {
-        result += "(" + group() + ")";
+        result += '(';
+        result += group();
+        result += ')';
       } else if (c == '\\') {
         result += command();
       } else if (c == '_') {
         ++at_;
-        result += "_" + index();
+        result += '_';
+        result += index();
       } else {
         if (c != '$') result += c;
         ++at_;

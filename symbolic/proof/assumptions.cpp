@@ -14,15 +14,9 @@ namespace magicmass::proof {
 using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
+using GiNaC::subs_options;
 
 namespace {
-
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
-
-void collect_symbols(const ex& e, std::set<std::string>& names) {
-  if (is_a<GiNaC::symbol>(e)) names.insert(ex_to<GiNaC::symbol>(e).get_name());
-  for (const ex& part : e) collect_symbols(part, names);
-}
 
 bool hides_dependence(const ex& e, const std::string& name) {
   if ((is_sequence(e) || is_family(e)) && depends_on_hidden(e, name)) return true;
@@ -40,7 +34,7 @@ void Kernel::require_assumptions(const Claim& claim, const std::string& rule,
         claim, rule, "an assumption must read > or <=");
     const ex surplus = definitions_.expand_all(assumption.lhs() - assumption.rhs());
     std::set<std::string> names;
-    collect_symbols(surplus, names);
+    collect_symbol_names(surplus, names);
     bool constant = !contains_sequence(surplus) && !contains_family(surplus);
     for (const auto& [name, from] : domain_of(claim).integer)
       constant = constant && !names.contains(name);
@@ -54,7 +48,7 @@ void Kernel::require_family_law(const Claim& claim, const std::string& rule) con
   const ex both = claim.statement.lhs() - claim.statement.rhs();
   if (!contains_family(claim.statement.lhs()) && !contains_family(claim.statement.rhs())) return;
   std::set<std::string> names;
-  collect_symbols(definitions_.expand_all(both), names);
+  collect_symbol_names(definitions_.expand_all(both), names);
   for (const std::string& name : names) {
     const bool parameter = std::any_of(family_parameters().begin(), family_parameters().end(),
                                        [&](const ex& p) { return p.is_equal(symbol(name)); });
@@ -103,7 +97,7 @@ void Kernel::add_alternatives_at(const Condition& general, const Values& values,
   Condition here{{}};
   for (const Statement& before : general.any_of) {
     const auto at_values = [&](const ex& side) {
-      const ex value = written_out(side, values).subs(replacements, no_pattern);
+      const ex value = written_out(side, values).subs(replacements, subs_options::no_pattern);
       require_scalar(value, claim, rule, evidence);
       return simplified(value, claim.indices, claim.assuming);
     };
@@ -128,7 +122,7 @@ ex Kernel::written_out(const ex& e, const Values& values) const {
     for (const ex& inner : part) self(self, inner);
   };
   visit(visit, e);
-  return e.subs(meanings, no_pattern).evalm();
+  return e.subs(meanings, subs_options::no_pattern).evalm();
 }
 
 }  // namespace magicmass::proof

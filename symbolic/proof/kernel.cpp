@@ -47,11 +47,6 @@ bool may_be_an_inequality(const std::string& rule) {
   return rules.contains(rule);
 }
 
-void collect_symbols(const ex& e, std::set<std::string>& names) {
-  if (is_a<GiNaC::symbol>(e)) names.insert(ex_to<GiNaC::symbol>(e).get_name());
-  for (const ex& part : e) collect_symbols(part, names);
-}
-
 bool uses_sequence(const ex& e, const std::string& name) {
   return (is_sequence(e) && function_name(e) == name) ||
          std::any_of(e.begin(), e.end(), [&](const ex& part) { return uses_sequence(part, name); });
@@ -139,7 +134,7 @@ Theorem Kernel::accept(const Claim& claim, const std::string& rule, const Eviden
   // A name gets its meaning before its first use, so what is written out now stays so.
   std::set<std::string> symbols;
   for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
-    collect_symbols(definitions_.expand_all(side), symbols);
+    collect_symbol_names(definitions_.expand_all(side), symbols);
   theorems_.push_back(Theorem(std::make_shared<const Theorem::Data>(Theorem::Data{
       step, claim.statement, domain_of(claim), evidence.conditions, std::move(symbols)})));
   return theorems_.back();

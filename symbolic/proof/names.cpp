@@ -179,6 +179,11 @@ GiNaC::ex symbol(const std::string& name) {
   return symbols.emplace(name, GiNaC::realsymbol(name)).first->second;
 }
 
+void collect_symbol_names(const ex& e, std::set<std::string>& names) {
+  if (is_a<GiNaC::symbol>(e)) names.insert(ex_to<GiNaC::symbol>(e).get_name());
+  for (const ex& part : e) collect_symbol_names(part, names);
+}
+
 ex a(const ex& n) { return seq_a(n); }
 ex b(const ex& n) { return seq_b(n); }
 ex c(const ex& n) { return seq_c(n); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 
 namespace GiNaC {
@@ -12,6 +13,9 @@ namespace magicmass::proof {
 
 /// A real symbol; the same name always gives the same symbol. What is known of it stands in a Domain.
 GiNaC::ex symbol(const std::string& name);
+
+/// Adds the names of all symbols in e.
+void collect_symbol_names(const GiNaC::ex& e, std::set<std::string>& names);
 
 /// Sequences: velocities just after P_n, Q_n, P_n, Q_n, times and A-B distances there, and cos(m psi/2).
 GiNaC::ex a(const GiNaC::ex& n);        ///< velocity of A just after P_n; at n = 0 the initial one

@@ -10,10 +10,9 @@ namespace magicmass::proof {
 using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
+using GiNaC::subs_options;
 
 namespace {
-
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
 
 ex difference(const Statement& statement) { return (statement.lhs() - statement.rhs()).evalm(); }
 
@@ -72,20 +71,21 @@ ex Kernel::applied(const Theorem& equation, const ex& e, const Claim& claim,
       const ex value = element.op(0);
       bool same_family = element.nops() == left.nops();
       for (size_t i = 1; same_family && i < left.nops(); ++i)
-        same_family = element.op(i).is_equal(left.op(i).subs(index == value, no_pattern));
+        same_family =
+            element.op(i).is_equal(left.op(i).subs(index == value, subs_options::no_pattern));
       if (!same_family) continue;
       const auto from = equation.domain().integer.find(index_name);
       require(from != equation.domain().integer.end(), claim, rule,
               "the index of " + equation.id() + " is not an integer");
       if (!is_integer(value, claim) || !is_positive(value - from->second + 1, claim, evidence))
         continue;
-      replacements[element] = equation.rhs().subs(index == value, no_pattern);
+      replacements[element] = equation.rhs().subs(index == value, subs_options::no_pattern);
       add_conditions_at(equation, {{index, value}}, claim, evidence);
     }
   } else {
     replacements[left] = equation.rhs();
   }
-  return e.subs(replacements, no_pattern).evalm();
+  return e.subs(replacements, subs_options::no_pattern).evalm();
 }
 
 Theorem Kernel::rewriting(const Claim& claim, const std::vector<Theorem>& equations) {
@@ -169,7 +169,8 @@ Theorem Kernel::instance(const Claim& claim, const Theorem& general, const Value
     evidence.conditions.insert(index_condition(name, own->second));
   }
   const auto at_values = [&](const ex& side) {
-    return definitions_.with_angle_names(written_out(side, values).subs(replacements, no_pattern));
+    return definitions_.with_angle_names(
+        written_out(side, values).subs(replacements, subs_options::no_pattern));
   };
   require_equal(definitions_.with_angle_names(claim.statement.lhs()), at_values(general.lhs()),
                 claim, rule, evidence);
@@ -215,7 +216,7 @@ Theorem Kernel::cases(const Claim& claim, const std::vector<std::pair<Values, Th
     one_of.text += (one_of.text.empty() ? "" : " or ") + shown;
     by_value = by_value && values.size() == 1;
     if (by_value) one_of.any_of.emplace_back(values[0].first, values[0].second);
-    require_equal(difference(claim.statement).subs(replacements, no_pattern),
+    require_equal(difference(claim.statement).subs(replacements, subs_options::no_pattern),
                   difference(theorem.statement()), claim, rule, evidence);
   }
   if (!by_value) one_of.any_of.clear();

@@ -15,10 +15,10 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
+using GiNaC::subs_options;
 
 namespace {
 
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
 constexpr int largest_order = 24;
 
 const ex& small_root() {
@@ -47,7 +47,8 @@ ex without_s_under_roots(const ex& e) {
 }
 
 ex in_small_root(const ex& e) {
-  return without_s_under_roots(e.subs(symbol("alpha") == pow(small_root(), 2), no_pattern));
+  return without_s_under_roots(
+      e.subs(symbol("alpha") == pow(small_root(), 2), subs_options::no_pattern));
 }
 
 }  // namespace

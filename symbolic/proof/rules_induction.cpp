@@ -10,10 +10,7 @@ namespace magicmass::proof {
 using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
-
-namespace {
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
-}
+using GiNaC::subs_options;
 
 Theorem Kernel::matrix_power(const Claim& claim, const Theorem& matrix, const ex& n) {
   const std::string rule = "induction";
@@ -30,10 +27,10 @@ Theorem Kernel::matrix_power(const Claim& claim, const Theorem& matrix, const ex
           rule, matrix.id() + " is not a constant matrix");
   require_visible(formula, n, claim, rule);
   const auto& base = ex_to<GiNaC::matrix>(matrix.rhs());
-  require_equal(formula.subs(n == 0, no_pattern), GiNaC::unit_matrix(base.rows()), claim, rule,
-                evidence);
-  require_equal(formula.subs(n == n + 1, no_pattern), (matrix.rhs() * formula).evalm(), claim, rule,
-                evidence);
+  require_equal(formula.subs(n == 0, subs_options::no_pattern), GiNaC::unit_matrix(base.rows()),
+                claim, rule, evidence);
+  require_equal(formula.subs(n == n + 1, subs_options::no_pattern),
+                (matrix.rhs() * formula).evalm(), claim, rule, evidence);
   evidence.conditions.insert(index_condition(to_text(n), 0));
   return accept(claim, rule, evidence);
 }
@@ -60,13 +57,14 @@ Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initia
   for (size_t i = 0; i < left.nops(); ++i) {
     require(is_sequence(left.op(i)) && left.op(i).op(0).is_equal(n), claim, rule,
             to_text(left.op(i)) + " is not an element of a sequence at " + to_text(n));
-    earlier[left.op(i).subs(n == n - 1, no_pattern)] = right.op(i).subs(n == n - 1, no_pattern);
+    earlier[left.op(i).subs(n == n - 1, subs_options::no_pattern)] =
+        right.op(i).subs(n == n - 1, subs_options::no_pattern);
   }
   Claim step = claim;  // the inductive step speaks of n from first + 1 on
   step.indices[to_text(n)] = first + 1;
   for (size_t i = 0; i < left.nops(); ++i) {
     const ex& element = left.op(i);
-    const auto at_first = [&](const ex& e) { return e.subs(n == first, no_pattern); };
+    const auto at_first = [&](const ex& e) { return e.subs(n == first, subs_options::no_pattern); };
     require(initial[i].lhs().is_equal(at_first(element)), claim, rule,
             initial[i].id() + " does not give " + to_text(at_first(element)));
     use(initial[i], claim, rule, evidence);
@@ -82,7 +80,7 @@ Theorem Kernel::induction(const Claim& claim, const std::vector<Theorem>& initia
     use(recurrences[i], claim, rule, evidence, to_text(n));
     Evidence of_step;  // needed at every index on the way, and not at the first
     of_step.conditions = recurrences[i].conditions();
-    const ex next = recurrences[i].rhs().subs(earlier, no_pattern);
+    const ex next = recurrences[i].rhs().subs(earlier, subs_options::no_pattern);
     require(!contains_sequence(next), claim, rule,
             recurrences[i].id() + " uses more than the elements at " + to_text(n) + " - 1");
     require_equal(next, right.op(i), step, rule, of_step);
@@ -118,11 +116,13 @@ Theorem Kernel::first_and_later(const Claim& claim, const Theorem& at_first, con
   for (const ex& side : {claim.statement.lhs(), claim.statement.rhs()})
     require_visible(side, n, claim, rule);
   const auto difference_at = [&](const ex& value) {
-    return (claim.statement.lhs() - claim.statement.rhs()).subs(n == value, no_pattern);
+    return (claim.statement.lhs() - claim.statement.rhs())
+        .subs(n == value, subs_options::no_pattern);
   };
-  require(later.lhs().is_equal(claim.statement.lhs()) &&
-              at_first.lhs().is_equal(claim.statement.lhs().subs(n == first, no_pattern)),
-          claim, rule, "the premises are about something else");
+  require(
+      later.lhs().is_equal(claim.statement.lhs()) &&
+          at_first.lhs().is_equal(claim.statement.lhs().subs(n == first, subs_options::no_pattern)),
+      claim, rule, "the premises are about something else");
   require_equal(later.lhs() - later.rhs(), difference_at(n), rest, rule, evidence);
   require_equal(at_first.lhs() - at_first.rhs(), difference_at(first), claim, rule, evidence);
   std::erase_if(evidence.conditions,

@@ -12,10 +12,7 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
-
-namespace {
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
-}
+using GiNaC::subs_options;
 
 // 1/x for x > 0, or b^(-c x) with b > 1 and a whole c >= 1: tends to 0 as x grows without bound.
 bool Kernel::tends_to_zero(const ex& vanishing, const ex& x, const Claim& claim,
@@ -60,7 +57,7 @@ Theorem Kernel::limit(const Claim& claim, const std::optional<Theorem>& closed, 
           "the form or the limit depends on " + name);
   require(tends_to_zero(vanishing, x, claim, evidence), claim, rule,
           to_text(vanishing) + " is not seen to tend to 0");
-  require_equal(f, open.subs(p == vanishing, no_pattern), claim, rule, evidence);
+  require_equal(f, open.subs(p == vanishing, subs_options::no_pattern), claim, rule, evidence);
 
   for (const Condition& condition : evidence.conditions) {  // none may bound x
     std::vector<Statement> parts = condition.any_of;
@@ -80,7 +77,8 @@ Theorem Kernel::limit(const Claim& claim, const std::optional<Theorem>& closed, 
     require(!meaning.has(p), claim, rule, "the form is not rational in " + to_text(p));
   const auto at_zero = [&](const ex& polynomial) {
     require(polynomial.is_polynomial(p), claim, rule, "the form is not rational in " + to_text(p));
-    return polynomial.subs(p == 0, no_pattern).subs(constants, no_pattern);
+    return polynomial.subs(p == 0, subs_options::no_pattern)
+        .subs(constants, subs_options::no_pattern);
   };
   const ex below = at_zero(fraction.op(1));
   require(is_positive(below, claim, evidence) || is_positive(-below, claim, evidence), claim, rule,

@@ -10,10 +10,7 @@ namespace magicmass::proof {
 using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
-
-namespace {
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
-}
+using GiNaC::subs_options;
 
 // All f_i > 0 at the first index; each f_i(n) is a sum of the f_k(n - 1) with factors >= 0, one of them > 0.
 // So all f_i > 0 at every index.
@@ -65,7 +62,9 @@ Theorem Kernel::positivity_by_induction(const Claim& claim, const std::vector<ex
   Claim step = claim;
   step.indices[to_text(n)] = first + 1;
   for (unsigned i = 0; i < size; ++i) {
-    const ex start = values[i].subs(n == first, no_pattern).subs(at_first, no_pattern);
+    const ex start = values[i]
+                         .subs(n == first, subs_options::no_pattern)
+                         .subs(at_first, subs_options::no_pattern);
     require(is_positive(start, claim, evidence), claim, rule,
             to_text(values[i]) + " is not seen to be positive at " + to_text(n) + " = " +
                 std::to_string(first));
@@ -76,11 +75,11 @@ Theorem Kernel::positivity_by_induction(const Claim& claim, const std::vector<ex
       require(!contains_sequence(factor) && is_not_negative(factor, step, evidence), claim, rule,
               "the factor " + to_text(factor) + " is not seen to be >= 0");
       some_positive = some_positive || is_positive(factor, step, evidence);
-      sum += factor * values[k].subs(n == n - 1, no_pattern);
+      sum += factor * values[k].subs(n == n - 1, subs_options::no_pattern);
     }
     require(some_positive, claim, rule,
             "no factor of " + to_text(values[i]) + " is seen to be > 0");
-    require_equal(values[i].subs(step_back, no_pattern), sum, step, rule, evidence);
+    require_equal(values[i].subs(step_back, subs_options::no_pattern), sum, step, rule, evidence);
   }
   std::erase_if(evidence.conditions,
                 [&](const Condition& condition) { return condition.index == to_text(n); });

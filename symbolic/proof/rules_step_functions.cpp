@@ -13,10 +13,9 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
+using GiNaC::subs_options;
 
 namespace {
-
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
 
 struct Grid {
   numeric numerators = 1;  // least common multiples over all affine pieces
@@ -65,8 +64,8 @@ int depth(const ex& e) {
 }
 
 bool holds(const Statement& statement, const ex& variable, const numeric& value) {
-  const numeric difference =
-      ex_to<numeric>((statement.lhs() - statement.rhs()).subs(variable == value, no_pattern));
+  const numeric difference = ex_to<numeric>(
+      (statement.lhs() - statement.rhs()).subs(variable == value, subs_options::no_pattern));
   return statement.relation() == Relation::greater ? difference > 0 : difference <= 0;
 }
 
@@ -95,10 +94,11 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
     const ex written_out = definitions_.expand_except_angles(e);
     require(!written_out.has(x), claim, rule, "X is taken");
     if (!integer && !variable.is_equal(GiNaC::Pi / symbol("psi")))
-      return without_sawtooth(written_out.subs(variable == x, no_pattern));
-    return without_sawtooth(integer ? written_out.subs(variable == x, no_pattern)
-                                    : written_out.subs(symbol("psi") == GiNaC::Pi / x, no_pattern)
-                                          .subs(variable == x, no_pattern));
+      return without_sawtooth(written_out.subs(variable == x, subs_options::no_pattern));
+    return without_sawtooth(
+        integer ? written_out.subs(variable == x, subs_options::no_pattern)
+                : written_out.subs(symbol("psi") == GiNaC::Pi / x, subs_options::no_pattern)
+                      .subs(variable == x, subs_options::no_pattern));
   };
   left = in_variable(left);
   right = in_variable(right);
@@ -125,8 +125,8 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
   require(period * cells <= 20000, claim, rule, "too many pieces");
   for (const Statement& condition : cases)
     require(condition.lhs()
-                .subs(x == 0, no_pattern)
-                .is_equal(condition.lhs().subs(x == period, no_pattern)),
+                .subs(x == 0, subs_options::no_pattern)
+                .is_equal(condition.lhs().subs(x == period, subs_options::no_pattern)),
             claim, rule, "the case " + to_text(condition) + " is not periodic");
   bool reached = false;
   for (numeric i = 0; i <= 2 * period * cells; i += 1)
@@ -138,8 +138,8 @@ Theorem Kernel::step_functions(const Claim& claim, const std::vector<Theorem>& e
                        [&](const Statement& s) { return holds(s, x, value); }))
         continue;
       reached = true;
-      const ex l = left.subs(x == value, no_pattern);
-      const ex r = right.subs(x == value, no_pattern);
+      const ex l = left.subs(x == value, subs_options::no_pattern);
+      const ex r = right.subs(x == value, subs_options::no_pattern);
       require(l.is_equal(r), claim, rule,
               "at " + to_text(variable) + " = " + to_text(value) + " the left side is " +
                   to_text(l) + " and the right side is " + to_text(r));

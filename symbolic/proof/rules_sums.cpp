@@ -15,10 +15,10 @@ using GiNaC::ex;
 using GiNaC::ex_to;
 using GiNaC::is_a;
 using GiNaC::numeric;
+using GiNaC::subs_options;
 
 namespace {
 
-constexpr auto no_pattern = GiNaC::subs_options::no_pattern;
 constexpr int largest_step = 100;
 
 void collect_factorials(const ex& e, GiNaC::exset& arguments) {
@@ -55,8 +55,8 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
   require(whole.has_value(), claim, rule,
           to_text(left) + " is not a sum that the kernel understands");
   const auto has_integer_exponents = [&](const FiniteSum& sum) {
-    return is_integer(sum.p.subs(k == 0, no_pattern), claim) &&
-           is_integer(sum.q.subs(k == 0, no_pattern), claim);
+    return is_integer(sum.p.subs(k == 0, subs_options::no_pattern), claim) &&
+           is_integer(sum.q.subs(k == 0, subs_options::no_pattern), claim);
   };
   require(has_integer_exponents(*whole), claim, rule, "an exponent is not seen to be an integer");
   for (const ex& base : {whole->x, whole->y}) require_scalar(base, claim, rule, evidence);
@@ -73,7 +73,9 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
     require(part->x.is_equal(whole->x) && part->y.is_equal(whole->y) &&
                 part->alternating == whole->alternating && has_integer_exponents(*part),
             claim, rule, "the terms of " + to_text(sum) + " are not of the same kind");
-    const auto shifted = [&k, by = shift](const ex& e) { return e.subs(k == k + by, no_pattern); };
+    const auto shifted = [&k, by = shift](const ex& e) {
+      return e.subs(k == k + by, subs_options::no_pattern);
+    };
     const ex p = shifted(part->p), q = shifted(part->q);
     const auto p_steps = steps_between(p, whole->p), q_steps = steps_between(q, whole->q);
     require(p_steps && q_steps, claim, rule,
@@ -104,7 +106,7 @@ Theorem Kernel::sum_recurrence(const Claim& claim, const SumTerms& combination) 
     GiNaC::exmap in_units;
     for (const ex& argument : arguments)
       in_units[factorial(argument)] = unit * rising(*least, *steps_between(*least, argument));
-    difference = difference.subs(in_units, no_pattern);
+    difference = difference.subs(in_units, subs_options::no_pattern);
   }
   require(difference.normal().expand().is_zero(), claim, rule,
           "the terms differ by a multiple of " + to_text(difference.normal()));

@@ -242,9 +242,9 @@ std::string set(const Formula& formula, bool small) {
   return "<mtext>" + html_escaped(formula.text) + "</mtext>";
 }
 
-std::string signs(const std::string& text) {
+std::string mathml_signs(const std::string& text) {
   if (text.ends_with(" -"))
-    return signs(text.substr(0, text.size() - 2)) + "<mo form=\"prefix\">−</mo>";
+    return mathml_signs(text.substr(0, text.size() - 2)) + "<mo form=\"prefix\">−</mo>";
   if (text.empty()) return "";
   return "<mo form=\"infix\" lspace=\"0\" rspace=\"0.28em\">" +
          html_escaped(text == "-" ? "−" : unicode_sign(text)) + "</mo>";
@@ -259,7 +259,7 @@ std::string mathml_display(const Formula& equation) {
   const bool breaks = latex_width(equation) > phone;
   std::string result;
   for (const Piece& piece : pieces(equation, latex_width, breaks ? phone : 1e9)) {
-    std::string inside = signs(piece.sign);
+    std::string inside = mathml_signs(piece.sign);
     for (int i = 0; i < piece.opens; ++i) inside += fence("(", true);
     inside += piece.factor || piece.sign.ends_with('-') ? factor(piece.formula, false)
                                                         : set(piece.formula, false);

@@ -60,7 +60,7 @@ std::string call(const Formula& formula) {
   return formula.text + "(" + inside + ")";
 }
 
-std::string matrix(const Formula& formula) {
+std::string matrix_source(const Formula& formula) {
   std::string text;
   for (std::size_t i = 0; i < formula.parts.size(); ++i) {
     if (i % formula.columns == 0) text += i == 0 ? "[" : "], [";
@@ -97,7 +97,7 @@ std::string source(const Formula& formula) {
     case Kind::call:
       return call(formula);
     case Kind::matrix:
-      return matrix(formula);
+      return matrix_source(formula);
     case Kind::list:
       return "(" + joined(parts, ", ") + ")";
     case Kind::dot:

@@ -9,7 +9,7 @@
 namespace magicmass::render {
 namespace {
 
-constexpr const char* style = R"(
+constexpr const char* page_style = R"(
 :root { color-scheme: light dark; --ink: #1b1f24; --paper: #ffffff; --quiet: #57606a; --line: #d0d7de;
   --link: #0b4fa8; --box: #f6f8fa; --good: #116329; --bad: #a40e26; }
 @media (prefers-color-scheme: dark) {
@@ -71,7 +71,7 @@ std::string html_page(const std::string& title, const std::vector<PageChapter>& 
       "<style>{1}</style>\n</head>\n<body>\n<header>\n<h1>{0}</h1>\n<nav "
       "aria-label=\"Contents\">\n<ol>\n{2}</ol>\n"
       "</nav>\n</header>\n<main>\n{3}</main>\n</body>\n</html>\n",
-      html_escaped(title), style, contents, body);
+      html_escaped(title), page_style, contents, body);
 }
 
 }  // namespace magicmass::render

@@ -9,9 +9,9 @@
 
 namespace {
 
-const std::vector<std::string> tiny = {"report",      "--quick",      "--size",
-                                       "2",           "--rounds",     "6",
-                                       "--no-growth", "--quantities", "angle,ratios"};
+const std::vector<std::string> small_report = {"report",      "--quick",      "--size",
+                                               "2",           "--rounds",     "6",
+                                               "--no-growth", "--quantities", "angle,ratios"};
 
 std::vector<std::string> with(std::vector<std::string> words,
                               const std::vector<std::string>& more) {
@@ -21,7 +21,7 @@ std::vector<std::string> with(std::vector<std::string> words,
 
 /// A report that was measured once for all tests of this file.
 const nlohmann::json& measured() {
-  static const nlohmann::json all = json_of(tiny);
+  static const nlohmann::json all = json_of(small_report);
   return all;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("this run agrees with an old one on every error figure", "[exam][share
   for (auto& one : old) one["machine"] = "another";  // so that noise decides nothing
   write_file(folder / "old.json", old.dump());
   const ProgramRun run =
-      run_program(with(tiny, {"--compare", folder / "old.json", "-o", folder / "new.txt"}));
+      run_program(with(small_report, {"--compare", folder / "old.json", "-o", folder / "new.txt"}));
   CHECK(run.exit_code == 0);
   CHECK(run.output.find("all the same") != std::string::npos);
   CHECK(run.output.find("ratios: not compared, another machine") != std::string::npos);

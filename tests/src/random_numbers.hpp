@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <random>
 #include <vector>
@@ -20,6 +21,15 @@ inline std::int64_t whole(Generator& generator, std::int64_t low, std::int64_t h
 inline double log_uniform(Generator& generator, double low, double high) {
   return std::exp2(
       std::uniform_real_distribution<double>(std::log2(low), std::log2(high))(generator));
+}
+
+/// `size` such doubles of a generator with this seed.
+inline std::vector<double> log_uniform(std::uint64_t seed, std::size_t size, double low,
+                                       double high) {
+  Generator generator(seed);
+  std::vector<double> numbers(size);
+  for (double& x : numbers) x = log_uniform(generator, low, high);
+  return numbers;
 }
 
 /// x and the `reach` doubles on either side, in increasing order.

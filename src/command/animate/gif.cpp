@@ -29,7 +29,7 @@ std::string moment(const SceneMotion& motion, const Layout& layout, double time)
   return rows + "\n\n";
 }
 
-std::string wall(double x) {
+std::string wall_script(double x) {
   return fmt::format("set arrow from {0:.3f},0 to {0:.3f},110 nohead lw 5 lc rgb '#6e7781'\n", x);
 }
 
@@ -50,8 +50,8 @@ std::string animation_gif(const SceneMotion& motion) {
       "[-50:150]\nset style fill solid 1 border lc rgb '#1b1f24'\ntimes = '{1}'\n"
       "set arrow from 0,0 to {0},0 nohead lw 1.5 lc rgb '#6e7781'\n",
       Layout::width, times);
-  if (layout.left_wall) script += wall(*layout.left_wall);
-  if (layout.right_wall) script += wall(*layout.right_wall);
+  if (layout.left_wall) script += wall_script(*layout.left_wall);
+  if (layout.right_wall) script += wall_script(*layout.right_wall);
   script += fmt::format(
       "do for [i=0:{}] {{\nset label 1 't = '.word(times, i + 1) at graph 0.5,0.1 center\n"
       "plot data index i using ($2 > 0 ? $1 : NaN):2:2:2 with boxxyerror lc rgb '#bcd9ec', "

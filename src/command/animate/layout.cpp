@@ -8,7 +8,7 @@ namespace magicmass::command {
 namespace {
 
 constexpr double margin = 24.0;
-constexpr double largest = 64.0;
+constexpr double largest_size = 64.0;
 constexpr double least_share = 0.35;  // of the largest, so that a light body is seen
 
 }  // namespace
@@ -17,7 +17,7 @@ Layout layout_of(const SceneMotion& motion) {
   Layout layout{};
   const auto bodies = static_cast<double>(motion.names.size());
   const double heaviest = *std::max_element(motion.masses.begin(), motion.masses.end());
-  const double size = std::min(largest, Layout::width / 2 / bodies);
+  const double size = std::min(largest_size, Layout::width / 2 / bodies);
   double taken = margin;
   for (std::size_t body = 0; body < motion.names.size(); ++body) {
     const double share = std::cbrt(motion.masses[body] / heaviest);

@@ -57,7 +57,7 @@ std::string motion_json(const SceneMotion& motion, const Layout& layout) {
       contacts);
 }
 
-std::string wall(double x) {
+std::string wall_svg(double x) {
   return fmt::format("<line class=\"wall\" x1=\"{0:.3f}\" x2=\"{0:.3f}\" y1=\"40\" y2=\"{1}\"/>\n",
                      x, Layout::floor);
 }
@@ -91,8 +91,8 @@ std::string stage(const SceneMotion& motion, const Layout& layout) {
       : motion.left_wall || motion.right_wall ? " beside a wall"
                                               : "",
       Layout::floor);
-  if (layout.left_wall) text += wall(*layout.left_wall);
-  if (layout.right_wall) text += wall(*layout.right_wall);
+  if (layout.left_wall) text += wall_svg(*layout.left_wall);
+  if (layout.right_wall) text += wall_svg(*layout.right_wall);
   for (std::size_t body = 0; body < motion.names.size(); ++body)
     text += body_shape(motion, layout, body);
   return text + "</svg>\n";

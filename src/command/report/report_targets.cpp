@@ -12,7 +12,7 @@ namespace {
 
 using report::TargetResult;
 
-constexpr const char* words =
+constexpr const char* target_explanation =
     "What the tiers and the simulator are to reach, and what this run saw on the easiest family "
     "unless it says "
     "where; met: yes, no, or even the aim. Speeds are of this machine, and steady only where it "
@@ -37,7 +37,7 @@ std::string shown(const TargetResult& one) {
 std::string targets_text(const std::vector<TargetResult>& results) {
   if (results.empty()) return "";
   constexpr const char* line = "{:<37}{:>9}{:>9}{:>9}{:>11}{:>5}\n";
-  std::string text = "\ntargets\n" + render::wrapped(words, "");
+  std::string text = "\ntargets\n" + render::wrapped(target_explanation, "");
   text += fmt::format(line, "", "must", "aim", "seen", "95 %", "met");
   for (const TargetResult& one : results) {
     std::string name = one.target.name;
@@ -55,7 +55,7 @@ std::string targets_text(const std::vector<TargetResult>& results) {
 
 std::string targets_markdown(const std::vector<TargetResult>& results) {
   if (results.empty()) return "";
-  std::string text = fmt::format("\n## Targets\n\n{}\n\n", words);
+  std::string text = fmt::format("\n## Targets\n\n{}\n\n", target_explanation);
   text += markdown_head({"target", "where", "must", "aim", "seen", "95 %", "met"}, 2);
   for (const TargetResult& one : results)
     text += markdown_row({one.target.name, one.seen.where, limit(one.target, one.target.must),

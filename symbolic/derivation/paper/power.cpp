@@ -2,6 +2,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/paper/equations.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -11,7 +12,6 @@ using GiNaC::ex;
 using GiNaC::numeric;
 
 namespace {
-const ex half = numeric(1, 2);
 const ex quarter = numeric(1, 4);
 }  // namespace
 
@@ -21,7 +21,7 @@ Equations power_equations() {
   return {
       {"sec:result, V_CM", {V_CM, V * cos(psi / 2) / (1 + cos(psi / 2))}},
       {"eq:a-final", {a(n), V_CM * (1 + cos(n * psi) / cos(psi / 2))}},
-      {"eq:b-final", {b(n), V_CM * (1 - cos((n + half) * psi) / cos(psi / 2))}},
+      {"eq:b-final", {b(n), V_CM * (1 - cos((n + one_half) * psi) / cos(psi / 2))}},
       {"eq:c-final", {c(n), V_CM * (1 + sin((n - quarter) * psi) / sin(psi / 4))}},
       {"eq:c'-final", {c_prime(n), V_CM * (1 - sin((n + quarter) * psi) / sin(psi / 4))}},
   };

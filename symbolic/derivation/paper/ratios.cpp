@@ -2,6 +2,7 @@
 #include <ginac/ginac.h>
 
 #include "derivation/paper/equations.hpp"
+#include "derivation/shorthand.hpp"
 #include "proof/names.hpp"
 
 namespace magicmass::derivation {
@@ -11,10 +12,6 @@ using GiNaC::ex;
 using GiNaC::numeric;
 using GiNaC::Pi;
 
-namespace {
-const ex half = numeric(1, 2);
-}  // namespace
-
 Equations ratios_equations() {
   const ex k = symbol("k"), alpha = symbol("alpha"), psi = symbol("psi"), V = symbol("V");
   const ex N_A = symbol("N_A"), N_B = symbol("N_B");
@@ -22,12 +19,13 @@ Equations ratios_equations() {
       {"exact:ak", {symbol("alpha_k"), -1 + 1 / cos(Pi / (2 * k + 1))}},
       {"exact:bk", {symbol("beta_k"), -1 + 1 / cos(Pi / (2 * (k + 1)))}},
       {"eq:a-terminal", {a(N_A), V / (2 + alpha) * (1 + (1 + alpha) * cos(N_A * psi))}},
-      {"eq:b-terminal", {b(N_B), V / (2 + alpha) * (1 - (1 + alpha) * cos((N_B + half) * psi))}},
-      {"eq:magic-b-cond", {cos((N_B + half) * psi), -1}},
-      {"eq:magic-b-cond-simple", {N_B, Pi / psi - half}},
+      {"eq:b-terminal",
+       {b(N_B), V / (2 + alpha) * (1 - (1 + alpha) * cos((N_B + one_half) * psi))}},
+      {"eq:magic-b-cond", {cos((N_B + one_half) * psi), -1}},
+      {"eq:magic-b-cond-simple", {N_B, Pi / psi - one_half}},
       {"app:deficient, a_t", {symbol("a_t"), -alpha * V / (2 + alpha)}},
       {"eq:defb-terminal", {symbol("b_t"), 2 * V / (2 + alpha)}},
-      {"eq:def-b-cond", {cos((N_B + half) * psi), -1 / (1 + alpha)}},
+      {"eq:def-b-cond", {cos((N_B + one_half) * psi), -1 / (1 + alpha)}},
       {"app:deficient, N_B", {N_B, Pi / psi - 1}},
   };
 }

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-long double number(const std::string& shown) {  // "2", "-1/2", "0.866025..."
+long double shown_number(const std::string& shown) {  // "2", "-1/2", "0.866025..."
   const std::size_t line = shown.find('/');
   if (line != std::string::npos)
     return std::stold(shown.substr(0, line)) / std::stold(shown.substr(line + 1));
@@ -23,7 +23,7 @@ long double number(const std::string& shown) {  // "2", "-1/2", "0.866025..."
 }
 
 bool agrees(long double value, const std::string& shown) {
-  return std::abs(value - number(shown)) <= 1e-5L * (1 + std::abs(value));
+  return std::abs(value - shown_number(shown)) <= 1e-5L * (1 + std::abs(value));
 }
 
 /// Row and column of a typed matrix, or all of an expression.
@@ -64,7 +64,7 @@ std::string complaint(Claim claim) {
   const std::string assignments = match[1];
   const std::regex one(R"((\w+) = ([-\d./]+))");
   for (std::sregex_iterator i(assignments.begin(), assignments.end(), one), end; i != end; ++i) {
-    point[(*i)[1]] = number((*i)[2]);
+    point[(*i)[1]] = shown_number((*i)[2]);
     simplest[(*i)[1]] = 1;
   }
   const long double yours = oracle_value(claim.answer, point);

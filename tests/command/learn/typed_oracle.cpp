@@ -21,9 +21,9 @@ const std::map<std::string, Function>& functions() {
   return all;
 }
 
-class Reader {
+class TypedReader {
 public:
-  Reader(const std::string& text, const Point& point) : text_(text), point_(point) {}
+  TypedReader(const std::string& text, const Point& point) : text_(text), point_(point) {}
 
   long double all() {
     const long double value = sum();
@@ -125,5 +125,5 @@ long double oracle_value(const std::string& typed, Point point) {
     point["v_1"] = 2 * mean - point["u_1"];
     point["v_2"] = 2 * mean - point["u_2"];
   }
-  return Reader(typed, point).all();
+  return TypedReader(typed, point).all();
 }

@@ -53,23 +53,16 @@ void require_exact(std::span<const double> alpha) {
   }
 }
 
-std::vector<double> log_uniform(std::uint64_t seed, std::size_t size, double low, double high) {
-  testing::Generator generator(seed);
-  std::vector<double> alpha(size);
-  for (double& x : alpha) x = testing::log_uniform(generator, low, high);
-  return alpha;
-}
-
 }  // namespace
 
 TEST_CASE("batch counts are exact on everyday alpha", "[check]") {
-  require_exact(log_uniform(41, 200'000, 1e-6, 10.0));
+  require_exact(testing::log_uniform(41, 200'000, 1e-6, 10.0));
 }
 
 TEST_CASE("batch counts are exact over the whole range of alpha", "[check]") {
-  require_exact(log_uniform(42, 20'000, 1e-26, 1.0));
-  require_exact(log_uniform(43, 200, 1e-38, 1e-26));
-  require_exact(log_uniform(44, 2'000, 1e-300, 1e300));
+  require_exact(testing::log_uniform(42, 20'000, 1e-26, 1.0));
+  require_exact(testing::log_uniform(43, 200, 1e-38, 1e-26));
+  require_exact(testing::log_uniform(44, 2'000, 1e-300, 1e300));
 }
 
 TEST_CASE("batch counts are exact next to every threshold up to the three-thousandth", "[check]") {
@@ -84,7 +77,7 @@ TEST_CASE("batch counts are exact next to every threshold up to the three-thousa
 }
 
 TEST_CASE("tails of every length, at every offset, write their own rows alone", "[exam]") {
-  const std::vector<double> alpha = log_uniform(45, 200, 1e-6, 10.0);
+  const std::vector<double> alpha = testing::log_uniform(45, 200, 1e-6, 10.0);
   const BatchCounts expected = one_by_one(alpha);
   for (const InstructionSet set : testing::available_instruction_sets()) {
     for (std::size_t size = 0; size <= 33; ++size) {
@@ -109,7 +102,7 @@ TEST_CASE("tails of every length, at every offset, write their own rows alone", 
 }
 
 TEST_CASE("spans that no double is aligned to are fine", "[exam]") {
-  const std::vector<double> alpha = log_uniform(46, 40, 1e-6, 10.0);
+  const std::vector<double> alpha = testing::log_uniform(46, 40, 1e-6, 10.0);
   for (const InstructionSet set : testing::available_instruction_sets()) {
     alignas(64) double room[50];
     for (std::size_t offset = 0; offset < 8; ++offset) {

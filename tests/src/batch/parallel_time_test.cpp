@@ -16,14 +16,14 @@ using namespace magicmass;
 
 namespace {
 
-constexpr std::size_t size = std::size_t{1} << 21U;
+constexpr std::size_t how_many = std::size_t{1} << 21U;
 
 template <class Call>
 double nanoseconds_a_row(const Call& call) {
   const auto start = std::chrono::steady_clock::now();
   call();
   const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-  return time.count() / static_cast<double>(size);
+  return time.count() / static_cast<double>(how_many);
 }
 
 /// Of all threads: twice as much work shows here where two threads hide it.
@@ -32,7 +32,7 @@ double processor_nanoseconds_a_row(const Call& call) {
   const std::clock_t start = std::clock();
   call();
   return static_cast<double>(std::clock() - start) * (1e9 / CLOCKS_PER_SEC) /
-         static_cast<double>(size);
+         static_cast<double>(how_many);
 }
 
 template <class Serial, class Parallel>
@@ -53,13 +53,13 @@ void compare(const char* what, const Serial& serial, const Parallel& parallel) {
 
 }  // namespace
 
-TEST_CASE("speed-up of all processors on two million rows", "[time]") {
+TEST_CASE("speed-up of all processors on two million how_many", "[time]") {
   testing::Generator generator(2);
-  std::vector<double> alpha(size), a(size), b(size), c(size), d(size);
-  std::vector<std::int64_t> n(size), N_A(size), N_B(size);
+  std::vector<double> alpha(how_many), a(how_many), b(how_many), c(how_many), d(how_many);
+  std::vector<std::int64_t> n(how_many), N_A(how_many), N_B(how_many);
   for (double& x : alpha) x = testing::log_uniform(generator, 1e-4, 1);
   count_collisions(alpha, N_A, N_B);
-  for (std::size_t i = 0; i < size; ++i) n[i] = testing::whole(generator, 0, N_A[i]);
+  for (std::size_t i = 0; i < how_many; ++i) n[i] = testing::whole(generator, 0, N_A[i]);
   const Threads all = Threads::all();
   compare(
       "counts", [&] { count_collisions(alpha, N_A, N_B); },

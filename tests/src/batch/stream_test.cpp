@@ -18,12 +18,12 @@ using namespace magicmass;
 
 namespace {
 
-constexpr double untouched = -77.0;
+constexpr double filler = -77.0;
 
-/// Rows of a, b, c and c' one after the other, with `offset` doubles before and after each that stay untouched.
+/// Rows of a, b, c and c' one after the other, with `offset` doubles before and after each that stay as they are.
 std::vector<double> stream(double alpha, std::int64_t first_n, std::size_t size, InstructionSet set,
                            std::size_t offset = 0) {
-  std::vector<double> room(4 * (size + 2 * offset), untouched);
+  std::vector<double> room(4 * (size + 2 * offset), filler);
   const auto column = [&](std::size_t v) {
     return std::span(room).subspan(v * (size + 2 * offset) + offset, size);
   };
@@ -31,8 +31,8 @@ std::vector<double> stream(double alpha, std::int64_t first_n, std::size_t size,
   std::vector<double> rows;
   for (std::size_t v = 0; v < 4; ++v) {
     for (std::size_t i = 0; i < offset; ++i) {
-      CHECK(*(column(v).data() - 1 - i) == untouched);
-      CHECK(*(column(v).data() + size + i) == untouched);
+      CHECK(*(column(v).data() - 1 - i) == filler);
+      CHECK(*(column(v).data() + size + i) == filler);
     }
     rows.insert(rows.end(), column(v).begin(), column(v).end());
   }

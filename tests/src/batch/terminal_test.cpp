@@ -94,17 +94,10 @@ void require_those_of_one(std::span<const double> alpha) {
   }
 }
 
-std::vector<double> log_uniform(std::uint64_t seed, std::size_t size, double low, double high) {
-  testing::Generator generator(seed);
-  std::vector<double> alpha(size);
-  for (double& x : alpha) x = testing::log_uniform(generator, low, high);
-  return alpha;
-}
-
 /// Rows that need the function for one input, scattered over rows that do not.
 std::vector<double> mixed(std::uint64_t seed, std::size_t size) {
   testing::Generator generator(seed);
-  std::vector<double> alpha = log_uniform(seed, size, 1e-6, 10.0);
+  std::vector<double> alpha = testing::log_uniform(seed, size, 1e-6, 10.0);
   const double others[] = {1.0,
                            0x1.1c7397cb68b7ep-18,
                            0x1.bc7fb47556f22p-29,
@@ -126,9 +119,9 @@ std::vector<double> mixed(std::uint64_t seed, std::size_t size) {
 
 TEST_CASE("accurate batches of terminal velocities are those of one input, the same everywhere",
           "[check]") {
-  require_those_of_one(log_uniform(121, 50'000, 1e-6, 10.0));
-  require_those_of_one(log_uniform(122, 2'000, 1e-26, 1.0));
-  require_those_of_one(log_uniform(123, 500, 1e-320, 1e308));
+  require_those_of_one(testing::log_uniform(121, 50'000, 1e-6, 10.0));
+  require_those_of_one(testing::log_uniform(122, 2'000, 1e-26, 1.0));
+  require_those_of_one(testing::log_uniform(123, 500, 1e-320, 1e308));
   require_those_of_one(mixed(124, 3'000));
 }
 
@@ -166,7 +159,7 @@ TEST_CASE("alpha that is no mass ratio gets -1 and NaN in its place alone", "[ex
   for (const Run run : tiers) {
     for (const InstructionSet set : testing::available_instruction_sets()) {
       for (const double wrong : {0.0, -0.0, -1.0, infinity, -infinity, nan, -nan, -5e-324}) {
-        std::vector<double> alpha = log_uniform(126, 20, 0.01, 3.0);
+        std::vector<double> alpha = testing::log_uniform(126, 20, 0.01, 3.0);
         const Rows before = rows(run, alpha, set);
         alpha[7] = wrong;
         const Rows got = rows(run, alpha, set);

@@ -35,7 +35,7 @@ bool holds_value(const Multiword<Words>& got, const Function& function, const cl
 
 /// How many bounds, made smaller by a factor, do not hold, and the largest relative bound.
 template <std::size_t Words>
-std::pair<int, double> broken_bounds(double factor) {
+std::pair<int, double> broken_function_bounds(double factor) {
   Generator generator(81 + Words);
   int broken = 0;
   double widest = 0;
@@ -65,10 +65,10 @@ std::pair<int, double> broken_bounds(double factor) {
 }  // namespace
 
 TEST_CASE("the functions' bounds hold the true values, and are narrow", "[check]") {
-  const auto two = broken_bounds<2>(1.0);
-  const auto four = broken_bounds<4>(1.0);
-  const auto ten = broken_bounds<10>(1.0);
-  const auto most = broken_bounds<24>(1.0);
+  const auto two = broken_function_bounds<2>(1.0);
+  const auto four = broken_function_bounds<4>(1.0);
+  const auto ten = broken_function_bounds<10>(1.0);
+  const auto most = broken_function_bounds<24>(1.0);
   CHECK(two.first == 0);
   CHECK(four.first == 0);
   CHECK(ten.first == 0);
@@ -80,7 +80,7 @@ TEST_CASE("the functions' bounds hold the true values, and are narrow", "[check]
 }
 
 TEST_CASE("bounds a thousand times too small would be seen", "[check]") {
-  CHECK(broken_bounds<4>(0.001).first > 20);
+  CHECK(broken_function_bounds<4>(0.001).first > 20);
 }
 
 TEST_CASE("where a function has no certain value there is none", "[exam]") {

@@ -33,7 +33,7 @@ void check_rounding_by_hand() {
   const long tiny = Limits::min_exponent - digits;  // denorm_min = 2^tiny
   const cl_RA half_unit = two_to(-digits);          // half the spacing from 1 to 2
   const cl_RA hair = two_to(-20000);
-  CHECK(nearest<Float>(0) == 0);
+  CHECK(nearest<Float>(cl_RA(0)) == 0);
   CHECK(nearest<Float>(1 + half_unit) == 1);
   CHECK(nearest<Float>(1 + half_unit + hair) == 1 + eps);
   CHECK(nearest<Float>(1 + half_unit - hair) == 1);

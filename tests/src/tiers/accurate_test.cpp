@@ -30,7 +30,7 @@ std::string place(const Input& input) {
   return "alpha = " + to_text(MassRatio(input.alpha)) + ", index " + std::to_string(input.index);
 }
 
-std::vector<double> evaluated(const std::string& quantity, const Input& input) {
+std::vector<double> accurate_values(const std::string& quantity, const Input& input) {
   if (quantity == "velocities") {
     const auto v = accurate::velocities(input.alpha, input.index);
     return {v.a, v.b, v.c, v.c_prime};
@@ -57,7 +57,7 @@ void require_nearest(const std::string& quantity, std::size_t size) {
   for (const report::Family& family : report::families(quantity, size))
     for (const Input& input : family.inputs) {
       INFO(quantity << ", " << family.name << ": " << place(input));
-      REQUIRE(misrounded(evaluated(quantity, input), oracle.at(quantity, input)) == 0);
+      REQUIRE(misrounded(accurate_values(quantity, input), oracle.at(quantity, input)) == 0);
     }
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("accurate angles and ratios are the nearest doubles on every family", 
 TEST_CASE("one digit of the last place would be seen", "[exam]") {
   report::Oracle oracle;
   const auto& exact = oracle.at("velocities", {0.01, 3});
-  auto got = evaluated("velocities", {0.01, 3});
+  auto got = accurate_values("velocities", {0.01, 3});
   CHECK(misrounded(got, exact) == 0);
   got[2] = std::nextafter(got[2], 2.0);
   CHECK(misrounded(got, exact) == 1);
@@ -145,9 +145,9 @@ TEST_CASE("the ends of the doubles, and the ranges of the kernels", "[exam]") {
                                    two_51, two_51 + 1, 4 * two_51 + 1}) {
         if (n > 1 && !is_small) continue;
         INFO("n = " << n);
-        CHECK(misrounded(evaluated("velocities", {alpha, n}),
+        CHECK(misrounded(accurate_values("velocities", {alpha, n}),
                          oracle.at("velocities", {alpha, n})) == 0);
-        CHECK(misrounded(evaluated("encounters", {alpha, n}),
+        CHECK(misrounded(accurate_values("encounters", {alpha, n}),
                          oracle.at("encounters", {alpha, n})) == 0);
       }
     }

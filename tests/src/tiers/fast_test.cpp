@@ -24,7 +24,7 @@ namespace {
 
 constexpr double allowed = 4.0;  // stated in fast.hpp
 
-std::vector<double> evaluated(const std::string& quantity, const Input& input) {
+std::vector<double> fast_values(const std::string& quantity, const Input& input) {
   if (quantity == "velocities") {
     const auto v = fast::velocities(input.alpha, input.index);
     return {v.a, v.b, v.c, v.c_prime};
@@ -57,7 +57,7 @@ double worst_of(const std::string& quantity, std::size_t size) {
     for (const Input& input : family.inputs) {
       INFO(quantity << ", " << family.name << ": alpha = " << to_text(MassRatio(input.alpha))
                     << ", index " << input.index);
-      const double one = over_envelope(evaluated(quantity, input), oracle.at(quantity, input));
+      const double one = over_envelope(fast_values(quantity, input), oracle.at(quantity, input));
       REQUIRE(one <= allowed);
       worst = std::max(worst, one);
     }
@@ -98,7 +98,7 @@ TEST_CASE("the last times and distances of many are as good as the others", "[ch
     const std::int64_t last = counts.N_A + counts.N_B - 1;
     for (const std::int64_t j : {last, last - 1, last - last / 10000 - 1, last - last / 3000}) {
       INFO("alpha = " << to_text(MassRatio(alpha)) << ", j = " << j << " of " << last);
-      REQUIRE(over_envelope(evaluated("encounters", {alpha, j}),
+      REQUIRE(over_envelope(fast_values("encounters", {alpha, j}),
                             oracle.at("encounters", {alpha, j})) <= allowed);
     }
   }
@@ -108,13 +108,13 @@ TEST_CASE("few collisions at large angles, where a rounding of the angle shows m
   report::Oracle oracle;
   for (const Input& input : {Input{0x1.8662e53d88de6p-2, 1}, Input{0x1.ffe02ebc6c882p-1, 2},
                              Input{0x1.ff83ff14d23e6p-1, 2}, Input{0x1.ffffffffffc16p-1, 2}})
-    CHECK(over_envelope(evaluated("velocities", input), oracle.at("velocities", input)) <= 3.0);
+    CHECK(over_envelope(fast_values("velocities", input), oracle.at("velocities", input)) <= 3.0);
 }
 
 TEST_CASE("an error of 5 envelopes would be seen", "[exam]") {
   report::Oracle oracle;
   const auto& exact = oracle.at("velocities", {0.01, 3});
-  auto got = evaluated("velocities", {0.01, 3});
+  auto got = fast_values("velocities", {0.01, 3});
   CHECK(over_envelope(got, exact) <= allowed);
   got[1] *= 1 + 0x1p-48;
   CHECK(over_envelope(got, exact) > allowed);
@@ -128,7 +128,8 @@ TEST_CASE("the ends of the doubles, and n beyond 2^51 and 2^53", "[exam]") {
   for (const double alpha : {5e-324, 0x1p-1022, 0x1p-900, 1e-200, 1e-35, 0x1p60, 0x1p400, largest,
                              std::nextafter(1.0, 0.0), 1.0, std::nextafter(1.0, 2.0)}) {
     INFO("alpha = " << to_text(MassRatio(alpha)));
-    CHECK(over_envelope(evaluated("angle", {alpha, 0}), oracle.at("angle", {alpha, 0})) <= allowed);
+    CHECK(over_envelope(fast_values("angle", {alpha, 0}), oracle.at("angle", {alpha, 0})) <=
+          allowed);
     constexpr std::int64_t two_51 = std::int64_t{1} << 51U;
     const auto counts = count_collisions(alpha);
     for (const std::int64_t n :
@@ -136,10 +137,10 @@ TEST_CASE("the ends of the doubles, and n beyond 2^51 and 2^53", "[exam]") {
           4 * two_51 - 1, 4 * two_51 + 1, 16 * two_51 + 3, 4095 * two_51 + 12345}) {
       if (n > (counts ? counts->N_A : std::numeric_limits<std::int64_t>::max())) continue;
       INFO("n = " << n);
-      CHECK(over_envelope(evaluated("velocities", {alpha, n}),
+      CHECK(over_envelope(fast_values("velocities", {alpha, n}),
                           oracle.at("velocities", {alpha, n})) <= allowed);
       if (counts && n >= counts->N_A + counts->N_B) continue;
-      CHECK(over_envelope(evaluated("encounters", {alpha, n}),
+      CHECK(over_envelope(fast_values("encounters", {alpha, n}),
                           oracle.at("encounters", {alpha, n})) <= allowed);
     }
   }
