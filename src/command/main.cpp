@@ -13,7 +13,7 @@
 #include "command/commands.hpp"
 #include "command/destination.hpp"
 #include "command/known_words.hpp"
-#include "command/part_file.hpp"
+#include "command/leftover.hpp"
 #include "command/program.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large for its limit is refused as on a full disk
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough is no error: see ClosedPipe
-  remove_part_files_on_signals();
+  remove_leftovers_on_signals();
   ExitCode code = ExitCode::done;
   try {
     code = run(argc, argv);

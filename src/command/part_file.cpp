@@ -2,7 +2,6 @@
 #include "command/part_file.hpp"
 
 #include <cerrno>
-#include <csignal>
 #include <system_error>
 
 #include <fcntl.h>
@@ -17,16 +16,11 @@ namespace {
 
 }  // namespace
 
-std::atomic<PartFile*> PartFile::first_ = nullptr;
-static_assert(std::atomic<PartFile*>::is_always_lock_free);  // a signal handler reads the list
-
 PartFile::PartFile(const std::string& target) : target_(target) {
   constexpr int most_writers = 1000;
   for (int number = 1; !take(number); ++number)
     if (number == most_writers) fail(EBUSY);
-  listed_ = name_.c_str();
-  next_ = first_.load();
-  first_ = this;
+  leftover_.put_on_list(name_.c_str());
 }
 
 // False where somebody else is writing it.
@@ -47,7 +41,7 @@ bool PartFile::take(int number) {
 }
 
 PartFile::~PartFile() {
-  strike_off();
+  leftover_.strike_off();
   if (!name_.empty()) ::unlink(name_.c_str());
   ::close(descriptor_);
 }
@@ -57,30 +51,8 @@ void PartFile::become_target() {
   const int copy = ::dup(descriptor_);
   if (copy < 0 || ::close(copy) != 0) fail(errno);
   if (::rename(name_.c_str(), target_.c_str()) != 0) fail(errno);
-  strike_off();
+  leftover_.strike_off();
   name_.clear();
-}
-
-void PartFile::strike_off() {
-  std::atomic<PartFile*>* link = &first_;
-  while (*link != nullptr && *link != this) link = &link->load()->next_;
-  if (*link == this) *link = next_.load();
-}
-
-void remove_part_files(int signal) {
-  for (const PartFile* file = PartFile::first_; file != nullptr; file = file->next_)
-    ::unlink(file->listed_);
-  ::raise(signal);  // with the default action, once this has returned
-}
-
-void remove_part_files_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction action {};
-    if (::sigaction(signal, nullptr, &action) != 0 || action.sa_handler == SIG_IGN) continue;
-    action.sa_handler = remove_part_files;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    ::sigaction(signal, &action, nullptr);
-  }
 }
 
 }  // namespace magicmass::command

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #pragma once
 
-#include <atomic>
 #include <string>
+
+#include "command/leftover.hpp"
 
 namespace magicmass::command {
 
@@ -27,16 +28,9 @@ private:
   std::string target_;
   std::string name_;  // empty once it is the target
   int descriptor_ = -1;
-  const char* listed_ = nullptr;  // name_, for the signal handler
-  std::atomic<PartFile*> next_ = nullptr;
+  Leftover leftover_{Leftover::Kind::file};  // name_
 
-  static std::atomic<PartFile*> first_;
-  friend void remove_part_files(int signal);
   bool take(int number);
-  void strike_off();
 };
-
-/// From now on those signals remove the part files before they end the program, as they do by default.
-void remove_part_files_on_signals();
 
 }  // namespace magicmass::command

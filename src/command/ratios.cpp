@@ -8,11 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "command/accuracy_options.hpp"
 #include "command/commands.hpp"
 #include "command/program.hpp"
 #include "command/ratio_forms.hpp"
 #include "command/records.hpp"
-#include "command/velocity_tiers.hpp"
 #include "magicmass/ratios_product.hpp"
 
 namespace magicmass::command {

@@ -18,6 +18,7 @@ ScratchFolder::ScratchFolder() {
         "cannot make a folder for temporary files" +
         (missing ? ": TMPDIR must name a folder" : " in " + shown_text(parent.string(), 200)));
   path_ = name;
+  leftover_.put_on_list(path_.c_str());
 }
 
 ScratchFolder::~ScratchFolder() {

@@ -4,9 +4,11 @@
 #include <filesystem>
 #include <string>
 
+#include "command/leftover.hpp"
+
 namespace magicmass::command {
 
-/// A new folder among the temporary files, gone with the object. Throws InvalidInput where none can be made.
+/// A new folder among the temporary files, gone with the object, and with SIGINT, SIGTERM and SIGHUP. Throws InvalidInput where none can be made.
 class ScratchFolder {
 public:
   ScratchFolder();
@@ -21,6 +23,7 @@ public:
 
 private:
   std::filesystem::path path_;
+  Leftover leftover_{Leftover::Kind::folder};  // path_
 };
 
 }  // namespace magicmass::command

@@ -2,39 +2,12 @@
 // Velocities at the accuracy asked for: doubles, exact rationals, or certified digits.
 #pragma once
 
-#include <optional>
-#include <string>
-
+#include "command/accuracy_options.hpp"
 #include "command/records.hpp"
 #include "magicmass/reference/count.hpp"
 #include "magicmass/scenes/mass_ratio.hpp"
 
-namespace CLI {
-class App;
-}
-
 namespace magicmass::command {
-
-/// fast: tier fast at the nearest double. accurate: the double nearest to the value at alpha as it is written, counts of any size.
-/// exact: p/q, or `digits` certified decimal digits.
-struct Accuracy {
-  std::string tier;           ///< "fast", "accurate" or "exact"
-  std::optional<int> digits;  ///< with "exact"
-};
-
-/// --tier and --digits as they were given.
-struct AccuracyOptions {
-  std::optional<std::string> tier;
-  std::optional<std::string> digits;
-};
-
-void add_accuracy_options(CLI::App& command, AccuracyOptions& options);
-
-/// Without --tier: exact if --digits is given, else fast. Throws InvalidInput for an unknown tier.
-Accuracy accuracy(const AccuracyOptions& options);
-
-/// A number of decimal digits from 1 to 100000, which take seconds. Throws InvalidInput.
-int parse_digits(const std::string& text);
 
 /// a_n, b_n, c_n and c'_n in units of V.
 struct VelocityCells {

@@ -80,13 +80,16 @@ auto certain(const Compute& compute) {
   throw Undecided("a rounding stays open at every precision tried");
 }
 
-/// |alpha y'/y| by the change that alpha (1 + 2^-step) makes; step is a third of the precision, so that the
+/// |alpha y'/y| by the change that alpha (1 + 2^-step_of_angles) makes; that is a third of the precision, so that the
 /// difference keeps as much and the curvature costs as much.
-constexpr long step = 85;
+constexpr long step_of_angles = 85;
 double condition(const cl_F& here, const cl_F& moved) {
-  return std::fabs(std::ldexp(cln::double_approx((moved - here) / here), static_cast<int>(step)));
+  return std::fabs(
+      std::ldexp(cln::double_approx((moved - here) / here), static_cast<int>(step_of_angles)));
 }
-cl_RA moved(const cl_RA& alpha) { return alpha * (1 + cl_RA(1) / cl_RA(cln::ash(cl_I(1), step))); }
+cl_RA moved(const cl_RA& alpha) {
+  return alpha * (1 + cl_RA(1) / cl_RA(cln::ash(cl_I(1), step_of_angles)));
+}
 
 /// By events in exact rationals: the collision law alone, and the only ones with a tie (t_1 = s_1 = (1+alpha)/2).
 std::array<cl_RA, 2> stepped(const cl_RA& alpha, std::int64_t j) {
@@ -123,7 +126,8 @@ std::vector<ExactValue> exact_encounter(const Input& input) {
     for (const cl_RA& y : stepped(alpha, input.index)) {
       values.push_back(exact_value(y));
       if (input.index == 0) continue;  // t_0 = 0 and s_0 = L whatever alpha
-      const cl_RA change = (there[values.size() - 1] - y) / y * cl_RA(cln::ash(cl_I(1), step));
+      const cl_RA change =
+          (there[values.size() - 1] - y) / y * cl_RA(cln::ash(cl_I(1), step_of_angles));
       values.back().condition = reference::nearest<double>(cln::abs(change));
     }
     return values;

@@ -146,7 +146,7 @@ TEST_CASE("what cannot be animated is one line, code 2 and no file", "[exam]") {
   CHECK(folder.names() == before);
 }
 
-TEST_CASE("a GIF of 200 pictures; without gnuplot one line and no file", "[exam]") {
+TEST_CASE("a GIF of 200 pictures, and without gnuplot one line and no file", "[exam]") {
   const TemporaryFolder folder;
   const ProgramRun without = run_program(
       {"animate", scenes + "trajectory_a.toml", "--gif", folder / "a.gif", "-o", folder / "a.html"},

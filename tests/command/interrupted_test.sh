@@ -45,6 +45,24 @@ run "$program" ratios --count 40 -o "$scratch/place/ratios"
 check "the next to write it is right" cmp "$scratch/whole" "$scratch/place/ratios"
 check "and uses up what the killed one left" holds_only "$scratch/place" ratios
 
+# A folder for temporary files: here while somebody's function is compiled.
+if type -P c++ >/dev/null; then
+  for signal in TERM HUP; do
+    fresh
+    TMPDIR=$scratch/place "$program" report --quick --no-growth --evaluators fast \
+      --function "$sources/tutorials/13_speed_and_error/exercises/beat_us/solution/answer.cpp" >/dev/null 2>"$scratch/errors" &
+    until compgen -G "$scratch/place/magicmass-*" >/dev/null || ! kill -0 $! 2>/dev/null; do sleep 0.01; done
+    check "SIG$signal: there is a folder for temporary files" compgen -G "$scratch/place/magicmass-*" >/dev/null
+    kill -$signal $!
+    wait $! 2>/dev/null || true
+    for _ in {1..100}; do
+      holds_only "$scratch/place" && break
+      sleep 0.05
+    done
+    check "SIG$signal: it is gone afterwards" holds_only "$scratch/place"
+  done
+fi
+
 # A part file that somebody is writing is left alone.
 if type -P flock >/dev/null; then
   fresh

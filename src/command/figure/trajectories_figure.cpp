@@ -13,8 +13,8 @@
 namespace magicmass::command {
 namespace {
 
-constexpr double begin = -1.0;  // in L/V, one before the first collision
-constexpr double end = 5.5;     // a good L/V after the last collision of each panel
+constexpr double begin = -1.0;     // in L/V, one before the first collision
+constexpr double last_time = 5.5;  // a good L/V after the last collision of each panel
 
 struct Panel {
   std::string name;
@@ -66,7 +66,7 @@ void add_panel(Figure& figure, const Panel& panel) {
     const double b = with_A ? fast::velocities(alpha, j / 2).b : now.b;
     motion.set_velocities({now.a, b, with_A ? now.c : now.c_prime});
   }
-  motion.move_to(end);
+  motion.move_to(last_time);
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ Figure trajectories_figure() {
           "set ylabel 'x / L'\nset label 2 'A' at -0.45,-0.75\nset label 3 'B' at -0.6,1.4\n"
           "set label 4 'C' at -0.8,0.35\n"
           "set multiplot layout 3,1 margins 0.1,0.97,0.08,0.97 spacing 0.03,0.025\n",
-          begin, end)};
+          begin, last_time)};
   const std::array<Panel, 3> panels = {
       {{"a", "α = α_3 = {:.4f}", Magic{3}}, {"b", "α = {:.2f}", 0.12}, {"c", "α = {:.2f}", 0.10}}};
   for (const Panel& panel : panels) {

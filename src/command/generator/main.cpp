@@ -7,7 +7,7 @@
 
 #include "codegen/generate.hpp"
 #include "command/generated_tree.hpp"
-#include "command/part_file.hpp"
+#include "command/leftover.hpp"
 #include "derivation/derivation.hpp"
 #include "magicmass/errors.hpp"
 
@@ -18,7 +18,7 @@ int main(int arguments, char** values) {
     std::fputs("Example: magicmass_generator --out generated\n", stderr);
     return 2;
   }
-  command::remove_part_files_on_signals();
+  command::remove_leftovers_on_signals();
   try {
     const derivation::Derivation derivation = derivation::derive();
     if (derivation.refused) {

@@ -39,7 +39,7 @@ std::string value(const OptionText& text) {
   return "";
 }
 
-std::string names(const OptionText& option) {
+std::string fish_names(const OptionText& option) {
   std::string text;
   for (const std::string& name : option.names)
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
@@ -59,7 +59,8 @@ std::string lines_of(const CommandText& command, const std::string& program) {
       lines += start + " -F\n";
   }
   for (const OptionText& option : command.options)
-    lines += start + names(option) + value(option) + " -d " + shell_quoted(option.words) + "\n";
+    lines +=
+        start + fish_names(option) + value(option) + " -d " + shell_quoted(option.words) + "\n";
   return lines;
 }
 

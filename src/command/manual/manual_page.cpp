@@ -60,7 +60,7 @@ std::string synopsis(const CommandText& command) {
   return ".SH SYNOPSIS\n" + line + "\n";
 }
 
-std::string names(const OptionText& option) {
+std::string page_names(const OptionText& option) {
   std::string line;
   for (const std::string& name : option.names) line += (line.empty() ? "" : ", ") + bold(name);
   return option.value.empty() ? line : line + " " + italic(option.value);
@@ -110,7 +110,7 @@ std::string manual_page(const CommandText& command, const std::string& version) 
   for (const OptionText& text : command.arguments)
     page += entry(italic(text.names.front()), text.words);
   page += ".SH OPTIONS\n";
-  for (const OptionText& option : command.options) page += entry(names(option), option.words);
+  for (const OptionText& option : command.options) page += entry(page_names(option), option.words);
   if (!command.commands.empty()) page += ".SH COMMANDS\n";
   for (const CommandText& below : command.commands)
     if (!below.is_hidden) page += entry(bold(below.last_word()), below.summary);

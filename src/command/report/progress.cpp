@@ -17,6 +17,8 @@ volatile std::sig_atomic_t interrupted = 0;
 
 volatile std::sig_atomic_t interrupted_at = 0;  // seconds
 
+struct sigaction action_before {};  // what SIGINT does otherwise
+
 // The first asks for an end, another ends the program at once; but one keystroke may come twice, from the terminal and
 // from a program that passes it on.
 void on_interrupt(int) {
@@ -24,7 +26,7 @@ void on_interrupt(int) {
   ::clock_gettime(CLOCK_MONOTONIC, &now);
   const auto seconds = static_cast<std::sig_atomic_t>(now.tv_sec);
   if (interrupted != 0 && seconds - interrupted_at > 1) {
-    std::signal(SIGINT, SIG_DFL);
+    ::sigaction(SIGINT, &action_before, nullptr);
     std::raise(SIGINT);
   }
   if (interrupted == 0) interrupted_at = seconds;
@@ -37,12 +39,12 @@ Progress::Progress() : is_shown_(::isatty(STDERR_FILENO) != 0) {
   struct sigaction action {};
   action.sa_handler = on_interrupt;
   action.sa_flags = SA_RESTART;  // a pipe to a peer is read on
-  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGINT, &action, &action_before);
 }
 
 Progress::~Progress() {
   clear();
-  std::signal(SIGINT, SIG_DFL);
+  ::sigaction(SIGINT, &action_before, nullptr);
 }
 
 bool Progress::step(const std::string& words, double done) {
@@ -64,7 +66,7 @@ void Progress::clear() {
 bool Progress::was_interrupted() { return interrupted != 0; }
 
 void Progress::end_as_interrupted() {
-  std::signal(SIGINT, SIG_DFL);
+  ::sigaction(SIGINT, &action_before, nullptr);
   std::raise(SIGINT);
   std::_Exit(130);
 }

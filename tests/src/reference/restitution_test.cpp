@@ -121,7 +121,7 @@ TEST_CASE("irrational mass ratios count, unless they are on a threshold", "[exam
   CHECK_THROWS_AS(count_collisions(Magic{3}, 1), Undecided);
 }
 
-TEST_CASE("restitution outside (0, 1] is refused", "[exam]") {
+TEST_CASE("a restitution that is not above 0, or above 1, is refused", "[exam]") {
   for (const cl_RA& e : {cl_RA(0), cl_RA(-1) / 2, cl_RA(11) / 10})
     CHECK_THROWS_WITH(count_collisions(0.5, e), Catch::Contains("above 0 and at most 1"));
   CHECK_THROWS_AS(count_collisions(-0.5, cl_RA(1)), InvalidInput);

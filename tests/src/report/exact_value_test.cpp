@@ -57,7 +57,7 @@ TEST_CASE("the envelope is what rounding alpha costs", "[exam]") {
   CHECK(found.over_envelope == Approx(found.ulp / 50));
 }
 
-TEST_CASE("an exact zero has no ulp; anything else there has a wrong sign", "[exam]") {
+TEST_CASE("an exact zero has no ulp, and anything else there has a wrong sign", "[exam]") {
   ExactValue zero = exact_value(0);
   zero.scale = 1;
   CHECK(deviation(0.0, zero).correctly_rounded);

@@ -48,7 +48,7 @@ TEST_CASE("the root's condition stays", "[exam]") {
         std::vector<std::string>{"x^2 = 0"});
 }
 
-TEST_CASE("angles in [0, pi] are compared by their cosines", "[exam]") {
+TEST_CASE("angles from 0 to pi are compared by their cosines", "[exam]") {
   Kernel kernel = new_kernel();
   kernel.definition({.id = "psi", .statement = {psi, 2 * atan(sqrt(alpha))}});
   const Theorem lighter =
