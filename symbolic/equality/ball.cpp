@@ -85,8 +85,13 @@ std::optional<Ball> BallArithmetic::cosine(const Ball& x) const {
   return rounded(cln::cos(x.middle), x.radius + unit_ * (cln::abs(x.middle) + 1));
 }
 
+// 1/(1 + x^2) at the end next to 0 bounds the slope: of a huge x the arctangent is known better than x.
 Ball BallArithmetic::arctangent(const Ball& x) const {
-  return rounded(cln::cl_float(cln::atan(x.middle), format_), x.radius);
+  const cln::cl_F nearest = cln::abs(x.middle) - x.radius;
+  const cln::cl_F one = cln::cl_float(1, format_);
+  const bool is_beyond_one = cln::abs(x.middle) > x.radius + x.radius && nearest > one;
+  return rounded(cln::cl_float(cln::atan(x.middle), format_),
+                 is_beyond_one ? x.radius / (nearest * nearest) : x.radius);
 }
 
 std::optional<Ball> BallArithmetic::exponential(const Ball& x) const {

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "equality/evaluate.hpp"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
+#include <cln/real.h>
 
 #include "equality/constant.hpp"
 #include "equality/parse.hpp"
@@ -27,7 +30,24 @@ TEST_CASE("values are enclosed", "[exam]") {
   CHECK(value("acos(0)", 20) == "1.5707963267948966192");
   CHECK(value("asin(1)", 20) == "1.5707963267948966192");
   CHECK(value("atan(1)", 20) == "0.78539816339744830962");
+  CHECK(value("atan(sqrt(2)*10^200)", 20) ==
+        "1.5707963267948966192");  // pi/2, though of sqrt(2) 10^200 no unit is known
   CHECK(value("10^30", 10) == "1.000000000e30");
+}
+
+TEST_CASE("the arctangent of a ball encloses those of its ends", "[exam]") {
+  const BallArithmetic arithmetic(30);
+  const auto at = [&](double x) { return cln::cl_float(x, cln::float_format(30)); };
+  for (const double middle : {-40.0, -1.5, 0.0, 0.5, 1.25, 3.0, 10.0, 1e6, 1e300})
+    for (const double part : {1e-3, 0.4, 0.49, 0.51, 2.0}) {
+      const double radius = part * (middle == 0 ? 1 : std::fabs(middle));
+      const Ball angle = arithmetic.arctangent({at(middle), at(radius)});
+      for (const double end : {middle - radius, middle + radius}) {
+        INFO(middle << " +- " << radius);
+        const cln::cl_F there = cln::cl_float(cln::atan(at(end)), cln::float_format(30));
+        CHECK(cln::abs(angle.middle - there) <= angle.radius);
+      }
+    }
 }
 
 TEST_CASE("digits that are not certain are not shown", "[exam]") {
