@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -89,6 +90,19 @@ void look_at_targets(const ReportRequest& request, const std::vector<Task>& task
   measurement.targets = report::judged(figures);
 }
 
+/// Contestants that are made from the theorems, peers, and the exact values of quantities that are known from the tables alone.
+bool needs_derivation(const ReportRequest& request) {
+  std::set<std::string> generated;
+  for (const std::string& quantity : asked_quantities(request)) {
+    if (!report::quantity_named(quantity).is_known) return true;
+    for (const Contestant& one : report::contestants(quantity)) generated.insert(one.name);
+  }
+  const auto& names = request.evaluators;
+  return request.peers || names.empty() ||
+         !std::all_of(names.begin(), names.end(),
+                      [&](const std::string& name) { return generated.contains(name); });
+}
+
 /// Were families, evaluators or quantities named, the simulator's events were not.
 bool is_everything(const ReportRequest& request) {
   return request.families.empty() && request.evaluators.empty() && request.quantities.empty();
@@ -147,9 +161,11 @@ const report::ErrorRow& Entry::worst() const {
 Measurement measure(const ReportRequest& request, Progress& progress) {
   Measurement measurement;
   measurement.provenance = provenance();
-  progress.step("deriving", 0.0);
-  const std::vector<DerivedForm> forms =
-      forms_from_derivation(asked_quantities(request), measurement.remarks);
+  std::vector<DerivedForm> forms;
+  if (needs_derivation(request)) {
+    progress.step("deriving", 0.0);
+    forms = forms_from_derivation(asked_quantities(request), measurement.remarks);
+  }
   const std::vector<Task> tasks =
       report_tasks(request, further_contestants(forms, request, measurement.remarks));
   if (!report::has_sleef())
