@@ -10,7 +10,7 @@ namespace magicmass::report {
 namespace {
 
 constexpr std::int64_t largest_k = 1000000;
-constexpr double largest = std::numeric_limits<double>::max();
+constexpr double largest_double = std::numeric_limits<double>::max();
 constexpr double smallest_normal = std::numeric_limits<double>::min();
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 /// The thresholds closest to a double, near alpha_539 and beta_19530.
@@ -21,7 +21,7 @@ void add_neighbours(std::vector<Alpha>& all, double x, std::int64_t k, int reach
   for (int step = 0; step < reach; ++step) x = std::nextafter(x, 0.0);
   for (int step = -reach; step <= reach; ++step) {
     all.push_back({x, k});
-    x = std::nextafter(x, largest);
+    x = std::nextafter(x, largest_double);
   }
 }
 
@@ -93,8 +93,8 @@ std::vector<Alpha> subnormal(PortableRandom& random, std::size_t size) {
 }
 
 std::vector<Alpha> huge(PortableRandom& random, std::size_t size) {
-  std::vector<Alpha> all{{largest}, {0x1p1023}, {1e155}, {1e154}, {0x1p512}, {1e16}};
-  while (all.size() < size) all.push_back({random.log_uniform(1e3, largest)});
+  std::vector<Alpha> all{{largest_double}, {0x1p1023}, {1e155}, {1e154}, {0x1p512}, {1e16}};
+  while (all.size() < size) all.push_back({random.log_uniform(1e3, largest_double)});
   all.resize(size);
   return all;
 }
@@ -112,7 +112,7 @@ std::vector<Alpha> wide(PortableRandom& random, std::size_t size) {
 }
 
 std::vector<Alpha> any(PortableRandom& random, std::size_t size) {
-  return drawn(size, [&] { return random.ordinal(smallest, largest); });
+  return drawn(size, [&] { return random.ordinal(smallest, largest_double); });
 }
 
 std::vector<Alpha> everyday(PortableRandom& random, std::size_t size) {
