@@ -8,7 +8,8 @@
 
 namespace magicmass::command {
 
-/// A new folder among the temporary files, gone with the object, and with SIGINT, SIGTERM and SIGHUP. Throws InvalidInput where none can be made.
+/// A new folder among the temporary files, gone with the object, and with SIGINT, SIGTERM and SIGHUP.
+/// Throws InvalidInput where none can be made.
 class ScratchFolder {
 public:
   ScratchFolder();
