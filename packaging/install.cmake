@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-2.0-or-later
 # cmake --install, what find_package and pkg-config find there, and the Debian packages that cpack makes of it.
 # Components: development (headers, libraries) and program. Version, name and description are project()'s, in
-# ../CMakeLists.txt; nothing repeats them.
+# ../CMakeLists.txt; examples ask for a version of their own, as any project does.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)

@@ -10,7 +10,7 @@ class App;
 
 namespace magicmass::command {
 
-/// fast: tier fast at the nearest double. accurate: the double nearest to the value at alpha as it is written, counts of any size.
+/// fast: tier fast at the nearest double. accurate: the double nearest to the value at alpha as it is written.
 /// exact: p/q, or `digits` certified decimal digits.
 struct Accuracy {
   std::string tier;           ///< "fast", "accurate" or "exact"

@@ -63,7 +63,8 @@ void add_count(Program& program) {
   add_output_options(command, options->output);
   command.footer(
       "near_tie: long double could not have told the count. distance is\n"
-      "(alpha - threshold)/threshold; both are null where alpha is no double.");
+      "(alpha - threshold)/threshold. All three are null where alpha is neither a\n"
+      "double nor a threshold, and where the counts do not fit 64 bits.");
   on_run(program, command, [options] {
     std::vector<std::string> columns{"alpha", "N_A", "N_B"};
     if (options->near_tie) columns.insert(columns.end(), {"near_tie", "threshold", "distance"});

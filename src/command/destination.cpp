@@ -28,6 +28,10 @@ std::string behind_links(const std::string& path) {
 
 }  // namespace
 
+std::string words_of(const std::filesystem::filesystem_error& error) {
+  return shown_text(error.path1().string(), 300) + ": " + error.code().message();
+}
+
 Destination::Destination(const std::string& path) : name_("stdout") {
   if (path.empty()) return;
   name_ = shown_text(path, 200);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,9 @@ namespace magicmass::command {
 
 /// The reader of stdout went away: nothing more to do, and no error.
 class ClosedPipe : public std::exception {};
+
+/// What the system says of a path, in one line: "PATH: File name too long".
+std::string words_of(const std::filesystem::filesystem_error& error);
 
 /// Where data go: stdout, or a file that appears whole or not at all. It is written to a part file beside it
 /// and renamed by finish(). What exists and is no regular file

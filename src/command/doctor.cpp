@@ -28,10 +28,11 @@ struct Tool {
 
 /// Nothing here is needed to derive, prove, evaluate or simulate.
 constexpr std::array<Tool, 10> tools{{
-    {"compiler", "c++ g++ clang++", "compiling generated headers", "g++"},
+    {"compiler", "c++", "learn's exercises in C++, report --function, generated headers", "g++"},
     {"cmake", "cmake", "building magicmass and what uses it", "cmake"},
     {"pkg-config", "pkg-config pkgconf", "compiling without CMake", "pkg-config"},
-    {"gnuplot", "gnuplot", "figure, reproduce, demo, animate --gif", "gnuplot-nox"},
+    {"gnuplot", "gnuplot", "figure, report --figures, reproduce, demo, animate --gif",
+     "gnuplot-nox"},
     {"pandoc", "pandoc", "derive --format markdown as other documents", "pandoc"},
     {"pdflatex", "pdflatex", "derive --format latex as PDF", "texlive-latex-base"},
     {"doxygen", "doxygen", "the reference of the library's headers", "doxygen"},

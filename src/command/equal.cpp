@@ -135,12 +135,7 @@ ExitCode equal(EqualOptions& options) {
   options.question.lhs = expression(options.left);
   options.question.rhs = expression(options.right);
   Destination output(options.output.path);
-  Verdict verdict;
-  try {
-    verdict = equality::answer_within(options.question);
-  } catch (const equality::Refused& error) {
-    throw InvalidInput(error.what());
-  }
+  const Verdict verdict = equality::answer_within(options.question);
   output.write(options.output.format == "json" ? json(verdict) : page(verdict));
   output.finish();
   return exit_code(verdict.answer);

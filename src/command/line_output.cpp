@@ -69,9 +69,6 @@ void as_json_lines(const Scene& scene, const reference::ExactLine& line,
   writer.write("{\"result\": " + line_json(scene, result) + "}}\n");
 }
 
-/// Text and JSON are kept until the run is over: rows for a gigabyte or so.
-constexpr std::int64_t most_kept = 4'000'000;
-
 /// The same run, but of no more events than have room.
 reference::SceneOptions with_room(const Scene& scene, reference::SceneOptions options) {
   if (!wants(scene, Output::events) && !wants(scene, Output::trajectory)) return options;

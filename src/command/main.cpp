@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -90,6 +91,8 @@ int main(int argc, char** argv) {
     code = ExitCode::done;
   } catch (const magicmass::InvalidInput& error) {
     code = say(error.what(), ExitCode::bad_input);
+  } catch (const std::filesystem::filesystem_error& error) {
+    code = say(words_of(error), ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
     code = say("the answer does not fit into memory", ExitCode::undecided);
   } catch (

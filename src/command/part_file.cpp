@@ -31,12 +31,17 @@ bool PartFile::take(int number) {
   struct stat held {};
   struct stat named {};
   // Its writer may have renamed it, and be gone, since it was opened: then it is the target.
-  if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor_, &held) == 0 &&
-      ::lstat(name_.c_str(), &named) == 0 && held.st_ino == named.st_ino &&
-      held.st_dev == named.st_dev && S_ISREG(held.st_mode) && ::ftruncate(descriptor_, 0) == 0)
+  const bool is_locked = ::flock(descriptor_, LOCK_EX | LOCK_NB) == 0;
+  if (is_locked && ::fstat(descriptor_, &held) == 0 && ::lstat(name_.c_str(), &named) == 0 &&
+      held.st_ino == named.st_ino && held.st_dev == named.st_dev && S_ISREG(held.st_mode) &&
+      ::ftruncate(descriptor_, 0) == 0)
     return true;
+  const int error = errno;
+  const bool cannot_be_locked = !is_locked && error != EWOULDBLOCK;
+  if (cannot_be_locked) ::unlink(name_.c_str());
   ::close(descriptor_);
   descriptor_ = -1;
+  if (cannot_be_locked) fail(error);
   return false;
 }
 

@@ -13,7 +13,7 @@
 #include "command/program.hpp"
 #include "command/ratio_forms.hpp"
 #include "command/records.hpp"
-#include "magicmass/ratios_product.hpp"
+#include "magicmass/accurate.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -30,14 +30,12 @@ struct Row {
   Cell magic, deficient;
 };
 
-/// Computed in long double and rounded once, so within 1 ulp of the double nearest to the ratio.
 Row row(std::int64_t k, std::optional<int> digits) {
   if (digits)
     return {text_cell(reference::ratio_digits(Magic{k}, *digits)),
             text_cell(reference::ratio_digits(Deficient{k}, *digits))};
-  const generated::Ratios<long double> ratios = generated::ratios_product<long double>(k);
-  return {number_cell(static_cast<double>(ratios.magic)),
-          number_cell(static_cast<double>(ratios.deficient))};
+  const generated::Ratios<double> ratios = accurate::ratios(k);
+  return {number_cell(ratios.magic), number_cell(ratios.deficient)};
 }
 
 void write_text(Destination& output, const RatiosOptions& options, std::optional<int> digits) {

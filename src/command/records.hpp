@@ -15,6 +15,9 @@ class App;
 
 namespace magicmass::command {
 
+/// So many rows are kept until a run is over, where they are not written as they come: a gigabyte or so.
+inline constexpr std::int64_t most_kept = 4'000'000;
+
 /// --format and -o of a command.
 struct OutputOptions {
   std::string format = "text";

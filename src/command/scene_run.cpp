@@ -22,8 +22,6 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 
-constexpr std::int64_t most_kept = 4'000'000;
-
 Cell cell(double value) { return number_cell(value); }
 Cell cell(const cl_RA& value) { return text_cell(reference::to_text(value)); }
 

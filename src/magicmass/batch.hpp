@@ -3,7 +3,8 @@
 // modified but the outputs. Spans may be of any length and alignment, but all of a call have the same size, and
 // outputs overlap neither each other nor an input: else InvalidInput is thrown and nothing is written.
 // An input without an answer (alpha not positive and finite, n negative) gets NaN, or -1 for a count, in its
-// place. The last argument is for tests and measurements; results are the same bits with every instruction set.
+// place. The last argument is for tests and measurements; results are the same bits with every instruction set, and
+// InvalidInput is thrown where the machine does not have it.
 #pragma once
 
 #include <cstdint>

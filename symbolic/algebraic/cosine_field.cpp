@@ -36,8 +36,6 @@ CosineField::CosineField(long m) : m_(m), minimal_(cosine_polynomial(m)) {
 
 long CosineField::representative(long j) const { return std::min(j % m_, m_ - j % m_); }
 
-long CosineField::composed(long first, long second) const { return representative(first * second); }
-
 CosineField::Element CosineField::number(const cl_RA& value) const {
   Element result(static_cast<std::size_t>(minimal_.degree()));
   result[0] = value;

@@ -16,8 +16,6 @@ public:
   explicit CosineField(long m);
 
   const std::vector<long>& automorphisms() const { return automorphisms_; }
-  /// First `second`, then `first`.
-  long composed(long first, long second) const;
 
   Element number(const cln::cl_RA& value) const;
   const Element& generator() const { return powers_[1]; }

@@ -103,6 +103,12 @@ long constructible_degree(long n) {
   return n == 1 ? totient / 2 : 0;
 }
 
+void require_polygon(long n) {
+  if (n < 3)
+    throw InvalidInput("sec(pi/n) is asked for with n = " + std::to_string(n) +
+                       "; n must be 3 or more");
+}
+
 /// 2 cos(pi/n), constructible: halvings of the last angle whose field is small enough to be split.
 std::optional<Surd> twice_cosine(long n) {
   if (constructible_degree(n) > largest_split_degree) {
@@ -128,12 +134,13 @@ std::optional<Form> shortest(long n) {
 }  // namespace
 
 // A Fermat prime beyond the five known ones has more than 10^9 digits, so constructible_degree misses no long.
-bool real_radicals_exist(long n) { return constructible_degree(n) > 0; }
+bool real_radicals_exist(long n) {
+  require_polygon(n);
+  return constructible_degree(n) > 0;
+}
 
 std::optional<std::string> secant_radicals(long n) {
-  if (n < 3)
-    throw InvalidInput("sec(pi/n) - 1 is asked for with n = " + std::to_string(n) +
-                       "; n must be 3 or more");
+  require_polygon(n);
   if (n == 3) return "1";
   // Each halving nests the roots once more.
   const long degree = constructible_degree(n);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebraic/ratio_polynomials.hpp"
 
+#include <string>
+
 #include "algebraic/cosine_polynomial.hpp"
 #include "magicmass/errors.hpp"
 
@@ -10,6 +12,9 @@ namespace magicmass::algebraic {
 // P's coefficients times powers of 2, in reverse order, shifted by 1. The ratio is of the same degree as y, since each
 // is a rational function of the other; hence this is irreducible over the rational numbers.
 Polynomial secant_polynomial(long m) {
+  if (m < 1)
+    throw InvalidInput("sec(2 pi/m) is asked for with m = " + std::to_string(m) +
+                       "; m must be 1 or more");
   if (m == 4) throw InvalidInput("sec(pi/2) does not exist: m must not be 4");
   Polynomial scaled = cosine_polynomial(m);
   for (std::size_t i = 0; i < scaled.coefficients.size(); ++i)
@@ -17,8 +22,22 @@ Polynomial secant_polynomial(long m) {
   return primitive(shifted_by_one(reversed(std::move(scaled))));
 }
 
-Polynomial magic_polynomial(long k) { return secant_polynomial(2 * (2 * k + 1)); }
+namespace {
 
-Polynomial deficient_polynomial(long k) { return secant_polynomial(4 * (k + 1)); }
+void require_positive(long k) {
+  if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
+}
+
+}  // namespace
+
+Polynomial magic_polynomial(long k) {
+  require_positive(k);
+  return secant_polynomial(2 * (2 * k + 1));
+}
+
+Polynomial deficient_polynomial(long k) {
+  require_positive(k);
+  return secant_polynomial(4 * (k + 1));
+}
 
 }  // namespace magicmass::algebraic

@@ -21,7 +21,7 @@ std::string meaning_as_printed(const std::string& name);
 // What is assumed of a symbol where nothing is said: "0 < alpha", "n integer, n >= 1"; empty: real.
 std::string usual_condition(const std::string& name);
 
-// A name of the paper that is one letter away from a name that is none; empty where there is none.
+// A name of the paper that is one letter away, of more than four letters two, from a name that is none; empty where there is none.
 std::string nearest_paper_name(const std::string& name);
 
 // The paper's equations that define names: (name, label).

@@ -41,7 +41,7 @@ struct TheoremIndex {
 /// Made from the steps' labels.
 TheoremIndex theorem_index(const std::vector<proof::Step>& steps);
 
-/// "same as eq:ac", the reason why nothing claims it, or "not proved yet"; empty for what is proved under its own label.
+/// "the same as eq:ac", "not claimed: " and why, or "not proved yet"; empty for what is proved under its own label.
 std::string remark(const IndexedEquation& indexed);
 
 std::string index_text(const TheoremIndex& index, const TextStyle& style);  ///< 80 columns

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What a student hands in: an expression, or a matrix of them, and how it is shown to them.
+// What a student hands in: an expression, a matrix of them, or lines of a derivation, and how it is shown to them.
 #include "command/learn/expressions.hpp"
+#include "command/learn/judgement.hpp"
 #include "equality/form.hpp"
 #include "equality/tokens.hpp"
 #include "equality/typed_text.hpp"
@@ -27,11 +28,36 @@ void read(const std::string& typed) {
   }
 }
 
+/// An expression that is derived line by line, and an equation.
+std::vector<command::Posed> derivations() {
+  command::Posed chain;
+  chain.exercise.shape = command::Shape::derivation;
+  chain.exercise.start = "cos(psi)";
+  chain.exercise.form = "no trigonometric functions";
+  command::Posed equations;
+  equations.exercise.shape = command::Shape::equations;
+  equations.exercise.truth = {{"v", "n - alpha"}};
+  equations.solution = "v = n - alpha";
+  return {chain, equations};
+}
+
+void judge(const std::string& typed) {
+  static const std::vector<command::Posed> all = derivations();
+  for (const command::Posed& posed : all) {
+    try {
+      fuzz::require(!command::judge_lines(posed, typed, {}).said.empty(), "nothing is said");
+    } catch (const NotUnderstood& refusal) {
+      fuzz::require_one_line(refusal);
+    }
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string typed = fuzz::text_of(data, size);
   read(typed);
+  judge(typed);
   try {
     for (const auto& row : equality::matrix_entries(typed))
       for (const std::string& entry : row) read(entry);

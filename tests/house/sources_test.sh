@@ -25,6 +25,7 @@ declare -A may_include=(
   [reference]='runtime errors cln library'
   [equality]='algebraic proof derivation errors ginac cln library'
   [course]='proof derivation render library'
+  [exercise]='generated'
   [tutorial]='proof derivation codegen generated errors runtime reference ginac cln library'
   [report]='generated errors runtime reference cln library'
   [command]='algebraic proof derivation equality codegen render generated errors runtime reference report ginac cln library'
@@ -44,6 +45,7 @@ part_of() { # file of the repository
     src/command/*) part="command" ;;
     tutorials/course/*) part=course ;;
     tutorials/*/tutorial.cpp) part=tutorial ;;
+    tutorials/*/exercises/* | tutorials/exercise_driver.hpp) part=exercise ;;
     *) part=other ;;
   esac
 }
@@ -121,6 +123,7 @@ check_includes() {
     case $path in
       ginac/* | ginac.h) part=ginac ;;
       cln/*) part=cln ;;
+      program_before.hpp) part=exercise ;; # written beside the driver of an exercise on passes
       *) if [[ -n $found ]]; then part_of "$found"; elif [[ $path == *[./]* ]]; then part=library; else continue; fi ;;
     esac
     if [[ ${part%-header} != "${from%-header}" && " ${may_include[$from]} " != *" ${part%-header} "* ]]; then
@@ -258,6 +261,7 @@ refused "generated may not include library: fmt/core.h" generated/magicmass/coun
 refused "generated may not include errors: magicmass/errors.hpp" generated/magicmass/counts.hpp MIT '#include "magicmass/errors.hpp"'
 
 refused "course may not include ginac: ginac/ginac.h" tutorials/course/pages.cpp $gpl '#include <ginac/ginac.h>'
+refused "exercise may not include runtime: magicmass/terminal.hpp" tutorials/01_contact/exercises/collide/driver.cpp $gpl '#include "magicmass/terminal.hpp"'
 refused "tutorial may not include report: report/oracle.hpp" tutorials/01_contact/tutorial.cpp $gpl '#include "report/oracle.hpp"'
 
 good_tree

@@ -38,15 +38,18 @@ std::vector<double> ratio_grid(double first, double last, int steps) {
   return grid;
 }
 
+double last_where(double first, double last, const std::function<bool(double)>& holds) {
+  while (std::nextafter(first, last) < last) {
+    const double middle = std::midpoint(first, last);
+    (holds(middle) ? first : last) = middle;
+  }
+  return first;
+}
+
 double last_collapse(double e) {
   const cln::cl_RA exact_e = reference::exact(e);
-  double collapses = 1e-40;
-  double ending = 1.0;
-  while (std::nextafter(collapses, ending) < ending) {
-    const double middle = std::midpoint(collapses, ending);
-    (reference::count_collisions(middle, exact_e) ? ending : collapses) = middle;
-  }
-  return collapses;
+  return last_where(1e-40, 1.0,
+                    [&](double alpha) { return !reference::count_collisions(alpha, exact_e); });
 }
 
 }  // namespace magicmass::command

@@ -2,6 +2,7 @@
 // The mass ratios at which figures are evaluated.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "magicmass/scenes/mass_ratio.hpp"
@@ -15,7 +16,10 @@ std::vector<MassRatio> thresholds(double first, double last);
 /// same on every machine. With them the doubles nearest to the thresholds, where curves have their corners. Ascending.
 std::vector<double> ratio_grid(double first, double last, int steps);
 
-/// The largest double at which equal blocks collapse, for 0.5 <= e < 1: bisection with exact decisions.
+/// The largest double at which `holds`, by bisection: it does at `first`, not at `last`, and changes once.
+double last_where(double first, double last, const std::function<bool(double)>& holds);
+
+/// The largest double at which equal blocks collapse, for 0.5 <= e < 1: each decision is exact.
 double last_collapse(double e);
 
 }  // namespace magicmass::command

@@ -17,7 +17,8 @@ namespace magicmass::command {
 namespace {
 
 constexpr std::chrono::milliseconds compile_time{6000};
-constexpr std::chrono::milliseconds run_time{3000};  // together below the 10 s that are promised
+constexpr std::chrono::milliseconds run_time{
+    3000};  // with compiling below the 10 s that are promised for a loop
 constexpr int compiler_missing = 127;
 
 std::string input_text(const std::vector<std::vector<double>>& inputs) {
@@ -125,8 +126,8 @@ std::string why_stopped(const ProcessEnd& end) {
                        run_time.count() / 1000);
   if (end.is_verbose) return "it wrote more than 1 MiB of output";
   if (end.signal == SIGSYS || end.signal == SIGXFSZ)
-    return "it tried to write a file, to start another program or to use the network, and an "
-           "exercise may only compute";
+    return "it tried to write a file, to start another program, to disturb one or to use the "
+           "network, and an exercise may only compute";
   if (had_no_memory) return "it asked for more memory than the 512 MiB it may have";
   if (end.signal == SIGSEGV || end.signal == SIGBUS)
     return "it crashed: it used memory that is not its own, or called itself without end";

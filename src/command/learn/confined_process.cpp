@@ -51,22 +51,24 @@ void limit(int resource, rlim_t value) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
 }
 
-void apply(const ProcessLimits& limits) {
+/// False where the system cannot.
+bool apply(const ProcessLimits& limits) {
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, static_cast<rlim_t>(limits.time.count() / 1000 + 1));
   if (limits.memory > 0) limit(RLIMIT_AS, limits.memory);
   limit(RLIMIT_NOFILE, 64);
   if (!limits.is_computing_only) {
     limit(RLIMIT_FSIZE, rlim_t{64} << 20U);
-    return;
+    return true;
   }
   limit(RLIMIT_FSIZE, 0);
   limit(RLIMIT_NPROC, 0);
   limit(RLIMIT_MSGQUEUE, 0);
-  allow_computing_only();
+  return allow_computing_only();
 }
 
-/// What the child needs, made before fork: between fork and exec there is nothing but system calls.
+/// What the child needs, made before fork: between fork and exec there is nothing but system calls, and the few words
+/// of memory that their filter is made in.
 struct Start {
   std::vector<char*> arguments;
   const char* folder;
@@ -75,7 +77,7 @@ struct Start {
 };
 
 [[noreturn]] void become(const Start& start) {
-  ::setpgid(0, 0);
+  ::setsid();  // a process group of its own, and no terminal to type into
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   std::signal(SIGPIPE, SIG_DFL);
   const int results = ::fcntl(start.results, F_DUPFD, 10);  // out of the way of 0 to 3
@@ -84,8 +86,7 @@ struct Start {
       ::dup2(results, results_descriptor) < 0)
     ::_exit(not_started);
   ::close(results);
-  apply(start.limits);
-  ::execvp(start.arguments.front(), start.arguments.data());
+  if (apply(start.limits)) ::execvp(start.arguments.front(), start.arguments.data());
   ::_exit(not_started);
 }
 
@@ -153,6 +154,10 @@ int memory_file(const std::string& content) {
 
 ProcessEnd run_confined(const std::vector<std::string>& words, const std::string& input,
                         const std::filesystem::path& folder, const ProcessLimits& limits) {
+  if (limits.is_computing_only && !can_allow_computing_only())
+    throw std::system_error(
+        ENOSYS, std::generic_category(),
+        "others' code is run with a filter of system calls, which this kernel does not have");
   std::vector<std::string> kept = words;
   const Descriptor in(memory_file(input));
   std::array<int, 2> ends{};
@@ -168,7 +173,6 @@ ProcessEnd run_confined(const std::vector<std::string>& words, const std::string
   const pid_t child = ::fork();
   if (child < 0) no_process("fork");
   if (child == 0) become(start);
-  ::setpgid(child, child);
   output_end.close();
   results_end.close();
   ProcessEnd end;

@@ -14,7 +14,8 @@ struct ProcessLimits {
   std::chrono::milliseconds time{3000};          ///< on the clock; CPU time is bounded by the same
   std::size_t memory = std::size_t{512} << 20U;  ///< bytes of address space; 0: no bound
   std::size_t output = std::size_t{1} << 20U;    ///< bytes that are read from it
-  bool is_computing_only = true;  ///< no file is written, no process started, no network used
+  bool is_computing_only =
+      true;  ///< no file is written, no process started or sent a signal, no network used
 };
 
 struct ProcessEnd {
@@ -32,6 +33,9 @@ struct ProcessEnd {
 /// exit_code 127 where there is no such program. Throws std::system_error where no process is to be had.
 ProcessEnd run_confined(const std::vector<std::string>& words, const std::string& input,
                         const std::filesystem::path& folder, const ProcessLimits& limits);
+
+/// Whether allow_computing_only() can be had here.
+bool can_allow_computing_only();
 
 /// In a child, before exec: from now on the system kills the process (SIGSYS) when it opens a file for writing,
 /// changes a folder, starts a process or uses the network. False where the system has no such filter.

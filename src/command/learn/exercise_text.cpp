@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <sstream>
 
 #include "command/learn/expressions.hpp"
@@ -63,6 +64,16 @@ std::string held(std::string formula) {  // no line ends within a short formula
   return formula;
 }
 
+int number_of_digits(const std::string& text, const std::string& content) {
+  constexpr int most = 100;
+  int digits = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, digits);
+  if (error != std::errc() || rest != end || digits < 1 || digits > most)
+    throw InvalidInput("{{" + content + "}}: a number of digits from 1 to 100 is expected");
+  return digits;
+}
+
 std::string set(const std::string& content, const Posed& posed, const render::TextStyle& style) {
   const auto formula = [&](const std::string& text) {
     return held(shown(read_content(text, "text"), style));
@@ -76,7 +87,7 @@ std::string set(const std::string& content, const Posed& posed, const render::Te
   if (has(content, " : ")) {
     const Marked parts = split_at(content, " : ");
     return digits_of(with_values(read_content(parts.expression, "text"), posed.values),
-                     std::stoi(parts.number), "text");
+                     number_of_digits(parts.number, content), "text");
   }
   if (const auto value = posed.values.find(content); value != posed.values.end())
     return value->second;

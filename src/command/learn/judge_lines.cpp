@@ -27,6 +27,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::vector<std::string> lines_of_answer(const std::string& typed) {
   std::vector<std::string> lines = split(typed, '\n');
   if (lines.size() == 1) lines = split(typed, ';');  // on a command line
+  if (lines.empty()) throw NotUnderstood("there is no line in it");
   if (lines.size() > most_lines) throw NotUnderstood("more than 40 lines");
   return lines;
 }
@@ -78,12 +79,14 @@ Judgement with_misconception(Judgement judgement, const Posed& posed, const Tree
 Judgement judge_chain(const Posed& posed, const std::vector<std::string>& lines,
                       const render::TextStyle& style) {
   const Exercise& exercise = posed.exercise;
-  const std::vector<std::string> allowed = allowed_symbols(posed);
+  const std::vector<std::string> allowed = posed.allowed_symbols();
   Judgement judgement;
   std::vector<std::pair<std::size_t, Tree>> steps;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     std::string read;
-    for (const std::string& part : split(lines[i], '=')) {
+    const std::vector<std::string> parts = split(lines[i], '=');
+    if (parts.empty()) throw NotUnderstood(fmt::format("line {} has nothing beside its =", i + 1));
+    for (const std::string& part : parts) {
       try {
         steps.emplace_back(i + 1, read_answer(part, allowed));
       } catch (const NotUnderstood& error) {
@@ -121,7 +124,7 @@ Judgement judge_chain(const Posed& posed, const std::vector<std::string>& lines,
 Judgement judge_equations(const Posed& posed, const std::vector<std::string>& lines,
                           const render::TextStyle& style) {
   const Exercise& exercise = posed.exercise;
-  const std::vector<std::string> allowed = allowed_symbols(posed);
+  const std::vector<std::string> allowed = posed.allowed_symbols();
   Judgement judgement;
   Tree left, right;
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -53,7 +53,7 @@ Judgement judge_prediction(const Posed& posed, const std::string& typed,
                            const render::TextStyle& style) {
   const Exercise& exercise = posed.exercise;
   if (!exercise.choices.empty()) return judge_choice(posed, typed);
-  const Tree answer = read_answer(typed, allowed_symbols(posed));
+  const Tree answer = read_answer(typed, posed.allowed_symbols());
   const Tree given = with_values(answer, posed.values);
   if (!given->is_constant)
     return unread("a number is expected; " + *equality::symbols_of(given).begin() +

@@ -163,7 +163,7 @@ Entries read_typed(const Posed& posed, const std::string& typed,
 /// An answer with names that are not asked for, such as theta where psi is meant: the misconception that has them.
 std::optional<Judgement> mistaken_names(const Posed& posed, const std::string& typed,
                                         const Entries& solution, const render::TextStyle& style) {
-  std::vector<std::string> allowed = allowed_symbols(posed);
+  std::vector<std::string> allowed = posed.allowed_symbols();
   const std::string place = (posed.exercise.folder / "misconceptions.toml").string();
   for (const Misconception& one : posed.exercise.misconceptions)
     for (const std::string& text : one.answers)
@@ -214,7 +214,7 @@ Judgement judge_symbolic(const Posed& posed, const std::string& typed,
                                 [&](const std::string& text) { return read_content(text, place); });
   Entries answer;
   try {
-    answer = read_typed(posed, typed, allowed_symbols(posed));
+    answer = read_typed(posed, typed, posed.allowed_symbols());
   } catch (const NotUnderstood&) {
     if (const auto mistaken = mistaken_names(posed, typed, solution, style)) return *mistaken;
     throw;

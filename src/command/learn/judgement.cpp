@@ -57,13 +57,6 @@ Judgement unread(const std::string& why) {
   return {.verdict = Judged::unread, .said = "This could not be read: " + why + "."};
 }
 
-std::vector<std::string> allowed_symbols(const Posed& posed) {
-  std::vector<std::string> allowed = posed.exercise.symbols;
-  if (allowed.empty()) return allowed;
-  for (const auto& [name, value] : posed.variant) allowed.push_back(name);
-  return allowed;
-}
-
 Judgement judge(const Posed& posed, const std::string& answer, const render::TextStyle& style) {
   constexpr std::size_t longest = 20000;
   const Exercise& exercise = posed.exercise;

@@ -34,6 +34,14 @@ struct Posed {
   Values variant;
   Values values;  ///< the variant's and those of `run`
   std::string solution;
+
+  /// Those that an answer may have: the exercise's and its variant's names; none: any.
+  std::vector<std::string> allowed_symbols() const {
+    std::vector<std::string> allowed = exercise.symbols;
+    if (!allowed.empty())
+      for (const auto& [name, value] : variant) allowed.push_back(name);
+    return allowed;
+  }
 };
 
 /// Throws InvalidInput where the exercise's files do not give all that.
@@ -59,8 +67,5 @@ std::string without_remarks(const std::string& text);
 std::string capitalised(std::string text);
 
 Judgement unread(const std::string& why);
-
-/// The symbols that an answer may have: those of the exercise and its variant's names; none: any.
-std::vector<std::string> allowed_symbols(const Posed& posed);
 
 }  // namespace magicmass::command

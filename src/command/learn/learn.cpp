@@ -76,8 +76,8 @@ void add_student_commands(Adder& adder) {
       "matrices [[a, b], [c, d]]; derivations a line a step; without one, what your\n"
       "file says. An answer without ID is for the next exercise, which show shows.\n"
       "Exit codes: 0 right, 1 wrong or not in the form asked for, 2 unread,\n"
-      "3 undecided. A function that is checked runs alone: 3 s, 512 MiB, no files, no\n"
-      "network.");
+      "3 undecided. A function that is checked runs alone: 3 s, 512 MiB; it writes\n"
+      "no file, starts no process and has no network.");
   adder.add("hint", "The next of three hints", "magicmass learn hint half_angle", learn_hint);
   adder.id(true, "an exercise").for_student().seed().formats({"text"});
   CLI::App& solution = adder.add("solution", "The solution, after an attempt",

@@ -47,6 +47,10 @@ ExitCode learn_grade(const LearnOptions& options) {
     const fs::path inner = path / "magicmass-exercises";
     std::vector<Cell> verdicts;
     std::int64_t right = 0;
+    const auto leave_unread = [&](const std::string& why) {
+      std::cerr << "magicmass: " + shown_text(why, 1000) + "\n";
+      verdicts.resize(catalogue.exercises().size(), text_cell("unread"));
+    };
     try {
       const StudentFolder student(fs::exists(inner) ? inner : path);
       for (const Exercise& exercise : catalogue.exercises()) {
@@ -55,8 +59,9 @@ ExitCode learn_grade(const LearnOptions& options) {
         verdicts.push_back(text_cell(verdict));
       }
     } catch (const InvalidInput& error) {
-      std::cerr << "magicmass: " + shown_text(error.what(), 1000) + "\n";
-      verdicts.resize(catalogue.exercises().size(), text_cell("unread"));
+      leave_unread(error.what());
+    } catch (const fs::filesystem_error& error) {
+      leave_unread(words_of(error));
     }
     verdicts.insert(verdicts.begin(),
                     {text_cell(path.filename().string()), number_cell(right),

@@ -11,6 +11,7 @@
 #include "command/learn/pass_program.hpp"
 #include "command/learn/variant.hpp"
 #include "magicmass/errors.hpp"
+#include "render/formula_mathml.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -77,8 +78,9 @@ std::string test_case(const ExpectedCase& one, bool is_example) {
 
 std::string fraction_answer(const std::string& fraction, const std::string& text,
                             const std::string& feedback, const std::string& further = "") {
-  return "<answer fraction=\"" + fraction + "\" format=\"html\">\n" + "<text>" + text +
-         "</text>\n" + html_element("feedback", feedback) + further + "</answer>\n";
+  return "<answer fraction=\"" + fraction + "\" format=\"html\">\n" + "<text>" +
+         render::html_escaped(text) + "</text>\n" + html_element("feedback", feedback) + further +
+         "</answer>\n";
 }
 
 const Misconception* about(const Posed& posed, const std::string& answer) {
@@ -95,7 +97,7 @@ std::string choices(const Posed& posed) {
     const Choice& choice = posed.exercise.choices[i];
     const Misconception* one = about(posed, std::string(1, static_cast<char>('a' + i)));
     xml += fraction_answer(holds(choice.when, posed.values, posed.exercise.id) ? "100" : "0",
-                           choice.text, one == nullptr ? "" : one->feedback);
+                           render::html_escaped(choice.text), one == nullptr ? "" : one->feedback);
   }
   return xml;
 }

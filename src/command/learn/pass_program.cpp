@@ -90,7 +90,7 @@ PassProgram made(const GeneratorPass& pass, const std::string& place) {
   const auto theorem = [&](const std::string& id) {
     try {
       return derivation.at(id);
-    } catch (const std::out_of_range&) {
+    } catch (const InvalidInput&) {
       throw InvalidInput(place + ": program: there is no theorem called " + shown_text(id) +
                          "; magicmass derive --list has them");
     }

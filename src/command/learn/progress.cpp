@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const char* const heading =
-    "# magicmass learn: exercise, last verdict, attempts, hints, solution seen (0 or 1)\n";
+    "# magicmass learn: exercise, verdict, attempts, hints, solution seen (0 or 1)\n";
 
 void write_whole(const fs::path& file, const std::string& text) {
   Destination destination(file.string());

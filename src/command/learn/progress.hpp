@@ -12,7 +12,7 @@ namespace magicmass::command {
 
 /// What a student did with one exercise.
 struct Record {
-  std::string verdict = "open";  ///< of the last attempt: open, wrong, undecided, form, right
+  std::string verdict = "open";  ///< right once it was, else of the last attempt: wrong, ...
   long attempts = 0;
   long hints = 0;
   bool has_seen_solution = false;

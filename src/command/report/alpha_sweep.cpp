@@ -5,9 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <variant>
 
+#include "command/alpha_value.hpp"
+#include "command/figure/ratio_grid.hpp"
 #include "magicmass/counts.hpp"
-#include "magicmass/reference/ratios.hpp"
 #include "report/exact_value.hpp"
 #include "report/quantities.hpp"
 
@@ -17,16 +19,6 @@ namespace {
 constexpr double lowest = 0.01;
 constexpr double highest = 1.6;
 const std::string quantity = "velocities";
-
-template <class Ratio>
-std::vector<double> thresholds() {
-  std::vector<double> values;
-  for (std::int64_t k = 1;; ++k) {
-    const auto value = reference::nearest_ratio<double>(Ratio{k});
-    if (value < lowest) return values;
-    values.push_back(value);
-  }
-}
 
 bool is_shown(const report::Contestant& one) {
   return one.is_naive || one.name.starts_with(quantity + "_") || one.name == "fast" ||
@@ -53,8 +45,9 @@ std::vector<AlphaSweep> alpha_sweeps(const std::vector<report::Contestant>& cont
       empty.evaluators.push_back(one.name);
     }
   if (shown.empty()) return {};
-  empty.magic = thresholds<Magic>();
-  empty.deficient = thresholds<Deficient>();
+  for (const MassRatio& one : thresholds(lowest, highest))
+    (std::holds_alternative<Magic>(one) ? empty.magic : empty.deficient)
+        .push_back(nearest_double(one));
   std::vector<AlphaSweep> sweeps(2, empty);
   sweeps[0].member = "a";
   sweeps[1].member = "b";

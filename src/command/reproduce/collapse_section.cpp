@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <cmath>
-#include <numeric>
-
 #include <fmt/format.h>
 
 #include "command/figure/ratio_grid.hpp"
@@ -10,20 +7,6 @@
 #include "magicmass/reference/restitution.hpp"
 
 namespace magicmass::command {
-namespace {
-
-/// The largest double e at which three equal masses collapse.
-double last_collapse_of_equal_masses() {
-  double collapses = 0.01, ending = 1.0;
-  while (std::nextafter(collapses, ending) < ending) {
-    const double middle = std::midpoint(collapses, ending);
-    (reference::count_collisions(1.0, reference::exact(middle)) ? ending : collapses) = middle;
-  }
-  return collapses;
-}
-
-}  // namespace
-
 ComparisonSection collapse_section() {
   ComparisonSection section{
       "Inelastic collapse",
@@ -34,8 +17,10 @@ ComparisonSection collapse_section() {
     section.rows.push_back({"fig:inelastic", fmt::format("alpha_c({})", e), "",
                             fmt::format("{}", last_collapse(e)),
                             "the paper does not speak of collapse"});
+  const double of_equal_masses = last_where(
+      0.01, 1.0, [](double e) { return !reference::count_collisions(1.0, reference::exact(e)); });
   section.rows.push_back({"literature", "largest e with a collapse at alpha = 1", "0.0718",
-                          fmt::format("{}", last_collapse_of_equal_masses()), ""});
+                          fmt::format("{}", of_equal_masses), ""});
   return section;
 }
 

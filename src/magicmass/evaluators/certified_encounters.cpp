@@ -37,26 +37,4 @@ generated::Encounters<double> certified_encounters(double alpha, std::int64_t j)
                  [&]<std::size_t Words>() { return attempt_encounters<Words>(alpha, collision); });
 }
 
-double certified_time(double alpha, std::int64_t j) {
-  const std::uint64_t collision = require_collision(alpha, j);
-  if (collision == 0) {
-    return 0.0;
-  }
-  return certain("the rounding of a time", [&]<std::size_t Words>() {
-    using Number = NearInteger<Words>;
-    return attempt_encounter<Words>(generated::t_exact<Number, std::uint64_t>, alpha, collision);
-  });
-}
-
-double certified_distance(double alpha, std::int64_t j) {
-  const std::uint64_t collision = require_collision(alpha, j);
-  if (collision == 0) {
-    return 1.0;
-  }
-  return certain("the rounding of a distance", [&]<std::size_t Words>() {
-    using Number = NearInteger<Words>;
-    return attempt_encounter<Words>(generated::s_exact<Number, std::uint64_t>, alpha, collision);
-  });
-}
-
 }  // namespace magicmass

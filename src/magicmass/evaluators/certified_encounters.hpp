@@ -13,8 +13,4 @@ namespace magicmass {
 /// did not settle a rounding (never seen: see encounter_attempts.hpp).
 generated::Encounters<double> certified_encounters(double alpha, std::int64_t j);
 
-/// One of the two.
-double certified_time(double alpha, std::int64_t j);
-double certified_distance(double alpha, std::int64_t j);  ///< The other.
-
 }  // namespace magicmass

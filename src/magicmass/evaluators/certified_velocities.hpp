@@ -14,7 +14,7 @@ enum class Velocity { a, b, c, c_prime };
 /// a_n, b_n, c_n or c'_n in units of V: the double nearest to the exact value of the formula, ties to even, for every
 /// double alpha > 0 and every n >= 0, physical (n up to the last collision) or not. For n = 0 the initial 1, 0, 0, 0.
 /// Throws InvalidInput unless alpha is positive and finite and n >= 0; Undecided if 1536 bits did not settle a
-/// rounding (never seen: see certified_velocities.cpp).
+/// rounding (never seen: see velocity_attempts.hpp).
 double certified_velocity(Velocity member, double alpha, std::int64_t n);
 
 /// All four, which share most of the work.

@@ -38,12 +38,6 @@ inline int grid_at_collision(double alpha, std::uint64_t j) {
   return 1 + std::max(0, 53 - exponent - std::countr_zero(digits));
 }
 
-/// t_j or s_j as `Form` computes it from alpha and j >= 1.
-template <std::size_t Words, class Form>
-std::optional<double> attempt_encounter(const Form& form, double alpha, std::uint64_t j) {
-  return rounded(form(NearInteger<Words>(alpha), j), grid_at_collision(alpha, j));
-}
-
 /// Both for j >= 1.
 template <std::size_t Words>
 std::optional<generated::Encounters<double>> attempt_encounters(double alpha, std::uint64_t j) {

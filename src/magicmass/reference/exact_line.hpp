@@ -26,13 +26,13 @@ struct ExactLine {
   std::optional<FieldNumber> left_wall;   ///< where it is
   std::optional<FieldNumber> right_wall;  ///< where it is
   FieldNumber restitution;                ///< above 0, at most 1
-  CommonField common;                     ///< of everything but the masses
+  CommonField common;                     ///< of everything, or of all but the masses
   bool one_field = false;                 ///< masses too are of that field
   std::string field;                      ///< its name; "the rationals"
   std::vector<FieldNumber> times;         ///< not before the start, in the scene's order
   std::optional<FieldNumber> until;       ///< when the run stops
 
-  /// All but the masses are rational numbers.
+  /// What is of the common field is rational: everything, or all but the masses.
   bool is_rational() const { return field == "the rationals"; }
   /// How many there are.
   std::size_t bodies() const { return masses.size(); }

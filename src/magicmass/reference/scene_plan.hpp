@@ -18,8 +18,9 @@ enum class Scalars { planned, doubles, long_doubles, exact };
 /// What is asked of a run besides what the scene says.
 struct SceneOptions {
   std::optional<std::int64_t> max_events;  ///< 1000000 where neither this nor the scene says
-  Scalars scalars = Scalars::planned;      ///< other than planned: events are stepped
-  std::string model;                       ///< as Plan's, with hyphens; empty: the cheapest
+  Scalars scalars =
+      Scalars::planned;  ///< other than planned: events are stepped, if any are wanted
+  std::string model;     ///< as Plan's, with hyphens; empty: the cheapest
 };
 /// Events that are stepped where nothing else is said.
 inline constexpr std::int64_t usual_max_events = 1'000'000;
@@ -36,7 +37,7 @@ struct Plan {
 
 /// The plan of any scene: what `magicmass plan` says. Throws InvalidInput where the scene makes no
 /// sense (file, line and key), where the model asked for cannot give the outputs, and where a trajectory would take more events
-/// than the limit, with what to ask for instead.
+/// than the limit, with what to ask for instead; Undecided where no precision allowed tells the collisions' number.
 Plan plan(const Scene& scene, const SceneOptions& options = {});
 
 }  // namespace magicmass::reference

@@ -26,7 +26,7 @@ bool is_theorems_start(const ExactLine& line);
 /// its first precision did not do: a value halfway between two doubles is seldom decided.
 class TrioEnd {
 public:
-  /// known: the number of contacts, where a theorem has it already.
+  /// Keeps a reference to the line. known: the number of contacts, where a theorem has it already.
   explicit TrioEnd(const ExactLine& line, const std::optional<cln::cl_I>& known = {},
                    long further_bits = 1L << 14U);
 

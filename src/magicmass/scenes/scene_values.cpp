@@ -51,7 +51,8 @@ std::string text_of(const toml::node& node, const Place& place, std::string_view
 Value value_of(const toml::node& node, const Place& place) {
   constexpr std::int64_t exact_in_double = std::int64_t{1} << 53U;
   if (const auto* integer = node.as_integer())
-    if (std::abs(integer->get()) <= exact_in_double) return static_cast<double>(integer->get());
+    if (-exact_in_double <= integer->get() && integer->get() <= exact_in_double)
+      return static_cast<double>(integer->get());
   try {
     if (const auto* number = node.as_floating_point()) {
       const std::string text = shortest(number->get());

@@ -29,7 +29,7 @@ int rank(const Node& node) {
 }  // namespace
 
 Program canonical_order(const Program& program) {
-  return rebuilt(program, [](Program& result, Node node) {
+  const Program sorted = rebuilt(program, [](Program& result, Node node) {
     if (node.op == Op::add || node.op == Op::multiply)
       std::sort(node.args.begin(), node.args.end(), [&result](int x, int y) {
         const auto key = [&result](int number) {
@@ -40,6 +40,8 @@ Program canonical_order(const Program& program) {
       });
     return append(result, node);
   });
+  // once more, for nodes to be numbered in the order of the sorted arguments
+  return rebuilt(sorted, [](Program& result, const Node& node) { return append(result, node); });
 }
 
 }  // namespace magicmass::codegen

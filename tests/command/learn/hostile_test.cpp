@@ -80,6 +80,13 @@ TEST_CASE("what does not end, grows, writes or crashes is stopped, and the reaso
             "write a file"},
            {"#include <unistd.h>\n", "fork(); return {0, 0};", "start another program"},
            {"#include <unistd.h>\n", "setsid(); return {0, 0};", "start another program"},
+           {"#include <sys/syscall.h>\n#include <unistd.h>\n",
+            "syscall(SYS_tkill, getppid(), 0); return {0, 0};", "disturb one"},
+           {"#include <sys/resource.h>\n#include <unistd.h>\n",
+            "rlimit now; prlimit(getppid(), RLIMIT_CPU, nullptr, &now); return {0, 0};",
+            "disturb one"},
+           {"#include <fcntl.h>\n#include <unistd.h>\n",
+            "if (open(\"/dev/tty\", O_RDONLY) < 0) _exit(77); return {0, 0};", "exit code 77"},
            {"#include <sys/socket.h>\n", "socket(AF_INET, SOCK_STREAM, 0); return {0, 0};",
             "use the network"},
            {"", "*(volatile int*)8 = 1; return {0, 0};", "it crashed"},
@@ -136,7 +143,8 @@ TEST_CASE("hostile answers are bounded", "[exam]") {
        {std::string("9^9^9^9"), std::string(100000, '('), std::string(5000, '1'),
         std::string("exp(exp(exp(exp(exp(alpha)))))"), std::string("\\frac{\\frac{\\frac{"),
         std::string("\xff\xfe"), std::string("(1+alpha)^9999"), std::string("[[[[[["),
-        std::string(3000, '{'), std::string("1;;;;=;=;=")}) {
+        std::string(3000, '{'), std::string("1;;;;=;=;="), std::string("="), std::string(";"),
+        std::string("=\n=="), std::string("alpha =; = n")}) {
     for (const char* id : {"half_angle", "gamma_matrix", "double_angle", "momentum_lines",
                            "count_them", "three_equal"}) {
       INFO(id << ": " << answer.substr(0, 40));
@@ -145,5 +153,15 @@ TEST_CASE("hostile answers are bounded", "[exam]") {
       CHECK(run.exit_code <= 3);
       CHECK(lines_of(run.output + run.errors).size() < 40);
     }
+  }
+}
+
+TEST_CASE("an answer that can be no file's name is refused in one line", "[exam]") {
+  const Student student;
+  for (const std::string& name : {std::string(300, 'x'), std::string(5000, 'x')}) {
+    const ProgramRun run = student.learn({"check", "collide", name});
+    CHECK(run.exit_code == 2);
+    CHECK(lines_of(run.errors).size() == 1);
+    CHECK_THAT(run.errors, Contains("File name too long"));
   }
 }

@@ -135,3 +135,15 @@ TEST_CASE("the reader of the test refuses what is no XML", "[exam]") {
   CHECK_THROWS(read_xml("<a></a><b></b>"));
   CHECK(read_xml("<a x=\"1\">&lt;<b>2</b></a>").text == "<");
 }
+
+TEST_CASE("an export is no student's: it looks at no progress, and its variant is the seed's",
+          "[exam]") {
+  const TemporaryFolder folder;
+  write_file(folder / "progress.txt", "of something else\n");
+  const std::vector<std::string> there{"env", "-C", folder.path().string()};
+  const ProgramRun plain = run_program({"learn", "export", "--format", "moodle"}, "", there);
+  CHECK(plain.exit_code == 0);
+  CHECK(plain.output == run_program({"learn", "export", "--format", "moodle"}).output);
+  CHECK(plain.output !=
+        run_program({"learn", "export", "--format", "moodle", "--seed", "1"}).output);
+}

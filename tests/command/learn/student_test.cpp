@@ -42,7 +42,7 @@ TEST_CASE("a student's way: list, show, wrong, hint, right, next", "[exam]") {
   CHECK_THAT(right.output, Contains("\nRight.") && Contains("Next: magicmass learn show"));
   CHECK_THAT(student.learn({"list"}).output, Contains("[x] half_angle") && Contains("1 of "));
   CHECK(read_file(student.file("progress.txt")) ==
-        "# magicmass learn: exercise, last verdict, attempts, hints, solution seen (0 or 1)\n"
+        "# magicmass learn: exercise, verdict, attempts, hints, solution seen (0 or 1)\n"
         "seed 0\nhalf_angle right 2 1 0\n");
   for (const ProgramRun* run : {&list, &show, &wrong, &hint, &right}) {
     require_80_columns(run->output);

@@ -46,6 +46,8 @@ TEST_CASE("radicals exist for the constructible polygons alone", "[exam]") {
   }
   CHECK_FALSE(magic_radicals(3).has_value());  // the heptagon's cubic: casus irreducibilis
   CHECK_THROWS_AS(secant_radicals(2), magicmass::InvalidInput);
+  for (const long n : {-4L, 0L, 2L})
+    CHECK_THROWS_AS(real_radicals_exist(n), magicmass::InvalidInput);
 }
 
 TEST_CASE("radicals, read back, are the ratios", "[exam]") {

@@ -46,6 +46,7 @@ std::string shown(const Program& program) { return formula(program, program.outp
 
 TEST_CASE("canonical order forgets the order it was given", "[exam]") {
   std::vector<std::string> results;
+  std::vector<std::vector<std::string>> nodes;
   for (const bool swapped : {false, true}) {
     Builder build;
     const int x = build.input("x"), y = build.input("y"), two = build.constant(2);
@@ -53,10 +54,15 @@ TEST_CASE("canonical order forgets the order it was given", "[exam]") {
     const int sine = build.make(Op::sine, {x});
     build.output("f", build.make(Op::multiply, swapped ? std::vector{sine, sum, two}
                                                        : std::vector{two, sum, sine}));
-    results.push_back(shown(canonical_order(build.program)));
+    const Program ordered = canonical_order(build.program);
+    results.push_back(shown(ordered));
+    auto& listed = nodes.emplace_back();
+    for (int i = 0; i < static_cast<int>(ordered.nodes.size()); ++i)
+      listed.push_back(formula(ordered, i));
   }
   CHECK(results[0] == "2*(2 + x + y)*sin(x)");
   CHECK(results[0] == results[1]);
+  CHECK(nodes[0] == nodes[1]);
 }
 
 TEST_CASE("equal expressions become one, also up to a constant factor", "[exam]") {
