@@ -8,7 +8,8 @@
 namespace magicmass::generated {
 
 /// The time, in units of L/V, in which infinitely many collisions happen.
-/// Domain: 0 < e < 1, 0 < alpha <= alpha_c(e): where the collisions never end.
+/// Domain: 0 < e < 1,
+///   0 < alpha < alpha_c(e) by more than a rounding: where the collisions never end.
 /// Error: in double at most 16 max(1/2, cond/2) ulp,
 ///   where cond adds up the condition numbers in alpha and e.
 /// From: inelastic_end.t_infinity.

@@ -243,7 +243,13 @@ std::optional<std::string> as_root(const GiNaC::ex& constant, const Budget& budg
     for (long digits = 4; 8 * digits < budget.bits; digits += digits / 2) {
       const cl_I unit = cln::expt_pos(cl_I(10), cl_I(digits));
       const long precision = 8 * digits + 64;
-      const Interval x = terms.enclosure(term, precision, work);
+      std::optional<Interval> enclosed;
+      try {
+        enclosed = terms.enclosure(term, precision, work);
+      } catch (const Unbounded&) {  // a divisor is not yet seen to differ from 0
+        continue;
+      }
+      const Interval& x = *enclosed;
       const cl_I first = cln::truncate1(x.low().rational() * unit);
       if (cln::zerop(first) || first != cln::truncate1(x.high().rational() * unit)) continue;
       // All numbers with these decimals: the polynomial is monotonic on them, and so has one root there.

@@ -132,7 +132,8 @@ std::vector<Form> restitution_forms() {
   return {{.quantity = "collapse",
            .name = "product",
            .summary = "The time, in units of L/V, in which infinitely many collisions happen",
-           .domain = "0 < e < 1, 0 < alpha <= alpha_c(e): where the collisions never end",
+           .domain = "0 < e < 1, 0 < alpha < alpha_c(e) by more than a rounding: where the "
+                     "collisions never end",
            .error = inelastic_error,
            .real_input = "alpha",
            .restitution = "e",

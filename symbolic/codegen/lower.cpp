@@ -51,8 +51,7 @@ private:
     if (is_a<GiNaC::symbol>(e)) return symbol(e);
     if (is_a<GiNaC::add>(e)) return sum(e);
     if (is_a<GiNaC::mul>(e)) return product(e);
-    if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1)))
-      return power(e.op(0), ex_to<numeric>(e.op(1)));
+    if (is_a<GiNaC::power>(e) && is_a<numeric>(e.op(1))) return turned_power(e);
     if (is_a<GiNaC::power>(e))
       return append(program_,
                     {.op = Op::indexed_power, .args = {lowered(e.op(0)), lowered(e.op(1))}});
@@ -107,6 +106,17 @@ private:
   }
 
   // A sum that leads with a minus is turned round, so that the program does not depend on GiNaC's hashes.
+  int turned_power(const ex& e) {
+    const ex& base = e.op(0);
+    const numeric exponent = ex_to<numeric>(e.op(1));
+    if (!exponent.is_integer() || !is_a<GiNaC::add>(base) || !proof::leads_with_minus(base))
+      return power(base, exponent);
+    const int magnitude = power(-base, exponent);
+    return exponent.is_odd() ? append(program_, {.op = Op::negate, .args = {magnitude}})
+                             : magnitude;
+  }
+
+  // The same of a factor.
   int product(const ex& e) {
     Node node{.op = Op::multiply};
     bool negative = false;

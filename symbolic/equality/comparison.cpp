@@ -34,19 +34,6 @@ Side side_at(const Point& point, const Tree& tree) {
   return side;
 }
 
-std::string shown(const Side& side, int digits) {
-  if (!side.value) return "not defined (" + side.reason + ")";
-  if (is_number(side.tree)) {
-    const std::string exact = to_text(side.tree);
-    if (exact.size() <= 60) return exact;
-  }
-  if (!equality::sign(*side.value)) {
-    const auto exact = exact_sign_or_nothing(side.tree);
-    return exact && *exact == 0 ? "0" : "0 to " + std::to_string(working_digits) + " digits";
-  }
-  return equality::shown(*side.value, digits);
-}
-
 int decimal_places(const Ball& small, const Ball& scale) {  // of agreement relative to the scale
   const cln::cl_F size = cln::abs(small.middle) + small.radius;
   const cln::cl_F whole = cln::abs(scale.middle) + scale.radius;
@@ -56,6 +43,21 @@ int decimal_places(const Ball& small, const Ball& scale) {  // of agreement rela
   const cln::cl_F ratio = cln::cl_float(sign(scale).value_or(0) == 0 ? size : size / whole, coarse);
   const double places = -cln::double_approx(cln::ln(ratio)) / 2.302585092994046;
   return std::clamp(static_cast<int>(places), 0, working_digits);
+}
+
+std::string shown(const Side& side, int digits) {
+  if (!side.value) return "not defined (" + side.reason + ")";
+  if (is_number(side.tree)) {
+    const std::string exact = to_text(side.tree);
+    if (exact.size() <= 60) return exact;
+  }
+  if (!equality::sign(*side.value)) {
+    const auto exact = exact_sign_or_nothing(side.tree);
+    if (exact && *exact == 0) return "0";
+    const int places = decimal_places(*side.value, *side.value);
+    return places > 0 ? "0 to " + std::to_string(places) + " digits" : "not certain to any digit";
+  }
+  return equality::shown(*side.value, digits);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ using GiNaC::ex;
 using GiNaC::numeric;
 
 const algebraic::Budget budget{.time = std::chrono::milliseconds(500)};  // a question
-constexpr int digits_for_signs = 400;  // of what is known not to vanish
+constexpr int digits_for_signs = 400;                     // of what is known not to vanish
+constexpr int digits_for_multiples[] = {100, 400, 1600};  // of pi, 0 or not
 constexpr long most_factors =
     100;  // of complex or real numbers multiplied for angles and logarithms
 
@@ -118,14 +119,18 @@ std::optional<ExactResult> as_sum_of_angles(const Tree& constant) {
   if (*decision.sign != 0) return nonzero(constant, product + "not real, so it is not zero");
   const Tree size =
       equality::product({number(cln::the<cln::cl_RA>(denominator.to_cl_N())), constant});
-  const Ball ball = evaluate_to(size, 100, exact_sign_or_nothing);
-  if (cln::abs(ball.middle) + ball.radius < cln::cl_F(3.0))  // < pi
-    return ExactResult{0, false,
-                       product + "real, so it is a multiple of pi" +
-                           (denominator.is_equal(1) ? std::string()
-                                                    : "/" + std::to_string(denominator.to_long())) +
-                           ", and its size is below that: it is 0"};
-  return nonzero(constant, "the difference is a multiple of pi");
+  for (const int digits : digits_for_multiples) {
+    const Ball ball = evaluate_to(size, digits, exact_sign_or_nothing);
+    if (cln::abs(ball.middle) + ball.radius < cln::cl_F(3.0))  // < pi
+      return ExactResult{
+          0, false,
+          product + "real, so it is a multiple of pi" +
+              (denominator.is_equal(1) ? std::string()
+                                       : "/" + std::to_string(denominator.to_long())) +
+              ", and its size is below that: it is 0"};
+    if (sign(ball)) return nonzero(constant, "the difference is a multiple of pi");
+  }
+  return std::nullopt;
 }
 
 // log is one-to-one: a sum of whole multiples vanishes exactly when the product of powers is 1.

@@ -17,7 +17,8 @@ using Outcome = PointComparison::Outcome;
 const char* const undecided_proof = "neither a proof nor a counterexample was found";
 constexpr std::size_t points_tried = 60;
 constexpr std::size_t points_tried_exactly = 3;
-constexpr int fewest_poles = 3;  // so many, and a third of all, are no isolated points
+constexpr int fewest_poles = 3;  // so many are no isolated ones, where no other point has a value
+                                 // or what is a little beside them is one, too
 
 void require_defined(const Tree& constant, const std::string& side) {
   try {
@@ -52,12 +53,14 @@ Verdict decide_constants(const Tree& lhs, const Tree& rhs,
   if (comparison.outcome == Outcome::differ)
     return different(comparison,
                      "both numbers enclosed with certain error bounds; the enclosures are apart");
-  if (comparison.outcome == Outcome::agree) {
-    verdict.agreeing_digits = comparison.digits;
-    verdict.points = 1;
-    verdict.proof = undecided_proof;
-    if (provisional) provisional(verdict);
+  if (comparison.outcome != Outcome::agree) {  // what the exact methods say is of defined numbers
+    verdict.proof = "it is not certain that both sides are defined";
+    return verdict;
   }
+  verdict.agreeing_digits = comparison.digits;
+  verdict.points = 1;
+  verdict.proof = undecided_proof;
+  if (provisional) provisional(verdict);
   const ExactResult exact = exact_sign(at({}, difference(left, right)));
   if (exact.is_nonzero) {
     if (*exact.is_nonzero) return different(compare_at({}, left, right, true), exact.method);
@@ -65,19 +68,11 @@ Verdict decide_constants(const Tree& lhs, const Tree& rhs,
     verdict.proof = exact.method;
     return verdict;
   }
-  if (comparison.outcome == Outcome::agree) {
-    const auto proof = identical(left, right)
-                           ? std::optional<std::string>("both sides are the same expression")
-                           : by_normal_form(left, right, {});
-    if (proof) {
-      verdict.answer = Answer::equal;
-      verdict.proof = *proof;
-      return verdict;
-    }
-  }
-  verdict.proof = comparison.outcome == Outcome::agree
-                      ? "no exact method decides these constants"
-                      : "it is not certain that both sides are defined";
+  const auto proof = identical(left, right)
+                         ? std::optional<std::string>("both sides are the same expression")
+                         : by_normal_form(left, right, {});
+  if (proof) verdict.answer = Answer::equal;
+  verdict.proof = proof.value_or("no exact method decides these constants");
   return verdict;
 }
 
@@ -125,6 +120,7 @@ private:
         case Outcome::pole:
           if (!first_pole) first_pole = comparison;
           ++poles_;
+          if (persistent_ < fewest_poles && is_pole_beside(point)) ++persistent_;
           break;
         case Outcome::agree:
           if (exactly) break;
@@ -141,10 +137,32 @@ private:
           break;
       }
     }
-    if (first_pole && poles_ >= fewest_poles &&
-        static_cast<std::size_t>(poles_) * 3 >= points.size())
+    const bool has_nothing_else = common_.empty() && poles_ >= fewest_poles &&
+                                  static_cast<std::size_t>(poles_) * 3 >= points.size();
+    if (first_pole && (has_nothing_else || persistent_ >= fewest_poles))
       return found(*first_pole, "at this point and others one side alone divides by zero");
     return true;
+  }
+
+  // One side alone divides by zero, too, where all real symbols are moved a little, each by something else: zeros
+  // of a denominator in between are met by points as simple as those that were tried, but not by this one.
+  bool is_pole_beside(const Point& point) const {
+    if (!domain_.further.empty()) return false;
+    Point beside = point;
+    cln::cl_RA step = cln::cl_RA(355) / 100003;
+    bool is_moved = false;
+    for (auto& [name, value] : beside) {
+      const Range& range = domain_.ranges.at(name);
+      if (range.is_integer) continue;
+      for (const cln::cl_RA& moved : {value + step, value - step})
+        if (range.contains(moved)) {
+          value = moved;
+          is_moved = true;
+          break;
+        }
+      step = step * 3 / 7;
+    }
+    return is_moved && compare_at(beside, lhs_, rhs_, false).outcome == Outcome::pole;
   }
 
   bool found(const PointComparison& comparison, const std::string& proof) {
@@ -187,6 +205,7 @@ private:
   std::vector<Point> points_;
   std::vector<Point> common_;  // where both are defined, and agree
   int poles_ = 0;
+  int persistent_ = 0;  // of them
   int unknown_ = 0;
 };
 

@@ -17,13 +17,6 @@ struct Domain {
   std::set<std::string> positive;       ///< real and > 0
   std::map<std::string, long> integer;  ///< integers from the given value on
   std::vector<Statement> assumed = {};  ///< inequalities ">" and "<="
-
-  /// The same and an integer more.
-  Domain with_integer(const std::string& name, long from) const {
-    Domain result = *this;
-    result.integer[name] = from;
-    return result;
-  }
 };
 
 /// What must hold besides: "alpha > 0", "a(n) != a(n - 1)". Ordered by text; the statement, where there is

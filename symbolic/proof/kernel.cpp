@@ -256,6 +256,7 @@ Theorem Kernel::definition(const Claim& claim) {
       require(!uses_sequence(earlier.lhs(), function_name(name)) &&
                   !uses_sequence(earlier.rhs(), function_name(name)),
               claim, "definition", "the sequence is in use already, in " + earlier.id());
+    require_scalar(claim.statement.rhs(), claim, "definition", evidence);
   }
   return accept(claim, "definition", evidence, "definition");
 }

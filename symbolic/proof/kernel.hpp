@@ -118,7 +118,7 @@ public:
                           const GiNaC::ex& n, const GiNaC::ex& h);
   /// Collisions alternate and A has the first: N_A = ceil(N/2), N_B = floor(N/2).
   Theorem collisions_of(const Claim& claim, const Theorem& count);
-  /// N = ceil(pi/psi - s), psi increases with alpha, psi(alpha_k) = pi/(k + s):
+  /// N = ceil(pi/psi - s), 0 < s <= 1, psi in [0, pi] increases with alpha, psi(alpha_k) = pi/(k + s), alpha_k > 0:
   /// N = k exactly for alpha_k <= alpha < alpha_(k-1).
   Theorem threshold(const Claim& claim, const Theorem& count, const Theorem& increasing,
                     const Theorem& angle_at_threshold, const GiNaC::ex& k);

@@ -25,6 +25,12 @@ std::optional<std::pair<ex, ex>> split_sine(const ex& product, const ex& n) {
   return std::nullopt;
 }
 
+// a(n) != a(n - 1), which holds while there are collisions.
+bool are_different_velocities(const Statement& statement) {
+  return statement.relation() == Relation::not_equal && is_sequence(statement.lhs()) &&
+         is_sequence(statement.rhs());
+}
+
 }  // namespace
 
 // Collision j happens if those before it have and the approach speed before it is positive. With speeds
@@ -44,7 +50,7 @@ Theorem Kernel::collision_count(const Claim& claim, const Theorem& before_even,
         to_text(n));  // "velocities changed" holds while the pairs approach
     require_equation(speed, claim, rule);
     for (const Condition& condition : speed.conditions())
-      require(!condition.statement || condition.statement->relation() == Relation::not_equal ||
+      require(!condition.statement || are_different_velocities(*condition.statement) ||
                   !(condition.statement->lhs() - condition.statement->rhs()).has(n),
               claim, rule, speed.id() + " holds only if " + condition.text);
     require(contains_sequence(speed.lhs()), claim, rule, speed.id() + " is not about velocities");
@@ -116,8 +122,13 @@ Theorem Kernel::threshold(const Claim& claim, const Theorem& count, const Theore
   require(is_step_function(count.rhs()) && function_name(count.rhs()) == "ceil", claim, rule,
           count.id() + " is not a ceiling");
   const ex s = (GiNaC::Pi / psi - count.rhs().op(0)).normal();
-  require(is_a<numeric>(s), claim, rule, count.id() + " is not ceil(pi/psi - s)");
+  require(is_a<numeric>(s) && ex_to<numeric>(s).is_positive() && s <= 1, claim, rule,
+          count.id() + " is not ceil(pi/psi - s), 0 < s <= 1");
   require(definitions_.angle("psi") != nullptr, claim, rule, "psi has no definition");
+  require(is_angle_up_to_pi(psi, claim, evidence), claim, rule,
+          "psi is not seen to lie in [0, pi]");
+  require(is_positive(ratio, claim, evidence), claim, rule,
+          to_text(ratio) + " is not seen to be positive");
   const ex meaning = definitions_.expand_all(psi);
   require_equal(increasing.lhs(), meaning.diff(ex_to<GiNaC::symbol>(alpha)), claim, rule, evidence);
   require(increasing.statement().relation() == Relation::greater && increasing.rhs().is_zero(),
@@ -125,10 +136,12 @@ Theorem Kernel::threshold(const Claim& claim, const Theorem& count, const Theore
   require_equal(angle_at_threshold.lhs(), meaning.subs(alpha == ratio), claim, rule, evidence);
   require_equal(angle_at_threshold.rhs(), GiNaC::Pi / (k + s), claim, rule, evidence);
   // N = k <=> k - 1 < pi/psi - s <= k <=> pi/(k + s) <= psi < pi/(k - 1 + s) <=> threshold(k) <= alpha < threshold(k - 1)
-  evidence.conditions.insert({to_text(count.lhs()) + " = " + to_text(k) + " exactly for " +
-                              to_text(claim.statement.lhs()) + " <= alpha < the same at " +
-                              to_text(k) + " - 1 (infinite for " + to_text(k) + " = 1)"});
-  return accept(claim, rule, evidence);
+  Claim told = claim;
+  told.words += std::string(claim.words.empty() ? "" : ": ") + to_text(count.lhs()) + " = " +
+                to_text(k) + " exactly for " + to_text(claim.statement.lhs()) +
+                " <= alpha < the same at " + to_text(k) + " - 1 (infinite for " + to_text(k) +
+                " = 1)";
+  return accept(told, rule, evidence);
 }
 
 }  // namespace magicmass::proof

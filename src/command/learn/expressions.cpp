@@ -182,7 +182,11 @@ bool holds(const std::string& relations, const Values& values, const std::string
                          "\": " + *equality::symbols_of(tree).begin() + " has no value");
     const auto sign =
         equality::sign(equality::evaluate_to(tree, 60, equality::exact_sign_or_nothing));
-    const int known = sign ? *sign : equality::exact_sign_or_nothing(tree).value_or(0);
+    const std::optional<int> exact = sign ? sign : equality::exact_sign_or_nothing(tree);
+    if (!exact)
+      throw InvalidInput(place + ": \"" + shown_text(relations) +
+                         "\": it is not certain which side is larger");
+    const int known = *exact;
     const std::string& relation = comparison.relation;
     if (relation == "=") return known == 0;
     if (relation == "!=") return known != 0;

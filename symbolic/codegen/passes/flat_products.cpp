@@ -3,6 +3,8 @@
 
 #include <numeric>
 
+#include "codegen/exact_product.hpp"
+
 namespace magicmass::codegen {
 namespace {
 
@@ -35,8 +37,8 @@ Program constants_folded(const Program& program) {
     for (const int argument : node.args) {
       const Node& part = result.nodes[static_cast<std::size_t>(argument)];
       if (part.op == Op::constant) {
-        folded.numerator *= part.numerator;
-        folded.denominator *= part.denominator;
+        folded.numerator = exact_product(folded.numerator, part.numerator);
+        folded.denominator = exact_product(folded.denominator, part.denominator);
       } else {
         rest.args.push_back(argument);
       }

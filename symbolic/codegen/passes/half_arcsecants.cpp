@@ -10,6 +10,8 @@ Program half_arcsecants(const Program& program) {
   int angles = 0;
   const Program result = rebuilt(program, [&angles](Program& made, const Node& node) {
     if (node.op != Op::arctangent) return append(made, node);
+    if (made.nodes[static_cast<std::size_t>(node.args[0])].name != "tan_quarter")
+      throw std::logic_error("an arctangent of something else than tan_quarter");
     ++angles;
     const int alpha = append(made, {.op = Op::input, .name = "alpha"});
     return append(made, {.op = Op::half_arcsecant, .args = {alpha, node.args[0]}});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "codegen/passes/strength_reduction.hpp"
 
+#include "codegen/exact_product.hpp"
+
 namespace magicmass::codegen {
 namespace {
 
@@ -31,8 +33,8 @@ int product(Program& result, const Node& node) {
   for (const int argument : node.args) {
     const Node& part = result.nodes[static_cast<std::size_t>(argument)];
     if (part.op == Op::constant && part.name.empty()) {
-      folded.numerator *= part.numerator;
-      folded.denominator *= part.denominator;
+      folded.numerator = exact_product(folded.numerator, part.numerator);
+      folded.denominator = exact_product(folded.denominator, part.denominator);
     } else {
       rest.args.push_back(argument);
     }

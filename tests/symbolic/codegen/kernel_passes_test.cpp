@@ -257,6 +257,8 @@ TEST_CASE("the one arctangent becomes half an arcsecant of alpha, its tangent ke
   const int tangent = b.make(Op::multiply, {b.input("alpha"), b.input("cotangent")});
   const int angle = b.make(Op::arctangent, {tangent});
   b.output("psi", b.make(Op::multiply, {b.constant(4), angle}));
+  CHECK_THROWS_WITH(half_arcsecants(b.program), "an arctangent of something else than tan_quarter");
+  b.program.nodes[static_cast<std::size_t>(tangent)].name = "tan_quarter";
   const Program program = half_arcsecants(b.program);
   CHECK(formula(program, program.outputs[0].node) == "4*(asec(1 + alpha)/2)");
   const auto made = std::find_if(program.nodes.begin(), program.nodes.end(),
@@ -264,6 +266,6 @@ TEST_CASE("the one arctangent becomes half an arcsecant of alpha, its tangent ke
   REQUIRE(made != program.nodes.end());
   CHECK(formula(program, made->args[1]) == "alpha*cotangent");
 
-  b.output("other", b.make(Op::arctangent, {b.input("x")}));
+  b.output("other", b.make(Op::arctangent, {tangent}));
   CHECK_THROWS_WITH(half_arcsecants(b.program), "a program has 2 arctangents");
 }

@@ -194,3 +194,21 @@ TEST_CASE("a misspelt name is a symbol, and that is said", "[exam]") {
     return note.find("did you mean alpha") != std::string::npos;
   }));
 }
+
+TEST_CASE("poles are no counterexample where the sides agree between them", "[exam]") {
+  const std::string product = "(n-1)*(n-2)*(n-3)";
+  check(Answer::equal, {{"sin(4*pi*x)/(2*sin(2*pi*x))", "cos(2*pi*x)"},
+                        {"cot(2*pi*x)*sin(2*pi*x)", "cos(2*pi*x)"},
+                        {product + "/(" + product + ")", "1", "1 <= n <= 8"}});
+  check(Answer::different, {{"1/(x-x)+x", "x"}, {"y*(sqrt(x^2)-x)/(sqrt(x^2)-x)", "y"}});
+}
+
+TEST_CASE("what is not known to be defined, or to be small, is not decided", "[exam]") {
+  const std::string zero = "(exp(1)*exp(-1)-1)";
+  check(Answer::undecided, {{"log" + zero + " - log" + zero + " + 1", "1"},
+                            {"log" + zero + " - log" + zero + " + 1", "2"},
+                            {"atan(1/" + zero + ") - atan(1/" + zero + ") + 1", "1"}});
+  const std::string tiny = "(sqrt(2)+sqrt(3)-sqrt(5+2*sqrt(6)))";
+  check(Answer::equal, {{"atan(10^90*" + tiny + ")", "0"}, {"atan(10^110*" + tiny + ")", "0"}});
+  CHECK(verdict_on({"x+atan(10^150*" + tiny + ")", "x"}).answer != Answer::different);
+}

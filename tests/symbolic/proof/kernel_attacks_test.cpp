@@ -80,6 +80,14 @@ TEST_CASE("a definition is new and not about itself", "[exam]") {
   CHECK_THROWS_AS(kernel.definition({.id = "c", .statement = {y, x}}), NotProved);
 }
 
+TEST_CASE("a sequence is defined where its right side is", "[exam]") {
+  Kernel kernel = new_kernel();
+  const Theorem defined =
+      kernel.definition({.id = "T", .statement = {T(n), 1 / (x - n)}, .indices = {{"n", 0}}});
+  CHECK(defined.step().conditions.size() == 1);
+  CHECK_THROWS_AS(kernel.definition({.id = "t", .statement = {t(n), matrix{{1, n}}}}), NotProved);
+}
+
 TEST_CASE("a matrix power is of a constant matrix", "[exam]") {
   Kernel kernel = new_kernel();
   const Theorem S =

@@ -127,7 +127,7 @@ TEST_CASE("the index of a sum is nothing outside it", "[exam]") {
   CHECK_THROWS(kernel.hypothesis({.id = "b", .statement = {x, k}}));
   CHECK_THROWS(symbol("k'"));
   CHECK(to_text(k) == "k'");
-  NormalForm form(Domain{}.with_integer("n", 0), {});
+  NormalForm form(Domain{.positive = {}, .integer = {{"n", 0}}}, {});
   CHECK(form.is_zero(binomial_sum(n) - binomial_sum(n)));
   CHECK_FALSE(form.is_zero(binomial_sum(n) - binomial_sum(n + 1)));
   CHECK_THROWS_AS(form.is_zero(1 + finite_sum(1 / (k - x), 0, n)), NotInClass);
