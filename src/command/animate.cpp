@@ -25,8 +25,9 @@ struct AnimateOptions {
   std::int64_t max_events = most_contacts_of_a_picture;
 };
 
+/// For a page.
 std::string title_of(const Scene& scene) {
-  return shown_text(scene.title.empty() ? scene.source : scene.title, 200);
+  return scene.title.empty() ? shown_text(scene.source, 200) : scene.title;
 }
 
 /// Cut short by the limit, not by the scene's own end.

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -16,18 +15,25 @@
 namespace magicmass::command {
 namespace {
 
+std::string read_all(std::istream& stream, const std::string& source) {
+  constexpr std::size_t longest = 100'000'000;
+  std::string text;
+  std::vector<char> buffer(1U << 16U);
+  do {
+    stream.read(buffer.data(), static_cast<std::streamsize>(buffer.size()));
+    text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+    if (text.size() > longest) throw InvalidInput(source + ": larger than 100 megabytes");
+  } while (stream);
+  return text;
+}
+
 std::string read_all(const std::string& path, const std::string& source) {
-  std::ostringstream text;
-  if (path == "-") {
-    text << std::cin.rdbuf();
-    return text.str();
-  }
+  if (path == "-") return read_all(std::cin, source);
   std::ifstream file(path, std::ios::binary);
   std::error_code error;
   if (!file.is_open() || std::filesystem::is_directory(path, error))
     throw InvalidInput(source + ": cannot be read; allowed: a CSV file");
-  text << file.rdbuf();
-  return text.str();
+  return read_all(file, source);
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

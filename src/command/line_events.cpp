@@ -61,7 +61,7 @@ public:
     reference::ExactWork work(degree_, reference::most_exact_work);
     const bool inelastic = motion_.restitution() < Scalar(1);
     for (auto next = motion_.next(); next; next = motion_.next()) {
-      if (until_ && *until_ < *next) {
+      if (until_ && !motion_.is_due_by(*until_)) {
         stop("limited", "the scene's time is over");
         break;
       }

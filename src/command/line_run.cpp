@@ -88,9 +88,11 @@ void closed_form(const Scene& scene, const ExactLine& line, const reference::Tri
     result.evaluated += static_cast<std::int64_t>(result.velocities.size());
     if (wants(scene, Output::energy)) result.drift = drift_of(reference::rounded(line), v);
   }
-  for (std::size_t i = 0; i < line.times.size(); ++i) {
-    const BodyPositions<double> x = end.positions(line.times[i]);
-    const Cell time = number_cell(reference::nearest_double(line.times[i]));
+  std::vector<FieldNumber> times = line.times;
+  std::sort(times.begin(), times.end(), [](const auto& x, const auto& y) { return x < y; });
+  for (const FieldNumber& one : times) {
+    const BodyPositions<double> x = end.positions(one);
+    const Cell time = number_cell(reference::nearest_double(one));
     const std::vector<double> places = {x.a, x.c, x.b};
     for (std::size_t body = 0; body < scene.masses.size(); ++body)
       listener.on_point({time, text_cell(body_name(scene, body)), number_cell(places[body])});
@@ -100,11 +102,13 @@ void closed_form(const Scene& scene, const ExactLine& line, const reference::Tri
 }
 
 template <std::floating_point Scalar>
-void step_velocities_alone(const Scene& scene, const Line<Scalar>& line, std::int64_t limit,
-                           LineResult& result) {
+void step_velocities_alone(const Scene& scene, const Line<Scalar>& line,
+                           const reference::TrioEnd& end, std::int64_t limit, LineResult& result) {
   BodyVelocities<Scalar> v = trio_velocities(line);
-  result.stepped = step_trio(trio_of(line), v, limit);
-  if (approach(v, result.stepped)) {
+  // At a threshold rounding lets a pair that parts with speed 0 approach: the exact number ends the run.
+  const bool has_end = !end.collapse() && end.contacts() <= cl_I(static_cast<long>(limit));
+  result.stepped = step_trio(trio_of(line), v, has_end ? cln::cl_I_to_long(end.contacts()) : limit);
+  if (!has_end && approach(v, result.stepped)) {
     result.status = "limited";
     result.why = "as many events as the limit allows";
   }
@@ -153,9 +157,10 @@ LineResult run_line(const Scene& scene, const ExactLine& line,
       return result;
     case reference::Model::velocity_stepping:
       if (wide)
-        step_velocities_alone(scene, reference::rounded<long double>(line), limit, result);
+        step_velocities_alone(scene, reference::rounded<long double>(line), *plan.end, limit,
+                              result);
       else
-        step_velocities_alone(scene, reference::rounded(line), limit, result);
+        step_velocities_alone(scene, reference::rounded(line), *plan.end, limit, result);
       return result;
     case reference::Model::transfers:
       by_transfers(scene, line, limit, result);

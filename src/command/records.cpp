@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/records.hpp"
-#include "command/program.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,6 +8,9 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "command/program.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -77,9 +79,22 @@ Cell digits_cell(std::string digits) { return {std::move(digits), false}; }
 
 Cell missing_cell() { return {}; }
 
+namespace {
+
+/// What is not UTF-8 replaced by U+FFFD.
+std::string valid_utf8(std::string_view text) {
+  const nlohmann::json json = text;
+  const auto replace = nlohmann::json::error_handler_t::replace;
+  return nlohmann::json::parse(json.dump(-1, ' ', false, replace)).get<std::string>();
+}
+
+}  // namespace
+
 std::string json_string(std::string_view text) {
   std::string quoted = "\"";
-  for (const char character : text) {
+  const bool is_ascii =
+      std::all_of(text.begin(), text.end(), [](char c) { return (c & 0x80) == 0; });
+  for (const char character : is_ascii ? std::string(text) : valid_utf8(text)) {
     if (character == '"' || character == '\\')
       quoted += {'\\', character};
     else if (static_cast<unsigned char>(character) < 0x20)

@@ -74,7 +74,7 @@ std::string short_number(const std::string& text) {
   if (text.size() <= 10) return text;
   if (text.find('/') != std::string::npos)
     return reference::to_decimal(reference::parse_rational(text), 5);
-  return fmt::format("{:.5g}", std::stod(text));
+  return fmt::format("{:.5g}", std::strtod(text.c_str(), nullptr));
 }
 
 std::string table(const std::vector<std::string>& columns,

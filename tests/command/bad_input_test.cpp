@@ -87,6 +87,14 @@ TEST_CASE("unreadable and malformed files", "[exam]") {
   check_scene_refused("alpha = 0.1\nrestitution = 1.1\n", "scene.toml:2: restitution: ");
   check_scene_refused("alpha = 0.1\noutputs = [\"colour\"]\n", "scene.toml:2: outputs: ");
   check_scene_refused("V = 1.0\n", "alpha: missing");
+  check_scene_refused("alpha = 1\ntitle = \"\\u001b[31m\"\n",
+                      "scene.toml:2: title: a control character");
+  std::string key = "a";
+  for (int i = 0; i < 35000; ++i) key += ".a";
+  check_scene_refused(key + " = 1\n", "a key of more than 1000 parts");
+  check_scene_refused("[" + key + "]\n", "a key of more than 1000 parts");
+  check_scene_refused("x = {" + key + " = 1}\n", "a key of more than 1000 parts");
+  check_refused({"count", "--input", "/dev/zero"}, "larger than 100 megabytes");
 }
 
 TEST_CASE("messages show control characters instead of obeying them", "[exam]") {

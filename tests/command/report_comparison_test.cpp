@@ -134,9 +134,13 @@ TEST_CASE("files that are no reports cost one clear line and exit 2, before any 
   write_file(folder / "empty.json", "[]");
   write_file(folder / "other.json", R"([{"evaluator": "none", "family": "of these"}])");
   write_file(folder / "old.json", measured().dump());
+  write_file(folder / "deep.json", R"([{"evaluator": "e", "family": "f", "x": )" +
+                                       std::string(100000, '[') + std::string(100000, ']') + "}]");
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{folder / "missing"}, "cannot be read"},
       {{folder / "text"}, "is no report"},
+      {{folder.path().string()}, "cannot be read"},
+      {{folder / "old.json", folder / "deep.json"}, "have no row in common"},
       {{folder / "empty.json"}, "is no report"},
       {{folder / "old.json", folder / "text"}, "is no report"},
       {{folder / "old.json", folder / "other.json"}, "have no row in common"},

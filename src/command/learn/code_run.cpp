@@ -12,6 +12,7 @@
 #include "command/generated_tree.hpp"
 #include "command/learn/pass_program.hpp"
 #include "command/scratch_folder.hpp"
+#include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -35,10 +36,10 @@ std::string first_errors(const std::string& output) {
   int errors = 0;
   for (std::string line; errors < 2 && std::getline(lines, line);)
     if (line.find("error") != std::string::npos || line.find("undefined") != std::string::npos) {
-      kept += (kept.empty() ? "" : "\n") + line.substr(0, 300);
+      kept += (kept.empty() ? "" : "\n") + shown_text(line, 300);
       ++errors;
     }
-  return kept.empty() ? output.substr(0, 300) : kept;
+  return kept.empty() ? shown_text(output, 300) : kept;
 }
 
 std::vector<std::vector<double>> rows_of(const std::string& text) {
@@ -75,17 +76,10 @@ CodeRun run_with(const Exercise& exercise, const std::string& program,
   limits.memory = std::size_t{2} << 30U;
   limits.is_computing_only = false;
   CodeRun run;
-  std::vector<std::string> words{"env",
-                                 "TMPDIR=" + scratch.path().string(),
-                                 "c++",
-                                 "-std=c++20",
-                                 "-ffp-contract=off",
-                                 "-w",
-                                 "-fmax-errors=3",
-                                 "-o",
-                                 "exercise",
-                                 "driver.cpp",
-                                 "answer.cpp"};
+  std::vector<std::string> words{"env",      "LC_ALL=C",       "TMPDIR=" + scratch.path().string(),
+                                 "c++",      "-std=c++20",     "-ffp-contract=off",
+                                 "-w",       "-fmax-errors=3", "-o",
+                                 "exercise", "driver.cpp",     "answer.cpp"};
   words.insert(words.end(), flags.begin(), flags.end());
   const ProcessEnd compiled = run_confined(words, "", scratch.path(), limits);
   run.has_compiler = compiled.exit_code != compiler_missing;

@@ -8,6 +8,7 @@
 
 #include "command/learn/exercise.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/scene_keys.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {
@@ -53,6 +54,9 @@ std::map<std::string, std::string> pairs_of(const toml::node& node, const std::s
 ContentTable::ContentTable(const std::filesystem::path& file) : data_(std::make_unique<Data>()) {
   data_->file = file.string();
   const std::string text = text_of(file);
+  if (has_endless_key(text))
+    throw InvalidInput(data_->file +
+                       ": a key of more than 1000 parts; allowed: lines like id = \"x\"");
   try {
     data_->root = std::make_shared<const toml::table>(toml::parse(text));
     data_->table = data_->root.get();

@@ -200,11 +200,12 @@ std::string name_of(ExerciseKind kind) {
 
 std::string text_of(const std::filesystem::path& file) {
   constexpr std::size_t longest = 1'000'000;
-  std::ifstream stream(file, std::ios::binary);
-  std::string text(longest + 1, '\0');
-  if (!std::filesystem::is_regular_file(file) || !stream)
+  std::ifstream stream;
+  if (std::filesystem::is_regular_file(file)) stream.open(file, std::ios::binary);  // a pipe waits
+  if (!stream.is_open())
     throw InvalidInput(shown_text(file.string(), 300) +
                        ": cannot be read; a text file is expected");
+  std::string text(longest + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > longest)

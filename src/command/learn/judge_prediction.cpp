@@ -42,9 +42,9 @@ Judgement judge_choice(const Posed& posed, const std::string& typed) {
 }
 
 /// Whether left <= right for constants: right - left is its own absolute value.
-Answer at_most(const Tree& left, const Tree& right) {
+equality::Verdict at_most(const Tree& left, const Tree& right) {
   const Tree gap = equality::difference(right, left);
-  return decided(equality::function("abs", gap), gap, {}).answer;
+  return decided(equality::function("abs", gap), gap, {});
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Judgement judge_prediction(const Posed& posed, const std::string& typed,
     verdict = decided(given, truth, {});
   } else {
     const Tree within = with_values(read_content(exercise.within, place), posed.values);
-    verdict.answer = at_most(equality::function("abs", equality::difference(given, truth)), within);
+    verdict = at_most(equality::function("abs", equality::difference(given, truth)), within);
   }
   if (verdict.answer == Answer::undecided) {
     judgement.said = "Undecided: " + verdict.proof + ". Please write it as a plain number.";

@@ -37,7 +37,9 @@ public:
   }
   Adder& seed() {
     command_->add_option("--seed", options_->seed, "which variants; kept in progress.txt")
-        ->type_name("NUMBER");
+        ->type_name("NUMBER")
+        ->check(
+            CLI::Range(std::int64_t{0}, std::int64_t{1'000'000'000'000'000'000}).description(""));
     return *this;
   }
   Adder& plain() {
@@ -87,7 +89,9 @@ void add_student_commands(Adder& adder) {
   CLI::App& watch = adder.add("watch", "Check whenever you save, and move on",
                               "magicmass learn watch", learn_watch);
   adder.id(false, "an exercise to begin with").for_student().seed().plain();
-  watch.add_option("--seconds", adder.options().seconds, "stop after so long")->type_name("NUMBER");
+  watch.add_option("--seconds", adder.options().seconds, "stop after so long")
+      ->type_name("NUMBER")
+      ->check(CLI::Range(0.001, 1e6).description(""));
   CLI::App& reset = adder.add("reset", "Begin an exercise again",
                               "magicmass learn reset half_angle", learn_reset);
   adder.id(false, "an exercise").for_student();

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -90,6 +92,11 @@ Findings compare_errors(const Rows& old_rows, const Rows& new_rows) {
   return findings;
 }
 
+bool has_ratio(const Record& record) {
+  return number_of(record, "ratio") && number_of(record, "ratio_low") &&
+         number_of(record, "ratio_high");
+}
+
 /// By how much two intervals miss each other: 1.05 is 5 %; 1 or less where they meet.
 double gap(const Record& one, const Record& other) {
   const double low = *number_of(one, "ratio_low");
@@ -101,9 +108,7 @@ Findings compare_ratios(const Rows& old_rows, const Rows& new_rows, double& wide
   Findings findings;
   for (const auto& [key, record] : new_rows) {
     const auto found = old_rows.find(key);
-    if (found == old_rows.end() || !number_of(*record, "ratio_low") ||
-        !number_of(*found->second, "ratio_low"))
-      continue;
+    if (found == old_rows.end() || !has_ratio(*record) || !has_ratio(*found->second)) continue;
     ++findings.compared;
     const double miss = gap(*record, *found->second);
     if (miss <= 1.0) continue;
@@ -139,7 +144,8 @@ KnownReport read_report(const std::string& path) {
     throw InvalidInput(shown_text(path, 200) + why);
   };
   std::ifstream file(path, std::ios::binary);
-  if (!file) refuse(" cannot be read");
+  std::error_code error;
+  if (!file || std::filesystem::is_directory(path, error)) refuse(" cannot be read");
   const nlohmann::json all = nlohmann::json::parse(file, nullptr, false);
   KnownReport report{shown_text(path, 200), {}};
   if (all.is_array())
@@ -147,7 +153,7 @@ KnownReport read_report(const std::string& path) {
       Record record;
       if (object.is_object())
         for (const auto& [name, value] : object.items())
-          if (!value.is_null())
+          if (value.is_primitive() && !value.is_null())
             record[name] = {value.is_string() ? value.get<std::string>() : value.dump(), false};
       if (record.contains("evaluator") && record.contains("family"))
         report.records.push_back(std::move(record));

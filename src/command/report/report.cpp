@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <system_error>
 
 #include "command/commands.hpp"
 #include "command/program.hpp"
@@ -34,6 +35,9 @@ struct ReportOptions {
 
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
+  std::error_code error;
+  if (!file || std::filesystem::is_directory(path, error))
+    throw InvalidInput("cannot read " + shown_text(path, 200));
   std::string text(std::istreambuf_iterator<char>(file), {});
   if (!file) throw InvalidInput("cannot read " + shown_text(path, 200));
   return text;

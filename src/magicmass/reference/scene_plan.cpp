@@ -43,11 +43,10 @@ Rehearsal rehearse(const ExactLine& line, std::int64_t limit) {
   LineMotion<double> motion(rounded(line));
   StalledClock<double> clock;
   const bool inelastic = motion.restitution() < 1.0;
-  const double until =
-      line.until ? nearest_double(*line.until) : std::numeric_limits<double>::infinity();
-  for (auto next = motion.next(); next && *next <= until && motion.events() < limit;
-       next = motion.next()) {
-    motion.step();
+  const std::optional<double> until =
+      line.until ? std::optional(nearest_double(*line.until)) : std::nullopt;
+  while (motion.next() && (!until || motion.is_due_by(*until)) && motion.events() < limit) {
+    if (motion.ties().near == 0) motion.step();
     if (motion.ties().near > 0) break;
     if (inelastic && clock.look(motion.events(), motion.now())) break;
   }
@@ -97,7 +96,10 @@ std::string why_not(Model model, const Scene& scene, const ExactLine& line, cons
     case Model::transfers:
       if (lists_events(scene) || !scene.times.empty())
         return "it goes from transfer to transfer and has no single events";
-      return why_no_cradle(line).value_or("");
+      if (const auto why = why_no_cradle(line)) return *why;
+      return !line.until || run_cradle(line, event_limit(scene, {})).is_whole
+                 ? ""
+                 : "the time given is in the middle of a transfer";
     case Model::event_driven:
       return "";
   }

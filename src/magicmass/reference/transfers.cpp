@@ -110,7 +110,13 @@ CradleEnd run_cradle(const ExactLine& line, const cl_I& most_contacts) {
     const FieldNumber beyond = place + FieldNumber(2) * (g.positions[ball + 1] - place);
     const FieldNumber over = !right ? place : ball + 2 <= last ? g.positions[ball + 2] : beyond;
     const FieldNumber length = way + (right ? over - from : from - over);
-    if (end.contacts + contacts > most_contacts || !by(length)) return end;
+    if (end.contacts + contacts > most_contacts) return end;
+    if (!by(length)) {
+      // It begins at the ball: at its place, or to the left where it was left behind, which is not beyond `over` to the right.
+      const FieldNumber& rest = ball + 2 <= last ? g.positions[ball + 2] : beyond;
+      end.is_whole = !by(way + (right ? place - from : from - rest));
+      return end;
+    }
     end.contacts = end.contacts + contacts;
     end.transfers = end.transfers + 1;
     end.mover = right ? end.mover + 2 : end.mover - 2;

@@ -21,6 +21,7 @@ std::optional<std::string> why_no_cradle(const ExactLine& line);
 /// Where a cradle is after the last whole transfer within its limits. All bodies but one block are at rest, exactly.
 struct CradleEnd {
   bool complete = false;      ///< the block that moves will meet nothing any more
+  bool is_whole = true;       ///< `until` is not seen to be in the middle of a transfer
   cln::cl_I contacts = 0;     ///< so far
   cln::cl_I transfers = 0;    ///< whole ones
   cln::cl_I round_trips = 0;  ///< back at the first block, moving right

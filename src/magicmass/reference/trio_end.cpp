@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/reference/trio_end.hpp"
 
+#include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include <cln/float.h>
@@ -36,6 +38,12 @@ struct SpeedMap {
     return difference * difference + (off + off) + (off + off);
   }
 };
+
+/// How many halvings or doublings x > 0 is away from 1.
+long magnitude(const cl_RA& x) {
+  return std::labs(static_cast<long>(cln::integer_length(cln::numerator(x))) -
+                   static_cast<long>(cln::integer_length(cln::denominator(x))));
+}
 
 Interval at(const ExactValue& value, long precision) { return enclosure(value)(precision); }
 
@@ -213,15 +221,21 @@ void TrioEnd::find_collapse() {
   }
   if (!sign) throw Undecided("the scene is too close to the threshold of inelastic collapse");
   if (*sign < 0) return;
-  // Numbers with some 200 digits to spare: the answer is rounded to a double.
+  // Numbers with some 200 digits to spare, and those that differences lose to masses and a restitution far from 1: the
+  // answer is rounded to a double.
+  long bits = 2048;
+  if (line_.restitution.is_rational()) bits += 4 * magnitude(line_.restitution.rational());
+  for (const ExactValue& mass : line_.masses)
+    if (mass.is_rational()) bits += 4 * magnitude(mass.rational);
   const auto middle = [](const Interval& x) { return (x.low() + x.high()) / 2; };
-  const TrioPowers<Interval> powers = enclosed(2048);
+  const TrioPowers<Interval> powers = enclosed(bits);
   const SpeedMap<Interval> map(powers.cycle());
   const auto& x = powers.start().x;
   const auto& v = powers.start().v;
   const cl_RA k11 = middle(map.k11), k21 = middle(map.k21), k22 = middle(map.k22);
   const cl_RA inner = *sign == 0 ? cl_RA(0) : middle(map.discriminant());
-  const cl_R root = cln::sqrt(cln::cl_float(inner, cln::float_format(300)));
+  const cl_R root =
+      cln::sqrt(cln::cl_float(inner, cln::float_format(static_cast<unsigned long>(bits / 3))));
   const cl_R weight =
       (k22 - k11 + root) / 2;  // the larger eigenvalue, less k11; the other weight is k21
   const cl_R gaps = k21 * middle(x.c - x.a) + weight * middle(x.b - x.c);
@@ -230,7 +244,7 @@ void TrioEnd::find_collapse() {
   // All meet in one place: the wall, or the centre of mass, which moves uniformly.
   cl_RA place = middle(x.b);
   if (!line_.right_wall) {
-    const Line<Interval> line = enclosed_line(line_, 2048);
+    const Line<Interval> line = enclosed_line(line_, bits);
     cl_RA mass = 0, moment = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const cl_RA m = middle(line.masses[i]);
@@ -240,6 +254,8 @@ void TrioEnd::find_collapse() {
     place = moment / mass;
   }
   collapse_ = Collapse{nearest<double>(time), nearest<double>(place)};
+  if (!std::isfinite(collapse_->time) || !std::isfinite(collapse_->position))
+    throw Undecided("the time or place of the collapse does not fit a double; choose other units");
 }
 
 }  // namespace magicmass::reference

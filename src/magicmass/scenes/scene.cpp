@@ -23,6 +23,9 @@ constexpr std::array<std::pair<std::string_view, Output>, 5> output_names = {{
 }};
 
 toml::table parse_table(std::string_view text, std::string_view source_name) {
+  if (has_endless_key(text))
+    throw InvalidInput(std::string(source_name) +
+                       ": a key of more than 1000 parts; allowed: lines like alpha = 0.1");
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

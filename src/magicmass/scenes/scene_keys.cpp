@@ -11,6 +11,9 @@ namespace {
 
 void read_title(const toml::node& node, const Place& place, Scene& scene) {
   scene.title = text_of(node, place, "a string");
+  for (const char c : scene.title)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      place.refuse("a control character in it", "a line of text");
 }
 
 void read_kind(const toml::node& node, const Place& place, Scene& scene) {

@@ -21,6 +21,9 @@ struct Place {
   [[noreturn]] void refuse(const std::string& what, std::string_view allowed) const;
 };
 
+/// Whether a key in a TOML text may have more than 1000 parts, a.a.a...: a parser's recursion would not end well.
+bool has_endless_key(std::string_view text);
+
 /// Each throws InvalidInput where the value is of another type or form.
 std::string text_of(const toml::node& node, const Place& place, std::string_view allowed);
 Value value_of(const toml::node& node, const Place& place);

@@ -37,6 +37,15 @@ void Place::refuse(const std::string& what, std::string_view allowed) const {
                      ": " + what + "; allowed: " + std::string(allowed));
 }
 
+bool has_endless_key(std::string_view text) {
+  int parts = 1;
+  for (const char c : text) {
+    if (c == '.' && ++parts > 1000) return true;
+    if (c == '\n' || c == '=' || c == ',' || c == '[' || c == '{') parts = 1;
+  }
+  return false;
+}
+
 std::string type_name(const toml::node& node) {
   std::ostringstream name;
   name << node.type();

@@ -82,6 +82,16 @@ public:
     return time_of<Scalar>(due);
   }
 
+  /// Whether the next contact, which must exist, is due at `time` or before; a near tie where rounding cannot tell.
+  bool is_due_by(const Scalar& time) {
+    const std::size_t gap = due_.first();
+    const Scalar due = time_of<Scalar>(due_[gap]);
+    if constexpr (rounds)
+      if (margin_.reaches_time(std::abs(due - time), std::min(due, time), sides(gap), sides(gap)))
+        note_near();
+    return !(time < due);
+  }
+
   /// Runs the next contact, which must exist.
   LineEvent<Scalar> step() {
     const std::size_t gap = due_.first();

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include <catch2/catch.hpp>
+#include <sys/stat.h>
 
 #include "learn_run.hpp"
 
@@ -164,4 +165,31 @@ TEST_CASE("an answer that can be no file's name is refused in one line", "[exam]
     CHECK(lines_of(run.errors).size() == 1);
     CHECK_THAT(run.errors, Contains("File name too long"));
   }
+}
+
+TEST_CASE("a pipe in an answer's place is no text file, and nobody waits for it", "[exam]") {
+  const Student student;
+  const TemporaryFolder folder;
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  const ProgramRun run = student.learn({"check", "collide", folder / "pipe"});
+  CHECK(run.exit_code == 2);
+  CHECK_THAT(run.errors, Contains("a text file is expected"));
+}
+
+TEST_CASE("what a compiler says of a source that is not UTF-8 is valid JSON", "[exam]") {
+  const Student student;
+  const TemporaryFolder folder;
+  write_file(folder / "mine.cpp", "#error caf\xe9\n");
+  const ProgramRun run =
+      student.learn({"check", "collide", folder / "mine.cpp", "--format", "json"});
+  CHECK(nlohmann::json::accept(run.output));
+  CHECK_THAT(run.output, Contains("error"));
+}
+
+TEST_CASE("a seed and a time to wait are numbers that make sense", "[exam]") {
+  const Student student;
+  for (const char* seed : {"-1", "18446744073709551616", "x"})
+    CHECK(student.learn({"show", "half_angle", "--seed", seed}).exit_code == 2);
+  for (const char* seconds : {"-1", "0"})
+    CHECK(student.learn({"watch", "--seconds", seconds}).exit_code == 2);
 }
