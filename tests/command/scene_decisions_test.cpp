@@ -75,3 +75,15 @@ TEST_CASE("numbers too small for a double's usual range are shown in tables", "[
   CHECK(run.exit_code == 0);
   CHECK(run.errors.empty());
 }
+
+TEST_CASE("the paper's counts are known whatever the units, and beyond doubles", "[exam]") {
+  for (const char* units : {"V = \"1/3\"\n", "L = \"1/3\"\n", "V = \"sqrt(2)\"\n", ""}) {
+    INFO(units);
+    const nlohmann::json run = simulated(std::string("alpha = \"magic:100\"\n") + units);
+    CHECK(run.at("counts") == simulated("alpha = \"magic:100\"\n").at("counts"));
+    CHECK(run.at("status") == "complete");
+  }
+  const std::string tiny = "alpha = \"1/1" + std::string(400, '0') + "\"\n";
+  CHECK(simulated(tiny).at("status") == "complete");
+  CHECK(simulated("alpha = 1e-300\n").at("status") == "complete");
+}

@@ -249,7 +249,9 @@ LinePlan plan_line(const Scene& scene, const ExactLine& line, const SceneOptions
 }
 
 bool is_papers_scene(const Scene& scene, const SceneOptions& options) {
-  return scene.alpha && scene.times.empty() && scene.every == 1 && !scene.until &&
+  const bool has_doubles =
+      std::holds_alternative<double>(scene.V) && std::holds_alternative<double>(scene.L);
+  return scene.alpha && has_doubles && scene.times.empty() && scene.every == 1 && !scene.until &&
          options.model.empty() &&
          (options.scalars == Scalars::planned || options.scalars == Scalars::exact) &&
          scene.restitution == Value(1.0);

@@ -100,9 +100,8 @@ void check_together(const Scene& scene) {
 
 /// The paper's state, which has formulas of its own: equal blocks, a ratio that is one by its form, doubles else.
 std::optional<MassRatio> ratio_of_equal_blocks(const Scene& scene) {
-  const bool laid_out = scene.lines.contains("alpha") && scene.positions.empty() &&
-                        scene.velocities.empty() && std::holds_alternative<double>(scene.V) &&
-                        std::holds_alternative<double>(scene.L);
+  const bool laid_out =
+      scene.lines.contains("alpha") && scene.positions.empty() && scene.velocities.empty();
   if (!laid_out) return std::nullopt;
   const Value& alpha = scene.masses[1];
   if (const auto* expression = std::get_if<Expression>(&alpha)) {

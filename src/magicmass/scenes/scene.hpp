@@ -29,7 +29,7 @@ struct Scene {
   std::string source;            ///< file name, for messages
   Kind kind = Kind::three_body;  ///< one of the three
   std::optional<MassRatio>
-      alpha;  ///< equal blocks of mass 1 and a ball, laid out, V and L doubles: the paper's state
+      alpha;  ///< equal blocks of mass 1 and a ball, laid out: the paper's state, up to units
   std::vector<Value> masses;        ///< of each body, from left to right
   std::vector<Value> positions;     ///< as many as masses, or none: laid out
   std::vector<Value> velocities;    ///< as many as masses, or none
