@@ -67,8 +67,7 @@ bool apply(const ProcessLimits& limits) {
   return allow_computing_only();
 }
 
-/// What the child needs, made before fork: between fork and exec there is nothing but system calls, and the few words
-/// of memory that their filter is made in.
+/// What the child needs, made before fork: between fork and exec there is nothing but system calls.
 struct Start {
   std::vector<char*> arguments;
   const char* folder;

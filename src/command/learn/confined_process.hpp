@@ -34,7 +34,7 @@ struct ProcessEnd {
 ProcessEnd run_confined(const std::vector<std::string>& words, const std::string& input,
                         const std::filesystem::path& folder, const ProcessLimits& limits);
 
-/// Whether allow_computing_only() can be had here.
+/// Whether allow_computing_only() can be had here. To be asked before fork: it makes what a child needs for that.
 bool can_allow_computing_only();
 
 /// In a child, before exec: from now on the system kills the process (SIGSYS) when it opens a file for writing,

@@ -2,6 +2,7 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -66,16 +67,24 @@ void add_open(std::vector<sock_filter>& program, long call, unsigned flags_index
   program.push_back(answer(SECCOMP_RET_ALLOW));
 }
 
-/// Kills where the call's first argument, a process, is another one.
-void add_own(std::vector<sock_filter>& program, long call, std::uint32_t process) {
+/// Kills where the call's first argument, a process, is another one. Returns where that process stands.
+std::size_t add_own(std::vector<sock_filter>& program, long call, std::uint32_t process) {
   program.push_back(unless_skip(BPF_JEQ, static_cast<std::uint32_t>(call), 4));
   program.push_back(load(offset_of_argument(0)));
   program.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, process, 1, 0));
+  const std::size_t place = program.size() - 1;
   program.push_back(answer(SECCOMP_RET_KILL_PROCESS));
   program.push_back(answer(SECCOMP_RET_ALLOW));
+  return place;
 }
 
-std::vector<sock_filter> filter_program() {
+/// Instructions, of which one names the process itself.
+struct Filter {
+  std::vector<sock_filter> program;
+  std::size_t own_process = 0;
+};
+
+Filter made_filter() {
   std::vector<sock_filter> program{load(offsetof(seccomp_data, arch)),
                                    BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, own_architecture, 1, 0),
                                    answer(SECCOMP_RET_KILL_PROCESS),
@@ -91,23 +100,31 @@ std::vector<sock_filter> filter_program() {
 #endif
   add_open(program, SYS_openat, 2);
   // abort() sends itself a signal, and getrlimit() asks for its own limits: nobody else's
-  add_own(program, SYS_tgkill, static_cast<std::uint32_t>(::getpid()));
+  const std::size_t own_process = add_own(program, SYS_tgkill, 0);
   add_own(program, SYS_prlimit64, 0);
   program.push_back(answer(SECCOMP_RET_ALLOW));
-  return program;
+  return {std::move(program), own_process};
+}
+
+/// Made once, before the first fork: a child has no business with memory.
+Filter& filter() {
+  static Filter once = made_filter();
+  return once;
 }
 
 }  // namespace
 
 // The kernel's own test: the filter at null is not looked for where there are no filters.
 bool can_allow_computing_only() {
+  filter();
   return own_architecture != 0 && ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, nullptr) == -1 &&
          errno == EFAULT;
 }
 
 bool allow_computing_only() {
   if (own_architecture == 0) return false;
-  std::vector<sock_filter> instructions = filter_program();
+  auto& [instructions, own_process] = filter();
+  instructions[own_process].k = static_cast<std::uint32_t>(::getpid());
   const sock_fprog program{static_cast<unsigned short>(instructions.size()), instructions.data()};
   return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
          ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
