@@ -12,7 +12,8 @@
 /// 1, e = 1), on every machine the same. Throws InvalidInput outside the domains given. Ziv's strategy in three
 /// stages: numbers within 2^-67 of what they stand for with a rounding test, within about 2^-84 with one, and certified
 /// multiword arithmetic, which enough words always end (argued in evaluators/velocity_attempts.hpp, encounter_attempts.hpp and
-/// certified_angles.cpp); Undecided is thrown where 1536 bits are not enough, which was never seen. From theorems tangent.* and ratios.*.
+/// certified_angles.cpp); Undecided is thrown where 1536 bits are not enough, which was never seen. From theorems
+/// tangent.* and ratios.*.
 namespace magicmass::accurate {
 
 /// All velocities just after the n-th collisions, in units of V; 0 <= n, also past N_A, where the formula goes on.

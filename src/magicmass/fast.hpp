@@ -11,7 +11,8 @@
 /// Tier `fast`: each number within 4 times what rounding alpha alone would cost, max(1/2, cond/2) ulp with
 /// cond = |alpha y'/y|, for every positive finite double alpha (V = L = 1, e = 1). Throws InvalidInput outside the domains
 /// given, but for two that it would cost a count to see: n past N_A below alpha = 1, and counts with restitution that are not
-/// those of alpha and e; there the numbers mean nothing. From theorems tangent.*, offset.* and ratios.* (generated/magicmass/kernels) and rotation.psi_paper.
+/// those of alpha and e; there the numbers mean nothing. From theorems tangent.*, offset.* and ratios.*
+/// (generated/magicmass/kernels) and rotation.psi_paper.
 namespace magicmass::fast {
 
 /// All velocities just after the n-th collisions, in units of V; 0 <= n <= N_A.
@@ -31,8 +32,9 @@ generated::Ratios<double> ratios(std::int64_t k);
 std::optional<Terminal> terminal(double alpha);
 
 /// The same with restitution 0 < e <= 1, `counts` being all collisions: N_B <= N_A <= N_B + 1, alpha above alpha_c(e) =
-/// (1 - sqrt(e))^2/(2 sqrt(e)): nothing of that is looked at. 1.01 max(1/2, cond/2) ulp were seen, with the condition numbers in alpha and e added up. From
-/// theorems inelastic_end.*, in long double, rounded once: not finite where that cannot tell alpha from alpha_c(e).
+/// (1 - sqrt(e))^2/(2 sqrt(e)): nothing of that is looked at. 1.01 max(1/2, cond/2) ulp were seen, with the condition
+/// numbers in alpha and e added up. From theorems inelastic_end.*, in long double, rounded once: not finite where that
+/// cannot tell alpha from alpha_c(e).
 Terminal terminal(long double alpha, long double e, const Counts& counts);
 
 /// The time, in units of L/V, in which infinitely many collisions happen: 0 < e < 1, alpha <= alpha_c(e), which is

@@ -23,7 +23,8 @@ std::optional<std::string> deficient_radicals(long k);
 /// Whether sec(pi/n), n >= 3, can be written with real radicals of any kind: if and only if its degree phi(2n)/2 is a power of
 /// 2, that is, the regular n-gon is constructible. All its conjugates are real, and a number in a real radical
 /// extension whose conjugates are all real is of such a degree (Isaacs, Solution of polynomials by real radicals,
-/// 1985); the classical casus irreducibilis is the cubic of n = 7. Conversely such an n has square roots alone. Throws InvalidInput for n < 3.
+/// 1985); the classical casus irreducibilis is the cubic of n = 7. Conversely such an n has square roots alone.
+/// Throws InvalidInput for n < 3.
 bool real_radicals_exist(long n);
 
 }  // namespace magicmass::algebraic
