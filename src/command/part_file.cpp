@@ -18,6 +18,7 @@ namespace {
 
 PartFile::PartFile(const std::string& target) : target_(target) {
   constexpr int most_writers = 1000;
+  const SignalsHeld held;
   for (int number = 1; !take(number); ++number)
     if (number == most_writers) fail(EBUSY);
   leftover_.put_on_list(name_.c_str());
@@ -46,6 +47,7 @@ bool PartFile::take(int number) {
 }
 
 PartFile::~PartFile() {
+  const SignalsHeld held;
   leftover_.strike_off();
   if (!name_.empty()) ::unlink(name_.c_str());
   ::close(descriptor_);

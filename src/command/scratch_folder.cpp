@@ -12,6 +12,7 @@ namespace magicmass::command {
 ScratchFolder::ScratchFolder() {
   std::error_code missing;
   const std::filesystem::path parent = std::filesystem::temp_directory_path(missing);
+  const SignalsHeld held;
   std::string name = (parent / "magicmass-XXXXXX").string();
   if (missing || ::mkdtemp(name.data()) == nullptr)
     throw InvalidInput(

@@ -45,26 +45,33 @@ run "$program" ratios --count 40 -o "$scratch/place/ratios"
 check "the next to write it is right" cmp "$scratch/whole" "$scratch/place/ratios"
 check "and uses up what the killed one left" holds_only "$scratch/place" ratios
 
-# A folder for temporary files: here while somebody's answer is compiled.
+# A folder for temporary files, as soon as it is there and while a compiler's parts are putting files into it.
+mkdir "$scratch/bin"
+cat >"$scratch/bin/c++" <<'END'
+#!/usr/bin/env bash
+while [[ -d $TMPDIR ]]; do for name in 1 2 3 4; do : >"$TMPDIR/$name.part"; done; done &
+wait
+END
+chmod +x "$scratch/bin/c++"
 answer=$(echo "$sources"/tutorials/*/exercises/collision_by_collision/solution/answer.cpp)
-if type -P c++ >/dev/null; then
+for moment in '' /4.part; do
   for signal in INT TERM HUP; do
     fresh
     if [[ $signal == INT ]]; then set -m; fi
-    TMPDIR=$scratch/place "$program" learn check collision_by_collision "$answer" --folder "$scratch/course" \
-      >/dev/null 2>"$scratch/errors" &
+    PATH=$scratch/bin:$PATH TMPDIR=$scratch/place "$program" learn check collision_by_collision "$answer" \
+      --folder "$scratch/course" >/dev/null 2>"$scratch/errors" &
     set +m
-    until compgen -G "$scratch/place/magicmass-*" >/dev/null || ! kill -0 $! 2>/dev/null; do sleep 0.01; done
-    check "SIG$signal: there is a folder for temporary files" not holds_only "$scratch/place"
+    until compgen -G "$scratch/place/magicmass-*$moment" >/dev/null || ! kill -0 $! 2>/dev/null; do sleep 0.01; done
+    check "SIG$signal$moment: there is a folder for temporary files" not holds_only "$scratch/place"
     kill -$signal $!
     wait $! 2>/dev/null || true
     for _ in {1..100}; do
       holds_only "$scratch/place" && break
       sleep 0.05
     done
-    check "SIG$signal: it is gone afterwards" holds_only "$scratch/place"
+    check "SIG$signal$moment: it is gone afterwards" holds_only "$scratch/place"
   done
-fi
+done
 
 # A part file that somebody is writing is left alone.
 if type -P flock >/dev/null; then

@@ -15,6 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "command/leftover.hpp"
+
 namespace magicmass::command {
 namespace {
 
@@ -169,9 +171,16 @@ ProcessEnd run_confined(const std::vector<std::string>& words, const std::string
   Start start{{}, folder.c_str(), in.number(), output_end.number(), results_end.number(), limits};
   for (std::string& word : kept) start.arguments.push_back(word.data());
   start.arguments.push_back(nullptr);
+  SignalsHeld held;
   const pid_t child = ::fork();
   if (child < 0) no_process("fork");
-  if (child == 0) become(start);
+  if (child == 0) {
+    held.let_go();
+    become(start);
+  }
+  Leftover running(Leftover::Kind::process);
+  running.put_on_list(child);
+  held.let_go();
   output_end.close();
   results_end.close();
   ProcessEnd end;
