@@ -23,6 +23,7 @@ constexpr std::array<Number, 4> as_array(const Velocities<Number>& all) {
 }
 
 /// Collision j = 0 (P_1), 1 (Q_1), 2 (P_2), ...
+/// That they are is proved in times.t_of_P, times.t_of_Q, times.s_of_P, times.s_of_Q.
 template <class Number>
 struct Encounters {
   Number t;  ///< its time, in units of L/V, from the first collision on

@@ -31,7 +31,7 @@ struct Kernel {
 std::string emit_evaluator(const Evaluator& evaluator);
 std::string emit_kernel(const Kernel& kernel);
 std::string emit_matrices(const std::vector<proof::Theorem>& theorems);
-std::string emit_quantities();
+std::string emit_quantities(const std::vector<proof::Theorem>& theorems);
 std::string emit_cosine_ladder(const std::vector<proof::Theorem>& theorems);
 std::string emit_registry(const std::vector<Evaluator>& evaluators);
 std::string emit_manifest(const std::vector<Evaluator>& evaluators);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "codegen/emit.hpp"
 #include "codegen/expression.hpp"
+#include "codegen/make_kernel.hpp"
 
 namespace magicmass::codegen {
 namespace {
@@ -97,11 +98,17 @@ std::string emit_evaluator(const Evaluator& evaluator) {
   return text + "\n}  // namespace magicmass::generated\n";
 }
 
-std::string emit_quantities() {
+std::string emit_quantities(const std::vector<proof::Theorem>& theorems) {
   std::string text = file_header("What the evaluators return");
   text += "\n#include <array>\n\nnamespace magicmass::generated {\n";
   for (const QuantityStruct& made : quantity_structs()) {
-    text += "\n/// " + made.words + "\ntemplate <class Number>\nstruct " + made.name + " {\n";
+    std::vector<proof::Theorem> meaning;
+    for (const std::string& id : made.meaning) meaning.push_back(theorem_named(theorems, id));
+    text += "\n/// " + made.words + "\n" +
+            (meaning.empty()
+                 ? ""
+                 : wrapped_line("/// That they are is proved in " + theorem_list(meaning) + ".")) +
+            "template <class Number>\nstruct " + made.name + " {\n";
     for (const auto& [member, words] : made.members)
       text.append("  Number ").append(member).append(";  ///< ").append(words).append("\n");
     text +=

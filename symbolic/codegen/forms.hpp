@@ -45,6 +45,8 @@ struct QuantityStruct {
   std::string name;
   std::string words;
   std::vector<std::pair<std::string, std::string>> members;
+  std::vector<std::string> meaning =
+      {};  // theorems that tie members that are definitions to the motion
 };
 const std::vector<QuantityStruct>& quantity_structs();
 

@@ -7,9 +7,26 @@
 #include "codegen/lower.hpp"
 #include "codegen/make_kernel.hpp"
 #include "codegen/pipelines.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::codegen {
 namespace {
+
+// A definition says nothing of the motion by itself.
+void expect_meaning(const proof::Theorem& output, const std::string& result,
+                    const std::vector<proof::Theorem>& theorems) {
+  if (output.step().verdict != "definition") return;
+  for (const QuantityStruct& made : quantity_structs())
+    for (const std::string& id : made.name == result ? made.meaning : std::vector<std::string>{}) {
+      const proof::Step& step = theorem_named(theorems, id).step();
+      const std::vector<std::string>& premises = step.premises;
+      if (step.verdict == "proved" &&
+          std::find(premises.begin(), premises.end(), output.id()) != premises.end())
+        return;
+    }
+  throw InvalidInput(output.id() + " is a definition, and no theorem of " + result +
+                     " ties it to the motion");
+}
 
 Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& theorems) {
   const auto find = [&theorems](const std::string& id) -> const proof::Theorem& {
@@ -21,6 +38,7 @@ Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& th
     if (!input.empty()) source.real_inputs.push_back(input);
   std::vector<std::string> names;
   for (const auto& [name, id] : form.outputs) {
+    expect_meaning(find(id), form.result, theorems);
     evaluator.outputs.push_back(find(id));
     source.outputs.emplace_back(name, find(id));
     names.push_back(name);
@@ -49,7 +67,7 @@ std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems)
   std::vector<GeneratedFile> files{{"magicmass/cosine_ladder.hpp", emit_cosine_ladder(theorems)},
                                    {"magicmass/cycle_matrices.hpp", emit_matrices(theorems)},
                                    {"magicmass/evaluators.hpp", emit_registry(evaluators)},
-                                   {"magicmass/quantities.hpp", emit_quantities()},
+                                   {"magicmass/quantities.hpp", emit_quantities(theorems)},
                                    {"manifest.json", emit_manifest(evaluators)}};
   for (const Evaluator& evaluator : evaluators)
     files.push_back({evaluator.form.header(), emit_evaluator(evaluator)});

@@ -7,8 +7,10 @@
 #include <sstream>
 
 #include <catch2/catch.hpp>
+#include <ginac/ginac.h>
 
 #include "derivation/derivation.hpp"
+#include "proof/kernel.hpp"
 #include "whole_derivation.hpp"
 
 using namespace magicmass;
@@ -48,4 +50,18 @@ TEST_CASE("generating twice gives the same bytes", "[check][shared]") {
 
 TEST_CASE("a missing theorem is named", "[exam]") {
   CHECK_THROWS_WITH(codegen::generate({}), Catch::Contains("no theorem is called"));
+}
+
+TEST_CASE("an output that is a definition needs a theorem that ties it to the motion",
+          "[exam][shared]") {
+  std::vector<proof::Theorem> theorems = whole_derivation().theorems;
+  proof::Kernel kernel{proof::Domain()};
+  for (proof::Theorem& theorem : theorems) {
+    if (theorem.id() == "times.t_of_P" || theorem.id() == "times.t_of_Q") {
+      const GiNaC::symbol x("x");
+      theorem = kernel.definition({.id = theorem.id(), .statement = {x, 1}});
+    }
+  }
+  CHECK_THROWS_WITH(codegen::generate(theorems),
+                    "times.t is a definition, and no theorem of Encounters ties it to the motion");
 }
