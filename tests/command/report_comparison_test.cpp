@@ -154,6 +154,21 @@ TEST_CASE("files that are no reports cost one clear line and exit 2, before any 
   }
 }
 
+// At these inputs some members are 0, which floats show by luck alone.
+TEST_CASE("errors against a quantity's own theorem are the same in each run", "[exam]") {
+  const TemporaryFolder folder;
+  const std::vector<std::string> words = {
+      "report",      "--quick",   "--size",       "2",        "--rounds",     "6",
+      "--families",  "alpha = 1", "--quantities", "terminal", "--evaluators", "terminal_after_P",
+      "--no-growth", "--format",  "json"};
+  for (const char* file : {"one.json", "other.json"})
+    REQUIRE(run_program(with(words, {"-o", folder / file})).exit_code == 0);
+  const ProgramRun run =
+      run_program({"report", "--compare", folder / "one.json", folder / "other.json"});
+  INFO(run.output);
+  CHECK(run.exit_code == 0);
+}
+
 // Not gated on: it takes two minutes, and a loaded machine disturbs.
 TEST_CASE("two runs agree", "[time]") {
   const TemporaryFolder folder;
@@ -162,4 +177,16 @@ TEST_CASE("two runs agree", "[time]") {
   const ProgramRun run = run_program(with(quick, {"--compare", folder / "old.json"}));
   WARN(run.output);
   CHECK(run.exit_code == 0);
+}
+
+TEST_CASE("what a report's rows are called is shown without its control characters", "[exam]") {
+  nlohmann::json one = steady(1);
+  for (auto& row : one) row["evaluator"] = "\x1b[2Jnaive\n";
+  nlohmann::json other = one;
+  for (auto& row : other)
+    if (row["max_ulp"].is_number()) row["max_ulp"] = row["max_ulp"].get<double>() + 1;
+  const ProgramRun run = compared(one, other);
+  CHECK(run.exit_code == 1);
+  CHECK(run.output.find("naive") != std::string::npos);
+  CHECK(run.output.find('\x1b') == std::string::npos);
 }

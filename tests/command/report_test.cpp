@@ -193,7 +193,10 @@ TEST_CASE("bad options, names and places cost one clear line and exit 2, before 
       {{"--figures", folder / "file"}, "cannot write"},
       {{"--figures", "/proc/none/figures"}, "cannot write"},
       {{"-o", "/nowhere/report.txt"}, "cannot write /nowhere/report.txt"},
-      {{"--headline", folder / "no_marks.md"}, "no place for the headline"},
+      {{"--headline", folder / "no_marks.md"}, "no_marks.md: no place for the headline"},
+      {{"--compare", folder / "file", folder / "file", "--format", "json"},
+       "--compare is told as text"},
+      {{"--compare", folder / "file", "--format", "csv"}, "--compare is told as text"},
       {{"--headline", folder / "missing.md"}, "cannot read"},
       {{"--unknown"}, "--unknown"},
   };

@@ -70,7 +70,8 @@ struct Findings {
 
   std::string text() const {
     std::string all;
-    for (std::size_t i = 0; i < lines.size() && i < most_shown; ++i) all += "  " + lines[i] + "\n";
+    for (std::size_t i = 0; i < lines.size() && i < most_shown; ++i)
+      all += "  " + shown_text(lines[i], 400) + "\n";
     if (lines.size() > most_shown) all += fmt::format("  and {} more\n", lines.size() - most_shown);
     return all;
   }

@@ -71,21 +71,29 @@ std::optional<cln::cl_RA> value(const GiNaC::ex& formula, const codegen::Form& f
 double condition(const GiNaC::ex& formula, const codegen::Form& form, const Input& input,
                  const Change& change, const cln::cl_RA& y, long digits) {
   const auto moved = value(formula, form, input, change, digits);
-  if (!moved || cln::zerop(y)) return 0;
+  if (!moved) return 0;
   return std::fabs(std::ldexp(cln::double_approx((*moved - y) / y), step));
 }
 
+/// To certain_bits less a few: without the last digits of floats, which depend on the order of GiNaC's terms, too.
+cln::cl_RA without_noise(const cln::cl_RA& y) {
+  const auto length = [](const cln::cl_I& x) { return static_cast<long>(cln::integer_length(x)); };
+  const long shift = certain_bits - 10 - length(cln::numerator(y)) + length(cln::denominator(y));
+  const cln::cl_RA unit = cln::expt(cln::cl_RA(2), cln::cl_I(-shift));
+  return cln::round1(y / unit) * unit;
+}
+
+/// Nothing where more digits do not help. That goes for 0, too: whether floats cancel to it depends on that order.
 ExactValue certain(const GiNaC::ex& formula, const codegen::Form& form, const Input& input) {
   ExactValue none;
   none.exists = false;
   std::optional<cln::cl_RA> before = value(formula, form, input, {}, first_digits);
   for (long digits = 2 * first_digits; before && digits <= last_digits; digits *= 2) {
     const std::optional<cln::cl_RA> y = value(formula, form, input, {}, digits);
-    if (!y) return none;
+    if (!y || cln::zerop(*y)) return none;
     const cln::cl_RA width = cln::abs(*y) / cln::cl_RA(cln::ash(cln::cl_I(1), certain_bits));
-    if (cln::abs(*y - *before) <= width &&
-        (cln::zerop(*y) || report::rounding_is_certain(*y, certain_bits))) {
-      ExactValue exact = report::exact_value(*y);
+    if (cln::abs(*y - *before) <= width && report::rounding_is_certain(*y, certain_bits)) {
+      ExactValue exact = report::exact_value(without_noise(*y));
       const cln::cl_RA factor = 1 + cln::cl_RA(1) / cln::cl_RA(cln::ash(cln::cl_I(1), step));
       if (!form.real_input.empty())
         exact.condition = condition(formula, form, input, {factor, 1}, *y, digits);

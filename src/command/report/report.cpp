@@ -74,6 +74,9 @@ ExitCode report_command(const ReportOptions& options) {
     run_timing_batch(options.request, *options.timing_batch, std::cin, std::cout);
     return ExitCode::done;
   }
+  if (!options.compare.empty() && options.output.format != "text" &&
+      (options.compare.size() == 2 || options.output.path.empty()))
+    throw InvalidInput("--compare is told as text; --format is of the report that -o FILE writes");
   std::vector<KnownReport> known;
   for (const std::string& path : options.compare) known.push_back(read_report(path));
   if (known.size() == 2) {
@@ -83,7 +86,7 @@ ExitCode report_command(const ReportOptions& options) {
   // What cannot be written is found out before the minutes of measuring.
   Destination output(options.output.path);
   if (!options.figures.empty()) prepare_folder(options.figures);
-  if (!options.headline.empty()) with_headline(read_text(options.headline), "");
+  if (!options.headline.empty()) with_headline(read_text(options.headline), "", options.headline);
   Measurement measurement;
   {
     Progress progress;
@@ -102,8 +105,8 @@ ExitCode report_command(const ReportOptions& options) {
     Progress::end_as_interrupted();
   }
   if (!options.headline.empty())
-    write_whole(options.headline,
-                with_headline(read_text(options.headline), report_headline(measurement)));
+    write_whole(options.headline, with_headline(read_text(options.headline),
+                                                report_headline(measurement), options.headline));
   if (known.empty()) return ExitCode::done;
   Destination comparison("");
   return say_comparison(comparison, known[0], {"this run", report_records(measurement)});
@@ -113,8 +116,6 @@ CLI::Option* add_names(CLI::App& command, const std::string& option,
                        std::vector<std::string>& names, const std::string& words) {
   return command.add_option(option, names, words)->type_name("NAME,...")->delimiter(',');
 }
-
-std::string not_empty(const std::string& path) { return path.empty() ? "no name" : ""; }
 
 /// A file that is given takes part, whatever else is asked for.
 void name_own_function(ReportRequest& request) {
@@ -150,14 +151,10 @@ void add_report(Program& program) {
   command.add_flag("--growth,!--no-growth", request.growth, "error and time as the work grows");
   command.add_flag("--peers", request.peers, "SymPy on NumPy too, where installed");
   command.add_option("--function", request.function, "your own velocities(alpha, n) in C++, too")
-      ->type_name("FILE")
-      ->check(not_empty);
-  command.add_option("--figures", options->figures, "draw SVG figures into DIR")
-      ->type_name("DIR")
-      ->check(not_empty);
+      ->type_name("FILE");
+  command.add_option("--figures", options->figures, "draw SVG figures into DIR")->type_name("DIR");
   command.add_option("--headline", options->headline, "write the short table between FILE's marks")
-      ->type_name("FILE")
-      ->check(not_empty);
+      ->type_name("FILE");
   command
       .add_option("--compare", options->compare, "does this run, or FILE, agree with FILE (JSON)?")
       ->type_name("FILE [FILE]")

@@ -9,6 +9,7 @@
 
 #include "command/report/report_tables.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/shown_text.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -86,12 +87,13 @@ std::string report_headline(const Measurement& measurement) {
   return text;
 }
 
-std::string with_headline(const std::string& text, const std::string& headline) {
+std::string with_headline(const std::string& text, const std::string& headline,
+                          const std::string& path) {
   const std::size_t begin = text.find(headline_begin);
   const std::size_t end =
       begin == std::string::npos ? begin : text.find(headline_end, begin + headline_begin.size());
   if (end == std::string::npos)
-    throw InvalidInput("no place for the headline: the file needs the line \"" +
+    throw InvalidInput(shown_text(path, 200) + ": no place for the headline: it needs the line \"" +
                        std::string(headline_begin.substr(0, headline_begin.size() - 1)) +
                        "\" and after it \"<!-- end -->\"");
   return text.substr(0, begin + headline_begin.size()) + headline + text.substr(end);

@@ -34,8 +34,9 @@ std::string markdown_head(const std::vector<std::string>& names, std::size_t wor
 
 /// A Markdown table in short: the evaluators in double that tell most, where they do worst and on the easiest family.
 std::string report_headline(const Measurement& measurement);
-/// `text` with what stands between its two marks replaced by the headline. Throws InvalidInput without the marks.
-std::string with_headline(const std::string& text, const std::string& headline);
+/// `text`, which `path` holds, with what stands between its two marks replaced by the headline. Throws InvalidInput without them.
+std::string with_headline(const std::string& text, const std::string& headline,
+                          const std::string& path);
 
 /// What the columns are, for readers of the tables.
 std::string report_legend(const Measurement& measurement);

@@ -56,12 +56,15 @@ std::vector<std::string> asked_quantities(const ReportRequest& request) {
     if (is_asked(request.quantities, quantity.name)) asked.push_back(quantity.name);
   }
   require_names("quantity", request.quantities, known);
+  std::set<std::string> families;
+  for (const std::string& quantity : asked)
+    for (const Family& family : report::families(quantity, 1)) families.insert(family.name);
+  require_names("family", request.families, families);
   return asked;
 }
 
 std::vector<Task> report_tasks(const ReportRequest& request,
                                const std::vector<Contestant>& further) {
-  std::set<std::string> family_names;
   std::set<std::string> evaluator_names;
   std::vector<Task> all;
   for (const std::string& quantity : asked_quantities(request)) {
@@ -70,7 +73,6 @@ std::vector<Task> report_tasks(const ReportRequest& request,
     for (const Contestant& one : further)
       if (one.quantity == quantity) task.contestants.push_back(one);
     sort_for_reading(task.contestants);
-    for (const Family& family : task.families) family_names.insert(family.name);
     for (const Contestant& one : task.contestants) evaluator_names.insert(one.name);
     std::erase_if(task.families,
                   [&](const Family& one) { return !is_asked(request.families, one.name); });
@@ -79,7 +81,6 @@ std::vector<Task> report_tasks(const ReportRequest& request,
     });
     all.push_back(std::move(task));
   }
-  require_names("family", request.families, family_names);
   require_names("evaluator", request.evaluators, evaluator_names);
   return all;
 }

@@ -33,11 +33,11 @@ struct Task {
   std::vector<report::Family> families;
 };
 
-/// The quantities that are asked for; throws InvalidInput for a name that is not there.
+/// The quantities that are asked for; throws InvalidInput for a name that is not there, and for that of a family.
 std::vector<std::string> asked_quantities(const ReportRequest& request);
 
 /// A task for each quantity that is asked for, with those of the further contestants that belong to it. Throws
-/// InvalidInput for a name that is not there.
+/// InvalidInput as above, and for an evaluator's name that is not there.
 std::vector<Task> report_tasks(const ReportRequest& request,
                                const std::vector<report::Contestant>& further);
 
