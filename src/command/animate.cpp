@@ -41,6 +41,8 @@ void say_if_cut(const SceneMotion& motion, const AnimateOptions& options) {
 }
 
 ExitCode animate(const AnimateOptions& options) {
+  if (!options.gif.empty() && options.gif == options.page)
+    throw InvalidInput("--gif and -o name one file; allowed: two");
   const Scene scene = read_scene(options.scene);
   const bool is_page = options.gif.empty() || !options.page.empty();
   std::optional<Destination> page, gif;
@@ -55,8 +57,6 @@ ExitCode animate(const AnimateOptions& options) {
   return ExitCode::done;
 }
 
-std::string not_empty(const std::string& path) { return path.empty() ? "no file name" : ""; }
-
 }  // namespace
 
 void add_animate(Program& program) {
@@ -66,11 +66,9 @@ void add_animate(Program& program) {
                   "magicmass animate tutorials/scenes/cradle.toml -o cradle.html");
   command.add_option("SCENE", options->scene, "a scene file in TOML")->type_name("")->required();
   command.add_option("-o,--output", options->page, "write the page to FILE, whole or not at all")
-      ->type_name("FILE")
-      ->check(not_empty);
+      ->type_name("FILE");
   command.add_option("--gif", options->gif, "a GIF, too; without -o a GIF alone")
-      ->type_name("FILE")
-      ->check(not_empty);
+      ->type_name("FILE");
   command
       .add_option("--max-events", options->max_events,
                   fmt::format("show so many collisions at most, up to {}", most_contacts))

@@ -26,14 +26,14 @@ bool is_threshold(const MassRatio& alpha) {
   return std::holds_alternative<Magic>(alpha) || std::holds_alternative<Deficient>(alpha);
 }
 
-/// Whether long double could not have told the count, which threshold is the closest, and how close. Not known of a ratio
+/// Whether it is a threshold, or long double could not have told the count, which threshold is the closest, and how close. Not known of a ratio
 /// that is neither a double nor a threshold itself, nor where the counts do not fit 64 bits.
 std::vector<Cell> near_tie_cells(const MassRatio& alpha) {
   const auto truth = [](bool value) { return Cell{value ? "true" : "false", false}; };
   if (is_threshold(alpha)) return {truth(true), text_cell(to_text(alpha)), number_cell(0.0)};
   if (const auto* value = std::get_if<double>(&alpha))
     if (const auto nearest = nearest_threshold(*value))
-      return {truth(decide_count(*value).near_tie),
+      return {truth(decide_count(*value).near_tie || nearest->distance == 0.0),
               text_cell((nearest->is_magic ? "magic:" : "deficient:") + std::to_string(nearest->k)),
               number_cell(nearest->distance)};
   return std::vector<Cell>(3, missing_cell());
@@ -62,8 +62,9 @@ void add_count(Program& program) {
                    "also the closest threshold, and how close alpha is");
   add_output_options(command, options->output);
   command.footer(
-      "near_tie: long double could not have told the count. distance is\n"
-      "(alpha - threshold)/threshold. All three are null where alpha is neither a\n"
+      "near_tie: alpha is a threshold, or long double could not have told the\n"
+      "count. distance is (alpha - threshold)/threshold. All three are null where alpha is neither "
+      "a\n"
       "double nor a threshold, and where the counts do not fit 64 bits.");
   on_run(program, command, [options] {
     std::vector<std::string> columns{"alpha", "N_A", "N_B"};

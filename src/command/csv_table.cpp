@@ -97,6 +97,10 @@ CsvTable parse_csv(const std::string& text, const std::string& source,
   const std::vector<std::string> names =
       lines.empty() ? std::vector<std::string>{} : fields_of(lines.front(), place(0));
   table.header = fmt::format("{}", fmt::join(names, ","));
+  for (const std::string& name : names)
+    if (name.find(',') != std::string::npos)
+      throw InvalidInput(fmt::format("{}the column \"{}\" has a comma in its name; allowed: {}",
+                                     place(0), shown_text(name), fmt::join(headers, " or ")));
   if (std::find(headers.begin(), headers.end(), table.header) == headers.end())
     throw InvalidInput(fmt::format("{}the first line must name the columns, got {}; allowed: {}",
                                    place(0), shown_text(table.header), fmt::join(headers, " or ")));

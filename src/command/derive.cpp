@@ -124,7 +124,8 @@ void add_derive(Program& program) {
              ->type_name(""),
         derivation::chapter_names());
   command.add_option("--from", options->from, "what that rests on: a_n, eq:a-final, power.a")
-      ->type_name("RESULT");
+      ->type_name("RESULT")
+      ->check([](const std::string& name) { return std::string(name.empty() ? "no name" : ""); });
   command.add_flag("--list", options->list, "the theorems, and where the paper has them");
   command.add_flag("--summary", options->summary, "the laws and the main theorems alone");
   command.add_flag("--ascii", options->ascii, "plain characters, whatever the locale");

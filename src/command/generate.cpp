@@ -46,10 +46,12 @@ std::string json_of(const std::string& status, std::size_t files,
 }
 
 /// One header: to a file, to its place below a folder, or to stdout.
-ExitCode generate_one(const GenerateOptions& options, const derivation::Derivation& derivation) {
-  const codegen::GeneratedFile file =
-      options.quantities ? header_of_quantities(*options.quantities, derivation.theorems)
-                         : header_of_scene(*options.scene, derivation.theorems);
+ExitCode generate_one(const GenerateOptions& options) {
+  const SpecialisedHeader header = options.quantities ? header_of_quantities(*options.quantities)
+                                                      : header_of_scene(*options.scene);
+  const derivation::Derivation derivation = derivation::derive();
+  if (derivation.refused) return say_if_refused(derivation);
+  const codegen::GeneratedFile file = header.file(derivation.theorems);
   if (options.folder_option->count() > 0) {
     write_tree(options.folder, {file});
     return ExitCode::done;
@@ -77,9 +79,9 @@ void require_one_purpose(const GenerateOptions& options) {
 
 ExitCode generate(const GenerateOptions& options) {
   require_one_purpose(options);
+  if (options.quantities || options.scene) return generate_one(options);
   const derivation::Derivation derivation = derivation::derive();
   if (derivation.refused) return say_if_refused(derivation);
-  if (options.quantities || options.scene) return generate_one(options, derivation);
   const std::vector<codegen::GeneratedFile> files = codegen::generate(derivation.theorems);
   Destination output(options.output.path);
   if (!options.check) write_tree(options.folder, files);
@@ -107,8 +109,7 @@ void add_generate(Program& program) {
       "magicmass generate --scene tutorials/scenes/trajectory_a.toml -o scene.hpp");
   options->folder_option =
       command.add_option("--out", options->folder, "folder instead of the sources' generated/");
-  options->folder_option->type_name("DIR")->check(
-      [](const std::string& path) { return std::string(path.empty() ? "no folder name" : ""); });
+  options->folder_option->type_name("DIR");
   command.add_flag("--check", options->check, "compare instead of writing; 1 if stale");
   command
       .add_option("--quantity", options->quantities, "one header with just these, such as a_t,rho")

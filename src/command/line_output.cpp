@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "command/line_pages.hpp"
+#include "command/short_table.hpp"
 
 namespace magicmass::command {
 namespace {
@@ -88,8 +89,8 @@ void whole(const Scene& scene, const reference::ExactLine& line,
         text += (text.empty() ? "\n  " : ",\n  ") + json_object(columns, cells);
         return;
       }
-      if (text.empty()) text = "\n" + heading(columns);
-      text += csv_line(cells);
+      if (text.empty()) text = "\n" + short_head(columns);
+      text += short_row(columns, cells);
     };
   };
   LineResult result = run_line(

@@ -50,8 +50,10 @@ ExitCode run(int argc, char** argv) {
                          add_terminal, add_ratios, add_simulate, add_plan, add_report, add_demo,
                          add_figure, add_animate, add_reproduce, add_learn, add_doctor, add_manual})
     add(program);
+  treat_values_alike(program.app);
   try {
     std::vector<std::string> words = with_expressions_marked(argc, argv);
+    require_values(words);
     std::reverse(words.begin(), words.end());  // as CLI11 takes them
     program.app.parse(words);
   } catch (const CLI::CallForHelp&) {

@@ -50,6 +50,35 @@ void offer(CLI::Option& option, const std::vector<std::string>& values) {
   option.check(CLI::Validator("{" + list + "}"));
 }
 
+void treat_values_alike(CLI::App& app) {
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
+    treat_values_alike(*command);
+  for (CLI::Option* option : app.get_options()) {
+    const std::string type = option->get_type_name();
+    const bool is_output = option->check_lname("output");
+    const auto begins = [&](const std::string& start) { return type.rfind(start, 0) == 0; };
+    if (begins("FILE") || begins("DIR") || begins("FOLDER"))
+      option->transform(CLI::Validator(
+          [is_output, is_file = begins("FILE")](std::string& name) -> std::string {
+            if (name.empty()) return is_file ? "no file name" : "no folder name";
+            if (is_output && name == "-") name.clear();
+            return {};
+          },
+          ""));
+    for (const char* const number : {"N", "D", "K", "NUMBER"})
+      if (type.substr(0, type.find(':')) == number)
+        option->transform(CLI::Validator(
+            [](std::string& text) -> std::string {
+              const std::size_t first = text.find_first_not_of('0');
+              if (first != std::string::npos &&
+                  text.find_first_not_of("0123456789") == std::string::npos)
+                text.erase(0, first);
+              return {};
+            },
+            ""));
+  }
+}
+
 void describe(Program& program) {
   program.app.name("magicmass");
   program.app.description(

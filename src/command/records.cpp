@@ -15,7 +15,7 @@
 namespace magicmass::command {
 namespace {
 
-constexpr std::size_t column_width = 24;  // the longest shortest double: -2.2250738585072014e-308
+constexpr std::size_t widest_table = 80;
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -25,17 +25,47 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Columns of one width; long values push the rest of their line to the right.
-std::string text_line(const std::vector<std::string>& texts) {
-  std::string line;
-  for (const std::string& text : texts)
-    line +=
-        text + std::string(text.size() < column_width ? column_width - text.size() : 1, ' ') + " ";
-  line.erase(line.find_last_not_of(' ') + 1);
-  return line + "\n";
+std::string shown(const Cell& cell) { return cell.text.empty() ? "-" : cell.text; }
+
+/// One record, a line for each of its values.
+std::string text_block(const std::vector<std::string>& columns, const std::vector<Cell>& cells) {
+  std::size_t width = 0;
+  for (const std::string& column : columns) width = std::max(width, column.size() + 2);
+  std::string text;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    text += fmt::format("{:<{}}{}\n", columns[i], width, shown(cells[i]));
+  return text;
 }
 
-std::string shown(const Cell& cell) { return cell.text.empty() ? "-" : cell.text; }
+/// A line for each record; where that is too wide to be read, a block.
+std::string text_table(const std::vector<std::string>& columns,
+                       const std::vector<std::vector<Cell>>& records) {
+  std::vector<std::size_t> widths;
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::size_t width = columns[i].size();
+    for (const std::vector<Cell>& cells : records) width = std::max(width, shown(cells[i]).size());
+    widths.push_back(width + 2);
+    all += width + 2;
+  }
+  std::string text;
+  if (all - 2 > widest_table && !records.empty()) {
+    for (const std::vector<Cell>& cells : records)
+      text += (text.empty() ? "" : "\n") + text_block(columns, cells);
+    return text;
+  }
+  const auto line = [&](const auto& text_at) {
+    std::string row;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      row += fmt::format("{:<{}}", text_at(i), widths[i]);
+    row.erase(row.find_last_not_of(' ') + 1);
+    text += row + "\n";
+  };
+  line([&](std::size_t i) { return columns[i]; });
+  for (const std::vector<Cell>& cells : records)
+    line([&](std::size_t i) { return shown(cells[i]); });
+  return text;
+}
 
 }  // namespace
 
@@ -52,9 +82,7 @@ void add_output_options(CLI::App& command, OutputOptions& options,
            });
   offer(format, formats);
   command.add_option("-o,--output", options.path, "write to FILE, whole or not at all")
-      ->type_name("FILE")
-      ->check(
-          [](const std::string& path) { return std::string(path.empty() ? "no file name" : ""); });
+      ->type_name("FILE");
 }
 
 Cell text_cell(std::string text) { return {std::move(text), true}; }
@@ -89,6 +117,8 @@ std::string valid_utf8(std::string_view text) {
 }
 
 }  // namespace
+
+bool is_utf8(std::string_view text) { return valid_utf8(text) == text; }
 
 std::string json_string(std::string_view text) {
   std::string quoted = "\"";
@@ -137,7 +167,6 @@ RecordWriter::RecordWriter(Destination& output, std::string format,
   header.reserve(columns_.size());
   for (const std::string& column : columns_) header.push_back(text_cell(column));
   if (format_ == "csv") output_.write(csv_line(header));
-  if (format_ == "text" && !single_) output_.write(text_line(columns_));
 }
 
 void RecordWriter::write(const std::vector<Cell>& cells) {
@@ -147,20 +176,15 @@ void RecordWriter::write(const std::vector<Cell>& cells) {
     if (!single_) output_.write(written_ == 0 ? "[\n" : ",\n");
     output_.write(json_object(columns_, cells));
   } else if (single_) {
-    std::size_t width = 0;
-    for (const std::string& column : columns_) width = std::max(width, column.size() + 2);
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      output_.write(fmt::format("{:<{}}{}\n", columns_[i], width, shown(cells[i])));
+    output_.write(text_block(columns_, cells));
   } else {
-    std::vector<std::string> texts;
-    texts.reserve(cells.size());
-    for (const Cell& cell : cells) texts.push_back(shown(cell));
-    output_.write(text_line(texts));
+    kept_.push_back(cells);
   }
   ++written_;
 }
 
 void RecordWriter::finish() {
+  if (format_ == "text" && !single_) output_.write(text_table(columns_, kept_));
   if (format_ != "json") return;
   if (!single_) output_.write(written_ == 0 ? "[]" : "\n]");
   output_.write("\n");

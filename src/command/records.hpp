@@ -41,14 +41,16 @@ Cell number_cell(std::int64_t value);
 Cell digits_cell(std::string digits);  ///< an integer of any size, written unquoted
 Cell missing_cell();
 
-std::string json_string(std::string_view text);
+bool is_utf8(std::string_view text);
+std::string json_string(std::string_view text);  ///< what is not UTF-8 becomes U+FFFD
 std::string json_array(const std::vector<std::string>& texts);
 std::string json_value(const Cell& cell);
 /// {"a": 1, "b": "2"}; names and cells of one length.
 std::string json_object(const std::vector<std::string>& names, const std::vector<Cell>& cells);
 std::string csv_line(const std::vector<Cell>& cells);
 
-/// Writes records one by one. `single` writes the only record as a JSON object, else they form an array.
+/// Writes records one by one, those of a text when all are there: its columns are as wide as they need to be. `single`
+/// writes the only record as a JSON object, else they form an array.
 class RecordWriter {
 public:
   RecordWriter(Destination& output, std::string format, std::vector<std::string> columns,
@@ -61,6 +63,7 @@ private:
   std::string format_;
   std::vector<std::string> columns_;
   bool single_;
+  std::vector<std::vector<Cell>> kept_;
   std::size_t written_ = 0;
 };
 

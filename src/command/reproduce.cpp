@@ -83,10 +83,7 @@ void add_reproduce(Program& program) {
       program, "reproduce", "All figures, and each number of the paper beside ours, as a page",
       "magicmass reproduce --out build/reproduction");
   command.add_option("--out", *folder, "folder for index.html, index.md, figures and data")
-      ->type_name("DIR")
-      ->check([](const std::string& path) {
-        return std::string(path.empty() ? "no folder name" : "");
-      });
+      ->type_name("DIR");
   command.footer(
       "Exit code 1 where a number differs for no known reason. Needs gnuplot\n"
       "(Debian: gnuplot-nox).");

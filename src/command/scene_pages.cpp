@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "command/alpha_value.hpp"
-#include "magicmass/reference/decimal.hpp"
+#include "command/short_table.hpp"
 #include "magicmass/reference/rational.hpp"
 #include "render/wrapping.hpp"
 
@@ -69,28 +69,10 @@ std::string scene_csv(const Scene& scene, const SceneResult& result) {
   return csv_rows(columns, {row});
 }
 
-/// A number in a column of a table: five digits are enough to follow a run; the other formats have them all.
-std::string short_number(const std::string& text) {
-  if (text.size() <= 10) return text;
-  if (text.find('/') != std::string::npos)
-    return reference::to_decimal(reference::parse_rational(text), 5);
-  return fmt::format("{:.5g}", std::strtod(text.c_str(), nullptr));
-}
-
 std::string table(const std::vector<std::string>& columns,
                   const std::vector<std::vector<Cell>>& rows) {
-  const auto width = [&](std::size_t i) {
-    return columns[i] == "body" ? 4 : columns[i] == "n" ? 7 : 13;
-  };
-  std::string text;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    text += fmt::format("{:>{}}", columns[i], width(i));
-  text += "\n";
-  for (const std::vector<Cell>& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i)
-      text += fmt::format("{:>{}}", short_number(row[i].text), width(i));
-    text += "\n";
-  }
+  std::string text = short_head(columns);
+  for (const std::vector<Cell>& row : rows) text += short_row(columns, row);
   return text;
 }
 

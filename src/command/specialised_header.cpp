@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "codegen/specialised.hpp"
 #include "command/nearest_name.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/mass_ratio.hpp"
@@ -80,8 +79,7 @@ std::string scope_of(const std::string& path) {
 
 }  // namespace
 
-codegen::GeneratedFile header_of_quantities(const std::string& names,
-                                            const std::vector<proof::Theorem>& theorems) {
+SpecialisedHeader header_of_quantities(const std::string& names) {
   const std::vector<std::string> wanted = names_in(names);
   for (const std::string& name : wanted) require_name("quantity", name, all_names());
   const std::vector<codegen::QuantityGroup> groups = codegen::grouped(wanted);
@@ -91,14 +89,12 @@ codegen::GeneratedFile header_of_quantities(const std::string& names,
         groups[0][0].name, groups[0][0].inputs, groups[1][0].name, groups[1][0].inputs,
         sets_that_agree()));
   const std::vector<std::string> sorted = names_of(groups[0]);
-  return codegen::specialised_header(
+  return {
       groups, "", fmt::format("magicmass generate --quantity {}", fmt::join(sorted, ",")),
-      {fmt::format("Of {}: {}, and nothing else.", groups[0][0].inputs, fmt::join(sorted, ", "))},
-      theorems);
+      fmt::format("Of {}: {}, and nothing else.", groups[0][0].inputs, fmt::join(sorted, ", "))};
 }
 
-codegen::GeneratedFile header_of_scene(const std::string& path,
-                                       const std::vector<proof::Theorem>& theorems) {
+SpecialisedHeader header_of_scene(const std::string& path) {
   const Scene scene = read_scene(path);
   // The generated formulas are those of the paper's state.
   if (!scene.alpha)
@@ -112,14 +108,12 @@ codegen::GeneratedFile header_of_scene(const std::string& path,
     for (const std::string& name : quantities_of_outputs().at(output)) wanted.push_back(name);
   }
   const std::string file = std::filesystem::path(path).filename().string();
-  return codegen::specialised_header(
-      codegen::grouped(wanted), scope_of(path),
-      "magicmass generate --scene " + shown_text(file, 100),
-      {fmt::format(
-          "For the outputs {} of that scene, where alpha = {}, V = {} and L = {}: alpha is an "
-          "argument here, and velocities are in units of V, distances of L, times of L/V.",
-          fmt::join(outputs, ", "), to_text(*scene.alpha), to_text(scene.V), to_text(scene.L))},
-      theorems);
+  return {codegen::grouped(wanted), scope_of(path),
+          "magicmass generate --scene " + shown_text(file, 100),
+          fmt::format(
+              "For the outputs {} of that scene, where alpha = {}, V = {} and L = {}: alpha is an "
+              "argument here, and velocities are in units of V, distances of L, times of L/V.",
+              fmt::join(outputs, ", "), to_text(*scene.alpha), to_text(scene.V), to_text(scene.L))};
 }
 
 }  // namespace magicmass::command

@@ -47,6 +47,7 @@ TEST_CASE("malformed CSV is refused with file, line and column", "[exam]") {
   check_refused("0.1\n0.2\n",
                 "rows.csv:1: the first line must name the columns, got 0.1; allowed: alpha");
   check_refused("Alpha\n0.1\n", "rows.csv:1: ");
+  check_refused("\"alpha,n\"\n0.1\n", "rows.csv:1: the column \"alpha,n\" has a comma in its name");
   check_refused("alpha,n\n0.1,1\n", "rows.csv:1: ");
   check_refused("alpha\n0.1\n0.2,3\n", "rows.csv:3: 2 fields where the header names 1");
   check_refused("alpha\n0.1\n\n0.2\n", "rows.csv:3: alpha: empty");

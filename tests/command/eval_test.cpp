@@ -61,6 +61,31 @@ TEST_CASE("exact velocities are those of stepping the collisions", "[check]") {
   }
 }
 
+TEST_CASE("many answers are a table where 80 columns are enough for it, else one below the other",
+          "[exam]") {
+  const std::string table = "alpha,n\n1/7,2\n1/7,3\n";
+  const std::vector<std::string> rows =
+      lines_of(run_program({"eval", "--input", "-", "--tier", "exact"}, table).output);
+  REQUIRE(rows.size() == 3);
+  for (const std::string n : {"2", "3"}) {
+    const nlohmann::json v = json_of({"eval", "--alpha", "1/7", "--n", n, "--tier", "exact"});
+    const std::string& row = rows[n == "2" ? 1 : 2];
+    CHECK(row.size() <= 80);
+    for (const char* column : {"a", "b", "c", "c_prime"}) {
+      const std::string value = v.at(column);
+      const std::size_t place = (rows[0] + " ").find(" " + std::string(column) + " ") + 1;
+      CHECK(row.substr(place - 2, value.size() + 2) == "  " + value);
+    }
+  }
+  const std::vector<std::string> wide =
+      lines_of(run_program({"eval", "--input", "-", "--digits", "30"}, table).output);
+  REQUIRE(wide.size() == 15);
+  CHECK(wide[0] == "alpha    1/7");
+  CHECK(wide[7].empty());
+  CHECK(wide[8] == "alpha    1/7");
+  CHECK(wide[9] == "n        3");
+}
+
 TEST_CASE("digits are those of the exact fraction", "[exam]") {
   const nlohmann::json v = json_of({"eval", "--alpha", "1/7", "--n", "2", "--digits", "12"});
   CHECK(v.at("tier") == "exact");

@@ -110,7 +110,9 @@ TEST_CASE("a collapse is said in one line, at the border too", "[exam]") {
   CHECK(lines_of(rows.output).size() == 4);
 }
 
-TEST_CASE("a restitution that is not above 0, or above 1, and exact tiers with one below 1, are refused", "[exam]") {
+TEST_CASE(
+    "a restitution that is not above 0, or above 1, and exact tiers with one below 1, are refused",
+    "[exam]") {
   for (const char* e : {"0", "-0.5", "1.0000001", "2", "nan", "inf", "magic:3", "", "x", "1/0"}) {
     const ProgramRun run = run_program({"terminal", "--alpha", "0.1", "--restitution", e});
     INFO(e << ": " << run.errors);

@@ -68,11 +68,7 @@ void add_demo(Program& program) {
   const auto folder = std::make_shared<std::string>("build/demo");
   CLI::App& command = add_command(program, "demo", "The whole chain on the paper's own numbers",
                                   "magicmass demo --out build/demo");
-  command.add_option("--out", *folder, "folder for the figure and its data")
-      ->type_name("DIR")
-      ->check([](const std::string& path) {
-        return std::string(path.empty() ? "no folder name" : "");
-      });
+  command.add_option("--out", *folder, "folder for the figure and its data")->type_name("DIR");
   command.group("");  // `cmake --workflow --preset demo` runs it
   on_run(program, command, [folder] { return demo(*folder); });
 }

@@ -11,6 +11,7 @@
 #include "command/learn/expressions.hpp"
 #include "command/learn/learn.hpp"
 #include "command/learn/variant.hpp"
+#include "command/records.hpp"
 #include "equality/paper_names.hpp"
 #include "magicmass/errors.hpp"
 
@@ -62,9 +63,12 @@ private:
       expect(posed, filled(answer, posed.values), Judged::form, "answer in another form " + answer);
     for (const std::string& answer : posed.exercise.wrong)
       expect(posed, filled(answer, posed.values), Judged::wrong, "wrong answer " + answer);
-    for (const char* file : {"prompt.md", "after.md"})
-      for (const std::string& complaint : complaints_about(text_of(exercise_.folder / file), posed))
+    for (const char* file : {"prompt.md", "after.md"}) {
+      const std::string text = text_of(exercise_.folder / file);
+      if (!is_utf8(text)) fail(std::string(file) + ": not UTF-8");
+      for (const std::string& complaint : complaints_about(text, posed))
         fail(std::string(file) + ": " + complaint);
+    }
     if (posed.exercise.kind == ExerciseKind::predict && !posed.exercise.choices.empty())
       require_one_choice(posed);
     if (posed.exercise.kind == ExerciseKind::predict && posed.exercise.choices.empty())

@@ -79,6 +79,7 @@ const std::vector<Spoiled>& spoiled() {
       {angle, "half_angle", "prompt.md", "", "    " + std::string(90, 'x'),
        "prompt.md: a line is wider than 80 columns"},
       {angle, "half_angle", "prompt.md", "", "What is {{1/(}}?", "prompt.md: "},
+      {angle, "half_angle", "prompt.md", "", "Wh\xe4t is that?", "prompt.md: not UTF-8"},
       {angle, "half_angle", "prompt.md", "", "About {{sqrt(2) : many}}.",
        "{{sqrt(2) : many}}: a number of digits from 1 to 100 is expected"},
       // starters and answers

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What holds of every option's value, whichever command it is of.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "program_run.hpp"
+
+namespace {
+
+void check_refused(const std::vector<std::string>& words, const std::string& part_of_message) {
+  const ProgramRun run = run_program(words);
+  INFO(run.errors);
+  CHECK(run.exit_code == 2);
+  CHECK(run.output.empty());
+  CHECK(lines_of(run.errors).size() == 1);
+  CHECK(run.errors.find(part_of_message) != std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("a whole number is decimal, whatever zeros it begins with", "[exam]") {
+  const std::string ten = run_program({"ratios", "--count", "10"}).output;
+  CHECK(run_program({"ratios", "--count", "010"}).output == ten);
+  CHECK(run_program({"ratios", "--count=0010"}).output == ten);
+  CHECK(run_program({"eval", "--alpha", "0.1", "--n", "02"}).output ==
+        run_program({"eval", "--alpha", "0.1", "--n", "2"}).output);
+  const TemporaryFolder folder;
+  const auto shown = [&](const std::string& seed) {
+    return run_program(
+        {"learn", "show", "light_ball", "--seed", seed, "--folder", folder / "mine"});
+  };
+  CHECK(shown("010").output == shown("10").output);
+  check_refused({"ratios", "--count", "00"}, "--count");
+  check_refused({"ratios", "--count", "0x"}, "--count");
+}
+
+TEST_CASE("-o - is stdout", "[exam]") {
+  const TemporaryFolder folder;
+  const std::string expected = run_program({"ratios", "--count", "2"}).output;
+  CHECK_FALSE(expected.empty());
+  CHECK(run_program({"ratios", "--count", "2", "-o", "-"}).output == expected);
+  CHECK(run_program({"ratios", "--count", "2", "--output=-"}).output == expected);
+  CHECK_FALSE(std::filesystem::exists("-"));
+}
+
+TEST_CASE("an option that is given no value takes none from the next word", "[exam]") {
+  check_refused({"ratios", "--count=", "3"}, "--count= has no value");
+  check_refused({"derive", "--from=", "power"}, "--from= has no value");
+  CHECK(run_program({"equal", "x", "x", "--domain=x>=0"}).exit_code == 0);
+}
+
+TEST_CASE("no file, no folder and no result is called nothing", "[exam]") {
+  check_refused({"count", "--alpha", "1", "-o", ""}, "--output: no file name");
+  check_refused({"count", "--input", ""}, "--input: no file name");
+  check_refused({"manual", "--man", ""}, "--man: no folder name");
+  check_refused({"learn", "list", "--folder", ""}, "--folder: no folder name");
+  check_refused({"derive", "--from", ""}, "--from: no name");
+}
+
+TEST_CASE("two files of one answer have two names", "[exam]") {
+  const TemporaryFolder folder;
+  check_refused({"animate", MAGICMASS_SOURCE_DIR "/tutorials/scenes/cradle.toml", "-o",
+                 folder / "x", "--gif", folder / "x"},
+                "--gif and -o name one file");
+  CHECK_FALSE(std::filesystem::exists(folder / "x"));
+}
