@@ -19,11 +19,17 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16U;
 
-/// The file a path stands for; a symbolic link keeps pointing to it.
+/// The file a path stands for, there or not yet; a symbolic link keeps pointing to it.
 std::string behind_links(const std::string& path) {
+  constexpr int most_links = 40;  // as the kernel follows
+  std::filesystem::path file = path;
   std::error_code error;
-  const auto resolved = std::filesystem::canonical(path, error);
-  return error ? path : resolved.string();
+  for (int links = 0; links < most_links && std::filesystem::is_symlink(file, error); ++links) {
+    const std::filesystem::path next = std::filesystem::read_symlink(file, error);
+    if (error) return path;
+    file = file.parent_path() / next;
+  }
+  return file.string();
 }
 
 }  // namespace
@@ -33,7 +39,7 @@ std::string words_of(const std::filesystem::filesystem_error& error) {
 }
 
 Destination::Destination(const std::string& path) : name_("stdout") {
-  if (path.empty()) return;
+  if (path.empty() || path == "-") return;
   name_ = shown_text(path, 200);
   struct stat existing {};
   const bool exists = ::stat(path.c_str(), &existing) == 0;

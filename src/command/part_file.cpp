@@ -27,7 +27,8 @@ PartFile::PartFile(const std::string& target) : target_(target) {
 // False where somebody else is writing it.
 bool PartFile::take(int number) {
   name_ = target_ + ".part-" + std::to_string(number);
-  descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  descriptor_ =
+      ::open(name_.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(errno);
   struct stat held {};
   struct stat named {};
@@ -57,6 +58,7 @@ void PartFile::become_target() {
   // What close() would say of a full disk is asked while the lock still keeps others away.
   const int copy = ::dup(descriptor_);
   if (copy < 0 || ::close(copy) != 0) fail(errno);
+  const SignalsHeld held;
   if (::rename(name_.c_str(), target_.c_str()) != 0) fail(errno);
   leftover_.strike_off();
   name_.clear();

@@ -26,6 +26,22 @@ TEST_CASE("with -o a file gets the bytes that stdout would get", "[exam]") {
   CHECK(folder.names() == std::vector<std::string>{"ratios.txt"});
 }
 
+TEST_CASE("a link to what is not there yet stays a link, through others and from its own folder",
+          "[exam]") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "inner");
+  fs::create_symlink("inner/second", folder / "first");
+  fs::create_symlink("../new.txt", folder / "inner/second");
+  CHECK(run_program({"count", "--alpha", "1", "-o", folder / "first"}).exit_code == 0);
+  CHECK(fs::is_symlink(folder / "first"));
+  CHECK(fs::is_symlink(folder / "inner/second"));
+  CHECK(read_file(folder / "new.txt") == run_program({"count", "--alpha", "1"}).output);
+  fs::create_symlink("nowhere/file", folder / "lost");
+  const ProgramRun lost = run_program({"count", "--alpha", "1", "-o", folder / "lost"});
+  CHECK(lost.exit_code == 2);
+  CHECK(lines_of(lost.errors).size() == 1);
+}
+
 TEST_CASE(
     "a file keeps its content when the command fails, its rights and its links when it does not",
     "[exam]") {

@@ -49,27 +49,33 @@ check "and uses up what the killed one left" holds_only "$scratch/place" ratios
 mkdir "$scratch/bin"
 cat >"$scratch/bin/c++" <<'END'
 #!/usr/bin/env bash
-while [[ -d $TMPDIR ]]; do for name in 1 2 3 4; do : >"$TMPDIR/$name.part"; done; done &
+for ((i = 0; i < 100000; ++i)); do for name in 1 2 3 4; do : >"$TMPDIR/$name.part"; done; done 2>/dev/null &
+echo $! >"${TMPDIR%/*}.compiles"
 wait
 END
 chmod +x "$scratch/bin/c++"
+compiles() { # a part of the compiler, one that has ended and that nobody asked for its status aside
+  [[ -s $scratch/place.compiles ]] && grep -qs '^State:.[^Z]' "/proc/$(<"$scratch/place.compiles")/status"
+}
 answer=$(echo "$sources"/tutorials/*/exercises/collision_by_collision/solution/answer.cpp)
 for moment in '' /4.part; do
   for signal in INT TERM HUP; do
     fresh
+    rm -f "$scratch/place.compiles"
     if [[ $signal == INT ]]; then set -m; fi
     PATH=$scratch/bin:$PATH TMPDIR=$scratch/place "$program" learn check collision_by_collision "$answer" \
       --folder "$scratch/course" >/dev/null 2>"$scratch/errors" &
     set +m
-    until compgen -G "$scratch/place/magicmass-*$moment" >/dev/null || ! kill -0 $! 2>/dev/null; do sleep 0.01; done
-    check "SIG$signal$moment: there is a folder for temporary files" not holds_only "$scratch/place"
+    until seen=$(compgen -G "$scratch/place/magicmass-*$moment") || ! kill -0 $! 2>/dev/null; do sleep 0.01; done
+    check "SIG$signal$moment: there is a folder for temporary files" test -n "$seen" # the first of several
     kill -$signal $!
     wait $! 2>/dev/null || true
     for _ in {1..100}; do
-      holds_only "$scratch/place" && break
+      holds_only "$scratch/place" && not compiles && break
       sleep 0.05
     done
     check "SIG$signal$moment: it is gone afterwards" holds_only "$scratch/place"
+    check "SIG$signal$moment: and nobody goes on compiling" not compiles
   done
 done
 
@@ -93,6 +99,18 @@ for job in $(jobs -p); do wait "$job" || status=$?; done
 check "four write one file: all end well" test "$status" == 0
 check "four write one file: it is whole" cmp "$scratch/whole" "$scratch/place/ratios"
 check "four write one file: nothing else is left" holds_only "$scratch/place" ratios
+
+asked=$("$program" learn list --format csv --folder "$scratch/place/class" | awk -F, 'NR > 1 && $3 == "symbolic" { print $1 }' | head -n 8)
+for id in $asked; do "$program" learn check "$id" 1/7 --folder "$scratch/place/class" >/dev/null & done
+judged=0 # one that cannot be read is not
+for job in $(jobs -p); do
+  status=0
+  wait "$job" || status=$?
+  if [[ $status == 1 ]]; then judged=$((judged + 1)); fi
+done
+check "answers to exercises at once: there are some" test "$judged" -gt 4
+check "answers to exercises at once: all are kept" \
+  test "$(grep -cE '^[a-z_]+ [a-z]+ 1 0 0$' "$scratch/place/class/progress.txt")" == "$judged"
 
 # No room.
 fresh

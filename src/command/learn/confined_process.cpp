@@ -120,21 +120,26 @@ void listen(ProcessEnd& end, int output, int results, const ProcessLimits& limit
   }
 }
 
+/// waitpid; a process that has ended is nobody's to kill any more.
+bool has_ended(pid_t child, int& status, int options, Leftover& running) {
+  const SignalsHeld held;
+  if (::waitpid(child, &status, options) != child) return false;
+  running.strike_off();
+  ::kill(-child, SIGKILL);  // whom it left behind
+  return true;
+}
+
 /// The status of a child that is given until the deadline to end by itself.
-int status_of(pid_t child, ProcessEnd& end, Clock::time_point deadline) {
+int status_of(pid_t child, ProcessEnd& end, Clock::time_point deadline, Leftover& running) {
   int status = 0;
   while (!end.is_late && !end.is_verbose) {
-    const pid_t ended = ::waitpid(child, &status, WNOHANG);
-    if (ended == child) {
-      ::kill(-child, SIGKILL);  // whom it left behind
-      return status;
-    }
+    if (has_ended(child, status, WNOHANG, running)) return status;
     end.is_late = Clock::now() > deadline;
     ::usleep(1000);
   }
   ::kill(-child, SIGKILL);
   ::kill(child, SIGKILL);
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  while (!has_ended(child, status, 0, running) && errno == EINTR) {
   }
   return status;
 }
@@ -186,7 +191,7 @@ ProcessEnd run_confined(const std::vector<std::string>& words, const std::string
   ProcessEnd end;
   const Clock::time_point deadline = Clock::now() + limits.time;
   listen(end, output.number(), results.number(), limits, deadline);
-  const int status = status_of(child, end, deadline);
+  const int status = status_of(child, end, deadline, running);
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
   return end;

@@ -8,6 +8,7 @@
 
 #include "command/learn/exercise.hpp"
 #include "magicmass/errors.hpp"
+#include "magicmass/scenes/nearest_key.hpp"
 #include "magicmass/scenes/scene_keys.hpp"
 #include "magicmass/scenes/shown_text.hpp"
 
@@ -73,6 +74,11 @@ ContentTable::~ContentTable() = default;
 
 void ContentTable::refuse(const std::string& key, const std::string& what,
                           const std::string& allowed) const {
+  if (what == "missing")  // or misspelt
+    for (const auto& [name, value] : *data_->table)
+      if (!data_->asked.contains(std::string(name.str())) && nearest_key(name.str(), {key}))
+        refuse_at_line(data_->file, value.source().begin.line, shown_text(std::string(name.str())),
+                       "unknown key; did you mean " + key + "?", allowed);
   const toml::node* node = data_->table->get(key);
   refuse_at_line(data_->file, node == nullptr ? data_->line : node->source().begin.line, key, what,
                  allowed);
@@ -177,9 +183,14 @@ std::vector<ContentTable> ContentTable::tables(const std::string& key) {
 void ContentTable::finish() const {
   std::string allowed;
   for (const std::string& key : data_->asked) allowed += (allowed.empty() ? "" : ", ") + key;
+  const std::vector<std::string_view> keys(data_->asked.begin(), data_->asked.end());
   for (const auto& [key, value] : *data_->table)
-    if (!data_->asked.contains(std::string(key.str())))
-      refuse(std::string(key.str()), "unknown key", allowed);
+    if (!data_->asked.contains(std::string(key.str()))) {
+      const auto nearest = nearest_key(key.str(), keys);
+      refuse(std::string(key.str()),
+             nearest ? fmt::format("unknown key; did you mean {}?", *nearest) : "unknown key",
+             allowed);
+    }
 }
 
 }  // namespace magicmass::command

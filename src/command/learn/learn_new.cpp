@@ -65,6 +65,20 @@ private:
   }
 };
 
+/// Where there are chapters a new one begins with its folder, so that a misspelt one is told.
+void require_chapter(const LearnOptions& options) {
+  std::error_code none;
+  std::vector<std::string> chapters;
+  for (const auto& entry : fs::directory_iterator(options.content, none))
+    if (fs::is_directory(entry.path() / "exercises", none))
+      chapters.push_back(entry.path().filename().string());
+  const fs::path folder = fs::path(options.content) / options.chapter;
+  if (chapters.empty() || fs::is_directory(folder, none)) return;
+  throw InvalidInput("no chapter is called \"" + options.chapter + "\"; did you mean " +
+                     nearest_name(options.chapter, chapters) +
+                     "? a new one begins with its folder, " + shown_text(folder.string(), 200));
+}
+
 }  // namespace
 
 ExitCode learn_new(const LearnOptions& options) {
@@ -75,6 +89,7 @@ ExitCode learn_new(const LearnOptions& options) {
   if (!is_id(options.chapter))
     throw InvalidInput("the chapter \"" + shown_text(options.chapter) +
                        "\" is not allowed; a folder's name is, as 04_sequences");
+  require_chapter(options);
   const Catalogue models_catalogue{data_folder("tutorials", "tutorials")};
   const Exercise& model = models_catalogue.at(models().at(options.kind));
   const fs::path folder = fs::path(options.content) / options.chapter / "exercises" / options.id;

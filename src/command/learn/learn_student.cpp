@@ -107,7 +107,7 @@ ExitCode learn_list(const LearnOptions& options) {
 
 ExitCode learn_show(const LearnOptions& options) {
   const Catalogue catalogue{std::filesystem::path(options.content)};
-  const StudentFolder student = student_folder(options);
+  StudentFolder student = student_folder(options);
   const Exercise* exercise =
       options.id.empty() ? next_exercise(catalogue, student, "") : &catalogue.at(options.id);
   Destination output(options.output.path);

@@ -6,6 +6,10 @@
 #include <sstream>
 #include <system_error>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include "command/destination.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
@@ -31,6 +35,25 @@ void make_folder(const fs::path& folder) {
     throw InvalidInput("cannot make the folder " + shown_text(folder.string(), 300) + ": " +
                        error.message() + "; --folder names another");
 }
+
+/// While one lives, others who save into that folder wait. A file system without locks has none who wait.
+class Turn {
+public:
+  explicit Turn(const fs::path& folder)
+      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
+  }
+  Turn(const Turn&) = delete;
+  Turn(Turn&&) = delete;
+  Turn& operator=(const Turn&) = delete;
+  Turn& operator=(Turn&&) = delete;
+  ~Turn() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+private:
+  int descriptor_;
+};
 
 Record read_record(std::istringstream& line) {
   static const std::array<std::string, 5> verdicts{"open", "wrong", "undecided", "form", "right"};
@@ -71,6 +94,8 @@ StudentFolder::StudentFolder(fs::path path) : path_(std::move(path)) {
                          "right and three numbers: first_contact right 2 1 0");
     }
   }
+  seed_read_ = seed_;
+  records_read_ = records_;
 }
 
 Record StudentFolder::record(const std::string& id) const {
@@ -105,15 +130,38 @@ void StudentFolder::keep(const Exercise& exercise, const std::string& answer) co
   write_whole(answer_of(exercise), answer.ends_with('\n') ? answer : answer + "\n");
 }
 
-void StudentFolder::save() const {
+/// What was done since it was read.
+void StudentFolder::add_to(StudentFolder& others) const {
+  if (seed_ != seed_read_) others.seed_ = seed_;
+  for (const auto& [id, before] : records_read_)
+    if (!records_.contains(id)) others.forget(id);
+  for (const auto& [id, mine] : records_) {
+    const auto found = records_read_.find(id);
+    const Record before = found == records_read_.end() ? Record{} : found->second;
+    if (mine == before) continue;
+    Record& record = others.record(id);
+    if (record.verdict != "right" && mine.attempts != before.attempts)
+      record.verdict = mine.verdict;
+    record.attempts += mine.attempts - before.attempts;
+    record.hints = std::max(record.hints, mine.hints);
+    record.has_seen_solution = record.has_seen_solution || mine.has_seen_solution;
+  }
+}
+
+void StudentFolder::save() {
   make_folder(path_);
+  const Turn turn(path_);
+  StudentFolder now(path_);
+  add_to(now);
   std::string text = heading;
-  text += "seed " + std::to_string(seed_) + "\n";
-  for (const auto& [id, record] : records_) {
+  text += "seed " + std::to_string(now.seed_) + "\n";
+  for (const auto& [id, record] : now.records_) {
     text += id + " " + record.verdict + " " + std::to_string(record.attempts) + " " +
             std::to_string(record.hints) + (record.has_seen_solution ? " 1\n" : " 0\n");
   }
   write_whole(path_ / "progress.txt", text);
+  records_read_ = records_;
+  seed_read_ = seed_;
 }
 
 }  // namespace magicmass::command

@@ -16,6 +16,8 @@ struct Record {
   long attempts = 0;
   long hints = 0;
   bool has_seen_solution = false;
+
+  bool operator==(const Record&) const = default;
 };
 
 /// The student's folder: CHAPTER/ID/ with prompt.txt and an answer file for each exercise begun, and progress.txt,
@@ -40,13 +42,19 @@ public:
   void restart(const Exercise& exercise) const;
   /// Keeps an answer that was typed elsewhere in the answer file.
   void keep(const Exercise& exercise, const std::string& answer) const;
-  /// Writes progress.txt, whole or not at all.
-  void save() const;
+  /// Writes progress.txt, whole or not at all. What others have saved since it was read is kept beside what is new.
+  void save();
 
 private:
+  using Records = std::map<std::string, Record>;
+
   std::filesystem::path path_;
   std::uint64_t seed_ = 0;
-  std::map<std::string, Record> records_;
+  Records records_;
+  std::uint64_t seed_read_ = 0;
+  Records records_read_;
+
+  void add_to(StudentFolder& others) const;
 };
 
 }  // namespace magicmass::command
