@@ -67,9 +67,12 @@ if(MAGICMASS_SYMBOLIC)
   install(DIRECTORY tutorials DESTINATION ${data} FILES_MATCHING
     REGEX "/exercises/[a-z0-9_]+/" PATTERN exercise_driver.hpp PATTERN TEACHERS.md
     PATTERN scenes EXCLUDE PATTERN course EXCLUDE)
-  # once it is built
-  cmake_path(GET PROJECT_BINARY_DIR PARENT_PATH beside) # as tutorials/CMakeLists.txt has it
-  install(DIRECTORY ${beside}/course DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass OPTIONAL)
+  # The course is rendered for what is installed, in seconds, and not in each build.
+  set(course ${PROJECT_BINARY_DIR}/installed/course)
+  install(CODE "execute_process(COMMAND $<TARGET_FILE:magicmass_course> --tutorials ${PROJECT_SOURCE_DIR}/tutorials
+    --programs ${CMAKE_BINARY_DIR}/bin/tutorials --magicmass $<TARGET_FILE:magicmass> --out ${course}
+    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)")
+  install(DIRECTORY ${course} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass)
   install(DIRECTORY generated/ DESTINATION ${data}/generated PATTERN CMakeLists.txt EXCLUDE)
   install(DIRECTORY src/command/schemas DESTINATION ${data})
   install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass)

@@ -25,11 +25,13 @@ if grep -rlF -e "$build" -e "$scratch/first" "$prefix"/lib*/cmake "$prefix"/lib*
 fi
 for file in bin/magicmass share/man/man1/magicmass-eval.1 share/bash-completion/completions/magicmass \
   share/zsh/vendor-completions/_magicmass share/fish/vendor_completions.d/magicmass.fish \
-  share/magicmass/scenes/cradle.toml share/magicmass/schemas/eval.json include/magicmass/fast.hpp \
+  share/magicmass/scenes/cradle.toml share/doc/magicmass/course/index.html share/doc/magicmass/course/13_speed_and_error.html share/magicmass/schemas/eval.json include/magicmass/fast.hpp \
   include/magicmass/velocities_tangent.hpp include/magicmass-symbolic/proof/kernel.hpp; do
   [[ -s $prefix/$file ]] || fail "$file is not installed"
 done
 
+expect "the changelog begins with the project's version" "## $version" \
+  "$(grep -m 1 '^## ' "$prefix/share/doc/magicmass/CHANGELOG.md" | cut -d ' ' -f 1,2)"
 expect "the program's version is the project's" "magicmass $version" "$("$prefix/bin/magicmass" --version)"
 expect "the program finds its files where it was moved to" "up to date: N files in $prefix/share/magicmass/generated" \
   "$("$prefix/bin/magicmass" generate --check | sed -E 's/: [0-9]+ files/: N files/')"
@@ -43,7 +45,7 @@ said=$(checked beat_us) || fail "learn check beat_us: $said"
 [[ $said == *"product: worst error"* ]] || fail "no contest with the installed headers: $said"
 echo "passed: exercises in C++ work where they are installed"
 
-cmake -S "$here/project" -B "$scratch/user" -DCMAKE_PREFIX_PATH="$prefix" -DWITH_SYMBOLIC=ON >/dev/null
+cmake -S "$here/project" -B "$scratch/user" -DCMAKE_PREFIX_PATH="$prefix" -DASKED_VERSION="$version" -DWITH_SYMBOLIC=ON >/dev/null
 cmake --build "$scratch/user" >"$scratch/log" 2>&1 || fail "$(cat "$scratch/log")"
 for name in evaluate count simulate plan prove; do
   diff "$examples/expected_output/$name.txt" <("$scratch/user/examples/$name") || fail "CMake: example $name"
