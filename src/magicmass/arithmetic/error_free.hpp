@@ -1,16 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cfloat>
-
 #include "magicmass/arithmetic/lanes.hpp"
-
-// What is said here of rounding errors holds where each operation is rounded to its type, and none is rearranged.
-static_assert(FLT_EVAL_METHOD == 0,
-              "doubles must not be computed in wider registers: -mfpmath=sse");
-#ifdef __FAST_MATH__
-#error "magicmass counts on IEEE arithmetic: not with -ffast-math"
-#endif
+#include "magicmass/arithmetic/strict.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {

@@ -3,6 +3,8 @@
 
 #include <concepts>
 
+#include "magicmass/arithmetic/strict.hpp"
+
 namespace magicmass {
 
 /// Numbers that add, subtract, multiply and divide: float, double, long double, exact rationals, intervals.
