@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -41,7 +43,10 @@ void say_if_cut(const SceneMotion& motion, const AnimateOptions& options) {
 }
 
 ExitCode animate(const AnimateOptions& options) {
-  if (!options.gif.empty() && options.gif == options.page)
+  std::error_code none;
+  if (!options.gif.empty() && !options.page.empty() &&
+      std::filesystem::weakly_canonical(options.gif, none) ==
+          std::filesystem::weakly_canonical(options.page, none))
     throw InvalidInput("--gif and -o name one file; allowed: two");
   const Scene scene = read_scene(options.scene);
   const bool is_page = options.gif.empty() || !options.page.empty();

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/reference/count.hpp"
 
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -26,12 +28,21 @@ bool is_threshold(const MassRatio& alpha) {
   return std::holds_alternative<Magic>(alpha) || std::holds_alternative<Deficient>(alpha);
 }
 
+/// Where it is one, as 1/2 is, too.
+std::optional<double> as_double(const MassRatio& alpha) {
+  if (const auto* value = std::get_if<double>(&alpha)) return *value;
+  const auto exact = *reference::exact(alpha);
+  const auto nearest = reference::nearest<double>(exact);
+  if (nearest > 0 && std::isfinite(nearest) && reference::exact(nearest) == exact) return nearest;
+  return std::nullopt;
+}
+
 /// Whether it is a threshold, or long double could not have told the count, which threshold is the closest, and how close. Not known of a ratio
 /// that is neither a double nor a threshold itself, nor where the counts do not fit 64 bits.
 std::vector<Cell> near_tie_cells(const MassRatio& alpha) {
   const auto truth = [](bool value) { return Cell{value ? "true" : "false", false}; };
   if (is_threshold(alpha)) return {truth(true), text_cell(to_text(alpha)), number_cell(0.0)};
-  if (const auto* value = std::get_if<double>(&alpha))
+  if (const std::optional<double> value = as_double(alpha))
     if (const auto nearest = nearest_threshold(*value))
       return {truth(decide_count(*value).near_tie || nearest->distance == 0.0),
               text_cell((nearest->is_magic ? "magic:" : "deficient:") + std::to_string(nearest->k)),
@@ -63,9 +74,9 @@ void add_count(Program& program) {
   add_output_options(command, options->output);
   command.footer(
       "near_tie: alpha is a threshold, or long double could not have told the\n"
-      "count. distance is (alpha - threshold)/threshold. All three are null where alpha is neither "
-      "a\n"
-      "double nor a threshold, and where the counts do not fit 64 bits.");
+      "count. distance is (alpha - threshold)/threshold. All three are null where\n"
+      "alpha is neither a double nor a threshold, and where the counts do not fit\n"
+      "64 bits.");
   on_run(program, command, [options] {
     std::vector<std::string> columns{"alpha", "N_A", "N_B"};
     if (options->near_tie) columns.insert(columns.end(), {"near_tie", "threshold", "distance"});

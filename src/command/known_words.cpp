@@ -61,6 +61,8 @@ void require_known_words(const CLI::App& app) {
 void require_values(const std::vector<std::string>& words) {
   for (const std::string& word : words) {
     if (word == "--") return;
+    if (word.starts_with("-o="))
+      throw InvalidInput("-o= is no option; allowed: -o FILE and --output=FILE");
     if (word.starts_with("--") && word.find('=') == word.size() - 1)
       throw InvalidInput(shown_text(word, 100) + " has no value");
   }

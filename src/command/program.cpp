@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include "magicmass/scenes/shown_text.hpp"
+
 namespace magicmass::command {
 namespace {
 
@@ -55,20 +57,17 @@ void treat_values_alike(CLI::App& app) {
     treat_values_alike(*command);
   for (CLI::Option* option : app.get_options()) {
     const std::string type = option->get_type_name();
-    const bool is_output = option->check_lname("output");
     const auto begins = [&](const std::string& start) { return type.rfind(start, 0) == 0; };
     if (begins("FILE") || begins("DIR") || begins("FOLDER"))
-      option->transform(CLI::Validator(
-          [is_output, is_file = begins("FILE")](std::string& name) -> std::string {
-            if (name.empty()) return is_file ? "no file name" : "no folder name";
-            if (is_output && name == "-") name.clear();
-            return {};
-          },
-          ""));
+      option->check([is_file = begins("FILE")](const std::string& name) {
+        return std::string(!name.empty() ? "" : is_file ? "no file name" : "no folder name");
+      });
     for (const char* const number : {"N", "D", "K", "NUMBER"})
       if (type.substr(0, type.find(':')) == number)
         option->transform(CLI::Validator(
             [](std::string& text) -> std::string {
+              if (text.find_first_of("xX+ \t") != std::string::npos)
+                return shown_text(text, 40) + ": not a whole number in decimal digits";
               const std::size_t first = text.find_first_not_of('0');
               if (first != std::string::npos &&
                   text.find_first_not_of("0123456789") == std::string::npos)

@@ -27,8 +27,8 @@ void on_run(Program& program, CLI::App& command, std::function<ExitCode()> actio
 /// Values that a shell's completion offers; which are allowed the command says itself.
 void offer(CLI::Option& option, const std::vector<std::string>& values);
 
-/// What holds of options by the kind of their values, once all are described: no file and no folder is called "", a
-/// whole number is decimal whatever zeros it begins with, and -o - is stdout.
+/// What holds of options by the kind of their values, once all are described: no file and no folder is called "", and
+/// a whole number is written in decimal digits, whatever zeros it begins with.
 void treat_values_alike(CLI::App& app);
 
 /// Names the program and makes its help begin with examples.

@@ -81,7 +81,8 @@ void add_output_options(CLI::App& command, OutputOptions& options,
                                         fmt::join(formats, ", "));
            });
   offer(format, formats);
-  command.add_option("-o,--output", options.path, "write to FILE, whole or not at all")
+  command
+      .add_option("-o,--output", options.path, "write to FILE, whole or not at all; - is stdout")
       ->type_name("FILE");
 }
 

@@ -18,23 +18,24 @@ std::string short_number(const std::string& text) {
   return fmt::format("{:.5g}", std::strtod(text.c_str(), nullptr));
 }
 
+/// Beside a blank; what is wider pushes the rest of its line to the right.
 int width(const std::string& column) {
-  if (column == "body" || column == "left" || column == "right") return 6;
-  return column == "n" || column == "number" ? 7 : 13;
+  if (column == "body" || column == "left" || column == "right") return 5;
+  return column == "n" || column == "number" ? 6 : 12;
 }
 
 }  // namespace
 
 std::string short_head(const std::vector<std::string>& columns) {
   std::string text;
-  for (const std::string& column : columns) text += fmt::format("{:>{}}", column, width(column));
+  for (const std::string& column : columns) text += fmt::format(" {:>{}}", column, width(column));
   return text + "\n";
 }
 
 std::string short_row(const std::vector<std::string>& columns, const std::vector<Cell>& row) {
   std::string text;
   for (std::size_t i = 0; i < row.size(); ++i)
-    text += fmt::format("{:>{}}", short_number(row[i].text), width(columns[i]));
+    text += fmt::format(" {:>{}}", short_number(row[i].text), width(columns[i]));
   return text + "\n";
 }
 

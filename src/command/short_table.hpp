@@ -11,7 +11,7 @@ namespace magicmass::command {
 
 /// The names of the columns, each as wide as its numbers are.
 std::string short_head(const std::vector<std::string>& columns);
-/// One row; fractions as decimals.
+/// One row; long fractions as decimals.
 std::string short_row(const std::vector<std::string>& columns, const std::vector<Cell>& row);
 
 }  // namespace magicmass::command

@@ -16,14 +16,16 @@ namespace {
 void expect_meaning(const proof::Theorem& output, const std::string& result,
                     const std::vector<proof::Theorem>& theorems) {
   if (output.step().verdict != "definition") return;
+  bool is_tied = false;
   for (const QuantityStruct& made : quantity_structs())
     for (const std::string& id : made.name == result ? made.meaning : std::vector<std::string>{}) {
       const proof::Step& step = theorem_named(theorems, id).step();
-      const std::vector<std::string>& premises = step.premises;
-      if (step.verdict == "proved" &&
-          std::find(premises.begin(), premises.end(), output.id()) != premises.end())
-        return;
+      if (step.verdict != "proved")
+        throw InvalidInput(id + " is not proved, and " + result + " cites it");
+      is_tied = is_tied || std::find(step.premises.begin(), step.premises.end(), output.id()) !=
+                               step.premises.end();
     }
+  if (is_tied) return;
   throw InvalidInput(output.id() + " is a definition, and no theorem of " + result +
                      " ties it to the motion");
 }

@@ -54,12 +54,13 @@ TEST_CASE("a near tie is told, with its threshold and the distance to it", "[exa
   CHECK_THAT(clear.at("distance").get<double>(),
              Catch::Matchers::WithinRel(0.5 / (std::sqrt(2.0) - 1) - 1, 1e-14));
   CHECK(asked("deficient:7").at("distance") == 0.0);
-  for (const char* one : {"1", "magic:1"}) {  // the one threshold that is a double
+  for (const char* one : {"1", "1/1", "magic:1"}) {  // the one threshold that is a double
     const nlohmann::json at = asked(one);
     CHECK(at.at("near_tie") == true);
     CHECK(at.at("threshold") == "magic:1");
     CHECK(at.at("distance") == 0.0);
   }
+  CHECK(asked("1/2").at("distance") == clear.at("distance"));
   CHECK(asked("1/7").at("near_tie").is_null());
   CHECK_FALSE(json_of({"count", "--alpha", "0.5"}).contains("near_tie"));
 }

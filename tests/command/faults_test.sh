@@ -121,6 +121,11 @@ run all env -i
 check "no environment" same
 run all env HOME=/nonexistent TMPDIR=/nonexistent
 check "a HOME that is not there" same
+for line in "figure terminal" "learn check collision_by_collision $(echo "$sources"/tutorials/*/exercises/collision_by_collision/solution/answer.cpp) --folder $scratch/mine"; do
+  read -ra words <<<"$line"
+  run env TMPDIR=/nonexistent "$program" "${words[@]}"
+  check "a TMPDIR that is not there: ${words[0]}" refused
+done
 for zone in Pacific/Chatham Antarctica/Troll :nonsense; do
   run all env TZ=$zone
   check "time zone $zone" same

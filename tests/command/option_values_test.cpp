@@ -34,7 +34,8 @@ TEST_CASE("a whole number is decimal, whatever zeros it begins with", "[exam]") 
   };
   CHECK(shown("010").output == shown("10").output);
   check_refused({"ratios", "--count", "00"}, "--count");
-  check_refused({"ratios", "--count", "0x"}, "--count");
+  for (const char* other : {"0x", "0x10", "+010", " 010", "1e1"})
+    check_refused({"ratios", "--count", other}, "--count");
 }
 
 TEST_CASE("-o - is stdout", "[exam]") {
@@ -43,12 +44,17 @@ TEST_CASE("-o - is stdout", "[exam]") {
   CHECK_FALSE(expected.empty());
   CHECK(run_program({"ratios", "--count", "2", "-o", "-"}).output == expected);
   CHECK(run_program({"ratios", "--count", "2", "--output=-"}).output == expected);
+  CHECK(run_program({"figure", "counts", "-o", "-"}).output.find("<svg") != std::string::npos);
+  CHECK(run_program({"derive", "contact", "-o", "-"}).output ==
+        run_program({"derive", "contact"}).output);
+  check_refused({"generate", "--quantity", "a_t", "--out", folder / "x", "-o", "-"}, "two places");
   CHECK_FALSE(std::filesystem::exists("-"));
 }
 
 TEST_CASE("an option that is given no value takes none from the next word", "[exam]") {
   check_refused({"ratios", "--count=", "3"}, "--count= has no value");
   check_refused({"derive", "--from=", "power"}, "--from= has no value");
+  check_refused({"ratios", "-o=", "3"}, "-o= is no option");
   CHECK(run_program({"equal", "x", "x", "--domain=x>=0"}).exit_code == 0);
 }
 
@@ -63,7 +69,7 @@ TEST_CASE("no file, no folder and no result is called nothing", "[exam]") {
 TEST_CASE("two files of one answer have two names", "[exam]") {
   const TemporaryFolder folder;
   check_refused({"animate", MAGICMASS_SOURCE_DIR "/tutorials/scenes/cradle.toml", "-o",
-                 folder / "x", "--gif", folder / "x"},
+                 folder / "x", "--gif", folder / "./x"},
                 "--gif and -o name one file");
   CHECK_FALSE(std::filesystem::exists(folder / "x"));
 }

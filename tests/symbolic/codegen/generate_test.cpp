@@ -10,7 +10,9 @@
 #include <ginac/ginac.h>
 
 #include "derivation/derivation.hpp"
+#include "magicmass/errors.hpp"
 #include "proof/kernel.hpp"
+#include "proof/names.hpp"
 #include "whole_derivation.hpp"
 
 using namespace magicmass;
@@ -54,14 +56,24 @@ TEST_CASE("a missing theorem is named", "[exam]") {
 
 TEST_CASE("an output that is a definition needs a theorem that ties it to the motion",
           "[exam][shared]") {
-  std::vector<proof::Theorem> theorems = whole_derivation().theorems;
-  proof::Kernel kernel{proof::Domain()};
-  for (proof::Theorem& theorem : theorems) {
-    if (theorem.id() == "times.t_of_P" || theorem.id() == "times.t_of_Q") {
-      const GiNaC::symbol x("x");
-      theorem = kernel.definition({.id = theorem.id(), .statement = {x, 1}});
+  const GiNaC::ex x = proof::symbol("x");
+  const auto refusal = [](const auto& claimed) {
+    proof::Kernel kernel{proof::Domain()};
+    std::vector<proof::Theorem> theorems = whole_derivation().theorems;
+    for (proof::Theorem& theorem : theorems)
+      if (theorem.id() == "times.t_of_P" || theorem.id() == "times.t_of_Q")
+        theorem = claimed(kernel, theorem.id());
+    try {
+      codegen::generate(theorems);
+    } catch (const InvalidInput& error) {
+      return std::string(error.what());
     }
-  }
-  CHECK_THROWS_WITH(codegen::generate(theorems),
-                    "times.t is a definition, and no theorem of Encounters ties it to the motion");
+    return std::string("none");
+  };
+  CHECK(refusal([&](proof::Kernel& kernel, const std::string& id) {
+          return kernel.identity({.id = id, .statement = {x + x, 2 * x}});
+        }) == "times.t is a definition, and no theorem of Encounters ties it to the motion");
+  CHECK(refusal([&](proof::Kernel& kernel, const std::string& id) {
+          return kernel.hypothesis({.id = id, .statement = {x, 1}});
+        }) == "times.t_of_P is not proved, and Encounters cites it");
 }
