@@ -38,7 +38,7 @@ TEST_CASE("a whole number is decimal, whatever zeros it begins with", "[exam]") 
     check_refused({"ratios", "--count", other}, "--count");
 }
 
-TEST_CASE("-o - is stdout", "[exam]") {
+TEST_CASE("with -o - the answer goes to stdout", "[exam]") {
   const TemporaryFolder folder;
   const std::string expected = run_program({"ratios", "--count", "2"}).output;
   CHECK_FALSE(expected.empty());
