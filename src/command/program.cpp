@@ -66,7 +66,8 @@ void treat_values_alike(CLI::App& app) {
       if (type.substr(0, type.find(':')) == number)
         option->transform(CLI::Validator(
             [](std::string& text) -> std::string {
-              if (text.find_first_of("xX+ \t") != std::string::npos)
+              if (text.find_first_of("+ \t") != std::string::npos || text.find("0x") < 2 ||
+                  text.find("0X") < 2)
                 return shown_text(text, 40) + ": not a whole number in decimal digits";
               const std::size_t first = text.find_first_not_of('0');
               if (first != std::string::npos &&

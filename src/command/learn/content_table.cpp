@@ -74,9 +74,11 @@ ContentTable::~ContentTable() = default;
 
 void ContentTable::refuse(const std::string& key, const std::string& what,
                           const std::string& allowed) const {
+  constexpr std::size_t slips = 2;
   if (what == "missing")  // or misspelt
     for (const auto& [name, value] : *data_->table)
-      if (!data_->asked.contains(std::string(name.str())) && nearest_key(name.str(), {key}))
+      if (!data_->asked.contains(std::string(name.str())) &&
+          edit_distance(name.str(), key) <= slips)
         refuse_at_line(data_->file, value.source().begin.line, shown_text(std::string(name.str())),
                        "unknown key; did you mean " + key + "?", allowed);
   const toml::node* node = data_->table->get(key);

@@ -147,7 +147,8 @@ TEST_CASE("bad exercise files get one line: file, line, key and what is allowed"
            {"id = \"half_angle\"", "id = \"other\"",
             "id: got \"other\"; allowed: the folder's name"},
            {"id = \"half_angle\"", "id = ", "not valid TOML"},
-           {"title = ", "titel = ", "title: missing; allowed: a line like title"},
+           {"title = ", "titel = ",
+            "titel: unknown key; did you mean title?; allowed: a line like title"},
            {"form = \"no trig", "form = \"no nice", "form: got \"no nice"},
            {"symbols = [\"alpha\", \"psi\"]", "symbols = 3", "symbols: not a list; allowed: "},
            {"theorem = \"rotation.cos_half_psi\"\n", "", "theorem: missing; allowed: the id"},
@@ -175,8 +176,8 @@ TEST_CASE("keys of inner sections are named with their lines, too", "[exam]") {
       read_file(content.path() / "01_contact" / "exercises" / "collide" / "exercise.toml");
   const auto line =
       1 + std::count(toml.begin(), toml.begin() + static_cast<long>(toml.find("word = ")), '\n');
-  CHECK_THAT(run.errors,
-             Contains("line " + std::to_string(line) + ": word: unknown key; allowed: "));
+  CHECK_THAT(run.errors, Contains("line " + std::to_string(line) +
+                                  ": word: unknown key; did you mean words?; allowed: "));
 }
 
 TEST_CASE("a new exercise of each kind works at once", "[exam]") {
