@@ -67,11 +67,18 @@ if(MAGICMASS_SYMBOLIC)
   install(DIRECTORY tutorials DESTINATION ${data} FILES_MATCHING
     REGEX "/exercises/[a-z0-9_]+/" PATTERN exercise_driver.hpp PATTERN TEACHERS.md
     PATTERN scenes EXCLUDE PATTERN course EXCLUDE)
-  # The course is rendered for what is installed, in seconds, and not in each build.
+  # The course is rendered when it is installed, in seconds, and not in each build; again where something is newer.
   set(course ${PROJECT_BINARY_DIR}/installed/course)
-  install(CODE "execute_process(COMMAND $<TARGET_FILE:magicmass_course> --tutorials ${PROJECT_SOURCE_DIR}/tutorials
-    --programs ${CMAKE_BINARY_DIR}/bin/tutorials --magicmass $<TARGET_FILE:magicmass> --out ${course}
-    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)")
+  install(CODE "
+  file(GLOB_RECURSE sources ${PROJECT_SOURCE_DIR}/tutorials/*)
+  foreach(source IN LISTS sources ITEMS $<TARGET_FILE:magicmass>)
+    if(\"\${source}\" IS_NEWER_THAN ${course}/index.html)
+      execute_process(COMMAND $<TARGET_FILE:magicmass_course> --tutorials ${PROJECT_SOURCE_DIR}/tutorials
+        --programs ${CMAKE_BINARY_DIR}/bin/tutorials --magicmass $<TARGET_FILE:magicmass> --out ${course}
+        OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+      break()
+    endif()
+  endforeach()")
   install(DIRECTORY ${course} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass)
   install(DIRECTORY generated/ DESTINATION ${data}/generated PATTERN CMakeLists.txt EXCLUDE)
   install(DIRECTORY src/command/schemas DESTINATION ${data})
