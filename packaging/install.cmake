@@ -67,7 +67,8 @@ if(MAGICMASS_SYMBOLIC)
   install(DIRECTORY tutorials DESTINATION ${data} FILES_MATCHING
     REGEX "/exercises/[a-z0-9_]+/" PATTERN exercise_driver.hpp PATTERN TEACHERS.md
     PATTERN scenes EXCLUDE PATTERN course EXCLUDE)
-  # The course is rendered when it is installed, in seconds, and not in each build; again where something is newer.
+  # The course is rendered when it is installed, in seconds, and not in each build; again where something is newer. It is
+  # left out without pandoc.
   set(course ${PROJECT_BINARY_DIR}/installed/course)
   install(CODE "
   file(GLOB_RECURSE sources ${PROJECT_SOURCE_DIR}/tutorials/*)
@@ -75,11 +76,20 @@ if(MAGICMASS_SYMBOLIC)
     if(\"\${source}\" IS_NEWER_THAN ${course}/index.html)
       execute_process(COMMAND $<TARGET_FILE:magicmass_course> --tutorials ${PROJECT_SOURCE_DIR}/tutorials
         --programs ${CMAKE_BINARY_DIR}/bin/tutorials --magicmass $<TARGET_FILE:magicmass> --out ${course}
-        OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+        RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE said)
+      if(failed)
+        file(REMOVE_RECURSE ${course})
+        string(STRIP \"\${said}\" said)
+        if(failed EQUAL 77)
+          message(STATUS \"Not installed: \${said}\")
+        else()
+          message(FATAL_ERROR \"\${said}\")
+        endif()
+      endif()
       break()
     endif()
   endforeach()")
-  install(DIRECTORY ${course} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass)
+  install(DIRECTORY ${course} DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass OPTIONAL)
   install(DIRECTORY generated/ DESTINATION ${data}/generated PATTERN CMakeLists.txt EXCLUDE)
   install(DIRECTORY src/command/schemas DESTINATION ${data})
   install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/magicmass)

@@ -35,7 +35,9 @@ program=$scratch/root-magicmass/usr/bin/magicmass
 run() { (cd / && env -i PATH=/usr/bin:/bin "$program" "$@"); }
 [[ $(run --version) == "magicmass $version" ]] || fail "the packaged program's version"
 [[ $(run doctor) == *"$scratch/root-magicmass/usr/share/magicmass/generated"* ]] || fail "doctor: $(run doctor)"
-[[ -s $scratch/root-magicmass/usr/share/doc/magicmass/course/index.html ]] || fail "the course is not in the package"
+if type -P pandoc >/dev/null; then
+  [[ -s $scratch/root-magicmass/usr/share/doc/magicmass/course/index.html ]] || fail "the course is not in the package"
+fi
 run plan "$scratch/root-magicmass/usr/share/magicmass/scenes/wall.toml" >/dev/null
 run demo --out "$scratch/demo" >"$scratch/demo.txt" || fail "demo: $(tail -3 "$scratch/demo.txt")"
 # A contest compiles the generated headers, which are the package's own.
