@@ -37,8 +37,8 @@ std::optional<double> as_double(const MassRatio& alpha) {
   return std::nullopt;
 }
 
-/// Whether it is a threshold, or long double could not have told the count, which threshold is the closest, and how close. Not known of a ratio
-/// that is neither a double nor a threshold itself, nor where the counts do not fit 64 bits.
+/// Whether it is a threshold, or long double could not have told the count, which threshold is the closest, and how
+/// close. Not known of a ratio that is neither a double nor a threshold itself, nor where the counts do not fit 64 bits.
 std::vector<Cell> near_tie_cells(const MassRatio& alpha) {
   const auto truth = [](bool value) { return Cell{value ? "true" : "false", false}; };
   if (is_threshold(alpha)) return {truth(true), text_cell(to_text(alpha)), number_cell(0.0)};

@@ -38,8 +38,10 @@ std::string words_of(const std::filesystem::filesystem_error& error) {
   return shown_text(error.path1().string(), 300) + ": " + error.code().message();
 }
 
+bool is_stdout(const std::string& path) { return path.empty() || path == "-"; }
+
 Destination::Destination(const std::string& path) : name_("stdout") {
-  if (path.empty() || path == "-") return;
+  if (is_stdout(path)) return;
   name_ = shown_text(path, 200);
   struct stat existing {};
   const bool exists = ::stat(path.c_str(), &existing) == 0;

@@ -17,12 +17,15 @@ class ClosedPipe : public std::exception {};
 /// What the system says of a path, in one line: "PATH: File name too long".
 std::string words_of(const std::filesystem::filesystem_error& error);
 
+/// Whether -o with this path means stdout: "" (none was given) and "-" do.
+bool is_stdout(const std::string& path);
+
 /// Where data go: stdout, or a file that appears whole or not at all. It is written to a part file beside it
 /// and renamed by finish(). What exists and is no regular file
 /// (/dev/null, a pipe) is written directly.
 class Destination {
 public:
-  /// Empty path: stdout. Throws InvalidInput where the path cannot be written.
+  /// Stdout for what is_stdout says so of. Throws InvalidInput where the path cannot be written.
   explicit Destination(const std::string& path);
   Destination(const Destination&) = delete;
   Destination(Destination&&) = delete;

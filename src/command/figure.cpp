@@ -58,7 +58,7 @@ std::string format_of(const FigureOptions& options) {
 std::optional<std::string> data_path(const std::string& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (path.empty() || path == "-" ||
+  if (is_stdout(path) ||
       (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)))
     return std::nullopt;
   const std::string data = std::filesystem::path(path).replace_extension(".csv").string();
@@ -78,8 +78,8 @@ ExitCode make_figure(const FigureOptions& options) {
   const FigureEntry& entry = entry_called(options.name);
   const std::string format = format_of(options);
   const bool is_drawing = format != "csv";
-  if ((format == "png" || format == "pdf") &&
-      (options.output.path.empty() || options.output.path == "-") && ::isatty(STDOUT_FILENO) == 1)
+  if ((format == "png" || format == "pdf") && is_stdout(options.output.path) &&
+      ::isatty(STDOUT_FILENO) == 1)
     throw InvalidInput("--format " + format + " is not for a terminal; allowed: -o FILE");
   const std::optional<std::string> beside =
       is_drawing ? data_path(options.output.path) : std::nullopt;

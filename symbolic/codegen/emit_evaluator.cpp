@@ -2,6 +2,7 @@
 #include "codegen/emit.hpp"
 #include "codegen/expression.hpp"
 #include "codegen/make_kernel.hpp"
+#include "magicmass/errors.hpp"
 
 namespace magicmass::codegen {
 namespace {
@@ -103,7 +104,11 @@ std::string emit_quantities(const std::vector<proof::Theorem>& theorems) {
   text += "\n#include <array>\n\nnamespace magicmass::generated {\n";
   for (const QuantityStruct& made : quantity_structs()) {
     std::vector<proof::Theorem> meaning;
-    for (const std::string& id : made.meaning) meaning.push_back(theorem_named(theorems, id));
+    for (const std::string& id : made.meaning) {
+      meaning.push_back(theorem_named(theorems, id));
+      if (meaning.back().step().verdict != "proved")
+        throw InvalidInput(id + " is not proved, and " + made.name + " cites it");
+    }
     text += "\n/// " + made.words + "\n" +
             (meaning.empty()
                  ? ""

@@ -12,22 +12,20 @@
 namespace magicmass::codegen {
 namespace {
 
-// A definition says nothing of the motion by itself.
+// What a sequence is defined as says nothing of the motion by itself.
 void expect_meaning(const proof::Theorem& output, const std::string& result,
                     const std::vector<proof::Theorem>& theorems) {
   if (output.step().verdict != "definition") return;
-  bool is_tied = false;
-  for (const QuantityStruct& made : quantity_structs())
-    for (const std::string& id : made.name == result ? made.meaning : std::vector<std::string>{}) {
-      const proof::Step& step = theorem_named(theorems, id).step();
-      if (step.verdict != "proved")
-        throw InvalidInput(id + " is not proved, and " + result + " cites it");
-      is_tied = is_tied || std::find(step.premises.begin(), step.premises.end(), output.id()) !=
-                               step.premises.end();
-    }
-  if (is_tied) return;
-  throw InvalidInput(output.id() + " is a definition, and no theorem of " + result +
-                     " ties it to the motion");
+  const std::vector<QuantityStruct>& all = quantity_structs();
+  const auto made = std::find_if(all.begin(), all.end(),
+                                 [&](const QuantityStruct& one) { return one.name == result; });
+  const auto ties = [&](const std::string& id) {
+    const std::vector<std::string>& premises = theorem_named(theorems, id).step().premises;
+    return std::find(premises.begin(), premises.end(), output.id()) != premises.end();
+  };
+  if (made == all.end() || std::none_of(made->meaning.begin(), made->meaning.end(), ties))
+    throw InvalidInput(output.id() + " is a definition, and no theorem of " + result +
+                       " ties it to the motion");
 }
 
 Evaluator make_evaluator(const Form& form, const std::vector<proof::Theorem>& theorems) {

@@ -9,6 +9,7 @@
 
 #include "browser.hpp"
 #include "program_run.hpp"
+#include "refusal.hpp"
 
 namespace {
 
@@ -137,11 +138,7 @@ TEST_CASE("what cannot be animated is one line, code 2 and no file", "[exam]") {
   const std::vector<std::string> before = folder.names();
   for (const auto& [arguments, expected] : refused) {
     const ProgramRun run = run_program(arguments);
-    INFO(run.errors);
-    CHECK(run.exit_code == 2);
-    CHECK(run.output.empty());
-    CHECK(lines_of(run.errors).size() == 1);
-    CHECK(run.errors.find(expected) != std::string::npos);
+    check_refused(run, expected);
   }
   CHECK(folder.names() == before);
 }

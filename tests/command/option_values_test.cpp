@@ -7,19 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "program_run.hpp"
-
-namespace {
-
-void check_refused(const std::vector<std::string>& words, const std::string& part_of_message) {
-  const ProgramRun run = run_program(words);
-  INFO(run.errors);
-  CHECK(run.exit_code == 2);
-  CHECK(run.output.empty());
-  CHECK(lines_of(run.errors).size() == 1);
-  CHECK(run.errors.find(part_of_message) != std::string::npos);
-}
-
-}  // namespace
+#include "refusal.hpp"
 
 TEST_CASE("a whole number is decimal, whatever zeros it begins with", "[exam]") {
   const std::string ten = run_program({"ratios", "--count", "10"}).output;
@@ -33,9 +21,9 @@ TEST_CASE("a whole number is decimal, whatever zeros it begins with", "[exam]") 
         {"learn", "show", "light_ball", "--seed", seed, "--folder", folder / "mine"});
   };
   CHECK(shown("010").output == shown("10").output);
-  check_refused({"ratios", "--count", "00"}, "--count");
+  check_refused(run_program({"ratios", "--count", "00"}), "--count");
   for (const char* other : {"0x", "0x10", "+010", " 010", "1e1"})
-    check_refused({"ratios", "--count", other}, "--count");
+    check_refused(run_program({"ratios", "--count", other}), "--count");
 }
 
 TEST_CASE("with -o - the answer goes to stdout", "[exam]") {
@@ -45,29 +33,30 @@ TEST_CASE("with -o - the answer goes to stdout", "[exam]") {
   CHECK(run_program({"ratios", "--count", "2", "-o", "-"}).output == expected);
   CHECK(run_program({"ratios", "--count", "2", "--output=-"}).output == expected);
   CHECK(run_program({"figure", "counts", "-o", "-"}).output.find("<svg") != std::string::npos);
-  check_refused({"generate", "--quantity", "a_t", "--out", folder / "x", "-o", "-"}, "two places");
+  check_refused(run_program({"generate", "--quantity", "a_t", "--out", folder / "x", "-o", "-"}),
+                "two places");
   CHECK_FALSE(std::filesystem::exists("-"));
 }
 
 TEST_CASE("an option that is given no value takes none from the next word", "[exam]") {
-  check_refused({"ratios", "--count=", "3"}, "--count= has no value");
-  check_refused({"derive", "--from=", "power"}, "--from= has no value");
-  check_refused({"ratios", "-o=", "3"}, "-o= is no option");
+  check_refused(run_program({"ratios", "--count=", "3"}), "--count= has no value");
+  check_refused(run_program({"derive", "--from=", "power"}), "--from= has no value");
+  check_refused(run_program({"ratios", "-o=", "3"}), "-o= is no option");
   CHECK(run_program({"equal", "x", "x", "--domain=x>=0"}).exit_code == 0);
 }
 
 TEST_CASE("no file, no folder and no result is called nothing", "[exam]") {
-  check_refused({"count", "--alpha", "1", "-o", ""}, "--output: no file name");
-  check_refused({"count", "--input", ""}, "--input: no file name");
-  check_refused({"manual", "--man", ""}, "--man: no folder name");
-  check_refused({"learn", "list", "--folder", ""}, "--folder: no folder name");
-  check_refused({"derive", "--from", ""}, "--from: no name");
+  check_refused(run_program({"count", "--alpha", "1", "-o", ""}), "--output: no file name");
+  check_refused(run_program({"count", "--input", ""}), "--input: no file name");
+  check_refused(run_program({"manual", "--man", ""}), "--man: no folder name");
+  check_refused(run_program({"learn", "list", "--folder", ""}), "--folder: no folder name");
+  check_refused(run_program({"derive", "--from", ""}), "--from: no name");
 }
 
 TEST_CASE("two files of one answer have two names", "[exam]") {
   const TemporaryFolder folder;
-  check_refused({"animate", MAGICMASS_SOURCE_DIR "/tutorials/scenes/cradle.toml", "-o",
-                 folder / "x", "--gif", folder / "./x"},
+  check_refused(run_program({"animate", MAGICMASS_SOURCE_DIR "/tutorials/scenes/cradle.toml", "-o",
+                             folder / "x", "--gif", folder / "./x"}),
                 "--gif and -o name one file");
   CHECK_FALSE(std::filesystem::exists(folder / "x"));
 }

@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "command/descriptor.hpp"
 #include "command/leftover.hpp"
 
 namespace magicmass::command {
@@ -27,24 +28,6 @@ constexpr int results_descriptor = 3;
 [[noreturn]] void no_process(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
 }
-
-class Descriptor {
-public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor(Descriptor&&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  Descriptor& operator=(Descriptor&&) = delete;
-  ~Descriptor() { close(); }
-  void close() {
-    if (number_ >= 0) ::close(number_);
-    number_ = -1;
-  }
-  int number() const { return number_; }
-
-private:
-  int number_;
-};
 
 void limit(int resource, rlim_t value) {
   rlimit limits{};

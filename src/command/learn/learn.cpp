@@ -90,7 +90,7 @@ void add_student_commands(Adder& adder) {
                               "magicmass learn watch", learn_watch);
   adder.id(false, "an exercise to begin with").for_student().seed().plain();
   watch.add_option("--seconds", adder.options().seconds, "stop after so long")
-      ->type_name("NUMBER")
+      ->type_name("SECONDS")
       ->check(CLI::Range(0.001, 1e6).description(""));
   CLI::App& reset = adder.add("reset", "Begin an exercise again",
                               "magicmass learn reset half_angle", learn_reset);

@@ -35,7 +35,7 @@ public:
         student_(student_folder(options)),
         output_(output),
         style_(text_style(output, options.ascii)),
-        can_clear_(options.output.path.empty() && is_clearing_terminal()) {}
+        can_clear_(is_stdout(options.output.path) && is_clearing_terminal()) {}
 
   void run() {
     const Clock::time_point start = Clock::now();

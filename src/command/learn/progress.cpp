@@ -8,8 +8,8 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
-#include <unistd.h>
 
+#include "command/descriptor.hpp"
 #include "command/destination.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/scenes/shown_text.hpp"
@@ -35,25 +35,6 @@ void make_folder(const fs::path& folder) {
     throw InvalidInput("cannot make the folder " + shown_text(folder.string(), 300) + ": " +
                        error.message() + "; --folder names another");
 }
-
-/// While one lives, others who save into that folder wait. A file system without locks has none who wait.
-class Turn {
-public:
-  explicit Turn(const fs::path& folder)
-      : descriptor_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-    if (descriptor_ >= 0) ::flock(descriptor_, LOCK_EX);
-  }
-  Turn(const Turn&) = delete;
-  Turn(Turn&&) = delete;
-  Turn& operator=(const Turn&) = delete;
-  Turn& operator=(Turn&&) = delete;
-  ~Turn() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-
-private:
-  int descriptor_;
-};
 
 Record read_record(std::istringstream& line) {
   static const std::array<std::string, 5> verdicts{"open", "wrong", "undecided", "form", "right"};
@@ -150,7 +131,8 @@ void StudentFolder::add_to(StudentFolder& others) const {
 
 void StudentFolder::save() {
   make_folder(path_);
-  const Turn turn(path_);
+  const Descriptor turn(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  ::flock(turn.number(), LOCK_EX);  // others wait; on a file system without locks nobody does
   StudentFolder now(path_);
   add_to(now);
   std::string text = heading;

@@ -75,7 +75,7 @@ ExitCode report_command(const ReportOptions& options) {
     return ExitCode::done;
   }
   if (!options.compare.empty() && options.output.format != "text" &&
-      (options.compare.size() == 2 || options.output.path.empty()))
+      (options.compare.size() == 2 || is_stdout(options.output.path)))
     throw InvalidInput("--compare is told as text; --format is of the report that -o FILE writes");
   std::vector<KnownReport> known;
   for (const std::string& path : options.compare) known.push_back(read_report(path));
@@ -92,7 +92,7 @@ ExitCode report_command(const ReportOptions& options) {
     Progress progress;
     measurement = measure(options.request, progress);
   }
-  if (known.empty() || !options.output.path.empty())
+  if (known.empty() || !is_stdout(options.output.path))
     write_report(output, options.output.format, measurement);
   if (options.output.format != "text" && options.output.format != "markdown")
     for (const std::string& remark : measurement.remarks)

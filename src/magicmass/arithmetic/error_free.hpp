@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "magicmass/arithmetic/ieee.hpp"
 #include "magicmass/arithmetic/lanes.hpp"
-#include "magicmass/arithmetic/strict.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {

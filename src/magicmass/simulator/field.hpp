@@ -3,7 +3,7 @@
 
 #include <concepts>
 
-#include "magicmass/arithmetic/strict.hpp"
+#include "magicmass/arithmetic/ieee.hpp"
 
 namespace magicmass {
 

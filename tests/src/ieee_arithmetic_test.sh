@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Numeric headers stop the compiler, with the reason, where arithmetic would not be IEEE's.
-#   strict_arithmetic_test.sh CXX SOURCES
+#   ieee_arithmetic_test.sh CXX SOURCES
 set -euo pipefail
 compile() { # header, flags; stderr to stdout
   echo "#include \"$1\"" | "$cxx" -std=c++20 -Wfatal-errors -fsyntax-only "-I$sources/src" "-I$sources/generated" "${@:2}" -x c++ - 2>&1
