@@ -104,10 +104,28 @@ std::string page(const DeriveOptions& options, const Steps& all, const render::T
   return render::derivation_text(steps, style);
 }
 
+/// As far as it takes for what was named; to the end where that is not seen from the names.
+derivation::Derivation far_enough(const std::vector<std::string>& names) {
+  const auto& chapters = derivation::chapter_names();
+  auto last = chapters.begin();
+  for (const std::string& name : names) {
+    const auto found = std::find(chapters.begin(), chapters.end(), name.substr(0, name.find('.')));
+    last = std::max(last, found);
+  }
+  if (names.empty() || last == chapters.end()) return derivation::derive();
+  derivation::Derivation begun = derivation::derive_up_to(*last);
+  const auto is_there = [&](const std::string& name) {
+    return name.find('.') == std::string::npos ||
+           std::any_of(begun.theorems.begin(), begun.theorems.end(),
+                       [&](const proof::Theorem& theorem) { return theorem.id() == name; });
+  };
+  return std::all_of(names.begin(), names.end(), is_there) ? begun : derivation::derive();
+}
+
 ExitCode derive(const DeriveOptions& options) {
   require_one_kind(options);
   Destination output(options.output.path);
-  const derivation::Derivation derivation = derivation::derive();
+  const derivation::Derivation derivation = far_enough(options.names);
   output.write(page(options, render::steps_of(derivation), text_style(output, options.ascii)));
   output.finish();
   return say_if_refused(derivation);

@@ -144,6 +144,17 @@ const std::vector<std::string>& chapter_names() {
   return names;
 }
 
+namespace {
+
+std::size_t place_of(const std::string& chapter) {
+  const auto& names = chapter_names();
+  const auto found = std::find(names.begin(), names.end(), chapter);
+  if (found == names.end()) throw InvalidInput("no chapter is called " + chapter);
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+}  // namespace
+
 struct Beginning::Data {
   Kernel kernel{{.positive = {"L", "M", "M_1", "M_2", "V", "M_A", "M_B", "alpha", "e", "h_1", "h_2",
                               "m", "mu_A", "mu_B", "xi", "tan_h", "C"},
@@ -157,11 +168,8 @@ struct Beginning::Data {
 };
 
 Beginning::Beginning(const std::string& next_chapter, const Laws& laws, const Paper& paper) {
-  const auto& names = chapter_names();
-  const auto found = std::find(names.begin(), names.end(), next_chapter);
-  if (found == names.end()) throw InvalidInput("no chapter is called " + next_chapter);
   auto data = std::make_shared<Data>();
-  data->go_on(static_cast<std::size_t>(found - names.begin()), laws, paper);
+  data->go_on(place_of(next_chapter), laws, paper);
   data_ = std::move(data);
 }
 
@@ -173,11 +181,13 @@ Beginning::Beginning(const Laws& laws, const Paper& paper) {
 
 const proof::Kernel& Beginning::kernel() const { return data_->kernel; }
 
-Derivation Beginning::completed(const Laws& laws, const Paper& paper) const {
+Derivation Beginning::up_to(const std::string& chapter, const Laws& laws,
+                            const Paper& paper) const {
+  const std::size_t end = place_of(chapter) + 1;
   Data data = *data_;
   Derivation result;
   try {
-    data.go_on(chapters().size(), laws, paper);
+    data.go_on(end, laws, paper);
   } catch (const proof::NotProved& refused) {
     result.refused = refused;
   } catch (const std::runtime_error& stuck) {  // a singular system, a null space that is not a line
@@ -198,8 +208,18 @@ Derivation Beginning::completed(const Laws& laws, const Paper& paper) const {
   return result;
 }
 
+Derivation Beginning::completed(const Laws& laws, const Paper& paper) const {
+  return up_to(chapter_names().back(), laws, paper);
+}
+
 Derivation derive(const Laws& laws, const Paper& paper) {
   return Beginning(chapter_names().front(), laws, paper).completed(laws, paper);
+}
+
+Derivation derive_up_to(const std::string& chapter) {
+  const Laws laws = conservation_laws();
+  const Paper printed = paper();
+  return Beginning(chapter_names().front(), laws, printed).up_to(chapter, laws, printed);
 }
 
 Derivation derive() { return derive(conservation_laws(), paper()); }

@@ -28,6 +28,8 @@ const std::vector<std::string>& chapter_names();
 /// Laws in, theorems out. Never throws NotProved: see Derivation::refused.
 Derivation derive(const Laws& laws, const Paper& paper);
 Derivation derive();  ///< the real laws, the paper as printed
+/// No further than to the end of this chapter. Throws InvalidInput for one that is not there.
+Derivation derive_up_to(const std::string& chapter);
 
 /// The derivation up to a chapter, to be gone on with: the tests spoil one formula after another and need
 /// not prove again what comes before it.
@@ -38,6 +40,8 @@ public:
   Beginning(const Laws& laws, const Paper& paper);  ///< all chapters
   /// Goes on to the end. Never throws NotProved.
   Derivation completed(const Laws& laws, const Paper& paper) const;
+  /// No further than to the end of this chapter. Throws InvalidInput for one that is not there.
+  Derivation up_to(const std::string& chapter, const Laws& laws, const Paper& paper) const;
   /// What is proved so far.
   const proof::Kernel& kernel() const;
 

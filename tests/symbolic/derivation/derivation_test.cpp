@@ -37,6 +37,7 @@ TEST_CASE("what is not there is refused by its name, as bad input is everywhere"
   CHECK_THROWS_AS(paper.at("eq:none"), InvalidInput);
   CHECK_THROWS_AS(derivation::Beginning("none", derivation::conservation_laws(), paper),
                   InvalidInput);
+  CHECK_THROWS_WITH(derivation::derive_up_to("powers"), "no chapter is called powers");
   CHECK_THROWS_AS(proof::symbol("2x"), InvalidInput);
   STATIC_REQUIRE(std::is_base_of_v<Error, proof::NotProved>);
 }
@@ -157,5 +158,23 @@ TEST_CASE("a second derivation gives the same steps, word for word", "[check][sh
     CHECK(one.from == other.from);
     CHECK(one.to == other.to);
     CHECK(one.conditions == other.conditions);
+  }
+}
+
+TEST_CASE("a derivation up to a chapter is the whole one's beginning, to that chapter's end",
+          "[exam][shared]") {
+  const auto& all = whole_derivation().theorems;
+  const auto in = [](const std::string& chapter, const proof::Theorem& theorem) {
+    return theorem.id().starts_with(chapter + ".");
+  };
+  for (const std::string chapter : {"orthogonal", "power", "transmission"}) {
+    const derivation::Derivation begun = derivation::derive_up_to(chapter);
+    CHECK_FALSE(begun.refused);
+    const std::size_t size = begun.theorems.size();
+    REQUIRE(size <= all.size());
+    for (std::size_t i = 0; i < size; ++i)
+      CHECK(begun.theorems[i].step().from == all[i].step().from);
+    CHECK(in(chapter, all[size - 1]));
+    CHECK((size == all.size() || !in(chapter, all[size])));
   }
 }
