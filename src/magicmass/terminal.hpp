@@ -6,7 +6,7 @@
 namespace magicmass {
 
 /// Velocities after the last collision, in units of V, the counts that lead there, and the fraction rho = b_t^2 of the
-/// energy that B takes (Ee & Lee eqs. eq:at to eq:ct).
+/// energy that B takes (Ee & Lee eqs. eq:a-terminal, eq:b-terminal, eq:ct).
 struct Terminal {
   Counts counts;  ///< the collisions that lead there
   double a_t;     ///< of A

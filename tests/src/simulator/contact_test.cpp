@@ -44,3 +44,21 @@ TEST_CASE("relative velocity turns round within the stated 6 eps", "[check]") {
     REQUIRE(std::fabs(static_cast<double>(got.second - exact.second)) <= bound);
   }
 }
+
+TEST_CASE("with restitution velocities are within the stated 8 eps of the law", "[check]") {
+  testing::Generator generator(3);
+  for (int i = 0; i < 10000; ++i) {
+    const double mass = testing::log_uniform(generator, 1e-20, 1e20);
+    const double u1 = testing::log_uniform(generator, 1e-3, 1.0);
+    const double u2 = -testing::log_uniform(generator, 1e-3, 1.0);
+    const double e = testing::log_uniform(generator, 1e-3, 1.0);
+    const auto got = collide(1.0, u1, mass, u2, e);
+    // Momentum and the relative velocity's fraction e, solved for the impulse of the contact.
+    const long double impulse =
+        (1.0L + e) * (static_cast<long double>(u1) - u2) * mass / (1.0L + mass);
+    const double bound =
+        8 * std::numeric_limits<double>::epsilon() * std::max(std::fabs(u1), std::fabs(u2));
+    REQUIRE(std::fabs(static_cast<double>(got.first - (u1 - impulse))) <= bound);
+    REQUIRE(std::fabs(static_cast<double>(got.second - (u2 + impulse / mass))) <= bound);
+  }
+}
