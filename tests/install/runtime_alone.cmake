@@ -25,7 +25,10 @@ endfunction()
 
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${project} -B ${BINARY} -DMAGICMASS_SUBPROJECT=${SOURCE}
   -DMAGICMASS_INSTALL=ON -DCMAKE_BUILD_TYPE=Release -DCMAKE_EXPORT_COMPILE_COMMANDS=ON ${quietly})
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY} ${quietly})
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${BINARY} ${quietly} ERROR_VARIABLE said)
+if(said)
+  message(FATAL_ERROR "as a subproject it is not built in silence: ${said}")
+endif()
 expect_examples(${BINARY})
 file(STRINGS ${BINARY}/compile_commands.json warned REGEX "-W(all|extra|error)")
 file(STRINGS ${BINARY}/compile_commands.json own REGEX "-ffp-contract=off.*/examples/count.cpp")
