@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "program_run.hpp"
+#include "refusal.hpp"
 
 namespace {
 
@@ -74,6 +75,23 @@ TEST_CASE("numbers too small for a double's usual range are shown in tables", "[
   const ProgramRun run = run_program({"simulate", folder / "scene.toml"});
   CHECK(run.exit_code == 0);
   CHECK(run.errors.empty());
+  CHECK(run.output.find("limited") != std::string::npos);
+  CHECK(lines_of(run.output).size() > 6);  // the four events among them
+}
+
+TEST_CASE("numbers beyond doubles are refused where events are stepped, and what remains is named",
+          "[exam]") {
+  const TemporaryFolder folder;
+  const std::string scene = folder / "scene.toml";
+  write_file(scene, "alpha = \"100^200\"\noutputs = [\"events\"]\n");
+  const ProgramRun refused = run_program({"simulate", scene});
+  CHECK(refused.exit_code == 3);
+  CHECK(refused.errors ==
+        "magicmass: a mass of the scene is too large for doubles; allowed: simulate --exact\n");
+  CHECK(run_program({"simulate", scene, "--exact"}).exit_code == 0);
+  write_file(scene, "kind = \"wall\"\nmass_ratio = \"100^300\"\noutputs = [\"events\"]\n");
+  check_refused(run_program({"simulate", scene}),
+                "a list of all 3.14159e300 events is over the limit of 1000000; allowed: times = ");
 }
 
 TEST_CASE("the paper's counts are known whatever the units, and beyond doubles", "[exam]") {

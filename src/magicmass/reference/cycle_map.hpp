@@ -58,19 +58,21 @@ LinearMap<Scalar> compose(const LinearMap<Scalar>& outer, const LinearMap<Scalar
   return {apply(outer, inner.from_a), apply(outer, inner.from_b), apply(outer, inner.from_c)};
 }
 
-/// map applied n >= 0 times to v, by binary exponentiation.
-template <class Scalar>
-BodyVelocities<Scalar> apply_power(LinearMap<Scalar> map, const cln::cl_I& n,
-                                   BodyVelocities<Scalar> v) {
+/// Calls visit(map^(2^i)) for each bit i of n >= 0 that is set; their product is map^n.
+template <class Scalar, class Visit>
+void for_each_factor(LinearMap<Scalar> map, const cln::cl_I& n, const Visit& visit) {
   const std::size_t bits = cln::integer_length(n);
   for (std::size_t bit = 0; bit < bits; ++bit) {
-    if (cln::logbitp(bit, n)) {
-      v = apply(map, v);
-    }
-    if (bit + 1 < bits) {
-      map = compose(map, map);
-    }
+    if (cln::logbitp(bit, n)) visit(map);
+    if (bit + 1 < bits) map = compose(map, map);
   }
+}
+
+/// map^n v, n >= 0.
+template <class Scalar>
+BodyVelocities<Scalar> apply_power(const LinearMap<Scalar>& map, const cln::cl_I& n,
+                                   BodyVelocities<Scalar> v) {
+  for_each_factor(map, n, [&](const LinearMap<Scalar>& factor) { v = apply(factor, v); });
   return v;
 }
 

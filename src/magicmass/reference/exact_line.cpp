@@ -185,34 +185,34 @@ ExactLine exact_line(const Scene& scene) {
 
 template <class Float>
 Line<Float> rounded(const ExactLine& line) {
-  const auto finite = [](Float value) {
-    if (!std::isfinite(value))
-      throw Undecided("a number of the scene does not fit the number type");
+  const auto refuse = [](const std::string& what, const std::string& does) {
+    throw Undecided(what + " of the scene " + does + " for doubles; allowed: simulate --exact");
+  };
+  const auto finite = [&](Float value, const std::string& what) {
+    if (!std::isfinite(value)) refuse(what, "is too large");
     return value;
   };
   Line<Float> floats;
-  const auto number = [&](const FieldNumber& x) {
-    const Float value = finite(nearest<Float>(x));
+  const auto number = [&](const FieldNumber& x, const std::string& what) {
+    const Float value = finite(nearest<Float>(x), what);
     const bool is_exact = FieldNumber(exact(value)) == x;
-    if (!is_exact && !std::isnormal(value))
-      throw Undecided("a number of the scene is too small for the number type");
+    if (!is_exact && !std::isnormal(value)) refuse(what, "is too small");
     floats.is_rounded = floats.is_rounded || !is_exact;
     return value;
   };
   for (auto* column : {&floats.masses, &floats.positions, &floats.velocities})
     column->reserve(line.bodies());
-  if (line.left_wall) floats.left_wall = number(*line.left_wall);
-  if (line.right_wall) floats.right_wall = number(*line.right_wall);
-  floats.restitution = number(line.restitution);
+  if (line.left_wall) floats.left_wall = number(*line.left_wall, "the place of a wall");
+  if (line.right_wall) floats.right_wall = number(*line.right_wall, "the place of a wall");
+  floats.restitution = number(line.restitution, "the restitution");
   for (std::size_t i = 0; i < line.bodies(); ++i) {
-    floats.masses.push_back(finite(nearest<Float>(line.masses[i])));
-    if (!(floats.masses.back() > 0))
-      throw Undecided("a mass of the scene does not fit the number type");
+    floats.masses.push_back(finite(nearest<Float>(line.masses[i]), "a mass"));
+    if (!(floats.masses.back() > 0)) refuse("a mass", "is too small");
     if (!floats.is_rounded)
       floats.is_rounded =
           !line.masses[i].is_rational() || line.masses[i].rational != exact(floats.masses.back());
-    floats.positions.push_back(number(line.position(i)));
-    floats.velocities.push_back(number(line.velocity(i)));
+    floats.positions.push_back(number(line.position(i), "a place"));
+    floats.velocities.push_back(number(line.velocity(i), "a velocity"));
   }
   return floats;
 }

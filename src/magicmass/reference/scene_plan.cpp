@@ -8,6 +8,7 @@
 
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/count.hpp"
+#include "magicmass/reference/decimal.hpp"
 #include "magicmass/reference/exact_work.hpp"
 #include "magicmass/reference/line_plan.hpp"
 #include "magicmass/reference/rational.hpp"
@@ -209,14 +210,15 @@ std::int64_t event_limit(const Scene& scene, const SceneOptions& options) {
 }
 
 void refuse_as_too_long(const Scene& scene, const cl_I& events, std::int64_t limit) {
+  constexpr int few_digits = 6;
   cl_I every = 10;
   while (every * limit < events) every = every * 10;
-  refuse_key(
-      scene, "outputs",
-      "a list of all " + to_text(events) + " events is over the limit of " + std::to_string(limit),
-      "every = " + to_text(every) +
-          " to print each so manieth, times = [...] for positions at given times, or "
-          "max_events to stop after so many");
+  const bool can_be_every = every <= cl_I(std::numeric_limits<std::int64_t>::max());
+  const std::string so_many = can_be_every ? to_text(events) : to_decimal(events, few_digits);
+  refuse_key(scene, "outputs",
+             "a list of all " + so_many + " events is over the limit of " + std::to_string(limit),
+             (can_be_every ? "every = " + to_text(every) + " to print each so manieth, " : "") +
+                 "times = [...] for positions at given times, or max_events to stop after so many");
 }
 
 LinePlan plan_line(const Scene& scene, const ExactLine& line, const SceneOptions& options) {

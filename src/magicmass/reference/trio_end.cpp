@@ -138,30 +138,37 @@ cl_I TrioEnd::first_below(int least, const std::optional<cl_I>& most, const OfIn
                   std::to_string(start + further_bits_) + " bits can tell");
 }
 
-double TrioEnd::value_after(
-    const cl_I& j, const std::function<Interval(const TrioState<Interval>&, long)>& at) const {
+std::vector<double> TrioEnd::nearest_doubles(const cl_I& j, const Enclosures& at) const {
+  const auto rounded =
+      [](const std::vector<Interval>& values) -> std::optional<std::vector<double>> {
+    std::vector<double> nearest_to;
+    for (const Interval& value : values) {
+      const auto low = nearest<double>(value.low()), high = nearest<double>(value.high());
+      if (low != high) return std::nullopt;
+      nearest_to.push_back(low + 0.0);  // no -0
+    }
+    return nearest_to;
+  };
   const long start = 128 + 2 * bits_ + 4 * static_cast<long>(cln::integer_length(j));
-  for (long precision = start; precision <= start + further_bits_; precision *= 2) {
-    const Interval value = at(enclosed(precision).after(j), precision);
-    const auto low = nearest<double>(value.low()), high = nearest<double>(value.high());
-    if (low == high) return low + 0.0;  // no -0
-  }
+  for (long precision = start; precision <= start + further_bits_; precision *= 2)
+    if (const auto values = rounded(at(enclosed(precision), precision))) return *values;
   throw Undecided("between which two doubles a value lies is closer than " +
                   std::to_string(start + further_bits_) + " bits can tell");
 }
 
 std::optional<BodyVelocities<FieldNumber>> TrioEnd::exact_velocities(const cl_I& j) const {
   if (!stays_short(j)) return std::nullopt;
-  return exact_->after(j).v;
+  return exact_->velocities_after(j);
 }
 
 BodyVelocities<double> TrioEnd::velocities(const cl_I& j) const {
   if (const auto exactly = exact_velocities(j))
     return {nearest_double(exactly->a), nearest_double(exactly->b), nearest_double(exactly->c)};
-  using State = TrioState<Interval>;
-  return {value_after(j, [](const State& s, long) { return s.v.a; }),
-          value_after(j, [](const State& s, long) { return s.v.b; }),
-          value_after(j, [](const State& s, long) { return s.v.c; })};
+  const auto v = nearest_doubles(j, [&](const TrioPowers<Interval>& powers, long) {
+    const BodyVelocities<Interval> after = powers.velocities_after(j);
+    return std::vector{after.a, after.b, after.c};
+  });
+  return {v[0], v[1], v[2]};
 }
 
 TrioEnd::Contact TrioEnd::contact(const cl_I& j) const {
@@ -172,14 +179,13 @@ TrioEnd::Contact TrioEnd::contact(const cl_I& j) const {
     const TrioState<FieldNumber> s = exact_->after(j);
     return {nearest_double(time), nearest_double(s.x.c + s.v.c * time), v};
   }
-  const auto time = [&](const TrioState<Interval>& s) {
+  const auto met = nearest_doubles(j, [&](const TrioPowers<Interval>& powers, long) {
+    const TrioState<Interval> s = powers.after(j);
     const auto next = TrioPowers<Interval>::approach(s, j);
-    return next.gap / next.speed;
-  };
-  return {
-      value_after(j, [&](const TrioState<Interval>& s, long) { return time(s); }),
-      value_after(j, [&](const TrioState<Interval>& s, long) { return s.x.c + s.v.c * time(s); }),
-      v};
+    const Interval time = next.gap / next.speed;
+    return std::vector{time, s.x.c + s.v.c * time};
+  });
+  return {met[0], met[1], v};
 }
 
 BodyPositions<double> TrioEnd::positions(const FieldNumber& time) const {
@@ -201,13 +207,12 @@ BodyPositions<double> TrioEnd::positions(const FieldNumber& time) const {
     return {nearest_double(s.x.a + s.v.a * time), nearest_double(s.x.b + s.v.b * time),
             nearest_double(s.x.c + s.v.c * time)};
   }
-  const auto place = [&](Interval BodyVelocities<Interval>::*body) {
-    return value_after(j, [&](const TrioState<Interval>& s, long precision) {
-      return s.x.*body + s.v.*body * time.enclosed(precision);
-    });
-  };
-  return {place(&BodyVelocities<Interval>::a), place(&BodyVelocities<Interval>::b),
-          place(&BodyVelocities<Interval>::c)};
+  const auto x = nearest_doubles(j, [&](const TrioPowers<Interval>& powers, long precision) {
+    const TrioState<Interval> s = powers.after(j);
+    const Interval then = time.enclosed(precision);
+    return std::vector{s.x.a + s.v.a * then, s.x.b + s.v.b * then, s.x.c + s.v.c * then};
+  });
+  return {x[0], x[1], x[2]};
 }
 
 void TrioEnd::find_collapse() {

@@ -67,8 +67,9 @@ private:
   /// power of the cycle's map for each bit of j.
   cln::cl_I first_below(int least, const std::optional<cln::cl_I>& most, const OfInterval& at,
                         const OfExact& exactly) const;
-  double value_after(const cln::cl_I& j,
-                     const std::function<Interval(const TrioState<Interval>&, long)>& at) const;
+  /// Numbers that depend on the state after about j contacts, by powers enclosed at some precision.
+  using Enclosures = std::function<std::vector<Interval>(const TrioPowers<Interval>&, long)>;
+  std::vector<double> nearest_doubles(const cln::cl_I& j, const Enclosures& at) const;
   void find_collapse();
 };
 

@@ -42,11 +42,16 @@ public:
 
   /// After j >= 0 contacts; O(log j) multiplications of maps.
   TrioState<Scalar> after(const cln::cl_I& j) const {
-    const cln::cl_I cycles = cln::floor1(j, 2);
-    TrioState<Scalar> state{apply_power(cycle_, cycles, start_.v),
-                            apply_power(cycle_, cycles, start_.x)};
-    if (cln::oddp(j)) state = {apply(P_, state.v), apply(P_, state.x)};
-    return state;
+    TrioState<Scalar> state = start_;
+    for_each_factor(cycle_, cln::floor1(j, 2), [&](const LinearMap<Scalar>& factor) {
+      state = {apply(factor, state.v), apply(factor, state.x)};
+    });
+    return cln::oddp(j) ? once_more(state) : state;
+  }
+  /// The velocities of that alone.
+  BodyVelocities<Scalar> velocities_after(const cln::cl_I& j) const {
+    const BodyVelocities<Scalar> whole = apply_power(cycle_, cln::floor1(j, 2), start_.v);
+    return cln::oddp(j) ? apply(P_, whole) : whole;
   }
 
   /// One contact of A more, after whole cycles.
