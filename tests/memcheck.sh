@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
 # Valgrind's memcheck over the runtime, the arithmetic, scenes and a chapter of the derivation, as the preset `default`
-# built them; ten minutes or so. Fails for memory that is read uninitialised, out of bounds or after its end, and for
+# built them; two minutes or so. Fails for memory that is read uninitialised, out of bounds or after its end, and for
 # what is definitely lost. A failing test is none of its business: Valgrind has neither AVX-512 nor the 64 bits of a
 # long double's mantissa.
 #   memcheck.sh [BUILD]

@@ -59,6 +59,16 @@ TEST_CASE("derive keeps to the chapters asked for", "[exam][shared]") {
   CHECK(chapters == std::set<std::string>{"power", "counting"});
 }
 
+TEST_CASE("a chapter that is asked for alone is as in the whole derivation", "[exam][shared]") {
+  for (const std::string chapter : {"contact", "terminal", "transmission"}) {
+    nlohmann::json expected = nlohmann::json::array();
+    for (const nlohmann::json& step : derived_json({"derive"}))
+      if (step.at("id").get<std::string>().starts_with(chapter + ".")) expected.push_back(step);
+    CHECK(!expected.empty());
+    CHECK(derived_json({"derive", chapter}) == expected);
+  }
+}
+
 TEST_CASE("derive keeps to the steps asked for", "[exam][shared]") {
   const nlohmann::json steps = derived_json({"derive", "contact.relative", "power.a"});
   REQUIRE(steps.size() == 2);

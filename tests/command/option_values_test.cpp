@@ -33,6 +33,8 @@ TEST_CASE("with -o - the answer goes to stdout", "[exam]") {
   CHECK(run_program({"ratios", "--count", "2", "-o", "-"}).output == expected);
   CHECK(run_program({"ratios", "--count", "2", "--output=-"}).output == expected);
   CHECK(run_program({"figure", "counts", "-o", "-"}).output.find("<svg") != std::string::npos);
+  CHECK(run_program({"derive", "contact", "-o", "-"}).output ==
+        run_program({"derive", "contact"}).output);
   check_refused(run_program({"generate", "--quantity", "a_t", "--out", folder / "x", "-o", "-"}),
                 "two places");
   CHECK_FALSE(std::filesystem::exists("-"));

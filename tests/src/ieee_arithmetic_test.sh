@@ -18,7 +18,7 @@ else
     "-fassociative-math -fno-signed-zeros -fno-trapping-math")
   [[ $(uname -m) != x86_64 ]] || parts+=(-mfpmath=387)
 fi
-for header in magicmass/arithmetic/error_free.hpp magicmass/simulator/{three_body,line_motion}.hpp; do
+for header in magicmass/arithmetic/error_free.hpp magicmass/simulator/{three_body,line_motion,velocity_stepping}.hpp; do
   compile "$header" -O2 -march=native >/dev/null || fail "$header does not compile without such flags"
   for flags in "${parts[@]}"; do
     read -ra words <<<"$flags"

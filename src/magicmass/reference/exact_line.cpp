@@ -2,6 +2,7 @@
 #include "magicmass/reference/exact_line.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 #include "magicmass/errors.hpp"
 #include "magicmass/reference/rational.hpp"
@@ -186,7 +187,9 @@ ExactLine exact_line(const Scene& scene) {
 template <class Float>
 Line<Float> rounded(const ExactLine& line) {
   const auto refuse = [](const std::string& what, const std::string& does) {
-    throw Undecided(what + " of the scene " + does + " for doubles; allowed: simulate --exact");
+    throw Undecided(what + " of the scene " + does + " for " +
+                    (std::is_same_v<Float, double> ? "doubles" : "long doubles") +
+                    "; allowed: simulate --exact");
   };
   const auto finite = [&](Float value, const std::string& what) {
     if (!std::isfinite(value)) refuse(what, "is too large");
