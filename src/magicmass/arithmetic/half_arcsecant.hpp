@@ -41,7 +41,7 @@ struct HalfArcsecant {
   return product.high + (product.low + made.root * made.rest);
 }
 
-/// asec(1 + x)/2 for 2^-900 <= x <= 1, within the lesser of 2^-60 and 2^-51 x + 2^-100 of itself, its low part at most 2^-9 of it.
+/// asec(1 + x)/2 for 2^-900 <= x <= 1, within the lesser of 2^-60 and 2^-51 x + 2^-100 of itself.
 [[gnu::always_inline]] inline Pair<double> half_arcsecant_in_range(double x) {
   const HalfArcsecant made(x);
   // sqrt(x) = s + (x - s^2)/(2 s) within 2^-108: the difference is exact, 1/s = s (1/x) does not wait for the root.
@@ -50,7 +50,8 @@ struct HalfArcsecant {
   const double remainder = (x - square) - product_error(s, s, square);
   const double s_low = (0.5 * remainder) * (s * (1.0 / x));
   const Sum<double> product = two_product(s, made.at_node);
-  return {product.high, (product.low + s_low * (made.at_node + made.rest)) + s * made.rest};
+  return normalised(Pair<double>(
+      product.high, (product.low + s_low * (made.at_node + made.rest)) + s * made.rest));
 }
 
 /// The same for every x up to 1.

@@ -25,7 +25,21 @@ struct Tabled {
 
   static Tabled sum(T x, T y) { return Tabled(Pair<T>::sum(x, y)); }
   static Tabled product(T x, T y) { return Tabled(Pair<T>::product(x, y)); }
-  static Tabled pi() { return Tabled(Pair<T>::pi()); }
+
+  struct Pi {};
+  static Pi pi() { return {}; }
+  /// pi - x, to be multiplied by plus or minus a power of two.
+  struct FromPi {
+    Pair<T> pair;
+    friend Tabled operator*(FromPi x, T y) {
+      return Tabled(Pair<T>(x.pair.high * y, x.pair.low * y));
+    }
+  };
+  /// For pi/2 <= x.high <= 2 pi, where the high parts subtract exactly (Sterbenz).
+  friend FromPi operator-(Pi, Tabled x) {
+    const Pair<T> whole = Pair<T>::pi();
+    return {Pair<T>(whole.high - x.pair.high, whole.low - x.pair.low)};
+  }
 
   friend Tabled operator-(Tabled x) { return Tabled(-x.pair); }
   friend Tabled operator+(Tabled x, Tabled y) { return Tabled(x.pair + y.pair); }
@@ -70,8 +84,8 @@ template <class T>
   return Tabled<T>(Pair<T>(y, T(0.5) * y * e));
 }
 
-/// atan t for 0 <= t <= 1, within the lesser of 2^-61 and 2^-51 t^2 + 2^-100 of itself and what the error of t makes of it; its
-/// low part may be 2^-10 of it. Outside it means nothing.
+/// atan t for 0 <= t <= 1, within the lesser of 2^-61 and 2^-51 t^2 + 2^-100 of itself and what the error of t makes of it.
+/// Outside it means nothing.
 [[gnu::always_inline]] inline Tabled<double> arctangent(Tabled<double> of) {
   // atan t = t F(t^2). With t.high^2 = z + z_low, z = c + d, c = j/256, |d| <= 2^-9: F = F(c) + d p(d) + z_low F'(c), and F' is
   // about p(0). All but F(c) is below 0.34 d + 2^-54, and what is rounded there, at 2^-53 of itself each, is p (less than
@@ -88,7 +102,8 @@ template <class T>
   const double rest = ((row[1] + z_low * row[2]) + row[2] * d) + square * further;
   const Sum<double> product = two_product(t.high, row[0]);
   const double of_low = t.low * (row[0] + row[2] * (d + (z + z)));
-  return Tabled<double>(Pair<double>(product.high, (product.low + of_low) + t.high * rest));
+  return Tabled<double>(
+      normalised(Pair<double>(product.high, (product.low + of_low) + t.high * rest)));
 }
 
 /// atan t = asec(1 + x)/2 for 0 < x and t = sqrt(x/(2 + x)), as exactly as `arctangent`: below x = 1 from x, which is exact and
@@ -102,16 +117,16 @@ template <class T>
   return Lanes<2>(_mm_xor_pd(_mm_shuffle_pd(x.v, x.v, 1), _mm_set_pd(-0.0, 0.0)));
 }
 
-/// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-60, and what the error of x makes of them; the sine
-/// within 2^-60 of itself up to 3.
+/// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-60, and what the error of x makes of them; the sine within
+/// 2^-60 of itself up to 3. |x.low| <= 2^-51 |x.high|, or 2^-50 where x.high is a multiple of 2^-52.
 /// Outside they mean nothing.
-[[gnu::always_inline]] inline SineCosine<Tabled<double>> sine_cosine(Tabled<double> unordered) {
+[[gnu::always_inline]] inline SineCosine<Tabled<double>> sine_cosine(Tabled<double> of) {
   // x = c + d + low, c = j/256, |d| <= 2^-9: sin(d + low) = d + of_sine, |of_sine| <= 2^-29.5 + 2^-52, less than 2^-66 of it left
   // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
   // sin x = s + (c d + (c of_sine + s of_cosine)) with c d exact, and so is its sum with s; and cos x likewise, (c, -s) in place
   // of (s, c): both side by side.
   using T = Lanes<2>;
-  const Pair<double> x = normalised(unordered.pair);
+  const Pair<double> x = of.pair;
   const TableNode node = table_node<4>(sine_cosine_table, x.high);
   const double d = node.rest;
   const Pair<T> at_c(load<T>(node.row), load<T>(node.row + 2));

@@ -82,7 +82,7 @@ CountDecision decide_count(double alpha) {
   if (alpha >= 1.0) {
     return {Counts{1, 1}, false};  // pi/3 <= h < pi/2
   }
-  if (const std::int64_t total = tiers::clear_total(alpha); total != 0) {
+  if (const std::int64_t total = tiers::clear_total(tiers::turns_to_pi(alpha)); total != 0) {
     return {split(static_cast<std::uint64_t>(total)), false};
   }
   // The margin stays below 2^-4, and the conversions are exact.

@@ -6,40 +6,40 @@
 
 #include "magicmass/arithmetic/lanes.hpp"
 #include "magicmass/arithmetic/pair.hpp"
-#include "magicmass/arithmetic/sine_cosine.hpp"
+#include "magicmass/tiers/clear_count.hpp"
 
 namespace magicmass::tiers {
 inline namespace MAGICMASS_TARGET {
 
 /// The number of collisions of an alpha below 1, ceil(pi/h) - 1, from h/2 as a pair within the relative error given; 0 where
-/// that does not tell it, or it is 2^63 or more.
-[[gnu::always_inline]] inline std::int64_t total_from_angle(arithmetic::Pair<double> half_h,
+/// that does not tell it, or it is 2^62 or more.
+[[gnu::always_inline]] inline std::int64_t total_from_angle(TurnsToPi turns,
+                                                            arithmetic::Pair<double> half_h,
                                                             double relative_error) {
-  using arithmetic::half_pi;
-  // Three roundings, and what the pair leaves out: within 2^-51. Up to 2^32 the conversions are exact.
-  const double quotient = half_pi[0] / (half_h.high + half_h.low);
-  if (quotient < 0x1p32) [[likely]] {
-    const auto below = static_cast<std::int64_t>(quotient);
-    const double past = quotient - static_cast<double>(below);
-    const double unsure = quotient * (0x1p-50 + relative_error);
-    if (past > unsure && past < 1.0 - unsure) [[likely]]
-      return below;
+  if (!(turns.quotient < 0x1p62)) [[unlikely]]
+    return 0;
+  // pi/h = m + (pi - m h)/h for the whole number m nearest to what is known of it; m h is at most h/2, or 2^-48 of it, from pi, and
+  // the high parts subtract exactly.
+  const auto m = static_cast<std::int64_t>(turns.quotient + 0.5);
+  const auto turned = half_h * (2.0 * static_cast<double>(m));
+  const auto pi = arithmetic::Pair<double>::pi();
+  const double rest = (pi.high - turned.high) + (pi.low - turned.low);
+  // of m h the angle's error and a pair's, of the rest its last rounding
+  const double unsure = 4.0 * (relative_error + 0x1p-98) + std::fabs(rest) * 0x1p-51;
+  if (turns.relative_error * turns.quotient < 0.25) [[likely]] {  // pi/h is between m - 1 and m + 1
+    if (!(std::fabs(rest) > unsure)) [[unlikely]]
+      return 0;
+    return m - (rest < 0.0);
   }
-  // A pair's quotient and half a turn are good to 2^-100; what is left of it beside a whole number is rounded once.
-  const auto q = arithmetic::Pair<double>(half_pi[0], half_pi[1]) / normalised(half_h);
-  if (!(q.high < 0x1p63)) return 0;
-  auto beside = static_cast<std::int64_t>(q.high);
-  double of_high = q.high - static_cast<double>(beside);
-  if (of_high > 0.5) {
-    of_high -= 1.0;
-    ++beside;
-  }
-  const double of_low = arithmetic::nearest_whole(q.low);
-  beside += static_cast<std::int64_t>(of_low);
-  const double past = of_high + (q.low - of_low);
-  const double unsure = q.high * (0x1p-98 + relative_error) + std::fabs(past) * 0x1p-52;
-  if (!(std::fabs(past) > unsure && std::fabs(past) < 1.0 - unsure)) return 0;
-  return past > 0.0 ? beside : beside - 1;
+  // 1/h is known as q/pi
+  const double q_per_pi = turns.quotient * 0x1.45f306dc9c883p-2;
+  const double past = rest * q_per_pi;
+  const double nearest = arithmetic::nearest_whole(past);
+  const double from_nearest = past - nearest;
+  const double unsure_past = unsure * q_per_pi + std::fabs(past) * (2.0 * turns.relative_error);
+  if (!(std::fabs(from_nearest) > unsure_past && unsure_past < 0.25)) [[unlikely]]
+    return 0;
+  return m + static_cast<std::int64_t>(nearest) - (from_nearest < 0.0);
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -131,7 +131,7 @@ constexpr double largest_turn = 3.14;
   constexpr Encounters<double> unknown{-HUGE_VAL, -HUGE_VAL};
   if (kernel.angle.pair.high * (2.0 * j) > 3.15) return unknown;
   // sin x and cos x from pi - x, which is as good as x
-  const auto turned = sine_cosine(Tabled<double>::pi() - kernel.angle * (2.0 * j));
+  const auto turned = sine_cosine((Tabled<double>::pi() - kernel.angle * (2.0 * j)) * 1.0);
   kernel.sine = turned.sine;
   kernel.cosine = -turned.cosine;
   // The angle's relative error, and twice that of the rest, times j is the error of 1/s = sin((j+1)h)/sin h, but for a
@@ -189,9 +189,9 @@ using FastTerminal = TerminalKernel<Tabled<double>>;
 }
 
 /// Next to a threshold, where the tables do not tell.
-[[gnu::noinline, gnu::cold]] std::int64_t total_of_closest(double alpha) {
+[[gnu::noinline, gnu::cold]] std::int64_t total_of_closest(TurnsToPi turns, double alpha) {
   const auto psi = AngleKernel<Bounded<double>>::evaluate(alpha);
-  return total_from_angle(scaled(psi.pair, 0.25), psi.error / psi.pair.high + 0x1p-100);
+  return total_from_angle(turns, scaled(psi.pair, 0.25), psi.error / psi.pair.high + 0x1p-100);
 }
 
 bool fast_terminal(double alpha, magicmass::Terminal& result) {
@@ -203,13 +203,14 @@ bool fast_terminal(double alpha, magicmass::Terminal& result) {
     put(kernel, result);
     return true;
   }
-  std::int64_t total = clear_total(alpha);
+  const TurnsToPi turns = turns_to_pi(alpha);
+  std::int64_t total = clear_total(turns);
   kernel.stage_1();
   kernel.stage_2();
   if (total == 0) [[unlikely]] {
-    total = total_from_angle(kernel.angle.pair, relative_error_of_angle(alpha));
+    total = total_from_angle(turns, kernel.angle.pair, relative_error_of_angle(alpha));
     if (total == 0) [[unlikely]]
-      total = total_of_closest(alpha);
+      total = total_of_closest(turns, alpha);
     if (total == 0) return false;
   }
   result.counts = {(total + 1) >> 1, total >> 1};
