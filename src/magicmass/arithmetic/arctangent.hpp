@@ -52,10 +52,10 @@ template <class T>
   const T next = quotient * (z.high * z.high) *
                  (T(0x1.999999999999ap-3) -
                   z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
-  const Sum<T> head = ordered_sum(gather<2, 0>(arctangent_table, j), quotient);
+  const TwoColumns<T> of_c = look_up<2, 0>(arctangent_table, j);
+  const Sum<T> head = ordered_sum(of_c.first, quotient);
   const Sum<T> body = ordered_sum(head.high, -cubic.high);
-  const T low =
-      ((head.low + body.low) + (gather<2, 1>(arctangent_table, j) + rest)) + (next - cubic_low);
+  const T low = ((head.low + body.low) + (of_c.second + rest)) + (next - cubic_low);
   return {{body.high, low}, body.high};
 }
 
@@ -75,8 +75,8 @@ template <class T>
                             z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
   const Pair<T> cubic = z * (Pair<T>(T(0x1.5555555555555p-2), T(0x1.5555555555555p-56)) + inner);
   const Pair<T> of_w = w - cubic * w;
-  const Pair<T> of_c{gather<2, 0>(arctangent_table, j), gather<2, 1>(arctangent_table, j)};
-  const Pair<T> sum = of_c + of_w;
+  const TwoColumns<T> of_c = look_up<2, 0>(arctangent_table, j);
+  const Pair<T> sum = Pair<T>(of_c.first, of_c.second) + of_w;
   return {normalised(sum), t.error + T(0x1p-88) * sum.high};
 }
 

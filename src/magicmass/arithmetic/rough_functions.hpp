@@ -4,7 +4,7 @@
 #include "magicmass/arithmetic/polynomials.hpp"
 #include "magicmass/arithmetic/rough.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
-#include "magicmass/arithmetic/two_chains.hpp"
+#include "magicmass/arithmetic/chains.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
@@ -30,7 +30,7 @@ template <class T>
   const T cube = t.high * z;
   const Sum<T> head = ordered_sum(t.high, T(-0.25) * cube);
   const T rest =
-      cube * two_chains(rough_arctangent_coefficients, z) + t.low * (T(1.0) - T(0.75) * z);
+      cube * four_chains(rough_arctangent_coefficients, z) + t.low * (T(1.0) - T(0.75) * z);
   return {head.high, head.low + rest};
 }
 

@@ -67,8 +67,9 @@ template <class T>
   const T of_sine = low - ((T(0.5) * z) * low + cube);
   const T of_cosine = z * (T(-0.5) + z * (T(0x1.5555555555555p-5) - z * T(0x1.6c16c16c16c17p-10))) -
                       low * (d - cube);
-  const Pair<T> s{gather<4, 0>(sine_cosine_table, j), gather<4, 2>(sine_cosine_table, j)};
-  const Pair<T> c{gather<4, 1>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
+  const TwoColumns<T> highs = look_up<4, 0>(sine_cosine_table, j);
+  const TwoColumns<T> lows = look_up<4, 2>(sine_cosine_table, j);
+  const Pair<T> s{highs.first, lows.first}, c{highs.second, lows.second};
   // the leading products and sums without error, then all that is below 2^-18 of them
   const Sum<T> c_d = two_product(c.high, d);
   const Sum<T> s_head = two_sum(s.high, c_d.high);
@@ -114,8 +115,9 @@ template <class T>
       scaled(z, -0.5) +
       square * (T(0x1.5555555555555p-5) -
                 z.high * (T(0x1.6c16c16c16c17p-10) - z.high * T(0x1.a01a01a01a01ap-16)));
-  const Pair<T> sine_c{gather<4, 0>(sine_cosine_table, j), gather<4, 2>(sine_cosine_table, j)};
-  const Pair<T> cosine_c{gather<4, 1>(sine_cosine_table, j), gather<4, 3>(sine_cosine_table, j)};
+  const TwoColumns<T> highs = look_up<4, 0>(sine_cosine_table, j);
+  const TwoColumns<T> lows = look_up<4, 2>(sine_cosine_table, j);
+  const Pair<T> sine_c{highs.first, lows.first}, cosine_c{highs.second, lows.second};
   Pair<T> sine = normalised(sine_c + (sine_c * cosine_d_less_one + cosine_c * sine_d));
   const Pair<T> cosine = normalised(cosine_c + (cosine_c * cosine_d_less_one - sine_c * sine_d));
   sine = select(is_below, -sine, sine);

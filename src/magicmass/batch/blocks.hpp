@@ -15,7 +15,7 @@ inline constexpr std::size_t block_rows = 128;
 /// A kernel may count on a multiple of this: two of the widest registers of doubles.
 inline constexpr std::size_t group_rows = 16;
 
-/// The rows of one column past the last whole block. A const column is an input: its last group is filled up with
+/// The rows of a short column, filled up to a whole group. A const column is an input: its last group is filled up with
 /// its first row, so that a kernel never sees a value that the caller did not give.
 template <class Value>
 struct Tail {
@@ -32,21 +32,28 @@ struct Tail {
   }
 };
 
-/// Calls kernel(rows, columns...) for blocks of consecutive rows, each a multiple of group_rows long and at most block_rows;
-/// in the last block the columns are copies. Columns are of const values (inputs) or of values (outputs).
+/// Calls kernel(first, rows, columns...) for blocks of consecutive rows from `first` on, each a multiple of group_rows long and at
+/// most block_rows. Some rows come twice where that fills the last group; of a size less than a block the columns are copies.
+/// Columns are of const values (inputs) or of values (outputs).
 template <class Kernel, class... Values>
 [[gnu::always_inline]] inline void block_by_block(std::size_t size, Kernel kernel,
                                                   Values*... columns) {
   std::size_t done = 0;
-  for (; size - done >= block_rows; done += block_rows) kernel(block_rows, (columns + done)...);
+  for (; size - done >= block_rows; done += block_rows)
+    kernel(done, block_rows, (columns + done)...);
   const std::size_t rest = size - done;
   if (rest == 0) return;
   const std::size_t rounded = (rest + group_rows - 1) / group_rows * group_rows;
+  if (rounded <= size) {
+    const std::size_t first = size - rounded;
+    kernel(first, rounded, (columns + first)...);
+    return;
+  }
   const auto finish = [&](Tail<Values>&&... tails) {
-    kernel(rounded, static_cast<Values*>(tails.rows)...);
-    (tails.write_to(columns + done, rest), ...);
+    kernel(std::size_t{0}, rounded, static_cast<Values*>(tails.rows)...);
+    (tails.write_to(columns, rest), ...);
   };
-  finish(Tail<Values>(columns + done, rest, rounded)...);
+  finish(Tail<Values>(columns, rest, rounded)...);
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -107,7 +107,11 @@ inline void count_block(std::size_t rows, const double* alpha, std::int64_t* N_A
 
 inline void count_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_t* N_B,
                                  std::size_t size) {
-  block_by_block(size, count_block, alpha, N_A, N_B);
+  block_by_block(
+      size,
+      [](std::size_t, std::size_t rows, const double* of_alpha, std::int64_t* of_N_A,
+         std::int64_t* of_N_B) { count_block(rows, of_alpha, of_N_A, of_N_B); },
+      alpha, N_A, N_B);
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -3,6 +3,9 @@
 // namespace MAGICMASS_TARGET: the linker keeps one copy of any other inline function, which another processor may not run.
 #include "magicmass/batch/kernels.hpp"
 
+#include <type_traits>
+
+#include "magicmass/arithmetic/side_by_side.hpp"
 #include "magicmass/batch/counts.hpp"
 #include "magicmass/batch/ratios.hpp"
 #include "magicmass/batch/stream.hpp"
@@ -14,7 +17,9 @@ namespace magicmass::batch {
 namespace {
 using Lanes = arithmetic::Lanes<arithmetic::widest>;
 using Pairs = arithmetic::Pair<Lanes>;
-using Fast = arithmetic::Rough<Lanes>;
+// Two registers at a time where there are 32 of them.
+using Rows = std::conditional_t<arithmetic::widest == 8, arithmetic::SideBySide<Lanes>, Lanes>;
+using Fast = arithmetic::Rough<Rows>;
 using Accurate = arithmetic::Tracked<Lanes>;
 }  // namespace
 

@@ -17,11 +17,11 @@ inline namespace MAGICMASS_TARGET {
 template <class Number>
 void ratios_block_by_block(std::int64_t first_k, double* magic, double* deficient,
                            std::size_t size) {
-  // wraps past the largest k to numbers below 1, which have no ratio
-  std::uint64_t next_k = static_cast<std::uint64_t>(first_k);
   block_by_block(
       size,
-      [&next_k](std::size_t rows, double* of_magic, double* of_deficient) {
+      [first_k](std::size_t first, std::size_t rows, double* of_magic, double* of_deficient) {
+        // wraps past the largest k to numbers below 1, which have no ratio
+        const std::uint64_t next_k = static_cast<std::uint64_t>(first_k) + first;
         alignas(64) arithmetic::BlockOfDoubles index;
         const auto is_valid = [](double k) { return k >= 1.0 && k < 0x1p50; };
         for (std::size_t i = 0; i < rows; ++i) {
@@ -41,7 +41,6 @@ void ratios_block_by_block(std::int64_t first_k, double* magic, double* deficien
             of_deficient[i] = one.deficient;
           }
         }
-        next_k += rows;
       },
       magic, deficient);
 }

@@ -21,18 +21,15 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
                              double* b_t, double* c_t, std::size_t size) {
   block_by_block(
       size,
-      [](std::size_t rows, const double* of_alpha, std::int64_t* of_N_A, std::int64_t* of_N_B,
-         double* of_a, double* of_b, double* of_c) {
+      [](std::size_t, std::size_t rows, const double* of_alpha, std::int64_t* of_N_A,
+         std::int64_t* of_N_B, double* of_a, double* of_b, double* of_c) {
         count_block(rows, of_alpha, of_N_A, of_N_B);
         alignas(64) arithmetic::BlockOfDoubles cycles;
         alignas(64) arithmetic::BlockOfDoubles turns;
-        alignas(64) arithmetic::BlockOfDoubles ratios;
         RowBits outside{};
         for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
           const RowBits A = load_bits(of_N_A + i);
-          const RowBits ratio = load_bits(of_alpha + i);
-          outside |= out_of_domain(ratio);
-          arithmetic::store(Row(std::bit_cast<Row::Doubles>(ratio)), &ratios[i]);
+          outside |= out_of_domain(load_bits(of_alpha + i));
           arithmetic::store(as_doubles(A), &cycles[i]);
           // 1 after a Q, -1 after a P
           const RowBits is_P = load_bits(of_N_B + i) - A;
@@ -44,11 +41,11 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         const bool is_any_outside = has_negative(outside);
         arithmetic::Certainty<Number> certain;
         if constexpr (rounds_results<Number>)
-          generated::terminal_in_rows_block<Number>(rows, ratios.data(), cycles.data(),
-                                                    turns.data(), of_a, of_b, of_c);
+          generated::terminal_in_rows_block<Number>(rows, of_alpha, cycles.data(), turns.data(),
+                                                    of_a, of_b, of_c);
         else
-          generated::terminal_block<Number>(rows, ratios.data(), cycles.data(), turns.data(), of_a,
-                                            of_b, of_c, nullptr, certain);
+          generated::terminal_block<Number>(rows, of_alpha, cycles.data(), turns.data(), of_a, of_b,
+                                            of_c, nullptr, certain);
         if (!is_any_outside && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {
           if (is_in_domain(of_alpha[i]) && !is_open(certain, i)) continue;

@@ -77,7 +77,7 @@ inline void transmission_block_by_block(const double* alpha, double e, double* r
   const RootPowers powers(e);
   block_by_block(
       size,
-      [&powers, e](std::size_t rows, const double* of_alpha, double* of_rho) {
+      [&powers, e](std::size_t, std::size_t rows, const double* of_alpha, double* of_rho) {
         for (std::size_t i = 0; i < rows; i += arithmetic::widest)
           arithmetic::store(transmission_row(powers, e, arithmetic::load<Row>(of_alpha + i)),
                             of_rho + i);

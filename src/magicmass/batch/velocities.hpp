@@ -55,8 +55,8 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
                                double* c, double* c_prime, std::size_t size) {
   block_by_block(
       size,
-      [](std::size_t rows, const double* of_alpha, const std::int64_t* of_n, double* of_a,
-         double* of_b, double* of_c, double* of_c_prime) {
+      [](std::size_t, std::size_t rows, const double* of_alpha, const std::int64_t* of_n,
+         double* of_a, double* of_b, double* of_c, double* of_c_prime) {
         alignas(64) arithmetic::BlockOfDoubles index;
         alignas(64) arithmetic::BlockOfDoubles ratios;
         OutOfDomain outside;
@@ -92,7 +92,7 @@ void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double*
   ratios_at_0.fill(ratio_at_0);
   block_by_block(
       size,
-      [&index, &ratios_at_0, n](std::size_t rows, const double* of_alpha, double* of_a,
+      [&index, &ratios_at_0, n](std::size_t, std::size_t rows, const double* of_alpha, double* of_a,
                                 double* of_b, double* of_c, double* of_c_prime) {
         OutOfDomain outside;
         for (std::size_t i = 0; i < rows; i += arithmetic::widest)

@@ -91,9 +91,11 @@ TEST_CASE("whole numbers, tables and polynomials", "[exam]") {
   CHECK(the_same_at_every_width("nearest_whole", halves, true)[0] ==
         std::vector{0.0, 2.0, 2.0, -0.0, -2.0, 0.0, 0x1p51, 7.0, -3.0});
   const Columns indices{{0.0, 4.0, 1.0, 3.0, 2.0}};
-  const auto gathered = the_same_at_every_width("gather", indices, true);
-  CHECK(gathered[0] == std::vector{0.0, 8.0, 2.0, 6.0, 4.0});
-  CHECK(gathered[1] == std::vector{1.0, 9.0, 3.0, 7.0, 5.0});
+  const auto columns = the_same_at_every_width("look_up", indices, true);
+  CHECK(columns[0] == std::vector{0.0, 16.0, 4.0, 12.0, 8.0});
+  CHECK(columns[1] == std::vector{1.0, 17.0, 5.0, 13.0, 9.0});
+  CHECK(columns[2] == std::vector{2.0, 18.0, 6.0, 14.0, 10.0});
+  CHECK(columns[3] == std::vector{3.0, 19.0, 7.0, 15.0, 11.0});
   // Estrin's: each coefficient at its power
   const auto values = the_same_at_every_width("polynomial", {{0.0, 1.0, -1.0, 2.0, 0.25}})[0];
   const auto expected = [](double z) {

@@ -54,7 +54,8 @@ constexpr Primitive of_single(const char* name, Operation) {
 
 constexpr double some_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0, -0.01, 0x1.fp1, -1.0};
 constexpr double even_coefficients[] = {0.3, -0.7, 0x1.1p-3, 5.0};
-alignas(64) constexpr double table[] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
+constexpr double table[] = {0.0,  1.0,  2.0,  3.0,  4.0,  5.0,  6.0,  7.0,  8.0,  9.0,
+                            10.0, 11.0, 12.0, 13.0, 14.0, 15.0, 16.0, 17.0, 18.0, 19.0};
 
 }  // namespace
 
@@ -84,10 +85,13 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                y[1] = where(x[0] < x[1], x[2]);
                y[2] = smaller(x[2], x[3]);
              }),
-    of<1, 2>("gather",
+    of<1, 4>("look_up",
              [](const auto* x, auto* y) {
-               y[0] = gather<2, 0>(table, x[0]);
-               y[1] = gather<2, 1>(table, x[0]);
+               const auto front = look_up<4, 0>(table, x[0]), back = look_up<4, 2>(table, x[0]);
+               y[0] = front.first;
+               y[1] = front.second;
+               y[2] = back.first;
+               y[3] = back.second;
              }),
     of<1, 1>("nearest_whole", [](const auto* x, auto* y) { put(nearest_whole(x[0]), y); }),
     of<1, 2>("estimates",
@@ -130,6 +134,8 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
              [](const auto* x, auto* y) { put(two_chains(some_coefficients, x[0]), y); }),
     of<1, 1>("two_even_chains",
              [](const auto* x, auto* y) { put(two_chains(even_coefficients, x[0]), y); }),
+    of<1, 1>("four_chains",
+             [](const auto* x, auto* y) { put(four_chains(some_coefficients, x[0]), y); }),
     of<1, 1>("leading_half", [](const auto* x, auto* y) { put(leading_half(x[0]), y); }),
     of<4, 2>("rough_product", [](const auto* x, auto* y) { put(rough(x) * rough(x + 2), y); }),
     of<3, 2>("rough_times_number", [](const auto* x, auto* y) { put(rough(x) * x[2], y); }),

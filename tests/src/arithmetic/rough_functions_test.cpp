@@ -49,13 +49,14 @@ void require_within(const cl_RA& relative, const cl_RA& absolute, const cl_RA& g
 
 }  // namespace
 
-TEST_CASE("polynomials in two chains are those of one", "[check]") {
+TEST_CASE("polynomials in chains are those in one", "[check]") {
   Generator generator(81);
   Columns in(1);
   for (int i = 0; i < 1000; ++i) in[0].push_back(any_double(generator, -20, 3));
   const cl_RA coefficients[] = {
       exact(0.3), exact(-0.7), exact(0x1.1p-3), exact(5.0), exact(-0.01), exact(0x1.fp1), -1};
-  for (const auto& [name, size] : {std::pair{"two_chains", 7}, std::pair{"two_even_chains", 4}}) {
+  for (const auto& [name, size] :
+       {std::pair{"two_chains", 7}, std::pair{"two_even_chains", 4}, std::pair{"four_chains", 7}}) {
     const auto out = the_same_at_every_width(name, in);
     for (std::size_t i = 0; i < in[0].size(); ++i) {
       const cl_RA z = exact(in[0][i]);
