@@ -13,37 +13,37 @@ struct HalfArcsecant {
   double root;     ///< sqrt(x), rounded
   double at_node;  ///< F(c), rounded, for c = j/256 next to x
   double rest;     ///< F(x) less that
-
-  /// F(x) - F(c) is at most 2^-9 0.3; what is rounded there, at 2^-53 of itself each, is four operations: 2^-60.9 of F(x), which
-  /// is 0.52 to 0.71, and 2^-51.8 x of it where j = 0, as F(0) is exact to 2^-107. The polynomial adds 2^-66.
-  [[gnu::always_inline]] explicit HalfArcsecant(double x) : root(square_root(x)) {
-    // F is F(0), and below this the powers of x would leave the normal doubles, which takes processors long
-    if (x < 0x1p-120) [[unlikely]] {
-      at_node = root_arcsecant_table[0];
-      rest = root_arcsecant_table[1];
-      return;
-    }
-    const TableNode node = table_node_inside<8>(root_arcsecant_table, x);
-    const double d = node.rest;
-    const double* row = node.row;
-    const double square = d * d;
-    const double further =
-        (row[3] + row[4] * d) + square * ((row[5] + row[6] * d) + square * row[7]);
-    at_node = row[0];
-    rest = (row[1] + row[2] * d) + square * further;
-  }
 };
+/// `usual` is an x from 2^-120 on.
+template <bool usual>
+[[gnu::always_inline]] inline HalfArcsecant half_arcsecant_parts(double x) {
+  const double root = square_root(x);
+  if constexpr (!usual) {
+    // F is F(0), and below this the powers of x would leave the normal doubles, which takes processors long
+    if (x < 0x1p-120) [[unlikely]]
+      return {root, root_arcsecant_table[0], root_arcsecant_table[1]};
+  }
+  // F(x) - F(c) is at most 2^-9 0.3; what is rounded there, at 2^-53 of itself each, is four operations: 2^-60.9 of F(x), which
+  // is 0.52 to 0.71, and 2^-51.8 x of it where j = 0, as F(0) is exact to 2^-107. The polynomial adds 2^-66.
+  const TableNode node = table_node_inside<8>(root_arcsecant_table, x);
+  const double d = node.rest;
+  const double* row = node.row;
+  const double square = d * d;
+  const double further = (row[3] + row[4] * d) + square * ((row[5] + row[6] * d) + square * row[7]);
+  return {root, row[0], (row[1] + row[2] * d) + square * further};
+}
 
 /// asec(1 + x)/2 for 0 < x <= 1, within 2.01 2^-53 of itself: the root's rounding and the last one.
 [[gnu::always_inline]] inline double rounded_half_arcsecant_of(double x) {
-  const HalfArcsecant made(x);
+  const HalfArcsecant made = half_arcsecant_parts<false>(x);
   const Sum<double> product = two_product(made.root, made.at_node);
   return product.high + (product.low + made.root * made.rest);
 }
 
 /// asec(1 + x)/2 for 2^-900 <= x <= 1, within the lesser of 2^-60 and 2^-51 x + 2^-100 of itself.
+template <bool usual>
 [[gnu::always_inline]] inline Pair<double> half_arcsecant_in_range(double x) {
-  const HalfArcsecant made(x);
+  const HalfArcsecant made = half_arcsecant_parts<usual>(x);
   // sqrt(x) = s + (x - s^2)/(2 s) within 2^-108: the difference is exact, 1/s = s (1/x) does not wait for the root.
   const double s = made.root;
   const double square = s * s;
@@ -58,8 +58,8 @@ struct HalfArcsecant {
 [[gnu::always_inline]] inline Pair<double> half_arcsecant_of(double x) {
   // down there F is F(0), and a power of 4 moves x, exactly
   if (x < 0x1p-900) [[unlikely]]
-    return scaled(half_arcsecant_in_range(x * 0x1p200), 0x1p-100);
-  return half_arcsecant_in_range(x);
+    return scaled(half_arcsecant_in_range<false>(x * 0x1p200), 0x1p-100);
+  return half_arcsecant_in_range<false>(x);
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -12,8 +12,9 @@ namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
 
 /// A Pair whose arctangent, sine and cosine come from tables: for one number at a time, where a look-up costs less than the
-/// long polynomials that suit lanes, and nothing is decided by a branch.
-template <class T>
+/// long polynomials that suit lanes, and nothing is decided by a branch. Usual ones are of an alpha from 2^-120 to 1: no square of a
+/// root overflows, and sums of two doubles begin with the larger.
+template <class T, bool usual = false>
 struct Tabled {
   using Real = T;
 
@@ -23,7 +24,10 @@ struct Tabled {
   explicit Tabled(T exact) : pair(exact) {}
   explicit Tabled(Pair<T> value) : pair(value) {}
 
-  static Tabled sum(T x, T y) { return Tabled(Pair<T>::sum(x, y)); }
+  static Tabled sum(T x, T y) {
+    if constexpr (usual) return Tabled(normalised(Pair<T>(x, y)));
+    return Tabled(Pair<T>::sum(x, y));
+  }
   static Tabled product(T x, T y) { return Tabled(Pair<T>::product(x, y)); }
 
   struct Pi {};
@@ -59,29 +63,31 @@ struct Tabled {
 };
 
 /// Scaled first: what is rounded among the subnormals is not doubled any more.
-template <class T>
-[[gnu::always_inline]] inline T rounded(Product<Tabled<T>> p) {
+template <class T, bool usual>
+[[gnu::always_inline]] inline T rounded(Product<Tabled<T, usual>> p) {
   return rounded(Product<Pair<T>>{scaled(p.x.pair, p.scale), p.y.pair, 1.0});
 }
 /// 1/y within 2^-100 for |y.low| <= 2^-50 |y.high|, low at most 2^-49 of high.
-template <class T>
-[[gnu::always_inline]] inline Tabled<T> reciprocal(Tabled<T> y) {
+template <class T, bool usual>
+[[gnu::always_inline]] inline Tabled<T, usual> reciprocal(Tabled<T, usual> y) {
   const T inverse = T(1.0) / y.pair.high;
   const T rest = one_minus_product(inverse, y.pair.high) - inverse * y.pair.low;
-  return Tabled<T>(Pair<T>(inverse, inverse * rest));
+  return Tabled<T, usual>(Pair<T>(inverse, inverse * rest));
 }
 /// 1/sqrt(w) within 2^-98, its low part at most 2^-51 of it: for w from 2^-900 to 2^900, and by the pair's own beyond.
-template <class T>
-[[gnu::always_inline]] inline Tabled<T> reciprocal_square_root(Tabled<T> of) {
+template <class T, bool usual>
+[[gnu::always_inline]] inline Tabled<T, usual> reciprocal_square_root(Tabled<T, usual> of) {
   const Pair<T> w = of.pair;
-  if (!(w.high >= 0x1p-900 && w.high <= 0x1p900)) [[unlikely]]
-    return Tabled<T>(reciprocal_square_root(w));
+  if constexpr (!usual) {
+    if (!(w.high >= 0x1p-900 && w.high <= 0x1p900)) [[unlikely]]
+      return Tabled<T>(reciprocal_square_root(w));
+  }
   // The root and the quotient do not wait for each other. y is within 1.5 2^-53, so that what Newton's step leaves out, 3/8 e^2
   // with e = 1 - w y^2, is below 2^-104.
   const T y = square_root(w.high) * (T(1.0) / w.high);
   const Sum<T> square = two_product(y, y);
   const T e = one_minus_product(w.high, square.high) - (w.high * square.low + w.low * square.high);
-  return Tabled<T>(Pair<T>(y, T(0.5) * y * e));
+  return Tabled<T, usual>(Pair<T>(y, T(0.5) * y * e));
 }
 
 /// atan t for 0 <= t <= 1, within the lesser of 2^-61 and 2^-51 t^2 + 2^-100 of itself and what the error of t makes of it.
@@ -108,6 +114,9 @@ template <class T>
 
 /// atan t = asec(1 + x)/2 for 0 < x and t = sqrt(x/(2 + x)), as exactly as `arctangent`: below x = 1 from x, which is exact and
 /// waits for nothing.
+[[gnu::always_inline]] inline Tabled<double, true> half_arcsecant(double x, Tabled<double, true>) {
+  return Tabled<double, true>(half_arcsecant_in_range<true>(x));
+}
 [[gnu::always_inline]] inline Tabled<double> half_arcsecant(double x, Tabled<double> tangent) {
   return x < 1.0 ? Tabled<double>(half_arcsecant_of(x)) : arctangent(tangent);
 }
@@ -120,7 +129,10 @@ template <class T>
 /// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-60, and what the error of x makes of them; the sine within
 /// 2^-60 of itself up to 3. |x.low| <= 2^-51 |x.high|, or 2^-50 where x.high is a multiple of 2^-52.
 /// Outside they mean nothing.
-[[gnu::always_inline]] inline SineCosine<Tabled<double>> sine_cosine(Tabled<double> of) {
+template <bool usual>
+[[gnu::always_inline]] inline SineCosine<Tabled<double, usual>> sine_cosine(
+    Tabled<double, usual> of) {
+  using Number = Tabled<double, usual>;
   // x = c + d + low, c = j/256, |d| <= 2^-9: sin(d + low) = d + of_sine, |of_sine| <= 2^-29.5 + 2^-52, less than 2^-66 of it left
   // out and rounded thrice; cos(d + low) - 1 = of_cosine, at most 2^-19, 2^-63.5 left out and rounded four times at that. Then
   // sin x = s + (c d + (c of_sine + s of_cosine)) with c d exact, and so is its sum with s; and cos x likewise, (c, -s) in place
@@ -139,8 +151,8 @@ template <class T>
   const T low = ((head.low + step.low) + (at_c.low + slope.low * T(d))) +
                 (slope.high * T(of_sine) + at_c.high * T(of_cosine));
   const Pair<T> both = normalised(Pair<T>(head.high, low));
-  return {Tabled<double>(Pair<double>(both.high.v[0], both.low.v[0])),
-          Tabled<double>(Pair<double>(both.high.v[1], both.low.v[1]))};
+  return {Number(Pair<double>(both.high.v[0], both.low.v[0])),
+          Number(Pair<double>(both.high.v[1], both.low.v[1]))};
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -82,8 +82,9 @@ CountDecision decide_count(double alpha) {
   if (alpha >= 1.0) {
     return {Counts{1, 1}, false};  // pi/3 <= h < pi/2
   }
-  if (const std::int64_t total = tiers::clear_total(tiers::turns_to_pi(alpha)); total != 0) {
-    return {split(static_cast<std::uint64_t>(total)), false};
+  if (alpha >= 0x1p-120) {  // pi/h is less than 2^62
+    if (const std::int64_t total = tiers::clear_total(tiers::turns_to_pi(alpha)); total != 0)
+      return {split(static_cast<std::uint64_t>(total)), false};
   }
   // The margin stays below 2^-4, and the conversions are exact.
   constexpr double largest = 0x1p44;

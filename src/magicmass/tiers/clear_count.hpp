@@ -42,11 +42,9 @@ struct TurnsToPi {
   return {quotient, 0x1p-21};
 }
 
-/// The number of collisions where pi/h tells it, else 0.
+/// The number of collisions where pi/h, less than 2^62, tells it, else 0.
 [[gnu::always_inline]] inline std::int64_t clear_total(TurnsToPi turns) {
-  const double unsure = turns.relative_error * turns.quotient;
-  if (!(unsure < 0.25)) [[unlikely]]
-    return 0;
+  const double unsure = turns.relative_error * turns.quotient;  // from 1/2 on nothing is certain
   const auto below = static_cast<std::int64_t>(turns.quotient);
   const double past = turns.quotient - static_cast<double>(below);
   return past > unsure && past < 1.0 - unsure ? below : 0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set.
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <type_traits>
 
 #include "magicmass/angle_product.hpp"
 #include "magicmass/arithmetic/bounded.hpp"
@@ -94,12 +97,26 @@ bool in_two_stages(Result& result, Inputs... inputs) {
 }
 
 /// An index beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that the index multiplies.
-Tabled<double> with_low_part(Tabled<double> angle, double low_over_high) {
+template <class Number>
+Number with_low_part(Number angle, double low_over_high) {
   angle.pair.low += angle.pair.high * low_over_high;
   return angle;
 }
 
+/// Where the numbers of an alpha are usual ones.
+constexpr double least_usual = 0x1p-120;
+using Usual = Tabled<double, true>;
+
 Velocities<double> fast_velocities(double alpha, double n, double n_low) {
+  if (alpha >= least_usual && alpha < 1.0 && n_low == 0.0) [[likely]] {
+    VelocitiesKernel<Usual> kernel;
+    kernel.alpha = alpha;
+    kernel.n = n;
+    kernel.stage_1();
+    kernel.stage_2();
+    kernel.stage_3();
+    return nearest(kernel.result());
+  }
   using Kernel = VelocitiesKernel<Tabled<double>>;
   if (n_low == 0.0 || alpha >= 1.0) [[likely]]
     return nearest(Kernel::evaluate(alpha, n));
@@ -125,13 +142,13 @@ double relative_error_of_angle(double alpha) {
 constexpr double largest_turn = 3.14;
 
 /// The last collisions of many, from the angle on.
-[[gnu::noinline, gnu::cold]] Encounters<double> last_encounters(
-    EncountersKernel<Tabled<double>> kernel) {
+template <class Number>
+[[gnu::noinline, gnu::cold]] Encounters<double> last_encounters(EncountersKernel<Number> kernel) {
   const double alpha = kernel.alpha, j = kernel.j;
   constexpr Encounters<double> unknown{-HUGE_VAL, -HUGE_VAL};
   if (kernel.angle.pair.high * (2.0 * j) > 3.15) return unknown;
   // sin x and cos x from pi - x, which is as good as x
-  const auto turned = sine_cosine((Tabled<double>::pi() - kernel.angle * (2.0 * j)) * 1.0);
+  const auto turned = sine_cosine((Number::pi() - kernel.angle * (2.0 * j)) * 1.0);
   kernel.sine = turned.sine;
   kernel.cosine = -turned.cosine;
   // The angle's relative error, and twice that of the rest, times j is the error of 1/s = sin((j+1)h)/sin h, but for a
@@ -146,8 +163,10 @@ constexpr double largest_turn = 3.14;
   return second.s.error < HUGE_VAL ? nearest(second) : unknown;
 }
 
-Encounters<double> fast_encounters(double alpha, double j, double j_low) {
-  EncountersKernel<Tabled<double>> kernel;
+template <class Number>
+[[gnu::always_inline]] inline Encounters<double> encounters_of(double alpha, double j,
+                                                               double j_low) {
+  EncountersKernel<Number> kernel;
   kernel.alpha = alpha;
   kernel.j = j;
   kernel.stage_1();
@@ -158,6 +177,11 @@ Encounters<double> fast_encounters(double alpha, double j, double j_low) {
     return last_encounters(kernel);
   kernel.stage_3();
   return kernel.rounded_result();
+}
+Encounters<double> fast_encounters(double alpha, double j, double j_low) {
+  if (alpha >= least_usual && alpha < 1.0) [[likely]]
+    return encounters_of<Usual>(alpha, j, j_low);
+  return encounters_of<Tabled<double>>(alpha, j, j_low);
 }
 
 /// Up to here 2 k + 2 is a Whole.
@@ -174,14 +198,16 @@ Ratios<double> fast_ratios(double k, double k_low) {
   return nearest(ratios_of_parts(Tabled<double>(Pair<double>(k, k_low))));
 }
 
-using FastTerminal = TerminalKernel<Tabled<double>>;
-
 /// In place, as a double that is stored alone and loaded beside another is waited for.
-[[gnu::always_inline]] inline void put(const FastTerminal& kernel, magicmass::Terminal& result) {
+template <class Number>
+[[gnu::always_inline]] inline void put(const TerminalKernel<Number>& kernel,
+                                       magicmass::Terminal& result) {
   auto velocities = kernel.rounded_result();
-  // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
-  if (velocities.rho < 0x1p-960) [[unlikely]]
-    velocities.rho = velocities.b_t * velocities.b_t;
+  if constexpr (!std::is_same_v<Number, Usual>) {
+    // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
+    if (velocities.rho < 0x1p-960) [[unlikely]]
+      velocities.rho = velocities.b_t * velocities.b_t;
+  }
   result.a_t = velocities.a_t;
   result.b_t = velocities.b_t;
   result.c_t = velocities.c_t;
@@ -194,17 +220,13 @@ using FastTerminal = TerminalKernel<Tabled<double>>;
   return total_from_angle(turns, scaled(psi.pair, 0.25), psi.error / psi.pair.high + 0x1p-100);
 }
 
-bool fast_terminal(double alpha, magicmass::Terminal& result) {
-  FastTerminal kernel;
+template <class Number>
+[[gnu::always_inline]] inline bool terminal_below_1(double alpha, magicmass::Terminal& result) {
+  TerminalKernel<Number> kernel;
   kernel.alpha = alpha;
-  if (alpha >= 1.0) {
-    result.counts = {1, 1};
-    kernel.first();
-    put(kernel, result);
-    return true;
-  }
   const TurnsToPi turns = turns_to_pi(alpha);
-  std::int64_t total = clear_total(turns);
+  const bool can_tell = std::is_same_v<Number, Usual> || turns.quotient < 0x1p62;
+  std::int64_t total = can_tell ? clear_total(turns) : 0;
   kernel.stage_1();
   kernel.stage_2();
   if (total == 0) [[unlikely]] {
@@ -215,12 +237,30 @@ bool fast_terminal(double alpha, magicmass::Terminal& result) {
   }
   result.counts = {(total + 1) >> 1, total >> 1};
   kernel.N_A = static_cast<double>(result.counts.N_A);
-  kernel.turn = static_cast<double>(1 - 2 * (total & 1));
+  // -1 after a P, where the total is odd
+  kernel.turn = std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) |
+                                      static_cast<std::uint64_t>(total) << 63U);
   if (total >> 54 != 0) [[unlikely]]
     kernel.angle = with_low_part(kernel.angle, low_part(result.counts.N_A) / kernel.N_A);
   kernel.stage_3();
   put(kernel, result);
   return true;
+}
+[[gnu::noinline, gnu::cold]] bool terminal_far_below_1(double alpha, magicmass::Terminal& result) {
+  return terminal_below_1<Tabled<double>>(alpha, result);
+}
+bool fast_terminal(double alpha, magicmass::Terminal& result) {
+  if (alpha >= 1.0) {
+    TerminalKernel<Tabled<double>> kernel;
+    kernel.alpha = alpha;
+    result.counts = {1, 1};
+    kernel.first();
+    put(kernel, result);
+    return true;
+  }
+  if (!(alpha >= least_usual)) [[unlikely]]
+    return terminal_far_below_1(alpha, result);
+  return terminal_below_1<Usual>(alpha, result);
 }
 
 bool velocities(double alpha, double n, Velocities<double>& result) {
