@@ -5,6 +5,7 @@
 #include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/cubic_term.hpp"
 #include "magicmass/arithmetic/estrin.hpp"
+#include "magicmass/arithmetic/multiply_add.hpp"
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/polynomials.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
@@ -26,8 +27,8 @@ template <class T>
 }
 
 /// atan t for 0 <= t <= 1, within 2^-84 of itself and what the error of t makes of it.
-template <class T>
-[[gnu::always_inline]] inline Tracked<T> arctangent(Tracked<T> t) {
+template <class T, bool fuses>
+[[gnu::always_inline]] inline Tracked<T, fuses> arctangent(Tracked<T, fuses> t) {
   // As below with w = quotient + rest. w^3/3 is taken as a pair, its error 2^-20 2^-104 of w; the next term is below 2^-38 w and
   // rounded at 2^-53 of itself.
   // lanes whose answer nobody takes may hold anything: they get a place in the table
@@ -40,22 +41,26 @@ template <class T>
   const T inverse = T(1.0) / below.high;
   const T quotient = above * inverse;
   const T product = quotient * below.high;
-  const T rest = (((above - product) - product_error(quotient, below.high, product)) +
-                  (t.pair.low - quotient * (below.low + (tc.low + t.pair.low * c)))) *
+  const T below_low = below.low + multiply_add<fuses>(t.pair.low, c, tc.low);
+  const T rest = ((above - product) - product_error(quotient, below.high, product) +
+                  subtract_product<fuses>(t.pair.low, quotient, below_low)) *
                  inverse;
   const Sum<T> z = two_product(quotient, quotient);
   const Sum<T> third = two_product(z.high, T(0x1.5555555555555p-2));
   const T third_low =
-      third.low + (z.low * T(0x1.5555555555555p-2) + z.high * T(0x1.5555555555555p-56));
+      multiply_add<fuses>(z.low, T(0x1.5555555555555p-2),
+                          multiply_add<fuses>(z.high, T(0x1.5555555555555p-56), third.low));
   const Sum<T> cubic = two_product(quotient, third.high);
-  const T cubic_low = cubic.low + (quotient * third_low + rest * z.high);
-  const T next = quotient * (z.high * z.high) *
-                 (T(0x1.999999999999ap-3) -
-                  z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
+  const T cubic_low =
+      multiply_add<fuses>(quotient, third_low, multiply_add<fuses>(rest, z.high, cubic.low));
+  const T next_terms = subtract_product<fuses>(
+      T(0x1.999999999999ap-3), z.high,
+      subtract_product<fuses>(T(0x1.2492492492492p-3), z.high, T(0x1.c71c71c71c71cp-4)));
   const TwoColumns<T> of_c = look_up<2, 0>(arctangent_table, j);
   const Sum<T> head = ordered_sum(of_c.first, quotient);
   const Sum<T> body = ordered_sum(head.high, -cubic.high);
-  const T low = ((head.low + body.low) + (of_c.second + rest)) + (next - cubic_low);
+  const T low = multiply_add<fuses>(quotient * (z.high * z.high), next_terms,
+                                    ((head.low + body.low) + (of_c.second + rest)) - cubic_low);
   return {{body.high, low}, body.high};
 }
 

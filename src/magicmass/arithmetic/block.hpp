@@ -36,13 +36,13 @@ struct Block<Pair<T>> {
   }
 };
 
-template <class T>
-struct Block<Tracked<T>> {
+template <class T, bool fuses>
+struct Block<Tracked<T, fuses>> {
   Block<Pair<T>> pairs;
   alignas(64) BlockOfDoubles sizes;
 
-  Tracked<T> get(std::size_t i) const { return {pairs.get(i), load<T>(&sizes[i])}; }
-  void put(std::size_t i, Tracked<T> x) {
+  Tracked<T, fuses> get(std::size_t i) const { return {pairs.get(i), load<T>(&sizes[i])}; }
+  void put(std::size_t i, Tracked<T, fuses> x) {
     pairs.put(i, x.pair);
     store(x.size, &sizes[i]);
   }
@@ -62,13 +62,15 @@ struct Certainty<Pair<T>> {
 };
 
 /// ... and, of numbers that know, whether all of an element's are certainly the nearest doubles: all bits set where so.
-template <class T>
-struct Certainty<Tracked<T>> {
+template <class T, bool fuses>
+struct Certainty<Tracked<T, fuses>> {
   alignas(64) std::array<std::int64_t, block_size> all;
 
   Certainty() { all.fill(-1); }
-  void store(Product<Tracked<T>> x, double* to, std::size_t i) { store(evaluated(x), to, i); }
-  void store(Tracked<T> x, double* to, std::size_t i) {
+  void store(Product<Tracked<T, fuses>> x, double* to, std::size_t i) {
+    store(evaluated(x), to, i);
+  }
+  void store(Tracked<T, fuses> x, double* to, std::size_t i) {
     arithmetic::store(rounded(x), to + i);
     typename T::Mask known;
     std::memcpy(&known, &all[i], sizeof known);

@@ -245,6 +245,21 @@ template <int stride, int offset>
 #endif
 
 #ifdef __FMA__
+/// x y + z, rounded once.
+[[gnu::always_inline]] inline double fused_sum(double x, double y, double z) {
+  return __builtin_fma(x, y, z);
+}
+[[gnu::always_inline]] inline Lanes<2> fused_sum(Lanes<2> x, Lanes<2> y, Lanes<2> z) {
+  return _mm_fmadd_pd(x.v, y.v, z.v);
+}
+[[gnu::always_inline]] inline Lanes<4> fused_sum(Lanes<4> x, Lanes<4> y, Lanes<4> z) {
+  return _mm256_fmadd_pd(x.v, y.v, z.v);
+}
+#ifdef __AVX512F__
+[[gnu::always_inline]] inline Lanes<8> fused_sum(Lanes<8> x, Lanes<8> y, Lanes<8> z) {
+  return _mm512_fmadd_pd(x.v, y.v, z.v);
+}
+#endif
 /// x y - z, rounded once.
 [[gnu::always_inline]] inline double fused_difference(double x, double y, double z) {
   return __builtin_fma(x, y, -z);

@@ -4,6 +4,7 @@
 #include "magicmass/arithmetic/bounded.hpp"
 #include "magicmass/arithmetic/cubic_term.hpp"
 #include "magicmass/arithmetic/estrin.hpp"
+#include "magicmass/arithmetic/multiply_add.hpp"
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/polynomials.hpp"
 #include "magicmass/arithmetic/sine_cosine_table.hpp"
@@ -51,8 +52,8 @@ template <class T>
 
 /// sin x and cos x for 0 <= x <= 3.14, within 2^-70.1 of themselves or 2^-80, and what the error of x makes of them, for x
 /// within 2^-84 of its size, as sums and products of arctangents, whole numbers and pi are. Outside nothing is certain.
-template <class T>
-[[gnu::always_inline]] inline SineCosine<Tracked<T>> sine_cosine(Tracked<T> x) {
+template <class T, bool fuses>
+[[gnu::always_inline]] inline SineCosine<Tracked<T, fuses>> sine_cosine(Tracked<T, fuses> x) {
   // x = c + d, c = j/256, |d| <= 2^-9, without reduction. sin(d + low) = d + (low cos d - d^3/6 + ...), the cube rounded
   // at 2^-72.6 d, and cos(d + low) - 1 = -d^2/2 + d^4/24 - ... - low sin d, at most 2^-19: an error of 2^-53 of it from d^2, and five
   // roundings of half of that until it is part of the sum, 3.5 2^-72; |low| <= 2^-37 |x|.
@@ -61,26 +62,30 @@ template <class T>
   const T d = x.pair.high - j * T(0x1p-8);
   const T low = x.pair.low;
   const T z = d * d;
-  const T cube =
-      d * z *
-      (T(0x1.5555555555555p-3) - z * (T(0x1.1111111111111p-7) - z * T(0x1.a01a01a01a01ap-13)));
-  const T of_sine = low - ((T(0.5) * z) * low + cube);
-  const T of_cosine = z * (T(-0.5) + z * (T(0x1.5555555555555p-5) - z * T(0x1.6c16c16c16c17p-10))) -
-                      low * (d - cube);
+  const T cube = d * z *
+                 subtract_product<fuses>(
+                     T(0x1.5555555555555p-3), z,
+                     subtract_product<fuses>(T(0x1.1111111111111p-7), z, T(0x1.a01a01a01a01ap-13)));
+  const T of_sine = subtract_product<fuses>(low - cube, T(0.5) * z, low);
+  const T square_terms = multiply_add<fuses>(
+      z, subtract_product<fuses>(T(0x1.5555555555555p-5), z, T(0x1.6c16c16c16c17p-10)), T(-0.5));
+  const T of_cosine = subtract_product<fuses>(z * square_terms, low, d - cube);
   const TwoColumns<T> highs = look_up<4, 0>(sine_cosine_table, j);
   const TwoColumns<T> lows = look_up<4, 2>(sine_cosine_table, j);
   const Pair<T> s{highs.first, lows.first}, c{highs.second, lows.second};
   // the leading products and sums without error, then all that is below 2^-18 of them
   const Sum<T> c_d = two_product(c.high, d);
   const Sum<T> s_head = two_sum(s.high, c_d.high);
-  const Sum<T> sine =
-      ordered_sum(s_head.high, (s_head.low + c_d.low) +
-                                   ((s.low + c.low * d) + (c.high * of_sine + s.high * of_cosine)));
+  const T s_rest = multiply_add<fuses>(
+      c.high, of_sine,
+      multiply_add<fuses>(s.high, of_cosine, multiply_add<fuses>(c.low, d, s.low)));
+  const Sum<T> sine = ordered_sum(s_head.high, (s_head.low + c_d.low) + s_rest);
   const Sum<T> s_d = two_product(s.high, d);
   const Sum<T> c_head = two_sum(c.high, -s_d.high);
-  const Sum<T> cosine =
-      ordered_sum(c_head.high, (c_head.low - s_d.low) +
-                                   ((c.low - s.low * d) + (c.high * of_cosine - s.high * of_sine)));
+  const T c_rest = subtract_product<fuses>(
+      multiply_add<fuses>(c.high, of_cosine, subtract_product<fuses>(c.low, s.low, d)), s.high,
+      of_sine);
+  const Sum<T> cosine = ordered_sum(c_head.high, (c_head.low - s_d.low) + c_rest);
   const T of_argument = select(is_known, T(0x1p-14) * x.size, T(HUGE_VAL));
   return {{{sine.high, sine.low}, magnitude(sine.high) + of_argument},
           {{cosine.high, cosine.low}, (magnitude(cosine.high) + T(0x1p-10)) + of_argument}};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "magicmass/arithmetic/multiply_add.hpp"
 #include "magicmass/arithmetic/pair.hpp"
 
 namespace magicmass::arithmetic {
@@ -10,7 +11,9 @@ inline namespace MAGICMASS_TARGET {
 /// counted like that of a polynomial, that went into it. Sizes are added in sums and multiplied in products (the
 /// same polynomial in the absolute values), so they cost one operation each: the number type of the first stage of tier
 /// `accurate`. Each primitive makes numbers of degree 1; rounding in pairs, 2^-100 of the sizes, is far below a unit.
-template <class T>
+/// Where it fuses products and sums its bits depend on the instruction set: for results that are certainly the nearest doubles, or
+/// not taken.
+template <class T, bool fuses = false>
 struct Tracked {
   using Real = T;
 
@@ -42,8 +45,15 @@ struct Tracked {
     const Pair<T> left = x.pair + y;
     return {Pair<T>::sum(left.high, left.low), x.size + magnitude(y)};
   }
-  friend Tracked operator*(Tracked x, Tracked y) { return {x.pair * y.pair, x.size * y.size}; }
-  friend Tracked operator*(Tracked x, T y) { return {x.pair * y, x.size * magnitude(y)}; }
+  friend Tracked operator*(Tracked x, Tracked y) {
+    const Sum<T> p = two_product(x.pair.high, y.pair.high);
+    const T of_lows = multiply_add<fuses>(x.pair.low, y.pair.high, p.low);
+    return {{p.high, multiply_add<fuses>(x.pair.high, y.pair.low, of_lows)}, x.size * y.size};
+  }
+  friend Tracked operator*(Tracked x, T y) {
+    const Sum<T> p = two_product(x.pair.high, y);
+    return {{p.high, multiply_add<fuses>(x.pair.low, y, p.low)}, x.size * magnitude(y)};
+  }
   /// |x/y - q| <= (ex + |q| ey)/(|y| - ey), so the size is that sum over a little less than |y|; infinite where y is not known
   /// to 2^-20 of itself. Its degree is that of x and y together.
   friend Tracked operator/(Tracked x, Tracked y) {
@@ -64,23 +74,25 @@ struct Tracked {
   /// Whether the nearest double of the number is certainly rounded(x).
   friend auto certainly_rounded(Tracked x) {
     const Sum<T> y = two_sum(x.pair.high, x.pair.low);
-    const T margin = T(highest_degree * unit) * x.size;
-    return (y.high + (y.low + margin)) == (y.high + (y.low - margin));
+    const T most(highest_degree * unit);
+    return (y.high + multiply_add<fuses>(most, x.size, y.low)) ==
+           (y.high + subtract_product<fuses>(y.low, most, x.size));
   }
 };
 
-template <class T>
-[[gnu::always_inline]] inline Tracked<T> reciprocal(Tracked<T> y) {
-  return Tracked<T>(T(1.0)) / y;
+template <class T, bool fuses>
+[[gnu::always_inline]] inline Tracked<T, fuses> reciprocal(Tracked<T, fuses> y) {
+  return Tracked<T, fuses>(T(1.0)) / y;
 }
 
 /// 1/sqrt(w) within 2^-98, a number of degree 1: for w without cancellation, as for Pair.
-template <class T>
-[[gnu::always_inline]] inline Tracked<T> reciprocal_square_root(Tracked<T> w) {
+template <class T, bool fuses>
+[[gnu::always_inline]] inline Tracked<T, fuses> reciprocal_square_root(Tracked<T, fuses> w) {
   const T y = T(1.0) / square_root(w.pair.high);
   const Sum<T> square = two_product(y, y);
-  const T e = one_minus_product(w.pair.high, square.high) -
-              (w.pair.high * square.low + w.pair.low * square.high);
+  const T e = subtract_product<fuses>(
+      subtract_product<fuses>(one_minus_product(w.pair.high, square.high), w.pair.high, square.low),
+      w.pair.low, square.high);
   return {{y, T(0.5) * y * e}, y};
 }
 

@@ -20,7 +20,7 @@ using Pairs = arithmetic::Pair<Lanes>;
 // Two registers at a time where there are 32 of them.
 using Rows = std::conditional_t<arithmetic::widest == 8, arithmetic::SideBySide<Lanes>, Lanes>;
 using Fast = arithmetic::Rough<Rows>;
-using Accurate = arithmetic::Tracked<Lanes>;
+using Accurate = arithmetic::Tracked<Lanes, true>;
 }  // namespace
 
 const Kernels tables::MAGICMASS_TARGET = {

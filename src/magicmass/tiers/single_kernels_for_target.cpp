@@ -21,6 +21,7 @@
 #include "magicmass/tiers/clear_count.hpp"
 #include "magicmass/tiers/count_from_angle.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
+#include "magicmass/tiers/two_stages.hpp"
 
 namespace magicmass::tiers {
 namespace {
@@ -41,60 +42,6 @@ using generated::TerminalKernel;
 using generated::TerminalValues;
 using generated::Velocities;
 using generated::VelocitiesKernel;
-
-template <class Number>
-Velocities<double> nearest(const Velocities<Number>& x) {
-  return {rounded(x.a), rounded(x.b), rounded(x.c), rounded(x.c_prime)};
-}
-template <class Number>
-Encounters<double> nearest(const Encounters<Number>& x) {
-  return {rounded(x.t), rounded(x.s)};
-}
-template <class Number>
-Ratios<double> nearest(const Ratios<Number>& x) {
-  return {rounded(x.magic), rounded(x.deficient)};
-}
-template <class Number>
-TerminalValues<double> nearest(const TerminalValues<Number>& x) {
-  return {rounded(x.a_t), rounded(x.b_t), rounded(x.c_t), rounded(x.rho)};
-}
-template <class Number>
-double nearest(const Number& x) {
-  return rounded(x);
-}
-
-/// Whether the nearest double of a number within relative_error of x is certainly rounded(x).
-[[gnu::always_inline]] inline bool certainly_rounded(Pair<double> x, double relative_error) {
-  const Pair<double> y = normalised(x);
-  const double margin = y.high * (relative_error + 0x1p-105);
-  return (y.high + (y.low + margin)) == (y.high + (y.low - margin));
-}
-
-template <template <class> class Result, class Number>
-bool is_certain(const Result<Number>& x) requires requires {
-  as_array(x);
-}
-{
-  bool all = true;
-  for (const Number& member : as_array(x)) all &= certainly_rounded(member);
-  return all;
-}
-template <class Number>
-bool is_certain(const Number& x) {
-  return certainly_rounded(x);
-}
-
-/// Ziv's first two stages: numbers within 2^-67, then numbers within some 2^-84.
-template <template <class> class Kernel, class Result, class... Inputs>
-bool in_two_stages(Result& result, Inputs... inputs) {
-  const auto first = Kernel<Tracked<double>>::evaluate(inputs...);
-  result = nearest(first);
-  if (is_certain(first)) [[likely]]
-    return true;
-  const auto second = Kernel<Bounded<double>>::evaluate(inputs...);
-  result = nearest(second);
-  return is_certain(second);
-}
 
 /// An index beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that the index multiplies.
 template <class Number>

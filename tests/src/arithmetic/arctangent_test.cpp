@@ -61,9 +61,11 @@ TEST_CASE("the arctangent of a pair is within 0.25 2^-53 of itself up to 0.577",
 TEST_CASE("the arctangent of a tracked number is within 2^-84 of itself up to 1", "[check]") {
   Columns in = arguments(62, 1.0);
   in.push_back(in[0]);
-  const auto out = the_same_at_every_width("tracked_arctangent", in);
-  require_within(power(-84), in, out);
-  CHECK(out[2] == out[0]);
+  for (const char* name : {"tracked_arctangent", "fused_arctangent"})
+    for (const Columns& out : at_every_rounding(name, in)) {
+      require_within(power(-84), in, out);
+      CHECK(out[2] == out[0]);
+    }
 }
 
 TEST_CASE("the arctangent of a bounded number is within its bound up to 1", "[check]") {

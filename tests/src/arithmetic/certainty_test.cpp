@@ -90,7 +90,8 @@ TEST_CASE("tracked numbers: a certain rounding is certain", "[check]") {
     append(in, {y.high, y.low, size});
     width.push_back(margin * exact(size));
   }
-  check_enough(require_true("tracked_rounding", in, width));
+  for (const char* name : {"tracked_rounding", "fused_rounding"})
+    check_enough(require_true(name, in, width));
 }
 
 TEST_CASE("bounded numbers: a certain rounding is certain", "[check]") {
@@ -108,13 +109,13 @@ TEST_CASE("bounded numbers: a certain rounding is certain", "[check]") {
 TEST_CASE("nothing is certain of what has no bound or is no number", "[exam]") {
   const double nan = std::nan(""), infinity = HUGE_VAL;
   const Columns in{{1.5, 1.5, nan, 0.0}, {0.0, 0.0, 0.0, 0.0}, {infinity, nan, 1.0, infinity}};
-  for (const char* name : {"tracked_rounding", "bounded_rounding"})
+  for (const char* name : {"tracked_rounding", "fused_rounding", "bounded_rounding"})
     CHECK(the_same_at_every_width(name, in)[1] == std::vector(4, 0.0));
 }
 
 TEST_CASE("a tie is never certain", "[exam]") {
   const Columns tie{{1.0, 3.0}, {0x1p-53, 0x1p-52}, {1.0, 3.0}};
-  for (const char* name : {"tracked_rounding", "bounded_rounding"})
+  for (const char* name : {"tracked_rounding", "fused_rounding", "bounded_rounding"})
     CHECK(the_same_at_every_width(name, tie)[1] == std::vector(2, 0.0));
 }
 

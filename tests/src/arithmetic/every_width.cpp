@@ -63,19 +63,28 @@ const Primitive& primitive(InstructionSet instruction_set, const char* name) {
   throw std::logic_error(std::string("no primitive ") + name);
 }
 
+namespace {
+
+/// All widths of a primitive on one instruction set.
+void require_same(const char* name, InstructionSet set, const Columns& inputs,
+                  const Results& results, bool is_zero_signed) {
+  const Primitive& one = primitive(set, name);
+  for (int width = 0; width < 4; ++width) {
+    if (one.run[width] == nullptr) continue;
+    INFO(name << " on " << to_text(set) << ", " << (1 << width) << " at once");
+    REQUIRE(same(run(one, one.run[width], inputs), width == 0 ? results.single : results.lanes,
+                 is_zero_signed));
+  }
+}
+
+}  // namespace
+
 Results at_every_width(const char* name, const Columns& inputs, bool is_zero_signed) {
   const Primitive& plain = primitive(InstructionSet::baseline, name);
   REQUIRE(inputs.size() == plain.inputs);
   const Results results{run(plain, plain.run[0], inputs), run(plain, plain.run[1], inputs)};
-  for (const InstructionSet set : available_instruction_sets()) {
-    const Primitive& one = primitive(set, name);
-    for (int width = 0; width < 4; ++width) {
-      if (one.run[width] == nullptr) continue;
-      INFO(name << " on " << to_text(set) << ", " << (1 << width) << " at once");
-      REQUIRE(same(run(one, one.run[width], inputs), width == 0 ? results.single : results.lanes,
-                   is_zero_signed));
-    }
-  }
+  for (const InstructionSet set : available_instruction_sets())
+    require_same(name, set, inputs, results, is_zero_signed);
   return results;
 }
 
@@ -84,6 +93,19 @@ Columns the_same_at_every_width(const char* name, const Columns& inputs, bool is
   INFO(name);
   REQUIRE(same(results.single, results.lanes, is_zero_signed));
   return results.single;
+}
+
+std::vector<Columns> at_every_rounding(const std::string& name, const Columns& inputs) {
+  if (!name.starts_with("fused_")) return {the_same_at_every_width(name.c_str(), inputs)};
+  std::vector<Columns> results;
+  for (const InstructionSet set : available_instruction_sets()) {
+    const std::size_t fuses = set == InstructionSet::baseline ? 0 : 1;
+    const Primitive& one = primitive(set, name.c_str());
+    REQUIRE(inputs.size() == one.inputs);
+    if (results.size() == fuses) results.push_back(run(one, one.run[0], inputs));
+    require_same(name.c_str(), set, inputs, {results.at(fuses), results.at(fuses)}, false);
+  }
+  return results;
 }
 
 Columns of_single_doubles(const char* name, const Columns& inputs) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <cln/integer.h>
@@ -27,6 +28,10 @@ Results at_every_width(const char* name, const Columns& inputs, bool is_zero_sig
 /// The same, where single doubles and lanes have to agree as well.
 Columns the_same_at_every_width(const char* name, const Columns& inputs,
                                 bool is_zero_signed = false);
+
+/// Single doubles and lanes have to agree, and all instruction sets but for primitives called "fused_...": of these all that fuse
+/// products and sums, and all that do not. What they give, each once.
+std::vector<Columns> at_every_rounding(const std::string& name, const Columns& inputs);
 
 /// Single doubles alone, for operands that are none of a vector's.
 Columns of_single_doubles(const char* name, const Columns& inputs);

@@ -40,6 +40,10 @@ Tracked<T> tracked(const T* x) {
   return {{x[0], x[1]}, x[2]};
 }
 template <class T>
+Tracked<T, true> fused(const T* x) {
+  return {{x[0], x[1]}, x[2]};
+}
+template <class T>
 Bounded<T> bounded(const T* x) {
   return {{x[0], x[1]}, x[2]};
 }
@@ -73,8 +77,8 @@ void put(Cut<T> x, T* y) {
   y[0] = x.lead;
   y[1] = x.rest;
 }
-template <class T>
-void put(Tracked<T> x, T* y) {
+template <class T, bool fuses>
+void put(Tracked<T, fuses> x, T* y) {
   put(x.pair, y);
   y[2] = x.size;
 }

@@ -214,6 +214,23 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                put(both.cosine, y + 3);
              }),
 
+    of<6, 3>("fused_product", [](const auto* x, auto* y) { put(fused(x) * fused(x + 3), y); }),
+    of<4, 3>("fused_times_number", [](const auto* x, auto* y) { put(fused(x) * x[3], y); }),
+    of<3, 3>("fused_root",
+             [](const auto* x, auto* y) { put(reciprocal_square_root(fused(x)), y); }),
+    of<3, 2>("fused_rounding",
+             [](const auto* x, auto* y) {
+               y[0] = rounded(fused(x));
+               y[1] = where(certainly_rounded(fused(x)), decltype(x[0] + x[0])(1.0));
+             }),
+    of<3, 3>("fused_arctangent", [](const auto* x, auto* y) { put(arctangent(fused(x)), y); }),
+    of<3, 6>("fused_sine_cosine",
+             [](const auto* x, auto* y) {
+               const auto both = sine_cosine(fused(x));
+               put(both.sine, y);
+               put(both.cosine, y + 3);
+             }),
+
     of<6, 3>("bounded_sum", [](const auto* x, auto* y) { put(bounded(x) + bounded(x + 3), y); }),
     of<4, 3>("bounded_plus_number", [](const auto* x, auto* y) { put(bounded(x) + x[3], y); }),
     of<6, 3>("bounded_product",

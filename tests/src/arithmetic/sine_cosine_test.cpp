@@ -76,28 +76,31 @@ TEST_CASE("sine and cosine of a pair are within 0.2 2^-53 of themselves up to 2.
 TEST_CASE("sine and cosine of a tracked number are within 2^-70.1 or 2^-80 up to 3.14", "[check]") {
   Columns in = arguments(72, -0x1p-11, 3.14);
   in.emplace_back(in[0].size(), 0.0);
-  const auto exactly = the_same_at_every_width("tracked_sine_cosine", in);
-  require_within(exact(std::exp2(-70.1)), power(-80), in, exactly, 3);
+  for (const char* name : {"tracked_sine_cosine", "fused_sine_cosine"})
+    for (const Columns& out : at_every_rounding(name, in))
+      require_within(exact(std::exp2(-70.1)), power(-80), in, out, 3);
   // and of an argument that is known to 2^-84 of its size, within a unit of theirs
   for (std::size_t i = 0; i < in[0].size(); ++i)
     in[2][i] = std::fabs(in[0][i]) * (i % 3 == 0 ? 64 : 1);
-  const auto out = the_same_at_every_width("tracked_sine_cosine", in);
   Generator generator(73);
-  for (std::size_t i = 0; i < in[0].size(); ++i) {
-    const cl_RA x = exact_pair(in, 0, i) + place(generator) * power(-84) * exact(in[2][i]);
-    INFO(in[0][i]);
-    REQUIRE(cln::abs(exact_pair(out, 0, i) - exact_sine(x)) <= power(-70) * exact(out[2][i]));
-    REQUIRE(cln::abs(exact_pair(out, 3, i) - exact_cosine(x)) <= power(-70) * exact(out[5][i]));
-  }
+  for (const char* name : {"tracked_sine_cosine", "fused_sine_cosine"})
+    for (const Columns& out : at_every_rounding(name, in))
+      for (std::size_t i = 0; i < in[0].size(); ++i) {
+        const cl_RA x = exact_pair(in, 0, i) + place(generator) * power(-84) * exact(in[2][i]);
+        INFO(name << " of " << in[0][i]);
+        REQUIRE(cln::abs(exact_pair(out, 0, i) - exact_sine(x)) <= power(-70) * exact(out[2][i]));
+        REQUIRE(cln::abs(exact_pair(out, 3, i) - exact_cosine(x)) <= power(-70) * exact(out[5][i]));
+      }
 }
 
 TEST_CASE("outside of their domains nothing is certain of a sine or cosine", "[exam]") {
   const double outside[] = {3.15, 4.0, 1e300, -0x1p-9, -1.0, HUGE_VAL, -HUGE_VAL, std::nan("")};
   Columns in(3);
   for (const double x : outside) append(in, {x, 0.0, 1.0});
-  const auto out = the_same_at_every_width("tracked_sine_cosine", in);
-  for (const std::size_t size : {2U, 5U})
-    for (const double x : out[size]) CHECK_FALSE(x < HUGE_VAL);
+  for (const char* name : {"tracked_sine_cosine", "fused_sine_cosine"})
+    for (const Columns& out : at_every_rounding(name, in))
+      for (const std::size_t size : {2U, 5U})
+        for (const double x : out[size]) CHECK_FALSE(x < HUGE_VAL);
   for (double& x : in[0])
     if (std::fabs(x) < 3.9) x = 3.95;
   const auto bounded = the_same_at_every_width("bounded_sine_cosine", in);

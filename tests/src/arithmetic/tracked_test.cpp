@@ -58,18 +58,19 @@ Operands operands(std::uint64_t seed, int low, int high) {
 template <class Truth, class Degree>
 void require_within(const char* name, const Operands& in, const Truth& truth,
                     const Degree& degree) {
-  const auto out = the_same_at_every_width(name, in.columns);
-  cl_RA worst = 0;
-  for (std::size_t i = 0; i < in.rows.size(); ++i) {
-    const Row& row = in.rows[i];
-    if (std::isinf(out[2][i])) continue;
-    const cl_RA bound = degree(row.x_degree, row.y_degree) * unit * exact(out[2][i]);
-    const cl_RA error = cln::abs(exact_pair(out, 0, i) - truth(row.x, row.y));
-    INFO(name << ", row " << i << ": " << in.columns[0][i] << " and " << in.columns.back()[i]);
-    REQUIRE(error <= bound * further);
-    worst = std::max(worst, cl_RA(error / bound));
+  for (const Columns& out : at_every_rounding(name, in.columns)) {
+    cl_RA worst = 0;
+    for (std::size_t i = 0; i < in.rows.size(); ++i) {
+      const Row& row = in.rows[i];
+      if (std::isinf(out[2][i])) continue;
+      const cl_RA bound = degree(row.x_degree, row.y_degree) * unit * exact(out[2][i]);
+      const cl_RA error = cln::abs(exact_pair(out, 0, i) - truth(row.x, row.y));
+      INFO(name << ", row " << i << ": " << in.columns[0][i] << " and " << in.columns.back()[i]);
+      REQUIRE(error <= bound * further);
+      worst = std::max(worst, cl_RA(error / bound));
+    }
+    CHECK(worst > power(-1));  // a number at the end of its enclosure uses up the bound
   }
-  CHECK(worst > power(-1));  // a number at the end of its enclosure uses up the bound
 }
 
 const auto larger = [](long x, long y) { return std::max(x, y); };
@@ -93,8 +94,10 @@ TEST_CASE("sizes of sums, products and quotients bound their errors", "[check]")
       "tracked_difference", operands(32, -300, 300),
       [](const cl_RA& x, const cl_RA& y) { return x - y; }, larger);
   require_within("tracked_plus_number", with_number(operands(33, -300, 300)), sum, first);
-  require_within("tracked_product", operands(34, -300, 300), product, together);
-  require_within("tracked_times_number", with_number(operands(35, -300, 300)), product, first);
+  for (const char* name : {"tracked_product", "fused_product"})
+    require_within(name, operands(34, -300, 300), product, together);
+  for (const char* name : {"tracked_times_number", "fused_times_number"})
+    require_within(name, with_number(operands(35, -300, 300)), product, first);
   require_within(
       "tracked_quotient", operands(36, -300, 300),
       [](const cl_RA& x, const cl_RA& y) { return x / y; }, together);
@@ -122,11 +125,12 @@ TEST_CASE("a tracked reciprocal root is within 2^-98", "[check]") {
         std::fabs(any_double(generator, i % 2 == 0 ? -120 : -900, i % 2 == 0 ? 119 : 900));
     append(in, {w, any_low(generator, w), w});
   }
-  const auto out = the_same_at_every_width("tracked_root", in);
-  for (std::size_t i = 0; i < in[0].size(); ++i) {
-    const cl_RA root = exact_pair(out, 0, i), w = exact_pair(in, 0, i);
-    INFO(in[0][i]);
-    REQUIRE(cln::abs(root * root * w - 1) <= power(-97));
-    REQUIRE(exact(out[2][i]) * (1 + power(-50)) >= cln::abs(root));
-  }
+  for (const char* name : {"tracked_root", "fused_root"})
+    for (const Columns& out : at_every_rounding(name, in))
+      for (std::size_t i = 0; i < in[0].size(); ++i) {
+        const cl_RA root = exact_pair(out, 0, i), w = exact_pair(in, 0, i);
+        INFO(name << " of " << in[0][i]);
+        REQUIRE(cln::abs(root * root * w - 1) <= power(-97));
+        REQUIRE(exact(out[2][i]) * (1 + power(-50)) >= cln::abs(root));
+      }
 }
