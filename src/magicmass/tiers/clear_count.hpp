@@ -42,7 +42,7 @@ struct TurnsToPi {
   return {quotient, 0x1p-21};
 }
 
-/// The number of collisions where pi/h, less than 2^62, tells it, else 0.
+/// The number of collisions where pi/h, less than 2^63, tells it, else 0.
 [[gnu::always_inline]] inline std::int64_t clear_total(TurnsToPi turns) {
   const double unsure = turns.relative_error * turns.quotient;  // from 1/2 on nothing is certain
   const auto below = static_cast<std::int64_t>(turns.quotient);

@@ -12,11 +12,11 @@ namespace magicmass::tiers {
 inline namespace MAGICMASS_TARGET {
 
 /// The number of collisions of an alpha below 1, ceil(pi/h) - 1, from h/2 as a pair within the relative error given; 0 where
-/// that does not tell it, or it is 2^62 or more.
+/// that does not tell it, or it is 2^63 or more.
 [[gnu::always_inline]] inline std::int64_t total_from_angle(TurnsToPi turns,
                                                             arithmetic::Pair<double> half_h,
                                                             double relative_error) {
-  if (!(turns.quotient < 0x1p62)) [[unlikely]]
+  if (!(turns.quotient < 0x1p63)) [[unlikely]]
     return 0;
   // pi/h = m + (pi - m h)/h for the whole number m nearest to what is known of it; m h is at most h/2, or 2^-48 of it, from pi, and
   // the high parts subtract exactly.
@@ -39,7 +39,10 @@ inline namespace MAGICMASS_TARGET {
   const double unsure_past = unsure * q_per_pi + std::fabs(past) * (2.0 * turns.relative_error);
   if (!(std::fabs(from_nearest) > unsure_past && unsure_past < 0.25)) [[unlikely]]
     return 0;
-  return m + static_cast<std::int64_t>(nearest) - (from_nearest < 0.0);
+  const std::uint64_t total = static_cast<std::uint64_t>(m) +
+                              static_cast<std::uint64_t>(static_cast<std::int64_t>(nearest)) -
+                              (from_nearest < 0.0);
+  return total < std::uint64_t{1} << 63U ? static_cast<std::int64_t>(total) : 0;
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -172,7 +172,7 @@ template <class Number>
   TerminalKernel<Number> kernel;
   kernel.alpha = alpha;
   const TurnsToPi turns = turns_to_pi(alpha);
-  const bool can_tell = std::is_same_v<Number, Usual> || turns.quotient < 0x1p62;
+  const bool can_tell = std::is_same_v<Number, Usual> || turns.quotient < 0x1p63;
   std::int64_t total = can_tell ? clear_total(turns) : 0;
   kernel.stage_1();
   kernel.stage_2();

@@ -25,7 +25,7 @@ Pair<double> half_angle_at(double k, double excess) {
 
 TEST_CASE("an angle tells the count up to its error, and not beyond", "[exam]") {
   for (const double k :
-       {3.0, 4.0, 7.0, 1000.0, 0x1p20 + 1, 0x1p32, 0x1p40 - 1, 0x1p52 + 3, 0x1p55 + 24}) {
+       {3.0, 4.0, 7.0, 1000.0, 0x1p20 + 1, 0x1p32, 0x1p40 - 1, 0x1p52 + 3, 0x1p55 + 24, 0x1.8p62}) {
     INFO(k);
     const auto whole = static_cast<std::int64_t>(k);
     const double known = k < 0x1p20 ? 0x1p-21 : 0x1p-48;
@@ -44,8 +44,9 @@ TEST_CASE("an angle tells the count up to its error, and not beyond", "[exam]") 
     }
     CHECK(total_from_angle({k, known}, half_angle_at(k, 0.0), 0.0) == 0);
   }
-  CHECK(total_from_angle({0x1p62, 0x1p-48}, half_angle_at(0x1p62, 0x1p-64), 0x1p-70) ==
-        0);  // too many
+  // too many
+  CHECK(total_from_angle({0x1p63, 0x1p-48}, half_angle_at(0x1p63, 0x1p-66), 0x1p-70) == 0);
+  CHECK(total_from_angle({0x1p63 - 1024, 0x1p-48}, half_angle_at(0x1p63, -0x1p-66), 0x1p-70) == 0);
 }
 
 TEST_CASE("a clear count leaves a margin next to each threshold", "[exam]") {
