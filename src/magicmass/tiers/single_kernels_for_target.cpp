@@ -235,8 +235,8 @@ template <class Number>
   result = nearest(first);
   // the secants' bound, with 1/m^2 below 1/4 k^-2
   const double relative_error = 0x1p-54 / (k.pair.high * k.pair.high) + 0x1p-98;
-  return certainly_rounded(first.magic, relative_error) &&
-         certainly_rounded(first.deficient, relative_error);
+  return certainly_rounded(normalised(first.magic), relative_error) &&
+         certainly_rounded(normalised(first.deficient), relative_error);
 }
 bool ratios(double k, Ratios<double>& result) {
   if (k <= largest_short_k ? nearest_ratios(Whole(k), result)

@@ -31,10 +31,9 @@ double nearest(const Number& x) {
   return rounded(x);
 }
 
-/// Whether the nearest double of a number within relative_error of x is certainly rounded(x).
-[[gnu::always_inline]] inline bool certainly_rounded(arithmetic::Pair<double> x,
+/// Whether the nearest double of a number within relative_error of y, which is normalised, is certainly rounded(y).
+[[gnu::always_inline]] inline bool certainly_rounded(arithmetic::Pair<double> y,
                                                      double relative_error) {
-  const arithmetic::Pair<double> y = normalised(x);
   const double margin = y.high * (relative_error + 0x1p-105);
   return (y.high + (y.low + margin)) == (y.high + (y.low - margin));
 }
