@@ -15,7 +15,7 @@ inline constexpr std::size_t block_rows = 128;
 /// A kernel may count on a multiple of this: two of the widest registers of doubles.
 inline constexpr std::size_t group_rows = 16;
 
-/// The rows of a short column, filled up to a whole group. A const column is an input: its last group is filled up with
+/// A copy of a short column, filled up to a whole group. A const column is an input: its last group is filled up with
 /// its first row, so that a kernel never sees a value that the caller did not give.
 template <class Value>
 struct Tail {
@@ -33,7 +33,7 @@ struct Tail {
 };
 
 /// Calls kernel(first, rows, columns...) for blocks of consecutive rows from `first` on, each a multiple of group_rows long and at
-/// most block_rows. Some rows come twice where that fills the last group; of a size less than a block the columns are copies.
+/// most block_rows. Some rows come twice where that fills the last group; columns too short for that are copied.
 /// Columns are of const values (inputs) or of values (outputs).
 template <class Kernel, class... Values>
 [[gnu::always_inline]] inline void block_by_block(std::size_t size, Kernel kernel,
