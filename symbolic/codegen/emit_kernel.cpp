@@ -233,8 +233,21 @@ private:
       text += wrapped_line("    const auto " + parts + " = parts(" + printer_.name(number) + ");");
       in_parts.printer_.rename(number, parts);
     }
-    return text + in_parts.assignments(last, "    ") +
-           members([&](int output) { return in_parts.printer_.value(output); });
+    text += in_parts.assignments(last, "    ");
+    if (!form_.momentum.empty()) return text + in_parts.results_by_momentum();
+    return text + members([&](int output) { return in_parts.printer_.value(output); });
+  }
+  std::string results_by_momentum() const {
+    const auto& all = program_.outputs;
+    const auto by_name = [&](const Output& output) {
+      return wrapped_line("    const auto " + output.name + " = " + printer_.value(output.node) +
+                          ";");
+    };
+    return by_name(all[0]) + by_name(all[2]) + members([&](int output) {
+             if (output != all[1].node) return output == all[0].node ? all[0].name : all[2].name;
+             return "select(alpha >= Real(1.0), " + printer_.value(output) + ", rest_of_one(" +
+                    all[0].name + ", alpha, " + all[2].name + "))";
+           });
   }
 
   // The first collisions in a single number: what the selections above do in lanes.

@@ -2,6 +2,7 @@
 #include "codegen/emit_kernel_block.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/format.h>
 
@@ -10,12 +11,20 @@
 namespace magicmass::codegen {
 namespace {
 
-// Where an output goes.
+// The stage after which psi/4 is known.
+int stage_of_angle(const Program& program, const Stages& stages) {
+  for (std::size_t i = 0; i < program.nodes.size(); ++i)
+    if (program.nodes[i].op == Op::arctangent || program.nodes[i].op == Op::half_arcsecant)
+      return stages.stage[i];
+  throw std::logic_error("what is counted is counted from an angle");
+}
+
+// Where an output goes. Numbers that round their results are wanted for all of them.
 std::string stored(const KernelForm& form, const std::string& output) {
-  return "    if (" + output + " != nullptr) " +
-         (form.rounds_results
-              ? "arithmetic::store(rounded(result." + output + "), " + output + " + i);\n"
-              : "certain.store(result." + output + ", " + output + ", i);\n");
+  if (form.rounds_results)
+    return "    arithmetic::store(rounded(result." + output + "), " + output + " + i);\n";
+  return "    if (" + output + " != nullptr) certain.store(result." + output + ", " + output +
+         ", i);\n";
 }
 
 }  // namespace
@@ -45,13 +54,24 @@ bool is_needed_in(int number, int stage, const Program& program, const Stages& s
 std::string emit_block(const KernelForm& form, const Program& program, const Stages& stages,
                        const KernelPrinter& printer, const std::map<int, std::string>& carried) {
   const std::vector<std::string> inputs = loaded_inputs(form);
+  const std::vector<std::string> counted =
+      form.is_counted ? form.integers : std::vector<std::string>{};
+  const auto is_counted = [&counted](const std::string& input) {
+    return std::find(counted.begin(), counted.end(), input) != counted.end();
+  };
+  std::string names;
+  for (const std::string& name : counted) names += ", " + name;
   std::string text =
-      "// A block of at most arithmetic::block_size elements, a whole number of vectors.\n// An "
-      "output that is not wanted is null" +
-      std::string(form.rounds_results ? "" : "; `certain` is for number types that know") +
-      ".\ntemplate <class Number>\n";
+      "// A block of at most arithmetic::block_size elements, a whole number of vectors.\n" +
+      std::string(form.rounds_results ? ""
+                                      : "// An output that is not wanted is null; `certain` is for "
+                                        "number types that know.\n") +
+      (counted.empty() ? "" : "// count(angles" + names + ") fills in the latter.\n") +
+      "template <class Number" + (counted.empty() ? "" : ", class Count") + ">\n";
   std::string signature = "void " + form.name + "_block(std::size_t size";
-  for (const std::string& input : inputs) signature += ", const double* " + input;
+  for (const std::string& input : inputs)
+    if (!is_counted(input)) signature += ", const double* " + input;
+  if (!counted.empty()) signature += ", Count count";
   for (const Output& output : program.outputs) signature += ", double* " + output.name;
   if (!form.rounds_results) signature += ", arithmetic::Certainty<Number>& certain";
   text += wrapped_line(signature + ") {");
@@ -60,10 +80,16 @@ std::string emit_block(const KernelForm& form, const Program& program, const Sta
           "arithmetic::lane_count<Real>;\n";
   for (const auto& [number, type] : carried)
     text += "  arithmetic::Block<" + type + "> " + printer.name(number) + "s;\n";
+  for (const std::string& name : counted)
+    text += "  alignas(64) arithmetic::BlockOfDoubles " + name + ";\n";
+  const int counted_after = counted.empty() ? stages.count : stage_of_angle(program, stages);
   for (int s = 0; s < stages.count; ++s) {
     text += "  for (std::size_t i = 0; i < size; i += lanes) {\n    Kernel kernel;\n";
     for (const std::string& input : inputs)
-      text += "    kernel." + input + " = arithmetic::load<Real>(" + input + " + i);\n";
+      if (!is_counted(input))
+        text += "    kernel." + input + " = arithmetic::load<Real>(" + input + " + i);\n";
+      else if (s > counted_after)
+        text += "    kernel." + input + " = arithmetic::load<Real>(&" + input + "[i]);\n";
     for (const auto& [number, type] : carried)
       if (is_needed_in(number, s, program, stages, form))
         text += "    kernel." + printer.name(number) + " = " + printer.name(number) + "s.get(i);\n";
@@ -78,6 +104,11 @@ std::string emit_block(const KernelForm& form, const Program& program, const Sta
       for (const Output& output : program.outputs) text += stored(form, output.name);
     }
     text += "  }\n";
+    if (s == counted_after) {
+      std::string arrays;
+      for (const std::string& name : counted) arrays += ", " + name + ".data()";
+      text += "  count(angles" + arrays + ");\n";
+    }
   }
   return text + "}\n";
 }

@@ -56,6 +56,8 @@ std::string print(const Program& program, int number, int outer, bool top) {
       return parenthesised(outer > 2, join(program, node, "*", 2));
     case Op::negate:
       return parenthesised(outer > 0, "-" + print(program, node.args[0], 1, false));
+    case Op::magnitude:
+      return "|" + print(program, node.args[0], 0, false) + "|";
     case Op::reciprocal:
       return parenthesised(outer > 1, "1/" + print(program, node.args[0], 3, false));
     case Op::divide:

@@ -17,6 +17,7 @@ enum class Op {
   add,       // n-ary
   multiply,  // n-ary
   negate,
+  magnitude,
   reciprocal,
   divide,  // made by shared_reciprocals
   power,   // args[0] ^ (numerator / denominator), denominator 1 or 2; removed by strength_reduction

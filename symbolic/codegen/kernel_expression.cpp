@@ -67,7 +67,7 @@ KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::stri
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     const Node& made = program.nodes[i];
     if (made.op == Op::input || is_exact(static_cast<int>(i)) || made.op == Op::negate ||
-        made.op == Op::pi)
+        is_of_pi(static_cast<int>(i)))
       continue;
     if (uses[i] < 2 && !crosses[i] && !ends_a_stage(made)) continue;
     static const std::map<Op, std::string> kinds{{Op::sine, "sine"},
@@ -103,6 +103,13 @@ bool KernelPrinter::is_number_input(int number) const {
   const Node& made = node(number);
   return made.op == Op::input &&
          std::find(number_inputs_.begin(), number_inputs_.end(), made.name) != number_inputs_.end();
+}
+// A power of two times it, too.
+bool KernelPrinter::is_of_pi(int number) const {
+  const Node& made = node(number);
+  if (made.op == Op::multiply)
+    return made.args.size() == 2 && is_power_of_two(node(made.args[0])) && is_of_pi(made.args[1]);
+  return made.op == Op::pi;
 }
 // Also a power of two times an input.
 bool KernelPrinter::is_exact(int number) const {
@@ -174,6 +181,9 @@ std::optional<std::string> KernelPrinter::negative_difference(int number) const 
 }
 
 std::string KernelPrinter::product(const Node& made) const {
+  const bool is_square = made.args.size() == 2 && made.args[0] == made.args[1];
+  if (are_doubles_first_ && is_square && !is_exact(made.args[0]))
+    return "squared(" + value(made.args[0]) + ")";
   std::string text, others;
   std::vector<std::string> exacts;
   std::string scale;
@@ -245,6 +255,8 @@ std::string KernelPrinter::right_side(int number) const {
     case Op::negate:
       if (const auto turned_round = negative_difference(made.args[0])) return *turned_round;
       return "-" + factor(made.args[0]);
+    case Op::magnitude:
+      return "magnitude(" + value(made.args[0]) + ")";
     case Op::reciprocal:
       return "reciprocal(" + value(made.args[0]) + ")";
     case Op::divide:

@@ -47,6 +47,7 @@ private:
   std::string exact(int number) const;
   const Node& node(int number) const;
   bool is_number_input(int number) const;
+  bool is_of_pi(int number) const;
 
   const Program& program_;
   const std::vector<std::string>& number_inputs_;

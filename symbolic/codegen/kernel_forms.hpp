@@ -30,6 +30,13 @@ struct KernelForm {
   // The theorem cos(psi/2) = 1/(1 + alpha): the one arctangent, psi/4, is half_arcsecant(alpha, its tangent), of which a number type
   // takes what suits it.
   std::string arcsecant = {};
+  // Whole numbers that a block's caller finds from psi/4.
+  bool is_counted = false;
+  // r_t is not negative, say these theorems, one a case: without turn, which is 1 or -1, it is the magnitude of the rest.
+  std::vector<std::string> not_negative = {};
+  // Below alpha = 1 the second output is what the first and the third leave of the momentum, say these theorems, one a case: its own
+  // theorem serves from there on.
+  std::vector<std::string> momentum = {};
   // In lanes only, in a number type that has types of its own for the root, for a small angle and for results, which
   // it rounds.
   bool rounds_results = false;

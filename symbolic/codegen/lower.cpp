@@ -29,7 +29,10 @@ public:
 
   Program run() {
     for (const auto& [name, theorem] : source_.outputs) {
-      const ex side = source_.left_sides ? theorem.lhs() : theorem.rhs();
+      ex side = source_.left_sides ? theorem.lhs() : theorem.rhs();
+      if (name == source_.from_1)
+        side = side.subs(
+            GiNaC::lst{sin(GiNaC::wild()) == proof::symbol("cot_half"), cos(GiNaC::wild()) == 1});
       if (!is_a<GiNaC::matrix>(side)) {
         program_.outputs.push_back({name, lowered(side), theorem.id()});
         continue;
@@ -116,8 +119,15 @@ private:
                              : magnitude;
   }
 
+  bool is_sign(const ex& e) const {
+    return is_a<GiNaC::symbol>(e) && ex_to<GiNaC::symbol>(e).get_name() == source_.sign;
+  }
+
   // The same of a factor.
   int product(const ex& e) {
+    for (const ex& part : e)
+      if (is_sign(part))
+        return append(program_, {.op = Op::magnitude, .args = {lowered((e / part).expand())}});
     Node node{.op = Op::multiply};
     bool negative = false;
     for (const ex& part : e) {

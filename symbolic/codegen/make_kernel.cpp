@@ -79,6 +79,16 @@ void require_first(const KernelForm& form, const std::vector<Theorem>& bindings,
     throw std::logic_error(theorem.id() + " is another number before the first collisions");
 }
 
+// r_t is turn times something and not negative.
+void require_not_negative(const KernelForm& form, const std::vector<Theorem>& theorems) {
+  for (const std::string& id : form.not_negative) {
+    const Theorem& least = theorem_named(theorems, id);
+    const bool is_bound = least.statement().relation() == proof::Relation::less_equal &&
+                          least.lhs().is_zero() && least.rhs().is_equal(proof::symbol("r_t"));
+    if (!is_bound) throw std::logic_error(id + " does not say that r_t is not negative");
+  }
+}
+
 // The sine and the cosine may be those of a small angle, and the root that of alpha (2 + alpha).
 void require_small(const KernelForm& form, const std::vector<Theorem>& theorems) {
   const ex quarter = proof::symbol("psi") / 4;
@@ -95,6 +105,25 @@ void require_root(const std::vector<Theorem>& bindings) {
     if (named.lhs().is_equal(proof::symbol("cot_half")) &&
         !named.rhs().is_equal(1 / sqrt(alpha * (2 + alpha))))
       throw std::logic_error(named.id() + " has another root than alpha (2 + alpha)");
+}
+
+// The second output is V - (the first) - alpha (the third), of which one theorem says so for each case.
+void require_momentum(const KernelForm& form, const std::vector<Theorem>& theorems) {
+  const auto cases = [&](std::size_t output) {
+    std::vector<ex> sides{theorem_named(theorems, form.outputs.at(output).second).lhs()};
+    for (const auto& [member, ids] : form.other_cases)
+      if (member == form.outputs[output].first)
+        for (const std::string& id : ids) sides.push_back(theorem_named(theorems, id).lhs());
+    return sides;
+  };
+  const auto first = cases(0), second = cases(1), third = cases(2);
+  for (std::size_t i = 0; i < second.size(); ++i) {
+    const Theorem& momentum = theorem_named(theorems, form.momentum.at(i));
+    const ex left = proof::symbol("V") - first.at(i) - proof::symbol("alpha") * third.at(i);
+    if (!momentum.lhs().is_equal(second[i]) || !(momentum.rhs() - left).expand().is_zero())
+      throw std::logic_error(momentum.id() + " does not say what is left for " +
+                             form.outputs[1].first);
+  }
 }
 
 // psi/4 is atan t by one theorem and asec(1 + alpha)/2 by the other.
@@ -130,6 +159,12 @@ Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems)
     require_first(form, source.bindings, source.outputs.at(i).second,
                   theorem_named(theorems, form.first[i]));
   require_small(form, theorems);
+  require_not_negative(form, theorems);
+  if (!form.not_negative.empty()) source.sign = "turn";
+  if (!form.momentum.empty()) {
+    require_momentum(form, theorems);
+    source.from_1 = form.outputs[1].first;
+  }
   if (form.rounds_results) require_root(source.bindings);
   if (form.arcsecant.empty()) return {form, for_kernel(lower(source))};
   require_arcsecant(source, theorem_named(theorems, form.arcsecant));

@@ -27,7 +27,7 @@ struct Case {
 
 void offset(Kernel& kernel, const Power& power, const Counting& counting,
             const Terminal& terminal) {
-  const ex psi = symbol("psi"), V = symbol("V"), V_CM = symbol("V_CM");
+  const ex alpha = symbol("alpha"), psi = symbol("psi"), V = symbol("V"), V_CM = symbol("V_CM");
   const ex N_A = symbol("N_A"), N_B = symbol("N_B"), is_P = symbol("is_P"), r = symbol("r_t"),
            rho = symbol("rho");
   const ex t = symbol("tan_quarter"), cotangent = symbol("cot_half");
@@ -59,16 +59,15 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
                      .indices = last_collisions});
 
   const ex S = sin(r), C = cos(r);
-  const ex mixed = symbol("sine_cosine"), narrowed = symbol("tan_narrowed");
+  const ex mixed = symbol("sine_cosine"), squared = symbol("cosine_squared");
   const Theorem product = kernel.definition({.id = "offset.sine_cosine",
                                              .statement = {mixed, S * C},
                                              .words = "half of the sine of twice the offset",
                                              .indices = last_collisions});
-  const Theorem narrow = kernel.definition(
-      {.id = "offset.tan_narrowed",
-       .statement = {narrowed, t * pow(C, 2)},
-       .words = "the tangent by the square of the offset's cosine, which is near 1",
-       .indices = last_collisions});
+  const Theorem square = kernel.definition({.id = "offset.cosine_squared",
+                                            .statement = {squared, pow(C, 2)},
+                                            .words = "near 1, as the offset is small",
+                                            .indices = last_collisions});
   for (const Case& at_last :
        {Case{"after_Q", counting.equal, c_prime(N_B), terminal.not_before, terminal.A_reached},
         Case{"after_P", counting.one_more_above_half, c(N_A), terminal.reached,
@@ -81,16 +80,20 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
                         .statement = {element, form},
                         .words = "from the sine and the cosine of the offset",
                         .indices = last_collisions},
-                       {narrow, product, meaning, which, at_last.counts, closed});
+                       {square, product, meaning, which, at_last.counts, closed});
     };
     velocity("a", a_t, V * (S - t * C) * (S + t * C), power.a);
     velocity("b", b_t, 2 * C * (V_CM * C + V * t * S), power.b);
     velocity("b_product", b_t, 2 * V * (t * C) * (cotangent * C + S), power.b);
     const Theorem& of_c = at_last.name == "after_Q" ? power.c_prime : power.c;
     velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S), of_c);
-    velocity("a_sum", a_t, V * (pow(S, 2) - t * narrowed), power.a);
-    velocity("b_sum", b_t, 2 * V * (cotangent * narrowed + t * mixed), power.b);
-    velocity("c_sum", at_last.c_t, 2 * V * cotangent * (narrowed - mixed), of_c);
+    velocity("a_sum", a_t, V * (pow(S, 2) - pow(t, 2) * squared), power.a);
+    velocity("c_sum", at_last.c_t, 2 * V * cotangent * (t * squared - mixed), of_c);
+    kernel.rewriting({.id = "offset.b_from_momentum_" + at_last.name,
+                      .statement = {b_t, V - a_t - alpha * at_last.c_t},
+                      .words = "what the others leave of the momentum",
+                      .indices = last_collisions},
+                     {which, at_last.counts, power.a, power.b, of_c});
     const auto bound = [&](const std::string& name, const Statement& statement,
                            const Theorem& angles, const char* words) {
       kernel.ordering({.id = "offset." + name + "_" + at_last.name,

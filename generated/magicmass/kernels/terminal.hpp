@@ -116,9 +116,10 @@ struct TerminalKernel {
 
 // A block of at most arithmetic::block_size elements, a whole number of vectors.
 // An output that is not wanted is null; `certain` is for number types that know.
-template <class Number>
-void terminal_block(std::size_t size, const double* alpha, const double* N_A, const double* turn,
-    double* a_t, double* b_t, double* c_t, double* rho, arithmetic::Certainty<Number>& certain) {
+// count(angles, N_A, turn) fills in the latter.
+template <class Number, class Count>
+void terminal_block(std::size_t size, const double* alpha, Count count, double* a_t, double* b_t,
+    double* c_t, double* rho, arithmetic::Certainty<Number>& certain) {
   using Kernel = TerminalKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
@@ -127,29 +128,28 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
   arithmetic::Block<Number> angles;
   arithmetic::Block<Number> sines;
   arithmetic::Block<Number> cosines;
+  alignas(64) arithmetic::BlockOfDoubles N_A;
+  alignas(64) arithmetic::BlockOfDoubles turn;
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
     kernel.stage_1();
     cot_halfs.put(i, kernel.cot_half);
   }
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
     kernel.cot_half = cot_halfs.get(i);
     kernel.stage_2();
     tan_quarters.put(i, kernel.tan_quarter);
     angles.put(i, kernel.angle);
   }
+  count(angles, N_A.data(), turn.data());
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
+    kernel.N_A = arithmetic::load<Real>(&N_A[i]);
+    kernel.turn = arithmetic::load<Real>(&turn[i]);
     kernel.cot_half = cot_halfs.get(i);
     kernel.angle = angles.get(i);
     kernel.stage_3();
@@ -159,8 +159,8 @@ void terminal_block(std::size_t size, const double* alpha, const double* N_A, co
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
+    kernel.N_A = arithmetic::load<Real>(&N_A[i]);
+    kernel.turn = arithmetic::load<Real>(&turn[i]);
     kernel.cot_half = cot_halfs.get(i);
     kernel.tan_quarter = tan_quarters.get(i);
     kernel.sine = sines.get(i);

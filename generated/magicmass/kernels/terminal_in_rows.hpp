@@ -13,20 +13,18 @@ namespace magicmass::generated {
 inline namespace MAGICMASS_TARGET {
 
 // Velocities after the last collision as sums.
-// Domain: 2^-120 <= alpha <= 2^60; N_A of that alpha,
-//   below 2^51; turn = 1 if N_B = N_A and -1 if N_B = N_A - 1.
-// From: offset.a_sum_after_Q, offset.b_sum_after_Q, offset.c_sum_after_Q.
+// Domain: 2^-120 <= alpha <= 2^60; N_A of that alpha, below 2^51.
+// From: offset.a_sum_after_Q, offset.b_product_after_Q, offset.c_sum_after_Q.
 // With: tangent.psi, tangent.tan_from_root, tangent.root, offset.r_from_turn, offset.sine_cosine,
-//   offset.tan_narrowed.
+//   offset.cosine_squared.
 // From alpha = 1 on: tangent.first_a, tangent.first_b, tangent.first_c_prime.
-// Cost: 5 additions, 16 multiplications, 1 square root, 1 sine-cosine pair, 1 arctangent.
+// Cost: 4 additions, 14 multiplications, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Number>
 struct TerminalInRowsKernel {
   using Real = typename Number::Real;
 
   Real alpha;
   Real N_A;
-  Real turn;
   typename Number::Root cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   typename Number::ArcTangent angle;  // atan(tan_quarter)
@@ -44,7 +42,7 @@ struct TerminalInRowsKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number r_t = (Number::pi() - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
+    const Number r_t = magnitude(scaled(Number::pi(), 0.5) - angle * (Real(2.0) * N_A));
     const auto turned = small_sine_cosine(r_t);
     cosine = turned.cosine;
     sine = turned.sine;
@@ -55,21 +53,23 @@ struct TerminalInRowsKernel {
 
   [[gnu::always_inline]] TerminalVelocities<typename Number::Result> result() const {
     const auto tan_quarter_parts = parts(tan_quarter);
-    const auto tan_narrowed = tan_quarter_parts * cosine * cosine;
-    const auto sine_cosine = cosine * sine;
+    const auto product = squared(cosine) * tan_quarter_parts;
+    const auto a_t = squared(sine) - tan_quarter_parts * product;
+    const auto c_t = -scaled(cot_half * (cosine * sine - product), 2.0);
     return {
-        .a_t = sine * sine - tan_quarter_parts * tan_narrowed,
-        .b_t = scaled((cot_half * tan_narrowed + sine_cosine * tan_quarter_parts), 2.0),
-        .c_t = -scaled(cot_half * (sine_cosine - tan_narrowed), 2.0),
+        .a_t = a_t,
+        .b_t = select(alpha >= Real(1.0), scaled(cot_half * tan_quarter_parts, 4.0),
+            rest_of_one(a_t, alpha, c_t)),
+        .c_t = c_t,
     };
   }
 };
 
 // A block of at most arithmetic::block_size elements, a whole number of vectors.
-// An output that is not wanted is null.
-template <class Number>
-void terminal_in_rows_block(std::size_t size, const double* alpha, const double* N_A,
-    const double* turn, double* a_t, double* b_t, double* c_t) {
+// count(angles, N_A) fills in the latter.
+template <class Number, class Count>
+void terminal_in_rows_block(std::size_t size, const double* alpha, Count count, double* a_t,
+    double* b_t, double* c_t) {
   using Kernel = TerminalInRowsKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
@@ -78,29 +78,26 @@ void terminal_in_rows_block(std::size_t size, const double* alpha, const double*
   arithmetic::Block<typename Number::ArcTangent> angles;
   arithmetic::Block<typename Number::SmallCosine> cosines;
   arithmetic::Block<typename Number::SmallSine> sines;
+  alignas(64) arithmetic::BlockOfDoubles N_A;
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
     kernel.stage_1();
     cot_halfs.put(i, kernel.cot_half);
   }
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
     kernel.cot_half = cot_halfs.get(i);
     kernel.stage_2();
     tan_quarters.put(i, kernel.tan_quarter);
     angles.put(i, kernel.angle);
   }
+  count(angles, N_A.data());
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
+    kernel.N_A = arithmetic::load<Real>(&N_A[i]);
     kernel.cot_half = cot_halfs.get(i);
     kernel.angle = angles.get(i);
     kernel.stage_3();
@@ -110,16 +107,15 @@ void terminal_in_rows_block(std::size_t size, const double* alpha, const double*
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
-    kernel.N_A = arithmetic::load<Real>(N_A + i);
-    kernel.turn = arithmetic::load<Real>(turn + i);
+    kernel.N_A = arithmetic::load<Real>(&N_A[i]);
     kernel.cot_half = cot_halfs.get(i);
     kernel.tan_quarter = tan_quarters.get(i);
     kernel.cosine = cosines.get(i);
     kernel.sine = sines.get(i);
     const auto result = kernel.result();
-    if (a_t != nullptr) arithmetic::store(rounded(result.a_t), a_t + i);
-    if (b_t != nullptr) arithmetic::store(rounded(result.b_t), b_t + i);
-    if (c_t != nullptr) arithmetic::store(rounded(result.c_t), c_t + i);
+    arithmetic::store(rounded(result.a_t), a_t + i);
+    arithmetic::store(rounded(result.b_t), b_t + i);
+    arithmetic::store(rounded(result.c_t), c_t + i);
   }
 }
 

@@ -54,7 +54,7 @@ struct VelocitiesInRowsKernel {
     const auto ball_mean = chord * alpha * chord;
     const auto ball_swing = chord * cosine;
     return {
-        .a = cosine * cosine - ball_mean * alpha,
+        .a = squared(cosine) - ball_mean * alpha,
         .b = scaled((ball_mean + ball_swing * alpha), 2.0),
         .c = scaled((ball_mean + ball_swing), 2.0),
         .c_prime = scaled((ball_mean - ball_swing), 2.0),
@@ -63,7 +63,6 @@ struct VelocitiesInRowsKernel {
 };
 
 // A block of at most arithmetic::block_size elements, a whole number of vectors.
-// An output that is not wanted is null.
 template <class Number>
 void velocities_in_rows_block(std::size_t size, const double* alpha, const double* n, double* a,
     double* b, double* c, double* c_prime) {
@@ -107,10 +106,10 @@ void velocities_in_rows_block(std::size_t size, const double* alpha, const doubl
     kernel.sine = sines.get(i);
     kernel.cosine = cosines.get(i);
     const auto result = kernel.result();
-    if (a != nullptr) arithmetic::store(rounded(result.a), a + i);
-    if (b != nullptr) arithmetic::store(rounded(result.b), b + i);
-    if (c != nullptr) arithmetic::store(rounded(result.c), c + i);
-    if (c_prime != nullptr) arithmetic::store(rounded(result.c_prime), c_prime + i);
+    arithmetic::store(rounded(result.a), a + i);
+    arithmetic::store(rounded(result.b), b + i);
+    arithmetic::store(rounded(result.c), c + i);
+    arithmetic::store(rounded(result.c_prime), c_prime + i);
   }
 }
 

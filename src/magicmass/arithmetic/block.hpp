@@ -34,6 +34,11 @@ struct Block<Pair<T>> {
     store(x.high, &high[i]);
     store(x.low, &low[i]);
   }
+  /// As many rows from i on as Row has lanes, rounded.
+  template <class Row>
+  Row rounded(std::size_t i) const {
+    return load<Row>(&high[i]) + load<Row>(&low[i]);
+  }
 };
 
 template <class T, bool fuses>
@@ -45,6 +50,10 @@ struct Block<Tracked<T, fuses>> {
   void put(std::size_t i, Tracked<T, fuses> x) {
     pairs.put(i, x.pair);
     store(x.size, &sizes[i]);
+  }
+  template <class Row>
+  Row rounded(std::size_t i) const {
+    return pairs.template rounded<Row>(i);
   }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Polynomials for loops over many arguments, bound by the number of operations where each does not wait too long for the one before.
+// Polynomials for loops over many arguments: few operations, none of which waits too long for the one before.
 #pragma once
 
 #include <cstddef>
@@ -24,18 +24,12 @@ template <class T, std::size_t size>
   return chains[even] + chains[1 - even] * z;
 }
 
-/// One of degree 4 or more by Horner's scheme in z^4: three operations more than in z, for long ones.
+/// A polynomial in z by Horner's scheme.
 template <class T, std::size_t size>
-[[gnu::always_inline]] inline T four_chains(const double (&coefficients)[size], T z) {
-  static_assert(size >= 5);
-  const T square = z * z;
-  const T fourth = square * square;
-  T chains[4];  // by the power's remainder
-  for (std::size_t k = size; k-- > 0;) {
-    T& chain = chains[k % 4];
-    chain = k + 4 >= size ? T(coefficients[k]) : chain * fourth + T(coefficients[k]);
-  }
-  return (chains[0] + chains[1] * z) + (chains[2] + chains[3] * z) * square;
+[[gnu::always_inline]] inline T one_chain(const double (&coefficients)[size], T z) {
+  T value(coefficients[size - 1]);
+  for (std::size_t k = size - 1; k-- > 0;) value = value * z + T(coefficients[k]);
+  return value;
 }
 
 }  // namespace MAGICMASS_TARGET

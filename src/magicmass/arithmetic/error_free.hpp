@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "magicmass/arithmetic/fused.hpp"
 #include "magicmass/arithmetic/ieee.hpp"
 #include "magicmass/arithmetic/lanes.hpp"
 

@@ -127,6 +127,19 @@ template <int N>
                                                    (Bits{} + 0x7fffffffffffffff));
 }
 
+/// y where x is positive or +0, -y where it is negative or -0.
+[[gnu::always_inline]] inline double with_sign_of(double x, double y) {
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) & sign) ^
+                               std::bit_cast<std::uint64_t>(y));
+}
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> with_sign_of(Lanes<N> x, Lanes<N> y) {
+  using Bits = typename Lanes<N>::Mask;
+  const Bits sign = std::bit_cast<Bits>(x.v) & std::bit_cast<Bits>(Lanes<N>(-0.0).v);
+  return std::bit_cast<typename Lanes<N>::Doubles>(sign ^ std::bit_cast<Bits>(y.v));
+}
+
 /// The smaller, or y where x or y is not a number.
 [[gnu::always_inline]] inline double smaller(double x, double y) { return x < y ? x : y; }
 [[gnu::always_inline]] inline Lanes<2> smaller(Lanes<2> x, Lanes<2> y) {
@@ -242,54 +255,6 @@ template <int stride, int offset>
   const __m512d even = four_pairs(0), odd = four_pairs(1);
   return {_mm512_unpacklo_pd(even, odd), _mm512_unpackhi_pd(even, odd)};
 }
-#endif
-
-#ifdef __FMA__
-/// x y + z, rounded once.
-[[gnu::always_inline]] inline double fused_sum(double x, double y, double z) {
-  return __builtin_fma(x, y, z);
-}
-[[gnu::always_inline]] inline Lanes<2> fused_sum(Lanes<2> x, Lanes<2> y, Lanes<2> z) {
-  return _mm_fmadd_pd(x.v, y.v, z.v);
-}
-[[gnu::always_inline]] inline Lanes<4> fused_sum(Lanes<4> x, Lanes<4> y, Lanes<4> z) {
-  return _mm256_fmadd_pd(x.v, y.v, z.v);
-}
-#ifdef __AVX512F__
-[[gnu::always_inline]] inline Lanes<8> fused_sum(Lanes<8> x, Lanes<8> y, Lanes<8> z) {
-  return _mm512_fmadd_pd(x.v, y.v, z.v);
-}
-#endif
-/// x y - z, rounded once.
-[[gnu::always_inline]] inline double fused_difference(double x, double y, double z) {
-  return __builtin_fma(x, y, -z);
-}
-[[gnu::always_inline]] inline Lanes<2> fused_difference(Lanes<2> x, Lanes<2> y, Lanes<2> z) {
-  return _mm_fmsub_pd(x.v, y.v, z.v);
-}
-[[gnu::always_inline]] inline Lanes<4> fused_difference(Lanes<4> x, Lanes<4> y, Lanes<4> z) {
-  return _mm256_fmsub_pd(x.v, y.v, z.v);
-}
-#ifdef __AVX512F__
-[[gnu::always_inline]] inline Lanes<8> fused_difference(Lanes<8> x, Lanes<8> y, Lanes<8> z) {
-  return _mm512_fmsub_pd(x.v, y.v, z.v);
-}
-#endif
-/// z - x y, rounded once.
-[[gnu::always_inline]] inline double fused_remainder(double z, double x, double y) {
-  return __builtin_fma(-x, y, z);
-}
-[[gnu::always_inline]] inline Lanes<2> fused_remainder(Lanes<2> z, Lanes<2> x, Lanes<2> y) {
-  return _mm_fnmadd_pd(x.v, y.v, z.v);
-}
-[[gnu::always_inline]] inline Lanes<4> fused_remainder(Lanes<4> z, Lanes<4> x, Lanes<4> y) {
-  return _mm256_fnmadd_pd(x.v, y.v, z.v);
-}
-#ifdef __AVX512F__
-[[gnu::always_inline]] inline Lanes<8> fused_remainder(Lanes<8> z, Lanes<8> x, Lanes<8> y) {
-  return _mm512_fnmadd_pd(x.v, y.v, z.v);
-}
-#endif
 #endif
 
 }  // namespace MAGICMASS_TARGET

@@ -2,7 +2,7 @@
 // For bounds that allow for either rounding.
 #pragma once
 
-#include "magicmass/arithmetic/lanes.hpp"
+#include "magicmass/arithmetic/fused.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {

@@ -59,22 +59,21 @@ inline constexpr double secant_coefficients[] = {
     0x1.bd03ad5588cc7p-12,
 };
 
-// z (atan(t)/t - 1 + z/4)/z for z = t^2 <= 1/3: off by less than 19/1000 of 2^-53.
-inline constexpr double rough_arctangent_coefficients[] = {
-    -0x1.5555555555555p-4,
-    0x1.99999999998a3p-3,
-    -0x1.2492492485d7p-3,
-    0x1.c71c71bf5b467p-4,
-    -0x1.745d1604c964ap-4,
-    0x1.3b139224403b2p-4,
-    -0x1.110f1c6f22223p-4,
-    0x1.e1b6e650573e1p-5,
-    -0x1.addc39402eebbp-5,
-    0x1.7eec98aa8004ep-5,
-    -0x1.47a907b386feep-5,
-    0x1.ec8007e521394p-6,
-    -0x1.12c36f23202ddp-6,
-    0x1.42c8f765a8251p-8,
+// z (1 - z/4 - atan(t)/t)/z for z = t^2 <= 1/3, a quotient: off by less than 5/1000 of 2^-53.
+inline constexpr double rough_arctangent_numerator[] = {
+    0x1.5555555555555p-4,
+    -0x1.c087850655a86p-11,
+    -0x1.5b644c8e2701cp-3,
+    -0x1.c942bad244d0dp-4,
+    -0x1.1e1c0ea97d9cfp-6,
+    -0x1.3703a7600718fp-16,
+};
+inline constexpr double rough_arctangent_denominator[] = {
+    0x1p0,
+    0x1.31e2cd8f6e607p1,
+    0x1.fc4ec6f13bca9p0,
+    0x1.53262adfa86dap-1,
+    0x1.25f305170cee6p-4,
 };
 
 // z (sin(r)/r - 1 + z/8)/z for z = r^2, |r| <= pi/4 + 1/64: off by less than 1/1000 of 2^-53.

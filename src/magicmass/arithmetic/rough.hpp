@@ -16,6 +16,14 @@ struct Rounded {
   friend Rounded operator-(Rounded x) { return {-x.value}; }
   friend Rounded scaled(Rounded x, double power_of_two) { return {x.value * T(power_of_two)}; }
   friend T rounded(Rounded x) { return x.value; }
+  template <class Condition>
+  friend Rounded select(Condition condition, Rounded yes, Rounded no) {
+    return {select(condition, yes.value, no.value)};
+  }
+  /// 1 - x - factor y. What is taken off 1 is added up first: where it is small, so is what its roundings do.
+  friend Rounded rest_of_one(Rounded x, T factor, Rounded y) {
+    return {T(1.0) - (x.value + factor * y.value)};
+  }
 };
 
 /// high + low, a product. Sums are rounded twice: that of the highs, and the whole.
@@ -43,10 +51,10 @@ struct NearOne {
   NearOne() = default;
   explicit NearOne(T exact) : below(T(1.0) - exact) {}
 
-  friend NearOne operator*(NearOne x, NearOne y) {
-    NearOne product;
-    product.below = x.below + (y.below - x.below * y.below);
-    return product;
+  friend NearOne squared(NearOne x) {
+    NearOne square;
+    square.below = x.below * (T(2.0) - x.below);
+    return square;
   }
   template <class Condition>
   friend NearOne select(Condition condition, NearOne yes, NearOne no) {
@@ -69,6 +77,7 @@ struct Cut {
   friend Wide<T> operator*(Cut x, Cut y) {
     return {x.lead * y.lead, x.rest * y.lead + (x.lead + x.rest) * y.rest};
   }
+  friend Wide<T> squared(Cut x) { return {x.lead * x.lead, x.rest * (x.lead + (x.lead + x.rest))}; }
   friend Cut operator*(Cut x, NearOne<T> y) {
     return {x.lead, x.rest - (x.lead + x.rest) * y.below};
   }
@@ -120,12 +129,18 @@ struct Rough {
     return {s.high, s.low};
   }
 
-  struct Pi {};
-  static Pi pi() { return {}; }
-  /// For pi/2 <= x.high <= 2 pi, where the high parts subtract exactly (Sterbenz).
-  friend FromPi<T> operator-(Pi, Rough x) {
-    return {T(0x1.921fb54442d18p+1) - x.high, T(0x1.1a62633145c07p-53) - x.low};
-  }
+  /// Pi times a power of two.
+  struct Pi {
+    double scale;
+
+    friend Pi scaled(Pi x, double power_of_two) { return {x.scale * power_of_two}; }
+    /// For y.high from half of it to twice it, where the high parts subtract exactly (Sterbenz).
+    friend FromPi<T> operator-(Pi x, Rough y) {
+      return {T(x.scale * 0x1.921fb54442d18p+1) - y.high,
+              T(x.scale * 0x1.1a62633145c07p-53) - y.low};
+    }
+  };
+  static Pi pi() { return {1.0}; }
 
   /// (2 + alpha) alpha, or (1 + alpha)^2 where `is_beyond`, which is from alpha = 1 on: within 2^-100.
   template <class Condition>
@@ -139,6 +154,10 @@ struct Rough {
   friend Wide<T> operator*(Rough x, Rough y) {
     const Sum<T> p = two_product(x.high, y.high);
     return {p.high, p.low + (x.high * y.low + x.low * (y.high + y.low))};
+  }
+  friend Wide<T> squared(Rough x) {
+    const Sum<T> p = two_product(x.high, x.high);
+    return {p.high, p.low + x.low * (x.high + (x.high + x.low))};
   }
   friend Rough operator*(Rough x, T y) {
     const Sum<T> p = two_product(x.high, y);
@@ -162,10 +181,10 @@ template <class T>
   return {product, product_error_by_whole(x.high, y, product) + x.low * y};
 }
 
-/// y being plus or minus a power of two.
 template <class T>
-[[gnu::always_inline]] inline Rough<T> operator*(FromPi<T> x, T y) {
-  return Rough<T>::in_order(x.high * y, x.low * y);
+[[gnu::always_inline]] inline Rough<T> magnitude(FromPi<T> x) {
+  const Sum<T> sum = ordered_sum(x.high, x.low);
+  return {magnitude(sum.high), with_sign_of(sum.high, sum.low)};
 }
 
 /// As of two Roughs, added up no more than its factors.

@@ -32,6 +32,10 @@ struct Block<Angle<T>> {
     store(x.high, &high[i]);
     store(x.low, &low[i]);
   }
+  template <class Row>
+  Row rounded(std::size_t i) const {
+    return load<Row>(&high[i]) + load<Row>(&low[i]);
+  }
 };
 
 template <class T>

@@ -32,6 +32,9 @@ struct SideBySide {
   friend SideBySide operator*(SideBySide x, SideBySide y) {
     return {x.first * y.first, x.second * y.second};
   }
+  friend SideBySide operator/(SideBySide x, SideBySide y) {
+    return {x.first / y.first, x.second / y.second};
+  }
   friend Mask operator>(SideBySide x, SideBySide y) {
     return {x.first > y.first, x.second > y.second};
   }
@@ -48,6 +51,10 @@ struct SideBySide {
   }
   friend SideBySide smaller(SideBySide x, SideBySide y) {
     return {smaller(x.first, y.first), smaller(x.second, y.second)};
+  }
+  friend SideBySide magnitude(SideBySide x) { return {magnitude(x.first), magnitude(x.second)}; }
+  friend SideBySide with_sign_of(SideBySide x, SideBySide y) {
+    return {with_sign_of(x.first, y.first), with_sign_of(x.second, y.second)};
   }
   friend SideBySide leading_half(SideBySide x) {
     return {leading_half(x.first), leading_half(x.second)};

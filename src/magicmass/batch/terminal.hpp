@@ -8,6 +8,7 @@
 
 #include "magicmass/batch/blocks.hpp"
 #include "magicmass/batch/counts.hpp"
+#include "magicmass/batch/counts_from_angles.hpp"
 #include "magicmass/batch/one_by_one.hpp"
 #include "magicmass/batch/open_rows.hpp"
 #include "magicmass/kernels/terminal.hpp"
@@ -16,6 +17,16 @@
 namespace magicmass::batch {
 inline namespace MAGICMASS_TARGET {
 
+/// N_A, and where asked for 1 after a Q, -1 after a P.
+template <class... Turns>
+void to_doubles(std::size_t rows, const std::int64_t* N_A, const std::int64_t* N_B, double* cycles,
+                Turns*... turns) {
+  for (std::size_t i = 0; i < rows; ++i) {
+    cycles[i] = static_cast<double>(N_A[i]);
+    ((turns[i] = N_A[i] == N_B[i] ? 1.0 : -1.0), ...);
+  }
+}
+
 template <class Number>
 void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_t* N_B, double* a_t,
                              double* b_t, double* c_t, std::size_t size) {
@@ -23,30 +34,20 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
       size,
       [](std::size_t, std::size_t rows, const double* of_alpha, std::int64_t* of_N_A,
          std::int64_t* of_N_B, double* of_a, double* of_b, double* of_c) {
-        count_block(rows, of_alpha, of_N_A, of_N_B);
-        alignas(64) arithmetic::BlockOfDoubles cycles;
-        alignas(64) arithmetic::BlockOfDoubles turns;
-        RowBits outside{};
-        for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
-          const RowBits A = load_bits(of_N_A + i);
-          outside |= out_of_domain(load_bits(of_alpha + i));
-          arithmetic::store(as_doubles(A), &cycles[i]);
-          // 1 after a Q, -1 after a P
-          const RowBits is_P = load_bits(of_N_B + i) - A;
-          arithmetic::store(
-              Row(std::bit_cast<Row::Doubles>((is_P & std::numeric_limits<std::int64_t>::min()) |
-                                              std::bit_cast<std::int64_t>(1.0))),
-              &turns[i]);
-        }
-        const bool is_any_outside = has_negative(outside);
+        bool is_decided = true;
+        const auto count = [&](const auto& angles, double* cycles, auto*... turns) {
+          is_decided = count_from_angles(rows, of_alpha, angles, of_N_A, of_N_B, cycles, turns...);
+          if (is_decided) return;
+          count_block(rows, of_alpha, of_N_A, of_N_B);
+          to_doubles(rows, of_N_A, of_N_B, cycles, turns...);
+        };
         arithmetic::Certainty<Number> certain;
         if constexpr (rounds_results<Number>)
-          generated::terminal_in_rows_block<Number>(rows, of_alpha, cycles.data(), turns.data(),
-                                                    of_a, of_b, of_c);
+          generated::terminal_in_rows_block<Number>(rows, of_alpha, count, of_a, of_b, of_c);
         else
-          generated::terminal_block<Number>(rows, of_alpha, cycles.data(), turns.data(), of_a, of_b,
-                                            of_c, nullptr, certain);
-        if (!is_any_outside && certain.is_all(rows)) return;
+          generated::terminal_block<Number>(rows, of_alpha, count, of_a, of_b, of_c, nullptr,
+                                            certain);
+        if (is_decided && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {
           if (is_in_domain(of_alpha[i]) && !is_open(certain, i)) continue;
           const auto one = rounding_is_tested<Number> ? accurate_terminal(of_alpha[i])

@@ -83,6 +83,7 @@ TEST_CASE("comparisons and choices of lanes are those of doubles, NaN included",
     REQUIRE(same_bits({chosen[0][i]}, {x < y ? y : x}));
     REQUIRE(same_bits({chosen[1][i]}, {x < y ? y : 0.0}));
     REQUIRE(same_bits({chosen[2][i]}, {y < x ? y : x}));
+    REQUIRE(same_bits({chosen[3][i]}, {std::signbit(x) ? -y : y}));
   }
 }
 

@@ -79,11 +79,12 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                y[3] = where(x[0] >= x[1], one);
                y[4] = where(x[0] == x[1], one);
              }),
-    of<4, 3>("choices",
+    of<4, 4>("choices",
              [](const auto* x, auto* y) {
                y[0] = select(x[0] < x[1], x[2], x[3]);
                y[1] = where(x[0] < x[1], x[2]);
                y[2] = smaller(x[2], x[3]);
+               y[3] = with_sign_of(x[0], x[1]);
              }),
     of<1, 4>("look_up",
              [](const auto* x, auto* y) {
@@ -134,8 +135,8 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
              [](const auto* x, auto* y) { put(two_chains(some_coefficients, x[0]), y); }),
     of<1, 1>("two_even_chains",
              [](const auto* x, auto* y) { put(two_chains(even_coefficients, x[0]), y); }),
-    of<1, 1>("four_chains",
-             [](const auto* x, auto* y) { put(four_chains(some_coefficients, x[0]), y); }),
+    of<1, 1>("one_chain",
+             [](const auto* x, auto* y) { put(one_chain(some_coefficients, x[0]), y); }),
     of<1, 1>("leading_half", [](const auto* x, auto* y) { put(leading_half(x[0]), y); }),
     of<4, 2>("rough_product", [](const auto* x, auto* y) { put(rough(x) * rough(x + 2), y); }),
     of<3, 2>("rough_times_number", [](const auto* x, auto* y) { put(rough(x) * x[2], y); }),
@@ -146,19 +147,30 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
              }),
     of<2, 2>("rough_from_pi",
              [](const auto* x, auto* y) {
-               using Number = decltype(rough(x));
-               put((Number::pi() - rough(x)) * typename Number::Real(-0.5), y);
+               put(magnitude(scaled(decltype(rough(x))::pi(), 0.5) - rough(x)), y);
              }),
     of<4, 2>("cut_product",
              [](const auto* x, auto* y) { put(parts(rough(x)) * parts(rough(x + 2)), y); }),
+    of<2, 4>("rough_squares",
+             [](const auto* x, auto* y) {
+               put(squared(rough(x)), y);
+               put(squared(parts(rough(x))), y + 2);
+             }),
+    of<4, 2>("rest_of_one",
+             [](const auto* x, auto* y) {
+               using T = std::remove_cvref_t<decltype(x[0])>;
+               const Rounded<T> one{x[0]}, other{x[1]};
+               y[0] = rounded(rest_of_one(one, x[2], other));
+               y[1] = rounded(select(x[2] > x[3], one, other));
+             }),
     of<4, 2>("cut_difference",
              [](const auto* x, auto* y) { put(parts(rough(x)) - parts(rough(x + 2)), y); }),
     of<3, 2>("cut_times_number", [](const auto* x, auto* y) { put(parts(rough(x)) * x[2], y); }),
-    of<4, 3>("cut_times_near_one",
+    of<3, 3>("cut_times_near_one",
              [](const auto* x, auto* y) {
-               const auto product = near_one(x[2]) * near_one(x[3]);
-               put(parts(rough(x)) * product, y);
-               y[2] = product.below;
+               const auto square = squared(near_one(x[2]));
+               put(parts(rough(x)) * square, y);
+               y[2] = square.below;
              }),
     of<4, 2>("wide_sums",
              [](const auto* x, auto* y) {

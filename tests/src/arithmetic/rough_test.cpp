@@ -118,6 +118,35 @@ TEST_CASE("products of numbers cut in two need no fused operation", "[check]") {
       });
 }
 
+TEST_CASE("a square is the product with itself", "[check]") {
+  Columns in = numbers(13, 4, -5);
+  in.resize(2);
+  const Columns out = the_same_at_every_width("rough_squares", in);
+  const auto lead = the_same_at_every_width("leading_half", {in[0]});
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA x = exact_pair(in, 0, i), high = exact(in[0][i]), low = exact(in[1][i]);
+    REQUIRE(size(exact_pair(out, 0, i) - x * x) <=
+            power(-51) * size(2 * high * low + low * low) + power(-103) * high * high);
+    const cl_RA cut = exact(lead[0][i]);
+    REQUIRE(exact(out[2][i]) == cut * cut);
+    REQUIRE(size(exact_pair(out, 2, i) - x * x) <= power(-50) * size(x * x - cut * cut));
+  }
+}
+
+TEST_CASE("what is left of 1 is rounded once where little is taken off", "[check]") {
+  Columns in = numbers(14, 4, -5);
+  Generator generator(15);
+  for (std::size_t i = 0; i < in[0].size(); ++i)
+    for (const std::size_t k : {0U, 1U, 2U}) in[k][i] = any_double(generator, -60, 0);
+  const Columns out = the_same_at_every_width("rest_of_one", in);
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA x = exact(in[0][i]), product = exact(in[2][i]) * exact(in[1][i]);
+    REQUIRE(size(exact(out[0][i]) - (1 - x - product)) <=
+            power(-53) * (size(1 - x - product) + (size(x + product) + size(product)) * 2));
+    REQUIRE(out[1][i] == (in[2][i] > in[3][i] ? in[0][i] : in[1][i]));
+  }
+}
+
 TEST_CASE("leads subtract exactly, and nearby ones need few bits", "[check]") {
   Columns in = numbers(9, 4, -30);
   Generator generator(10);
@@ -143,14 +172,14 @@ TEST_CASE("leads subtract exactly, and nearby ones need few bits", "[check]") {
 
 TEST_CASE("a number near 1 costs what it is below 1", "[check]") {
   Columns in = numbers(5, 4, -3);
+  in.pop_back();
   Generator generator(6);
-  for (std::size_t i = 0; i < in[0].size(); ++i)
-    for (const std::size_t k : {2U, 3U})
-      in[k][i] = whole(generator, 0, 4) == 0 ? 0.0 : std::fabs(any_double(generator, -40, -3));
+  for (double& below : in[2])
+    below = whole(generator, 0, 4) == 0 ? 0.0 : std::fabs(any_double(generator, -40, -3));
   const Columns out = the_same_at_every_width("cut_times_near_one", in);
   for (std::size_t i = 0; i < in[0].size(); ++i) {
-    const cl_RA x = exact(in[2][i]), y = exact(in[3][i]);
-    REQUIRE(size(exact(out[2][i]) - (x + y - x * y)) <= power(-51) * (x + y));
+    const cl_RA x = exact(in[2][i]), square_below = 2 * x - x * x;
+    REQUIRE(size(exact(out[2][i]) - square_below) <= power(-52) * square_below);
   }
   require_within(
       in, out,
@@ -178,19 +207,20 @@ TEST_CASE("a sum of two products is rounded twice", "[check]") {
   }
 }
 
-TEST_CASE("a number is taken from pi without error but for its low", "[check]") {
+TEST_CASE("a number is taken from half of pi without error but for its low", "[check]") {
   Columns in(2);
   Generator generator(8);
   for (int i = 0; i < 4000; ++i) {
-    const double x = std::uniform_real_distribution<double>(1.6, 6.2)(generator);
+    const double x = std::uniform_real_distribution<double>(0.8, 3.1)(generator);
     append(in, {x, x * any_double(generator, -60, -6)});
   }
   const Columns out = the_same_at_every_width("rough_from_pi", in);
-  const cl_RA pi = exact(0x1.921fb54442d18p+1) + exact(0x1.1a62633145c07p-53);
+  const cl_RA half_pi = exact(0x1.921fb54442d18p+0) + exact(0x1.1a62633145c07p-54);
   require_within(
-      in, out, [&](std::size_t i) -> cl_RA { return (pi - exact_pair(in, 0, i)) / -2; },
+      in, out, [&](std::size_t i) { return size(half_pi - exact_pair(in, 0, i)); },
       [&](std::size_t i) -> cl_RA {
         return power(-53) *
                (size(exact(in[1][i])) + power(-53) + power(-53) * size(exact(out[0][i])));
       });
+  for (const double high : out[0]) REQUIRE(!std::signbit(high));
 }

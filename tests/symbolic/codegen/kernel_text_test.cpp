@@ -95,14 +95,19 @@ TEST_CASE("a kernel that rounds its results names no number type for them", "[ex
   CHECK(times(rows, "typename Number::Root cot_half;") == 1);
   CHECK(times(rows, "Number::root_argument(alpha, is_beyond)") == 1);
   CHECK(times(rows, "const auto ball_mean = chord * alpha * chord;") == 1);
-  CHECK(times(rows, ".a = cosine * cosine - ball_mean * alpha,") == 1);
+  CHECK(times(rows, ".a = squared(cosine) - ball_mean * alpha,") == 1);
   CHECK(times(rows, "certain") == 0);
   const std::string last = emit_kernel(make_kernel(form("terminal_in_rows"), theorems()));
   INFO(last);
   CHECK(times(last, " small_sine_cosine(r_t)") == 1);
   CHECK(times(last, "const auto tan_quarter_parts = parts(tan_quarter);") == 1);
   CHECK(times(last, "typename Number::SmallSine sine;") == 1);
-  CHECK(times(last, ".a_t = sine * sine - tan_quarter_parts * tan_narrowed,") == 1);
+  CHECK(times(last, "const auto a_t = squared(sine) - tan_quarter_parts * product;") == 1);
+  CHECK(times(last, "rest_of_one(a_t, alpha, c_t)") == 1);
+  // the sign of the last turn is known, and the counts come from the angle
+  CHECK(times(last, "const Number r_t = magnitude(scaled(Number::pi(), 0.5) - angle * ") == 1);
+  CHECK(times(last, "turn;") == 0);
+  CHECK(times(last, "  count(angles, N_A.data());") == 1);
 }
 
 TEST_CASE("outputs that are products are handed out unevaluated", "[exam]") {

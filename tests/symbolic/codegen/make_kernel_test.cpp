@@ -51,6 +51,13 @@ TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam][shared]"
   form.small_angle = {"offset.not_negative_after_Q"};
   refused(form, "offset.not_negative_after_Q does not say that r_t is psi/4 at most");
 
+  form = form_named("terminal_in_rows");
+  form.not_negative = {"offset.at_most_after_Q"};
+  refused(form, "offset.at_most_after_Q does not say that r_t is not negative");
+  form = form_named("terminal_in_rows");
+  std::swap(form.momentum[0], form.momentum[1]);
+  refused(form, "offset.b_from_momentum_after_P does not say what is left for b_t");
+
   form = form_named("velocities");
   form.arcsecant = "rotation.psi_half_angle";
   refused(form, "rotation.psi_half_angle does not say that cos(psi/2) is 1/(1 + alpha)");
