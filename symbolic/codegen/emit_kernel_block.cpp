@@ -19,12 +19,19 @@ int stage_of_angle(const Program& program, const Stages& stages) {
   throw std::logic_error("what is counted is counted from an angle");
 }
 
-// Where an output goes. Numbers that round their results are wanted for all of them.
-std::string stored(const KernelForm& form, const std::string& output) {
-  if (form.rounds_results)
-    return "    arithmetic::store(rounded(result." + output + "), " + output + " + i);\n";
-  return "    if (" + output + " != nullptr) certain.store(result." + output + ", " + output +
-         ", i);\n";
+// Where the outputs go. Numbers that round their results are wanted for all of them.
+std::string stored(const KernelForm& form, const Program& program) {
+  std::string text;
+  for (const Output& output : program.outputs) {
+    const std::string& name = output.name;
+    if (form.rounds_results)
+      text += "    arithmetic::store(rounded(result." + name + "), " + name + " + i);\n";
+    else
+      text += "    " + std::string(text.empty() ? "auto known = " : "known &= ") +
+              "certain.template store<Kernel::degrees." + name + ">(result." + name + ", " + name +
+              ", i);\n";
+  }
+  return text + (form.rounds_results ? "" : "    certain.put(i, known);\n");
 }
 
 }  // namespace
@@ -49,6 +56,16 @@ bool is_needed_in(int number, int stage, const Program& program, const Stages& s
     if (!form.first.empty() && is_root && node.op == Op::sine) return true;
   }
   return false;
+}
+
+std::string degrees(const KernelForm& form, const Program& program) {
+  if (form.result.empty() || form.rounds_results) return "";
+  std::string text;
+  for (const Output& output : program.outputs)
+    text += fmt::format("{}.{} = {}", text.empty() ? "" : ", ", output.name,
+                        std::max(1, degree_of(program, output.node)));
+  return "  // How many factors that are not exact go into each, or 1.\n" +
+         wrapped_line("  static constexpr " + form.result + "<int> degrees{" + text + "};");
 }
 
 std::string emit_block(const KernelForm& form, const Program& program, const Stages& stages,
@@ -101,7 +118,7 @@ std::string emit_block(const KernelForm& form, const Program& program, const Sta
               "    " + printer.name(number) + "s.put(i, kernel." + printer.name(number) + ");\n";
     } else {
       text += "    const auto result = kernel.result();\n";
-      for (const Output& output : program.outputs) text += stored(form, output.name);
+      text += stored(form, program);
     }
     text += "  }\n";
     if (s == counted_after) {

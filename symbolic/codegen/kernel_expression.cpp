@@ -51,6 +51,18 @@ Stages stages_of(const Program& program) {
   return stages;
 }
 
+int degree_of(const Program& program, int number) {
+  const Node& node = program.nodes[static_cast<std::size_t>(number)];
+  if (ends_a_stage(node)) return 1;
+  const bool is_product = node.op == Op::multiply || node.op == Op::divide;
+  int degree = 0;
+  for (const int argument : node.args) {
+    const int of_argument = degree_of(program, argument);
+    degree = is_product ? degree + of_argument : std::max(degree, of_argument);
+  }
+  return degree;
+}
+
 KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::string>& number_inputs)
     : program_(program), number_inputs_(number_inputs), names_(program.nodes.size()) {
   std::vector<int> uses = use_counts(program);

@@ -17,6 +17,10 @@ struct Stages {
 };
 Stages stages_of(const Program& program);
 
+// The number of factors of a node, counted like a polynomial's degree: those that a root, an arctangent, a sine or a cosine makes
+// count as one, exact ones as none.
+int degree_of(const Program& program, int number);
+
 // Prints a program in the operators of magicmass/arithmetic: constants and inputs but `number_inputs` are exact (Real), all
 // else Number.
 class KernelPrinter {

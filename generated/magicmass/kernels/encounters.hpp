@@ -24,6 +24,8 @@ template <class Number>
 struct EncountersKernel {
   using Real = typename Number::Real;
   static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;
+  // How many factors that are not exact go into each, or 1.
+  static constexpr Encounters<int> degrees{.t = 4, .s = 2};
 
   Real alpha;
   Real j;
@@ -150,8 +152,9 @@ void encounters_block(std::size_t size, const double* alpha, const double* j, do
     kernel.cosine = cosines.get(i);
     kernel.sine = sines.get(i);
     const auto result = kernel.result();
-    if (t != nullptr) certain.store(result.t, t, i);
-    if (s != nullptr) certain.store(result.s, s, i);
+    auto known = certain.template store<Kernel::degrees.t>(result.t, t, i);
+    known &= certain.template store<Kernel::degrees.s>(result.s, s, i);
+    certain.put(i, known);
   }
 }
 

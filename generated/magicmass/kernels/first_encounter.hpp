@@ -20,6 +20,8 @@ template <class Number>
 struct FirstEncounterKernel {
   using Real = typename Number::Real;
   static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;
+  // How many factors that are not exact go into each, or 1.
+  static constexpr Encounters<int> degrees{.t = 1, .s = 1};
 
   Real alpha;
 
@@ -50,8 +52,9 @@ void first_encounter_block(std::size_t size, const double* alpha, double* t, dou
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
     const auto result = kernel.result();
-    if (t != nullptr) certain.store(result.t, t, i);
-    if (s != nullptr) certain.store(result.s, s, i);
+    auto known = certain.template store<Kernel::degrees.t>(result.t, t, i);
+    known &= certain.template store<Kernel::degrees.s>(result.s, s, i);
+    certain.put(i, known);
   }
 }
 

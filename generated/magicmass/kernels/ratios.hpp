@@ -20,6 +20,8 @@ template <class Number>
 struct RatiosKernel {
   using Real = typename Number::Real;
   static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;
+  // How many factors that are not exact go into each, or 1.
+  static constexpr Ratios<int> degrees{.magic = 4, .deficient = 4};
 
   Real k;
   Number sine;  // sin((1/2)*pi*(1/(1 + 2*k)))
@@ -74,8 +76,9 @@ void ratios_block(std::size_t size, const double* k, double* magic, double* defi
     kernel.sine = sines.get(i);
     kernel.sine_2 = sine_2s.get(i);
     const auto result = kernel.result();
-    if (magic != nullptr) certain.store(result.magic, magic, i);
-    if (deficient != nullptr) certain.store(result.deficient, deficient, i);
+    auto known = certain.template store<Kernel::degrees.magic>(result.magic, magic, i);
+    known &= certain.template store<Kernel::degrees.deficient>(result.deficient, deficient, i);
+    certain.put(i, known);
   }
 }
 

@@ -20,6 +20,8 @@ template <class Number>
 struct RatiosOfPartsKernel {
   using Real = typename Number::Real;
   static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;
+  // How many factors that are not exact go into each, or 1.
+  static constexpr Ratios<int> degrees{.magic = 1, .deficient = 1};
 
   Number k;
 

@@ -26,6 +26,8 @@ template <class Number>
 struct TerminalKernel {
   using Real = typename Number::Real;
   static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;
+  // How many factors that are not exact go into each, or 1.
+  static constexpr TerminalValues<int> degrees{.a_t = 4, .b_t = 4, .c_t = 4, .rho = 8};
 
   Real alpha;
   Real N_A;
@@ -166,10 +168,11 @@ void terminal_block(std::size_t size, const double* alpha, Count count, double* 
     kernel.sine = sines.get(i);
     kernel.cosine = cosines.get(i);
     const auto result = kernel.result();
-    if (a_t != nullptr) certain.store(result.a_t, a_t, i);
-    if (b_t != nullptr) certain.store(result.b_t, b_t, i);
-    if (c_t != nullptr) certain.store(result.c_t, c_t, i);
-    if (rho != nullptr) certain.store(result.rho, rho, i);
+    auto known = certain.template store<Kernel::degrees.a_t>(result.a_t, a_t, i);
+    known &= certain.template store<Kernel::degrees.b_t>(result.b_t, b_t, i);
+    known &= certain.template store<Kernel::degrees.c_t>(result.c_t, c_t, i);
+    known &= certain.template store<Kernel::degrees.rho>(result.rho, rho, i);
+    certain.put(i, known);
   }
 }
 

@@ -20,6 +20,8 @@ template <class Number>
 struct VelocitiesAt1Kernel {
   using Real = typename Number::Real;
   static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;
+  // How many factors that are not exact go into each, or 1.
+  static constexpr Velocities<int> degrees{.a = 1, .b = 1, .c = 1, .c_prime = 1};
 
   Real alpha;
 
@@ -54,10 +56,11 @@ void velocities_at_1_block(std::size_t size, const double* alpha, double* a, dou
     Kernel kernel;
     kernel.alpha = arithmetic::load<Real>(alpha + i);
     const auto result = kernel.result();
-    if (a != nullptr) certain.store(result.a, a, i);
-    if (b != nullptr) certain.store(result.b, b, i);
-    if (c != nullptr) certain.store(result.c, c, i);
-    if (c_prime != nullptr) certain.store(result.c_prime, c_prime, i);
+    auto known = certain.template store<Kernel::degrees.a>(result.a, a, i);
+    known &= certain.template store<Kernel::degrees.b>(result.b, b, i);
+    known &= certain.template store<Kernel::degrees.c>(result.c, c, i);
+    known &= certain.template store<Kernel::degrees.c_prime>(result.c_prime, c_prime, i);
+    certain.put(i, known);
   }
 }
 

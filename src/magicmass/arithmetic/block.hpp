@@ -57,35 +57,44 @@ struct Block<Tracked<T, fuses>> {
   }
 };
 
-/// Where results go: rounded, ...
+/// Where results of that degree go: rounded, ... `store` does nothing where `to` is null, and `put` wants what it said of all results
+/// of the elements from i on.
 template <class Number>
 struct Certainty;
 
 template <class T>
 struct Certainty<Pair<T>> {
-  template <class Result>
-  void store(Result x, double* to, std::size_t i) {
-    arithmetic::store(rounded(x), to + i);
+  struct Known {
+    void operator&=(Known) {}
+  };
+
+  template <int degree, class Result>
+  Known store(Result x, double* to, std::size_t i) {
+    if (to != nullptr) arithmetic::store(rounded(x), to + i);
+    return {};
   }
+  void put(std::size_t, Known) {}
   bool is_all(std::size_t) const { return true; }
 };
 
 /// ... and, of numbers that know, whether all of an element's are certainly the nearest doubles: all bits set where so.
 template <class T, bool fuses>
 struct Certainty<Tracked<T, fuses>> {
+  using Known = typename T::Mask;
+
   alignas(64) std::array<std::int64_t, block_size> all;
 
-  Certainty() { all.fill(-1); }
-  void store(Product<Tracked<T, fuses>> x, double* to, std::size_t i) {
-    store(evaluated(x), to, i);
+  template <int degree>
+  Known store(Product<Tracked<T, fuses>> x, double* to, std::size_t i) {
+    return to != nullptr ? store<degree>(evaluated(x), to, i) : Known{} - 1;
   }
-  void store(Tracked<T, fuses> x, double* to, std::size_t i) {
+  template <int degree>
+  Known store(Tracked<T, fuses> x, double* to, std::size_t i) {
+    if (to == nullptr) return Known{} - 1;
     arithmetic::store(rounded(x), to + i);
-    typename T::Mask known;
-    std::memcpy(&known, &all[i], sizeof known);
-    known &= certainly_rounded(x);
-    std::memcpy(&all[i], &known, sizeof known);
+    return certainly_rounded(x, degree);
   }
+  void put(std::size_t i, Known known) { std::memcpy(&all[i], &known, sizeof known); }
   bool is_all(std::size_t size) const {
     std::int64_t whole = -1;
     for (std::size_t i = 0; i < size; ++i) whole &= all[i];

@@ -71,10 +71,11 @@ struct Tracked {
     return {select(condition, yes.pair, no.pair), select(condition, yes.size, no.size)};
   }
   friend T rounded(Tracked x) { return rounded(x.pair); }
-  /// Whether the nearest double of the number is certainly rounded(x).
-  friend auto certainly_rounded(Tracked x) {
-    const Sum<T> y = two_sum(x.pair.high, x.pair.low);
-    const T most(highest_degree * unit);
+  /// Whether the nearest double of the number, of that degree at most, is certainly rounded(x). Where |high| < |low|, most of a sum is gone: the size, that of
+  /// its terms, is 2^40 of it or more, and nothing is certain, whatever the low is then.
+  friend auto certainly_rounded(Tracked x, double degree = highest_degree) {
+    const Sum<T> y = ordered_sum(x.pair.high, x.pair.low);
+    const T most(degree * unit);
     return (y.high + multiply_add<fuses>(most, x.size, y.low)) ==
            (y.high + subtract_product<fuses>(y.low, most, x.size));
   }

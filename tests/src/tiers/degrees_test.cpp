@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tracked numbers are as good as their degree says, and the rounding test allows for the highest degree of any generated
-// formula. Here the generated kernels are evaluated in degrees alone.
+// Tracked numbers are as good as their degree says, and the rounding test allows for that of the formula. Here the generated kernels
+// are evaluated in degrees alone.
 #include <algorithm>
 
 #include <catch2/catch.hpp>
@@ -11,6 +11,8 @@
 #include "magicmass/kernels/ratios.hpp"
 #include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/velocities.hpp"
+#include "magicmass/kernels/velocities_at_1.hpp"
+#include "magicmass/kernels/velocities_at_2.hpp"
 
 using namespace magicmass;
 
@@ -51,28 +53,37 @@ struct Degree {
 int count(Degree x) { return x.count; }
 int count(const arithmetic::Product<Degree>& x) { return evaluated(x).count; }
 
-template <class Result>
-int highest(const Result& all) {
-  int most = 0;
-  for (const auto& member : as_array(all)) most = std::max(most, count(member));
-  return most;
+/// The kernel's word for each of its results, and what comes out.
+template <class Kernel, class Result>
+void require_degrees(const Result& all) {
+  const auto said = as_array(Kernel::degrees);
+  const auto results = as_array(all);
+  REQUIRE(said.size() == results.size());
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    INFO("result " << i);
+    CHECK(said[i] >= std::max(1, count(results[i])));
+    CHECK(said[i] <= arithmetic::Tracked<double>::highest_degree);
+  }
 }
 
 }  // namespace
 
-TEST_CASE("no generated formula is of a higher degree than the rounding test allows for",
-          "[exam]") {
+TEST_CASE("each generated formula is of the degree that the rounding test allows for", "[exam]") {
+  using namespace generated;
   for (const double alpha : {0.1, 2.0}) {
-    const int degrees[] = {
-        highest(generated::VelocitiesKernel<Degree>::evaluate(alpha, 1.0)),
-        highest(generated::EncountersKernel<Degree>::evaluate(alpha, 1.0)),
-        highest(generated::TerminalKernel<Degree>::evaluate(alpha, 1.0, 1.0)),
-        highest(generated::RatiosKernel<Degree>::evaluate(1.0)),
-        generated::AngleKernel<Degree>::evaluate(alpha).count,
-    };
-    for (const int degree : degrees) {
-      CHECK(degree <= arithmetic::Tracked<double>::highest_degree);
-    }
-    if (alpha < 1.0) CHECK(degrees[2] == 8);  // rho, the highest
+    require_degrees<VelocitiesKernel<Degree>>(VelocitiesKernel<Degree>::evaluate(alpha, 1.0));
+    require_degrees<EncountersKernel<Degree>>(EncountersKernel<Degree>::evaluate(alpha, 1.0));
+    require_degrees<TerminalKernel<Degree>>(TerminalKernel<Degree>::evaluate(alpha, 1.0, 1.0));
+    require_degrees<VelocitiesAt1Kernel<Degree>>(VelocitiesAt1Kernel<Degree>::evaluate(alpha));
+    require_degrees<VelocitiesAt2Kernel<Degree>>(VelocitiesAt2Kernel<Degree>::evaluate(alpha));
+    CHECK(AngleKernel<Degree>::evaluate(alpha).count <=
+          arithmetic::Tracked<double>::highest_degree);
   }
+  require_degrees<RatiosKernel<Degree>>(RatiosKernel<Degree>::evaluate(1.0));
+  // below alpha = 1 they are no higher than need be
+  const auto terminal = TerminalKernel<Degree>::evaluate(0.1, 1.0, 1.0);
+  CHECK(count(terminal.a_t) == TerminalKernel<Degree>::degrees.a_t);
+  CHECK(count(terminal.rho) == TerminalKernel<Degree>::degrees.rho);
+  const auto velocities = VelocitiesKernel<Degree>::evaluate(0.1, 1.0);
+  CHECK(count(velocities.c) == VelocitiesKernel<Degree>::degrees.c);
 }
