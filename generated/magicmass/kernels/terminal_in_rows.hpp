@@ -17,6 +17,7 @@ inline namespace MAGICMASS_TARGET {
 // From: offset.a_sum_after_Q, offset.b_product_after_Q, offset.c_sum_after_Q.
 // With: tangent.psi, tangent.tan_from_root, tangent.root, offset.r_from_turn, offset.sine_cosine,
 //   offset.cosine_squared.
+// b_t below alpha = 1: offset.b_from_momentum_after_Q.
 // From alpha = 1 on: tangent.first_a, tangent.first_b, tangent.first_c_prime.
 // Cost: 4 additions, 14 multiplications, 1 square root, 1 sine-cosine pair, 1 arctangent.
 template <class Number>

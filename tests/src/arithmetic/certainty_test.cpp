@@ -104,8 +104,10 @@ TEST_CASE("nothing is certain of a sum of which little is left", "[check]") {
     append(in, {high, low,
                 std::fabs(low) * std::ldexp(1.0, static_cast<int>(whole(generator, 40, 60)))});
   }
-  for (const char* name : {"tracked_rounding", "fused_rounding"})
-    for (const double is_certain : the_same_at_every_width(name, in)[1]) REQUIRE(is_certain == 0.0);
+  for (const char* name : {"tracked_rounding", "fused_rounding"}) {
+    const auto out = the_same_at_every_width(name, in);
+    for (const double is_certain : out[1]) REQUIRE(is_certain == 0.0);
+  }
 }
 
 TEST_CASE("bounded numbers: a certain rounding is certain", "[check]") {

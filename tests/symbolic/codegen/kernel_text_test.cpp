@@ -104,6 +104,7 @@ TEST_CASE("a kernel that rounds its results names no number type for them", "[ex
   CHECK(times(last, "typename Number::SmallSine sine;") == 1);
   CHECK(times(last, "const auto a_t = squared(sine) - tan_quarter_parts * product;") == 1);
   CHECK(times(last, "rest_of_one(a_t, alpha, c_t)") == 1);
+  CHECK(times(last, "b_t below alpha = 1: offset.b_from_momentum_after_Q.") == 1);
   // the sign of the last turn is known, and the counts come from the angle
   CHECK(times(last, "const Number r_t = magnitude(scaled(Number::pi(), 0.5) - angle * ") == 1);
   CHECK(times(last, "turn;") == 0);
