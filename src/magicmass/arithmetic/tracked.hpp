@@ -71,8 +71,8 @@ struct Tracked {
     return {select(condition, yes.pair, no.pair), select(condition, yes.size, no.size)};
   }
   friend T rounded(Tracked x) { return rounded(x.pair); }
-  /// Whether the nearest double of the number, of that degree at most, is certainly rounded(x). Where |high| < |low|, most of a sum is gone: the size, that of
-  /// its terms, is 2^40 of it or more, and nothing is certain, whatever the low is then.
+  /// Whether the nearest double of the number, of that degree at most, is certainly rounded(x). Where |high| < |low|, most of a
+  /// sum is gone: lows are 2^-40 of their terms at most, and so of the size. Then nothing is certain, whatever this makes of the low.
   friend auto certainly_rounded(Tracked x, double degree = highest_degree) {
     const Sum<T> y = ordered_sum(x.pair.high, x.pair.low);
     const T most(degree * unit);
