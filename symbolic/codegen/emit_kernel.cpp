@@ -34,7 +34,7 @@ public:
     text += "  using Real = typename Number::Real;\n";
     if (!form_.rounds_results)
       text += "  static constexpr bool in_lanes = arithmetic::lane_count<Real> > 1;\n";
-    text += degrees(form_, program_) + "\n";
+    text += emit_degrees(form_, program_) + "\n";
     for (const std::string& input : inputs()) text += "  Real " + input + ";\n";
     for (const std::string& input : form_.numbers) text += "  Number " + input + ";\n";
     for (const int number : carried_)

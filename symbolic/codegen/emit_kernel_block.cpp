@@ -58,7 +58,7 @@ bool is_needed_in(int number, int stage, const Program& program, const Stages& s
   return false;
 }
 
-std::string degrees(const KernelForm& form, const Program& program) {
+std::string emit_degrees(const KernelForm& form, const Program& program) {
   if (form.result.empty() || form.rounds_results) return "";
   std::string text;
   for (const Output& output : program.outputs)

@@ -18,7 +18,7 @@ bool is_needed_in(int number, int stage, const Program& program, const Stages& s
                   const KernelForm& form);
 
 // What a kernel says of the degrees of its results, where they are handed out one by one.
-std::string degrees(const KernelForm& form, const Program& program);
+std::string emit_degrees(const KernelForm& form, const Program& program);
 
 // The function over a block: a loop a stage, with the carried values, of these types, in between.
 std::string emit_block(const KernelForm& form, const Program& program, const Stages& stages,

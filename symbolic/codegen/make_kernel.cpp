@@ -79,8 +79,18 @@ void require_first(const KernelForm& form, const std::vector<Theorem>& bindings,
     throw std::logic_error(theorem.id() + " is another number before the first collisions");
 }
 
+// What has to hold in every case of an output has a theorem for each.
+void require_one_a_case(const KernelForm& form, const std::vector<std::string>& ids,
+                        const std::string& of_what) {
+  std::size_t cases = 1;
+  for (const auto& [member, others] : form.other_cases) cases = std::max(cases, 1 + others.size());
+  if (!ids.empty() && ids.size() != cases)
+    throw std::logic_error(form.name + " has not one theorem a case " + of_what);
+}
+
 // r_t is turn times something and not negative.
 void require_not_negative(const KernelForm& form, const std::vector<Theorem>& theorems) {
+  require_one_a_case(form, form.not_negative, "of an r_t that is not negative");
   for (const std::string& id : form.not_negative) {
     const Theorem& least = theorem_named(theorems, id);
     const bool is_bound = least.statement().relation() == proof::Relation::less_equal &&
@@ -91,6 +101,7 @@ void require_not_negative(const KernelForm& form, const std::vector<Theorem>& th
 
 // The sine and the cosine may be those of a small angle, and the root that of alpha (2 + alpha).
 void require_small(const KernelForm& form, const std::vector<Theorem>& theorems) {
+  require_one_a_case(form, form.small_angle, "of a small r_t");
   const ex quarter = proof::symbol("psi") / 4;
   for (const std::string& id : form.small_angle) {
     const Theorem& most = theorem_named(theorems, id);
@@ -109,6 +120,7 @@ void require_root(const std::vector<Theorem>& bindings) {
 
 // The second output is V - (the first) - alpha (the third), of which one theorem says so for each case.
 void require_momentum(const KernelForm& form, const std::vector<Theorem>& theorems) {
+  require_one_a_case(form, form.momentum, "of what is left of the momentum");
   const auto cases = [&](std::size_t output) {
     std::vector<ex> sides{theorem_named(theorems, form.outputs.at(output).second).lhs()};
     for (const auto& [member, ids] : form.other_cases)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Products and sums in one rounding, where the instruction set has that.
+// Products and sums in one rounding, where the instruction set has that. Each sign is written out: of -x in place of x a compiler
+// makes an operation where it has use for it twice.
 #pragma once
 
 #include "magicmass/arithmetic/lanes.hpp"

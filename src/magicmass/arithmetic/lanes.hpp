@@ -127,17 +127,17 @@ template <int N>
                                                    (Bits{} + 0x7fffffffffffffff));
 }
 
-/// y where x is positive or +0, -y where it is negative or -0.
-[[gnu::always_inline]] inline double with_sign_of(double x, double y) {
+/// x where y is positive or +0, -x where y is negative or -0.
+[[gnu::always_inline]] inline double times_sign_of(double x, double y) {
   constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
-  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(x) & sign) ^
-                               std::bit_cast<std::uint64_t>(y));
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^
+                               (std::bit_cast<std::uint64_t>(y) & sign));
 }
 template <int N>
-[[gnu::always_inline]] inline Lanes<N> with_sign_of(Lanes<N> x, Lanes<N> y) {
+[[gnu::always_inline]] inline Lanes<N> times_sign_of(Lanes<N> x, Lanes<N> y) {
   using Bits = typename Lanes<N>::Mask;
-  const Bits sign = std::bit_cast<Bits>(x.v) & std::bit_cast<Bits>(Lanes<N>(-0.0).v);
-  return std::bit_cast<typename Lanes<N>::Doubles>(sign ^ std::bit_cast<Bits>(y.v));
+  const Bits sign = std::bit_cast<Bits>(y.v) & std::bit_cast<Bits>(Lanes<N>(-0.0).v);
+  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) ^ sign);
 }
 
 /// The smaller, or y where x or y is not a number.

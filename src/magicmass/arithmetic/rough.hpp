@@ -181,10 +181,11 @@ template <class T>
   return {product, product_error_by_whole(x.high, y, product) + x.low * y};
 }
 
+/// Added up, without error even where the low is the larger: the high is a multiple of 2^-53.
 template <class T>
 [[gnu::always_inline]] inline Rough<T> magnitude(FromPi<T> x) {
   const Sum<T> sum = ordered_sum(x.high, x.low);
-  return {magnitude(sum.high), with_sign_of(sum.high, sum.low)};
+  return {magnitude(sum.high), times_sign_of(sum.low, sum.high)};
 }
 
 /// As of two Roughs, added up no more than its factors.

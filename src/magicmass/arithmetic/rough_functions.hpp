@@ -20,7 +20,7 @@ template <class T>
 }
 
 /// atan t for 0 <= t <= 0.577, within 0.35 2^-53 of itself and what the error of t makes of it; its low part may be 2^-6 of it.
-/// |t.low| <= 2^-53 |t|. Of t up to 1 any number from t/2 to t.
+/// |t.low| <= 2^-53 |t|.
 template <class T>
 [[gnu::always_inline]] inline Angle<T> arctangent(Rough<T> t) {
   // atan t = t - t^3/4 - t^3 p(z)/q(z), z = t^2 <= 1/3: dividing costs less than the terms that a polynomial would have more. t^3 is

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "magicmass/arithmetic/fused.hpp"
 #include "magicmass/arithmetic/lanes.hpp"
 
 namespace magicmass::arithmetic {
@@ -53,8 +54,8 @@ struct SideBySide {
     return {smaller(x.first, y.first), smaller(x.second, y.second)};
   }
   friend SideBySide magnitude(SideBySide x) { return {magnitude(x.first), magnitude(x.second)}; }
-  friend SideBySide with_sign_of(SideBySide x, SideBySide y) {
-    return {with_sign_of(x.first, y.first), with_sign_of(x.second, y.second)};
+  friend SideBySide times_sign_of(SideBySide x, SideBySide y) {
+    return {times_sign_of(x.first, y.first), times_sign_of(x.second, y.second)};
   }
   friend SideBySide leading_half(SideBySide x) {
     return {leading_half(x.first), leading_half(x.second)};

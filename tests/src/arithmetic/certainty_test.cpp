@@ -160,9 +160,11 @@ TEST_CASE("a block knows of each of its elements whether all results are certain
   CHECK((certain.all[0] == -1 && certain.all[1] == 0));
   certain.put(0, certain.store<8>(unknown, nullptr, 0));
   CHECK((certain.all[0] == -1 && certain.all[1] == -1));
-  // half as far from a tie as a number of degree 2 may be off
-  const double next_to_a_tie = 0x1p-53 - Number::unit;
+  // further from a tie than a number of degree 1 may be off, and not as far as one of degree 2
+  const double next_to_a_tie = 0x1p-53 - 1.5 * Number::unit;
   const Number close{{T(1.0), T(next_to_a_tie)}, T(1.0)};
+  certain.put(0, certain.store<1>(close, rounded, 0));
+  CHECK(certain.all[0] == -1);
   certain.put(0, certain.store<2>(close, rounded, 0));
   CHECK(certain.all[0] == 0);
 }

@@ -84,7 +84,7 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                y[0] = select(x[0] < x[1], x[2], x[3]);
                y[1] = where(x[0] < x[1], x[2]);
                y[2] = smaller(x[2], x[3]);
-               y[3] = with_sign_of(x[0], x[1]);
+               y[3] = times_sign_of(x[1], x[0]);
              }),
     of<1, 4>("look_up",
              [](const auto* x, auto* y) {

@@ -48,12 +48,21 @@ TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam][shared]"
   refused(form, "tangent.c_sum does not become tangent.first_c_prime from alpha = 1 on");
 
   form = form_named("terminal_in_rows");
-  form.small_angle = {"offset.not_negative_after_Q"};
+  form.small_angle[0] = "offset.not_negative_after_Q";
   refused(form, "offset.not_negative_after_Q does not say that r_t is psi/4 at most");
 
   form = form_named("terminal_in_rows");
-  form.not_negative = {"offset.at_most_after_Q"};
+  form.not_negative[0] = "offset.at_most_after_Q";
   refused(form, "offset.at_most_after_Q does not say that r_t is not negative");
+  form = form_named("terminal_in_rows");
+  form.not_negative.pop_back();
+  refused(form, "terminal_in_rows has not one theorem a case of an r_t that is not negative");
+  form = form_named("terminal_in_rows");
+  form.small_angle.pop_back();
+  refused(form, "terminal_in_rows has not one theorem a case of a small r_t");
+  form = form_named("terminal_in_rows");
+  form.momentum.pop_back();
+  refused(form, "terminal_in_rows has not one theorem a case of what is left of the momentum");
   form = form_named("terminal_in_rows");
   std::swap(form.momentum[0], form.momentum[1]);
   refused(form, "offset.b_from_momentum_after_P does not say what is left for b_t");
