@@ -62,7 +62,8 @@ private:
   // What a value is carried from stage to stage as.
   std::string type(int number) const {
     const Op op = node(number).op;
-    if (form_.rounds_results && op == Op::reciprocal_square_root) return "typename Number::Root";
+    if (form_.rounds_results && (op == Op::reciprocal_square_root || op == Op::square_root))
+      return "typename Number::Root";
     if (form_.rounds_results && op == Op::arctangent) return "typename Number::ArcTangent";
     if (!form_.small_angle.empty() && op == Op::sine) return "typename Number::SmallSine";
     if (!form_.small_angle.empty() && op == Op::cosine) return "typename Number::SmallCosine";
@@ -121,8 +122,7 @@ private:
 
   // Its name, or its definition where no later stage has it.
   std::string assigned(int number) const {
-    const bool is_result = form_.rounds_results && stage(number) + 1 == stages_.count;
-    const std::string type = is_result ? "auto" : "Number";
+    const std::string type = form_.rounds_results ? "auto" : "Number";
     return (carried_.contains(number) ? "" : "const " + type + " ") + printer_.name(number);
   }
 
@@ -150,13 +150,8 @@ private:
   std::string replaced_turn(const std::string& indent) const {
     if (form_.rounds_results) {
       const std::string one = "(Real(1.0))";
-      return is_beyond(indent) +
-             (form_.first_index.empty()
-                  ? indent + "sine = select(is_beyond, cot_half, sine);\n" + indent +
-                        "cosine = select(is_beyond, typename Number::SmallCosine" + one +
-                        ", cosine);\n"
-                  : indent + "sine = select(is_beyond, Number" + one + ", sine);\n" + indent +
-                        "cosine = select(is_beyond, Number(cot_half), cosine);\n");
+      return is_beyond(indent) + indent + "sine = select(is_beyond, Number" + one + ", sine);\n" +
+             indent + "cosine = select(is_beyond, Number(cot_half), cosine);\n";
     }
     return indent + "if constexpr (in_lanes) {  // two collisions\n" + indent +
            "  const auto is_beyond = alpha >= Real(1.0);\n" + indent +
@@ -234,22 +229,8 @@ private:
       in_parts.printer_.rename(number, parts);
     }
     text += in_parts.assignments(last, "    ");
-    if (!form_.momentum.empty()) return text + in_parts.results_by_momentum();
     return text + members([&](int output) { return in_parts.printer_.value(output); });
   }
-  std::string results_by_momentum() const {
-    const auto& all = program_.outputs;
-    const auto by_name = [&](const Output& output) {
-      return wrapped_line("    const auto " + output.name + " = " + printer_.value(output.node) +
-                          ";");
-    };
-    return by_name(all[0]) + by_name(all[2]) + members([&](int output) {
-             if (output != all[1].node) return output == all[0].node ? all[0].name : all[2].name;
-             return "select(alpha >= Real(1.0), " + printer_.value(output) + ", rest_of_one(" +
-                    all[0].name + ", alpha, " + all[2].name + "))";
-           });
-  }
-
   // The first collisions in a single number: what the selections above do in lanes.
   std::string first_function() const {
     std::string text =

@@ -46,9 +46,6 @@ std::string kernel_opening(const KernelForm& form, const Program& program) {
          "\nnamespace magicmass::generated {\ninline namespace MAGICMASS_TARGET {\n\n" +
          comment(form.summary) + comment("Domain: " + form.domain) +
          comment("From: " + list(from)) + (with.empty() ? "" : comment("With: " + list(with))) +
-         (form.momentum.empty()
-              ? ""
-              : comment(form.outputs[1].first + " below alpha = 1: " + form.momentum.front())) +
          (form.first.empty() ? "" : comment("From alpha = 1 on: " + list(form.first))) +
          comment("Cost: " + to_text(operation_counts(program)));
 }

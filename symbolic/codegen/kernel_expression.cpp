@@ -12,9 +12,9 @@ namespace magicmass::codegen {
 namespace {
 
 bool ends_a_stage(const Node& node) {
-  return node.op == Op::reciprocal_square_root || node.op == Op::arctangent ||
-         node.op == Op::half_arcsecant || node.op == Op::sine || node.op == Op::cosine ||
-         node.op == Op::secant_less_one;
+  return node.op == Op::reciprocal_square_root || node.op == Op::square_root ||
+         node.op == Op::arctangent || node.op == Op::half_arcsecant || node.op == Op::sine ||
+         node.op == Op::cosine || node.op == Op::secant_less_one;
 }
 
 bool is_power_of_two(const Node& node) {
@@ -79,7 +79,7 @@ KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::stri
   for (std::size_t i = 0; i < program.nodes.size(); ++i) {
     const Node& made = program.nodes[i];
     if (made.op == Op::input || is_exact(static_cast<int>(i)) || made.op == Op::negate ||
-        is_of_pi(static_cast<int>(i)))
+        is_of_pi(static_cast<int>(i)) || is_divisor(static_cast<int>(i)))
       continue;
     if (uses[i] < 2 && !crosses[i] && !ends_a_stage(made)) continue;
     static const std::map<Op, std::string> kinds{{Op::sine, "sine"},
@@ -122,6 +122,10 @@ bool KernelPrinter::is_of_pi(int number) const {
   if (made.op == Op::multiply)
     return made.args.size() == 2 && is_power_of_two(node(made.args[0])) && is_of_pi(made.args[1]);
   return made.op == Op::pi;
+}
+// Of an exact number; a product is divided by it.
+bool KernelPrinter::is_divisor(int number) const {
+  return node(number).op == Op::reciprocal && is_exact(node(number).args[0]);
 }
 // Also a power of two times an input.
 bool KernelPrinter::is_exact(int number) const {
@@ -167,8 +171,20 @@ std::string KernelPrinter::sum(const Node& made) const {
     else if (node(argument).op != Op::negate)
       add(argument);
   }
+  std::vector<int> negatives;
   for (const int argument : made.args)
-    if (node(argument).op == Op::negate && !is_exact(node(argument).args[0])) add(argument);
+    if (node(argument).op == Op::negate && !is_exact(node(argument).args[0])) {
+      negatives.push_back(node(argument).args[0]);
+      add(argument);
+    }
+  // 1 - (x + y), of which nothing is negated
+  const bool is_rest = exacts.size() == 1 && negatives.size() + 1 == made.args.size();
+  if (is_rest && are_doubles_first_ && node(exacts[0]).op != Op::negate) {
+    std::string taken;
+    for (const int of : negatives) taken += (taken.empty() ? "" : " + ") + value(of);
+    return exact(exacts[0]) + " - " +
+           (negatives.size() > 1 ? "(" + taken + ")" : factor(negatives[0]));
+  }
   const auto exact_term = [&](int number) {
     return node(number).op == Op::negate ? "-" + exact(node(number).args[0]) : exact(number);
   };
@@ -181,27 +197,18 @@ std::string KernelPrinter::sum(const Node& made) const {
   return text;
 }
 
-// Of x - y: y - x.
-std::optional<std::string> KernelPrinter::negative_difference(int number) const {
-  const Node& made = node(number);
-  if (made.op != Op::add || is_kept(number) || made.args.size() != 2) return std::nullopt;
-  const bool first = node(made.args[0]).op == Op::negate;
-  if (first == (node(made.args[1]).op == Op::negate)) return std::nullopt;
-  const int less = node(made.args[first ? 0 : 1]).args[0], whole = made.args[first ? 1 : 0];
-  if (is_exact(less) || is_exact(whole)) return std::nullopt;
-  return value(less) + " - " + factor(whole);
-}
-
 std::string KernelPrinter::product(const Node& made) const {
   const bool is_square = made.args.size() == 2 && made.args[0] == made.args[1];
   if (are_doubles_first_ && is_square && !is_exact(made.args[0]))
     return "squared(" + value(made.args[0]) + ")";
-  std::string text, others;
+  std::string text, others, divisor;
   std::vector<std::string> exacts;
   std::string scale;
   for (const int argument : made.args) {
     if (is_power_of_two(node(argument)))
       scale = real(node(argument));
+    else if (is_divisor(argument))
+      divisor = " / " + exact(node(argument).args[0]);
     else if (is_exact(argument))
       exacts.push_back(exact(argument));
     else if (text.empty())
@@ -220,7 +227,7 @@ std::string KernelPrinter::product(const Node& made) const {
     next = 2;
   }
   for (; next < exacts.size(); ++next) text += " * " + exacts[next];
-  text += others;
+  text += others + divisor;
   if (scale.empty()) return text;
   return "scaled(" + text + ", " + scale.substr(5, scale.size() - 6) + ")";  // Real(2.0) -> 2.0
 }
@@ -265,7 +272,6 @@ std::string KernelPrinter::right_side(int number) const {
     case Op::multiply:
       return product(made);
     case Op::negate:
-      if (const auto turned_round = negative_difference(made.args[0])) return *turned_round;
       return "-" + factor(made.args[0]);
     case Op::magnitude:
       return "magnitude(" + value(made.args[0]) + ")";
@@ -275,6 +281,8 @@ std::string KernelPrinter::right_side(int number) const {
       return factor(made.args[0]) + " / " + factor(made.args[1]);
     case Op::reciprocal_square_root:
       return "reciprocal_square_root(" + value(made.args[0]) + ")";
+    case Op::square_root:  // the one there is, of alpha/(2 + alpha)
+      return "Number::half_arcsecant_tangent(alpha)";
     case Op::arctangent:
       return "arctangent(" + value(made.args[0]) + ")";
     case Op::half_arcsecant:

@@ -46,12 +46,12 @@ public:
 private:
   std::string sum(const Node& node) const;
   std::string product(const Node& node) const;
-  std::optional<std::string> negative_difference(int number) const;
   std::string factor(int number) const;
   std::string exact(int number) const;
   const Node& node(int number) const;
   bool is_number_input(int number) const;
   bool is_of_pi(int number) const;
+  bool is_divisor(int number) const;
 
   const Program& program_;
   const std::vector<std::string>& number_inputs_;

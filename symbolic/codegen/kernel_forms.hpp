@@ -34,9 +34,6 @@ struct KernelForm {
   bool is_counted = false;
   // r_t is not negative, say these theorems, one a case: without turn, which is 1 or -1, it is the magnitude of the rest.
   std::vector<std::string> not_negative = {};
-  // Below alpha = 1 the second output is what the first and the third leave of the momentum, say these theorems, one a case: its own
-  // theorem serves from there on.
-  std::vector<std::string> momentum = {};
   // In lanes only, in a number type that has types of its own for the root, for a small angle and for results, which
   // it rounds.
   bool rounds_results = false;

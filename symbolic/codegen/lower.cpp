@@ -29,10 +29,7 @@ public:
 
   Program run() {
     for (const auto& [name, theorem] : source_.outputs) {
-      ex side = source_.left_sides ? theorem.lhs() : theorem.rhs();
-      if (name == source_.from_1)
-        side = side.subs(
-            GiNaC::lst{sin(GiNaC::wild()) == proof::symbol("cot_half"), cos(GiNaC::wild()) == 1});
+      const ex& side = source_.left_sides ? theorem.lhs() : theorem.rhs();
       if (!is_a<GiNaC::matrix>(side)) {
         program_.outputs.push_back({name, lowered(side), theorem.id()});
         continue;

@@ -21,8 +21,6 @@ struct Source {
   std::vector<std::string> units = {};   // symbols that are 1 in the units of the outputs: "V", "L"
   // A symbol that is 1 or -1. What has it as a factor is not negative: it is the magnitude of the rest.
   std::string sign = {};
-  // The output that is wanted from alpha = 1 on: its sine is cot_half, its cosine 1.
-  std::string from_1 = {};
   bool left_sides = false;  // the outputs are the theorems' left sides instead, of what is bound
 };
 

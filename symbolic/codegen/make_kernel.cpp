@@ -117,25 +117,13 @@ void require_root(const std::vector<Theorem>& bindings) {
         !named.rhs().is_equal(1 / sqrt(alpha * (2 + alpha))))
       throw std::logic_error(named.id() + " has another root than alpha (2 + alpha)");
 }
-
-// The second output is V - (the first) - alpha (the third), of which one theorem says so for each case.
-void require_momentum(const KernelForm& form, const std::vector<Theorem>& theorems) {
-  require_one_a_case(form, form.momentum, "of what is left of the momentum");
-  const auto cases = [&](std::size_t output) {
-    std::vector<ex> sides{theorem_named(theorems, form.outputs.at(output).second).lhs()};
-    for (const auto& [member, ids] : form.other_cases)
-      if (member == form.outputs[output].first)
-        for (const std::string& id : ids) sides.push_back(theorem_named(theorems, id).lhs());
-    return sides;
-  };
-  const auto first = cases(0), second = cases(1), third = cases(2);
-  for (std::size_t i = 0; i < second.size(); ++i) {
-    const Theorem& momentum = theorem_named(theorems, form.momentum.at(i));
-    const ex left = proof::symbol("V") - first.at(i) - proof::symbol("alpha") * third.at(i);
-    if (!momentum.lhs().is_equal(second[i]) || !(momentum.rhs() - left).expand().is_zero())
-      throw std::logic_error(momentum.id() + " does not say what is left for " +
-                             form.outputs[1].first);
-  }
+// A root of another kind is the tangent of half the arcsecant of 1 + alpha.
+void require_tangent(const std::vector<Theorem>& bindings) {
+  const ex alpha = proof::symbol("alpha");
+  const ex root = sqrt(GiNaC::wild());
+  for (const Theorem& named : bindings)
+    if (named.rhs().match(root) && !named.rhs().is_equal(sqrt(alpha / (2 + alpha))))
+      throw std::logic_error(named.id() + " has another root than alpha/(2 + alpha)");
 }
 
 // psi/4 is atan t by one theorem and asec(1 + alpha)/2 by the other.
@@ -173,11 +161,10 @@ Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems)
   require_small(form, theorems);
   require_not_negative(form, theorems);
   if (!form.not_negative.empty()) source.sign = "turn";
-  if (!form.momentum.empty()) {
-    require_momentum(form, theorems);
-    source.from_1 = form.outputs[1].first;
+  if (form.rounds_results) {
+    require_root(source.bindings);
+    require_tangent(source.bindings);
   }
-  if (form.rounds_results) require_root(source.bindings);
   if (form.arcsecant.empty()) return {form, for_kernel(lower(source))};
   require_arcsecant(source, theorem_named(theorems, form.arcsecant));
   return {form, for_kernel_with_arcsecant(lower(source))};

@@ -12,6 +12,7 @@
 #include "codegen/passes/shared_products.hpp"
 #include "codegen/passes/shared_reciprocals.hpp"
 #include "codegen/passes/strength_reduction.hpp"
+#include "codegen/passes/turned_differences.hpp"
 
 namespace magicmass::codegen {
 
@@ -30,8 +31,9 @@ Program in_plain_numbers(const Program& lowered) {
 namespace {
 
 Program in_number_types(const Program& prepared) {
-  return paired_sine_cosine(common_subexpressions(shared_products(common_subexpressions(
-      flat_products(flat_products(reciprocal_square_roots(secants_of_parts(prepared))))))));
+  return paired_sine_cosine(
+      turned_differences(common_subexpressions(shared_products(common_subexpressions(
+          flat_products(flat_products(reciprocal_square_roots(secants_of_parts(prepared)))))))));
 }
 
 }  // namespace

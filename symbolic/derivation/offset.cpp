@@ -59,15 +59,17 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
                      .indices = last_collisions});
 
   const ex S = sin(r), C = cos(r);
-  const ex mixed = symbol("sine_cosine"), squared = symbol("cosine_squared");
-  const Theorem product = kernel.definition({.id = "offset.sine_cosine",
-                                             .statement = {mixed, S * C},
-                                             .words = "half of the sine of twice the offset",
-                                             .indices = last_collisions});
-  const Theorem square = kernel.definition({.id = "offset.cosine_squared",
-                                            .statement = {squared, pow(C, 2)},
-                                            .words = "near 1, as the offset is small",
-                                            .indices = last_collisions});
+  // a_t, and the ball's part of the momentum: without a quotient, and the blocks' part is what it leaves.
+  const ex velocity_of_A = symbol("velocity_A"), momentum_of_C = symbol("momentum_C");
+  const Theorem of_A =
+      kernel.definition({.id = "offset.velocity_A",
+                         .statement = {velocity_of_A, V * (S - t * C) * (S + t * C)},
+                         .words = "from the sine and the cosine of the offset",
+                         .indices = last_collisions});
+  const Theorem of_C = kernel.definition({.id = "offset.momentum_C",
+                                          .statement = {momentum_of_C, 2 * V * t * C * (t * C - S)},
+                                          .words = "alpha times a velocity, as will be seen",
+                                          .indices = last_collisions});
   for (const Case& at_last :
        {Case{"after_Q", counting.equal, c_prime(N_B), terminal.not_before, terminal.A_reached},
         Case{"after_P", counting.one_more_above_half, c(N_A), terminal.reached,
@@ -80,20 +82,16 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
                         .statement = {element, form},
                         .words = "from the sine and the cosine of the offset",
                         .indices = last_collisions},
-                       {square, product, meaning, which, at_last.counts, closed});
+                       {of_A, of_C, meaning, which, at_last.counts, closed});
     };
     velocity("a", a_t, V * (S - t * C) * (S + t * C), power.a);
     velocity("b", b_t, 2 * C * (V_CM * C + V * t * S), power.b);
     velocity("b_product", b_t, 2 * V * (t * C) * (cotangent * C + S), power.b);
     const Theorem& of_c = at_last.name == "after_Q" ? power.c_prime : power.c;
     velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S), of_c);
-    velocity("a_sum", a_t, V * (pow(S, 2) - pow(t, 2) * squared), power.a);
-    velocity("c_sum", at_last.c_t, 2 * V * cotangent * (t * squared - mixed), of_c);
-    kernel.rewriting({.id = "offset.b_from_momentum_" + at_last.name,
-                      .statement = {b_t, V - a_t - alpha * at_last.c_t},
-                      .words = "what the others leave of the momentum",
-                      .indices = last_collisions},
-                     {which, at_last.counts, power.a, power.b, of_c});
+    velocity("a_by_name", a_t, velocity_of_A, power.a);
+    velocity("b_from_momentum", b_t, V - velocity_of_A - momentum_of_C, power.b);
+    velocity("c_quotient", at_last.c_t, momentum_of_C / alpha, of_c);
     const auto bound = [&](const std::string& name, const Statement& statement,
                            const Theorem& angles, const char* words) {
       kernel.ordering({.id = "offset." + name + "_" + at_last.name,

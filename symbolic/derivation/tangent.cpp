@@ -93,11 +93,28 @@ Tangent tangent(Kernel& kernel, const Rotation& rotation, const Power& power, co
     kernel.rewriting(
         {.id = id, .statement = {at_one.lhs(), form}, .words = "the same products without roots"},
         {at_one});
+    return at_one;
   };
-  first("tangent.first_a", power.a, V * (q - alpha * q) * (q + alpha * q));
-  first("tangent.first_b", power.b, 2 * V * (alpha * q) * (q + q));
+  const Theorem first_a = first("tangent.first_a", power.a, V * (q - alpha * q) * (q + alpha * q));
+  const Theorem first_b = first("tangent.first_b", power.b, 2 * V * (alpha * q) * (q + q));
   first("tangent.first_c", power.c, 2 * V * q * (q + alpha * q));
-  first("tangent.first_c_prime", power.c_prime, -2 * V * q * (q - alpha * q));
+  const Theorem first_c_prime =
+      first("tangent.first_c_prime", power.c_prime, -2 * V * q * (q - alpha * q));
+
+  // In cos(psi/2) = 1/(1 + alpha) alone.
+  const ex cosine = symbol("cos_half");
+  const Theorem share = kernel.definition({.id = "tangent.cos_half",
+                                           .statement = {cosine, q},
+                                           .words = "the cosine of a half of psi, by name"});
+  const auto of_cosine = [&](const char* id, const Theorem& at_one, const ex& form) {
+    kernel.rewriting(
+        {.id = id, .statement = {at_one.lhs(), form}, .words = "from that cosine alone"},
+        {share, at_one});
+  };
+  of_cosine("tangent.first_a_of_cosine", first_a, V * (2 * cosine - 1));
+  of_cosine("tangent.first_b_of_cosine", first_b,
+            2 * V * cosine + 2 * V * cosine * (1 - 2 * cosine));
+  of_cosine("tangent.first_c_prime_of_cosine", first_c_prime, 2 * V * cosine * (1 - 2 * cosine));
 
   const ex S_j = sin(j * psi / 2), C_j = cos(j * psi / 2), D = V_CM * S_j + V * t * C_j;
   const auto encounter = [&](const char* id, const ex& element, const ex& form,

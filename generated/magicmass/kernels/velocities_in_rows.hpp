@@ -40,7 +40,7 @@ struct VelocitiesInRowsKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number product = angle * (Real(2.0) * n);
+    const auto product = angle * (Real(2.0) * n);
     const auto turned = sine_cosine(product);
     sine = turned.sine;
     cosine = turned.cosine;

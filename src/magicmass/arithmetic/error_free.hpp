@@ -101,6 +101,24 @@ template <class T>
   return {product, product_error(x, y, product)};
 }
 
+/// z + x y and z - x y for a product that is a double: fused or not, the same bits.
+template <class T>
+[[gnu::always_inline]] inline T plus_exact(T z, T x, T y) {
+#ifdef __FMA__
+  return fused_sum(x, y, z);
+#else
+  return z + x * y;
+#endif
+}
+template <class T>
+[[gnu::always_inline]] inline T less_exact(T z, T x, T y) {
+#ifdef __FMA__
+  return fused_remainder(z, x, y);
+#else
+  return z - x * y;
+#endif
+}
+
 /// 1 - x y rounded once, where |x y - 1| <= 2^-20: 1 less the rounded product is exact (Sterbenz).
 template <class T>
 [[gnu::always_inline]] inline T one_minus_product(T x, T y) {

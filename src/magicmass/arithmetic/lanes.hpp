@@ -108,6 +108,17 @@ template <int N>
                                                    (Bits{} - (std::int64_t{1} << 41U)));
 }
 
+/// x with all but its leading 5 bits cleared.
+[[gnu::always_inline]] inline double leading_five(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 48U));
+}
+template <int N>
+[[gnu::always_inline]] inline Lanes<N> leading_five(Lanes<N> x) {
+  using Bits = typename Lanes<N>::Mask;
+  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
+                                                   (Bits{} - (std::int64_t{1} << 48U)));
+}
+
 /// x with its last 27 bits cleared: 26 are left.
 [[gnu::always_inline]] inline double leading_half(double x) {
   return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 27U));

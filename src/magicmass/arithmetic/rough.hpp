@@ -4,6 +4,7 @@
 #pragma once
 
 #include "magicmass/arithmetic/error_free.hpp"
+#include "magicmass/arithmetic/share_estimate.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
@@ -13,17 +14,10 @@ template <class T>
 struct Rounded {
   T value;
 
-  friend Rounded operator-(Rounded x) { return {-x.value}; }
+  friend Rounded operator+(Rounded x, T y) { return {x.value + y}; }
+  friend Rounded operator/(Rounded x, T y) { return {x.value / y}; }
   friend Rounded scaled(Rounded x, double power_of_two) { return {x.value * T(power_of_two)}; }
   friend T rounded(Rounded x) { return x.value; }
-  template <class Condition>
-  friend Rounded select(Condition condition, Rounded yes, Rounded no) {
-    return {select(condition, yes.value, no.value)};
-  }
-  /// 1 - x - factor y. What is taken off 1 is added up first: where it is small, so is what its roundings do.
-  friend Rounded rest_of_one(Rounded x, T factor, Rounded y) {
-    return {T(1.0) - (x.value + factor * y.value)};
-  }
 };
 
 /// high + low, a product. Sums are rounded twice: that of the highs, and the whole.
@@ -32,6 +26,9 @@ struct Wide {
   T high;
   T low;
 
+  operator Rounded<T>() const { return {high + low}; }
+  friend Rounded<T> operator-(Wide x) { return {-(x.high + x.low)}; }
+  friend Rounded<T> operator-(Wide x, Rounded<T> y) { return {(x.high + x.low) - y.value}; }
   friend Rounded<T> operator+(Wide x, Wide y) { return {(x.high + y.high) + (x.low + y.low)}; }
   friend Rounded<T> operator-(Wide x, Wide y) { return {(x.high - y.high) + (x.low - y.low)}; }
   friend Rounded<T> scaled(Wide x, double power_of_two) {
@@ -47,21 +44,6 @@ struct Wide {
 template <class T>
 struct NearOne {
   T below;
-
-  NearOne() = default;
-  explicit NearOne(T exact) : below(T(1.0) - exact) {}
-
-  friend NearOne squared(NearOne x) {
-    NearOne square;
-    square.below = x.below * (T(2.0) - x.below);
-    return square;
-  }
-  template <class Condition>
-  friend NearOne select(Condition condition, NearOne yes, NearOne no) {
-    NearOne chosen;
-    chosen.below = select(condition, yes.below, no.below);
-    return chosen;
-  }
 };
 
 /// lead + rest, where lead has 26 bits at most: products of two leads are exact without fused operations. What rounds is the
@@ -77,23 +59,32 @@ struct Cut {
   friend Wide<T> operator*(Cut x, Cut y) {
     return {x.lead * y.lead, x.rest * y.lead + (x.lead + x.rest) * y.rest};
   }
-  friend Wide<T> squared(Cut x) { return {x.lead * x.lead, x.rest * (x.lead + (x.lead + x.rest))}; }
   friend Cut operator*(Cut x, NearOne<T> y) {
     return {x.lead, x.rest - (x.lead + x.rest) * y.below};
   }
-  friend Cut operator*(NearOne<T> x, Cut y) { return y * x; }
+  operator Rounded<T>() const { return {lead + rest}; }
+  friend Rounded<T> operator+(Cut x, Wide<T> y) { return {(x.lead + y.high) + (x.rest + y.low)}; }
+  friend Cut operator-(T x, Cut y) { return {x - y.lead, -y.rest}; }
+  friend Cut operator-(Cut x) { return {-x.lead, -x.rest}; }
+  friend Cut scaled(Cut x, double power_of_two) {
+    return {x.lead * T(power_of_two), x.rest * T(power_of_two)};
+  }
   /// Leads subtract exactly where they are within a factor of 2^26. That one has 26 bits and one for each halving from the larger to
   /// the smaller: times 24 bits it is exact down to an eighth, and rounded once below.
   friend Cut operator-(Cut x, Cut y) { return {x.lead - y.lead, x.rest - y.rest}; }
-  template <class Condition>
-  friend Cut select(Condition condition, Cut yes, Cut no) {
-    return {select(condition, yes.lead, no.lead), select(condition, yes.rest, no.rest)};
-  }
+  friend Cut operator+(Cut x, Cut y) { return {x.lead + y.lead, x.rest + y.rest}; }
 };
 
 /// pi - x, exactly but for a rounding of the low, and not added up.
 template <class T>
 struct FromPi {
+  T high;
+  T low;
+};
+
+/// |high + low|: of its sign only a sine wants to know, in the end.
+template <class T>
+struct Magnitude {
   T high;
   T low;
 };
@@ -142,6 +133,24 @@ struct Rough {
   };
   static Pi pi() { return {1.0}; }
 
+  static Rough sum(T x, T y) {
+    const Sum<T> s = two_sum(x, y);
+    return {s.high, s.low};
+  }
+  /// sqrt(x/(2 + x)) for 2^-120 <= x < 1, within 2^-59 of itself; its lead has 24 bits, its rest is at most 2^-22 of it.
+  static Cut<T> half_arcsecant_tangent(T x) {
+    // With t the estimate and e = 1 - t^2 (2 + x)/x, at most 2^-21.6, the root is t/sqrt(1 - e) = t (1 + e/2 + 3/8 e^2), less than
+    // 2^-66 left out. t^2 has 48 bits: x - 2 t^2 is exact (Sterbenz), and so is t^2 times the leading 5 bits of x; the rest of x, at most
+    // 2^-4 of it, times t^2 is rounded once, 2^-57 x t^2, of which the root has 2^-58 t^2, t^2 <= 1/3. The reciprocal is off by as
+    // much as a float, which its error h mends: e/2 is half (1 + 2 h) within 2^-66, too.
+    const ShareEstimate<T> estimate = share_estimate(x);
+    const T t = estimate.root, square = t * t, lead = leading_five(x);
+    const T rest = less_exact(less_exact(x, T(2.0), square), lead, square) - (x - lead) * square;
+    const T half = rest * estimate.half_reciprocal;
+    const T h = T(0.5) - x * estimate.half_reciprocal;
+    const T first = t * half;
+    return {t, first + first * ((h + h) + T(1.5) * half)};
+  }
   /// (2 + alpha) alpha, or (1 + alpha)^2 where `is_beyond`, which is from alpha = 1 on: within 2^-100.
   template <class Condition>
   static Rough root_argument(T alpha, Condition is_beyond) {
@@ -181,11 +190,9 @@ template <class T>
   return {product, product_error_by_whole(x.high, y, product) + x.low * y};
 }
 
-/// Added up, without error even where the low is the larger: the high is a multiple of 2^-53.
 template <class T>
-[[gnu::always_inline]] inline Rough<T> magnitude(FromPi<T> x) {
-  const Sum<T> sum = ordered_sum(x.high, x.low);
-  return {magnitude(sum.high), times_sign_of(sum.low, sum.high)};
+[[gnu::always_inline]] inline Magnitude<T> magnitude(FromPi<T> x) {
+  return {x.high, x.low};
 }
 
 /// As of two Roughs, added up no more than its factors.

@@ -19,6 +19,14 @@ template <class T>
   return {y, y * (e * (T(0.5) + T(0.375) * e))};
 }
 
+/// 1/w within 2^-66, for w from 2^-120 to 2^121; its lead has 24 bits, its rest is at most 2^-22 of it.
+template <class T>
+[[gnu::always_inline]] inline Cut<T> reciprocal(Rough<T> w) {
+  const T y = reciprocal_estimate(w.high);
+  const T e = one_minus_product_by_short(w.high, y) - w.low * y;
+  return {y, y * (e + e * e)};
+}
+
 /// atan t for 0 <= t <= 0.577, within 0.35 2^-53 of itself and what the error of t makes of it; its low part may be 2^-6 of it.
 /// |t.low| <= 2^-53 |t|.
 template <class T>
@@ -34,6 +42,20 @@ template <class T>
       one_chain(rough_arctangent_numerator, z) / one_chain(rough_arctangent_denominator, z);
   const T rest = t.low * (T(1.0) - T(0.75) * z) - cube * quotient;
   return {head.high, head.low + rest};
+}
+
+/// The same of a tangent cut in two, added up: within 0.4 2^-53, its low part at most 2^-52 of it.
+template <class T>
+[[gnu::always_inline]] inline Angle<T> arctangent(Cut<T> tangent) {
+  // As above, but that t^3/4 and t^3 p/q are added up first, at most 2^-4 of the whole in a binade of 2^-5, and what is rounded there
+  // is 0.06 of 2^-53 more.
+  const Rough<T> t = Rough<T>::in_order(tangent.lead, tangent.rest);
+  const T z = t.high * t.high;
+  const T cube = t.high * z;
+  const T quotient =
+      one_chain(rough_arctangent_numerator, z) / one_chain(rough_arctangent_denominator, z);
+  const Sum<T> angle = ordered_difference(t.high, plus_exact(cube * quotient, T(0.25), cube));
+  return {angle.high, angle.low + t.low * (T(1.0) - T(0.75) * z)};
 }
 
 /// sin x and cos x for 0 <= x <= 2.35, each within 0.5 2^-53 of itself or 2^-57, and what the error of x makes of them, for
@@ -63,19 +85,22 @@ struct SmallSineCosine {
   NearOne<T> cosine;
 };
 
-/// sin x within 0.3 2^-53 of itself and 1 - cos x within 0.35 2^-53, and what the error of x makes of them, for |x| <= pi/6 +
-/// 2^-20, |x.low| <= 2^-53 |x|.
+/// sin |x| within 0.3 2^-53 of itself and 1 - cos x within 0.35 2^-53, and what the error of x makes of them, for |x| <= pi/6 +
+/// 2^-20, |x.low| <= 2^-51; the low may be the larger where both are next to 0.
 template <class T>
-[[gnu::always_inline]] inline SmallSineCosine<T> small_sine_cosine(Rough<T> x) {
-  // x^3 p(z), z = x^2 <= 0.275, is at most 0.048 of the sine and rounded five times; x.low has the factor 1 instead of the cosine, 0.14 off.
-  // z/2 is rounded by 2^-56, and the difference, at most 0.134, by as much; what is subtracted is below 0.004 of 1.
+[[gnu::always_inline]] inline SmallSineCosine<T> small_sine_cosine(Magnitude<T> x) {
+  // x^3 p(z), z = x^2 <= 0.275, is at most 0.048 of the sine and rounded five times; x.low has the factor 1 - z/2 instead of the
+  // cosine, 0.004 off. z/2 is rounded by 2^-56, and the difference, at most 0.134, by as much; what is subtracted is below 0.004 of 1.
   const T z = x.high * x.high;
+  const T half = T(0.5) * z;
   const T lead = leading_half(x.high);
   const T cubic = (x.high * z) * two_chains(small_sine_coefficients, z);
+  const T rest = (x.high - lead) + ((x.low - x.low * half) + cubic);
+  const T of_sign = x.high + x.low;
   SmallSineCosine<T> turned;
-  turned.sine = {lead, (x.high - lead) + (x.low + cubic)};
+  turned.sine = {times_sign_of(lead, of_sign), times_sign_of(rest, of_sign)};
   turned.cosine.below =
-      T(0.5) * z + (x.high * x.low - (z * z) * two_chains(small_cosine_coefficients, z));
+      half + (x.high * x.low - (z * z) * two_chains(small_cosine_coefficients, z));
   return turned;
 }
 

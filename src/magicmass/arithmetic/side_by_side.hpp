@@ -3,6 +3,7 @@
 
 #include "magicmass/arithmetic/fused.hpp"
 #include "magicmass/arithmetic/lanes.hpp"
+#include "magicmass/arithmetic/share_estimate.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
@@ -60,10 +61,16 @@ struct SideBySide {
   friend SideBySide leading_half(SideBySide x) {
     return {leading_half(x.first), leading_half(x.second)};
   }
+  friend SideBySide leading_five(SideBySide x) {
+    return {leading_five(x.first), leading_five(x.second)};
+  }
   friend SideBySide reciprocal_square_root_estimate(SideBySide x) {
     return {reciprocal_square_root_estimate(x.first), reciprocal_square_root_estimate(x.second)};
   }
 #ifdef __FMA__
+  friend SideBySide fused_sum(SideBySide x, SideBySide y, SideBySide z) {
+    return {fused_sum(x.first, y.first, z.first), fused_sum(x.second, y.second, z.second)};
+  }
   friend SideBySide fused_difference(SideBySide x, SideBySide y, SideBySide z) {
     return {fused_difference(x.first, y.first, z.first),
             fused_difference(x.second, y.second, z.second)};
@@ -78,6 +85,12 @@ struct SideBySide {
     store(x.second, to + lane_count<T>);
   }
 };
+
+template <class T>
+[[gnu::always_inline]] inline ShareEstimate<SideBySide<T>> share_estimate(SideBySide<T> x) {
+  const ShareEstimate<T> first = share_estimate(x.first), second = share_estimate(x.second);
+  return {{first.root, second.root}, {first.half_reciprocal, second.half_reciprocal}};
+}
 
 template <class T>
 inline constexpr int lane_count<SideBySide<T>> = 2 * lane_count<T>;

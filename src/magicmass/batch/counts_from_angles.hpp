@@ -2,6 +2,7 @@
 // Exact counts where a kernel has the angle anyway: h = psi/2 of cos h = 1/(1+alpha) is not computed for them.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -27,11 +28,18 @@ template <class Angles, class... Turns>
   // From alpha = 1 on there is one cycle, and it ends with a Q, as with this h/2.
   constexpr double of_two = 0.7;
   constexpr double shift = 0x1.8p52;
+  const auto quotient = [&](std::size_t i) {
+    const Row quarter_psi = select(arithmetic::load<Row>(alpha + i) >= Row(1.0), Row(of_two),
+                                   angles.template rounded<Row>(i));
+    return Row(quarter_pi) / quarter_psi;
+  };
   RowBits open{};
+  Row next = quotient(0);
   for (std::size_t i = 0; i < rows; i += arithmetic::widest) {
     const Row ratio = arithmetic::load<Row>(alpha + i);
-    const Row quarter_psi = select(ratio >= Row(1.0), Row(of_two), angles.template rounded<Row>(i));
-    const Row q = Row(quarter_pi) / quarter_psi;
+    // while the next is divided, this one is looked at
+    const Row q = next;
+    next = quotient(std::min(i + arithmetic::widest, rows - arithmetic::widest));
     const Row shifted = q + Row(shift);
     const Row nearest = shifted - Row(shift);
     const Row past = q - nearest;

@@ -3,6 +3,7 @@
 // where it is not or where a rounding stays open.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -11,6 +12,7 @@
 #include "magicmass/batch/counts_from_angles.hpp"
 #include "magicmass/batch/one_by_one.hpp"
 #include "magicmass/batch/open_rows.hpp"
+#include "magicmass/batch/terminal_from_one.hpp"
 #include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/terminal_in_rows.hpp"
 
@@ -25,6 +27,17 @@ void to_doubles(std::size_t rows, const std::int64_t* N_A, const std::int64_t* N
     cycles[i] = static_cast<double>(N_A[i]);
     ((turns[i] = N_A[i] == N_B[i] ? 1.0 : -1.0), ...);
   }
+}
+
+/// One cycle in each row. False if a row is out of the kernels' domain.
+inline bool count_from_one(std::size_t rows, const double* alpha, std::int64_t* N_A,
+                           std::int64_t* N_B) {
+  RowBits outside{};
+  for (std::size_t i = 0; i < rows; i += arithmetic::widest)
+    outside |= out_of_domain(load_bits(alpha + i));
+  std::fill_n(N_A, rows, 1);
+  std::fill_n(N_B, rows, 1);
+  return !has_negative(outside);
 }
 
 template <class Number>
@@ -42,11 +55,17 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
           to_doubles(rows, of_N_A, of_N_B, cycles, turns...);
         };
         arithmetic::Certainty<Number> certain;
-        if constexpr (rounds_results<Number>)
-          generated::terminal_in_rows_block<Number>(rows, of_alpha, count, of_a, of_b, of_c);
-        else
+        if constexpr (rounds_results<Number>) {
+          const RowsFromOne from_one(rows, of_alpha);
+          if (from_one.count() == rows)
+            is_decided = count_from_one(rows, of_alpha, of_N_A, of_N_B);
+          else
+            generated::terminal_in_rows_block<Number>(rows, of_alpha, count, of_a, of_b, of_c);
+          from_one.write(of_a, of_b, of_c);
+        } else {
           generated::terminal_block<Number>(rows, of_alpha, count, of_a, of_b, of_c, nullptr,
                                             certain);
+        }
         if (is_decided && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i) {
           if (is_in_domain(of_alpha[i]) && !is_open(certain, i)) continue;

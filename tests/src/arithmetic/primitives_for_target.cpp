@@ -4,13 +4,13 @@
 
 #include "arithmetic/primitive_numbers.hpp"
 #include "arithmetic/primitives.hpp"
+#include "arithmetic/rough_primitives.hpp"
 #include "magicmass/arithmetic/arctangent.hpp"
 #include "magicmass/arithmetic/error_free.hpp"
 #include "magicmass/arithmetic/estrin.hpp"
 #include "magicmass/arithmetic/lanes.hpp"
 #include "magicmass/arithmetic/product.hpp"
 #include "magicmass/arithmetic/rooted.hpp"
-#include "magicmass/arithmetic/rough_functions.hpp"
 #include "magicmass/arithmetic/secant.hpp"
 #include "magicmass/arithmetic/sine_cosine.hpp"
 
@@ -140,67 +140,26 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
     of<1, 1>("leading_half", [](const auto* x, auto* y) { put(leading_half(x[0]), y); }),
     of<4, 2>("rough_product", [](const auto* x, auto* y) { put(rough(x) * rough(x + 2), y); }),
     of<3, 2>("rough_times_number", [](const auto* x, auto* y) { put(rough(x) * x[2], y); }),
-    of<3, 2>("angle_times_whole",
-             [](const auto* x, auto* y) {
-               const auto given = rough(x);
-               put(Angle<typename decltype(rough(x))::Real>{given.high, given.low} * x[2], y);
-             }),
-    of<2, 2>("rough_from_pi",
-             [](const auto* x, auto* y) {
-               put(magnitude(scaled(decltype(rough(x))::pi(), 0.5) - rough(x)), y);
-             }),
+    of<3, 2>("angle_times_whole", angle_times_whole),
+    of<2, 2>("rough_from_pi", rough_from_pi),
     of<4, 2>("cut_product",
              [](const auto* x, auto* y) { put(parts(rough(x)) * parts(rough(x + 2)), y); }),
-    of<2, 4>("rough_squares",
+    of<2, 2>("rough_square", rough_square),
+    of<3, 3>("rounded_rest", rounded_rest),
+    of<4, 4>("cut_sums", cut_sums),
+    of<4, 4>("cut_difference",
              [](const auto* x, auto* y) {
-               put(squared(rough(x)), y);
-               put(squared(parts(rough(x))), y + 2);
+               put(parts(rough(x)) - parts(rough(x + 2)), y);
+               put(parts(rough(x)) + parts(rough(x + 2)), y + 2);
              }),
-    of<4, 2>("rest_of_one",
-             [](const auto* x, auto* y) {
-               using T = std::remove_cvref_t<decltype(x[0])>;
-               const Rounded<T> one{x[0]}, other{x[1]};
-               y[0] = rounded(rest_of_one(one, x[2], other));
-               y[1] = rounded(select(x[2] > x[3], one, other));
-             }),
-    of<4, 2>("cut_difference",
-             [](const auto* x, auto* y) { put(parts(rough(x)) - parts(rough(x + 2)), y); }),
     of<3, 2>("cut_times_number", [](const auto* x, auto* y) { put(parts(rough(x)) * x[2], y); }),
-    of<3, 3>("cut_times_near_one",
-             [](const auto* x, auto* y) {
-               const auto square = squared(near_one(x[2]));
-               put(parts(rough(x)) * square, y);
-               y[2] = square.below;
-             }),
-    of<4, 2>("wide_sums",
-             [](const auto* x, auto* y) {
-               using T = std::remove_cvref_t<decltype(x[0])>;
-               const Wide<T> one{x[0], x[1]}, other{x[2], x[3]};
-               y[0] = rounded(scaled(one + other, -2.0));
-               y[1] = rounded(one - other);
-             }),
-    of<1, 4>("rough_root",
-             [](const auto* x, auto* y) {
-               using Number = decltype(rough(x));
-               const auto square = Number::root_argument(x[0], x[0] >= typename Number::Real(1.0));
-               put(square, y);
-               put(reciprocal_square_root(square), y + 2);
-             }),
-    of<2, 2>("rough_arctangent",
-             [](const auto* x, auto* y) {
-               const auto angle = arctangent(rough(x));
-               y[0] = angle.high;
-               y[1] = angle.low;
-             }),
-    of<2, 7>("rough_sine_cosine",
-             [](const auto* x, auto* y) {
-               const auto both = sine_cosine(rough(x));
-               put(both.sine, y);
-               put(both.cosine, y + 2);
-               const auto small = small_sine_cosine(rough(x));
-               put(small.sine, y + 4);
-               y[6] = small.cosine.below;
-             }),
+    of<3, 2>("cut_times_near_one", cut_times_near_one),
+    of<4, 2>("wide_sums", wide_sums),
+    of<1, 4>("rough_root", rough_root),
+    of<1, 4>("rough_reciprocal", rough_reciprocal),
+    of<1, 4>("rough_tangent", rough_tangent),
+    of<2, 2>("rough_arctangent", rough_arctangent),
+    of<2, 7>("rough_sine_cosine", rough_sine_cosine),
 
     of<6, 3>("tracked_sum", [](const auto* x, auto* y) { put(tracked(x) + tracked(x + 3), y); }),
     of<6, 3>("tracked_difference",

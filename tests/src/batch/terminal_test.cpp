@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Batches of terminal velocities on every instruction set of this machine: the same bits, and in tier accurate those of one
 // input; counts always.
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -123,6 +124,53 @@ TEST_CASE("accurate batches of terminal velocities are those of one input, the s
   require_those_of_one(testing::log_uniform(122, 2'000, 1e-26, 1.0));
   require_those_of_one(testing::log_uniform(123, 500, 1e-320, 1e308));
   require_those_of_one(mixed(124, 3'000));
+}
+
+TEST_CASE("blocks of two collisions each, some out of the kernels' domain", "[check]") {
+  std::vector<double> alpha = testing::log_uniform(126, 2'000, 1.0, 0x1p60);
+  require_those_of_one(alpha);
+  for (std::size_t i = 0; i < alpha.size(); i += 331) alpha[i] = 1e300;
+  require_those_of_one(alpha);
+  for (std::size_t i = 0; i < alpha.size(); i += 200) alpha[i] = 0.5;  // one that has more
+  require_those_of_one(alpha);
+}
+
+TEST_CASE("a_t and c_t of fast arrays are within 3.5 envelopes up to alpha = 1, where both vanish",
+          "[check]") {
+  constexpr std::size_t size = 200'000;
+  for (const double least : {0.05, 0.9, 0.99}) {
+    const std::vector<double> alpha = testing::log_uniform(127, size, least, 1 - 0x1p-12);
+    const auto moved = [&](double factor) {
+      std::vector<double> all = alpha;
+      for (double& x : all) x *= factor;
+      return all;
+    };
+    // conditions from differences, of inputs with the same counts
+    const std::vector<double> below = moved(1 - 0x1p-18), above = moved(1 + 0x1p-18);
+    const auto of = [](Run run, std::span<const double> x) {
+      return rows(run, x, InstructionSet::baseline);
+    };
+    const Rows got = of(fast::terminal, alpha), nearest = of(accurate::terminal, alpha);
+    const Rows less = of(accurate::terminal, below), more = of(accurate::terminal, above);
+    double worst = 0.0;
+    const auto require_within = [&](double x, double y, double low, double high) {
+      const double ulp = std::nextafter(std::fabs(y), HUGE_VAL) - std::fabs(y);
+      const double condition = std::fabs((high - low) / y) * 0x1p17;
+      const double envelope = std::max(0.5, condition / 2) * ulp;
+      worst = std::max(worst, (std::fabs(x - y) - 0.5 * ulp) / envelope);
+    };
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      if (less.N_A[i] != more.N_A[i] || less.N_B[i] != more.N_B[i]) continue;
+      ++compared;
+      require_within(got.a[i], nearest.a[i], less.a[i], more.a[i]);
+      require_within(got.c[i], nearest.c[i], less.c[i], more.c[i]);
+    }
+    INFO(least << ": " << worst << " envelopes in " << compared);
+    CHECK(compared > size * 9 / 10);
+    CHECK(worst < 3.5);
+    CHECK(worst > 1.0);
+  }
 }
 
 TEST_CASE("terminal velocities next to thresholds are those of one input", "[check]") {

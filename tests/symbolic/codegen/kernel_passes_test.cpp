@@ -16,6 +16,7 @@
 #include "codegen/passes/reciprocal_square_roots.hpp"
 #include "codegen/passes/secants_of_parts.hpp"
 #include "codegen/passes/shared_products.hpp"
+#include "codegen/passes/turned_differences.hpp"
 
 using namespace magicmass::codegen;
 using cln::cl_RA;
@@ -92,7 +93,7 @@ Program random_program(std::mt19937_64& generator) {
   std::vector<int> known{build.input("x"), build.input("y"), build.input("z")};
   const auto pick = [&] { return known[generator() % known.size()]; };
   for (int i = 0; i < 14; ++i) {
-    const auto kind = generator() % 8;
+    const auto kind = generator() % 9;
     if (kind == 0)
       known.push_back(build.constant(static_cast<std::int64_t>(generator() % 9) - 4,
                                      static_cast<std::int64_t>(generator() % 3) + 1));
@@ -102,6 +103,8 @@ Program random_program(std::mt19937_64& generator) {
       known.push_back(build.make(Op::reciprocal, {build.make(Op::square_root, {pick()})}));
     else if (kind == 3)
       known.push_back(build.make(Op::multiply, {pick(), pick(), pick(), build.constant(2)}));
+    else if (kind == 4)
+      known.push_back(build.make(Op::negate, {pick()}));
     else
       known.push_back(build.make(Op::multiply, {pick(), pick()}));
   }
@@ -197,7 +200,7 @@ TEST_CASE("a product of some of another's factors is computed once", "[exam]") {
 
 TEST_CASE("kernel passes keep every value of random programs and what they promise", "[check]") {
   std::mt19937_64 generator(131);
-  int nested = 0, loose = 0, fewer = 0;
+  int nested = 0, loose = 0, fewer = 0, turned_round = 0;
   for (int i = 0; i < 2000; ++i) {
     const Program program = random_program(generator);
     std::vector<cl_RA> before;
@@ -222,10 +225,36 @@ TEST_CASE("kernel passes keep every value of random programs and what they promi
     REQUIRE(values(shared) == before);
     REQUIRE(operation_counts(shared).multiplications <= operation_counts(unshared).multiplications);
     fewer += operation_counts(shared).multiplications < operation_counts(unshared).multiplications;
+    const Program turned = turned_differences(shared);
+    REQUIRE(values(turned) == before);
+    REQUIRE(operation_counts(turned).additions == operation_counts(shared).additions);
+    turned_round += count(turned, Op::negate) < count(shared, Op::negate) ? 1 : 0;
   }
   CHECK(nested > 300);
   CHECK(loose > 300);
   CHECK(fewer > 20);
+  CHECK(turned_round > 20);
+}
+
+TEST_CASE("a difference that is only wanted with a minus is turned round", "[exam]") {
+  const auto after = [](bool is_product, bool has_other_use, bool is_twice_negative) {
+    Builder b;
+    const int difference = b.make(Op::add, {b.input("x"), b.make(Op::negate, {b.input("y")})});
+    int minus = b.make(
+        Op::negate, {is_product ? b.make(Op::multiply, {b.input("z"), difference}) : difference});
+    b.program.nodes[static_cast<std::size_t>(minus)].name = "minus";
+    if (is_twice_negative) minus = b.make(Op::negate, {minus});
+    b.output("f", minus);
+    if (has_other_use) b.output("g", difference);
+    const Program program = turned_differences(b.program);
+    const auto made = static_cast<std::size_t>(program.outputs[0].node);
+    return shown(program) + (program.nodes[made].name == "minus" ? ", minus" : "");
+  };
+  CHECK(after(false, false, false) == "y - x, minus");
+  CHECK(after(true, false, false) == "z*(y - x), minus");
+  CHECK(after(false, true, false) == "-(x - y), minus");
+  CHECK(after(false, false, true) == "-minus");  // by its name
+  CHECK(after(false, true, true) == "x - y");
 }
 
 TEST_CASE("1/cos(pi/m) - 1 is one operation, and nothing like it is", "[exam]") {

@@ -25,7 +25,7 @@ KernelForm form(const std::string& name) {
 
 bool turns_by_an_angle_of_alpha(const KernelForm& one) {
   return std::any_of(one.bindings.begin(), one.bindings.end(), [](const std::string& id) {
-    return id == "tangent.root" || id == "transmission.root_h";
+    return id == "tangent.root" || id == "tangent.tan_quarter" || id == "transmission.root_h";
   });
 }
 
@@ -100,15 +100,25 @@ TEST_CASE("a kernel that rounds its results names no number type for them", "[ex
   const std::string last = emit_kernel(make_kernel(form("terminal_in_rows"), theorems()));
   INFO(last);
   CHECK(times(last, " small_sine_cosine(r_t)") == 1);
-  CHECK(times(last, "const auto tan_quarter_parts = parts(tan_quarter);") == 1);
+  CHECK(times(last, "typename Number::Root tan_quarter;") == 1);
+  CHECK(times(last, "tan_quarter = Number::half_arcsecant_tangent(alpha);") == 1);
   CHECK(times(last, "typename Number::SmallSine sine;") == 1);
-  CHECK(times(last, "const auto a_t = squared(sine) - tan_quarter_parts * product;") == 1);
-  CHECK(times(last, "rest_of_one(a_t, alpha, c_t)") == 1);
-  CHECK(times(last, "b_t below alpha = 1: offset.b_from_momentum_after_Q.") == 1);
+  CHECK(times(last, "const auto product_2 = (sine + product) * sum;") == 1);
+  CHECK(times(last, ".b_t = product_2 - momentum_C + Real(1.0),") == 1);
+  CHECK(times(last, ".c_t = momentum_C / alpha,") == 1);
   // the sign of the last turn is known, and the counts come from the angle
-  CHECK(times(last, "const Number r_t = magnitude(scaled(Number::pi(), 0.5) - angle * ") == 1);
+  CHECK(times(last, "const auto r_t = magnitude(scaled(Number::pi(), 0.5) - angle * ") == 1);
   CHECK(times(last, "turn;") == 0);
   CHECK(times(last, "  count(angles, N_A.data());") == 1);
+}
+
+TEST_CASE("the velocities after two collisions need one quotient", "[exam][shared]") {
+  const std::string text = emit_kernel(make_kernel(form("terminal_from_one"), theorems()));
+  INFO(text);
+  CHECK(times(text, "scaled(reciprocal(Number::sum(Real(1.0), alpha)), 2.0);") == 1);
+  CHECK(times(text, "const auto sum = Real(1.0) - product;") == 1);
+  CHECK(times(text, "stage_1") == 0);
+  CHECK(times(text, "is_beyond") == 0);
 }
 
 TEST_CASE("outputs that are products are handed out unevaluated", "[exam]") {

@@ -61,11 +61,8 @@ TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam][shared]"
   form.small_angle.pop_back();
   refused(form, "terminal_in_rows has not one theorem a case of a small r_t");
   form = form_named("terminal_in_rows");
-  form.momentum.pop_back();
-  refused(form, "terminal_in_rows has not one theorem a case of what is left of the momentum");
-  form = form_named("terminal_in_rows");
-  std::swap(form.momentum[0], form.momentum[1]);
-  refused(form, "offset.b_from_momentum_after_P does not say what is left for b_t");
+  form.bindings.push_back("wedge.g");
+  refused(form, "wedge.g has another root than alpha/(2 + alpha)");
 
   form = form_named("velocities");
   form.arcsecant = "rotation.psi_half_angle";
