@@ -171,20 +171,12 @@ std::string KernelPrinter::sum(const Node& made) const {
     else if (node(argument).op != Op::negate)
       add(argument);
   }
-  std::vector<int> negatives;
   for (const int argument : made.args)
-    if (node(argument).op == Op::negate && !is_exact(node(argument).args[0])) {
-      negatives.push_back(node(argument).args[0]);
-      add(argument);
-    }
-  // 1 - (x + y), of which nothing is negated
-  const bool is_rest = exacts.size() == 1 && negatives.size() + 1 == made.args.size();
-  if (is_rest && are_doubles_first_ && node(exacts[0]).op != Op::negate) {
-    std::string taken;
-    for (const int of : negatives) taken += (taken.empty() ? "" : " + ") + value(of);
-    return exact(exacts[0]) + " - " +
-           (negatives.size() > 1 ? "(" + taken + ")" : factor(negatives[0]));
-  }
+    if (node(argument).op == Op::negate && !is_exact(node(argument).args[0])) add(argument);
+  // 1 - x, of which nothing is negated
+  if (are_doubles_first_ && made.args.size() == 2 && exacts.size() == 1 && text.starts_with('-') &&
+      node(exacts[0]).op != Op::negate)
+    return exact(exacts[0]) + " - " + text.substr(1);
   const auto exact_term = [&](int number) {
     return node(number).op == Op::negate ? "-" + exact(node(number).args[0]) : exact(number);
   };
@@ -281,8 +273,6 @@ std::string KernelPrinter::right_side(int number) const {
       return factor(made.args[0]) + " / " + factor(made.args[1]);
     case Op::reciprocal_square_root:
       return "reciprocal_square_root(" + value(made.args[0]) + ")";
-    case Op::square_root:  // the one there is, of alpha/(2 + alpha)
-      return "Number::half_arcsecant_tangent(alpha)";
     case Op::arctangent:
       return "arctangent(" + value(made.args[0]) + ")";
     case Op::half_arcsecant:
@@ -292,6 +282,10 @@ std::string KernelPrinter::right_side(int number) const {
       return "sine_cosine(" + value(made.args[0]) + ")";
     case Op::secant_less_one:
       return "secant_less_one(" + value(made.args[0]) + ")";
+    case Op::square_root:
+      if (formula(program_, number) == "sqrt(alpha*(1/(2 + alpha)))")
+        return "Number::half_arcsecant_tangent(alpha)";
+      [[fallthrough]];
     default:
       throw std::logic_error("a kernel has no such operation: " + formula(program_, number));
   }

@@ -117,14 +117,6 @@ void require_root(const std::vector<Theorem>& bindings) {
         !named.rhs().is_equal(1 / sqrt(alpha * (2 + alpha))))
       throw std::logic_error(named.id() + " has another root than alpha (2 + alpha)");
 }
-// A root of another kind is the tangent of half the arcsecant of 1 + alpha.
-void require_tangent(const std::vector<Theorem>& bindings) {
-  const ex alpha = proof::symbol("alpha");
-  const ex root = sqrt(GiNaC::wild());
-  for (const Theorem& named : bindings)
-    if (named.rhs().match(root) && !named.rhs().is_equal(sqrt(alpha / (2 + alpha))))
-      throw std::logic_error(named.id() + " has another root than alpha/(2 + alpha)");
-}
 
 // psi/4 is atan t by one theorem and asec(1 + alpha)/2 by the other.
 void require_arcsecant(const Source& source, const Theorem& cosine) {
@@ -161,10 +153,7 @@ Kernel make_kernel(const KernelForm& form, const std::vector<Theorem>& theorems)
   require_small(form, theorems);
   require_not_negative(form, theorems);
   if (!form.not_negative.empty()) source.sign = "turn";
-  if (form.rounds_results) {
-    require_root(source.bindings);
-    require_tangent(source.bindings);
-  }
+  if (form.rounds_results) require_root(source.bindings);
   if (form.arcsecant.empty()) return {form, for_kernel(lower(source))};
   require_arcsecant(source, theorem_named(theorems, form.arcsecant));
   return {form, for_kernel_with_arcsecant(lower(source))};

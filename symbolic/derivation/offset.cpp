@@ -89,9 +89,8 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
     velocity("b_product", b_t, 2 * V * (t * C) * (cotangent * C + S), power.b);
     const Theorem& of_c = at_last.name == "after_Q" ? power.c_prime : power.c;
     velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S), of_c);
-    velocity("a_by_name", a_t, velocity_of_A, power.a);
     velocity("b_from_momentum", b_t, V - velocity_of_A - momentum_of_C, power.b);
-    velocity("c_quotient", at_last.c_t, momentum_of_C / alpha, of_c);
+    velocity("c_from_momentum", at_last.c_t, momentum_of_C / alpha, of_c);
     const auto bound = [&](const std::string& name, const Statement& statement,
                            const Theorem& angles, const char* words) {
       kernel.ordering({.id = "offset." + name + "_" + at_last.name,

@@ -22,7 +22,7 @@ struct CubicTerm {
   T tail;
 
   [[gnu::always_inline]] CubicTerm(CubicCoefficient c, T x, T z) {
-    const T leading = leading_bits(x);
+    const T leading = arithmetic::leading<12>(x);
     const T cube = leading * leading * leading;
     head = cube * T(c.head);
     tail = (x - leading) * (z + leading * (x + leading)) * T(c.head + c.tail) + cube * T(c.tail);

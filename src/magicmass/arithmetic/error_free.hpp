@@ -59,7 +59,7 @@ template <class T>
   if constexpr (lane_count<T> == 1) {
     return halves(x);
   } else {
-    const T high = leading_half(x);
+    const T high = leading<26>(x);
     return {high, x - high};
   }
 }

@@ -97,37 +97,16 @@ template <int N>
 #endif
 }
 
-/// x with all but its leading 12 bits cleared.
-[[gnu::always_inline]] inline double leading_bits(double x) {
-  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 41U));
+/// x with all but its leading bits cleared, of 53.
+template <int bits>
+[[gnu::always_inline]] inline double leading(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << (53 - bits)));
 }
-template <int N>
-[[gnu::always_inline]] inline Lanes<N> leading_bits(Lanes<N> x) {
+template <int bits, int N>
+[[gnu::always_inline]] inline Lanes<N> leading(Lanes<N> x) {
   using Bits = typename Lanes<N>::Mask;
   return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
-                                                   (Bits{} - (std::int64_t{1} << 41U)));
-}
-
-/// x with all but its leading 5 bits cleared.
-[[gnu::always_inline]] inline double leading_five(double x) {
-  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 48U));
-}
-template <int N>
-[[gnu::always_inline]] inline Lanes<N> leading_five(Lanes<N> x) {
-  using Bits = typename Lanes<N>::Mask;
-  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
-                                                   (Bits{} - (std::int64_t{1} << 48U)));
-}
-
-/// x with its last 27 bits cleared: 26 are left.
-[[gnu::always_inline]] inline double leading_half(double x) {
-  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & -(std::int64_t{1} << 27U));
-}
-template <int N>
-[[gnu::always_inline]] inline Lanes<N> leading_half(Lanes<N> x) {
-  using Bits = typename Lanes<N>::Mask;
-  return std::bit_cast<typename Lanes<N>::Doubles>(std::bit_cast<Bits>(x.v) &
-                                                   (Bits{} - (std::int64_t{1} << 27U)));
+                                                   (Bits{} - (std::int64_t{1} << (53 - bits))));
 }
 
 [[gnu::always_inline]] inline double magnitude(double x) { return std::fabs(x); }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "magicmass/arithmetic/error_free.hpp"
-#include "magicmass/arithmetic/share_estimate.hpp"
+#include "magicmass/arithmetic/tangent_estimate.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
@@ -143,8 +143,8 @@ struct Rough {
     // 2^-66 left out. t^2 has 48 bits: x - 2 t^2 is exact (Sterbenz), and so is t^2 times the leading 5 bits of x; the rest of x, at most
     // 2^-4 of it, times t^2 is rounded once, 2^-57 x t^2, of which the root has 2^-58 t^2, t^2 <= 1/3. The reciprocal is off by as
     // much as a float, which its error h mends: e/2 is half (1 + 2 h) within 2^-66, too.
-    const ShareEstimate<T> estimate = share_estimate(x);
-    const T t = estimate.root, square = t * t, lead = leading_five(x);
+    const TangentEstimate<T> estimate = tangent_estimate(x);
+    const T t = estimate.tangent, square = t * t, lead = leading<5>(x);
     const T rest = less_exact(less_exact(x, T(2.0), square), lead, square) - (x - lead) * square;
     const T half = rest * estimate.half_reciprocal;
     const T h = T(0.5) - x * estimate.half_reciprocal;
@@ -174,7 +174,7 @@ struct Rough {
   }
 
   friend Cut<T> parts(Rough x) {
-    const T lead = leading_half(x.high);
+    const T lead = leading<26>(x.high);
     return {lead, (x.high - lead) + x.low};
   }
   template <class Condition>
@@ -205,7 +205,7 @@ template <class T>
 /// Added up, within 2^-73 where the rest of x is 2^-22 of it: all products of leads are exact.
 template <class T>
 [[gnu::always_inline]] inline Rough<T> operator*(Cut<T> x, T y) {
-  const T lead = leading_half(y);
+  const T lead = leading<26>(y);
   return Rough<T>::in_order(x.lead * lead, x.lead * (y - lead) + x.rest * y);
 }
 

@@ -27,35 +27,44 @@ template <class T>
   return {y, y * (e + e * e)};
 }
 
+/// Of atan t = t - t^3/4 - t^3 p(z)/q(z), z = t^2: dividing costs less than the terms that a polynomial would have more.
+template <class T>
+struct ArcTangentTerms {
+  T square;  ///< z
+  T cube;    ///< t^3
+  T last;    ///< t^3 p(z)/q(z)
+};
+template <class T>
+[[gnu::always_inline]] inline ArcTangentTerms<T> arctangent_terms(T t) {
+  const T z = t * t;
+  const T cube = t * z;
+  return {z, cube,
+          cube * (one_chain(rough_arctangent_numerator, z) /
+                  one_chain(rough_arctangent_denominator, z))};
+}
+
 /// atan t for 0 <= t <= 0.577, within 0.35 2^-53 of itself and what the error of t makes of it; its low part may be 2^-6 of it.
 /// |t.low| <= 2^-53 |t|.
 template <class T>
 [[gnu::always_inline]] inline Angle<T> arctangent(Rough<T> t) {
-  // atan t = t - t^3/4 - t^3 p(z)/q(z), z = t^2 <= 1/3: dividing costs less than the terms that a polynomial would have more. t^3 is
-  // rounded twice, each 2^-53 of it, a quarter of which is at most 0.092 of the whole; t^3 p/q is at most 0.012 of the
-  // whole and rounded ten times: p thrice, as its terms are a third more than it, q twice, they themselves and their quotient once, t^3
-  // twice. t.low has the factor 1 - 3/4 z, which should be 1/(1+z): off by 0.03 at most. In all 0.35.
-  const T z = t.high * t.high;
-  const T cube = t.high * z;
-  const Sum<T> head = ordered_sum(t.high, T(-0.25) * cube);
-  const T quotient =
-      one_chain(rough_arctangent_numerator, z) / one_chain(rough_arctangent_denominator, z);
-  const T rest = t.low * (T(1.0) - T(0.75) * z) - cube * quotient;
+  // z <= 1/3. t^3 is rounded twice, each 2^-53 of it, a quarter of which is at most 0.092 of the whole; t^3 p/q is at most 0.012 of
+  // the whole and rounded ten times: p thrice, as its terms are a third more than it, q twice, they themselves and their quotient
+  // once, t^3 twice. t.low has the factor 1 - 3/4 z, which should be 1/(1+z): off by 0.03 at most. In all 0.35.
+  const ArcTangentTerms<T> terms = arctangent_terms(t.high);
+  const Sum<T> head = ordered_sum(t.high, T(-0.25) * terms.cube);
+  const T rest = t.low * (T(1.0) - T(0.75) * terms.square) - terms.last;
   return {head.high, head.low + rest};
 }
 
 /// The same of a tangent cut in two, added up: within 0.4 2^-53, its low part at most 2^-52 of it.
 template <class T>
 [[gnu::always_inline]] inline Angle<T> arctangent(Cut<T> tangent) {
-  // As above, but that t^3/4 and t^3 p/q are added up first, at most 2^-4 of the whole in a binade of 2^-5, and what is rounded there
-  // is 0.06 of 2^-53 more.
+  // As above, but that t^3/4 and t^3 p/q are added up first. That is rounded once more: by 0.1 2^-53 of the whole at most, and by 2^-58,
+  // 0.06 2^-53 of the whole, at the end, where the other errors are largest.
   const Rough<T> t = Rough<T>::in_order(tangent.lead, tangent.rest);
-  const T z = t.high * t.high;
-  const T cube = t.high * z;
-  const T quotient =
-      one_chain(rough_arctangent_numerator, z) / one_chain(rough_arctangent_denominator, z);
-  const Sum<T> angle = ordered_difference(t.high, plus_exact(cube * quotient, T(0.25), cube));
-  return {angle.high, angle.low + t.low * (T(1.0) - T(0.75) * z)};
+  const ArcTangentTerms<T> terms = arctangent_terms(t.high);
+  const Sum<T> angle = ordered_difference(t.high, plus_exact(terms.last, T(0.25), terms.cube));
+  return {angle.high, angle.low + t.low * (T(1.0) - T(0.75) * terms.square)};
 }
 
 /// sin x and cos x for 0 <= x <= 2.35, each within 0.5 2^-53 of itself or 2^-57, and what the error of x makes of them, for
@@ -93,7 +102,7 @@ template <class T>
   // cosine, 0.004 off. z/2 is rounded by 2^-56, and the difference, at most 0.134, by as much; what is subtracted is below 0.004 of 1.
   const T z = x.high * x.high;
   const T half = T(0.5) * z;
-  const T lead = leading_half(x.high);
+  const T lead = leading<26>(x.high);
   const T cubic = (x.high * z) * two_chains(small_sine_coefficients, z);
   const T rest = (x.high - lead) + ((x.low - x.low * half) + cubic);
   const T of_sign = x.high + x.low;

@@ -3,7 +3,7 @@
 
 #include "magicmass/arithmetic/fused.hpp"
 #include "magicmass/arithmetic/lanes.hpp"
-#include "magicmass/arithmetic/share_estimate.hpp"
+#include "magicmass/arithmetic/tangent_estimate.hpp"
 
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
@@ -58,12 +58,6 @@ struct SideBySide {
   friend SideBySide times_sign_of(SideBySide x, SideBySide y) {
     return {times_sign_of(x.first, y.first), times_sign_of(x.second, y.second)};
   }
-  friend SideBySide leading_half(SideBySide x) {
-    return {leading_half(x.first), leading_half(x.second)};
-  }
-  friend SideBySide leading_five(SideBySide x) {
-    return {leading_five(x.first), leading_five(x.second)};
-  }
   friend SideBySide reciprocal_square_root_estimate(SideBySide x) {
     return {reciprocal_square_root_estimate(x.first), reciprocal_square_root_estimate(x.second)};
   }
@@ -86,10 +80,15 @@ struct SideBySide {
   }
 };
 
+template <int bits, class T>
+[[gnu::always_inline]] inline SideBySide<T> leading(SideBySide<T> x) {
+  return {leading<bits>(x.first), leading<bits>(x.second)};
+}
+
 template <class T>
-[[gnu::always_inline]] inline ShareEstimate<SideBySide<T>> share_estimate(SideBySide<T> x) {
-  const ShareEstimate<T> first = share_estimate(x.first), second = share_estimate(x.second);
-  return {{first.root, second.root}, {first.half_reciprocal, second.half_reciprocal}};
+[[gnu::always_inline]] inline TangentEstimate<SideBySide<T>> tangent_estimate(SideBySide<T> x) {
+  const TangentEstimate<T> first = tangent_estimate(x.first), second = tangent_estimate(x.second);
+  return {{first.tangent, second.tangent}, {first.half_reciprocal, second.half_reciprocal}};
 }
 
 template <class T>

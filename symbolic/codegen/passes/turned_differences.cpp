@@ -63,9 +63,11 @@ private:
     return copies_[number] = copy;
   }
 
-  // A new node that is minus the old one.
+  // A new node that is minus the old one, and so not what that one's name says.
   int turned(int number) {
     Node made = node(number);
+    made.name.clear();
+    made.origin.clear();
     if (made.op == Op::add) {
       const bool is_first_less = is_negative(made.args[0]);
       for (int& term : made.args) term = copied(is_negative(term) ? node(term).args[0] : term);

@@ -137,7 +137,7 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
              [](const auto* x, auto* y) { put(two_chains(even_coefficients, x[0]), y); }),
     of<1, 1>("one_chain",
              [](const auto* x, auto* y) { put(one_chain(some_coefficients, x[0]), y); }),
-    of<1, 1>("leading_half", [](const auto* x, auto* y) { put(leading_half(x[0]), y); }),
+    of<1, 1>("leading_half", [](const auto* x, auto* y) { put(leading<26>(x[0]), y); }),
     of<4, 2>("rough_product", [](const auto* x, auto* y) { put(rough(x) * rough(x + 2), y); }),
     of<3, 2>("rough_times_number", [](const auto* x, auto* y) { put(rough(x) * x[2], y); }),
     of<3, 2>("angle_times_whole", angle_times_whole),

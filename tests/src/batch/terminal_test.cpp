@@ -139,7 +139,10 @@ TEST_CASE("a_t and c_t of fast arrays are within 3.5 envelopes up to alpha = 1, 
           "[check]") {
   constexpr std::size_t size = 200'000;
   for (const double least : {0.05, 0.9, 0.99}) {
-    const std::vector<double> alpha = testing::log_uniform(127, size, least, 1 - 0x1p-12);
+    std::vector<double> alpha = testing::log_uniform(127, size, least, 1 - 0x1p-12);
+    // what a search found, of sums in place of products: 4.0 and 4.3 envelopes
+    alpha[0] = 0x1.fe0362ab207dbp-1;
+    alpha[1] = 0x1.ffc1f9d1bbf52p-1;
     const auto moved = [&](double factor) {
       std::vector<double> all = alpha;
       for (double& x : all) x *= factor;
@@ -153,7 +156,7 @@ TEST_CASE("a_t and c_t of fast arrays are within 3.5 envelopes up to alpha = 1, 
     const Rows got = of(fast::terminal, alpha), nearest = of(accurate::terminal, alpha);
     const Rows less = of(accurate::terminal, below), more = of(accurate::terminal, above);
     double worst = 0.0;
-    const auto require_within = [&](double x, double y, double low, double high) {
+    const auto compare = [&](double x, double y, double low, double high) {
       const double ulp = std::nextafter(std::fabs(y), HUGE_VAL) - std::fabs(y);
       const double condition = std::fabs((high - low) / y) * 0x1p17;
       const double envelope = std::max(0.5, condition / 2) * ulp;
@@ -163,8 +166,8 @@ TEST_CASE("a_t and c_t of fast arrays are within 3.5 envelopes up to alpha = 1, 
     for (std::size_t i = 0; i < size; ++i) {
       if (less.N_A[i] != more.N_A[i] || less.N_B[i] != more.N_B[i]) continue;
       ++compared;
-      require_within(got.a[i], nearest.a[i], less.a[i], more.a[i]);
-      require_within(got.c[i], nearest.c[i], less.c[i], more.c[i]);
+      compare(got.a[i], nearest.a[i], less.a[i], more.a[i]);
+      compare(got.c[i], nearest.c[i], less.c[i], more.c[i]);
     }
     INFO(least << ": " << worst << " envelopes in " << compared);
     CHECK(compared > size * 9 / 10);

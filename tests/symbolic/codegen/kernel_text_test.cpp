@@ -121,6 +121,29 @@ TEST_CASE("the velocities after two collisions need one quotient", "[exam][share
   CHECK(times(text, "is_beyond") == 0);
 }
 
+TEST_CASE("of square roots a kernel has one, of alpha/(2 + alpha)", "[exam]") {
+  codegen::Kernel kernel;
+  kernel.form = {.name = "root",
+                 .kernel = "RootKernel",
+                 .summary = "A root",
+                 .domain = "any",
+                 .reals = {"alpha"},
+                 .outputs = {{"f", "theorem.f"}}};
+  const auto text_of_root = [&](std::int64_t constant) {
+    codegen::Program program;
+    const int alpha = append(program, {.op = Op::input, .name = "alpha"});
+    const int two = append(program, {.op = Op::constant, .numerator = constant});
+    const int sum = append(program, {.op = Op::add, .args = {two, alpha}});
+    const int inverse = append(program, {.op = Op::reciprocal, .args = {sum}});
+    const int share = append(program, {.op = Op::multiply, .args = {alpha, inverse}});
+    program.outputs = {{"f", append(program, {.op = Op::square_root, .args = {share}}), ""}};
+    kernel.program = program;
+    return emit_kernel(kernel);
+  };
+  CHECK(times(text_of_root(2), "Number::half_arcsecant_tangent(alpha)") == 1);
+  CHECK_THROWS_WITH(text_of_root(3), "a kernel has no such operation: sqrt(alpha*(1/(3 + alpha)))");
+}
+
 TEST_CASE("outputs that are products are handed out unevaluated", "[exam]") {
   codegen::Kernel kernel;
   kernel.form = {.name = "two",

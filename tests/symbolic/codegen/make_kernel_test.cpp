@@ -60,10 +60,6 @@ TEST_CASE("what a kernel puts in from alpha = 1 on is checked", "[exam][shared]"
   form = form_named("terminal_in_rows");
   form.small_angle.pop_back();
   refused(form, "terminal_in_rows has not one theorem a case of a small r_t");
-  form = form_named("terminal_in_rows");
-  form.bindings.push_back("wedge.g");
-  refused(form, "wedge.g has another root than alpha/(2 + alpha)");
-
   form = form_named("velocities");
   form.arcsecant = "rotation.psi_half_angle";
   refused(form, "rotation.psi_half_angle does not say that cos(psi/2) is 1/(1 + alpha)");
