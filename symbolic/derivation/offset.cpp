@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Terminal velocities from how far the last cycle's angle is from a quarter turn.
+#include <vector>
+
 #include <ginac/ginac.h>
 
 #include "derivation/chapters.hpp"
@@ -77,20 +79,21 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
         Case{"after_P_whole", counting.one_more_at_zero, c(N_A), terminal.reached,
              terminal.A_not_before}}) {
     const auto velocity = [&](const std::string& name, const ex& element, const ex& form,
-                              const Theorem& closed) {
+                              const Theorem& closed, std::vector<Theorem> from = {}) {
+      from.insert(from.end(), {meaning, which, at_last.counts, closed});
       kernel.rewriting({.id = "offset." + name + "_" + at_last.name,
                         .statement = {element, form},
                         .words = "from the sine and the cosine of the offset",
                         .indices = last_collisions},
-                       {of_A, of_C, meaning, which, at_last.counts, closed});
+                       from);
     };
     velocity("a", a_t, V * (S - t * C) * (S + t * C), power.a);
     velocity("b", b_t, 2 * C * (V_CM * C + V * t * S), power.b);
     velocity("b_product", b_t, 2 * V * (t * C) * (cotangent * C + S), power.b);
     const Theorem& of_c = at_last.name == "after_Q" ? power.c_prime : power.c;
     velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S), of_c);
-    velocity("b_from_momentum", b_t, V - velocity_of_A - momentum_of_C, power.b);
-    velocity("c_from_momentum", at_last.c_t, momentum_of_C / alpha, of_c);
+    velocity("b_from_momentum", b_t, V - velocity_of_A - momentum_of_C, power.b, {of_A, of_C});
+    velocity("c_from_momentum", at_last.c_t, momentum_of_C / alpha, of_c, {of_C});
     const auto bound = [&](const std::string& name, const Statement& statement,
                            const Theorem& angles, const char* words) {
       kernel.ordering({.id = "offset." + name + "_" + at_last.name,
