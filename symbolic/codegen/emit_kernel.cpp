@@ -47,9 +47,9 @@ public:
       if (!form_.first.empty()) text += "\n" + first_function();
       text += "\n" + evaluate_function();
     }
-    text += "};\n\n";
-    if (!form_.result.empty() && form_.numbers.empty())
-      text += emit_block(form_, program_, stages_, printer_, carried());
+    text += "};\n";
+    if (!form_.result.empty() && form_.numbers.empty() && !form_.is_single)
+      text += "\n" + emit_block(form_, program_, stages_, printer_, carried());
     return text + "\n}  // namespace MAGICMASS_TARGET\n}  // namespace magicmass::generated\n";
   }
 
@@ -64,7 +64,8 @@ private:
     const Op op = node(number).op;
     if (form_.rounds_results && (op == Op::reciprocal_square_root || op == Op::square_root))
       return "typename Number::Root";
-    if (form_.rounds_results && op == Op::arctangent) return "typename Number::ArcTangent";
+    if (form_.rounds_results && (op == Op::arctangent || op == Op::half_arcsecant))
+      return "typename Number::ArcTangent";
     if (!form_.small_angle.empty() && op == Op::sine) return "typename Number::SmallSine";
     if (!form_.small_angle.empty() && op == Op::cosine) return "typename Number::SmallCosine";
     return "Number";

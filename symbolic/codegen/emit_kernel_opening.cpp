@@ -21,6 +21,7 @@ std::string includes(const KernelForm& form, const Program& program) {
         [&](const Node& node) { return std::find(ops.begin(), ops.end(), node.op) != ops.end(); });
     return is_used ? include(header) : "";
   };
+  if (form.is_single) return include("arithmetic/tabled.hpp");
   if (form.rounds_results)
     return include("arithmetic/rough_block.hpp") + include("arithmetic/rough_functions.hpp");
   return if_used({Op::arctangent, Op::half_arcsecant}, "arithmetic/arctangent.hpp") +
@@ -41,8 +42,9 @@ std::string kernel_opening(const KernelForm& form, const Program& program) {
   for (const auto& [member, id] : form.outputs) from.push_back(id);
   std::vector<std::string> with = form.bindings;
   if (!form.arcsecant.empty()) with.push_back(form.arcsecant);
-  return file_header(form.summary + ", in any number type") + "\n#include <cstddef>\n\n" +
-         includes(form, program) + "#include \"magicmass/quantities.hpp\"\n" +
+  return file_header(form.summary + ", in any number type") +
+         (form.is_single ? "\n" : "\n#include <cstddef>\n\n") + includes(form, program) +
+         "#include \"magicmass/quantities.hpp\"\n" +
          "\nnamespace magicmass::generated {\ninline namespace MAGICMASS_TARGET {\n\n" +
          comment(form.summary) + comment("Domain: " + form.domain) +
          comment("From: " + list(from)) + (with.empty() ? "" : comment("With: " + list(with))) +

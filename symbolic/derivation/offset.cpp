@@ -93,6 +93,7 @@ void offset(Kernel& kernel, const Power& power, const Counting& counting,
     const Theorem& of_c = at_last.name == "after_Q" ? power.c_prime : power.c;
     velocity("c", at_last.c_t, 2 * V * cotangent * C * (t * C - S), of_c);
     velocity("b_from_momentum", b_t, V - velocity_of_A - momentum_of_C, power.b, {of_A, of_C});
+    velocity("b_from_square", b_t, V * (1 - pow(t * C - S, 2)), power.b);
     velocity("c_from_momentum", at_last.c_t, momentum_of_C / alpha, of_c, {of_C});
     const auto bound = [&](const std::string& name, const Statement& statement,
                            const Theorem& angles, const char* words) {

@@ -47,6 +47,5 @@ struct AngleKernel {
   }
 };
 
-
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::generated

@@ -42,6 +42,5 @@ struct RatiosOfPartsKernel {
   }
 };
 
-
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::generated

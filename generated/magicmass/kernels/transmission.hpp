@@ -85,6 +85,5 @@ struct TransmissionKernel {
   }
 };
 
-
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::generated

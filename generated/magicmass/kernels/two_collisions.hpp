@@ -39,6 +39,5 @@ struct TwoCollisionsKernel {
   }
 };
 
-
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::generated

@@ -119,15 +119,20 @@ template <class T>
 #endif
 }
 
-/// 1 - x y rounded once, where |x y - 1| <= 2^-20: 1 less the rounded product is exact (Sterbenz).
+/// z - x y rounded once, where x y is from z/2 to 2 z: z less the rounded product is exact (Sterbenz).
 template <class T>
-[[gnu::always_inline]] inline T one_minus_product(T x, T y) {
+[[gnu::always_inline]] inline T less_product(T z, T x, T y) {
 #ifdef __FMA__
-  return fused_remainder(T(1.0), x, y);
+  return fused_remainder(z, x, y);
 #else
   const Sum<T> product = two_product(x, y);
-  return (T(1.0) - product.high) - product.low;
+  return (z - product.high) - product.low;
 #endif
+}
+/// 1 - x y rounded once, where |x y - 1| <= 2^-20.
+template <class T>
+[[gnu::always_inline]] inline T one_minus_product(T x, T y) {
+  return less_product(T(1.0), x, y);
 }
 /// The same for y of 48 bits at most, the square of a single-precision number.
 template <class T>

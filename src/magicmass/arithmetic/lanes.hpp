@@ -119,9 +119,8 @@ template <int N>
 
 /// x where y is positive or +0, -x where y is negative or -0.
 [[gnu::always_inline]] inline double times_sign_of(double x, double y) {
-  constexpr std::uint64_t sign = std::uint64_t{1} << 63U;
-  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^
-                               (std::bit_cast<std::uint64_t>(y) & sign));
+  const __m128d sign = _mm_and_pd(_mm_set_sd(y), _mm_set_sd(-0.0));
+  return _mm_cvtsd_f64(_mm_xor_pd(_mm_set_sd(x), sign));
 }
 template <int N>
 [[gnu::always_inline]] inline Lanes<N> times_sign_of(Lanes<N> x, Lanes<N> y) {
@@ -131,7 +130,9 @@ template <int N>
 }
 
 /// The smaller, or y where x or y is not a number.
-[[gnu::always_inline]] inline double smaller(double x, double y) { return x < y ? x : y; }
+[[gnu::always_inline]] inline double smaller(double x, double y) {
+  return _mm_cvtsd_f64(_mm_min_sd(_mm_set_sd(x), _mm_set_sd(y)));
+}
 [[gnu::always_inline]] inline Lanes<2> smaller(Lanes<2> x, Lanes<2> y) {
   return _mm_min_pd(x.v, y.v);
 }

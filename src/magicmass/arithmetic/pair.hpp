@@ -56,12 +56,9 @@ struct Pair {
   friend Pair operator/(Pair x, Pair y) {
     const T inverse = T(1.0) / y.high;
     const T quotient = x.high * inverse;
-    const T product = quotient * y.high;
-    const T rest = ((x.high - product) - product_error(quotient, y.high, product)) +
-                   (x.low - quotient * y.low);
+    const T rest = less_product(x.high, quotient, y.high) + (x.low - quotient * y.low);
     return normalised(Pair{quotient, rest * inverse});
   }
-
   /// The same number, low at most half an ulp of high. Needs |high| >= |low|.
   friend Pair normalised(Pair x) {
     const Sum<T> s = ordered_sum(x.high, x.low);

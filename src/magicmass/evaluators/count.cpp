@@ -12,6 +12,7 @@
 #include "magicmass/evaluators/ziv.hpp"
 #include "magicmass/simulator/valid_input.hpp"
 #include "magicmass/tiers/clear_count.hpp"
+#include "magicmass/tiers/single_kernels.hpp"
 
 namespace magicmass {
 namespace {
@@ -99,6 +100,14 @@ CountDecision decide_count(double alpha) {
   return decide_further(alpha);
 }
 
-std::optional<Counts> count_collisions(double alpha) { return decide_count(alpha).counts; }
+std::optional<Counts> count_collisions(double alpha) {
+  if (alpha >= 0x1p-120 && alpha < 1.0) {
+    if (const std::int64_t total = tiers::clear_total(tiers::turns_to_pi(alpha)); total != 0)
+      return split(static_cast<std::uint64_t>(total));
+    if (const std::int64_t total = tiers::single_kernels().total(alpha); total != 0)
+      return split(static_cast<std::uint64_t>(total));
+  }
+  return decide_count(alpha).counts;
+}
 
 }  // namespace magicmass

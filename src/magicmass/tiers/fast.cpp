@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/fast.hpp"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <string>
 #include <utility>
@@ -61,6 +63,24 @@ constexpr double least_alpha = 0x1p-124;
   return accurate::terminal(alpha);
 }
 
+/// From least_alpha to largest_alpha: doubles compare like their bits, and no others are between.
+bool is_usual(double alpha) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return bits(alpha) - bits(least_alpha) <= bits(largest_alpha) - bits(least_alpha);
+}
+
+/// Makes the value of an optional where it will be: not zero first, and not copied.
+struct InPlace {
+  double alpha;
+  bool& is_known;
+
+  operator Terminal() const {
+    Terminal result;
+    is_known = is_usual(alpha) && tiers::single_kernels().fast_terminal(alpha, result);
+    return result;
+  }
+};
+
 }  // namespace
 
 generated::Velocities<double> velocities(double alpha, std::int64_t n) {
@@ -93,9 +113,9 @@ generated::Encounters<double> encounters(double alpha, std::int64_t j) {
 }
 
 std::optional<Terminal> terminal(double alpha) {
-  std::optional<Terminal> found(std::in_place);
-  if (!(alpha >= least_alpha && alpha <= largest_alpha &&
-        tiers::single_kernels().fast_terminal(alpha, *found))) [[unlikely]]
+  bool is_known = false;
+  std::optional<Terminal> found(std::in_place, InPlace{alpha, is_known});
+  if (!is_known) [[unlikely]]
     found = terminal_elsewhere(alpha);
   return found;
 }

@@ -30,6 +30,8 @@ struct SingleKernels {
   generated::Ratios<double> (*fast_ratios)(double k, double k_low);
   /// With the counts, for 2^-900 <= alpha <= 2^960; false where these would take more digits or do not fit.
   bool (*fast_terminal)(double alpha, Terminal& result);
+  /// N_A + N_B, exactly, for alpha below 1; 0 where that would take more digits or does not fit.
+  std::int64_t (*total)(double alpha);
 
   bool (*velocities)(double alpha, double n, generated::Velocities<double>& result);
   bool (*encounters)(double alpha, double j, generated::Encounters<double>& result);

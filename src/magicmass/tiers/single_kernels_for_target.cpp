@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set.
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <type_traits>
+#include <cmath>
 
 #include "magicmass/angle_product.hpp"
 #include "magicmass/arithmetic/bounded.hpp"
@@ -18,8 +15,7 @@
 #include "magicmass/kernels/terminal.hpp"
 #include "magicmass/kernels/velocities.hpp"
 #include "magicmass/terminal.hpp"
-#include "magicmass/tiers/clear_count.hpp"
-#include "magicmass/tiers/count_from_angle.hpp"
+#include "magicmass/tiers/one_terminal.hpp"
 #include "magicmass/tiers/single_kernels.hpp"
 #include "magicmass/tiers/two_stages.hpp"
 
@@ -50,10 +46,6 @@ Number with_low_part(Number angle, double low_over_high) {
   return angle;
 }
 
-/// Where the numbers of an alpha are usual ones.
-constexpr double least_usual = 0x1p-120;
-using Usual = Tabled<double, true>;
-
 Velocities<double> fast_velocities(double alpha, double n, double n_low) {
   if (alpha >= least_usual && alpha < 1.0 && n_low == 0.0) [[likely]] {
     VelocitiesKernel<Usual> kernel;
@@ -79,11 +71,6 @@ Velocities<double> fast_velocities(double alpha, double n, double n_low) {
 
 /// Below this the square of a tracked root, 1/alpha, is too large.
 constexpr double least_tracked = 0x1p-900;
-
-/// Of h/2 for an alpha below 1: the arctangent's with t^2 < alpha/2, and what the root and the product before it leave out.
-double relative_error_of_angle(double alpha) {
-  return std::min(0x1p-51 * alpha, 0x1p-60) + 0x1p-95;
-}
 
 /// The tables' sine and cosine go as far as this.
 constexpr double largest_turn = 3.14;
@@ -145,71 +132,6 @@ Ratios<double> fast_ratios(double k, double k_low) {
   return nearest(ratios_of_parts(Tabled<double>(Pair<double>(k, k_low))));
 }
 
-/// In place, as a double that is stored alone and loaded beside another is waited for.
-template <class Number>
-[[gnu::always_inline]] inline void put(const TerminalKernel<Number>& kernel,
-                                       magicmass::Terminal& result) {
-  auto velocities = kernel.rounded_result();
-  if constexpr (!std::is_same_v<Number, Usual>) {
-    // a pair's square so small has a low part that is no double, and depends on how it is computed (theorem offset.rho)
-    if (velocities.rho < 0x1p-960) [[unlikely]]
-      velocities.rho = velocities.b_t * velocities.b_t;
-  }
-  result.a_t = velocities.a_t;
-  result.b_t = velocities.b_t;
-  result.c_t = velocities.c_t;
-  result.rho = velocities.rho;
-}
-
-/// Next to a threshold, where the tables do not tell.
-[[gnu::noinline, gnu::cold]] std::int64_t total_of_closest(TurnsToPi turns, double alpha) {
-  const auto psi = AngleKernel<Bounded<double>>::evaluate(alpha);
-  return total_from_angle(turns, scaled(psi.pair, 0.25), psi.error / psi.pair.high + 0x1p-100);
-}
-
-template <class Number>
-[[gnu::always_inline]] inline bool terminal_below_1(double alpha, magicmass::Terminal& result) {
-  TerminalKernel<Number> kernel;
-  kernel.alpha = alpha;
-  const TurnsToPi turns = turns_to_pi(alpha);
-  const bool can_tell = std::is_same_v<Number, Usual> || turns.quotient < 0x1p63;
-  std::int64_t total = can_tell ? clear_total(turns) : 0;
-  kernel.stage_1();
-  kernel.stage_2();
-  if (total == 0) [[unlikely]] {
-    total = total_from_angle(turns, kernel.angle.pair, relative_error_of_angle(alpha));
-    if (total == 0) [[unlikely]]
-      total = total_of_closest(turns, alpha);
-    if (total == 0) return false;
-  }
-  result.counts = {(total + 1) >> 1, total >> 1};
-  kernel.N_A = static_cast<double>(result.counts.N_A);
-  // -1 after a P, where the total is odd
-  kernel.turn = std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) |
-                                      static_cast<std::uint64_t>(total) << 63U);
-  if (total >> 54 != 0) [[unlikely]]
-    kernel.angle = with_low_part(kernel.angle, low_part(result.counts.N_A) / kernel.N_A);
-  kernel.stage_3();
-  put(kernel, result);
-  return true;
-}
-[[gnu::noinline, gnu::cold]] bool terminal_far_below_1(double alpha, magicmass::Terminal& result) {
-  return terminal_below_1<Tabled<double>>(alpha, result);
-}
-bool fast_terminal(double alpha, magicmass::Terminal& result) {
-  if (alpha >= 1.0) {
-    TerminalKernel<Tabled<double>> kernel;
-    kernel.alpha = alpha;
-    result.counts = {1, 1};
-    kernel.first();
-    put(kernel, result);
-    return true;
-  }
-  if (!(alpha >= least_usual)) [[unlikely]]
-    return terminal_far_below_1(alpha, result);
-  return terminal_below_1<Usual>(alpha, result);
-}
-
 bool velocities(double alpha, double n, Velocities<double>& result) {
   return in_two_stages<VelocitiesKernel>(result, alpha, n);
 }
@@ -256,6 +178,7 @@ const SingleKernels tables::MAGICMASS_TARGET = {
     .fast_angle = fast_angle,
     .fast_ratios = fast_ratios,
     .fast_terminal = fast_terminal,
+    .total = total_below_1,
     .velocities = velocities,
     .encounters = encounters,
     .angle = angle,

@@ -18,6 +18,8 @@ namespace magicmass::testing {
 namespace {
 
 using namespace arithmetic;
+using Usual = Tabled<double, Alphas::usual>;
+using Vanishing = Tabled<double, Alphas::vanishing>;
 
 template <class Operation, std::size_t inputs, std::size_t outputs, class T>
 void each(const double* in, double* out, std::size_t size) {
@@ -235,6 +237,31 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                       const auto both = sine_cosine(tabled(x));
                       put(both.sine, y);
                       put(both.cosine, y + 2);
+                    }),
+    of_single<1, 2>(
+        "usual_tangent",
+        [](const double* x, double* y) { put(Usual::half_arcsecant_tangent(x[0]).pair, y); }),
+    of_single<1, 2>(
+        "vanishing_tangent",
+        [](const double* x, double* y) { put(Vanishing::half_arcsecant_tangent(x[0]).pair, y); }),
+    of_single<1, 3>("early_half_arcsecant",
+                    [](const double* x, double* y) {
+                      const EarlyAngle angle = half_arcsecant(x[0], Usual());
+                      put(angle.pair, y);
+                      y[2] = angle.early;
+                    }),
+    of_single<3, 4>("usual_small_sine_cosine",
+                    [](const double* x, double* y) {
+                      const auto both =
+                          small_sine_cosine(Usual::Magnitude{{Pair<double>(x[0], x[1]), x[2]}});
+                      put(both.sine.pair, y);
+                      put(both.cosine.pair, y + 2);
+                    }),
+    of_single<2, 2>("vanishing_small_sine",
+                    [](const double* x, double* y) {
+                      const auto both =
+                          small_sine_cosine(Vanishing::Magnitude{{Pair<double>(x[0], x[1]), x[0]}});
+                      put(both.sine.pair, y);
                     }),
     of_single<1, 1>("root_arctangent",
                     [](const double* x, double* y) { y[0] = atan(sqrt(Rooted(x[0]))).value; }),

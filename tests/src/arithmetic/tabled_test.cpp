@@ -159,6 +159,75 @@ TEST_CASE(
   CHECK(worst.over_allowed > 1 / 8.0);
 }
 
+TEST_CASE("an early angle is within 2^-19 of the angle, and the angle's low part within 2^-52",
+          "[check]") {
+  Columns in{arguments(167, 1.0)[0]};
+  std::erase_if(in[0], [](double x) { return x < 0x1p-120; });
+  const Columns out = of_single_doubles("early_half_arcsecant", in);
+  CHECK(Columns{out[0], out[1]} == of_single_doubles("half_arcsecant", in));
+  Worst worst;
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    INFO(in[0][i]);
+    const cl_RA angle = exact_pair(out, 0, i);
+    worst.require(exact(out[2][i]), angle, power(-19) * angle);
+    REQUIRE(std::fabs(out[1][i]) <= 0x1p-52 * out[0][i]);
+  }
+  CHECK(worst.over_allowed > 1 / 8.0);
+}
+
+TEST_CASE(
+    "tan(psi/4) of a usual alpha is within 2^-100 of itself, of a vanishing one within alpha/4",
+    "[check]") {
+  Columns usual{arguments(168, 0x1.fffffffffffffp-1)[0]}, vanishing{usual};
+  std::erase_if(usual[0], [](double x) { return x < 0x1p-120; });
+  std::erase_if(vanishing[0], [](double x) { return x > 0x1p-90; });
+  const auto worst_of = [](const char* name, const Columns& in, const auto& allowed) {
+    const Columns out = of_single_doubles(name, in);
+    Worst worst;
+    for (std::size_t i = 0; i < in[0].size(); ++i) {
+      INFO(in[0][i]);
+      const cl_RA alpha = exact(in[0][i]), value = root(alpha / (2 + alpha));
+      worst.require(exact_pair(out, 0, i), value, allowed(alpha) * value);
+      REQUIRE(std::fabs(out[1][i]) <= 0x1p-51 * out[0][i]);
+    }
+    return worst.over_allowed;
+  };
+  CHECK(worst_of("usual_tangent", usual, [](const cl_RA&) { return power(-100); }) > 1 / 64.0);
+  CHECK(worst_of("vanishing_tangent", vanishing,
+                 [](const cl_RA& alpha) -> cl_RA { return alpha / 4 + power(-104); }) > 1 / 64.0);
+}
+
+TEST_CASE(
+    "sine and cosine of a small offset are those of its magnitude, within 2^-60 of themselves",
+    "[check]") {
+  Generator generator(169);
+  std::uniform_real_distribution<double> low(-0x1p-51, 0x1p-51), off(-0x1p-18, 0x1p-18);
+  Columns in, both_parts;
+  const auto add = [&](double x, double x_low) {
+    for (const double sign : {1.0, -1.0}) {
+      append(in, {sign * x, sign * x_low, sign * x + off(generator)});
+      append(both_parts, {sign * x, sign * x_low});
+    }
+  };
+  for (int i = 0; i < 4000; ++i)
+    add(0x1p-53 * std::floor(log_uniform(generator, 0.5, 0.8 * 0x1p53)), low(generator));
+  for (int j = 0; j <= 400; ++j)
+    for (const double more : {-0x1p-53, 0.0, 0x1p-53})
+      if (j * 0x1p-9 + more >= 0.0) add(j * 0x1p-9 + more, low(generator));
+  const Columns usual = of_single_doubles("usual_small_sine_cosine", in);
+  const Columns vanishing = of_single_doubles("vanishing_small_sine", both_parts);
+  Worst worst;
+  for (std::size_t i = 0; i < in[0].size(); ++i) {
+    const cl_RA x = cln::abs(exact_pair(in, 0, i)), sine = exact_sine(x);
+    INFO(in[0][i] << " + " << in[1][i] << ", early " << in[2][i]);
+    worst.require(exact_pair(usual, 0, i), sine, power(-60) * sine);
+    worst.require(exact_pair(usual, 2, i), exact_cosine(x), power(-60));
+    REQUIRE(exact_pair(vanishing, 0, i) == x);
+    REQUIRE(std::fabs(vanishing[1][i]) <= 0x1p-53 * vanishing[0][i]);
+  }
+  CHECK(worst.over_allowed > 1 / 8.0);
+}
+
 TEST_CASE("1/cos(pi/m) - 1 is within 2^-52/m^2 + 2^-98 of itself", "[check]") {
   Generator generator(165);
   Columns in;

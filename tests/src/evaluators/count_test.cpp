@@ -4,8 +4,11 @@
 
 #include <catch2/catch.hpp>
 
+#include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/evaluators/count_decision.hpp"
+#include "magicmass/fast.hpp"
+#include "magicmass/scenes/mass_ratio.hpp"
 #include "magicmass/simulator/velocity_stepping.hpp"
 #include "random_numbers.hpp"
 
@@ -36,6 +39,27 @@ TEST_CASE("the doubles closest to a threshold are decided by the exact path", "[
   }
   CHECK_FALSE(decide_count(0.12).near_tie);
   CHECK_FALSE(decide_count(1e-12).near_tie);
+}
+
+TEST_CASE("next to thresholds the angle tells what the decision with its margins does", "[check]") {
+  testing::Generator generator(51);
+  std::int64_t past_2_53 = 0;
+  for (int i = 0; i < 1500; ++i) {
+    const auto k = static_cast<std::int64_t>(testing::log_uniform(generator, 1.0, 0x1p61));
+    const auto ratios = accurate::ratios(k);  // thresholds but for their rounding
+    for (const double threshold : {ratios.magic, ratios.deficient}) {
+      double alpha = threshold;
+      for (int ulp = 0; ulp < 3; ++ulp) alpha = std::nextafter(alpha, 0.0);
+      for (int ulp = 0; ulp < 7; ++ulp, alpha = std::nextafter(alpha, 1.0)) {
+        INFO(to_text(MassRatio(alpha)));
+        const auto decided = decide_count(alpha).counts;
+        REQUIRE(count_collisions(alpha) == decided);
+        REQUIRE(fast::terminal(alpha)->counts == decided);
+        past_2_53 += decided->N_A > std::int64_t{1} << 53U;
+      }
+    }
+  }
+  CHECK(past_2_53 > 100);
 }
 
 TEST_CASE("counts end where 63 bits end", "[exam]") {

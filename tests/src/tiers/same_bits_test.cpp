@@ -26,6 +26,7 @@ void add(std::vector<std::uint64_t>& bits, const Result& all) {
 void add_terminal(std::vector<std::uint64_t>& bits, const SingleKernels& kernels, double alpha) {
   Terminal all{};
   bits.push_back(kernels.fast_terminal(alpha, all));
+  if (alpha < 1.0) bits.push_back(static_cast<std::uint64_t>(kernels.total(alpha)));
   for (const double x : {all.a_t, all.b_t, all.c_t, all.rho}) add(bits, x);
 }
 

@@ -78,13 +78,13 @@ TEST_CASE("a kernel's text cites its theorems and has each stage once", "[exam][
     CHECK(times(text, "struct " + one.kernel + " {") == 1);
     const bool is_rational = !turns_by_an_angle_of_alpha(one) && one.name != "ratios";
     CHECK(times(text, "void stage_1()") == (is_rational ? 0 : 1));
-    // rounded results are for blocks alone
+    // where results are rounded the stages are the caller's
     const bool is_for_one = !one.rounds_results;
     CHECK(times(text, "void first()") == (one.first.empty() || !is_for_one ? 0 : 1));
     CHECK(times(text, " evaluate(") == (is_for_one ? 1 : 0));
     // scaling by a power of two is no multiplication
     CHECK(times(text, "* Real(0.25))") == 0);
-    const bool is_in_blocks = !one.result.empty() && one.numbers.empty();
+    const bool is_in_blocks = !one.result.empty() && one.numbers.empty() && !one.is_single;
     CHECK(times(text, one.name + "_block(std::size_t size") == (is_in_blocks ? 1 : 0));
   }
 }
@@ -110,6 +110,18 @@ TEST_CASE("a kernel that rounds its results names no number type for them", "[ex
   CHECK(times(last, "const auto r_t = magnitude(scaled(Number::pi(), 0.5) - angle * ") == 1);
   CHECK(times(last, "turn;") == 0);
   CHECK(times(last, "  count(angles, N_A.data());") == 1);
+}
+
+TEST_CASE("a kernel for one number names its types, and has no block", "[exam][shared]") {
+  const std::string one = emit_kernel(make_kernel(form("terminal_below_one"), theorems()));
+  INFO(one);
+  CHECK(times(one, "typename Number::ArcTangent angle;  // asec(1 + alpha)/2") == 1);
+  CHECK(times(one, "angle = half_arcsecant(alpha, tan_quarter);") == 1);
+  // of B's velocity nothing is left to multiply but the difference that the others have as well
+  CHECK(times(one, "const auto b_N_B = Real(1.0) - squared(sum);") == 1);
+  CHECK(times(one, ".rho = squared(b_N_B),") == 1);
+  CHECK(times(one, "Block") == 0);
+  CHECK(times(one, "cstddef") == 0);
 }
 
 TEST_CASE("the velocities after two collisions need one quotient", "[exam][shared]") {
