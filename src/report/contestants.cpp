@@ -7,7 +7,6 @@
 
 #include "magicmass/counts.hpp"
 #include "magicmass/evaluators.hpp"
-#include "magicmass/evaluators/count_decision.hpp"
 #include "report/make_contestant.hpp"
 #include "report/quantities.hpp"
 #include "report/table_contestants.hpp"
@@ -92,7 +91,6 @@ std::vector<Contestant> certified_contestants(const std::string& quantity) {
         return count_collisions(in.alpha).value_or(Counts{-1, -1});
       });
   one.ulp_bound = 0;
-  one.expected_ns = [](const Input& in) { return decide_count(in.alpha).near_tie ? 5e3 : 100.0; };
   return {one};
 }
 

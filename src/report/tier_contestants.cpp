@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -9,7 +8,6 @@
 #include "magicmass/fast.hpp"
 #include "magicmass/tiers/first_stages.hpp"
 #include "report/contestants.hpp"
-#include "report/last_collision.hpp"
 #include "report/make_contestant.hpp"
 #include "report/quantities.hpp"
 
@@ -25,13 +23,7 @@ Ending<double> ending(const std::optional<Terminal>& found) {
 
 template <class Evaluate>
 Contestant fast_tier(const std::string& quantity, Evaluate evaluate) {
-  Contestant one = make_contestant("fast", quantity, "tier fast", "double", evaluate);
-  // n beyond 2^53 is no double: long counts are left to tier accurate
-  if (has_counts(quantity))
-    one.expected_ns = [](const Input& in) {
-      return last_collision(in.alpha).N_A > std::int64_t{1} << 51U ? 2e4 : 100.0;
-    };
-  return one;
+  return make_contestant("fast", quantity, "tier fast", "double", evaluate);
 }
 
 /// falls_back: did the first stages fail?

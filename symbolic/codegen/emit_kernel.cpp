@@ -41,7 +41,7 @@ public:
       text += wrapped_line("  " + type(number) + " " + printer_.name(number) + ";  // " +
                            formula(program_, number) + origin(number));
     for (int s = 0; s + 1 < stages_.count; ++s) text += "\n" + stage_function(s);
-    text += "\n" + result_function();
+    text += "\n" + (form_.is_single ? rounded_result_function() : result_function());
     if (!form_.rounds_results) {
       if (has_rounded_result()) text += "\n" + rounded_result_function();
       if (!form_.first.empty()) text += "\n" + first_function();
@@ -193,7 +193,8 @@ private:
     return text + "    };\n  }\n";
   }
   std::string rounded_result_function() const {
-    return "  // The same, each rounded to the nearest or so.\n  [[gnu::always_inline]] " +
+    const std::string what = form_.is_single ? "Each" : "The same, each";
+    return "  // " + what + " rounded to the nearest or so.\n  [[gnu::always_inline]] " +
            form_.result + "<Real> rounded_result() const {\n" +
            assignments(stages_.count - 1, "    ") +
            "    using Product = arithmetic::Product<Number>;\n" + members([&](int output) {

@@ -34,8 +34,8 @@ struct KernelForm {
   bool is_counted = false;
   // r_t is not negative, say these theorems, one a case: without turn, which is 1 or -1, it is the magnitude of the rest.
   std::vector<std::string> not_negative = {};
-  // In a number type that has types of its own for the root, for a small angle and for results, which it rounds: in lanes, if it
-  // is not for one number at a time.
+  // In a number type that has types of its own for the root, for angles and for results, which it rounds: in lanes, if it is not for
+  // one number at a time.
   bool rounds_results = false;
   // One number at a time: no block.
   bool is_single = false;

@@ -42,15 +42,17 @@ struct TerminalBelowOneKernel {
     cosine = turned.cosine;
   }
 
-  [[gnu::always_inline]] TerminalValues<typename Number::Result> result() const {
+  // Each rounded to the nearest or so.
+  [[gnu::always_inline]] TerminalValues<Real> rounded_result() const {
     const auto product = tan_quarter * cosine;
     const auto sum = product - sine;
     const auto b_N_B = Real(1.0) - squared(sum);
+    using Product = arithmetic::Product<Number>;
     return {
-        .a_t = -(sine + product) * sum,
-        .b_t = b_N_B,
-        .c_t = scaled(sum * product / alpha, 2.0),
-        .rho = squared(b_N_B),
+        .a_t = rounded(Product{sine + product, sum, -1.0}),
+        .b_t = rounded(b_N_B),
+        .c_t = rounded(Product{sum * reciprocal(Number(alpha)), product, 2.0}),
+        .rho = rounded(Product{b_N_B, b_N_B, 1.0}),
     };
   }
 };

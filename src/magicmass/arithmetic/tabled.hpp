@@ -43,7 +43,6 @@ struct Tabled {
   using SmallSine = LesserSine;
   struct One {};
   using SmallCosine = std::conditional_t<alphas == Alphas::vanishing, One, Tabled>;
-  using Result = Tabled;
 
   Pair<T> pair;
 
@@ -97,13 +96,9 @@ struct Tabled {
     const Sum<T> s = ordered_difference(x.pair.high, y.pair.high);
     return Tabled(Pair<T>(s.high, s.low + (x.pair.low - y.pair.low)));
   }
-  /// In order where they are of usual alphas, as 1 is the larger.
-  friend Tabled operator+(Tabled x, T y) {
-    if constexpr (alphas == Alphas::any) return Tabled(x.pair + y);
-    const Sum<T> s = ordered_sum(y, x.pair.high);
-    return Tabled(Pair<T>(s.high, s.low + x.pair.low));
-  }
-  friend Tabled operator-(T x, Tabled y) {  // in order
+  friend Tabled operator+(Tabled x, T y) { return Tabled(x.pair + y); }
+  /// Where |x| >= |y|.
+  friend Tabled operator-(T x, Tabled y) {
     const Sum<T> s = ordered_difference(x, y.pair.high);
     return Tabled(Pair<T>(s.high, s.low - y.pair.low));
   }
@@ -115,11 +110,6 @@ struct Tabled {
     return Tabled(Pair<T>(p.high, p.low + (x.pair.high + x.pair.high) * x.pair.low));
   }
   friend Tabled operator/(Tabled x, Tabled y) { return Tabled(x.pair / y.pair); }
-  friend Tabled operator/(Tabled x, T y) {
-    const T inverse = T(1.0) / y, quotient = x.pair.high * inverse;
-    return Tabled(
-        Pair<T>(quotient, (less_product(x.pair.high, quotient, y) + x.pair.low) * inverse));
-  }
   friend Tabled scaled(Tabled x, double power_of_two) {
     return Tabled(scaled(x.pair, power_of_two));
   }

@@ -23,13 +23,12 @@ generated::Velocities<double> velocities_or_none(Evaluate evaluate) {
 }
 
 template <class Evaluate>
-generated::TerminalValues<double> terminal_or_none(Evaluate evaluate) {
+Terminal terminal_or_none(Evaluate evaluate) {
   try {
-    if (const std::optional<Terminal> all = evaluate())
-      return {all->a_t, all->b_t, all->c_t, all->rho};
+    if (const std::optional<Terminal> all = evaluate()) return *all;
   } catch (const InvalidInput&) {
   }
-  return {none, none, none, none};
+  return {{-1, -1}, none, none, none, none};
 }
 
 }  // namespace
@@ -40,10 +39,10 @@ generated::Velocities<double> fast_velocities(double alpha, std::int64_t n) {
 generated::Velocities<double> accurate_velocities(double alpha, std::int64_t n) {
   return velocities_or_none([&] { return accurate::velocities(alpha, n); });
 }
-generated::TerminalValues<double> fast_terminal(double alpha) {
+Terminal fast_terminal(double alpha) {
   return terminal_or_none([&] { return fast::terminal(alpha); });
 }
-generated::TerminalValues<double> accurate_terminal(double alpha) {
+Terminal accurate_terminal(double alpha) {
   return terminal_or_none([&] { return accurate::terminal(alpha); });
 }
 // Where alpha is too large or too small for the lanes: two collisions, or a collapse unless e = 1.

@@ -47,6 +47,20 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
       size,
       [](std::size_t, std::size_t rows, const double* of_alpha, std::int64_t* of_N_A,
          std::int64_t* of_N_B, double* of_a, double* of_b, double* of_c) {
+        const auto one_row = [&](std::size_t i) {
+          const Terminal one = rounding_is_tested<Number> ? accurate_terminal(of_alpha[i])
+                                                          : fast_terminal(of_alpha[i]);
+          of_N_A[i] = one.counts.N_A;
+          of_N_B[i] = one.counts.N_B;
+          of_a[i] = one.a_t;
+          of_b[i] = one.b_t;
+          of_c[i] = one.c_t;
+        };
+        // out there the kernels decide nothing, which the first row foretells
+        if (!is_in_domain(of_alpha[0])) {
+          for (std::size_t i = 0; i < rows; ++i) one_row(i);
+          return;
+        }
         bool is_decided = true;
         const auto count = [&](const auto& angles, double* cycles, auto*... turns) {
           is_decided = count_from_angles(rows, of_alpha, angles, of_N_A, of_N_B, cycles, turns...);
@@ -67,14 +81,8 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
                                             certain);
         }
         if (is_decided && certain.is_all(rows)) return;
-        for (std::size_t i = 0; i < rows; ++i) {
-          if (is_in_domain(of_alpha[i]) && !is_open(certain, i)) continue;
-          const auto one = rounding_is_tested<Number> ? accurate_terminal(of_alpha[i])
-                                                      : fast_terminal(of_alpha[i]);
-          of_a[i] = one.a_t;
-          of_b[i] = one.b_t;
-          of_c[i] = one.c_t;
-        }
+        for (std::size_t i = 0; i < rows; ++i)
+          if (!is_in_domain(of_alpha[i]) || is_open(certain, i)) one_row(i);
       },
       alpha, N_A, N_B, a_t, b_t, c_t);
 }

@@ -101,9 +101,11 @@ CountDecision decide_count(double alpha) {
 }
 
 std::optional<Counts> count_collisions(double alpha) {
-  if (alpha >= 0x1p-120 && alpha < 1.0) {
-    if (const std::int64_t total = tiers::clear_total(tiers::turns_to_pi(alpha)); total != 0)
-      return split(static_cast<std::uint64_t>(total));
+  if (alpha >= too_many_below && alpha < 1.0) {
+    if (alpha >= 0x1p-120) {
+      if (const std::int64_t total = tiers::clear_total(tiers::turns_to_pi(alpha)); total != 0)
+        return split(static_cast<std::uint64_t>(total));
+    }
     if (const std::int64_t total = tiers::single_kernels().total(alpha); total != 0)
       return split(static_cast<std::uint64_t>(total));
   }

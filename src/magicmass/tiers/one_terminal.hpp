@@ -20,9 +20,10 @@
 namespace magicmass::tiers {
 inline namespace MAGICMASS_TARGET {
 
-/// Where the numbers of an alpha are usual ones.
+/// Where the numbers of an alpha are usual ones, and how those below are.
 inline constexpr double least_usual = 0x1p-120;
 using Usual = arithmetic::Tabled<double, arithmetic::Alphas::usual>;
+using Vanishing = arithmetic::Tabled<double, arithmetic::Alphas::vanishing>;
 
 /// Of h/2 for an alpha below 1: the arctangent's with t^2 < alpha/2, and what the root and the product before it leave out.
 [[gnu::always_inline]] inline double relative_error_of_angle(double alpha) {
@@ -102,7 +103,7 @@ template <class Number>
   }
   result.counts = counts_of(offset, static_cast<std::int64_t>(kernel.N_A), total);
   kernel.stage_3();
-  put(nearest(kernel.result()), result);
+  put(kernel.rounded_result(), result);
   return true;
 }
 
@@ -111,8 +112,7 @@ inline constexpr double relative_error_of_vanishing = 0x1p-90;
 
 /// Below 2^-90, where N_A may need two doubles.
 [[gnu::noinline]] inline bool vanishing_terminal(double alpha, magicmass::Terminal& result) {
-  using Number = arithmetic::Tabled<double, arithmetic::Alphas::vanishing>;
-  generated::TerminalBelowOneKernel<Number> kernel;
+  generated::TerminalBelowOneKernel<Vanishing> kernel;
   kernel.alpha = alpha;
   kernel.stage_1();
   kernel.stage_2();
@@ -125,9 +125,9 @@ inline constexpr double relative_error_of_vanishing = 0x1p-90;
   // What that is off by are cycles of h each: 1/h is (2/pi) cycles, and h (2/pi) = 1/cycles of psi/4 what an angle has more for each.
   constexpr double two_per_pi = 0x1.45f306dc9c883p-1;
   const double further =
-      arithmetic::nearest_whole(offset_of<Number>(angle, kernel.N_A).turn * (two_per_pi * cycles));
+      arithmetic::nearest_whole(offset_of<Vanishing>(angle, kernel.N_A).turn * (two_per_pi * cycles));
   kernel.angle.pair.low += further * ((2.0 * two_per_pi * angle.pair.high) * angle.pair.high);
-  const Offset offset = offset_of<Number>(kernel.angle, kernel.N_A);
+  const Offset offset = offset_of<Vanishing>(kernel.angle, kernel.N_A);
   std::int64_t total = 0;
   if (!offset.tells(2.0 * relative_error_of_vanishing)) [[unlikely]] {
     total = total_of_closest({2.0 * cycles, 0x1p-50}, alpha, angle.pair);
@@ -136,7 +136,7 @@ inline constexpr double relative_error_of_vanishing = 0x1p-90;
   const auto N_A = static_cast<std::int64_t>(kernel.N_A) + static_cast<std::int64_t>(further);
   result.counts = counts_of(offset, N_A, total);
   kernel.stage_3();
-  put(nearest(kernel.result()), result);
+  put(kernel.rounded_result(), result);
   return true;
 }
 
@@ -159,10 +159,13 @@ inline bool fast_terminal(double alpha, magicmass::Terminal& result) {
   return usual_terminal(alpha, result);
 }
 
-/// The number of collisions of an alpha below 1; 0 where that is not told.
+/// The number of collisions of an alpha from 2^-900 to 1; 0 where that is not told.
 inline std::int64_t total_below_1(double alpha) {
-  if (!(alpha >= least_usual)) return 0;
   const TurnsToPi turns = turns_to_pi(alpha);
+  if (alpha < least_usual) {
+    const Vanishing tangent = Vanishing::half_arcsecant_tangent(alpha);
+    return total_from_angle(turns, tangent.pair, relative_error_of_vanishing);
+  }
   const Usual tangent = Usual::half_arcsecant_tangent(alpha);
   const auto quarter_psi = half_arcsecant(alpha, tangent).pair;
   const std::int64_t total = total_from_angle(turns, quarter_psi, relative_error_of_angle(alpha));

@@ -119,7 +119,8 @@ TEST_CASE("a kernel for one number names its types, and has no block", "[exam][s
   CHECK(times(one, "angle = half_arcsecant(alpha, tan_quarter);") == 1);
   // of B's velocity nothing is left to multiply but the difference that the others have as well
   CHECK(times(one, "const auto b_N_B = Real(1.0) - squared(sum);") == 1);
-  CHECK(times(one, ".rho = squared(b_N_B),") == 1);
+  CHECK(times(one, ".rho = rounded(Product{b_N_B, b_N_B, 1.0}),") == 1);
+  CHECK(times(one, " result() const") == 0);
   CHECK(times(one, "Block") == 0);
   CHECK(times(one, "cstddef") == 0);
 }
