@@ -56,8 +56,8 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
           of_b[i] = one.b_t;
           of_c[i] = one.c_t;
         };
-        // out there the kernels decide nothing, which the first row foretells
-        if (!is_in_domain(of_alpha[0])) {
+        // where the kernels decide nothing; a row among others that they know is as it would be among these
+        if (std::none_of(of_alpha, of_alpha + rows, [](double x) { return is_in_domain(x); })) {
           for (std::size_t i = 0; i < rows; ++i) one_row(i);
           return;
         }

@@ -124,8 +124,8 @@ inline constexpr double relative_error_of_vanishing = 0x1p-90;
       arithmetic::nearest_whole(cycles);  // or what is whole and as near as the quotient itself
   // What that is off by are cycles of h each: 1/h is (2/pi) cycles, and h (2/pi) = 1/cycles of psi/4 what an angle has more for each.
   constexpr double two_per_pi = 0x1.45f306dc9c883p-1;
-  const double further =
-      arithmetic::nearest_whole(offset_of<Vanishing>(angle, kernel.N_A).turn * (two_per_pi * cycles));
+  const double further = arithmetic::nearest_whole(offset_of<Vanishing>(angle, kernel.N_A).turn *
+                                                   (two_per_pi * cycles));
   kernel.angle.pair.low += further * ((2.0 * two_per_pi * angle.pair.high) * angle.pair.high);
   const Offset offset = offset_of<Vanishing>(kernel.angle, kernel.N_A);
   std::int64_t total = 0;
