@@ -71,7 +71,6 @@ struct Tabled {
     friend Tabled operator*(FromPi x, T y) {
       return Tabled(Pair<T>(x.pair.high * y, x.pair.low * y));
     }
-    friend T rounded(FromPi x) { return rounded(x.pair); }
   };
   /// For x.high from half of it to twice it, where the high parts subtract exactly (Sterbenz).
   friend FromPi operator-(Pi pi, EarlyAngle x) {

@@ -63,8 +63,8 @@ constexpr double least_alpha = 0x1p-124;
   return accurate::terminal(alpha);
 }
 
-/// From least_alpha to largest_alpha: doubles compare like their bits, and no others are between.
-bool is_usual(double alpha) {
+/// Whether alpha is from least_alpha to largest_alpha: doubles compare like their bits, and no others are between.
+bool has_kernel(double alpha) {
   const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
   return bits(alpha) - bits(least_alpha) <= bits(largest_alpha) - bits(least_alpha);
 }
@@ -76,7 +76,7 @@ struct InPlace {
 
   operator Terminal() const {
     Terminal result;
-    is_known = is_usual(alpha) && tiers::single_kernels().fast_terminal(alpha, result);
+    is_known = has_kernel(alpha) && tiers::single_kernels().fast_terminal(alpha, result);
     return result;
   }
 };

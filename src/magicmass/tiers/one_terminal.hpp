@@ -50,12 +50,12 @@ using Vanishing = arithmetic::Tabled<double, arithmetic::Alphas::vanishing>;
   return total_from_angle(turns, scaled(psi.pair, 0.25), psi.error / psi.pair.high + 0x1p-100);
 }
 
-/// What N_A cycles leave of a quarter turn, from psi/4 known within `relative_error`.
+/// What N_A cycles leave of a quarter turn.
 struct Offset {
   double turn;   ///< to the quarter turn: negative where the last collision is a P, N_B = N_A - 1
   double slack;  ///< how much less than psi/4 it is: negative where N_A is another (offset.at_most)
 
-  /// Where both are known within this.
+  /// Whether N_A is right and the sign of `turn` known, where both are known within `unsure`.
   [[gnu::always_inline]] bool tells(double unsure) const {
     return arithmetic::magnitude(turn) > unsure && slack > unsure;
   }
@@ -78,6 +78,7 @@ template <class Number>
   return {N_A, N_A - (offset.turn < 0.0)};
 }
 
+/// alpha from 2^-90 to 1: N_A is below 2^45, and whatever the table says of it within 1.
 [[gnu::always_inline]] inline bool usual_terminal(double alpha, magicmass::Terminal& result) {
   generated::TerminalBelowOneKernel<Usual> kernel;
   kernel.alpha = alpha;
@@ -120,9 +121,10 @@ inline constexpr double relative_error_of_vanishing = 0x1p-90;
   // pi/(2 h) of the angle h/2, whose square is alpha/2: within 2^-51 of itself
   const double cycles = (0x1.921fb54442d18p-1 * angle.pair.high) * (1.0 / (0.5 * alpha));
   if (!(cycles < 0x1p62)) return false;
-  kernel.N_A =
-      arithmetic::nearest_whole(cycles);  // or what is whole and as near as the quotient itself
-  // What that is off by are cycles of h each: 1/h is (2/pi) cycles, and h (2/pi) = 1/cycles of psi/4 what an angle has more for each.
+  // from 2^51 on what is whole, and as near as the quotient itself is known
+  kernel.N_A = arithmetic::nearest_whole(cycles);
+  // What that is off by, a 2^-51st of itself, are further cycles of h each, 1/h being (2/pi) cycles. N_A times an angle larger by
+  // further/N_A of itself has them, 1/N_A being (4/pi) psi/4.
   constexpr double two_per_pi = 0x1.45f306dc9c883p-1;
   const double further = arithmetic::nearest_whole(offset_of<Vanishing>(angle, kernel.N_A).turn *
                                                    (two_per_pi * cycles));
