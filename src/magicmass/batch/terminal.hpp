@@ -40,6 +40,17 @@ inline bool count_from_one(std::size_t rows, const double* alpha, std::int64_t* 
   return !has_negative(outside);
 }
 
+/// Rows out of the kernels' domain may get anything.
+inline void count_in_domain(std::size_t rows, const double* alpha, std::int64_t* N_A,
+                            std::int64_t* N_B) {
+  if (std::all_of(alpha, alpha + rows, [](double x) { return is_in_domain(x); }))
+    return count_block(rows, alpha, N_A, N_B);
+  for (std::size_t i = 0; i < rows; ++i) {
+    N_A[i] = N_B[i] = 1;
+    if (is_in_domain(alpha[i])) count_exactly(alpha[i], N_A + i, N_B + i);
+  }
+}
+
 template <class Number>
 void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_t* N_B, double* a_t,
                              double* b_t, double* c_t, std::size_t size) {
@@ -65,7 +76,7 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         const auto count = [&](const auto& angles, double* cycles, auto*... turns) {
           is_decided = count_from_angles(rows, of_alpha, angles, of_N_A, of_N_B, cycles, turns...);
           if (is_decided) return;
-          count_block(rows, of_alpha, of_N_A, of_N_B);
+          count_in_domain(rows, of_alpha, of_N_A, of_N_B);
           to_doubles(rows, of_N_A, of_N_B, cycles, turns...);
         };
         arithmetic::Certainty<Number> certain;

@@ -28,18 +28,23 @@ constexpr double largest_alpha = 0x1p960;
 /// From here on every product has its low part.
 constexpr double least_in_pairs = 0x1p-600;
 /// Below it n^2 alpha is less than 2^-470 for every n: but for so little of them a_n, c_n, c'_n, t_n and s_n do not depend on alpha,
-/// and b_n is in proportion to it. An alpha larger by this, and 2^-210 for 2^-470, serves as well.
-constexpr double from_tiny = 0x1p256;
+/// and b_n is in proportion to it. An alpha larger by this, and 2^-210 for 2^-470, serves as well; beyond 2^-594, as products of what is
+/// less would be subnormal, which takes processors long.
+constexpr double from_tiny(double alpha) { return alpha < 0x1p-850 ? 0x1p512 : 0x1p256; }
 /// And beyond the largest a_1 = a_t is -1, and the other velocities are as 1/alpha, to 2^-850 of themselves.
 constexpr double from_huge = 0x1p-100;
 /// Below this N_A + N_B is beyond 2^63.
 constexpr double least_alpha = 0x1p-124;
 
-[[gnu::noinline, gnu::cold]] generated::Velocities<double> velocities_at_tiny(double alpha,
-                                                                              std::int64_t n) {
-  auto result = tiers::single_kernels().fast_velocities(alpha * from_tiny, static_cast<double>(n),
-                                                        tiers::low_part(n));
-  result.b /= from_tiny;
+[[gnu::noinline]] generated::Velocities<double> velocities_at_tiny(double alpha, std::int64_t n) {
+  const double scale = from_tiny(alpha), back = 1.0 / scale;
+  // of a subnormal one its bits, a whole number of 2^-1074: no operation on it takes longer than on others
+  const double scaled = alpha < 0x1p-1022
+                            ? static_cast<double>(std::bit_cast<std::int64_t>(alpha)) * 0x1p-562
+                            : alpha * scale;
+  auto result =
+      tiers::single_kernels().fast_velocities(scaled, static_cast<double>(n), tiers::low_part(n));
+  result.b *= back;
   return result;
 }
 [[gnu::noinline, gnu::cold]] generated::Velocities<double> first_at_huge(double alpha) {
@@ -99,9 +104,9 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   if (alpha > 0.0 && alpha < 1.0 && j > 1) [[likely]] {
-    const auto result =
-        tiers::single_kernels().fast_encounters(alpha >= least_in_pairs ? alpha : alpha * from_tiny,
-                                                static_cast<double>(j), tiers::low_part(j));
+    const auto result = tiers::single_kernels().fast_encounters(
+        alpha >= least_in_pairs ? alpha : alpha * from_tiny(alpha), static_cast<double>(j),
+        tiers::low_part(j));
     if (result.s > 0.0) [[likely]]
       return result;
   }
