@@ -7,6 +7,7 @@
 #include "magicmass/accurate.hpp"
 #include "magicmass/errors.hpp"
 #include "magicmass/fast.hpp"
+#include "magicmass/tiers/single_kernels.hpp"
 
 namespace magicmass::batch {
 namespace {
@@ -44,6 +45,13 @@ Terminal fast_terminal(double alpha) {
 }
 Terminal accurate_terminal(double alpha) {
   return terminal_or_none([&] { return accurate::terminal(alpha); });
+}
+Terminal open_terminal(double alpha, const Counts& counts) {
+  generated::TerminalValues<double> result;
+  if (tiers::single_kernels().terminal_in_second_stage(
+          alpha, static_cast<double>(counts.N_A), counts.N_B == counts.N_A ? 1.0 : -1.0, result))
+    return {counts, result.a_t, result.b_t, result.c_t, result.rho};
+  return accurate_terminal(alpha);
 }
 // Where alpha is too large or too small for the lanes: two collisions, or a collapse unless e = 1.
 double transmission(double alpha, double e) {

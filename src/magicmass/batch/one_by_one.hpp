@@ -14,6 +14,8 @@ generated::Velocities<double> fast_velocities(double alpha, std::int64_t n);
 generated::Velocities<double> accurate_velocities(double alpha, std::int64_t n);
 Terminal fast_terminal(double alpha);
 Terminal accurate_terminal(double alpha);
+/// Where a kernel's numbers left a rounding open, of an alpha with N_A up to 2^51.
+Terminal open_terminal(double alpha, const Counts& counts);
 double transmission(double alpha, double e);
 generated::Ratios<double> fast_ratios(std::int64_t k);
 generated::Ratios<double> accurate_ratios(std::int64_t k);

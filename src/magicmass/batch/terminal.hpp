@@ -58,14 +58,16 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
       size,
       [](std::size_t, std::size_t rows, const double* of_alpha, std::int64_t* of_N_A,
          std::int64_t* of_N_B, double* of_a, double* of_b, double* of_c) {
-        const auto one_row = [&](std::size_t i) {
-          const Terminal one = rounding_is_tested<Number> ? accurate_terminal(of_alpha[i])
-                                                          : fast_terminal(of_alpha[i]);
+        const auto put = [&](std::size_t i, const Terminal& one) {
           of_N_A[i] = one.counts.N_A;
           of_N_B[i] = one.counts.N_B;
           of_a[i] = one.a_t;
           of_b[i] = one.b_t;
           of_c[i] = one.c_t;
+        };
+        const auto one_row = [&](std::size_t i) {
+          put(i, rounding_is_tested<Number> ? accurate_terminal(of_alpha[i])
+                                            : fast_terminal(of_alpha[i]));
         };
         // where the kernels decide nothing; a row among others that they know is as it would be among these
         if (std::none_of(of_alpha, of_alpha + rows, [](double x) { return is_in_domain(x); })) {
@@ -93,7 +95,10 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
         }
         if (is_decided && certain.is_all(rows)) return;
         for (std::size_t i = 0; i < rows; ++i)
-          if (!is_in_domain(of_alpha[i]) || is_open(certain, i)) one_row(i);
+          if (!is_in_domain(of_alpha[i]))
+            one_row(i);
+          else if (is_open(certain, i))
+            put(i, open_terminal(of_alpha[i], {of_N_A[i], of_N_B[i]}));
       },
       alpha, N_A, N_B, a_t, b_t, c_t);
 }

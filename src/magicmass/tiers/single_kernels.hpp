@@ -39,6 +39,9 @@ struct SingleKernels {
   bool (*ratios)(double k, generated::Ratios<double>& result);
   bool (*terminal)(double alpha, double N_A, double turn,
                    generated::TerminalValues<double>& result);
+  /// Where the first stage is known not to tell.
+  bool (*terminal_in_second_stage)(double alpha, double N_A, double turn,
+                                   generated::TerminalValues<double>& result);
 };
 
 /// single_kernels_for_target.cpp, compiled once for each instruction set: constants, so that asking for one runs none of

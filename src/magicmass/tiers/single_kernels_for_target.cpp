@@ -169,6 +169,10 @@ bool ratios(double k, Ratios<double>& result) {
 bool terminal(double alpha, double N_A, double turn, TerminalValues<double>& result) {
   return in_two_stages<TerminalKernel>(result, alpha, N_A, turn);
 }
+bool terminal_in_second_stage(double alpha, double N_A, double turn,
+                              TerminalValues<double>& result) {
+  return in_second_stage<TerminalKernel>(result, alpha, N_A, turn);
+}
 
 }  // namespace
 
@@ -184,6 +188,7 @@ const SingleKernels tables::MAGICMASS_TARGET = {
     .angle = angle,
     .ratios = ratios,
     .terminal = terminal,
+    .terminal_in_second_stage = terminal_in_second_stage,
 };
 
 }  // namespace magicmass::tiers

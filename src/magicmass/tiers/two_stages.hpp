@@ -52,16 +52,22 @@ bool is_certain(const Number& x) {
   return certainly_rounded(x);
 }
 
-/// Ziv's first two stages: numbers within 2^-67, then numbers within some 2^-84.
+/// Ziv's second stage: numbers within some 2^-84.
+template <template <class> class Kernel, class Result, class... Inputs>
+bool in_second_stage(Result& result, Inputs... inputs) {
+  const auto second = Kernel<arithmetic::Bounded<double>>::evaluate(inputs...);
+  result = nearest(second);
+  return is_certain(second);
+}
+
+/// The first two, after numbers within 2^-67.
 template <template <class> class Kernel, class Result, class... Inputs>
 bool in_two_stages(Result& result, Inputs... inputs) {
   const auto first = Kernel<arithmetic::Tracked<double, true>>::evaluate(inputs...);
   result = nearest(first);
   if (is_certain(first)) [[likely]]
     return true;
-  const auto second = Kernel<arithmetic::Bounded<double>>::evaluate(inputs...);
-  result = nearest(second);
-  return is_certain(second);
+  return in_second_stage<Kernel>(result, inputs...);
 }
 
 }  // namespace MAGICMASS_TARGET

@@ -56,6 +56,8 @@ std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, doub
   add(all, angle);
   add(all, ratios);
   add(all, terminal);
+  all.push_back(kernels.terminal_in_second_stage(alpha, N_A, turn, terminal));
+  add(all, terminal);
   return all;
 }
 
