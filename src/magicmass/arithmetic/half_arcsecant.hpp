@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <bit>
+#include <cstdint>
+
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/root_arcsecant_table.hpp"
 #include "magicmass/arithmetic/table_node.hpp"
@@ -18,12 +21,16 @@ struct HalfArcsecant {
 /// `usual` is an x from 2^-120 on.
 template <bool usual>
 [[gnu::always_inline]] inline HalfArcsecant half_arcsecant_parts(double x) {
-  const double root = square_root(x);
   if constexpr (!usual) {
-    // F is F(0), and below this the powers of x would leave the normal doubles, which takes processors long
+    // F is F(0), and below this the powers of x would leave the normal doubles, which takes processors long. So does a root of what
+    // has left them: that of a whole number of 2^-1074 in its place.
     if (x < 0x1p-120) [[unlikely]]
-      return {root, root_arcsecant_table[0], root_arcsecant_table[1], root_arcsecant_table[0]};
+      return {x < 0x1p-1022
+                  ? square_root(static_cast<double>(std::bit_cast<std::int64_t>(x))) * 0x1p-537
+                  : square_root(x),
+              root_arcsecant_table[0], root_arcsecant_table[1], root_arcsecant_table[0]};
   }
+  const double root = square_root(x);
   // F(x) - F(c) is at most 2^-9 0.3; what is rounded there, at 2^-53 of itself each, is four operations: 2^-60.9 of F(x), which
   // is 0.52 to 0.71, and 2^-51.8 x of it where j = 0, as F(0) is exact to 2^-107. The polynomial adds 2^-66.
   const TableNode node = table_node_inside<8>(root_arcsecant_table, x);
