@@ -102,7 +102,7 @@ CountDecision decide_count(double alpha) {
 
 std::optional<Counts> count_collisions(double alpha) {
   if (alpha >= too_many_below && alpha < 1.0) {
-    if (alpha >= 0x1p-120) {
+    if (alpha >= 0x1p-120) {  // pi/h is less than 2^62
       if (const std::int64_t total = tiers::clear_total(tiers::turns_to_pi(alpha)); total != 0)
         return split(static_cast<std::uint64_t>(total));
     }

@@ -31,19 +31,20 @@ constexpr double least_in_pairs = 0x1p-600;
 /// and b_n is in proportion to it. An alpha larger by this, and 2^-210 for 2^-470, serves as well; beyond 2^-594, as products of what is
 /// less would be subnormal, which takes processors long.
 constexpr double from_tiny(double alpha) { return alpha < 0x1p-850 ? 0x1p512 : 0x1p256; }
+/// alpha times that; of a subnormal one its bits, a whole number of 2^-1074, as operations on itself take processors long.
+double moved_from_tiny(double alpha) {
+  if (alpha < 0x1p-1022) return static_cast<double>(std::bit_cast<std::int64_t>(alpha)) * 0x1p-562;
+  return alpha * from_tiny(alpha);
+}
 /// And beyond the largest a_1 = a_t is -1, and the other velocities are as 1/alpha, to 2^-850 of themselves.
 constexpr double from_huge = 0x1p-100;
 /// Below this N_A + N_B is beyond 2^63.
 constexpr double least_alpha = 0x1p-124;
 
 [[gnu::noinline]] generated::Velocities<double> velocities_at_tiny(double alpha, std::int64_t n) {
-  const double scale = from_tiny(alpha), back = 1.0 / scale;
-  // of a subnormal one its bits, a whole number of 2^-1074: no operation on it takes longer than on others
-  const double scaled = alpha < 0x1p-1022
-                            ? static_cast<double>(std::bit_cast<std::int64_t>(alpha)) * 0x1p-562
-                            : alpha * scale;
-  auto result =
-      tiers::single_kernels().fast_velocities(scaled, static_cast<double>(n), tiers::low_part(n));
+  const double back = 1.0 / from_tiny(alpha);
+  auto result = tiers::single_kernels().fast_velocities(moved_from_tiny(alpha),
+                                                        static_cast<double>(n), tiers::low_part(n));
   result.b *= back;
   return result;
 }
@@ -105,7 +106,7 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   if (alpha > 0.0 && alpha < 1.0 && j > 1) [[likely]] {
     const auto result = tiers::single_kernels().fast_encounters(
-        alpha >= least_in_pairs ? alpha : alpha * from_tiny(alpha), static_cast<double>(j),
+        alpha >= least_in_pairs ? alpha : moved_from_tiny(alpha), static_cast<double>(j),
         tiers::low_part(j));
     if (result.s > 0.0) [[likely]]
       return result;
