@@ -64,8 +64,7 @@ private:
     const Op op = node(number).op;
     if (form_.rounds_results && (op == Op::reciprocal_square_root || op == Op::square_root))
       return "typename Number::Root";
-    if (form_.rounds_results && (op == Op::arctangent || op == Op::half_arcsecant))
-      return "typename Number::ArcTangent";
+    if (op == Op::arctangent || op == Op::half_arcsecant) return "typename Number::ArcTangent";
     if (!form_.small_angle.empty() && op == Op::sine) return "typename Number::SmallSine";
     if (!form_.small_angle.empty() && op == Op::cosine) return "typename Number::SmallCosine";
     return "Number";
@@ -123,8 +122,12 @@ private:
 
   // Its name, or its definition where no later stage has it.
   std::string assigned(int number) const {
-    const std::string type = form_.rounds_results ? "auto" : "Number";
-    return (carried_.contains(number) ? "" : "const " + type + " ") + printer_.name(number);
+    if (carried_.contains(number)) return printer_.name(number);
+    const auto& of = node(number).args;
+    const bool is_of_numbers =
+        std::all_of(of.begin(), of.end(), [&](int argument) { return type(argument) == "Number"; });
+    const std::string made = form_.rounds_results || !is_of_numbers ? "auto" : "Number";
+    return "const " + made + " " + printer_.name(number);
   }
 
   // Two secants of a stage side by side. False if there is no other.

@@ -11,12 +11,6 @@
 namespace magicmass::codegen {
 namespace {
 
-bool ends_a_stage(const Node& node) {
-  return node.op == Op::reciprocal_square_root || node.op == Op::square_root ||
-         node.op == Op::arctangent || node.op == Op::half_arcsecant || node.op == Op::sine ||
-         node.op == Op::cosine || node.op == Op::secant_less_one;
-}
-
 bool is_power_of_two(const Node& node) {
   const auto whole = [](std::int64_t k) { return k > 0 && (k & (k - 1)) == 0; };
   return node.op == Op::constant && whole(node.numerator) && whole(node.denominator);
@@ -38,30 +32,6 @@ std::string plain_name(const Node& node) {
 }
 
 }  // namespace
-
-Stages stages_of(const Program& program) {
-  Stages stages{std::vector<int>(program.nodes.size(), 0), 1};
-  for (std::size_t i = 0; i < program.nodes.size(); ++i)
-    for (const int argument : program.nodes[i].args) {
-      const auto of = static_cast<std::size_t>(argument);
-      const int after = stages.stage[of] + (ends_a_stage(program.nodes[of]) ? 1 : 0);
-      stages.stage[i] = std::max(stages.stage[i], after);
-      stages.count = std::max(stages.count, after + 1);
-    }
-  return stages;
-}
-
-int degree_of(const Program& program, int number) {
-  const Node& node = program.nodes[static_cast<std::size_t>(number)];
-  if (ends_a_stage(node)) return 1;
-  const bool is_product = node.op == Op::multiply || node.op == Op::divide;
-  int degree = 0;
-  for (const int argument : node.args) {
-    const int of_argument = degree_of(program, argument);
-    degree = is_product ? degree + of_argument : std::max(degree, of_argument);
-  }
-  return degree;
-}
 
 KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::string>& number_inputs)
     : program_(program), number_inputs_(number_inputs), names_(program.nodes.size()) {
@@ -239,6 +209,12 @@ std::optional<std::string> KernelPrinter::as_product(int number) const {
       (is_exact(argument) ? exacts : factors).push_back(argument);
   }
   if (factors.size() < 2) return std::nullopt;
+  if (factors.size() > 2) {
+    const auto last = std::max_element(factors.begin(), factors.end(), [&](int one, int other) {
+      return depth_of(program_, one) < depth_of(program_, other);
+    });
+    std::rotate(last, last + 1, factors.end());
+  }
   const bool is_single = factors.size() == 2 && exacts.empty();
   std::string all_but_one = is_single ? value(factors[0]) : factor(factors[0]);
   for (std::size_t i = 1; i + 1 < factors.size(); ++i) all_but_one += " * " + factor(factors[i]);

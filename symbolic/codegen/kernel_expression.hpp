@@ -6,20 +6,9 @@
 #include <vector>
 
 #include "codegen/ir.hpp"
+#include "codegen/stages.hpp"
 
 namespace magicmass::codegen {
-
-// A program cut into stages: each ends where a root, an arctangent or a sine-cosine pair is known, so that in a loop
-// over a block nothing waits for the last step of the same element. `stage[i]` of node i counts from 0.
-struct Stages {
-  std::vector<int> stage;
-  int count = 0;
-};
-Stages stages_of(const Program& program);
-
-// The number of factors of a node, counted like a polynomial's degree: those that a root, an arctangent, a sine or a cosine makes
-// count as one, exact ones as none.
-int degree_of(const Program& program, int number);
 
 // Prints a program in the operators of magicmass/arithmetic: constants and inputs but `number_inputs` are exact (Real), all
 // else Number.
@@ -40,7 +29,8 @@ public:
   // The right side of a node that is kept or an output.
   std::string right_side(int number) const;
   std::string value(int number) const;  // its name if kept, else its right side
-  // "x, y, scale" of an output that is not kept and is scale x y, scale plus or minus a power of two.
+  // "x, y, scale" of an output that is not kept and is scale x y, scale plus or minus a power of two. Of three factors or more y is
+  // the one that is known last, so that the others are multiplied while it is waited for.
   std::optional<std::string> as_product(int number) const;
 
 private:

@@ -24,7 +24,7 @@ struct AngleKernel {
 
   Real alpha;
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
-  Number angle;  // asec(1 + alpha)/2
+  typename Number::ArcTangent angle;  // asec(1 + alpha)/2
 
   [[gnu::always_inline]] void stage_1() {
     cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);

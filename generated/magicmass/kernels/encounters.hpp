@@ -31,7 +31,7 @@ struct EncountersKernel {
   Real j;
   Number sum;  // 1 + alpha
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
-  Number angle;  // asec(1 + alpha)/2
+  typename Number::ArcTangent angle;  // asec(1 + alpha)/2
   Number cosine;  // cos(2*(asec(1 + alpha)/2)*j)
   Number sine;  // sin(2*(asec(1 + alpha)/2)*j)
 
@@ -49,7 +49,7 @@ struct EncountersKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number product = angle * (Real(2.0) * j);
+    const auto product = angle * (Real(2.0) * j);
     const auto turned = sine_cosine(product);
     cosine = turned.cosine;
     sine = turned.sine;
@@ -75,7 +75,7 @@ struct EncountersKernel {
     const Number value = reciprocal(cosine + product_2);
     using Product = arithmetic::Product<Number>;
     return {
-        .t = rounded(Product{sum * value, product_2, 1.0}),
+        .t = rounded(Product{sum * product_2, value, 1.0}),
         .s = rounded(value),
     };
   }
@@ -114,7 +114,7 @@ void encounters_block(std::size_t size, const double* alpha, const double* j, do
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
   arithmetic::Block<Number> sums;
   arithmetic::Block<Number> cot_halfs;
-  arithmetic::Block<Number> angles;
+  arithmetic::Block<typename Number::ArcTangent> angles;
   arithmetic::Block<Number> cosines;
   arithmetic::Block<Number> sines;
   for (std::size_t i = 0; i < size; i += lanes) {

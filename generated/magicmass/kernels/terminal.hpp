@@ -34,7 +34,7 @@ struct TerminalKernel {
   Real turn;
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
-  Number angle;  // asec(1 + alpha)/2
+  typename Number::ArcTangent angle;  // asec(1 + alpha)/2
   Number sine;  // sin(r_t)
   Number cosine;  // cos(r_t)
 
@@ -127,7 +127,7 @@ void terminal_block(std::size_t size, const double* alpha, Count count, double* 
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
   arithmetic::Block<Number> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
-  arithmetic::Block<Number> angles;
+  arithmetic::Block<typename Number::ArcTangent> angles;
   arithmetic::Block<Number> sines;
   arithmetic::Block<Number> cosines;
   alignas(64) arithmetic::BlockOfDoubles N_A;

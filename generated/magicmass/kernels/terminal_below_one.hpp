@@ -51,7 +51,7 @@ struct TerminalBelowOneKernel {
     return {
         .a_t = rounded(Product{sine + product, sum, -1.0}),
         .b_t = rounded(b_N_B),
-        .c_t = rounded(Product{sum * reciprocal(Number(alpha)), product, 2.0}),
+        .c_t = rounded(Product{reciprocal(Number(alpha)) * product, sum, 2.0}),
         .rho = rounded(Product{b_N_B, b_N_B, 1.0}),
     };
   }

@@ -35,7 +35,7 @@ struct TransmissionKernel {
   Number sum_2;  // alpha - alpha_c
   Number root_h;  // 1/sqrt((2 + alpha_c + alpha)*(alpha - alpha_c)), step transmission.root_h
   Number sum_3;  // 1 + alpha
-  Number angle;  // atan(tan_half_h)
+  typename Number::ArcTangent angle;  // atan(tan_half_h)
   Number sine;  // sin(rest_e)
   Number sine_2;  // sin(h_e - rest_e)
   Number V_CM;  // 1/(2 + alpha), step power.V_CM
@@ -54,7 +54,7 @@ struct TransmissionKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number h_e = scaled(angle, 2.0);
+    const auto h_e = scaled(angle, 2.0);
     const Number rest_e = Number::pi() - h_e * N;
     const auto turned = sine_cosine(rest_e);
     sine = turned.sine;

@@ -31,7 +31,7 @@ struct VelocitiesKernel {
   Real n;
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
-  Number angle;  // asec(1 + alpha)/2
+  typename Number::ArcTangent angle;  // asec(1 + alpha)/2
   Number cosine;  // cos(2*(asec(1 + alpha)/2)*n)
   Number sine;  // sin(2*(asec(1 + alpha)/2)*n)
 
@@ -49,7 +49,7 @@ struct VelocitiesKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number product = angle * (Real(2.0) * n);
+    const auto product = angle * (Real(2.0) * n);
     const auto turned = sine_cosine(product);
     cosine = turned.cosine;
     sine = turned.sine;
@@ -108,7 +108,7 @@ void velocities_block(std::size_t size, const double* alpha, const double* n, do
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
   arithmetic::Block<Number> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
-  arithmetic::Block<Number> angles;
+  arithmetic::Block<typename Number::ArcTangent> angles;
   arithmetic::Block<Number> cosines;
   arithmetic::Block<Number> sines;
   for (std::size_t i = 0; i < size; i += lanes) {

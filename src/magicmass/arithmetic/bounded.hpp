@@ -12,6 +12,7 @@ inline namespace MAGICMASS_TARGET {
 template <class T>
 struct Bounded {
   using Real = T;
+  using ArcTangent = Bounded;
 
   Pair<T> pair;
   T error;

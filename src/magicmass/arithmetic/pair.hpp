@@ -13,6 +13,7 @@ inline namespace MAGICMASS_TARGET {
 template <class T>
 struct Pair {
   using Real = T;
+  using ArcTangent = Pair;
 
   T high;
   T low;

@@ -45,6 +45,7 @@ struct RootOf {
 /// A double of which nothing is asked but half an arcsecant below 1: what leads to its tangent is computed for nobody.
 struct OfArcsecant {
   using Real = double;
+  using ArcTangent = OfArcsecant;
 
   double value;
 

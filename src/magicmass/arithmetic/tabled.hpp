@@ -21,6 +21,7 @@ enum class Alphas {
 };
 
 /// An angle that is known roughly before it is known well, so that a table's row is on its way when it is.
+template <Alphas alphas>
 struct EarlyAngle {
   Pair<double> pair;
   double early;  ///< within 2^-19 of it
@@ -39,7 +40,7 @@ template <class T, Alphas alphas = Alphas::any>
 struct Tabled {
   using Real = T;
   using Root = Tabled;
-  using ArcTangent = std::conditional_t<alphas == Alphas::usual, EarlyAngle, Tabled>;
+  using ArcTangent = std::conditional_t<alphas == Alphas::any, Tabled, EarlyAngle<alphas>>;
   using SmallSine = LesserSine;
   struct One {};
   using SmallCosine = std::conditional_t<alphas == Alphas::vanishing, One, Tabled>;
@@ -49,7 +50,7 @@ struct Tabled {
   Tabled() = default;
   explicit Tabled(T exact) : pair(exact) {}
   explicit Tabled(Pair<T> value) : pair(value) {}
-  Tabled(EarlyAngle angle) : pair(angle.pair) {}
+  Tabled(EarlyAngle<alphas> angle) : pair(angle.pair) {}
 
   static Tabled sum(T x, T y) {
     if constexpr (alphas == Alphas::usual) return Tabled(normalised(Pair<T>(x, y)));
@@ -73,11 +74,11 @@ struct Tabled {
     }
   };
   /// For x.high from half of it to twice it, where the high parts subtract exactly (Sterbenz).
-  friend FromPi operator-(Pi pi, EarlyAngle x) {
+  friend FromPi operator-(Pi pi, EarlyAngle<alphas> x) {
     const Pair<T> whole = scaled(Pair<T>::pi(), pi.scale);
     return {Pair<T>(whole.high - x.pair.high, whole.low - x.pair.low), whole.high - x.early};
   }
-  friend FromPi operator-(Pi pi, Tabled x) { return pi - EarlyAngle{x.pair, x.pair.high}; }
+  friend FromPi operator-(Pi pi, Tabled x) { return pi - EarlyAngle<alphas>{x.pair, x.pair.high}; }
   /// Of its sign only a sine wants to know, in the end.
   struct Magnitude {
     FromPi of;
@@ -135,7 +136,7 @@ template <class T, Alphas alphas>
 template <class T, Alphas alphas>
 [[gnu::always_inline]] inline Tabled<T, alphas> reciprocal_square_root(Tabled<T, alphas> of) {
   const Pair<T> w = of.pair;
-  if constexpr (alphas != Alphas::usual) {
+  if constexpr (alphas == Alphas::any) {
     if (!(w.high >= 0x1p-900 && w.high <= 0x1p900)) [[unlikely]]
       return Tabled<T>(reciprocal_square_root(w));
   }
@@ -190,14 +191,15 @@ template <class T, Alphas alphas>
 
 /// atan t = asec(1 + x)/2 for 0 < x and t = sqrt(x/(2 + x)), as exactly as `arctangent`: below x = 1 from x, which is exact and
 /// waits for nothing.
-[[gnu::always_inline]] inline EarlyAngle half_arcsecant(double x, Tabled<double, Alphas::usual>) {
+[[gnu::always_inline]] inline EarlyAngle<Alphas::usual> half_arcsecant(
+    double x, Tabled<double, Alphas::usual>) {
   const HalfArcsecant made = half_arcsecant_parts<true>(x);
   return {half_arcsecant_in_range(made, x), made.root * made.early};
 }
 /// The tangent, but for x/6 of it.
-[[gnu::always_inline]] inline Tabled<double, Alphas::vanishing> half_arcsecant(
+[[gnu::always_inline]] inline EarlyAngle<Alphas::vanishing> half_arcsecant(
     double, Tabled<double, Alphas::vanishing> tangent) {
-  return tangent;
+  return {tangent.pair, tangent.pair.high};
 }
 [[gnu::always_inline]] inline Tabled<double> half_arcsecant(double x, Tabled<double> tangent) {
   return x < 1.0 ? Tabled<double>(half_arcsecant_of(x)) : arctangent(tangent);
@@ -230,18 +232,26 @@ template <bool in_order>
   return normalised(Pair<T>(head.high, low));
 }
 
-/// sin x and cos x for 0 <= x <= 3.14, within 2^-60 of themselves or 2^-60, and what the error of x makes of them; the sine within
-/// 2^-60 of itself up to 3. |x.low| <= 2^-51 |x.high|, or 2^-50 where x.high is a multiple of 2^-52.
-/// Outside they mean nothing.
+/// sin x and cos x for 0 <= x <= pi, within 2^-60 of themselves or 2^-60, the sine within 2^-59 of itself but for 2^-102, and what the
+/// error of x, or of pi - x, makes of them. |x.low| <= 2^-51 |x.high|, x.early within 2^-17. Up to 3.145 the sine has the right sign,
+/// and beyond they mean nothing.
 template <Alphas alphas>
-[[gnu::always_inline]] inline SineCosine<Tabled<double, alphas>> sine_cosine(
-    Tabled<double, alphas> of) {
+[[gnu::always_inline]] inline SineCosine<Tabled<double, alphas>> sine_cosine(EarlyAngle<alphas> x) {
   using Number = Tabled<double, alphas>;
-  const Pair<double> x = of.pair;
-  const TableNode node = table_node<4>(sine_cosine_table, x.high);
-  const Pair<Lanes<2>> both = sine_cosine_next_to<false>(node.row, node.rest, x.low);
+  // Beyond a quarter turn from pi - x, whose high part is exact; its low part, up to 2^-49.3, counts for 2^-19 of itself more than it
+  // should. A branch: selections would wait for what is known early, and cost more than a guess that is wrong half of the time.
+  double sign = 1.0;
+  if (x.early > 0x1.921fb54442d18p+0) {
+    const Pair<double> pi = Pair<double>::pi();
+    x = {Pair<double>(pi.high - x.pair.high, pi.low - x.pair.low), magnitude(pi.high - x.early)};
+    sign = -1.0;
+  }
+  const TableNode node = table_node<4>(sine_cosine_table, x.early);
+  const Pair<Lanes<2>> both =
+      sine_cosine_next_to<false>(node.row, x.pair.high - (x.early - node.rest), x.pair.low);
   return {Number(Pair<double>(both.high.v[0], both.low.v[0])),
-          Number(Pair<double>(both.high.v[1], both.low.v[1]))};
+          Number(Pair<double>(times_sign_of(both.high.v[1], sign),
+                              times_sign_of(both.low.v[1], sign)))};
 }
 
 template <class Cosine>

@@ -16,6 +16,7 @@ inline namespace MAGICMASS_TARGET {
 template <class T, bool fuses = false>
 struct Tracked {
   using Real = T;
+  using ArcTangent = Tracked;
 
   Pair<T> pair;
   T size;

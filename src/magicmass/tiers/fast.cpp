@@ -105,9 +105,8 @@ generated::Velocities<double> velocities(double alpha, std::int64_t n) {
 
 generated::Encounters<double> encounters(double alpha, std::int64_t j) {
   if (alpha > 0.0 && alpha < 1.0 && j > 1) [[likely]] {
-    const auto result = tiers::single_kernels().fast_encounters(
-        alpha >= least_in_pairs ? alpha : moved_from_tiny(alpha), static_cast<double>(j),
-        tiers::low_part(j));
+    const auto result =
+        tiers::single_kernels().fast_encounters(alpha, static_cast<double>(j), tiers::low_part(j));
     if (result.s > 0.0) [[likely]]
       return result;
   }

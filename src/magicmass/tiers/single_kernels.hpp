@@ -23,7 +23,7 @@ constexpr double low_part(std::int64_t n) {
 struct SingleKernels {
   /// n as high + low, each a double, exactly.
   generated::Velocities<double> (*fast_velocities)(double alpha, double n, double n_low);
-  /// j as high + low. A distance that is not positive: there is no such collision, or it is not known.
+  /// For alpha below 1, j as high + low. A distance that is not positive: there is no such collision, or it is not known.
   generated::Encounters<double> (*fast_encounters)(double alpha, double j, double j_low);
   double (*fast_angle)(double alpha);
   /// k as high + low, too.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set.
+#include <algorithm>
 #include <cmath>
 
 #include "magicmass/angle_product.hpp"
@@ -39,58 +40,46 @@ using generated::TerminalValues;
 using generated::Velocities;
 using generated::VelocitiesKernel;
 
-/// An index beyond 2^53: its low part, a fraction of at most 2^-53, goes into the angle that the index multiplies.
-template <class Number>
-Number with_low_part(Number angle, double low_over_high) {
-  angle.pair.low += angle.pair.high * low_over_high;
-  return angle;
-}
-
-Velocities<double> fast_velocities(double alpha, double n, double n_low) {
-  if (alpha >= least_usual && alpha < 1.0 && n_low == 0.0) [[likely]] {
-    VelocitiesKernel<Usual> kernel;
-    kernel.alpha = alpha;
-    kernel.n = n;
-    kernel.stage_1();
-    kernel.stage_2();
-    kernel.stage_3();
-    return nearest(kernel.result());
-  }
-  using Kernel = VelocitiesKernel<Tabled<double>>;
-  if (n_low == 0.0 || alpha >= 1.0) [[likely]]
-    return nearest(Kernel::evaluate(alpha, n));
-  Kernel kernel;
-  kernel.alpha = alpha;
-  kernel.n = n;
+/// Up to the sine and cosine. An index beyond 2^53 has a low part, a fraction of at most 2^-53, which goes into the angle that it
+/// multiplies.
+template <class Kernel>
+[[gnu::always_inline]] inline void turn(Kernel& kernel, double index, double low) {
   kernel.stage_1();
   kernel.stage_2();
-  kernel.angle = with_low_part(kernel.angle, n_low / n);
+  if (low != 0.0) [[unlikely]]
+    kernel.angle.pair.low += kernel.angle.pair.high * (low / index);
   kernel.stage_3();
-  return nearest(kernel.result());
 }
 
-/// Below this the square of a tracked root, 1/alpha, is too large.
-constexpr double least_tracked = 0x1p-900;
-
-/// The tables' sine and cosine go as far as this.
-constexpr double largest_turn = 3.14;
-
-/// The last collisions of many, from the angle on.
 template <class Number>
-[[gnu::noinline, gnu::cold]] Encounters<double> last_encounters(EncountersKernel<Number> kernel) {
-  const double alpha = kernel.alpha, j = kernel.j;
+[[gnu::always_inline]] inline Velocities<double> velocities_of(double alpha, double n,
+                                                               double n_low) {
+  VelocitiesKernel<Number> kernel;
+  kernel.alpha = alpha;
+  kernel.n = n;
+  turn(kernel, n, n_low);
+  return nearest(kernel.result());
+}
+Velocities<double> fast_velocities(double alpha, double n, double n_low) {
+  if (alpha >= 1.0) {
+    VelocitiesKernel<Tabled<double>> kernel;
+    kernel.alpha = alpha;
+    kernel.n = n;
+    kernel.first();
+    return nearest(kernel.result());
+  }
+  if (alpha >= least_usual) [[likely]]
+    return velocities_of<Usual>(alpha, n, n_low);
+  return velocities_of<Vanishing>(alpha, n, n_low);
+}
+
+/// The tables' sine is as good from here to pi as before, and beyond of the right sign: where s is not positive j is no collision.
+constexpr double largest_turn = 3.145;
+
+/// Next to a threshold, where s of the last collision is larger than the tables' numbers tell.
+[[gnu::noinline]] Encounters<double> last_encounters(double alpha, double j) {
   constexpr Encounters<double> unknown{-HUGE_VAL, -HUGE_VAL};
-  if (kernel.angle.pair.high * (2.0 * j) > 3.15) return unknown;
-  // sin x and cos x from pi - x, which is as good as x
-  const auto turned = sine_cosine((Number::pi() - kernel.angle * (2.0 * j)) * 1.0);
-  kernel.sine = turned.sine;
-  kernel.cosine = -turned.cosine;
-  // The angle's relative error, and twice that of the rest, times j is the error of 1/s = sin((j+1)h)/sin h, but for a
-  // factor of 2: rounding alpha alone would cost 2^5 times as much. Its sign is what has to be certain.
-  const auto last = kernel.rounded_result();
-  if (last.s > 0.0 && (last.s * j) * relative_error_of_angle(alpha) < 0.125) return last;
-  if (!(alpha >= least_tracked && j < 0x1p51)) return unknown;
-  // next to a threshold
+  if (!(j < 0x1p51)) return unknown;
   const auto first = EncountersKernel<Tracked<double>>::evaluate(alpha, j);
   if (first.s.size < HUGE_VAL) return nearest(first);
   const auto second = EncountersKernel<Bounded<double>>::evaluate(alpha, j);
@@ -98,24 +87,28 @@ template <class Number>
 }
 
 template <class Number>
-[[gnu::always_inline]] inline Encounters<double> encounters_of(double alpha, double j,
-                                                               double j_low) {
+[[gnu::always_inline]] inline Encounters<double> encounters_of(double alpha, double j, double j_low,
+                                                               double relative_error) {
   EncountersKernel<Number> kernel;
   kernel.alpha = alpha;
   kernel.j = j;
-  kernel.stage_1();
-  kernel.stage_2();
-  if (j_low != 0.0) [[unlikely]]
-    kernel.angle = with_low_part(kernel.angle, j_low / j);
-  if (!(kernel.angle.pair.high * (2.0 * j) < largest_turn)) [[unlikely]]
-    return last_encounters(kernel);
-  kernel.stage_3();
-  return kernel.rounded_result();
+  turn(kernel, j, j_low);
+  const auto result = kernel.rounded_result();
+  // The angle's relative error, and twice that of the rest, times j is the error of 1/s = sin((j+1)h)/sin h, but for a
+  // factor of 2: rounding alpha alone would cost 2^5 times as much. Its sign is what has to be certain.
+  if (kernel.angle.pair.high * (2.0 * j) < largest_turn && result.s > 0.0 &&
+      (result.s * j) * relative_error < 0.125) [[likely]]
+    return result;
+  return last_encounters(alpha, j);
 }
+/// Below this t and s do not depend on alpha, but for less than 2^-270.
+constexpr double least_of_encounters = 0x1p-400;
+
 Encounters<double> fast_encounters(double alpha, double j, double j_low) {
-  if (alpha >= least_usual && alpha < 1.0) [[likely]]
-    return encounters_of<Usual>(alpha, j, j_low);
-  return encounters_of<Tabled<double>>(alpha, j, j_low);
+  if (alpha >= least_usual) [[likely]]
+    return encounters_of<Usual>(alpha, j, j_low, relative_error_of_angle(alpha));
+  return encounters_of<Vanishing>(std::max(alpha, least_of_encounters), j, j_low,
+                                  relative_error_of_vanishing);
 }
 
 /// Up to here 2 k + 2 is a Whole.

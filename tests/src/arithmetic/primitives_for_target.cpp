@@ -232,11 +232,12 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                     [](const double* x, double* y) { put(reciprocal_square_root(tabled(x)), y); }),
     of_single<2, 2>("tabled_arctangent",
                     [](const double* x, double* y) { put(arctangent(tabled(x)), y); }),
-    of_single<2, 4>("tabled_sine_cosine",
+    of_single<3, 4>("tabled_sine_cosine",
                     [](const double* x, double* y) {
-                      const auto both = sine_cosine(tabled(x));
-                      put(both.sine, y);
-                      put(both.cosine, y + 2);
+                      const auto both = sine_cosine(
+                          EarlyAngle<Alphas::usual>{Pair<double>(x[0], x[1]), x[2]});
+                      put(both.sine.pair, y);
+                      put(both.cosine.pair, y + 2);
                     }),
     of_single<1, 2>(
         "usual_tangent",
@@ -246,7 +247,7 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
         [](const double* x, double* y) { put(Vanishing::half_arcsecant_tangent(x[0]).pair, y); }),
     of_single<1, 3>("early_half_arcsecant",
                     [](const double* x, double* y) {
-                      const EarlyAngle angle = half_arcsecant(x[0], Usual());
+                      const auto angle = half_arcsecant(x[0], Usual());
                       put(angle.pair, y);
                       y[2] = angle.early;
                     }),

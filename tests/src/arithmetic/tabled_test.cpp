@@ -78,33 +78,51 @@ TEST_CASE("a tabled arctangent is within 2^-61 and within 2^-51 t^2 + 2^-100 of 
   CHECK(worst.over_allowed > 1 / 8.0);
 }
 
-TEST_CASE("a tabled sine and cosine are within 2^-60 up to 3.14, the sine of itself up to 3",
-          "[check]") {
-  Columns in = arguments(162, 3.14);
-  // what is left of pi: a multiple of 2^-52, and a low part that may be more
+TEST_CASE(
+    "a tabled sine is within 2^-59 of itself up to pi and of its sign beyond, a cosine within "
+    "2^-60",
+    "[check]") {
+  const Columns pairs = arguments(162, 3.14);
   Generator generator(165);
-  std::uniform_real_distribution<double> low(-0x1p-50, 0x1p-50);
-  for (int i = 0; i < 2000; ++i) {
-    const double x = 0x1p-52 * std::floor(log_uniform(generator, 0.5, 0x1.8p53));
-    append(in, {x, x < 0x1p-49 ? std::fabs(low(generator)) : low(generator)});
+  std::uniform_real_distribution<double> low(-0x1p-51, 0x1p-51), off(-0x1p-17, 0x1p-17);
+  Columns in;
+  const auto add = [&](double x, double x_low) {
+    append(in, {x, x_low, std::fabs(x + (x < 1.0 ? x : 1.0) * off(generator))});
+  };
+  for (std::size_t i = 0; i < pairs[0].size(); ++i) add(pairs[0][i], pairs[1][i]);
+  // next to pi on both sides
+  for (int i = 0; i < 4000; ++i) {
+    const double x = M_PI - (i % 2 == 0 ? 1.0 : -0.003) * log_uniform(generator, 0x1p-52, 1.0);
+    add(x, low(generator) * x);
   }
+  for (int j = -8; j <= 8; ++j)
+    for (const double x_low : {-0x1p-50, -0x1p-53, 0.0, 0x1p-53, 0x1p-50})
+      add(M_PI + j * 0x1p-51, x_low);
   const Columns out = of_single_doubles("tabled_sine_cosine", in);
+  const cl_RA pi = cln::rational(cln::pi(real(cl_RA(1))));
   Worst worst;
   for (std::size_t i = 0; i < in[0].size(); ++i) {
-    const cl_RA x = exact_pair(in, 0, i), sine = exact_sine(x);
-    INFO(in[0][i] << " + " << in[1][i]);
-    worst.require(exact_pair(out, 0, i), sine, power(-60) * (in[0][i] <= 3.0 ? sine : cl_RA(1)));
+    const cl_RA x = exact_pair(in, 0, i);
+    INFO(in[0][i] << " + " << in[1][i] << ", early " << in[2][i]);
+    if (x > pi) {
+      REQUIRE(exact_pair(out, 0, i) < power(-102));
+      continue;
+    }
+    const cl_RA sine = exact_sine(pi - x);
+    worst.require(exact_pair(out, 0, i), sine, power(-59) * sine + power(-102));
     worst.require(exact_pair(out, 2, i), exact_cosine(x), power(-60));
   }
   CHECK(worst.over_allowed > 1 / 8.0);
 }
 
 TEST_CASE("outside of the tables nothing is read beside them", "[exam]") {
-  Columns in;
-  for (const double x : {3.15, 4.0, 1e3, 1e17, 1e300, HUGE_VAL, -1.0, -HUGE_VAL, std::nan("")})
-    append(in, {x, 0.0});
+  Columns in, numbers;
+  for (const double x : {3.15, 4.0, 1e3, 1e17, 1e300, HUGE_VAL, -1.0, -HUGE_VAL, std::nan("")}) {
+    append(numbers, {x, 0.0});
+    for (const double early : {x, 0.1, 3.1, -1.0, 1e300, std::nan("")}) append(in, {x, 0.0, early});
+  }
   of_single_doubles("tabled_sine_cosine", in);
-  of_single_doubles("tabled_arctangent", in);
+  of_single_doubles("tabled_arctangent", numbers);
 }
 
 TEST_CASE("a tabled reciprocal is within 2^-100 and a root within 2^-98 of itself", "[check]") {

@@ -21,6 +21,7 @@ namespace {
 /// Of a tracked number: what it costs at most in units of its size.
 struct Degree {
   using Real = double;
+  using ArcTangent = Degree;
 
   int count = 0;
 

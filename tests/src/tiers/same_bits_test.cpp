@@ -37,7 +37,7 @@ std::vector<std::uint64_t> bits(const SingleKernels& kernels, double alpha, doub
   const double N_A = static_cast<double>(counts.N_A);
   const double turn = counts.N_A == counts.N_B ? 1.0 : -1.0;
   add(all, kernels.fast_velocities(alpha, n, 0.0));
-  add(all, kernels.fast_encounters(alpha, n, n > 0x1p40 ? 0.5 : 0.0));
+  if (alpha < 1.0) add(all, kernels.fast_encounters(alpha, n, n > 0x1p40 ? 0.5 : 0.0));
   add(all, kernels.fast_angle(alpha));
   add(all, kernels.fast_ratios(n + 1, n > 0x1p40 ? 0.5 : 0.0));
   add_terminal(all, kernels, alpha);

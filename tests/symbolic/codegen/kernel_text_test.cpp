@@ -7,6 +7,7 @@
 #include "codegen/emit.hpp"
 #include "codegen/kernel_forms.hpp"
 #include "codegen/make_kernel.hpp"
+#include "codegen/stages.hpp"
 #include "whole_derivation.hpp"
 
 using namespace magicmass;
@@ -123,6 +124,19 @@ TEST_CASE("a kernel for one number names its types, and has no block", "[exam][s
   CHECK(times(one, " result() const") == 0);
   CHECK(times(one, "Block") == 0);
   CHECK(times(one, "cstddef") == 0);
+}
+
+TEST_CASE("of several factors that which is known last is multiplied last", "[exam][shared]") {
+  const codegen::Kernel encounters = make_kernel(form("encounters"), theorems());
+  const std::string text = emit_kernel(encounters);
+  INFO(text);
+  // the quotient, after the sum that it is of, after its summand
+  CHECK(times(text, ".t = rounded(Product{sum * product_2, value, 1.0}),") == 1);
+  CHECK(times(text, "const auto product = angle * (Real(2.0) * j);") == 1);
+  const auto depth = [&](std::size_t output) {
+    return codegen::depth_of(encounters.program, encounters.program.outputs[output].node);
+  };
+  CHECK(depth(0) == depth(1) + 1);
 }
 
 TEST_CASE("the velocities after two collisions need one quotient", "[exam][shared]") {
