@@ -19,8 +19,8 @@ public:
   explicit KernelEmitter(const Kernel& kernel)
       : form_(kernel.form),
         program_(kernel.program),
-        stages_(stages_of(program_)),
-        printer_(program_, form_.numbers) {
+        stages_(stages_of(program_, form_.cuts_turns)),
+        printer_(program_, stages_, form_.numbers) {
     if (form_.rounds_results) printer_.put_doubles_first();
     for (std::size_t i = 0; i < program_.nodes.size(); ++i)
       for (const int argument : program_.nodes[i].args)
@@ -104,16 +104,14 @@ private:
       std::string value = printer_.right_side(number);
       if (op == Op::reciprocal_square_root && form_.rounds_results) {
         text += is_beyond(indent);
-        value = "reciprocal_square_root(Number::root_argument(alpha, is_beyond))";
+        value = root_of_argument;
       } else if (op == Op::reciprocal_square_root && !form_.first.empty()) {
-        text +=
-            wrapped_line(indent + "Number square = " + printer_.value(node(number).args[0]) + ";");
         text += indent + "if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)\n" +
-                indent +
-                "  square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + "
-                "alpha)^2\n" +
-                indent + "}\n";
-        value = "reciprocal_square_root(square)";
+                indent + "  const auto is_beyond = alpha >= Real(1.0);\n" + indent + "  " +
+                assigned(number) + " = " + root_of_argument + ";\n" + indent + "} else {\n" +
+                wrapped_line(indent + "  " + assigned(number) + " = " + value + ";") + indent +
+                "}\n";
+        continue;
       }
       text += wrapped_line(indent + assigned(number) + " = " + value + ";");
     }
@@ -147,6 +145,8 @@ private:
     return false;
   }
 
+  static constexpr const char* root_of_argument =
+      "reciprocal_square_root(Number::root_argument(alpha, is_beyond))";
   static std::string is_beyond(const std::string& indent) {
     return indent + "const auto is_beyond = alpha >= Real(1.0);\n";
   }

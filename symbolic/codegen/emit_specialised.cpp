@@ -14,7 +14,9 @@ namespace {
 class StraightLines {
 public:
   explicit StraightLines(const Kernel& kernel)
-      : form_(kernel.form), program_(kernel.program), printer_(program_, form_.numbers) {
+      : form_(kernel.form),
+        program_(kernel.program),
+        printer_(program_, stages_of(program_, false), form_.numbers) {
     for (const Output& output : program_.outputs) need(output.node);
   }
 

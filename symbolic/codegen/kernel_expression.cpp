@@ -33,13 +33,13 @@ std::string plain_name(const Node& node) {
 
 }  // namespace
 
-KernelPrinter::KernelPrinter(const Program& program, const std::vector<std::string>& number_inputs)
+KernelPrinter::KernelPrinter(const Program& program, const Stages& stages,
+                             const std::vector<std::string>& number_inputs)
     : program_(program), number_inputs_(number_inputs), names_(program.nodes.size()) {
   std::vector<int> uses = use_counts(program);
   for (std::size_t i = program.nodes.size(); i-- > 0;)  // a minus sign goes where it is used
     if (program.nodes[i].op == Op::negate)
       uses[static_cast<std::size_t>(program.nodes[i].args[0])] += uses[i] - 1;
-  const Stages stages = stages_of(program);
   std::vector<bool> crosses(program.nodes.size(), false);
   for (std::size_t i = 0; i < program.nodes.size(); ++i)
     for (const int argument : program.nodes[i].args)

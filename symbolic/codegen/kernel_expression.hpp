@@ -14,7 +14,8 @@ namespace magicmass::codegen {
 // else Number.
 class KernelPrinter {
 public:
-  KernelPrinter(const Program& program, const std::vector<std::string>& number_inputs);
+  KernelPrinter(const Program& program, const Stages& stages,
+                const std::vector<std::string>& number_inputs);
 
   // Whether a node's value is kept in a variable; its name.
   bool is_kept(int number) const;

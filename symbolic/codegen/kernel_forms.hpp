@@ -39,6 +39,8 @@ struct KernelForm {
   bool rounds_results = false;
   // One number at a time: no block.
   bool is_single = false;
+  // The angle of the sine and the cosine is a stage's last value, too: where it takes long to make, two loops wait less than one.
+  bool cuts_turns = false;
   // The angle of the sine and the cosine is psi/4 at most, say these theorems, one a case.
   std::vector<std::string> small_angle = {};
 

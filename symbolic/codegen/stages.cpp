@@ -11,12 +11,14 @@ bool ends_a_stage(const Node& node) {
          node.op == Op::cosine || node.op == Op::secant_less_one;
 }
 
-Stages stages_of(const Program& program) {
+Stages stages_of(const Program& program, bool cuts_turns) {
   Stages stages{std::vector<int>(program.nodes.size(), 0), 1};
   for (std::size_t i = 0; i < program.nodes.size(); ++i)
     for (const int argument : program.nodes[i].args) {
       const auto of = static_cast<std::size_t>(argument);
-      const int after = stages.stage[of] + (ends_a_stage(program.nodes[of]) ? 1 : 0);
+      const bool is_turn = program.nodes[i].op == Op::sine || program.nodes[i].op == Op::cosine;
+      const bool is_cut = ends_a_stage(program.nodes[of]) || (cuts_turns && is_turn);
+      const int after = stages.stage[of] + (is_cut ? 1 : 0);
       stages.stage[i] = std::max(stages.stage[i], after);
       stages.count = std::max(stages.count, after + 1);
     }

@@ -11,12 +11,13 @@ namespace magicmass::codegen {
 bool ends_a_stage(const Node& node);
 
 // A program cut into stages: each ends where a root, an arctangent or a sine-cosine pair is known, so that in a loop
-// over a block nothing waits for the last step of the same element. `stage[i]` of node i counts from 0.
+// over a block nothing waits for the last step of the same element; where it `cuts_turns`, where the angle of a pair is
+// known, too. `stage[i]` of node i counts from 0.
 struct Stages {
   std::vector<int> stage;
   int count = 0;
 };
-Stages stages_of(const Program& program);
+Stages stages_of(const Program& program, bool cuts_turns);
 
 // The number of factors of a node, counted like a polynomial's degree: those that a root, an arctangent, a sine or a cosine makes
 // count as one, exact ones as none.

@@ -24,24 +24,29 @@ struct RatiosKernel {
   static constexpr Ratios<int> degrees{.magic = 4, .deficient = 4};
 
   Real k;
+  Number product;  // (1/2)*pi*(1/(1 + 2*k))
   Number sine;  // sin((1/2)*pi*(1/(1 + 2*k)))
+  Number product_3;  // (1/4)*pi*(1/(1 + k))
   Number sine_2;  // sin((1/4)*pi*(1/(1 + k)))
 
   [[gnu::always_inline]] void stage_1() {
-    const auto turned = sine_cosine(scaled(Number::pi() * reciprocal(Number::sum(Real(1.0),
-        Real(2.0) * k)), 0.5));
+    product = scaled(Number::pi() * reciprocal(Number::sum(Real(1.0), Real(2.0) * k)), 0.5);
+    product_3 = scaled(Number::pi() * reciprocal(Number::sum(Real(1.0), k)), 0.25);
+  }
+
+  [[gnu::always_inline]] void stage_2() {
+    const auto turned = sine_cosine(product);
     sine = turned.sine;
-    const auto turned_1 = sine_cosine(scaled(Number::pi() * reciprocal(Number::sum(Real(1.0), k)),
-        0.25));
+    const auto turned_1 = sine_cosine(product_3);
     sine_2 = turned_1.sine;
   }
 
   [[gnu::always_inline]] Ratios<arithmetic::Product<Number>> result() const {
-    const Number product = scaled(sine * sine, 2.0);
-    const Number product_2 = scaled(sine_2 * sine_2, 2.0);
+    const Number product_2 = scaled(sine * sine, 2.0);
+    const Number product_4 = scaled(sine_2 * sine_2, 2.0);
     return {
-        .magic = {reciprocal(-product + Real(1.0)), product, 1.0},
-        .deficient = {reciprocal(-product_2 + Real(1.0)), product_2, 1.0},
+        .magic = {reciprocal(-product_2 + Real(1.0)), product_2, 1.0},
+        .deficient = {reciprocal(-product_4 + Real(1.0)), product_4, 1.0},
     };
   }
 
@@ -49,6 +54,7 @@ struct RatiosKernel {
     RatiosKernel kernel;
     kernel.k = k;
     kernel.stage_1();
+    kernel.stage_2();
     return kernel.result();
   }
 };
@@ -61,12 +67,23 @@ void ratios_block(std::size_t size, const double* k, double* magic, double* defi
   using Kernel = RatiosKernel<Number>;
   using Real = typename Number::Real;
   constexpr std::size_t lanes = arithmetic::lane_count<Real>;
+  arithmetic::Block<Number> products;
   arithmetic::Block<Number> sines;
+  arithmetic::Block<Number> product_3s;
   arithmetic::Block<Number> sine_2s;
   for (std::size_t i = 0; i < size; i += lanes) {
     Kernel kernel;
     kernel.k = arithmetic::load<Real>(k + i);
     kernel.stage_1();
+    products.put(i, kernel.product);
+    product_3s.put(i, kernel.product_3);
+  }
+  for (std::size_t i = 0; i < size; i += lanes) {
+    Kernel kernel;
+    kernel.k = arithmetic::load<Real>(k + i);
+    kernel.product = products.get(i);
+    kernel.product_3 = product_3s.get(i);
+    kernel.stage_2();
     sines.put(i, kernel.sine);
     sine_2s.put(i, kernel.sine_2);
   }

@@ -35,15 +35,17 @@ struct TerminalKernel {
   Number cot_half;  // 1/sqrt(alpha*(2 + alpha)), step tangent.root
   Number tan_quarter;  // cot_half*alpha, step tangent.tan_from_root
   typename Number::ArcTangent angle;  // asec(1 + alpha)/2
+  Number r_t;  // (1/2)*turn*(pi - 4*(asec(1 + alpha)/2)*N_A), step offset.r_from_turn
   Number sine;  // sin(r_t)
   Number cosine;  // cos(r_t)
 
   [[gnu::always_inline]] void stage_1() {
-    Number square = (Number::sum(Real(2.0), alpha)) * alpha;
     if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
-      square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2
+      const auto is_beyond = alpha >= Real(1.0);
+      cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
+    } else {
+      cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
     }
-    cot_half = reciprocal_square_root(square);
   }
 
   [[gnu::always_inline]] void stage_2() {
@@ -52,7 +54,10 @@ struct TerminalKernel {
   }
 
   [[gnu::always_inline]] void stage_3() {
-    const Number r_t = (Number::pi() - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
+    r_t = (Number::pi() - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
+  }
+
+  [[gnu::always_inline]] void stage_4() {
     const auto turned = sine_cosine(r_t);
     sine = turned.sine;
     cosine = turned.cosine;
@@ -95,6 +100,7 @@ struct TerminalKernel {
   [[gnu::always_inline]] void first() {
     cot_half = reciprocal(Number::sum(Real(1.0), alpha));
     tan_quarter = cot_half * alpha;
+    r_t = (Number::pi() - angle * (Real(4.0) * N_A)) * (Real(0.5) * turn);
     sine = cot_half;
     cosine = Number(Real(1.0));
   }
@@ -112,6 +118,7 @@ struct TerminalKernel {
     kernel.stage_1();
     kernel.stage_2();
     kernel.stage_3();
+    kernel.stage_4();
     return kernel.result();
   }
 };
@@ -128,6 +135,7 @@ void terminal_block(std::size_t size, const double* alpha, Count count, double* 
   arithmetic::Block<Number> cot_halfs;
   arithmetic::Block<Number> tan_quarters;
   arithmetic::Block<typename Number::ArcTangent> angles;
+  arithmetic::Block<Number> r_ts;
   arithmetic::Block<Number> sines;
   arithmetic::Block<Number> cosines;
   alignas(64) arithmetic::BlockOfDoubles N_A;
@@ -152,9 +160,18 @@ void terminal_block(std::size_t size, const double* alpha, Count count, double* 
     kernel.alpha = arithmetic::load<Real>(alpha + i);
     kernel.N_A = arithmetic::load<Real>(&N_A[i]);
     kernel.turn = arithmetic::load<Real>(&turn[i]);
-    kernel.cot_half = cot_halfs.get(i);
     kernel.angle = angles.get(i);
     kernel.stage_3();
+    r_ts.put(i, kernel.r_t);
+  }
+  for (std::size_t i = 0; i < size; i += lanes) {
+    Kernel kernel;
+    kernel.alpha = arithmetic::load<Real>(alpha + i);
+    kernel.N_A = arithmetic::load<Real>(&N_A[i]);
+    kernel.turn = arithmetic::load<Real>(&turn[i]);
+    kernel.cot_half = cot_halfs.get(i);
+    kernel.r_t = r_ts.get(i);
+    kernel.stage_4();
     sines.put(i, kernel.sine);
     cosines.put(i, kernel.cosine);
   }

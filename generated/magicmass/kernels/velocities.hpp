@@ -36,11 +36,12 @@ struct VelocitiesKernel {
   Number sine;  // sin(2*(asec(1 + alpha)/2)*n)
 
   [[gnu::always_inline]] void stage_1() {
-    Number square = (Number::sum(Real(2.0), alpha)) * alpha;
     if constexpr (in_lanes) {  // from alpha = 1 on: 1/(1 + alpha)
-      square = square + arithmetic::where(alpha >= Real(1.0), Real(1.0));  // (1 + alpha)^2
+      const auto is_beyond = alpha >= Real(1.0);
+      cot_half = reciprocal_square_root(Number::root_argument(alpha, is_beyond));
+    } else {
+      cot_half = reciprocal_square_root((Number::sum(Real(2.0), alpha)) * alpha);
     }
-    cot_half = reciprocal_square_root(square);
   }
 
   [[gnu::always_inline]] void stage_2() {

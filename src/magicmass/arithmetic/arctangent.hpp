@@ -8,6 +8,7 @@
 #include "magicmass/arithmetic/multiply_add.hpp"
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/polynomials.hpp"
+#include "magicmass/arithmetic/table_columns.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
 
 namespace magicmass::arithmetic {
@@ -33,8 +34,8 @@ template <class T, bool fuses>
   // rounded at 2^-53 of itself.
   // lanes whose answer nobody takes may hold anything: they get a place in the table
   const auto is_in_table = (t.pair.high >= T(0.0)) & (t.pair.high <= T(1.0));
-  const T j = where(is_in_table, nearest_whole(t.pair.high * T(256.0)));
-  const T c = j * T(0x1p-8);
+  const NearestNode<T> node = nearest_node(t.pair.high);
+  const T c = node.at;
   const T above = t.pair.high - c;  // exact, as c is near or t.high below 2^-9
   const Sum<T> tc = two_product(t.pair.high, c);
   const Sum<T> below = ordered_sum(T(1.0), tc.high);
@@ -56,7 +57,7 @@ template <class T, bool fuses>
   const T next_terms = subtract_product<fuses>(
       T(0x1.999999999999ap-3), z.high,
       subtract_product<fuses>(T(0x1.2492492492492p-3), z.high, T(0x1.c71c71c71c71cp-4)));
-  const TwoColumns<T> of_c = look_up<2, 0>(arctangent_table, j);
+  const TwoColumns<T> of_c = two_columns(arctangent_table, where(is_in_table, node.place));
   const Sum<T> head = ordered_sum(of_c.first, quotient);
   const Sum<T> body = ordered_sum(head.high, -cubic.high);
   const T low = multiply_add<fuses>(quotient * (z.high * z.high), next_terms,
@@ -71,8 +72,8 @@ template <class T>
   // atan w = w - w^3 (1/3 - w^2 (1/5 - w^2/7)); 1/3 - ... is a pair, and its inner part, below 2^-18/5, is rounded at
   // 2^-53 of itself: 2^-73 of w^2 <= 2^-18, so 2^-91 of w. The next term w^8/9 is below 2^-75 / 9 w^... of w: 2^-75.
   const auto is_in_table = (t.pair.high >= T(0.0)) & (t.pair.high <= T(1.0));
-  const T j = where(is_in_table, nearest_whole(t.pair.high * T(256.0)));
-  const T c = j * T(0x1p-8);
+  const NearestNode<T> node = nearest_node(t.pair.high);
+  const T c = node.at;
   const Pair<T> w =
       (t.pair + (-c)) / (Pair<T>::product(t.pair.high, c) + Pair<T>(t.pair.low * c) + T(1.0));
   const Pair<T> z = w * w;
@@ -80,7 +81,7 @@ template <class T>
                             z.high * (T(0x1.2492492492492p-3) - z.high * T(0x1.c71c71c71c71cp-4)));
   const Pair<T> cubic = z * (Pair<T>(T(0x1.5555555555555p-2), T(0x1.5555555555555p-56)) + inner);
   const Pair<T> of_w = w - cubic * w;
-  const TwoColumns<T> of_c = look_up<2, 0>(arctangent_table, j);
+  const TwoColumns<T> of_c = two_columns(arctangent_table, where(is_in_table, node.place));
   const Pair<T> sum = Pair<T>(of_c.first, of_c.second) + of_w;
   return {normalised(sum), t.error + T(0x1p-88) * sum.high};
 }

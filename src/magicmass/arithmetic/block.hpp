@@ -74,7 +74,7 @@ struct Certainty<Pair<T>> {
     return {};
   }
   void put(std::size_t, Known) {}
-  bool is_all(std::size_t) const { return true; }
+  bool is_all(std::size_t, std::size_t) const { return true; }
 };
 
 /// ... and, of numbers that know, whether all of an element's are certainly the nearest doubles: all bits set where so.
@@ -95,9 +95,10 @@ struct Certainty<Tracked<T, fuses>> {
     return certainly_rounded(x, degree);
   }
   void put(std::size_t i, Known known) { std::memcpy(&all[i], &known, sizeof known); }
-  bool is_all(std::size_t size) const {
+  /// Of the elements from first on, before end.
+  bool is_all(std::size_t first, std::size_t end) const {
     std::int64_t whole = -1;
-    for (std::size_t i = 0; i < size; ++i) whole &= all[i];
+    for (std::size_t i = first; i < end; ++i) whole &= all[i];
     return whole == -1;
   }
 };

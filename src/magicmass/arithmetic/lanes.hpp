@@ -194,59 +194,5 @@ template <class T>
   return (x + shift) - shift;
 }
 
-/// Two columns of a table.
-template <class T>
-struct TwoColumns {
-  T first;
-  T second;
-};
-/// from[stride index + offset] and what is next to it, index being a whole number. Two doubles are one load: processors gather no
-/// faster, and some far slower.
-template <int stride, int offset>
-[[gnu::always_inline]] inline TwoColumns<double> look_up(const double* from, double index) {
-  const double* row = from + stride * static_cast<std::int64_t>(index) + offset;
-  return {row[0], row[1]};
-}
-template <int stride, int offset>
-[[gnu::always_inline]] inline TwoColumns<Lanes<2>> look_up(const double* from, Lanes<2> index) {
-  const __m128i i = _mm_cvttpd_epi32(index.v);
-  const double* column = from + offset;
-  const __m128d even = _mm_loadu_pd(column + stride * _mm_cvtsi128_si32(i));
-  const __m128d odd = _mm_loadu_pd(column + stride * _mm_cvtsi128_si32(_mm_shuffle_epi32(i, 1)));
-  return {_mm_unpacklo_pd(even, odd), _mm_unpackhi_pd(even, odd)};
-}
-#ifdef __AVX2__
-/// The pairs of doubles at two rows of the column, one above the other.
-template <int stride>
-[[gnu::always_inline]] inline __m256d two_pairs(const double* column, int low, int high) {
-  return _mm256_insertf128_pd(_mm256_castpd128_pd256(_mm_loadu_pd(column + stride * low)),
-                              _mm_loadu_pd(column + stride * high), 1);
-}
-template <int stride, int offset>
-[[gnu::always_inline]] inline TwoColumns<Lanes<4>> look_up(const double* from, Lanes<4> index) {
-  alignas(16) int i[4];
-  _mm_store_si128(reinterpret_cast<__m128i*>(i), _mm256_cvttpd_epi32(index.v));
-  const double* column = from + offset;
-  const __m256d even = two_pairs<stride>(column, i[0], i[2]);
-  const __m256d odd = two_pairs<stride>(column, i[1], i[3]);
-  return {_mm256_unpacklo_pd(even, odd), _mm256_unpackhi_pd(even, odd)};
-}
-#endif
-#ifdef __AVX512F__
-template <int stride, int offset>
-[[gnu::always_inline]] inline TwoColumns<Lanes<8>> look_up(const double* from, Lanes<8> index) {
-  alignas(32) int i[8];
-  _mm256_store_si256(reinterpret_cast<__m256i*>(i), _mm512_cvttpd_epi32(index.v));
-  const double* column = from + offset;
-  const auto four_pairs = [&](int first) {
-    return _mm512_insertf64x4(
-        _mm512_castpd256_pd512(two_pairs<stride>(column, i[first], i[first + 2])),
-        two_pairs<stride>(column, i[first + 4], i[first + 6]), 1);
-  };
-  const __m512d even = four_pairs(0), odd = four_pairs(1);
-  return {_mm512_unpacklo_pd(even, odd), _mm512_unpackhi_pd(even, odd)};
-}
-#endif
-
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::arithmetic

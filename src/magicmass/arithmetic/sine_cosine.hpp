@@ -8,6 +8,7 @@
 #include "magicmass/arithmetic/pair.hpp"
 #include "magicmass/arithmetic/polynomials.hpp"
 #include "magicmass/arithmetic/sine_cosine_table.hpp"
+#include "magicmass/arithmetic/table_columns.hpp"
 #include "magicmass/arithmetic/tracked.hpp"
 
 namespace magicmass::arithmetic {
@@ -58,8 +59,8 @@ template <class T, bool fuses>
   // at 2^-72.6 d, and cos(d + low) - 1 = -d^2/2 + d^4/24 - ... - low sin d, at most 2^-19: an error of 2^-53 of it from d^2, and five
   // roundings of half of that until it is part of the sum, 3.5 2^-72; |low| <= 2^-37 |x|.
   const auto is_known = (x.pair.high > T(-0x1p-10)) & (x.pair.high <= T(3.1406));
-  const T j = where(is_known, nearest_whole(x.pair.high * T(256.0)));
-  const T d = x.pair.high - j * T(0x1p-8);
+  const NearestNode<T> node = nearest_node(x.pair.high);
+  const T d = x.pair.high - node.at;
   const T low = x.pair.low;
   const T z = d * d;
   const T cube = d * z *
@@ -70,9 +71,8 @@ template <class T, bool fuses>
   const T square_terms = multiply_add<fuses>(
       z, subtract_product<fuses>(T(0x1.5555555555555p-5), z, T(0x1.6c16c16c16c17p-10)), T(-0.5));
   const T of_cosine = subtract_product<fuses>(z * square_terms, low, d - cube);
-  const TwoColumns<T> highs = look_up<4, 0>(sine_cosine_table, j);
-  const TwoColumns<T> lows = look_up<4, 2>(sine_cosine_table, j);
-  const Pair<T> s{highs.first, lows.first}, c{highs.second, lows.second};
+  const FourColumns<T> at_c = four_columns(sine_cosine_table, where(is_known, node.place));
+  const Pair<T> s{at_c.first, at_c.third}, c{at_c.second, at_c.fourth};
   // the leading products and sums without error, then all that is below 2^-18 of them
   const Sum<T> c_d = two_product(c.high, d);
   const Sum<T> s_head = two_sum(s.high, c_d.high);
@@ -105,9 +105,9 @@ template <class T>
   const auto is_below = reduced.high < T(0.0);
   const T r = magnitude(reduced.high);
   const auto is_known = magnitude(x.pair.high) <= T(3.9);
-  const T j = where(is_known, nearest_whole(r * T(256.0)));
-  const Sum<T> node = two_sum(r - j * T(0x1p-8), select(is_below, -reduced.low, reduced.low));
-  const Pair<T> d{node.high, node.low};
+  const NearestNode<T> node = nearest_node(r);
+  const Sum<T> rest = two_sum(r - node.at, select(is_below, -reduced.low, reduced.low));
+  const Pair<T> d{rest.high, rest.low};
   // sin d = d - d z/6 + d z^2 (1/120 - z/5040), z = d^2 <= 2^-18: d z/6 as a pair, the last term, below 2^-42 d, with
   // three roundings; what follows it is below 2^-90 d. cos d - 1 = -z/2 + z^2 (1/24 - z/720 + z^2/40320) likewise.
   const Pair<T> z = d * d;
@@ -120,9 +120,8 @@ template <class T>
       scaled(z, -0.5) +
       square * (T(0x1.5555555555555p-5) -
                 z.high * (T(0x1.6c16c16c16c17p-10) - z.high * T(0x1.a01a01a01a01ap-16)));
-  const TwoColumns<T> highs = look_up<4, 0>(sine_cosine_table, j);
-  const TwoColumns<T> lows = look_up<4, 2>(sine_cosine_table, j);
-  const Pair<T> sine_c{highs.first, lows.first}, cosine_c{highs.second, lows.second};
+  const FourColumns<T> at_c = four_columns(sine_cosine_table, where(is_known, node.place));
+  const Pair<T> sine_c{at_c.first, at_c.third}, cosine_c{at_c.second, at_c.fourth};
   Pair<T> sine = normalised(sine_c + (sine_c * cosine_d_less_one + cosine_c * sine_d));
   const Pair<T> cosine = normalised(cosine_c + (cosine_c * cosine_d_less_one - sine_c * sine_d));
   sine = select(is_below, -sine, sine);

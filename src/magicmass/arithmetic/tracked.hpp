@@ -36,6 +36,15 @@ struct Tracked {
     const Pair<T> p = Pair<T>::product(x, y);
     return {p, magnitude(p.high)};
   }
+  /// (2 + alpha) alpha, or (1 + alpha)^2 where `is_beyond`, which is from alpha = 1 on: within 2^-100.
+  template <class Condition>
+  static Tracked root_argument(T alpha, Condition is_beyond) {
+    const Sum<T> s = ordered_sum(select(is_beyond, alpha, T(2.0)), smaller(alpha, T(1.0)));
+    const T factor = alpha + where(is_beyond, T(1.0));  // rounded like s.high
+    const Sum<T> product = two_product(s.high, factor);
+    const T low = multiply_add<fuses>(s.low, factor + where(is_beyond, s.high), product.low);
+    return {{product.high, low}, product.high};
+  }
   static Tracked pi() { return {Pair<T>::pi(), T(4.0)}; }
 
   friend Tracked operator-(Tracked x) { return {-x.pair, x.size}; }
@@ -87,10 +96,35 @@ template <class T, bool fuses>
   return Tracked<T, fuses>(T(1.0)) / y;
 }
 
-/// 1/sqrt(w) within 2^-98, a number of degree 1: for w without cancellation, as for Pair.
+/// 1/sqrt(x) within 2^-51, for x from 2^-120 to 2^121 in lanes, any normal one of a single double.
+template <class T>
+[[gnu::always_inline]] inline T fast_reciprocal_square_root(T x) {
+  // With e = 1 - x y^2 it is y (1 - e)^(-1/2) = y (1 + e/2 + 3/8 e^2 + 5/16 e^3 + ...). In the processor's estimate |e| is at most
+  // 2^-13, so 35/128 e^4 is below 2^-53.8; in that of a float 2^-21.5, and 5/16 e^3 below 2^-66. e is rounded at 2^-53.
+  if constexpr (lane_count<T> == 1) {
+    return T(1.0) / square_root(x);
+#ifdef __AVX512F__
+  } else if constexpr (lane_count<T> == 8) {
+    const T y = _mm512_rsqrt14_pd(x.v);
+    const T e = fused_remainder(T(1.0), x * y, y);
+    return fused_sum(y * e, fused_sum(fused_sum(T(0.3125), e, T(0.375)), e, T(0.5)), y);
+#endif
+  } else {
+    const T y = reciprocal_square_root_estimate(x);
+    const T e = T(1.0) - x * (y * y);
+    return y + y * (e * (T(0.5) + T(0.375) * e));
+  }
+}
+
+/// 1/sqrt(w) within 2^-98, a number of degree 1: for w without cancellation, as for Pair, and where it fuses in lanes from 2^-120 to
+/// 2^121.
 template <class T, bool fuses>
 [[gnu::always_inline]] inline Tracked<T, fuses> reciprocal_square_root(Tracked<T, fuses> w) {
-  const T y = T(1.0) / square_root(w.pair.high);
+  T y;
+  if constexpr (fuses)
+    y = fast_reciprocal_square_root(w.pair.high);
+  else
+    y = T(1.0) / square_root(w.pair.high);
   const Sum<T> square = two_product(y, y);
   const T e = subtract_product<fuses>(
       subtract_product<fuses>(one_minus_product(w.pair.high, square.high), w.pair.high, square.low),

@@ -43,7 +43,8 @@ template <class Angles, class... Turns>
     const Row shifted = q + Row(shift);
     const Row nearest = shifted - Row(shift);
     const Row past = q - nearest;
-    const Row slack = Row(0.25) - (magnitude(magnitude(past) - Row(0.25)) + Row(0x1p-48) * q);
+    const Row slack =
+        subtract_product(Row(0.25), Row(0x1p-48), q) - magnitude(magnitude(past) - Row(0.25));
     open |= std::bit_cast<RowBits>(slack.v) | out_of_domain(std::bit_cast<RowBits>(ratio.v));
     const RowBits whole = std::bit_cast<RowBits>(shifted.v) - std::bit_cast<std::int64_t>(shift);
     const auto bits_past = std::bit_cast<Longs>(past.v);

@@ -81,6 +81,20 @@ template <class Number>
   else
     return false;
 }
+/// Calls one(i) for the rows i of a block that a number type left open and, where any is, for those out of a kernel's domain.
+template <class Number, class IsOutside, class One>
+[[gnu::always_inline]] inline void for_open_rows(std::size_t rows,
+                                                 const arithmetic::Certainty<Number>& certain,
+                                                 bool is_any_outside, IsOutside is_outside,
+                                                 One one) {
+  if (!is_any_outside && certain.is_all(0, rows)) return;
+  for (std::size_t first = 0; first < rows; first += arithmetic::widest) {
+    const std::size_t end = first + arithmetic::widest;
+    if (!is_any_outside && certain.is_all(first, end)) continue;
+    for (std::size_t i = first; i < end; ++i)
+      if (is_open(certain, i) || (is_any_outside && is_outside(i))) one(i);
+  }
+}
 
 template <class Number>
 constexpr bool rounds_results = requires {

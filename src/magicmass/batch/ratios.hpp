@@ -32,15 +32,14 @@ void ratios_block_by_block(std::int64_t first_k, double* magic, double* deficien
             !is_valid(index[0]) || !is_valid(index[rows - 1]) || index[rows - 1] < index[0];
         arithmetic::Certainty<Number> certain;
         generated::ratios_block<Number>(rows, index.data(), of_magic, of_deficient, certain);
-        if (is_any_outside || !certain.is_all(rows)) {
-          for (std::size_t i = 0; i < rows; ++i) {
-            if (is_valid(index[i]) && !is_open(certain, i)) continue;
-            const auto k = static_cast<std::int64_t>(next_k + i);
-            const auto one = rounding_is_tested<Number> ? accurate_ratios(k) : fast_ratios(k);
-            of_magic[i] = one.magic;
-            of_deficient[i] = one.deficient;
-          }
-        }
+        for_open_rows(
+            rows, certain, is_any_outside, [&](std::size_t i) { return !is_valid(index[i]); },
+            [&](std::size_t i) {
+              const auto k = static_cast<std::int64_t>(next_k + i);
+              const auto one = rounding_is_tested<Number> ? accurate_ratios(k) : fast_ratios(k);
+              of_magic[i] = one.magic;
+              of_deficient[i] = one.deficient;
+            });
       },
       magic, deficient);
 }

@@ -93,12 +93,14 @@ void terminal_block_by_block(const double* alpha, std::int64_t* N_A, std::int64_
           generated::terminal_block<Number>(rows, of_alpha, count, of_a, of_b, of_c, nullptr,
                                             certain);
         }
-        if (is_decided && certain.is_all(rows)) return;
-        for (std::size_t i = 0; i < rows; ++i)
-          if (!is_in_domain(of_alpha[i]))
-            one_row(i);
-          else if (is_open(certain, i))
-            put(i, open_terminal(of_alpha[i], {of_N_A[i], of_N_B[i]}));
+        for_open_rows(
+            rows, certain, !is_decided, [&](std::size_t i) { return !is_in_domain(of_alpha[i]); },
+            [&](std::size_t i) {
+              if (is_in_domain(of_alpha[i]))
+                put(i, open_terminal(of_alpha[i], {of_N_A[i], of_N_B[i]}));
+              else
+                one_row(i);
+            });
       },
       alpha, N_A, N_B, a_t, b_t, c_t);
 }

@@ -73,10 +73,10 @@ void velocities_block_by_block(const double* alpha, const std::int64_t* n, doubl
         arithmetic::Certainty<Number> certain;
         const VelocityRows result{of_a, of_b, of_c, of_c_prime};
         velocities_of_block<Number>(rows, ratios.data(), index.data(), result, certain);
-        if (!is_any_outside && certain.is_all(rows)) return;
-        for (std::size_t i = 0; i < rows; ++i)
-          if (!is_in_domain(of_alpha[i], of_n[i]) || is_open(certain, i))
-            result.set<Number>(i, of_alpha[i], of_n[i]);
+        for_open_rows(
+            rows, certain, is_any_outside,
+            [&](std::size_t i) { return !is_in_domain(of_alpha[i], of_n[i]); },
+            [&](std::size_t i) { result.set<Number>(i, of_alpha[i], of_n[i]); });
       },
       alpha, n, a, b, c, c_prime);
 }
@@ -113,10 +113,10 @@ void velocities_at_n_block_by_block(const double* alpha, std::int64_t n, double*
             velocities_of_block<Number>(rows, n == 0 ? ratios_at_0.data() : of_alpha, index.data(),
                                         result, certain);
         }
-        if (!is_any_outside && certain.is_all(rows)) return;
-        for (std::size_t i = 0; i < rows; ++i)
-          if (!is_in_domain(of_alpha[i], n) || is_open(certain, i))
-            result.set<Number>(i, of_alpha[i], n);
+        for_open_rows(
+            rows, certain, is_any_outside,
+            [&](std::size_t i) { return !is_in_domain(of_alpha[i], n); },
+            [&](std::size_t i) { result.set<Number>(i, of_alpha[i], n); });
       },
       alpha, a, b, c, c_prime);
 }

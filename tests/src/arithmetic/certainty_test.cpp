@@ -149,8 +149,9 @@ TEST_CASE("a block knows of each of its elements whether all results are certain
   }
   CHECK((rounded[0] == 1.0 && rounded[1] == 3.0 && rounded[3] == 5.0));
   CHECK((certain.all[0] == -1 && certain.all[1] == -1 && certain.all[2] == 0));
-  CHECK(certain.is_all(2));
-  CHECK_FALSE(certain.is_all(3));
+  CHECK(certain.is_all(0, 2));
+  CHECK_FALSE(certain.is_all(0, 3));
+  CHECK_FALSE(certain.is_all(2, 3));
   // one result that is open is enough; one that is not wanted is not looked at
   const double huge[] = {1.0, HUGE_VAL};
   const Number unknown{{T(2.0), T(0.0)}, arithmetic::load<T>(huge)};

@@ -108,6 +108,17 @@ std::vector<Columns> at_every_rounding(const std::string& name, const Columns& i
   return results;
 }
 
+std::vector<Columns> at_each_width(const char* name, const Columns& inputs) {
+  std::vector<Columns> results;
+  for (const InstructionSet set : available_instruction_sets()) {
+    const Primitive& one = primitive(set, name);
+    REQUIRE(inputs.size() == one.inputs);
+    for (const auto function : one.run)
+      if (function != nullptr) results.push_back(run(one, function, inputs));
+  }
+  return results;
+}
+
 Columns of_single_doubles(const char* name, const Columns& inputs) {
   const auto single = [&](InstructionSet set) {
     return run(primitive(set, name), primitive(set, name).run[0], inputs);

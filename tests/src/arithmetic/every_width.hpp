@@ -33,6 +33,9 @@ Columns the_same_at_every_width(const char* name, const Columns& inputs,
 /// products and sums, and all that do not. What they give, each once.
 std::vector<Columns> at_every_rounding(const std::string& name, const Columns& inputs);
 
+/// What it gives on every instruction set at every number of lanes, each by itself: for what may differ in all of them.
+std::vector<Columns> at_each_width(const char* name, const Columns& inputs);
+
 /// Single doubles alone, for operands that are none of a vector's.
 Columns of_single_doubles(const char* name, const Columns& inputs);
 

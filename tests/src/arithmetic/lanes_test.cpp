@@ -91,12 +91,16 @@ TEST_CASE("whole numbers, tables and polynomials", "[exam]") {
   const Columns halves{{0.5, 1.5, 2.5, -0.5, -1.5, 0.49999999999999994, 0x1p51 - 0.5, 7.0, -3.2}};
   CHECK(the_same_at_every_width("nearest_whole", halves, true)[0] ==
         std::vector{0.0, 2.0, 2.0, -0.0, -2.0, 0.0, 0x1p51, 7.0, -3.0});
-  const Columns indices{{0.0, 4.0, 1.0, 3.0, 2.0}};
-  const auto columns = the_same_at_every_width("look_up", indices, true);
-  CHECK(columns[0] == std::vector{0.0, 16.0, 4.0, 12.0, 8.0});
-  CHECK(columns[1] == std::vector{1.0, 17.0, 5.0, 13.0, 9.0});
-  CHECK(columns[2] == std::vector{2.0, 18.0, 6.0, 14.0, 10.0});
-  CHECK(columns[3] == std::vector{3.0, 19.0, 7.0, 15.0, 11.0});
+  // next to multiples of 2^-8, and where it is a tie
+  const Columns near{{0.0, 0x1.03p-6, 0x1.7ffp-9, 0x1.4p-7, 0x1.0001p-7}};
+  const auto columns = the_same_at_every_width("table_columns", near, true);
+  CHECK(columns[6] == std::vector{0.0, 0x1p-6, 0x1p-8, 0x1p-7, 0x1p-7});
+  CHECK(columns[0] == std::vector{0.0, 16.0, 4.0, 8.0, 8.0});
+  CHECK(columns[1] == std::vector{1.0, 17.0, 5.0, 9.0, 9.0});
+  CHECK(columns[2] == std::vector{2.0, 18.0, 6.0, 10.0, 10.0});
+  CHECK(columns[3] == std::vector{3.0, 19.0, 7.0, 11.0, 11.0});
+  CHECK(columns[4] == std::vector{0.0, 8.0, 2.0, 4.0, 4.0});
+  CHECK(columns[5] == std::vector{1.0, 9.0, 3.0, 5.0, 5.0});
   // Estrin's: each coefficient at its power
   const auto values = the_same_at_every_width("polynomial", {{0.0, 1.0, -1.0, 2.0, 0.25}})[0];
   const auto expected = [](double z) {

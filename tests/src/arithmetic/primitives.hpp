@@ -18,7 +18,7 @@ struct Primitive {
   Run run[4];  ///< on one double, 2, 4 and 8 lanes; null where the instruction set has none
 };
 
-inline constexpr std::size_t primitive_count = 84;
+inline constexpr std::size_t primitive_count = 85;
 
 /// primitives_for_target.cpp, compiled once for each instruction set as the kernels are.
 namespace primitives {

@@ -88,13 +88,18 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                y[2] = smaller(x[2], x[3]);
                y[3] = times_sign_of(x[1], x[0]);
              }),
-    of<1, 4>("look_up",
+    of<1, 7>("table_columns",
              [](const auto* x, auto* y) {
-               const auto front = look_up<4, 0>(table, x[0]), back = look_up<4, 2>(table, x[0]);
-               y[0] = front.first;
-               y[1] = front.second;
-               y[2] = back.first;
-               y[3] = back.second;
+               const auto node = nearest_node(x[0]);
+               const auto two = two_columns(table, node.place);
+               const auto four = four_columns(table, node.place);
+               y[0] = four.first;
+               y[1] = four.second;
+               y[2] = four.third;
+               y[3] = four.fourth;
+               y[4] = two.first;
+               y[5] = two.second;
+               y[6] = node.at;
              }),
     of<1, 1>("nearest_whole", [](const auto* x, auto* y) { put(nearest_whole(x[0]), y); }),
     of<1, 2>("estimates",
@@ -189,6 +194,11 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
 
     of<6, 3>("fused_product", [](const auto* x, auto* y) { put(fused(x) * fused(x + 3), y); }),
     of<4, 3>("fused_times_number", [](const auto* x, auto* y) { put(fused(x) * x[3], y); }),
+    of<2, 3>("fused_root_argument",
+             [](const auto* x, auto* y) {
+               using Number = decltype(fused(x));
+               put(Number::root_argument(x[0], x[0] >= x[1]), y);
+             }),
     of<3, 3>("fused_root",
              [](const auto* x, auto* y) { put(reciprocal_square_root(fused(x)), y); }),
     of<3, 2>("fused_rounding",
@@ -234,8 +244,8 @@ const Primitive primitives::MAGICMASS_TARGET[primitive_count] = {
                     [](const double* x, double* y) { put(arctangent(tabled(x)), y); }),
     of_single<3, 4>("tabled_sine_cosine",
                     [](const double* x, double* y) {
-                      const auto both = sine_cosine(
-                          EarlyAngle<Alphas::usual>{Pair<double>(x[0], x[1]), x[2]});
+                      const auto both =
+                          sine_cosine(EarlyAngle<Alphas::usual>{Pair<double>(x[0], x[1]), x[2]});
                       put(both.sine.pair, y);
                       put(both.cosine.pair, y + 2);
                     }),

@@ -119,18 +119,44 @@ TEST_CASE("a quotient by what may be zero is not known at all", "[exam]") {
 
 TEST_CASE("a tracked reciprocal root is within 2^-98", "[check]") {
   Generator generator(37);
-  Columns in;
+  Columns narrow, wide;
   for (int i = 0; i < 4000; ++i) {
+    const bool is_narrow = i % 2 == 0;
     const double w =
-        std::fabs(any_double(generator, i % 2 == 0 ? -120 : -900, i % 2 == 0 ? 119 : 900));
-    append(in, {w, any_low(generator, w), w});
+        std::fabs(any_double(generator, is_narrow ? -120 : -900, is_narrow ? 120 : 900));
+    append(is_narrow ? narrow : wide, {w, any_low(generator, w), w});
   }
-  for (const char* name : {"tracked_root", "fused_root"})
-    for (const Columns& out : at_every_rounding(name, in))
+  const auto require_root = [](const Columns& in, const std::vector<Columns>& results) {
+    for (const Columns& out : results)
       for (std::size_t i = 0; i < in[0].size(); ++i) {
         const cl_RA root = exact_pair(out, 0, i), w = exact_pair(in, 0, i);
-        INFO(name << " of " << in[0][i]);
+        INFO("w = " << in[0][i]);
         REQUIRE(cln::abs(root * root * w - 1) <= power(-97));
         REQUIRE(exact(out[2][i]) * (1 + power(-50)) >= cln::abs(root));
       }
+  };
+  require_root(narrow, at_every_rounding("tracked_root", narrow));
+  require_root(wide, at_every_rounding("tracked_root", wide));
+  require_root(narrow, at_each_width("fused_root", narrow));
+}
+
+TEST_CASE("the root's argument in lanes is (2 + alpha) alpha, and (1 + alpha)^2 from 1 on",
+          "[check]") {
+  Generator generator(38);
+  Columns in;
+  for (int i = 0; i < 4000; ++i) {
+    const double alpha =
+        std::fabs(any_double(generator, i % 2 == 0 ? -120 : -4, i % 3 == 0 ? 3 : 59));
+    append(in, {alpha, 1.0});
+  }
+  append(in, {1.0, 1.0});
+  append(in, {0x1.fffffffffffffp-1, 1.0});
+  for (const Columns& out : at_every_rounding("fused_root_argument", in))
+    for (std::size_t i = 0; i < in[0].size(); ++i) {
+      const cl_RA alpha = exact(in[0][i]), w = exact_pair(out, 0, i);
+      const cl_RA argument = in[0][i] >= 1.0 ? (1 + alpha) * (1 + alpha) : (2 + alpha) * alpha;
+      INFO("alpha = " << in[0][i]);
+      REQUIRE(cln::abs(w - argument) <= argument * power(-100));
+      REQUIRE(exact(out[2][i]) * (1 + power(-50)) >= argument);
+    }
 }
