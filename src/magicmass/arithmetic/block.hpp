@@ -86,7 +86,11 @@ struct Certainty<Tracked<T, fuses>> {
 
   template <int degree>
   Known store(Product<Tracked<T, fuses>> x, double* to, std::size_t i) {
-    return to != nullptr ? store<degree>(evaluated(x), to, i) : Known{} - 1;
+    if (to == nullptr) return Known{} - 1;
+    // a power of two changes nothing but the exponent
+    const Tracked<T, fuses> product = x.x * x.y;
+    arithmetic::store(T(x.scale) * rounded(product), to + i);
+    return certainly_rounded(product, degree);
   }
   template <int degree>
   Known store(Tracked<T, fuses> x, double* to, std::size_t i) {

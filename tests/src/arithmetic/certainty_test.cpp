@@ -168,4 +168,16 @@ TEST_CASE("a block knows of each of its elements whether all results are certain
   CHECK(certain.all[0] == -1);
   certain.put(0, certain.store<2>(close, rounded, 0));
   CHECK(certain.all[0] == 0);
+  // of -2 x y the nearest double is -2 times that of x y, and as certain; nor is it looked at where it is not wanted
+  const Number three{{T(3.0), T(0.0)}, T(3.0)};
+  // 3/4 and 9/16 of an ulp above 3 and 15
+  const arithmetic::Product<Number> product{numbers->get(2), three, -2.0};
+  certain.put(0, certain.store<8>(product, rounded, 0));
+  CHECK((certain.all[0] == -1 && rounded[0] == -6.0 - 0x1p-50));
+  CHECK((certain.all[1] == -1 && rounded[1] == -30.0 - 0x1p-48));
+  const arithmetic::Product<Number> tie{numbers->get(2), Number{{T(1.0), T(0.0)}, T(1.0)}, -2.0};
+  certain.put(0, certain.store<8>(tie, rounded, 0));
+  CHECK((certain.all[0] == 0 && rounded[1] == -10.0));
+  certain.put(0, certain.store<8>(tie, nullptr, 0));
+  CHECK(certain.all[0] == -1);
 }
