@@ -14,7 +14,7 @@
 namespace magicmass::arithmetic {
 inline namespace MAGICMASS_TARGET {
 
-/// The multiple of 2^-8 next to an argument, and its place: the last 32 bits of a double, as many as 2^-8 goes into it.
+/// The multiple of 2^-8 nearest to x, |x| < 2^40, and its place in a table from 0 on: the last 32 bits of a double.
 template <class T>
 struct NearestNode {
   T place;
