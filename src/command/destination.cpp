@@ -1,112 +1,181 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// O_TMPFILE, linkat and rename; an O_EXCL name where the file system knows no files without one.
 #include "command/destination.hpp"
 
 #include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <filesystem>
-#include <string>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "magicmass/errors.hpp"
-#include "magicmass/scenes/shown_text.hpp"
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
 
-namespace magicmass::command {
+namespace command {
 namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16U;
 
-/// The file a path stands for, there or not yet; a symbolic link keeps pointing to it.
+/// The descriptor that a path names (/dev/stdout, /dev/fd/3), or -1: opening it anew would not go
+/// on where others wrote.
+int named_descriptor(const std::string& path) {
+  if (path.empty() || path == "-" || path == "/dev/stdout") {
+    return STDOUT_FILENO;
+  }
+  if (path == "/dev/stderr") {
+    return STDERR_FILENO;
+  }
+  for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    int number = 0;
+    char rest = 0;
+    if (path.starts_with(folder) && path.size() <= folder.size() + 4 &&
+        std::sscanf(path.c_str() + folder.size(), "%d%c", &number, &rest) == 1) {
+      return number;
+    }
+  }
+  return -1;
+}
+
+/// The file a path stands for, there or not yet.
 std::string behind_links(const std::string& path) {
-  constexpr int most_links = 40;  // as the kernel follows
+  constexpr int most_links = 40;  // as the system follows
   std::filesystem::path file = path;
   std::error_code error;
   for (int links = 0; links < most_links && std::filesystem::is_symlink(file, error); ++links) {
-    const std::filesystem::path next = std::filesystem::read_symlink(file, error);
-    if (error) return path;
-    file = file.parent_path() / next;
+    file = file.parent_path() / std::filesystem::read_symlink(file, error);
   }
   return file.string();
 }
 
-}  // namespace
-
-std::string words_of(const std::filesystem::filesystem_error& error) {
-  return shown_text(error.path1().string(), 300) + ": " + error.code().message();
+std::string folder_of(const std::string& target) {
+  const std::string folder = std::filesystem::path(target).parent_path().string();
+  return folder.empty() ? "." : folder;
 }
 
-bool is_stdout(const std::string& path) { return path.empty() || path == "-"; }
+/// A name beside the target that nobody has: make(name) is to fail with EEXIST where one has.
+template <class Make>
+std::string fresh_name(const std::string& target, const Make& make) {
+  for (int number = 0; number < 1000; ++number) {
+    const std::string name = folder_of(target) + "/.magicmass-" + std::to_string(::getpid()) + "-" +
+                             std::to_string(number);
+    if (make(name.c_str()) >= 0) {
+      return name;
+    }
+    if (errno != EEXIST) {
+      break;
+    }
+  }
+  return "";
+}
 
-Destination::Destination(const std::string& path) : name_("stdout") {
-  if (is_stdout(path)) return;
-  name_ = shown_text(path, 200);
-  struct stat existing {};
-  const bool exists = ::stat(path.c_str(), &existing) == 0;
-  if (exists && !S_ISREG(existing.st_mode)) {
-    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) refuse(errno);
+}  // namespace
+
+Destination::Destination(const std::string& path, std::function<void()> before_writing)
+    : shown_(answers::shown_text(path, 200)),
+      descriptor_(named_descriptor(path)),
+      before_writing_(std::move(before_writing)) {
+  if (descriptor_ >= 0) {
+    shown_ = descriptor_ == STDOUT_FILENO ? "stdout" : shown_;
     return;
   }
-  const std::string target = behind_links(path);
-  if (exists && ::access(target.c_str(), W_OK) != 0) refuse(errno);
-  try {
-    part_.emplace(target);
-  } catch (const std::system_error& error) {
-    refuse(error.code().value());
+  struct stat there {};
+  const bool exists = ::stat(path.c_str(), &there) == 0;
+  if (exists && !S_ISREG(there.st_mode)) {
+    descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+    if (descriptor_ < 0) {
+      refuse(errno);
+    }
+    return;
   }
-  descriptor_ = part_->descriptor();
-  if (exists && ::fchmod(descriptor_, existing.st_mode & 07777U) != 0) refuse(errno);
+  target_ = behind_links(path);
+  if (exists && ::access(target_.c_str(), W_OK) != 0) {
+    refuse(errno);
+  }
+  open_atomic();
+  if (exists && ::fchmod(descriptor_, there.st_mode & 07777U) != 0) {
+    refuse(errno);
+  }
+}
+
+void Destination::open_atomic() {
+  constexpr mode_t mode = 0666;
+  descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+  if (descriptor_ >= 0) {
+    return;
+  }
+  name_ = fresh_name(target_, [&](const char* name) {
+    return descriptor_ = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+  });
+  if (name_.empty()) {
+    refuse(errno);
+  }
 }
 
 Destination::~Destination() {
-  if (!part_ && descriptor_ >= 0 && descriptor_ != STDOUT_FILENO) ::close(descriptor_);
+  if (!name_.empty()) {
+    ::unlink(name_.c_str());
+  }
+  if (!target_.empty()) {
+    ::close(descriptor_);
+  }
 }
 
 void Destination::refuse(int error) const {
-  if (error == EPIPE) throw ClosedPipe();
-  throw InvalidInput("cannot write " + name_ + ": " + std::generic_category().message(error));
+  if (error == EPIPE) {
+    throw ClosedPipe();
+  }
+  throw answers::InvalidInput("cannot write " + shown_ + ": " +
+                              std::generic_category().message(error));
 }
 
 void Destination::write(std::string_view text) {
   buffer_ += text;
-  if (buffer_.size() >= buffer_size) flush();
+  if (buffer_.size() >= buffer_size) {
+    flush();
+  }
 }
 
 void Destination::flush() {
+  if (target_.empty()) {
+    before_writing_();
+  }
   std::string_view rest = buffer_;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) refuse(errno);
-    rest.remove_prefix(static_cast<std::size_t>(written));
+    if (written >= 0) {
+      rest.remove_prefix(static_cast<std::size_t>(written));
+    } else if (errno != EINTR) {
+      refuse(errno);
+    }
   }
   buffer_.clear();
 }
 
 void Destination::finish() {
   flush();
-  if (part_) {
-    try {
-      part_->become_target();
-    } catch (const std::system_error& error) {
-      refuse(error.code().value());
-    }
-  } else if (descriptor_ != STDOUT_FILENO) {
-    const int descriptor = descriptor_;
-    descriptor_ = -1;
-    if (::close(descriptor) != 0) refuse(errno);
+  const int copy = ::dup(descriptor_);  // close() is where a quota is reported
+  if (copy < 0 || ::close(copy) != 0) {
+    refuse(errno);
   }
+  if (target_.empty()) {
+    return;
+  }
+  if (name_.empty()) {
+    const std::string open_file = "/proc/self/fd/" + std::to_string(descriptor_);
+    name_ = fresh_name(target_, [&](const char* name) {
+      return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
+    });
+    if (name_.empty()) {
+      refuse(errno);
+    }
+  }
+  if (::rename(name_.c_str(), target_.c_str()) != 0) {
+    refuse(errno);
+  }
+  name_.clear();
 }
 
-bool Destination::is_colourful() const {
-  const char* no_colour = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  return descriptor_ == STDOUT_FILENO && ::isatty(STDOUT_FILENO) != 0 &&
-         (no_colour == nullptr || *no_colour == '\0') &&
-         (terminal == nullptr || std::string_view(terminal) != "dumb");
-}
-
-}  // namespace magicmass::command
+}  // namespace command

@@ -1,55 +1,45 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Where an answer goes.
 #pragma once
 
 #include <exception>
-#include <filesystem>
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
 
-#include "command/part_file.hpp"
+namespace command {
 
-namespace magicmass::command {
-
-/// The reader of stdout went away: nothing more to do, and no error.
+/// The reader of stdout went away: nothing more to do, and not an error.
 class ClosedPipe : public std::exception {};
 
-/// What the system says of a path, in one line: "PATH: File name too long".
-std::string words_of(const std::filesystem::filesystem_error& error);
-
-/// Whether -o with this path means stdout: "" (none was given) and "-" do.
-bool is_stdout(const std::string& path);
-
-/// Where data go: stdout, or a file that appears whole or not at all. It is written to a part file beside it
-/// and renamed by finish(). What exists and is no regular file
-/// (/dev/null, a pipe) is written directly.
+/// Stdout, or a file that appears whole or not at all: it has no name until finish(), where the
+/// file system allows that, and else one of its own. A symbolic link stays one, a file that is
+/// replaced leaves its mode behind; devices, pipes and open descriptors (/dev/stdout) are written
+/// directly. Throws answers::InvalidInput where the system refuses.
 class Destination {
 public:
-  /// Stdout for what is_stdout says so of. Throws InvalidInput where the path cannot be written.
-  explicit Destination(const std::string& path);
+  /// "" and "-" are stdout. Calls before_writing before anything is seen on it.
+  Destination(const std::string& path, std::function<void()> before_writing);
   Destination(const Destination&) = delete;
-  Destination(Destination&&) = delete;
   Destination& operator=(const Destination&) = delete;
-  Destination& operator=(Destination&&) = delete;
   ~Destination();
 
-  /// Throws InvalidInput when the system refuses, ClosedPipe when the reader of stdout is gone.
+  /// Throws ClosedPipe, too.
   void write(std::string_view text);
-  /// Everything written so far becomes visible.
-  void flush();
-  /// Last call: the file gets its name.
+  /// Last call: what was written is there, under its name.
   void finish();
 
-  /// Colours are welcome: stdout, a terminal, and NO_COLOR not set.
-  bool is_colourful() const;
-
 private:
-  std::string name_;              // for messages
-  std::optional<PartFile> part_;  // of a regular file
-  int descriptor_ = 1;            // stdout
+  std::string shown_;   // for messages
+  std::string target_;  // of an atomic file, behind links; else ""
+  std::string name_;    // that the atomic file has for the time being; else ""
+  int descriptor_;
   std::string buffer_;
+  std::function<void()> before_writing_;
 
+  void open_atomic();
+  void flush();
   [[noreturn]] void refuse(int error) const;
 };
 
-}  // namespace magicmass::command
+}  // namespace command

@@ -1,99 +1,145 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/program.hpp"
+// From the command line to an exit code.
+#include <csignal>
+#include <cstdlib>
+#include <new>
 
-#include <memory>
-#include <sstream>
-#include <utility>
+#include <fcntl.h>
+#include <unistd.h>
 
-#include "magicmass/scenes/shown_text.hpp"
+#include "answers/errors.hpp"
+#include "command/bounded.hpp"
+#include "command/command.hpp"
+#include "command/destination.hpp"
+#include "command/parse.hpp"
+#include "command/rows.hpp"
 
-namespace magicmass::command {
+namespace command {
 namespace {
 
-/// A description is the summary, a line feed, and the examples; help shows the examples first.
-class ExampleFirst : public CLI::Formatter {
-public:
-  std::string make_description(const CLI::App* app) const override {
-    const std::string description = app->get_description();
-    const std::size_t end = description.find('\n');
-    return "Example:" + description.substr(end) + "\n\n" + description.substr(0, end) + ".\n\n";
-  }
+using answers::InvalidInput;
 
-  std::string make_subcommand(const CLI::App* command) const override {
-    const std::string description = command->get_description();
-    std::ostringstream text;
-    CLI::detail::format_help(text, command->get_name(),
-                             description.substr(0, description.find('\n')), 14);
-    return text.str();
+/// A message for whatever the action throws.
+ExitCode guarded(const std::string& name, const std::function<ExitCode()>& action) {
+  try {
+    return action();
+  } catch (const ClosedPipe&) {
+    return ExitCode::done;
+  } catch (const InvalidInput& error) {
+    return say(error.what(), ExitCode::bad_input);
+  } catch (const std::bad_alloc&) {
+    return say(name + ": does not fit into memory; a larger --memory-limit may do",
+               ExitCode::undecided);
+  } catch (const std::logic_error& error) {
+    return say(name + ": a bug: " + error.what(), ExitCode::undecided);
+  } catch (const std::exception& error) {
+    return say(error.what(), ExitCode::undecided);
   }
+}
 
-  std::string make_option_opts(const CLI::Option* option) const override {
-    const bool takes_value = option->get_type_size() != 0 && option->get_option_text().empty();
-    const std::string type = option->get_type_name();  // NAME:{choices}, which the words tell
-    return takes_value ? " " + type.substr(0, type.find(":{"))
-                       : CLI::Formatter::make_option_opts(option);
+/// Where one was closed, a file would get its number, and what is meant for the terminal: it gets a
+/// stream that takes and gives nothing.
+void open_standard_streams() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) < 0) {
+      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
   }
-};
+}
+
+answers::Format table_format(const std::string& name) {
+  return name == "json"  ? answers::Format::json
+         : name == "csv" ? answers::Format::csv
+                         : answers::Format::text;
+}
+
+/// Each row of the input is a request; answers are written a block at a time.
+void answer_rows(const Asked& asked, Destination& output) {
+  constexpr std::size_t rows_at_once = 4096;
+  std::vector<std::string> may_be_columns;
+  for (const Option& option : asked.command->options) {
+    if (option.is_column) {
+      may_be_columns.push_back(option.name);
+    }
+  }
+  CsvReader reader(*asked.input, may_be_columns);
+  answers::Request request = asked.request;
+  for (const std::string& column : reader.columns()) {
+    if (!request.options.emplace(column, "").second) {
+      throw InvalidInput(column + ": given twice, as an option and as a column");
+    }
+  }
+  for (const Option& option : asked.command->options) {
+    if (option.is_required && !request.has(option.name)) {
+      throw InvalidInput(reader.place() + "no column " + option.name);
+    }
+  }
+  answers::Writer writer(table_format(request.format), asked.command->columns, true);
+  std::vector<answers::Row> block;
+  bool is_first = true;
+  while (auto row = reader.next()) {
+    for (auto& [column, field] : *row) {
+      request.options[column] = std::move(field);
+    }
+    try {
+      for (answers::Row& answer : asked.command->run(request).table.rows) {
+        block.push_back(std::move(answer));
+      }
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(reader.place() + error.what());
+    } catch (const answers::Undecided& error) {
+      throw answers::Undecided(reader.place() + error.what());
+    }
+    if (block.size() >= rows_at_once) {
+      output.write(writer.rows(block));
+      block.clear();
+      is_first = false;
+    }
+  }
+  if (is_first || !block.empty()) {
+    output.write(writer.rows(block));
+  }
+  output.write(writer.end());
+}
+
+ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
+  Destination output(asked.output, hide_progress);
+  ExitCode code = ExitCode::done;
+  if (asked.input) {
+    answer_rows(asked, output);
+  } else {
+    const answers::Answer given = asked.command->run(asked.request);
+    output.write(given.document.empty()
+                     ? answers::written(given.table, table_format(asked.request.format))
+                     : given.document);
+    code = given.check_failed ? ExitCode::check_failed : ExitCode::done;
+  }
+  output.finish();
+  return code;
+}
+
+ExitCode run(const Program& program, const std::vector<std::string>& words) {
+  const auto parsed = parse(program, words);
+  if (const auto* text = std::get_if<std::string>(&parsed)) {
+    Destination output("", [] {});
+    output.write(*text);
+    output.finish();
+    return ExitCode::done;
+  }
+  const Asked& asked = std::get<Asked>(parsed);
+  const std::string& name = asked.command->name;
+  return run_bounded(name, {asked.seconds, asked.mebibytes}, [&](const HideProgress& hide) {
+    return guarded(name, [&] { return answer(asked, hide); });
+  });
+}
 
 }  // namespace
 
-CLI::App& add_command(Program& program, const std::string& name, const std::string& summary,
-                      const std::string& example) {
-  return *program.app.add_subcommand(name, summary + "\n  " + example);
+int run_program(const Program& program, const std::vector<std::string>& words) {
+  open_standard_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file too large for its limit is refused as on a full disk
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough is no error: see ClosedPipe
+  return static_cast<int>(guarded(program.name, [&] { return run(program, words); }));
 }
 
-void on_run(Program& program, CLI::App& command, std::function<ExitCode()> action) {
-  command.callback([&program, action = std::move(action)] { program.action = action; });
-}
-
-void offer(CLI::Option& option, const std::vector<std::string>& values) {
-  std::string list;
-  for (const std::string& value : values) list += (list.empty() ? "" : ",") + value;
-  option.check(CLI::Validator("{" + list + "}"));
-}
-
-void treat_values_alike(CLI::App& app) {
-  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; }))
-    treat_values_alike(*command);
-  for (CLI::Option* option : app.get_options()) {
-    const std::string type = option->get_type_name();
-    const auto begins = [&](const std::string& start) { return type.rfind(start, 0) == 0; };
-    if (begins("FILE") || begins("DIR") || begins("FOLDER"))
-      option->check([is_file = begins("FILE")](const std::string& name) {
-        return std::string(!name.empty() ? "" : is_file ? "no file name" : "no folder name");
-      });
-    for (const char* const number : {"N", "D", "K", "NUMBER"})
-      if (type.substr(0, type.find(':')) == number)
-        option->transform(CLI::Validator(
-            [](std::string& text) -> std::string {
-              if (text.find_first_of("+ \t") != std::string::npos || text.find("0x") < 2 ||
-                  text.find("0X") < 2)
-                return shown_text(text, 40) + ": not a whole number in decimal digits";
-              const std::size_t first = text.find_first_not_of('0');
-              if (first != std::string::npos &&
-                  text.find_first_not_of("0123456789") == std::string::npos)
-                text.erase(0, first);
-              return {};
-            },
-            ""));
-  }
-}
-
-void describe(Program& program) {
-  program.app.name("magicmass");
-  program.app.description(
-      "Magic mass ratios: from conservation laws to proved, generated, measured C++\n"
-      "  magicmass derive --summary\n"
-      "  magicmass eval --alpha 1/7 --n 2 --tier exact\n"
-      "  magicmass ratios --count 10");
-  program.app.footer(
-      "magicmass COMMAND --help explains a command. Exit codes: 0 done,\n"
-      "1 a check failed, 2 bad usage or input, 3 undecided or does not fit.");
-  program.app.set_version_flag("--version", "magicmass " MAGICMASS_VERSION);
-  program.app.require_subcommand(1);
-  const auto formatter = std::make_shared<ExampleFirst>();
-  formatter->column_width(26);
-  program.app.formatter(formatter);
-}
-
-}  // namespace magicmass::command
+}  // namespace command

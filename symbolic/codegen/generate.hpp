@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// All that is emitted, as files: the one call of symbolic/generate.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
-#include "proof/theorem.hpp"
+#include "codegen/quantity.hpp"
 
-namespace magicmass::codegen {
-
-/// A file as it is to be written.
-struct GeneratedFile {
-  std::string path;     ///< below generated/: "magicmass/velocities_product.hpp", "manifest.json"
-  std::string content;  ///< all of it
+namespace codegen {
+/// A quantity to be written as plain or exact functions, in a form of this name: closed, product...
+struct PlainForm {
+  Quantity quantity;
+  std::string form;
 };
-
-/// Every file of generated/, from theorems alone, in order of path; the same bytes on every run.
-/// Throws InvalidInput when a theorem that a form needs is not among them.
-std::vector<GeneratedFile> generate(const std::vector<proof::Theorem>& theorems);
-
-}  // namespace magicmass::codegen
+/// Texts by path below generated/magicmass: evaluators/*.hpp, evaluators/errors.txt, plain/*.hpp,
+/// exact/*.hpp, manifest.json. The same bytes from every run.
+std::map<std::string, std::string> generate(const std::vector<Quantity>& evaluators,
+                                            const std::vector<PlainForm>& plain);
+}  // namespace codegen

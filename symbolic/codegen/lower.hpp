@@ -1,31 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From theorems to a program.
 #pragma once
 
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
+#include "codegen/program.hpp"
+#include "codegen/quantity.hpp"
 
-#include "codegen/ir.hpp"
-#include "proof/theorem.hpp"
-
-namespace magicmass::codegen {
-
-// What a program computes: outputs by name, and the theorems that say what symbols on their right sides
-// stand for ("V_CM = V/(2 + alpha)", "T(1) = 1/(1 + alpha)").
-struct Source {
-  std::vector<std::pair<std::string, proof::Theorem>> outputs;
-  std::vector<proof::Theorem> bindings;
-  std::vector<std::string> real_inputs;  // "alpha"
-  std::string index;                     // "n": the integer input, if there is one
-  std::vector<std::string> units = {};   // symbols that are 1 in the units of the outputs: "V", "L"
-  // A symbol that is 1 or -1. What has it as a factor is not negative: it is the magnitude of the rest.
-  std::string sign = {};
-  bool left_sides = false;  // the outputs are the theorems' left sides instead, of what is bound
-};
-
-// The right sides as a program, before any pass; a matrix as an output an entry, row by row ("entry_11"). Throws std::logic_error for a symbol that is neither an
-// input nor bound, or an expression that has no operation here.
-Program lower(const Source& source);
-
-}  // namespace magicmass::codegen
+namespace codegen {
+/// The case's program after all passes. Refused: a theorem with a hypothesis that does not follow
+/// from the intervals, a name without a definition, an operation that there is none for, a divisor
+/// or root whose range is not known, a value that may over- or underflow.
+Program lower(const Quantity& quantity, const Case& which, bool is_wide);
+/// The interval of an input in a case.
+Interval range_of(const Input& input, const Case& which, bool is_wide);
+}  // namespace codegen

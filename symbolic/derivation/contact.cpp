@@ -1,213 +1,154 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Chapter 1: one contact, from the laws to the collision matrix Gamma.
-#include <ginac/ginac.h>
+// One collision of two bodies: from momentum and energy to the velocities after it, and to the
+// matrix Gamma.
+#include "derivation/symbols.hpp"
 
-#include "derivation/chapters.hpp"
-#include "derivation/matrices.hpp"
-#include "derivation/shorthand.hpp"
-#include "proof/names.hpp"
-#include "proof/text.hpp"
-
-namespace magicmass::derivation {
-
-using namespace proof;
-using GiNaC::ex;
-using GiNaC::matrix;
-
+namespace derivation {
 namespace {
+const Expr M_1 = real("M_1"), M_2 = real("M_2"), M = real("M");
+const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
 
-const std::set<std::string> any_two_bodies{"M_1", "M_2", "u_1", "u_2", "v_1", "v_2"};
+/// v_1 and v_2 of two bodies of any masses.
+Theorem velocities_after(Book& book) {
+  const Expr momentum = eq(M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2);
+  const Expr energy =
+      eq(M_1 * power(u_1, 2) + M_2 * power(u_2, 2), M_1 * power(v_1, 2) + M_2 * power(v_2, 2));
+  const Expr changed = neq(v_1, u_1);
+  const Exprs bodies{M_1, M_2, u_1, u_2, v_1, v_2};
+  const Theorem law =
+      book.show("law", "",
+                "A collision of bodies with masses M_1 and M_2 changes velocities u into v. It "
+                "keeps momentum "
+                "and energy, and something changes:",
+                define("contact", bodies, logic_and({momentum, energy, changed}), 0));
+  const Theorem collision = assume(fun("contact", bodies));
+  const Theorem laws = tautology(law.conclusion().arg(1), {law, collision});
+  const Theorem P = part(laws, 0);
+  const Theorem E = part(laws, 1);
+  const Theorem changes = part(laws, 2);
+  const Theorem m_1 = assume(lt(0, M_1));
+  const Theorem m_2 = assume(lt(0, M_2));
+  const Theorem total = positive(M_1 + M_2, {m_1, m_2});
 
-// The polynomial's factor that contains `sought`, divided by it; zero if there is none.
-ex cofactor_in_factorisation(const ex& polynomial, const ex& sought) {
-  ex quotient;
-  const bool divides = GiNaC::divide(polynomial.expand(), sought.expand(), quotient);
-  return divides ? GiNaC::factor(quotient) : ex(0);
+  // M_1 (u_1 - v_1) ((u_1 + v_1) - (u_2 + v_2)) = 0, and the first two factors are not 0.
+  Certificate c;
+  c.equations = {{1, E}, {-(u_2 + v_2), P}};
+  c.multipliers = {m_1, changes};
+  const Theorem relative =
+      book.show("relative", "",
+                "Then the relative velocity turns round:", arithmetic(eq(u_1 + v_1, u_2 + v_2), c));
+  const Exprs after = solve({momentum, relative.conclusion()}, {v_1, v_2}, {u_1, u_2});
+  const Theorems rules{linear(eq(v_2, u_1 + v_1 - u_2), {relative}),
+                       linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {P})};
+  const Theorem velocities =
+      both({book.show("v_1", "",
+                      "With momentum, two linear equations for the "
+                      "velocities after the collision:",
+                      equation(v_1, after[0], rules, {total})),
+            book.show("v_2", "", "and", equation(v_2, after[1], rules, {total}))});
+
+  // The converse.
+  const Theorem w_1 = assume(eq(v_1, after[0]));
+  const Theorem w_2 = assume(eq(v_2, after[1]));
+  book.show("exists", "", "Conversely, these velocities keep momentum and energy,",
+            both({equation(momentum, {w_1, w_2}, {total}), equation(energy, {w_1, w_2}, {total})}));
+  const Theorem same_u = assume(eq(u_1, u_2));
+  const Theorem same_v = assume(eq(v_1, u_1));
+  Certificate back;
+  back.equations = {{-(M_1 + M_2) / 2, same_v}, {(M_1 + M_2) / 2, w_1}};
+  back.multipliers = {m_2};
+  back.nonzero = {total};
+  book.show("changes", "", "and something changes if and only if the bodies approach or part.",
+            tautology(iff(changed, neq(u_1, u_2)),
+                      {discharge(same_u.conclusion(), equation(v_1, u_1, {w_1, same_u}, {total})),
+                       discharge(same_v.conclusion(), arithmetic(eq(u_1, u_2), back))}));
+  return velocities;
 }
-
 }  // namespace
 
-Theorem read_off_angle(Kernel& kernel, const std::string& id, const ex& name, const ex& cosine,
-                       const ex& sine, const std::string& words) {
-  kernel.identity({.id = id + ".circle",
-                   .statement = {pow(cosine, 2) + pow(sine, 2), 1},
-                   .words = "the two entries are the cosine and the sine of one angle"});
-  kernel.positivity({.id = id + ".side",
-                     .statement = {sine, Relation::greater, 0},
-                     .words = "its sine is positive: the angle lies between 0 and pi"});
-  const ex tangent_of_half = kernel.simplified(sine / (1 + cosine));
-  return kernel.definition(
-      {.id = id, .statement = {name, 2 * atan(tangent_of_half)}, .words = words});
+void contact(Book& book) {
+  book.chapter("contact", "One collision of two bodies", {lt(0, M_1), lt(0, M_2)});
+  const Theorem general = velocities_after(book);
+
+  // A block of mass M and the ball of mass alpha M.
+  const Theorem mass_ratio = assume(alpha_positive);
+  const Theorem block = assume(lt(0, M));
+  const Theorem ball = positive(alpha * M, {mass_ratio, block});
+  const Theorem p1 = positive(1 + alpha, {mass_ratio});
+  const Theorem total = positive(M + alpha * M, {block, ball});
+  const Theorem special = cut(ball, instantiate(general, {{M_1, M}, {M_2, alpha * M}}));
+  book.chapter("ball", "A block and the ball", {alpha_positive, lt(0, M)});
+  Exprs after;
+  Theorems velocities;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Theorem v = part(special, i);
+    after.push_back(simplified(v.conclusion().arg(1), {u_1, u_2}));
+    velocities.push_back(chain(v, equation(v.conclusion().arg(1), after[i], {}, {total, p1})));
+  }
+  book.show("velocities", "", "A block of mass M and the ball of mass alpha M:", both(velocities));
+
+  // In terms of (u_1, sqrt(alpha) u_2): scaled coefficients of u_1 and u_2.
+  const Expr s = sqrt(alpha);
+  const Theorem root = root_squared(mass_ratio);
+  const auto coefficient = [&](std::size_t row, int in_u_1) {
+    return substitute(after[row], {{u_1, in_u_1}, {u_2, 1 - in_u_1}});
+  };
+  const Expr scaled_matrix = simplified(matrix(
+      2, {coefficient(0, 1), coefficient(0, 0) / s, s * coefficient(1, 1), coefficient(1, 0)}));
+  const Theorem gamma = define("Gamma", {alpha}, scaled_matrix);
+  restrict_domain("Gamma", {alpha}, alpha_positive);
+  book.show("Gamma", "",
+            "The coefficients, with sqrt(alpha) in both velocities of the ball, are the matrix",
+            under({alpha_positive}, gamma));
+  const Theorems rules = Theorems{root} + entries(gamma);
+  book.show("collision", "", "so that a collision is a linear map:",
+            matrix_equation(column({v_1, s * v_2}), times(Gamma(), column({u_1, s * u_2})),
+                            rules + velocities, {p1}));
+  book.show("Gamma_paper", "eq:Gamma", "As the paper writes it:",
+            matrix_equation(Gamma(),
+                            matrix(2, {(1 - alpha) / (1 + alpha), 2 * s / (1 + alpha),
+                                       2 * s / (1 + alpha), -(1 - alpha) / (1 + alpha)}),
+                            rules, {p1}));
+  book.show("Gamma_orthogonal", "", "It is orthogonal,",
+            matrix_equation(times(Gamma(), transpose(Gamma())), identity(2), rules, {p1}));
+  book.show("Gamma_determinant", "",
+            "with determinant -1:", equation(det(Gamma()), -1, rules, {p1}));
+
+  // theta
+  const Theorem angle = define("theta", {alpha}, 2 * atan(s));
+  restrict_domain("theta", {alpha}, alpha_positive);
+  book.show("theta", "def:theta theta-txt", "The angle theta:", under({alpha_positive}, angle));
+  const Theorem half = linear(eq(atan(s), theta() / 2), {angle});
+  const Theorem inside = equation(1 + power(s, 2), 1 + alpha, {root});
+  const auto at_half = [&](const std::string& axiom_name) {
+    return rewrite(inside, rewrite(half, use(axiom_name, {{x, s}})));
+  };
+  const Theorem cos_half =
+      book.show("cos_half_theta", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
+  const Theorem sin_half = book.show("sin_half_theta", "table:trig", "and", at_half("sin atan"));
+  const Theorem w = root_squared(p1);
+  const Theorems half_values{cos_half, sin_half, w, root};
+  const Theorems divisors{p1, positive(sqrt(1 + alpha), {p1})};
+  const auto doubled = [&](Expr l, Expr r) {
+    return equation(l, r, angles({l}, {theta() / 2}, false) + half_values, divisors);
+  };
+  const Theorem cos_theta =
+      book.show("cos_theta", "table:trig",
+                "the double angle:", doubled(cos(theta()), (1 - alpha) / (1 + alpha)));
+  const Theorem sin_theta =
+      book.show("sin_theta", "table:trig", "and", doubled(sin(theta()), 2 * s / (1 + alpha)));
+  const Theorem plane = define("lambda", {x}, matrix(2, {cos(x), -sin(x), sin(x), cos(x)}), 0);
+  const Theorem mirror = define("P_2", {}, matrix(2, {1, 0, 0, -1}));
+  book.show("lambda", "", "A rotation of the plane", plane);
+  book.show("P_2", "", "and a reflection:", mirror);
+  const Theorems turned_rules = rules + Theorems{cos_theta, sin_theta} +
+                                entries(instantiate(plane, {{x, theta()}})) + entries(mirror);
+  book.show(
+      "Gamma_theta", "def:gamma", "With it Gamma is",
+      matrix_equation(Gamma(), matrix(2, {cos(theta()), sin(theta()), sin(theta()), -cos(theta())}),
+                      turned_rules, {p1}));
+  book.show("Gamma_rotation", "def:gamma", "a rotation after a reflection:",
+            matrix_equation(Gamma(), times(fun("lambda", {theta()}), fun("P_2", {})), turned_rules,
+                            {p1}));
 }
-
-Contact contact(Kernel& kernel, const Laws& laws, const Paper& paper) {
-  const ex n = symbol("n"), alpha = symbol("alpha"), M = symbol("M");
-  const ex M_1 = symbol("M_1"), M_2 = symbol("M_2");
-  const ex u_1 = symbol("u_1"), u_2 = symbol("u_2"), v_1 = symbol("v_1"), v_2 = symbol("v_2");
-
-  const Theorem momentum = kernel.law({.id = "contact.momentum",
-                                       .statement = laws.momentum,
-                                       .words = "momentum is conserved in a contact of two bodies",
-                                       .schematic = any_two_bodies});
-  const Theorem energy = kernel.law({.id = "contact.energy",
-                                     .statement = laws.energy,
-                                     .words = "kinetic energy is conserved (both sides times two)",
-                                     .schematic = any_two_bodies});
-  const Theorem changes = kernel.law({.id = "contact.changes",
-                                      .statement = laws.contact,
-                                      .words = "a collision changes the velocity of who takes part",
-                                      .schematic = any_two_bodies});
-
-  // Energy: M_1 (u_1 - v_1)(u_1 + v_1) = M_2 (v_2 - u_2)(v_2 + u_2). Momentum: M_1 (u_1 - v_1) = M_2 (v_2 - u_2).
-  const ex combined =
-      (energy.lhs() - energy.rhs()) - (u_2 + v_2) * (momentum.lhs() - momentum.rhs());
-  const ex other_factor = cofactor_in_factorisation(combined, M_1 * (u_1 - v_1));
-  const Theorem factored =
-      kernel.consequence({.id = "contact.factored",
-                          .statement = {M_1 * (u_1 - v_1) * other_factor, 0},
-                          .words = "energy minus (u_2 + v_2) times momentum, factored"},
-                         {{energy, 1}, {momentum, -(u_2 + v_2)}});
-  const Theorem relative = kernel.cancellation(
-      {.id = "contact.relative",
-       .statement = {other_factor, 0},
-       .words = "divide by M_1 (u_1 - v_1): a contact turns the relative velocity round"},
-      factored, M_1 * (u_1 - v_1), changes);
-
-  const LinearSolution solution =
-      solve_linear({momentum.statement(), relative.statement()}, {v_1, v_2});
-  const auto solve_for = [&](const char* id, size_t which, const ex& unknown) {
-    return kernel.consequence(
-        {.id = id,
-         .statement = {unknown, collected(solution.values[which], {u_1, u_2})},
-         .words = "two linear equations, solved for the velocities after"},
-        {{momentum, solution.cofactors[which][0]}, {relative, solution.cofactors[which][1]}});
-  };
-  const Theorem after_1 = solve_for("contact.v_1", 0, v_1);
-  const Theorem after_2 = solve_for("contact.v_2", 1, v_2);
-
-  // At P_n the block is A and the ball comes with c'_(n-1); at Q_n the block is B and it comes with c_n.
-  const Kernel::Values at_P{{M_1, M},    {M_2, alpha * M}, {u_1, a(n - 1)}, {u_2, c_prime(n - 1)},
-                            {v_1, a(n)}, {v_2, c(n)}};
-  const Kernel::Values at_Q{{M_1, M},    {M_2, alpha * M}, {u_1, b(n - 1)},
-                            {u_2, c(n)}, {v_1, b(n)},      {v_2, c_prime(n)}};
-  const auto replaced = [](const Statement& statement, const Kernel::Values& values,
-                           const ex& scale) {
-    GiNaC::exmap replacements;
-    for (const auto& [name, value] : values) replacements[name] = value;
-    return Statement((statement.lhs().subs(replacements) / scale).expand(),
-                     (statement.rhs().subs(replacements) / scale).expand());
-  };
-  const auto at = [&](const std::string& id, const Theorem& general, const Kernel::Values& values,
-                      const std::string& label, const char* where) {
-    const Statement with_mass = replaced(general.statement(), values, 1);
-    const Theorem special = kernel.instance({.id = id + ".with_mass",
-                                             .statement = with_mass,
-                                             .words = std::string("at ") + where,
-                                             .indices = from_one},
-                                            general, values);
-    return kernel.consequence({.id = id,
-                               .statement = paper.at(label),
-                               .words = "divided by M",
-                               .label = label,
-                               .indices = from_one},
-                              {{special, 1 / M}});
-  };
-  const Theorem momentum_P = at("contact.momentum_P", momentum, at_P, "eq:ac", "P_n");
-  const Theorem energy_P = at("contact.energy_P", energy, at_P, "eq:Euc-Pn", "P_n");
-  const Theorem momentum_Q = at("contact.momentum_Q", momentum, at_Q, "eq:bcp", "Q_n");
-  const Theorem energy_Q = at("contact.energy_Q", energy, at_Q, "eq:Euc-Qn", "Q_n");
-  kernel.consequence({.id = "contact.energy_cycle",
-                      .statement = paper.at("eq:energy-conservation-PnQn"),
-                      .words = "the sum of the two energy laws",
-                      .label = "eq:energy-conservation-PnQn",
-                      .indices = from_one},
-                     {{energy_P, 1}, {energy_Q, 1}});
-
-  const auto linear = [&](const std::string& id, const Kernel::Values& values,
-                          const std::string& label) {
-    const Theorem special = kernel.instance({.id = id + ".zero",
-                                             .statement = replaced(relative.statement(), values, 1),
-                                             .words = "the relative velocity turns round, here",
-                                             .indices = from_one},
-                                            relative, values);
-    kernel.consequence({.id = id,
-                        .statement = paper.at(label),
-                        .words = "rearranged",
-                        .label = label,
-                        .indices = from_one},
-                       {{special, 1}});
-  };
-  linear("contact.relative_P", at_P, "eq:Euc-Pn-linear");
-  linear("contact.relative_Q", at_Q, "eq:Euc-Qn-linear");
-
-  const auto after = [&](const std::string& id, const Theorem& general,
-                         const Kernel::Values& values, const ex& unknown) {
-    const ex value = kernel.simplified(replaced(general.statement(), values, 1).rhs(), from_one);
-    const std::vector<ex> before{a(n - 1), b(n - 1), c_prime(n - 1), c(n)};
-    return kernel.instance({.id = id,
-                            .statement = {unknown, collected(value, before)},
-                            .words = "the solution, here",
-                            .indices = from_one},
-                           general, values);
-  };
-  const Theorem a_n = after("contact.a", after_1, at_P, a(n));
-  const Theorem c_n = after("contact.c", after_2, at_P, c(n));
-  const Theorem b_n = after("contact.b", after_1, at_Q, b(n));
-  const Theorem c_prime_n = after("contact.c_prime", after_2, at_Q, c_prime(n));
-
-  // Gamma acts on (block, sqrt(alpha) ball); its entries are the coefficients of the solution.
-  const ex root = sqrt(alpha);
-  const auto coefficient = [&](const Theorem& solved, const ex& before, const ex& scale) {
-    return kernel.simplified(solved.rhs().expand().coeff(before, 1) * scale, from_one);
-  };
-  const matrix derived{{coefficient(a_n, a(n - 1), 1), coefficient(a_n, c_prime(n - 1), 1 / root)},
-                       {coefficient(c_n, a(n - 1), root), coefficient(c_n, c_prime(n - 1), 1)}};
-  const Theorem Gamma = kernel.definition(
-      {.id = "contact.Gamma",
-       .statement = {symbol("Gamma"), derived},
-       .words = "the coefficients of the solution, the ball's velocity times sqrt(alpha)"});
-  kernel.rewriting({.id = "contact.at_P",
-                    .statement = {matrix{{a(n)}, {root * c(n)}},
-                                  (derived * matrix{{a(n - 1)}, {root * c_prime(n - 1)}}).evalm()},
-                    .words = "(a_n, sqrt(alpha) c_n) = Gamma (a_(n-1), sqrt(alpha) c'_(n-1))",
-                    .label = "eq:abc-n",
-                    .indices = from_one,
-                    .shown_rhs = "Gamma [[a(n - 1)], [sqrt(alpha)*c'(n - 1)]]"},
-                   {a_n, c_n});
-  kernel.rewriting({.id = "contact.at_Q",
-                    .statement = {matrix{{b(n)}, {root * c_prime(n)}},
-                                  (derived * matrix{{b(n - 1)}, {root * c(n)}}).evalm()},
-                    .words = "(b_n, sqrt(alpha) c'_n) = Gamma (b_(n-1), sqrt(alpha) c_n)",
-                    .label = "eq:abcp-n",
-                    .indices = from_one,
-                    .shown_rhs = "Gamma [[b(n - 1)], [sqrt(alpha)*c(n)]]"},
-                   {b_n, c_prime_n});
-  kernel.identity({.id = "contact.Gamma_paper",
-                   .statement = paper.at("eq:Gamma"),
-                   .words = "as the paper writes it",
-                   .label = "eq:Gamma"});
-  kernel.identity({.id = "contact.Gamma_orthogonal",
-                   .statement = {(transpose(derived) * derived).evalm(), unit(2)},
-                   .words = "Gamma^T Gamma = 1: lengths are kept",
-                   .shown_lhs = "Gamma^T Gamma",
-                   .shown_rhs = "1"});
-  kernel.identity({.id = "contact.Gamma_determinant",
-                   .statement = {determinant(derived), -1},
-                   .words = "det Gamma = -1: a reflection is in it",
-                   .shown_lhs = "det Gamma"});
-  const Theorem theta = read_off_angle(kernel, "contact.theta", symbol("theta"), derived(0, 0),
-                                       derived(0, 1), "the angle of Gamma");
-  kernel.equal_angles({.id = "contact.theta_paper",
-                       .statement = paper.at("def:theta"),
-                       .words = "as the paper writes it",
-                       .label = "def:theta, theta-txt"});
-  kernel.identity({.id = "contact.Gamma_rotation",
-                   .statement = paper.at("def:gamma"),
-                   .words = "Gamma = lambda(theta) P_2",
-                   .label = "def:gamma",
-                   .shown_rhs = "lambda(theta) P_2"});
-  return {momentum_P, energy_P, momentum_Q, energy_Q, a_n,    c_n,     b_n,
-          c_prime_n,  Gamma,    theta,      momentum, energy, after_1, after_2};
-}
-
-}  // namespace magicmass::derivation
+}  // namespace derivation

@@ -1,114 +1,138 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Chapter 2: one cycle, a collision at P_n and one at Q_n, as the matrix Lambda.
-#include <ginac/ginac.h>
+// The motion: one sequence of all collisions, P_1, Q_1, P_2, ..., and its matrix Lambda from cycle
+// to cycle.
+#include "derivation/symbols.hpp"
 
-#include "derivation/chapters.hpp"
-#include "derivation/matrices.hpp"
-#include "derivation/shorthand.hpp"
-#include "proof/names.hpp"
+namespace derivation {
+namespace {
+const Expr u_1 = real("u_1"), u_2 = real("u_2"), M = real("M");
+const Expr from_1 = le(1, n);
 
-namespace magicmass::derivation {
+/// The velocities that the chapter before gives for a block with u and the ball with w.
+struct Collision {
+  Expr block_after, ball_after;
+  Expr block(Expr u, Expr w) const { return substitute(block_after, {{u_1, u}, {u_2, w}}); }
+  Expr ball(Expr u, Expr w) const { return substitute(ball_after, {{u_1, u}, {u_2, w}}); }
+};
 
-using namespace proof;
-using GiNaC::ex;
-using GiNaC::matrix;
+/// |- 0 <= n implies turn_(2n) = 1, and with it what the two collisions of a cycle do to each body.
+struct Sequence {
+  Theorems starts;  // of A, B, C
+  Theorems first;   // |- A_(2n+1) = ..., B, C under 0 <= n
+  Theorems second;  // |- A_(2n+2) = ...
+};
+Sequence sequence(Book& book, const Collision& collide) {
+  const Expr A_before = real("A_before"), B_before = real("B_before"), C_before = real("C_before"),
+             turn_before = real("turn_before");
+  const Theorems whose_turn = define_recursive({"turn"}, {}, j, {turn_before}, {1}, {-turn_before});
+  const Expr P = (1 + turn(j)) / 2;
+  const Expr Q = (1 - turn(j)) / 2;
+  const Theorems motion = define_recursive(
+      {"A", "B", "C"}, {alpha, V}, j, {A_before, B_before, C_before}, {V, 0, 0},
+      {P * collide.block(A_before, C_before) + Q * A_before,
+       P * B_before + Q * collide.block(B_before, C_before),
+       P * collide.ball(A_before, C_before) + Q * collide.ball(B_before, C_before)});
+  for (const char* name : {"A", "B", "C"})
+    restrict_domain(name, {alpha, V, j}, logic_and({alpha_positive, le(0, j)}));
+  restrict_domain("turn", {j}, le(0, j));
+  book.show("turn", "",
+            "Collisions are counted from 0, those with A and with B by turns. Whose turn "
+            "it is, 1 for A and -1 for B:",
+            both(whose_turn));
+  book.show("start", "", "At the start A moves with V; B and C are at rest:",
+            under({alpha_positive}, both({motion[0], motion[1], motion[2]})));
+  book.show("next", "",
+            "Collision j changes the two bodies that take part, by the law of one "
+            "collision:",
+            under({alpha_positive}, both({motion[3], motion[4], motion[5]})));
 
-Cycle cycle(Kernel& kernel, const Contact& contact, const Paper& paper) {
-  const ex n = symbol("n"), alpha = symbol("alpha");
-  const ex root = sqrt(alpha);
-  const matrix Gamma = GiNaC::ex_to<matrix>(contact.Gamma.rhs());
-
-  const Theorem Gamma_A = kernel.definition(
-      {.id = "cycle.Gamma_A",
-       .statement = {symbol("Gamma_A"),
-                     matrix{
-                         {Gamma(0, 0), 0, Gamma(0, 1)}, {0, 1, 0}, {Gamma(1, 0), 0, Gamma(1, 1)}}},
-       .words = "the collision at P_n on (a, b, sqrt(alpha) c'): B keeps its velocity"});
-  const Theorem Gamma_B =
-      kernel.definition({.id = "cycle.Gamma_B",
-                         .statement = {symbol("Gamma_B"), matrix{{1, 0, 0},
-                                                                 {0, Gamma(0, 0), Gamma(0, 1)},
-                                                                 {0, Gamma(1, 0), Gamma(1, 1)}}},
-                         .words = "the collision at Q_n: A keeps its velocity"});
-  for (const auto& [name, Gamma_i] :
-       {std::pair{"Gamma_A", Gamma_A}, std::pair{"Gamma_B", Gamma_B}}) {
-    const std::string id = std::string("cycle.") + name;
-    const std::string label = std::string("app:Vn, ") + name;
-    kernel.identity({.id = id + "_rotation",
-                     .statement = paper.at(label),
-                     .words = "a rotation times the reflection P_3",
-                     .label = label,
-                     .shown_rhs = name == std::string("Gamma_A") ? "lambda_2(-theta) P_3"
-                                                                 : "lambda_1(theta) P_3"});
-    kernel.identity({.id = id + "_determinant",
-                     .statement = {determinant(Gamma_i.rhs()), -1},
-                     .words = "its determinant",
-                     .shown_lhs = std::string("det ") + name});
-    kernel.identity({.id = id + "_orthogonal",
-                     .statement = {(transpose(Gamma_i.rhs()) * Gamma_i.rhs()).evalm(), unit(3)},
-                     .words = "it keeps lengths",
-                     .shown_lhs = std::string(name) + "^T " + name,
-                     .shown_rhs = "1"});
-  }
-
-  const ex derived = kernel.simplified(Gamma_B.rhs() * Gamma_A.rhs());
-  const Theorem Lambda =
-      kernel.definition({.id = "cycle.Lambda",
-                         .statement = {symbol("Lambda"), derived},
-                         .words = "Lambda = Gamma_B Gamma_A, first P_n, then Q_n"});
-  kernel.identity({.id = "cycle.Lambda_product",
-                   .statement = {symbol("Lambda"), (Gamma_B.rhs() * Gamma_A.rhs()).evalm()},
-                   .words = "Lambda = Gamma_B Gamma_A",
-                   .label = "eq:Lam-G-G, Lam-GAM",
-                   .shown_rhs = "Gamma_B Gamma_A"});
-  kernel.identity({.id = "cycle.Lambda_paper",
-                   .statement = paper.at("eq:Lambda"),
-                   .words = "as the paper writes it",
-                   .label = "eq:Lambda"});
-  kernel.identity({.id = "cycle.Lambda_theta",
-                   .statement = paper.at("eq:Lambda-app"),
-                   .words = "in terms of theta",
-                   .label = "eq:Lambda-app"});
-  kernel.identity({.id = "cycle.Lambda_orthogonal",
-                   .statement = {(transpose(derived) * derived).evalm(), unit(3)},
-                   .words = "Lambda^T Lambda = 1",
-                   .shown_lhs = "Lambda^T Lambda",
-                   .shown_rhs = "1"});
-  kernel.identity({.id = "cycle.Lambda_determinant",
-                   .statement = {determinant(derived), 1},
-                   .words = "det Lambda = 1: a pure rotation",
-                   .shown_lhs = "det Lambda"});
-
-  // Eliminate c_n: b and c' after Q_n, where c_n comes from P_n.
-  const matrix before{{a(n - 1)}, {b(n - 1)}, {root * c_prime(n - 1)}};
-  const matrix after{{a(n)}, {b(n)}, {root * c_prime(n)}};
-  const ex turned = (derived * before).evalm();
-  kernel.rewriting({.id = "cycle.V",
-                    .statement = {after, turned},
-                    .words = "V_n = Lambda V_(n-1): c_n eliminated",
-                    .label = "eq:V-n, eq:V-n-app",
-                    .indices = from_one,
-                    .shown_rhs = "Lambda [[a(n - 1)], [b(n - 1)], [sqrt(alpha)*c'(n - 1)]]"},
-                   {contact.c_prime, contact.b, contact.a, contact.c});
-  const auto component = [&](const char* id, unsigned row, const ex& element, const ex& scale) {
-    const ex value = kernel.simplified(turned.op(row) / scale, from_one);
-    return kernel.rewriting(
-        {.id = id,
-         .statement = {element, collected(value, {a(n - 1), b(n - 1), c_prime(n - 1)})},
-         .words = "a component of V_n = Lambda V_(n-1)",
-         .indices = from_one},
-        {contact.c_prime, contact.b, contact.a, contact.c});
+  const Expr even = eq(turn(2 * n), 1);
+  const Expr claim = logic_and({le(0, n), even});
+  const Theorem from_0 = part(assume(claim), 0);
+  const auto turn_after = [&](Expr i) {
+    return use(whose_turn[1], {{j, i}}, {linear(le(0, i), {from_0})});
   };
-  const Theorem a_n = component("cycle.a", 0, a(n), 1);
-  const Theorem b_n = component("cycle.b", 1, b(n), 1);
-  const Theorem c_prime_n = component("cycle.c_prime", 2, c_prime(n), root);
-  kernel.rewriting({.id = "cycle.V_squared",
-                    .statement = paper.at("eq:V2"),
-                    .words = "the length of V_n never changes",
-                    .label = "eq:V2",
-                    .indices = from_one},
-                   {a_n, b_n, c_prime_n});
-  return {Gamma_A, Gamma_B, Lambda, a_n, b_n, c_prime_n};
+  const Theorem next_even = equation(
+      turn(2 * (n + 1)), 1, {turn_after(2 * n + 1), turn_after(2 * n), part(assume(claim), 1)});
+  const Theorem base = restate(eq(turn(Expr(2) * Expr(0)), 1), whose_turn[0]);
+  const Theorem evens = induction(n, 0, even, base, discharge(claim, next_even));
+  const Theorem n_from_0 = assume(le(0, n));
+  const Theorem turn_0 = tautology(even, {evens, n_from_0});
+  const Theorem turn_1 =
+      equation(turn(2 * n + 1), -1,
+               {use(whose_turn[1], {{j, 2 * n}}, {linear(le(0, 2 * n), {n_from_0})}), turn_0});
+  const auto after = [&](Expr i, const Theorem& whose) {
+    Theorems steps;
+    for (std::size_t body = 3; body < 6; ++body) {
+      const Theorem step = use(motion[body], {{j, i}}, {linear(le(0, i), {n_from_0})});
+      steps.push_back(rewrite(whose, step));
+    }
+    return steps;
+  };
+  book.show("turns", "", "So collision 2n is one with A, and collision 2n + 1 one with B:",
+            both({turn_0, turn_1}));
+  return {{motion[0], motion[1], motion[2]}, after(2 * n, turn_0), after(2 * n + 1, turn_1)};
 }
+}  // namespace
 
-}  // namespace magicmass::derivation
+void cycle(Book& book) {
+  const Theorem law = book["ball.velocities"];
+  const Collision collide{law.conclusion().arg(0).arg(1), law.conclusion().arg(1).arg(1)};
+  book.chapter("cycle", "The motion, cycle by cycle", {alpha_positive, from_1});
+  const Sequence s = sequence(book, collide);
+  const Theorem mass = assume(alpha_positive);
+  const Theorem p1 = positive(1 + alpha, {mass});
+
+  // The paper's names: the n-th cycle is collisions 2n - 2 (P_n) and 2n - 1 (Q_n).
+  const Theorem def_a = define("a", {alpha, V, n}, A(2 * n), 2);
+  const Theorem def_b = define("b", {alpha, V, n}, B(2 * n), 2);
+  const Theorem def_c_prime = define("c'", {alpha, V, n}, C(2 * n), 2);
+  const Theorems within = define_recursive({"c"}, {alpha, V}, n, {real("c_before")}, {0},
+                                           {collide.ball(A(2 * n), C(2 * n))});
+  for (const char* name : {"a", "b", "c'", "c"})
+    restrict_domain(name, {alpha, V, n}, logic_and({alpha_positive, le(0, n)}));
+  const Theorem n_from_1 = assume(from_1);
+  book.show("names", "", "The paper's velocities: A's, B's and the ball's after n cycles,",
+            under({alpha_positive, le(0, n)}, both({def_a, def_b, def_c_prime})));
+  const Theorem before_from_0 = linear(le(0, n - 1), {n_from_1});
+  const auto in_cycle = [&](const Theorem& step) {  // the step of cycle n + 1 as that of cycle n
+    return use(discharge(le(0, n), step), {{n, n - 1}}, {before_from_0});
+  };
+  const auto at = [&](const Theorem& definition, Expr i) {
+    return instantiate(definition, {{n, i}});
+  };
+  Theorems all_steps;
+  for (const Theorems& steps : {s.first, s.second})
+    for (const Theorem& t : steps) all_steps.push_back(in_cycle(t));
+  const Theorem def_c = equation(
+      c(n), C(2 * n - 1), Theorems{in_cycle(use(within[1], {}, {assume(le(0, n))}))} + all_steps);
+  book.show("c_start", "", "and the ball's within the n-th, 0 before the first:",
+            under({alpha_positive}, within[0]));
+  book.show("name_c", "", "so that", under({alpha_positive, from_1}, def_c));
+  const Theorems names{turned(def_a),
+                       turned(def_b),
+                       turned(def_c_prime),
+                       turned(def_c),
+                       turned(at(def_a, n - 1)),
+                       turned(at(def_b, n - 1)),
+                       turned(at(def_c_prime, n - 1))};
+  const auto step = [&](Expr l, const Theorem& definition, Expr r) {
+    return equation(l, r, Theorems{definition} + all_steps + names);
+  };
+  const Theorem a_n = step(a(n), def_a, collide.block(a(n - 1), c_prime(n - 1)));
+  const Theorem c_n = step(c(n), def_c, collide.ball(a(n - 1), c_prime(n - 1)));
+  const Theorem b_n = step(b(n), def_b, collide.block(b(n - 1), c(n)));
+  const Theorem c_prime_n = step(c_prime(n), def_c_prime, collide.ball(b(n - 1), c(n)));
+  const Theorem zero_n = equation(Expr(2) * Expr(0), 0);
+  const auto at_0 = [&](const Theorem& definition, const Theorem& start) {
+    return chain(rewrite(zero_n, at(definition, 0)), start);
+  };
+  book.show("start_vector", "", "Before the first collision:",
+            under({alpha_positive}, both({at_0(def_a, s.starts[0]), at_0(def_b, s.starts[1]),
+                                          at_0(def_c_prime, s.starts[2])})));
+  book.show("B_waits", "", "P_n leaves B alone,",
+            under({alpha_positive, from_1}, equation(B(2 * n - 1), b(n - 1), all_steps + names)));
+  book.show("P", "", "After P_n:", under({alpha_positive, from_1}, both({a_n, c_n})));
+  book.show("Q", "", "After Q_n:", under({alpha_positive, from_1}, both({b_n, c_prime_n})));
+}
+}  // namespace derivation

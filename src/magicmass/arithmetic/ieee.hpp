@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is said of rounding errors holds where each operation is rounded to its type, none is rearranged, and NaN is one.
+// What is said of rounding errors holds where each operation is rounded to its type, none is
+// rearranged or contracted, and NaN is one. Checked at compile time, and at run time on request.
 #pragma once
 
 #include <cfloat>
@@ -10,3 +11,20 @@ static_assert(FLT_EVAL_METHOD == 0,
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "magicmass counts on IEEE arithmetic: not with -ffast-math, nor with a part of it"
 #endif
+
+namespace magicmass::arithmetic {
+/// Whether this thread rounds to nearest, keeps subnormal numbers, and this program does not
+/// contract x*y + z: a caller's rounding mode or -Ofast would make results wrong in silence.
+inline bool arithmetic_is_ieee() {
+  volatile double one = 1.0;
+  volatile double half_ulp = 0x1p-53;
+  volatile double smallest = 0x1p-1022;
+  volatile double root = 0x1.0000001p0;
+  const double x = root;
+  const double square_less_one = x * x - 0x1.0000002p0;
+  const double up = one + half_ulp * 1.5;
+  const double down = -one - half_ulp * 0.5;
+  return one + half_ulp == 1.0 && up == 0x1.0000000000001p0 && down == -1.0 &&
+         smallest * 0.5 != 0.0 && square_less_one == 0.0;
+}
+}  // namespace magicmass::arithmetic

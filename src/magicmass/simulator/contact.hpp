@@ -1,48 +1,48 @@
 // SPDX-License-Identifier: MIT
-// The one law of motion the simulator and the reference know.
+// The one law of motion that the simulator knows.
 #pragma once
 
-#include "magicmass/simulator/field.hpp"
+#include <concepts>
 
-namespace magicmass {
+namespace magicmass::simulator {
 
-/// Velocities of the two bodies of a contact, just after it.
-template <class Scalar>
-struct AfterContact {
-  Scalar first;   ///< of the body given first
-  Scalar second;  ///< of the other
+/// Numbers with the four operations and an order: float, double, exact rationals.
+template <class T>
+concept Field = std::copyable<T> && std::constructible_from<T, int> &&
+    requires(const T& x, const T& y) {
+  { x + y } -> std::convertible_to<T>;
+  { x - y } -> std::convertible_to<T>;
+  { x* y } -> std::convertible_to<T>;
+  { x / y } -> std::convertible_to<T>;
+  { x < y } -> std::convertible_to<bool>;
+  { x == y } -> std::convertible_to<bool>;
 };
 
-/// Elastic contact of bodies (m1, u1) and (m2, u2): each velocity is reflected in the velocity U of their centre of
-/// mass, which keeps momentum and kinetic energy (Ee & Lee eqs. eq:ac to eq:Euc-Qn, two at a time). Masses positive, in
-/// one unit; velocities in another. Exact for exact scalars. In floating point the weights m/(m1+m2) come first, so
-/// that nothing overflows while m1 + m2 and 2 max(|u1|, |u2|) are finite; each result is then within 6 eps max(|u1|,
-/// |u2|): U carries 2 eps, doubled, and the subtraction's own rounding of at most 3 max(|u1|, |u2|) 1.5 eps.
-template <Arithmetic Scalar>
-AfterContact<Scalar> collide(const Scalar& m1, const Scalar& u1, const Scalar& m2,
-                             const Scalar& u2) {
-  const Scalar mass = m1 + m2;
-  const Scalar centre = (m1 / mass) * u1 + (m2 / mass) * u2;
-  const Scalar twice = centre + centre;
-  return {twice - u1, twice - u2};
+/// One of the balls and blocks: positive mass; one unit each for mass, length and speed.
+template <Field Scalar>
+struct Body {
+  Scalar mass;
+  Scalar position;
+  Scalar velocity;
+};
+
+/// Elastic collision of two bodies: each velocity is reflected in that of their centre of mass,
+/// which keeps momentum and kinetic energy. Exact for exact fields. In floating point the weights
+/// m/(m1+m2) come first, so that nothing overflows while m1 + m2 and 2 max(|u1|, |u2|) are finite;
+/// each result is then within 6 eps max(|u1|, |u2|). Equal masses swap velocities, unrounded.
+template <Field Scalar>
+void collide(Body<Scalar>& first, Body<Scalar>& second) {
+  const Scalar u1 = first.velocity;
+  const Scalar u2 = second.velocity;
+  if (first.mass == second.mass) {
+    first.velocity = u2;
+    second.velocity = u1;
+    return;
+  }
+  const Scalar mass = first.mass + second.mass;
+  const Scalar centre = (first.mass / mass) * u1 + (second.mass / mass) * u2;
+  first.velocity = centre + centre - u1;
+  second.velocity = centre + centre - u2;
 }
 
-/// The same with restitution e, 0 < e <= 1: what is left of each velocity relative to the centre is turned round (Ee &
-/// Lee "Inelastic collisions"). Within 8 eps max(|u1|, |u2|): U twice, 4 eps, the difference and its product 1 eps
-/// each, and the sum 1.5 eps.
-template <Arithmetic Scalar>
-AfterContact<Scalar> collide(const Scalar& m1, const Scalar& u1, const Scalar& m2, const Scalar& u2,
-                             const Scalar& e) {
-  const Scalar mass = m1 + m2;
-  const Scalar centre = (m1 / mass) * u1 + (m2 / mass) * u2;
-  return {centre + e * (centre - u1), centre + e * (centre - u2)};
-}
-
-/// Velocity after meeting a wall, which does not move, with restitution e, 0 < e <= 1. Exact for exact scalars, else
-/// within half an ulp.
-template <Arithmetic Scalar>
-Scalar rebound(const Scalar& u, const Scalar& e) {
-  return Scalar(0) - e * u;
-}
-
-}  // namespace magicmass
+}  // namespace magicmass::simulator

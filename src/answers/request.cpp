@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers are read the same way whatever the locale.
+#include "answers/request.hpp"
+
+#include <charconv>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+
+namespace answers {
+
+std::string Request::text(const std::string& option) const {
+  const auto found = options.find(option);
+  return found == options.end() ? "" : found->second;
+}
+
+std::optional<std::int64_t> Request::whole(const std::string& option, std::int64_t least,
+                                           std::int64_t most) const {
+  if (!has(option)) {
+    return std::nullopt;
+  }
+  const std::string digits = text(option);
+  std::int64_t value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [read_to, error] = std::from_chars(digits.data(), end, value);
+  if (error != std::errc() || read_to != end || value < least || value > most) {
+    throw InvalidInput(option + " must be a whole number from " + std::to_string(least) + " to " +
+                       std::to_string(most) + ", got " + shown_text(digits));
+  }
+  return value;
+}
+
+}  // namespace answers

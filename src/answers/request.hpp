@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is asked: words as they were typed, or as a row of CSV has them.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "answers/table.hpp"
+
+namespace answers {
+
+struct Request {
+  std::map<std::string, std::string> options;  ///< by name without dashes; a flag has the value ""
+  std::vector<std::string> words;              ///< what no option takes
+  std::string format = "text";
+
+  bool has(const std::string& option) const { return options.count(option) != 0; }
+  /// The option's value, "" where it was not given.
+  std::string text(const std::string& option) const;
+  /// A whole number in decimal digits from least to most, or nothing where it was not given.
+  /// Throws InvalidInput for anything else.
+  std::optional<std::int64_t> whole(const std::string& option, std::int64_t least,
+                                    std::int64_t most) const;
+};
+
+/// A table, or a document that is printed as it is (a derivation, a figure).
+struct Answer {
+  Table table;
+  std::string document;       ///< instead of the table where it is not empty
+  bool check_failed = false;  ///< not proved, stale: exit code 1
+};
+
+}  // namespace answers

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Words of others in messages of ours.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace answers {
+
+/// Printable ASCII as it is, other bytes as \xHH, so that no terminal obeys them; cut with "..."
+/// after so many bytes; "(nothing)" where there are none.
+std::string shown_text(std::string_view text, std::size_t longest = 60);
+
+/// The texts with ", " between them.
+std::string joined(const std::vector<std::string>& texts, std::string_view between = ", ");
+
+}  // namespace answers

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Writing is ours since counts are integers of any size, which JSON libraries do not hold.
+#include "answers/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include "answers/shown_text.hpp"
+
+namespace answers {
+namespace {
+
+constexpr std::size_t widest_text = 80;
+constexpr std::size_t between_columns = 2;
+
+std::string json_string(std::string_view text) {
+  constexpr std::string_view hex = "0123456789abcdef";
+  std::string quoted = "\"";
+  for (const char character : text) {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte < 0x20) {
+      quoted += std::string("\\u00") + hex[byte / 16U] + hex[byte % 16U];
+    } else {
+      quoted.append(byte == '"' || byte == '\\' ? "\\" : "").append(1, character);
+    }
+  }
+  return quoted + "\"";
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) {
+    return text;
+  }
+  std::string quoted = "\"";
+  for (const char character : text) {
+    quoted.append(character == '"' ? 2 : 1, character);
+  }
+  return quoted + "\"";
+}
+
+std::string shown(const Cell& cell) { return cell.text.empty() ? "-" : cell.text; }
+
+/// Characters, where bytes 10xxxxxx go on with one.
+std::size_t width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, std::size_t to) {
+  const std::size_t has = width(text);
+  return has < to ? text + std::string(to - has, ' ') : text;
+}
+
+std::string line_of(const std::vector<std::string>& texts, const std::vector<std::size_t>& widths) {
+  std::string line;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    line += padded(texts[i], widths[i] + between_columns);
+  }
+  return line.erase(line.find_last_not_of(' ') + 1) + "\n";
+}
+
+std::vector<std::string> names_of(const std::vector<Column>& columns) {
+  std::vector<std::string> names;
+  for (const Column& column : columns) {
+    names.push_back(column.name);
+  }
+  return names;
+}
+
+/// The width of each column, or none where they do not fit together.
+std::vector<std::size_t> widths_of(const std::vector<Column>& columns, std::span<const Row> rows) {
+  std::vector<std::size_t> widths;
+  std::size_t all = 0;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    std::size_t widest = width(columns[i].name);
+    for (const Row& row : rows) {
+      widest = std::max(widest, width(shown(row.at(i))));
+    }
+    widths.push_back(widest);
+    all += widest + between_columns;
+  }
+  return all > widest_text + between_columns ? std::vector<std::size_t>() : widths;
+}
+
+std::string block_of(const std::vector<Column>& columns, const Row& row) {
+  std::size_t widest = 0;
+  for (const Column& column : columns) {
+    widest = std::max(widest, width(column.name));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    text += padded(columns[i].name, widest + between_columns) + shown(row.at(i)) + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+Cell text_cell(std::string_view text) { return {std::string(text), json_string(text)}; }
+
+Cell real_cell(double value) {
+  if (!std::isfinite(value)) {
+    return missing_cell();
+  }
+  std::array<char, 32> digits{};
+  const double unsigned_zero = value == 0 ? 0.0 : value;
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), unsigned_zero).ptr;
+  const std::string text(digits.data(), end);
+  return {text, text};
+}
+
+Cell whole_cell(std::int64_t value) { return whole_cell(std::to_string(value)); }
+Cell whole_cell(const std::string& digits) { return {digits, digits}; }
+Cell exact_cell(const std::string& value) { return text_cell(value); }
+Cell missing_cell() { return {"", "null"}; }
+
+Cell list_cell(const std::vector<std::string>& texts) {
+  std::vector<std::string> quoted;
+  for (const std::string& text : texts) {
+    quoted.push_back(json_string(text));
+  }
+  return {joined(texts, "; "), "[" + joined(quoted) + "]"};
+}
+
+Writer::Writer(Format format, std::vector<Column> columns, bool is_list)
+    : format_(format), columns_(std::move(columns)), is_list_(is_list) {}
+
+std::string Writer::rows(std::span<const Row> block) {
+  if (format_ == Format::text) {
+    return text_rows(block);
+  }
+  const std::vector<std::string> names = names_of(columns_);
+  std::string text;
+  if (is_first_ && format_ == Format::csv) {
+    text = joined(names, ",") + "\n";
+  } else if (is_first_ && is_list_) {
+    text = "[";
+  }
+  for (const Row& row : block) {
+    std::vector<std::string> fields;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const Cell& cell = row.at(i);
+      fields.push_back(format_ == Format::csv ? csv_field(cell.text)
+                                              : json_string(names[i]) + ": " + cell.json);
+    }
+    if (format_ == Format::csv) {
+      text += joined(fields, ",") + "\n";
+    } else {
+      text += (!is_list_ ? "" : is_first_ ? "\n" : ",\n") + ("{" + joined(fields) + "}");
+      is_first_ = false;
+    }
+  }
+  is_first_ = is_first_ && format_ == Format::json;
+  return text;
+}
+
+std::string Writer::text_rows(std::span<const Row> block) {
+  std::string text;
+  if (is_first_ && is_list_) {
+    widths_ = widths_of(columns_, block);
+    text = widths_.empty() ? "" : line_of(names_of(columns_), widths_);
+  }
+  for (const Row& row : block) {
+    if (widths_.empty()) {
+      text += (is_first_ ? "" : "\n") + block_of(columns_, row);
+    } else {
+      std::vector<std::string> texts;
+      for (std::size_t i = 0; i < columns_.size(); ++i) {
+        texts.push_back(shown(row.at(i)));
+      }
+      text += line_of(texts, widths_);
+    }
+    is_first_ = false;
+  }
+  return text;
+}
+
+std::string Writer::end() const {
+  if (format_ != Format::json) {
+    return "";
+  }
+  if (!is_list_) {
+    return "\n";
+  }
+  return is_first_ ? "]\n" : "\n]\n";
+}
+
+std::string written(const Table& table, Format format) {
+  Writer writer(format, table.columns, table.is_list);
+  const std::string text = writer.rows(table.rows);
+  return text + writer.end();
+}
+
+}  // namespace answers

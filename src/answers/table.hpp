@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Answers are tables that know their columns; they are written as text, JSON or CSV.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace answers {
+
+/// What a column holds, for those who read it by program.
+enum class Type { text, real, whole, exact, list };
+
+struct Column {
+  std::string name;
+  Type type;
+  std::string unit;   ///< "V", "1", or "" for what has none
+  std::string words;  ///< what it is, in a few words
+};
+
+/// A value as text and CSV write it, and as JSON does.
+struct Cell {
+  std::string text;
+  std::string json;
+};
+
+/// Text in UTF-8: what others typed is shown_text() first.
+Cell text_cell(std::string_view text);
+/// The shortest decimal that reads back as the same double; -0 is 0; null in JSON and nothing else
+/// where it is not finite.
+Cell real_cell(double value);
+Cell whole_cell(std::int64_t value);
+/// A whole number of any size from its decimal digits: a number in JSON, too.
+Cell whole_cell(const std::string& digits);
+/// "p/q", "p" or certified digits: a string in JSON, since no number there would hold it.
+Cell exact_cell(const std::string& value);
+/// Several texts: "a; b" and ["a", "b"].
+Cell list_cell(const std::vector<std::string>& texts);
+/// There is none: "-" in text, nothing in CSV, null in JSON.
+Cell missing_cell();
+
+using Row = std::vector<Cell>;  ///< as long as there are columns
+
+struct Table {
+  std::vector<Column> columns;
+  std::vector<Row> rows;
+  bool is_list = true;  ///< else the one row is the answer: a JSON object, a block of text
+};
+
+enum class Format { text, json, csv };
+
+/// Writes rows as they come, a block at a time. Text has 80 columns: a table that the first block
+/// shows to be wider becomes a block of lines a row, and later blocks keep the first one's widths.
+class Writer {
+public:
+  Writer(Format format, std::vector<Column> columns, bool is_list);
+  /// What follows for these rows; the first call writes the header too.
+  std::string rows(std::span<const Row> block);
+  /// What ends the whole, after one call of rows() at least.
+  std::string end() const;
+
+private:
+  Format format_;
+  std::vector<Column> columns_;
+  bool is_list_;
+  bool is_first_ = true;
+  std::vector<std::size_t> widths_;  // empty: a block of lines a row
+
+  std::string text_rows(std::span<const Row> block);
+};
+
+/// The whole table.
+std::string written(const Table& table, Format format);
+
+}  // namespace answers

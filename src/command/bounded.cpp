@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A child holds one end of a pipe: a byte on it hides the progress line, its end is the child's.
+#include "command/bounded.hpp"
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <string_view>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+
+// There in a build with AddressSanitizer, whose shadow takes terabytes of addresses.
+extern "C" [[gnu::weak]] void __asan_init();
+
+namespace command {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void write_to_terminal(std::string_view text) {
+  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+bool has_terminal() {
+  const char* terminal = std::getenv("TERM");
+  return ::isatty(STDERR_FILENO) != 0 && terminal != nullptr &&
+         std::string_view(terminal) != "dumb";
+}
+
+/// A line on the terminal that comes after a second and goes without a trace.
+class Progress {
+public:
+  Progress(std::string name, const Limits& limits)
+      : name_(std::move(name)), limit_(limits.seconds), may_show_(has_terminal()) {}
+  ~Progress() { hide(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void show(Clock::duration so_far) {
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(so_far).count();
+    if (may_show_ && seconds > shown_) {
+      shown_ = seconds;
+      write_to_terminal("\r" + name_ + ": " + std::to_string(seconds) + " s of at most " +
+                        std::to_string(limit_) + " s\033[K");
+    }
+  }
+  void hide() {
+    if (shown_ > 0) {
+      write_to_terminal("\r\033[K");
+    }
+    shown_ = 0;
+    may_show_ = false;
+  }
+
+private:
+  std::string name_;
+  std::int64_t limit_;
+  std::int64_t shown_ = 0;
+  bool may_show_;
+};
+
+[[noreturn]] void run_child(const Limits& limits, int to_parent,
+                            const std::function<ExitCode(const HideProgress&)>& action) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const rlimit no_core{0, 0};
+  ::setrlimit(RLIMIT_CORE, &no_core);
+  if (__asan_init == nullptr) {
+    const auto bytes = static_cast<rlim_t>(limits.mebibytes) << 20U;
+    const rlimit memory{bytes, bytes};
+    ::setrlimit(RLIMIT_AS, &memory);
+  }
+  const ExitCode code =
+      action([to_parent] { [[maybe_unused]] const ssize_t ignored = ::write(to_parent, "h", 1); });
+  ::_exit(static_cast<int>(code));
+}
+
+/// True where the child is at its end, false where its time is.
+bool wait_for(int from_child, const Limits& limits, Progress& progress) {
+  const auto start = Clock::now();
+  const std::chrono::seconds limit(limits.seconds);
+  while (Clock::now() - start < limit) {
+    pollfd watched{from_child, POLLIN, 0};
+    if (::poll(&watched, 1, 100) > 0) {
+      std::array<char, 64> bytes{};
+      if (::read(from_child, bytes.data(), bytes.size()) == 0) {
+        return true;
+      }
+      progress.hide();
+    }
+    progress.show(Clock::now() - start);
+  }
+  return false;
+}
+
+ExitCode verdict(const std::string& name, int status, const Limits& limits) {
+  if (WIFEXITED(status)) {
+    return static_cast<ExitCode>(WEXITSTATUS(status));
+  }
+  const int signal = WTERMSIG(status);
+  for (const int of_user : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+    if (signal == of_user) {
+      std::signal(signal, SIG_DFL);
+      std::raise(signal);
+    }
+  }
+  return say(name + ": ended by signal " + std::to_string(signal) + " (" + ::strsignal(signal) +
+                 "); a smaller question may do, or more than --memory-limit " +
+                 std::to_string(limits.mebibytes),
+             ExitCode::undecided);
+}
+
+}  // namespace
+
+ExitCode run_bounded(const std::string& name, const Limits& limits,
+                     const std::function<ExitCode(const HideProgress&)>& action) {
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
+    throw answers::Undecided(name + ": no pipe: " + std::strerror(errno));
+  }
+  const pid_t child = ::fork();
+  if (child < 0) {
+    throw answers::Undecided(name + ": no process: " + std::strerror(errno));
+  }
+  if (child == 0) {
+    ::close(pipe[0]);
+    run_child(limits, pipe[1], action);
+  }
+  ::close(pipe[1]);
+  Progress progress(name, limits);
+  const bool is_done = wait_for(pipe[0], limits, progress);
+  if (!is_done) {
+    ::kill(child, SIGKILL);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  ::close(pipe[0]);
+  progress.hide();
+  if (!is_done) {
+    return say(name + ": not done after " + std::to_string(limits.seconds) +
+                   " s; a smaller question may do, or a longer --time-limit",
+               ExitCode::undecided);
+  }
+  return verdict(name, status, limits);
+}
+
+ExitCode say(const std::string& message, ExitCode code) {
+  write_to_terminal("magicmass: " + answers::shown_text(message, 4000) + "\n");
+  return code;
+}
+
+}  // namespace command

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A command is a row of a table: it feeds the parser, help, and what runs it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "answers/request.hpp"
+
+namespace command {
+
+enum class ExitCode { done = 0, check_failed = 1, bad_input = 2, undecided = 3 };
+
+/// --name VALUE, or a flag.
+struct Option {
+  std::string name;                       ///< without dashes
+  std::string value;                      ///< how help calls it; "" for a flag
+  std::string words;                      ///< what it does
+  std::vector<std::string> choices = {};  ///< what is allowed, if not everything
+  bool is_required = false;
+  bool is_column = false;  ///< may come from a column of --input; one such option gives the command
+                           ///< --input
+};
+
+struct Command {
+  std::string name;
+  std::string summary;
+  std::string example;  ///< a line to try, with which help begins
+  std::vector<Option> options;
+  std::string words;  ///< how help calls the words that no option takes; "" where there are none
+  std::vector<std::string> formats;      ///< of --format, the first one unless told otherwise
+  std::vector<answers::Column> columns;  ///< of the table that it answers with
+  std::function<answers::Answer(const answers::Request&)> run;
+};
+
+/// The program: all that differs between magicmass and a test's.
+struct Program {
+  std::string name;
+  std::string summary;
+  std::string version;
+  std::vector<Command> commands;
+  std::vector<std::string> absent;  ///< commands that come back with a later version
+  std::string absent_advice;
+};
+
+/// Answers the command line; returns the exit code.
+int run_program(const Program& program, const std::vector<std::string>& words);
+
+}  // namespace command

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// CLI11 takes the words apart; what it would read in ways that surprise is settled before.
+#include "command/parse.hpp"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <sstream>
+
+#include <CLI/CLI.hpp>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+
+namespace command {
+namespace {
+
+using answers::InvalidInput;
+using answers::joined;
+using answers::shown_text;
+
+bool takes_rows(const Command& command) {
+  return std::any_of(command.options.begin(), command.options.end(),
+                     [](const Option& option) { return option.is_column; });
+}
+
+/// The command's own options and those that all share.
+std::vector<Option> options_of(const Command& command) {
+  std::vector<Option> options = command.options;
+  if (takes_rows(command)) {
+    options.push_back({"input", "FILE", "CSV whose columns are options, a row each; - is stdin"});
+  }
+  options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
+  options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
+  options.push_back({"time-limit", "SECONDS", "give up after so long, 30 unless told otherwise"});
+  options.push_back({"memory-limit", "MIB", "at most so much memory, 1024 unless told otherwise"});
+  return options;
+}
+
+/// A description is the summary, a line feed, and the example; help shows the example first.
+class ExampleFirst : public CLI::Formatter {
+public:
+  std::string make_description(const CLI::App* app) const override {
+    const std::string description = app->get_description();
+    const std::size_t end = description.find('\n');
+    return "Example:" + description.substr(end) + "\n\n" + description.substr(0, end) + ".\n\n";
+  }
+
+  std::string make_subcommand(const CLI::App* app) const override {
+    const std::string description = app->get_description();
+    std::ostringstream text;
+    const std::string summary = description.substr(0, description.find('\n'));
+    CLI::detail::format_help(text, app->get_name(), summary, 14);
+    return text.str();
+  }
+
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+  }
+};
+
+const Command& command_of(const Program& program, const std::string& word) {
+  for (const Command& command : program.commands) {
+    if (command.name == word) {
+      return command;
+    }
+  }
+  if (std::count(program.absent.begin(), program.absent.end(), word) != 0) {
+    throw InvalidInput(word + ": " + program.absent_advice);
+  }
+  throw InvalidInput("unknown command " + shown_text(word) + "; see " + program.name + " --help");
+}
+
+/// `--name VALUE` as one word, so that a value may begin with a minus sign (not with two) and CLI11
+/// takes no word for one that is missing.
+std::vector<std::string> with_values_joined(const std::vector<std::string>& words,
+                                            const std::vector<Option>& options) {
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string word = words[i] == "-o" ? "--output" : words[i];
+    const std::size_t equals = word.find('=');
+    const auto option = std::find_if(options.begin(), options.end(), [&](const Option& known) {
+      return word.substr(0, equals) == "--" + known.name;
+    });
+    if (word.starts_with("-o=")) {
+      throw InvalidInput("-o= is not an option; allowed: -o FILE and --output=FILE");
+    }
+    if (option == options.end()) {
+      result.push_back(word);
+      continue;
+    }
+    const bool takes_value = !option->value.empty();
+    if (!takes_value && equals != std::string::npos) {
+      throw InvalidInput("--" + option->name + " takes no value");
+    }
+    const bool is_apart = takes_value && equals == std::string::npos;
+    const std::string next = is_apart && i + 1 < words.size() ? words[++i] : "";
+    if (is_apart ? next.empty() || next.starts_with("--") : equals + 1 == word.size()) {
+      throw InvalidInput("--" + option->name + " has no value");
+    }
+    result.push_back(is_apart ? word + "=" + next : word);
+  }
+  return result;
+}
+
+void add_options(CLI::App& app, const std::vector<Option>& options) {
+  const CLI::callback_t keep = [](const CLI::results_t&) { return true; };
+  for (const Option& option : options) {
+    const std::string names = (option.name == "output" ? "-o,--" : "--") + option.name;
+    if (option.value.empty()) {
+      app.add_flag(names, option.words);
+    } else {
+      app.add_option(names, keep, option.words)->type_name(option.value)->type_size(1);
+    }
+  }
+}
+
+std::string the(const Command& command, const std::string& what) {
+  return command.name + ": " + what;
+}
+
+/// Which were given, each of the allowed values.
+std::map<std::string, std::string> values_of(const CLI::App& app, const Command& command) {
+  std::map<std::string, std::string> values;
+  for (const Option& option : options_of(command)) {
+    const CLI::Option& given = *app.get_option("--" + option.name);
+    if (given.count() == 0) {
+      continue;
+    }
+    const std::string value = option.value.empty() ? "" : given.results().back();
+    const auto& allowed = option.choices;
+    if (!allowed.empty() && std::count(allowed.begin(), allowed.end(), value) == 0) {
+      throw InvalidInput(the(command, "unknown " + option.name + " " + shown_text(value) +
+                                          "; allowed: " + joined(allowed)));
+    }
+    values[option.name] = value;
+  }
+  return values;
+}
+
+Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::string> words) {
+  constexpr long longest = 1'000'000'000;
+  Asked asked;
+  asked.command = &command;
+  asked.request.options = values_of(app, command);
+  asked.request.words = std::move(words);
+  asked.request.format = command.formats.front();
+  asked.seconds = asked.request.whole("time-limit", 1, longest).value_or(asked.seconds);
+  asked.mebibytes = asked.request.whole("memory-limit", 16, longest).value_or(asked.mebibytes);
+  asked.output = asked.request.text("output");
+  if (asked.request.has("format")) {
+    asked.request.format = asked.request.text("format");
+  }
+  if (asked.request.has("input")) {
+    asked.input = asked.request.text("input");
+  }
+  for (const Option& option : command.options) {
+    const bool may_be_column = asked.input && option.is_column;
+    if (option.is_required && !may_be_column && !asked.request.has(option.name)) {
+      throw InvalidInput(
+          the(command, "--" + option.name + " is missing; example: " + command.example));
+    }
+  }
+  return asked;
+}
+
+void describe(CLI::App& app, const std::string& name, const std::string& summary,
+              const std::string& example) {
+  const auto formatter = std::make_shared<ExampleFirst>();
+  formatter->column_width(26);
+  app.name(name);
+  app.description(summary + "\n  " + example);
+  app.formatter(formatter);
+}
+
+std::string help_of(const Program& program) {
+  CLI::App app;
+  const bool is_empty = program.commands.empty();
+  describe(app, program.name, program.summary,
+           is_empty ? program.name + " --version" : program.commands.front().example);
+  app.set_version_flag("--version", program.version, "print the version");
+  app.footer(program.name +
+             " COMMAND --help explains a command. Exit codes: 0 done,\n"
+             "1 a check failed, 2 bad usage or input, 3 undecided or does not fit.");
+  for (const Command& command : program.commands) {
+    app.add_subcommand(command.name, command.summary + "\n" + command.example);
+  }
+  return app.help();
+}
+
+}  // namespace
+
+std::variant<Asked, std::string> parse(const Program& program, std::vector<std::string> words) {
+  if (words.empty()) {
+    throw InvalidInput("no command; see " + program.name + " --help");
+  }
+  const std::string first = words.front();
+  words.erase(words.begin());
+  if (first == "--help" || first == "-h") {
+    return help_of(program);
+  }
+  if (first == "--version") {
+    return program.name + " " + program.version + "\n";
+  }
+  const Command& command = command_of(program, first);
+  const std::vector<Option> options = options_of(command);
+  CLI::App app;
+  describe(app, program.name + " " + command.name, command.summary, command.example);
+  add_options(app, options);
+  std::vector<std::string> free_words;
+  if (!command.words.empty()) {
+    app.add_option("words", free_words, command.words)->type_name("");
+  }
+  std::vector<std::string> joined_words = with_values_joined(words, options);
+  std::reverse(joined_words.begin(), joined_words.end());  // as CLI11 takes them
+  try {
+    app.parse(joined_words);
+  } catch (const CLI::CallForHelp&) {
+    return app.help();
+  } catch (const CLI::ExtrasError&) {
+    throw InvalidInput(the(command, "has no option or word " + shown_text(app.remaining().front()) +
+                                        "; see " + app.get_name() + " --help"));
+  } catch (const CLI::ParseError& error) {
+    throw InvalidInput(the(command, shown_text(error.what(), 200)));
+  }
+  return asked_for(app, command, free_words);
+}
+
+}  // namespace command

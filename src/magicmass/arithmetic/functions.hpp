@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Polynomials, arctangent, sine and cosine of DoubleDouble. A Tier brings its polynomials: structs
+// with `size`, `pairs`, `centre`, `high[]`, `low[]`, made in exact rationals by the generator.
+#pragma once
+
+#include "magicmass/arithmetic/double_double.hpp"
+
+namespace magicmass::arithmetic::inline MAGICMASS_TARGET {
+/// c_0 + c_1 z + ... in plain numbers, by halves (Estrin).
+template <int size, class T>
+[[gnu::always_inline]] inline T plain_polynomial(const double* c, T z) {
+  if constexpr (size == 1) {
+    return all<T>(c[0]);
+  } else if constexpr (size == 2) {
+    return fused(all<T>(c[1]), z, all<T>(c[0]));
+  } else {
+    constexpr int half = size > 8 ? 8 : size > 4 ? 4 : 2;
+    T power = z * z;
+    for (int k = 2; k < half; k *= 2) power = power * power;
+    return fused(plain_polynomial<size - half>(c + half, z), power, plain_polynomial<half>(c, z));
+  }
+}
+/// high + low + x y, where |x y| <= |high|/2.
+template <class T>
+[[gnu::always_inline]] inline DoubleDouble<T> plus_product(double high, double low,
+                                                           DoubleDouble<T> x, DoubleDouble<T> y) {
+  const T c = all<T>(high);
+  const T sum = fused(x.high, y.high, c);
+  const T rest = fused(x.high, y.high, c - sum);  // c - sum is exact
+  return {sum, rest + fused(x.high, y.low, fused(x.low, y.high, all<T>(low)))};
+}
+/// The polynomial P at z: its first P::pairs coefficients in two parts, the others in one.
+template <class P, class T>
+[[gnu::always_inline]] inline DoubleDouble<T> polynomial(DoubleDouble<T> z) {
+  constexpr int pairs = P::pairs;
+  const T tail = z.high * plain_polynomial<P::size - pairs>(P::high + pairs, z.high);
+  DoubleDouble<T> sum = fast_two_sum(all<T>(P::high[pairs - 1]), tail);
+  sum.low = fused(z.low, all<T>(P::high[pairs]), sum.low + P::low[pairs - 1]);
+#pragma GCC unroll 32
+  for (int k = pairs - 2; k >= 0; --k) sum = plus_product(P::high[k], P::low[k], z, sum);
+  return sum;
+}
+
+/// z - centre, 0 <= z <= 2 centre: the difference of the high parts is exact with its rest.
+template <class T>
+[[gnu::always_inline]] inline DoubleDouble<T> less_centre(DoubleDouble<T> z, double centre) {
+  const DoubleDouble<T> difference = fast_two_sum(all<T>(-centre), z.high);
+  return {difference.high, difference.low + z.low};
+}
+/// atan t where t^2 = z, 0 <= z <= 2 ArcTangent::centre.
+template <class Tier, class T>
+[[gnu::always_inline]] inline DoubleDouble<T> arc_tangent(DoubleDouble<T> t, DoubleDouble<T> z) {
+  using P = typename Tier::ArcTangent;
+  return t * polynomial<P>(less_centre(z, P::centre));
+}
+/// About the same, sooner than `value`, for one number, whose next decision would wait for it. It
+/// proves nothing: what is decided by it is tested by `value`.
+template <class Tier, class T>
+[[gnu::always_inline]] inline T arc_tangent_early(DoubleDouble<T> t, DoubleDouble<T> z,
+                                                  DoubleDouble<T> value) {
+  if constexpr (sizeof(T) == sizeof(double)) {
+    using P = typename Tier::Early;
+    return t.high * plain_polynomial<P::size>(P::high, z.high - P::centre);
+  } else {
+    return value.high;
+  }
+}
+
+template <class N>
+struct SineCosine {
+  N sine, cosine;
+};
+/// |x| <= pi/6 or a little more.
+template <class Tier, class T>
+[[gnu::always_inline]] inline SineCosine<DoubleDouble<T>> sine_cosine_small(DoubleDouble<T> x) {
+  const DoubleDouble<T> square = x * x;
+  return {x * polynomial<typename Tier::SmallSine>(square),
+          polynomial<typename Tier::SmallCosine>(square)};
+}
+/// 0 <= x <= 3 pi/4: above pi/4 a quarter turn is taken off. `early` is about x, known sooner. The
+/// cosine's low part may be large against its high part, near a quarter turn.
+template <class Tier, class T>
+[[gnu::always_inline]] inline SineCosine<DoubleDouble<T>> sine_cosine(DoubleDouble<T> x, T early) {
+  constexpr double quarter = 0x1.921fb54442d18p+0;
+  constexpr double quarter_low = 0x1.1a62633145c07p-54;
+  const auto turns = is_above(early, all<T>(quarter / 2));
+  const DoubleDouble<T> y{x.high - select(turns, all<T>(quarter), T{}),
+                          x.low - select(turns, all<T>(quarter_low), T{})};
+  const DoubleDouble<T> square = y * y;
+  const DoubleDouble<T> sine = y * polynomial<typename Tier::Sine>(square);
+  const DoubleDouble<T> cosine = polynomial<typename Tier::Cosine>(square);
+  return {{select(turns, cosine.high, sine.high), select(turns, cosine.low, sine.low)},
+          {select(turns, -sine.high, cosine.high), select(turns, -sine.low, cosine.low)}};
+}
+}  // namespace magicmass::arithmetic::inline MAGICMASS_TARGET

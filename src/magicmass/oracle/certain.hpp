@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The oracle's answers: "raise the precision until the rounding is certain", once for all
+// quantities. CLN keeps its own books: one thread at a time.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cln/rational.h>
+
+#include "magicmass/oracle/mass_ratio.hpp"
+#include "magicmass/oracle/quantities.hpp"
+
+namespace magicmass::oracle {
+
+/// A monotone rounding.
+template <class Value>
+struct Rounding {
+  /// What all numbers from low to high round to, if it is the same; it is where low == high.
+  std::function<std::optional<Value>(const cln::cl_RA& low, const cln::cl_RA& high)> common;
+  long bits;  ///< that the value holds
+};
+
+/// To the nearest double.
+Rounding<double> to_double();
+/// To so many significant decimal digits, all of them certain. Throws as to_decimal.
+Rounding<std::string> to_digits(int digits);
+/// To a rational with a relative error below 2^-bits.
+Rounding<cln::cl_RA> to_within(long bits);
+
+/// Longest exact numbers given out, in bits of their denominator before reduction.
+inline constexpr long longest_exact = 1L << 17;
+
+/// Bits of the denominator of the velocities after j collisions, before reduction to lowest terms:
+/// about the length of alpha a collision.
+cln::cl_I exact_length(const cln::cl_RA& alpha, const cln::cl_I& j);
+
+/// The quantity at a rational alpha. Throws Undecided past longest_exact, std::invalid_argument for
+/// alpha <= 0.
+template <class Quantity>
+std::vector<cln::cl_RA> exactly(const cln::cl_RA& alpha, const Quantity& quantity) {
+  const MassRatio checked = ratio(alpha);
+  const cln::cl_I bits = exact_length(alpha, quantity.j);
+  if (bits > longest_exact) {
+    throw Undecided("the exact numbers have " + to_text(bits) + " bits, more than the " +
+                    std::to_string(longest_exact) + " that are computed; ask for digits instead");
+  }
+  return quantity(*checked.rational);
+}
+
+/// Rounds each number of the quantity: where alpha is rational and its exact numbers short, these
+/// themselves, which settles zeros and ties; else intervals of ever more bits. They widen by a few
+/// bits a squaring and the matrix is up to alpha^(+-1/2) in size: the first precision mostly does,
+/// the last far beyond what an alpha of that length can ask for. Throws Undecided there: digits of
+/// an exact zero at irrational alpha (such as a_k at magic:k), whose cause no precision shows.
+template <class Value, class Quantity>
+std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
+                           const Rounding<Value>& rounding) {
+  constexpr long short_length = 1L << 12;
+  std::vector<Value> values;
+  if (alpha.rational && exact_length(*alpha.rational, quantity.j) <= short_length) {
+    for (const cln::cl_RA& x : quantity(*alpha.rational)) {
+      values.push_back(*rounding.common(x, x));
+    }
+    return values;
+  }
+  const auto squarings = static_cast<long>(cln::integer_length(quantity.j));
+  const long first = rounding.bits + 64 + 3 * squarings + alpha.length;
+  for (long precision = first; precision <= 64 * first; precision *= 2) {
+    values.clear();
+    const std::vector<Interval> enclosures = quantity(alpha.enclosed(precision));
+    for (const Interval& x : enclosures) {
+      if (const std::optional<Value> value = rounding.common(x.low(), x.high())) {
+        values.push_back(*value);
+      }
+    }
+    if (values.size() == enclosures.size()) {
+      return values;
+    }
+  }
+  throw Undecided("after " + to_text(quantity.j) + " collisions a number is still open at " +
+                  std::to_string(64 * first) + " bits");
+}
+
+/// max(1/2, cond/2) ulp with cond = |alpha y'(alpha)/y|, from y and its value at alpha (1 + step).
+/// Infinity where y = 0.
+double envelope(const cln::cl_RA& y, const cln::cl_RA& beside, const cln::cl_RA& step);
+
+/// What rounding alpha alone would cost each number of the quantity, in ulp, up to the last
+/// collision: there y is a smooth function of n h <= pi/2 and h, so a step of 2^-60 gives cond to
+/// about as much. Throws as certain().
+template <class Quantity>
+std::vector<double> envelopes(const MassRatio& alpha, const Quantity& quantity) {
+  constexpr long bits = 60;
+  const cln::cl_RA step = cln::recip(cln::cl_RA(cln::ash(cln::cl_I(1), bits)));
+  const auto here = certain(alpha, quantity, to_within(2 * bits));
+  const auto beside = certain(alpha * (1 + step), quantity, to_within(2 * bits));
+  std::vector<double> values;
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    values.push_back(envelope(here[i], beside[i], step));
+  }
+  return values;
+}
+
+}  // namespace magicmass::oracle

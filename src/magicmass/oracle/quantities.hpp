@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is asked of the oracle: numbers in units of V after j collisions at the most, as functions
+// of alpha over rationals or intervals.
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include <cln/integer.h>
+
+#include "magicmass/oracle/collision_map.hpp"
+#include "magicmass/oracle/count.hpp"
+#include "magicmass/oracle/rational.hpp"
+
+namespace magicmass::oracle {
+
+/// a_n, b_n, c_n, c'_n, in this order; for n = 0 they are 1, 0, 0, 0. Throws std::invalid_argument
+/// for n < 0. Also beyond the last collision: the map goes on, physics does not.
+struct OfCycle {
+  cln::cl_I n;
+  cln::cl_I j = 2 * n;
+
+  explicit OfCycle(const cln::cl_I& index) : n(index) {
+    if (cln::minusp(n)) {
+      throw std::invalid_argument("n must be 0 or more, got " + to_text(n));
+    }
+  }
+
+  template <class Scalar>
+  std::vector<Scalar> operator()(const Scalar& alpha) const {
+    if (cln::zerop(n)) {
+      return {Scalar(1), Scalar(0), Scalar(0), Scalar(0)};
+    }
+    const Cycle<Scalar> cycle = cycle_of(alpha);
+    const Velocity<Scalar> at_P = after_collisions(cycle, j - 1);
+    const Velocity<Scalar> at_Q = cycle.with_B * at_P;
+    return {at_P(0), at_Q(1), at_P(2), at_Q(2)};
+  }
+};
+
+/// a_t, b_t, c_t, rho, in this order, after as many collisions as the counts say: of rational alpha
+/// ask count_collisions(), of magic:k and deficient:k they are known by theorem.
+/// Throws std::invalid_argument for counts that no motion has.
+struct AtEnd {
+  cln::cl_I j;
+
+  explicit AtEnd(const Counts& counts) : j(counts.N_A + counts.N_B) {
+    if (counts.N_B < 0 || (counts.N_A != counts.N_B && counts.N_A != counts.N_B + 1)) {
+      throw std::invalid_argument("N_A must be N_B or N_B + 1, got " + to_text(counts.N_A) +
+                                  " and " + to_text(counts.N_B));
+    }
+  }
+
+  template <class Scalar>
+  std::vector<Scalar> operator()(const Scalar& alpha) const {
+    const Velocity<Scalar> v = after_collisions(cycle_of(alpha), j);
+    return {v(0), v(1), v(2), v(1) * v(1)};
+  }
+};
+
+/// alpha alone.
+struct Itself {
+  cln::cl_I j = 0;
+
+  template <class Scalar>
+  std::vector<Scalar> operator()(const Scalar& alpha) const {
+    return {alpha};
+  }
+};
+
+}  // namespace magicmass::oracle

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Between doubles, decimal digits and exact rationals; every rounding is to nearest, ties to even.
+#pragma once
+
+#include <string>
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+namespace magicmass::oracle {
+
+/// The value of a finite double, exactly. Throws std::invalid_argument for an infinity or NaN.
+cln::cl_RA exact(double value);
+
+/// The double nearest to x: ties to even, subnormals as they are spaced, infinity from the largest
+/// finite double plus half its spacing on.
+double nearest(const cln::cl_RA& x);
+
+/// |got - exact| / ulp(exact), rounded to nearest; ulp(y) is the spacing of doubles in the binade
+/// of |y|, 2^-1074 below the normal range, 2^971 above it. Infinity if got is not finite.
+double ulp_error(double got, const cln::cl_RA& exact_value);
+
+/// Bits of numerator and denominator together.
+long length(const cln::cl_RA& x);
+
+/// "p/q" in lowest terms with q > 1, or "p".
+std::string to_text(const cln::cl_RA& x);
+
+/// x rounded to so many significant decimal digits, as "-1.2500e-3"; 0 is "0".
+/// Throws std::invalid_argument for digits < 1.
+std::string to_decimal(const cln::cl_RA& x, int digits);
+
+}  // namespace magicmass::oracle

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "algebra/angles.hpp"
+
+#include "algebra/equations.hpp"
+#include "algebra/linear.hpp"
+#include "kernel/polynomial.hpp"
+#include "kernel/print.hpp"
+
+namespace algebra {
+namespace {
+using cln::cl_RA;
+using Multiples = std::vector<cl_RA>;
+
+class AngleSums {
+public:
+  explicit AngleSums(const Exprs& angle_bases) : bases(angle_bases) {}
+
+  /// angle = sum of z b over the bases b, by elimination.
+  Multiples multiples_of(Polynomial angle) const {
+    std::vector<Polynomial> rows;
+    std::vector<Multiples> of(bases.size(), Multiples(bases.size(), 0));
+    for (std::size_t i = 0; i < bases.size(); ++i) {
+      rows.push_back(polynomial(bases[i]));
+      of[i][i] = 1;
+    }
+    Multiples result(bases.size(), 0);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (rows[i].empty()) refuse("the base angles depend on each other");
+      const Monomial lead = rows[i].begin()->first;
+      const cl_RA k = rows[i].begin()->second;
+      for (std::size_t j = i + 1; j < rows.size(); ++j)
+        if (const auto it = rows[j].find(lead); it != rows[j].end()) {
+          const cl_RA q = it->second / k;
+          rows[j] = rows[j] - scaled(rows[i], q);
+          for (std::size_t l = 0; l < result.size(); ++l) of[j][l] = of[j][l] - q * of[i][l];
+        }
+      if (const auto it = angle.find(lead); it != angle.end()) {
+        const cl_RA q = it->second / k;
+        angle = angle - scaled(rows[i], q);
+        for (std::size_t l = 0; l < result.size(); ++l) result[l] = result[l] + q * of[i][l];
+      }
+    }
+    if (!angle.empty())
+      refuse("an angle outside of its bases: left over " + text(expression(angle)));
+    for (const cl_RA& q : result)
+      if (cln::denominator(q) != 1) refuse("an angle is no integer combination of its bases");
+    return result;
+  }
+  struct Pair {
+    Theorem cosine;
+    Theorem sine;
+  };
+  /// |- cos(sum of z b) = ..., |- sin(sum of z b) = ..., one base angle after the other.
+  Pair pair(const Multiples& z) {
+    if (const auto it = known.find(z); it != known.end()) return it->second;
+    std::size_t i = 0;
+    while (i < z.size() && z[i] == 0) ++i;
+    if (i == z.size()) return {axiom("cos 0"), axiom("sin 0")};
+    const bool plus = z[i] > 0;
+    Multiples rest_of = z;
+    rest_of[i] = rest_of[i] + (plus ? -1 : 1);
+    const Expr b = bases[i];
+    const Expr step = plus ? b : -b;
+    Expr rest = 0;
+    bool nothing_rests = true;
+    for (std::size_t j = 0; j < z.size(); ++j) {
+      rest = rest + Expr(rest_of[j]) * bases[j];
+      nothing_rests = nothing_rests && rest_of[j] == 0;
+    }
+    if (nothing_rests && plus) return {equation(cos(b), cos(b)), equation(sin(b), sin(b))};
+    const Pair before = pair(rest_of);
+    const Substitution terms{{real("x"), rest}, {real("y"), step}};
+    const Theorems rules{use("cos sum", terms),
+                         use("sin sum", terms),
+                         use("cos minus", {{real("x"), b}}),
+                         use("sin minus", {{real("x"), b}}),
+                         before.cosine,
+                         before.sine};
+    const Expr c = before.cosine.conclusion().arg(1);
+    const Expr s = before.sine.conclusion().arg(1);
+    const Expr sin_step = plus ? sin(b) : -sin(b);
+    const auto expanded = [](Expr e) { return expression(polynomial(e)); };
+    const Pair result{equation(cos(rest + step), expanded(c * cos(b) - s * sin_step), rules),
+                      equation(sin(rest + step), expanded(s * cos(b) + c * sin_step), rules)};
+    known.emplace(z, result);
+    return result;
+  }
+  bool is_base(Expr canonical_angle) const {
+    for (const Expr& b : bases)
+      if (canonical(b) == canonical_angle) return true;
+    return false;
+  }
+
+private:
+  Exprs bases;
+  std::map<Multiples, Pair> known;
+};
+}  // namespace
+
+Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
+  AngleSums sums(bases);
+  std::set<Expr> atoms;
+  for (const Expr& t : terms)
+    for (const auto& [monomial, q] : polynomial(t))
+      for (const auto& [a, k] : monomial)
+        if (a.op() == Op::Fun && (a.name() == "cos" || a.name() == "sin")) atoms.insert(a);
+  Theorems rules;
+  for (const Expr& a : atoms) {
+    if (sums.is_base(a.arg(0))) continue;
+    const auto pair = sums.pair(sums.multiples_of(polynomial(a.arg(0))));
+    const Theorem& t = a.name() == "cos" ? pair.cosine : pair.sine;
+    rules.push_back(restate(eq(a, t.conclusion().arg(1)), t));
+  }
+  if (!circle) return rules;
+  for (const Expr& b : bases) {
+    Certificate c;
+    c.equations = {{1, use("circle", {{real("x"), b}})}};
+    rules.push_back(arithmetic(eq(power(sin(b), 2), 1 - power(cos(b), 2)), c));
+  }
+  return rules;
+}
+Theorem same_angle(const Theorem& cosines, const Theorem& p_from, const Theorem& p_to,
+                   const Theorem& q_from, const Theorem& q_to) {
+  const Expr p = p_to.conclusion().arg(0), q = q_to.conclusion().arg(0);
+  const auto not_less = [&](Expr l, Expr r, const Theorem& from, const Theorem& to) {
+    const Theorem less = assume(lt(l, r));
+    const Theorem falls = use("cos falls", {{real("x"), l}, {real("y"), r}},
+                              {linear(le(0, l), {from}), less, linear(le(r, pi()), {to})});
+    return refute(less.conclusion(), linear(lt(0, 0), {falls, cosines}));
+  };
+  return tautology(eq(p, q), {not_less(p, q, p_from, q_to), not_less(q, p, q_from, p_to),
+                              use("equal or less or greater", {{real("x"), p}, {real("y"), q}})});
+}
+
+}  // namespace algebra

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "algebra/equations.hpp"
+
+#include <optional>
+
+#include "algebra/linear.hpp"
+#include "kernel/polynomial.hpp"
+#include "kernel/print.hpp"
+
+namespace algebra {
+namespace {
+int degree(const Monomial& monomial, Expr atom) {
+  for (const auto& [a, k] : monomial)
+    if (a == atom) return k;
+  return 0;
+}
+std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by) {
+  Monomial quotient;
+  std::size_t used = 0;
+  for (const auto& [a, k] : monomial) {
+    const int j = degree(by, a);
+    if (j > 0) ++used;
+    if (k < j) return {};
+    if (k > j) quotient.emplace_back(a, k - j);
+  }
+  if (used != by.size()) return {};
+  return quotient;
+}
+Polynomial constant(int value) { return scaled(polynomial(Expr(1)), value); }
+
+/// m (r - l) as it is rewritten, with what the certificate needs: each step keeps
+/// remainder = multipliers (r - l) - sum of cofactors (rule's right - left).
+struct Search {
+  Polynomial remainder;
+  Theorems multipliers;
+  std::vector<Polynomial> cofactors;
+
+  bool rewrite_once(const Theorem& rule, Polynomial& cofactor) {
+    const Polynomial left = polynomial(rule.conclusion().arg(0));
+    if (left.size() != 1 || left.begin()->second != 1)
+      refuse("a rule rewrites a monomial, not " + text(rule.conclusion().arg(0)));
+    Polynomial quotient;
+    for (const auto& [monomial, coefficient] : remainder)
+      if (const auto rest = divided(monomial, left.begin()->first))
+        quotient = quotient + Polynomial{{*rest, coefficient}};
+    if (quotient.empty()) return false;
+    remainder = remainder + quotient * (polynomial(rule.conclusion().arg(1)) - left);
+    cofactor = cofactor - quotient;
+    return true;
+  }
+  /// Multiplies by d until the youngest inv(d), d in `nonzero`, is gone.
+  bool clear_once(const std::map<Expr, const Theorem*>& nonzero) {
+    Expr inverse;
+    for (const auto& [monomial, coefficient] : remainder)
+      for (const auto& [a, k] : monomial)
+        if (a.op() == Op::Fun && a.name() == "inv" && nonzero.count(a.arg(0)) &&
+            (!inverse || inverse < a))
+          inverse = a;
+    if (!inverse) return false;
+    int highest = 0;
+    for (const auto& [monomial, coefficient] : remainder)
+      highest = std::max(highest, degree(monomial, inverse));
+    const Theorem& why = *nonzero.at(inverse.arg(0));
+    const Polynomial divisor = polynomial(inverse.arg(0));
+    const bool same_sign = canonical(gap(why)) == inverse.arg(0);
+    std::vector<Polynomial> powers{constant(1)};
+    for (int j = 0; j < highest; ++j) powers.push_back(powers.back() * divisor);
+    Polynomial cleared;
+    for (const auto& [monomial, coefficient] : remainder) {
+      Monomial rest;
+      for (const auto& factor : monomial)
+        if (!(factor.first == inverse)) rest.push_back(factor);
+      const auto missing = static_cast<std::size_t>(highest - degree(monomial, inverse));
+      cleared = cleared + Polynomial{{rest, coefficient}} * powers[missing];
+    }
+    for (int j = 0; j < highest; ++j) {
+      multipliers.push_back(why);
+      if (!same_sign) cleared = scaled(cleared, -1);
+      for (Polynomial& q : cofactors) q = q * polynomial(gap(why));
+    }
+    remainder = cleared;
+    return true;
+  }
+};
+}  // namespace
+
+Expr gap(const Theorem& relation) {
+  Expr c = relation.conclusion();
+  if (c.op() == Op::Not) c = c.arg(0);
+  return c.arg(1) - c.arg(0);
+}
+
+Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules, const Theorems& nonzero) {
+  Search search{polynomial(goal.arg(1) - goal.arg(0)), factors,
+                std::vector<Polynomial>(rules.size())};
+  for (const Theorem& t : factors) search.remainder = search.remainder * polynomial(gap(t));
+  for (const Theorem& r : rules)
+    if (r.conclusion().op() != Op::Eq)
+      refuse("a rule must be an equation: " + text(r.conclusion()));
+  std::map<Expr, const Theorem*> divisors;
+  for (const Theorem& t : nonzero) {
+    divisors.emplace(canonical(gap(t)), &t);
+    divisors.emplace(canonical(-gap(t)), &t);
+  }
+  constexpr int most_rounds = 400;
+  bool changed = true;
+  for (int round = 0; changed && round < most_rounds; ++round) {
+    changed = false;
+    for (std::size_t i = 0; i < rules.size(); ++i)
+      changed = search.rewrite_once(rules[i], search.cofactors[i]) || changed;
+    changed = search.clear_once(divisors) || changed;
+  }
+  if (!search.remainder.empty())
+    refuse("no proof found of " + text(goal) +
+           "; left over: " + text(expression(search.remainder)));
+  Certificate certificate;
+  certificate.nonzero = nonzero;
+  certificate.multipliers = search.multipliers;
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    if (!search.cofactors[i].empty())
+      certificate.equations.emplace_back(expression(search.cofactors[i]), rules[i]);
+  return arithmetic(goal, certificate);
+}
+Theorem equation(Expr goal, const Theorems& rules, const Theorems& nonzero) {
+  return cancel(goal, {}, rules, nonzero);
+}
+Theorem equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
+  return equation(eq(l, r), rules, nonzero);
+}
+Theorem chain(const Theorem& a, const Theorem& b) {
+  Certificate c;
+  c.equations = {{1, a}, {1, b}};
+  return arithmetic(eq(a.conclusion().arg(0), b.conclusion().arg(1)), c);
+}
+Theorem turned(const Theorem& e) {
+  Certificate c;
+  c.equations = {{-1, e}};
+  return arithmetic(eq(e.conclusion().arg(1), e.conclusion().arg(0)), c);
+}
+Theorems entries(const Theorem& e) {
+  const Expr l = e.conclusion().arg(0);
+  const Expr r = e.conclusion().arg(1);
+  Exprs equations;
+  for (int i = 0; i < l.rows(); ++i)
+    for (int j = 0; j < l.cols(); ++j) equations.push_back(eq(entry(l, i, j), entry(r, i, j)));
+  const Theorem all_entries = restate(logic_and(equations), e);
+  if (equations.size() == 1) return {all_entries};
+  Theorems out;
+  for (std::size_t i = 0; i < equations.size(); ++i) out.push_back(part(all_entries, i));
+  return out;
+}
+Theorem matrix_equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
+  Theorems equations;
+  for (int i = 0; i < l.rows(); ++i)
+    for (int j = 0; j < l.cols(); ++j)
+      equations.push_back(equation(entry(l, i, j), entry(r, i, j), rules, nonzero));
+  return restate(eq(l, r), both(equations));
+}
+Theorem root_squared(const Theorem& not_negative) {
+  const Expr x = not_negative.conclusion().arg(1);
+  return use("root squared", {{real("x"), x}}, {linear(le(0, x), {not_negative})});
+}
+Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules,
+                const Theorems& nonzero) {
+  const Theorem square = equation(power(t, 2), x, rules, nonzero);
+  Certificate sum;
+  sum.equations = {{1, square}};
+  sum.products = {{1, {}, {t}}};
+  const Theorem not_negative = arithmetic(le(0, x), sum);
+  const Theorem root_sign = use("root not negative", {{real("x"), x}}, {not_negative});
+  Certificate c;  // (sqrt(x) + t)(t - sqrt(x)) = (t^2 - x) - (sqrt(x)^2 - x)
+  c.multipliers = {linear(lt(0, sqrt(x) + t), {root_sign, t_positive})};
+  c.equations = {{-1, square}, {1, root_squared(not_negative)}};
+  return arithmetic(eq(sqrt(x), t), c);
+}
+}  // namespace algebra

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Equations of terms and of matrices: cofactors are found here and checked by the kernel.
+#pragma once
+#include "algebra/logic.hpp"
+
+namespace algebra {
+/// q - p of p = q, p < q, p <= q or not p = q.
+Expr gap(const Theorem& relation);
+/// `goal` (l = r): each of `rules` (monomial = term) rewrites a monomial, the denominators of
+/// `nonzero` (0 < d, or not d = 0) are cleared. Throws Refused, with what is left over, where that
+/// does not end in 0 = 0.
+Theorem equation(Expr goal, const Theorems& rules = {}, const Theorems& nonzero = {});
+Theorem equation(Expr l, Expr r, const Theorems& rules = {}, const Theorems& nonzero = {});
+/// The same after the goal is multiplied by `factors`, each proved not 0.
+Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules = {},
+               const Theorems& nonzero = {});
+/// l = m and m = r give l = r.
+Theorem chain(const Theorem& a, const Theorem& b);
+/// l = r gives r = l.
+Theorem turned(const Theorem& e);
+/// The equations of the entries of an equation of matrices, row by row.
+Theorems entries(const Theorem& matrix_equation);
+/// l = r for matrices, entry by entry by `equation`.
+Theorem matrix_equation(Expr l, Expr r, const Theorems& rules = {}, const Theorems& nonzero = {});
+/// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
+Theorem root_squared(const Theorem& not_negative);
+/// |- sqrt(x) = t from 0 < t and t^2 = x, the latter by `equation`.
+Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules = {},
+                const Theorems& nonzero = {});
+}  // namespace algebra

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "algebra/ginac.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <ginac/ginac.h>
+
+#include "kernel/polynomial.hpp"
+#include "kernel/print.hpp"
+
+namespace algebra {
+namespace {
+using GiNaC::ex;
+using kernel::Op;
+using kernel::Polynomial;
+
+/// Kernel terms as GiNaC's and back: each atom is a symbol; a square root is one with its square
+/// known.
+class Translation {
+public:
+  ex symbol_of(Expr atom) {
+    if (const auto it = symbols.find(atom); it != symbols.end()) return it->second;
+    const GiNaC::symbol s("x" + std::to_string(atoms.size()));
+    atoms.emplace_back(s, atom);
+    symbols.emplace(atom, s);
+    if (atom.op() == Op::Fun && atom.name() == "sqrt") {
+      const ex radicand = to_ginac(atom.arg(0));
+      roots.emplace_back(s, radicand);
+    }
+    return s;
+  }
+  ex to_ginac(Expr e) {
+    switch (e.op()) {
+      case Op::Num:
+        return GiNaC::numeric(cln::cl_N(e.value()));
+      case Op::Add: {
+        ex out = 0;
+        for (const Expr& a : e.args()) out += to_ginac(a);
+        return out;
+      }
+      case Op::Mul: {
+        ex out = 1;
+        for (const Expr& a : e.args()) out *= to_ginac(a);
+        return out;
+      }
+      case Op::Pow:
+        return GiNaC::pow(to_ginac(e.arg(0)), e.exponent());
+      case Op::Fun:
+        if (e.name() == "inv") return 1 / to_ginac(e.arg(0));
+        return symbol_of(e);
+      default:
+        return symbol_of(e);
+    }
+  }
+  /// numerator/denominator without common factor, no root in the denominator.
+  std::pair<ex, ex> quotient(const ex& e) const {
+    ex numerator = e.normal().numer();
+    ex denominator = e.normal().denom();
+    for (const auto& [root, square] : roots) {
+      const ex d = reduced(denominator);
+      const ex with = d.coeff(root, 1);
+      const ex conjugate = with.is_zero() ? ex(1) : d.coeff(root, 0) - with * root;
+      numerator = reduced(numerator * conjugate);
+      denominator = reduced(d * conjugate);
+    }
+    const ex whole = (numerator / denominator).normal();
+    return {reduced(whole.numer()), reduced(whole.denom())};
+  }
+  /// With s^2 for t where s is the root of a symbol t, so that both are one unknown for lsolve.
+  ex in_roots(ex e) const {
+    for (const auto& [root, square] : roots)
+      if (GiNaC::is_a<GiNaC::symbol>(square)) e = e.subs(square == GiNaC::pow(root, 2));
+    return e;
+  }
+  Polynomial to_polynomial(const ex& e) const {
+    const ex expanded = e.expand();
+    Polynomial out;
+    const std::size_t count = GiNaC::is_a<GiNaC::add>(expanded) ? expanded.nops() : 1;
+    for (std::size_t i = 0; i < count; ++i)
+      out = out + kernel::polynomial(term(count > 1 ? expanded.op(i) : expanded));
+    return out;
+  }
+
+private:
+  std::vector<std::pair<GiNaC::symbol, Expr>> atoms;
+  std::map<Expr, ex> symbols;
+  std::vector<std::pair<ex, ex>> roots;  // of symbols, inner ones first
+
+  ex reduced(const ex& e) const {  // squares of roots by what they are
+    ex out = e.expand();
+    for (auto it = roots.rbegin(); it != roots.rend(); ++it) {
+      const auto& [root, square] = *it;
+      ex sum = 0;
+      for (int k = 0; k <= out.degree(root); ++k)
+        sum += out.coeff(root, k) * GiNaC::pow(square, k / 2) * GiNaC::pow(root, k % 2);
+      out = sum.expand();
+    }
+    return out;
+  }
+  Expr factor(const ex& e) const {
+    if (GiNaC::is_a<GiNaC::numeric>(e))
+      return Expr(cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N()));
+    for (const auto& [symbol, atom] : atoms)
+      if (e.is_equal(symbol)) return atom;
+    kernel::refuse("GiNaC gave something that is no polynomial");
+  }
+  Expr term(const ex& e) const {  // a product of numbers and powers of symbols
+    if (GiNaC::is_a<GiNaC::power>(e))
+      return kernel::power(factor(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
+    if (!GiNaC::is_a<GiNaC::mul>(e)) return factor(e);
+    Exprs factors;
+    for (std::size_t i = 0; i < e.nops(); ++i) factors.push_back(term(e.op(i)));
+    return kernel::product(factors);
+  }
+};
+
+/// A polynomial as number * product of powers of factors: sign and order do not depend on GiNaC's.
+struct Factored {
+  cln::cl_RA number = 1;
+  std::vector<std::pair<Polynomial, int>> factors = {};
+};
+Factored factored(const ex& e, const Translation& translation) {
+  const ex product = GiNaC::factor(e);
+  const std::size_t count = GiNaC::is_a<GiNaC::mul>(product) ? product.nops() : 1;
+  Factored out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ex factor = count > 1 ? product.op(i) : product;
+    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
+    const int exponent = is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+    Polynomial p = translation.to_polynomial(is_power ? factor.op(0) : factor);
+    if (p.empty()) return {0, {}};
+    cln::cl_RA content = 0;
+    for (const auto& [monomial, q] : p)
+      content = cln::gcd(cln::numerator(content), cln::numerator(q));
+    if (p.begin()->second < 0) content = -content;
+    p = kernel::scaled(p, 1 / content);
+    out.number = out.number * cln::expt(content, exponent);
+    if (p.size() > 1 || !p.begin()->first.empty()) out.factors.emplace_back(p, exponent);
+  }
+  std::sort(out.factors.begin(), out.factors.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.first.size(), a.first.begin()->first) <
+           std::pair(b.first.size(), b.first.begin()->first);
+  });
+  return out;
+}
+Expr product_of(Exprs factors) {
+  std::erase(factors, Expr(1));
+  return factors.empty() ? Expr(1) : kernel::product(factors);
+}
+class Simplifier {
+public:
+  explicit Simplifier(const Exprs& collected_atoms) : collect(collected_atoms) {}
+
+  Expr simplified(Expr t) { return from_ginac(translation.to_ginac(t)); }
+  Expr from_ginac(const ex& e) {
+    const auto [numerator, denominator] = translation.quotient(e);
+    const Factored over = factored(numerator, translation);
+    const Factored under = factored(denominator, translation);
+    cln::cl_RA number = over.number / under.number;
+    if (number == 0) return 0;
+    Exprs factors;
+    for (const auto& [p, k] : over.factors) {
+      const cln::cl_RA sign = leads_with_minus(p) ? -1 : 1;
+      number = number * cln::expt(sign, k);
+      factors.push_back(kernel::power(collected(kernel::scaled(p, sign)), k));
+    }
+    factors.insert(factors.begin(), Expr(number));
+    Exprs divisors;
+    for (const auto& [p, k] : under.factors)
+      divisors.push_back(kernel::power(kernel::expression(p), k));
+    const Expr whole = product_of(factors);
+    return divisors.empty() ? whole : whole / product_of(divisors);
+  }
+  Translation translation;
+
+private:
+  Exprs collect;
+
+  /// p as a sum of coefficient * powers of the collected atoms; each coefficient is factored again.
+  std::map<kernel::Monomial, Polynomial> coefficients_in(const Polynomial& p) const {
+    std::map<kernel::Monomial, Polynomial> coefficients;
+    for (const auto& [monomial, q] : p) {
+      kernel::Monomial key;
+      kernel::Monomial rest;
+      for (const auto& factor : monomial) {
+        const bool is_key =
+            std::find(collect.begin(), collect.end(), factor.first) != collect.end();
+        (is_key ? key : rest).push_back(factor);
+      }
+      coefficients[key] = coefficients[key] + Polynomial{{rest, q}};
+    }
+    return coefficients;
+  }
+  bool leads_with_minus(const Polynomial& p) const {
+    return coefficients_in(p).begin()->second.begin()->second < 0;
+  }
+  Expr collected(const Polynomial& p) const {
+    const auto coefficients = coefficients_in(p);
+    if (coefficients.size() == 1) return kernel::expression(p);
+    Exprs terms;
+    for (const auto& [key, coefficient] : coefficients) {
+      Simplifier inner({});
+      const Expr factor = inner.simplified(kernel::expression(coefficient));
+      terms.push_back(product_of({factor, kernel::expression({{key, 1}})}));
+    }
+    return kernel::sum(terms);
+  }
+};
+}  // namespace
+
+Exprs solve(const Exprs& equations, const Exprs& unknowns, const Exprs& collect) {
+  Simplifier simplifier(collect);
+  GiNaC::lst symbols;
+  for (const Expr& u : unknowns) symbols.append(simplifier.translation.symbol_of(u));
+  std::vector<ex> numerators;
+  for (const Expr& e : equations) {
+    const ex difference = simplifier.translation.to_ginac(e.arg(0) - e.arg(1));
+    numerators.push_back(simplifier.translation.quotient(difference).first);
+  }
+  GiNaC::lst system;
+  for (const ex& e : numerators) system.append(simplifier.translation.in_roots(e) == 0);
+  Exprs out;
+  try {
+    const ex solution = GiNaC::lsolve(system, symbols);
+    for (std::size_t i = 0; i < solution.nops(); ++i)
+      out.push_back(simplifier.from_ginac(solution.op(i).rhs()));
+  } catch (const std::exception& problem) {
+    kernel::refuse(std::string("GiNaC cannot solve for the unknowns: ") + problem.what());
+  }
+  bool found = out.size() == unknowns.size();
+  for (const Expr& value : out)
+    for (const Expr& u : unknowns) found = found && kernel::free_variables(value).count(u) == 0;
+  if (!found) kernel::refuse("the equations do not determine the unknowns");
+  return out;
+}
+Expr simplified(Expr term, const Exprs& collect) {
+  Simplifier simplifier(collect);
+  if (!kernel::is_matrix(term)) return simplifier.simplified(term);
+  Exprs entries;
+  for (int i = 0; i < term.rows(); ++i)
+    for (int j = 0; j < term.cols(); ++j)
+      entries.push_back(simplifier.simplified(kernel::entry(term, i, j)));
+  return kernel::matrix(term.cols(), entries);
+}
+}  // namespace algebra

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Steps of plain logic that chapters take again and again. Nothing here is trusted: the kernel
+// makes every theorem.
+#pragma once
+#include <string>
+
+#include "kernel/theorem.hpp"
+
+namespace algebra {
+using namespace kernel;
+
+/// `rule` with terms for its variables; where it is an implication, its conclusion, from
+/// `premises` that say its premise.
+Theorem use(const Theorem& rule, const Substitution& terms, const Theorems& premises = {});
+/// The same for an axiom, by its name.
+Theorem use(const std::string& axiom_name, const Substitution& terms,
+            const Theorems& premises = {});
+/// The i-th part of a conjunction, from 0.
+Theorem part(const Theorem& conjunction, std::size_t i);
+/// The conjunction of all.
+Theorem both(const Theorems& theorems);
+Theorems operator+(Theorems a, const Theorems& b);
+/// |- not 0 < 0
+Theorem never();
+/// f, H |- 0 < 0 gives H |- not f
+Theorem refute(Expr f, const Theorem& absurd);
+/// The same conclusion under more hypotheses, so that a chapter shows what it means by a name.
+Theorem under(const Exprs& hypotheses, const Theorem& theorem);
+/// H, f |- c gives H, K |- c where `proof` is K |- f.
+Theorem cut(const Theorem& proof, const Theorem& theorem);
+/// i < j for integers as i + 1 <= j.
+Theorem next_integer(const Theorem& less);
+}  // namespace algebra

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "algebra/signs.hpp"
+
+#include <optional>
+
+#include "algebra/equations.hpp"
+#include "algebra/linear.hpp"
+#include "kernel/polynomial.hpp"
+#include "kernel/print.hpp"
+
+namespace algebra {
+namespace {
+Certificate of_products(const std::vector<Certificate::Product>& products) {
+  Certificate c;
+  c.products = products;
+  return c;
+}
+const Theorem& root_positive() {  // |- 0 < x implies 0 < sqrt(x)
+  static const Theorem result = [] {
+    const Expr x = real("x");
+    const Theorem x_positive = assume(lt(0, x));
+    const Theorem root_not_positive = assume(le(sqrt(x), 0));
+    const Theorem weak = linear(le(0, x), {x_positive});
+    const Theorem root_sign = use("root not negative", {}, {weak});
+    Certificate c = of_products({{1, {x_positive}, {}}, {1, {root_sign, root_not_positive}, {}}});
+    c.equations = {{-1, use("root squared", {}, {weak})}};
+    const Theorem absurd = arithmetic(lt(0, 0), c);
+    return discharge(lt(0, x),
+                     tautology(lt(0, sqrt(x)), {refute(root_not_positive.conclusion(), absurd)}));
+  }();
+  return result;
+}
+
+std::optional<Theorem> sign(Expr t, const Theorems& facts, bool strict);
+
+std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool strict) {
+  if (t.name() == "pi") return axiom("pi positive");
+  if (t.size() != 1) return {};
+  const Substitution at{{real("x"), t.arg(0)}};
+  if (t.name() == "inv") {
+    const auto s = sign(t.arg(0), facts, true);
+    if (!s) return {};
+    Certificate c = of_products({{1, {}, {}}});
+    c.multipliers = {*s};
+    c.nonzero = {*s};
+    return arithmetic(lt(0, t), c);
+  }
+  if (t.name() == "sqrt") {
+    const auto s = sign(t.arg(0), facts, strict);
+    if (!s) return {};
+    return strict ? use(root_positive(), at, {*s}) : use("root not negative", at, {*s});
+  }
+  if (t.name() == "atan" && strict) {
+    const auto s = sign(t.arg(0), facts, true);
+    if (!s) return {};
+    return use("atan positive", at, {*s});
+  }
+  return {};
+}
+std::optional<Theorem> sign_of_sum(Expr t, const Theorems& facts, bool strict) {
+  std::vector<Certificate::Product> products;
+  bool some_strict = false;
+  for (const Expr& a : t.args()) {
+    auto s = strict ? sign(a, facts, true) : std::nullopt;
+    some_strict = some_strict || s;
+    if (!s) s = sign(a, facts, false);
+    if (!s) return {};
+    products.push_back({1, {*s}, {}});
+  }
+  if (strict && !some_strict) return {};
+  return arithmetic(strict ? lt(0, t) : le(0, t), of_products(products));
+}
+std::optional<Theorem> sign_of_product(Expr t, const Theorems& facts, bool strict) {
+  Theorems factors;
+  cln::cl_RA coefficient = 1;
+  for (const Expr& a : t.args()) {
+    if (a.op() == Op::Num && a.value() > 0) {
+      coefficient = coefficient * a.value();
+      continue;
+    }
+    const auto s = sign(a, facts, strict);
+    if (!s) return {};
+    factors.push_back(*s);
+  }
+  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{coefficient, factors, {}}}));
+}
+std::optional<Theorem> sign_of_power(Expr t, const Theorems& facts, bool strict) {
+  const auto exponent = static_cast<std::size_t>(t.exponent());
+  if (!strict && exponent % 2 == 0)
+    return arithmetic(le(0, t), of_products({{1, {}, Exprs(exponent / 2, t.arg(0))}}));
+  const auto s = sign(t.arg(0), facts, strict);
+  if (!s) return {};
+  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, Theorems(exponent, *s), {}}}));
+}
+std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
+  switch (t.op()) {
+    case Op::Num:
+      if (t.value() < 0 || (strict && t.value() == 0)) return {};
+      return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{t.value(), {}, {}}}));
+    case Op::Add:
+      return sign_of_sum(t, facts, strict);
+    case Op::Mul:
+      return sign_of_product(t, facts, strict);
+    case Op::Pow:
+      return sign_of_power(t, facts, strict);
+    case Op::Fun:
+      return sign_of_function(t, facts, strict);
+    default:
+      return {};
+  }
+}
+std::optional<Theorem> sign(Expr t, const Theorems& facts, bool strict) {
+  for (const Theorem& f : facts) {
+    const Op op = f.conclusion().op();
+    if (op != Op::Lt && (strict || op != Op::Le)) continue;
+    if (canonical(gap(f)) == canonical(t))
+      return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, {f}, {}}}));
+  }
+  return by_shape(t, facts, strict);
+}
+}  // namespace
+
+Theorem positive(Expr t, const Theorems& facts) {
+  if (const auto s = sign(t, facts, true)) return *s;
+  refuse("cannot see that 0 < " + text(t));
+}
+Theorem not_negative(Expr t, const Theorems& facts) {
+  if (const auto s = sign(t, facts, true)) return linear(le(0, t), {*s});
+  if (const auto s = sign(t, facts, false)) return linear(le(0, t), {*s});
+  refuse("cannot see that 0 <= " + text(t));
+}
+Theorem not_zero(const Theorem& less) {
+  const Expr d = gap(less);
+  const Theorem above = linear(lt(0, d), {less});
+  return tautology(neq(d, 0), {use("less is not equal", {{real("x"), 0}, {real("y"), d}}, {above}),
+                               discharge(eq(d, 0), turned(assume(eq(d, 0))))});
+}
+Theorem times(const Theorem& a, const Theorem& b) {
+  const bool strict = a.conclusion().op() == Op::Lt && b.conclusion().op() == Op::Lt;
+  const Expr t = gap(a) * gap(b);
+  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, {a, b}, {}}}));
+}
+}  // namespace algebra

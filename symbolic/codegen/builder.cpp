@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Makers of nodes: the choice of the cheapest operation, powers of two taken outside, ranges.
+#include "codegen/builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/exact.hpp"
+#include "codegen/quantity.hpp"
+#include "kernel/print.hpp"
+
+namespace codegen {
+namespace {
+constexpr double largest_size = 0x1p900;    // below that, products and splits do not overflow
+constexpr double smallest_size = 0x1p-900;  // above that, errors of products are numbers
+constexpr double largest_whole = 0x1p51;    // `nearest` of the runtime
+
+}  // namespace
+
+int Builder::add(Node n) {
+  Key key{n.op, n.of, n.factor, n.op == Op::input ? n.name : kernel::digits(n.value), n.of_pi};
+  const bool commutes = n.op == Op::sum || n.op == Op::product || n.op == Op::exact_sum ||
+                        n.op == Op::cancelling_sum || n.op == Op::whole_sum;
+  if (commutes) std::sort(std::get<1>(key).begin(), std::get<1>(key).end());
+  if (const auto found = seen.find(key); found != seen.end()) return found->second;
+  if (n.op != Op::input) n.range = range_of(n);
+  const bool may_underflow = n.range.least() > 0 && n.range.least() < smallest_size;
+  if (!is_wide && (!(n.range.size() <= largest_size) || may_underflow)) {
+    throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
+  }
+  program.nodes.push_back(n);
+  return seen[key] = program.size() - 1;
+}
+Interval Builder::range_of(const Node& n) const {
+  const auto of = [&](std::size_t i) { return program[n.of[i]].range; };
+  switch (n.op) {
+    case Op::input:
+      break;
+    case Op::constant: {
+      const double x = codegen::nearest(n.of_pi ? n.value * pi() : n.value);
+      return n.is_exact ? Interval{x, x} : around(x, x);
+    }
+    case Op::exact_sum:
+    case Op::whole_sum:
+    case Op::sum:
+    case Op::cancelling_sum:
+      return of(0) + of(1);
+    case Op::exact_scale:
+    case Op::scale:
+      return of(0) * Interval{n.factor, n.factor};
+    case Op::product:
+    case Op::exact_product:
+      return n.of[0] == n.of[1] ? square(of(0)) : of(0) * of(1);
+    case Op::quotient:
+      return of(0) / of(1);
+    case Op::reciprocal_root:
+      return codegen::reciprocal_root(of(0));
+    case Op::arc_tangent:
+      return codegen::arc_tangent(of(0));
+    case Op::sine:
+      return codegen::sine(of(0));
+    case Op::cosine:
+      return codegen::cosine(of(0));
+    case Op::size:
+      return magnitude(of(0));
+    case Op::nearest: {
+      const Interval ratio = of(0) / of(1);
+      if (!is_wide && !(ratio.size() < largest_whole))
+        throw Refused("a ceiling that may be 2^51 or more");
+      return {std::floor(ratio.low), std::ceil(ratio.high)};
+    }
+    case Op::step:
+      return of(0) + Interval{-1, 0};
+  }
+  throw Refused("no range");
+}
+
+int Builder::input(const std::string& name, bool is_whole, Interval range) {
+  if (!is_wide && is_whole && range.size() > largest_whole)
+    throw Refused(name + " may be above 2^51");
+  Node n{.op = Op::input, .is_exact = true, .is_whole = is_whole, .name = name, .formula = name};
+  n.range = range;
+  return add(n);
+}
+int Builder::constant(const cln::cl_RA& value, bool of_pi) {
+  const bool is_exact = !of_pi && is_double(value);
+  const bool is_whole = is_exact && cln::denominator(value) == 1;
+  return add({.op = Op::constant,
+              .value = value,
+              .of_pi = of_pi,
+              .is_exact = is_exact,
+              .is_whole = is_whole});
+}
+int Builder::scaled(int x, double by) {
+  if (by == 1) return x;
+  const Node n = program[x];
+  if (n.op == Op::scale || n.op == Op::exact_scale) return scaled(n.of[0], by * n.factor);
+  if (n.op == Op::constant) return constant(n.value * exact(by), n.of_pi);
+  const bool is_whole = n.is_whole && std::fabs(by) >= 1;
+  return add({.op = n.is_exact ? Op::exact_scale : Op::scale,
+              .of = {x},
+              .factor = by,
+              .is_exact = n.is_exact,
+              .is_whole = is_whole});
+}
+int Builder::sum(int x, int y) {
+  if (program[x].op == Op::constant && program[x].value == 0) return y;
+  if (program[y].op == Op::constant && program[y].value == 0) return x;
+  const Node& a = program[x];
+  const Node& b = program[y];
+  if (a.is_exact && b.is_exact) {
+    const bool is_whole = a.is_whole && b.is_whole;
+    const bool fits = is_wide || (a.range.size() < largest_whole && b.range.size() < largest_whole);
+    if (is_whole && fits) {
+      return add({.op = Op::whole_sum, .of = {x, y}, .is_exact = true, .is_whole = true});
+    }
+    return add({.op = Op::exact_sum, .of = {x, y}});
+  }
+  const bool alike =
+      (a.range.low >= 0 && b.range.low >= 0) || (a.range.high <= 0 && b.range.high <= 0);
+  return add({.op = alike ? Op::sum : Op::cancelling_sum, .of = {x, y}});
+}
+int Builder::product(int x, int y) {
+  if (program[x].is_exact) std::swap(x, y);
+  return add({.op = program[y].is_exact ? Op::exact_product : Op::product, .of = {x, y}});
+}
+int Builder::quotient(int x, int y) { return add({.op = Op::quotient, .of = {x, y}}); }
+int Builder::unary(Op op, int x) {
+  if (program[x].is_exact && op == Op::size) {
+    if (program[x].range.low >= 0) return x;
+    throw Refused("the size of an exact number of unknown sign");
+  }
+  const Interval range = program[x].range;
+  const bool turns = (op == Op::sine || op == Op::cosine) && range.size() > small_angle;
+  if (turns && !(range.low >= 0 && range.high <= 2.3561)) {
+    throw Refused("an angle that is not known to be from 0 to 3 pi/4");
+  }
+  return add({.op = op, .of = {x}});
+}
+int Builder::arc_tangent(int t, int square) {
+  if (!(program[square].range.high <= 0x1.5555555555556p-2)) {
+    throw Refused("an arctangent of what is not known to be at most 1/sqrt(3)");
+  }
+  return add({.op = Op::arc_tangent, .of = {t, square}});
+}
+
+int Builder::rest(int p, int q, int k) {
+  const Node& divisor = program[q];
+  const int part = divisor.op == Op::scale ? product(divisor.of[0], scaled(k, -divisor.factor))
+                                           : product(q, scaled(k, -1));
+  // |p - q k| <= q/2, but for the rounding of p/q itself, which the test of the sign finds.
+  const double more = divisor.range.high * 0.50000001;
+  const Interval near_p{-program[p].range.high - more, more - program[p].range.low};
+  program[part].range = meet(program[part].range, near_p);
+  return sum(p, part);
+}
+void Builder::need_positive(const std::string& name, int k) {
+  const std::pair<std::string, int> needed{name, k};
+  const auto end = program.positive.end();
+  if (std::find(program.positive.begin(), end, needed) == end) program.positive.push_back(needed);
+}
+int Builder::nearest(int p, int q) {
+  const int k = add({.op = Op::nearest, .of = {p, q}, .is_exact = true, .is_whole = true});
+  const int left = rest(p, q, k);
+  const int size = unary(Op::size, left);
+  const double half = program[q].range.high / 2;
+  need_positive("to_next", sum(scaled(q, 0.5), scaled(size, -1)));
+  narrow(size, {0, half});
+  narrow(left, {-half, half});
+  return k;
+}
+int Builder::ceiling(int p, int q, const cln::cl_RA& whole) {
+  // With rest = p - q k and 0 < |rest| < q it is k + whole, and one more where rest > 0.
+  const int k = nearest(p, q);
+  const int left = rest(p, q, k);
+  need_positive("distance", unary(Op::size, left));
+  const int lower = add({.op = Op::step, .of = {k, left}, .is_exact = true, .is_whole = true});
+  return sum(lower, constant(whole + 1));
+}
+}  // namespace codegen

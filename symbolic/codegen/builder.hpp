@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Makes nodes: one for each different operation on the same operands, with its range.
+#pragma once
+
+#include <tuple>
+
+#include "codegen/program.hpp"
+
+namespace codegen {
+class Builder {
+public:
+  Program program;
+  /// Without doubles' limits, for MPFR: no over- or underflow, whole numbers of any size.
+  bool is_wide = false;
+
+  int input(const std::string& name, bool is_whole, Interval range);
+  int constant(const cln::cl_RA& value, bool of_pi = false);
+  int scaled(int x, double power_of_2);
+  int sum(int x, int y);
+  int product(int x, int y);
+  int quotient(int x, int y);
+  int unary(Op op, int x);
+  int arc_tangent(int t, int square);
+  /// The whole number nearest to p/q. What must be certain for that is added to the signs:
+  /// q/2 - |p - q k| > 0.
+  int nearest(int p, int q);
+  /// ceil(p/q + whole), certain where |p - q k| > 0.
+  int ceiling(int p, int q, const cln::cl_RA& whole);
+  /// p - q k for a `nearest` k of p/q.
+  int rest(int p, int q, int k);
+
+  const Node& operator[](int k) const { return program[k]; }
+  /// Makes a node's range smaller: by a theorem or a guard.
+  void narrow(int k, Interval range) { program[k].range = meet(program[k].range, range); }
+
+private:
+  using Key = std::tuple<Op, std::vector<int>, double, std::string, bool>;
+  std::map<Key, int> seen;
+  void need_positive(const std::string& name, int k);
+  int add(Node n);
+  Interval range_of(const Node& n) const;
+};
+/// The largest angle that sine and cosine take without turning it: pi/6 and a little more.
+constexpr double small_angle = 0.52359905;
+}  // namespace codegen

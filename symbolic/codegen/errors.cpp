@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The rules: how errors of operands become the error of a result.
+#include "codegen/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "codegen/builder.hpp"
+#include "codegen/exact.hpp"
+#include "codegen/quantity.hpp"
+
+namespace codegen {
+namespace {
+/// Ranges and facts are of exact values; computed ones are within this of them, relatively, and
+/// `and_more` allows for that.
+constexpr double close = 0x1p-22;
+
+class Analyst {
+public:
+  Analysis a;
+
+  Analyst(const Program& program, const NumberType& type, Plan& plan)
+      : p(program), t(type), absorber(program, plan), is_spread(program.nodes.size(), false) {}
+
+  void node(int k) {
+    const Node& n = p[k];
+    Form f;
+    double loose = 0;
+    double spill = 0;
+    for (int o : n.of) {
+      if (n.op != Op::cancelling_sum) check_no_spill(o);
+    }
+    rule(k, f, loose, spill);
+    if (!(loose >= 0 && loose <= loosest)) throw Refused("the low part of " + n.name + " is loose");
+    a.error.push_back(absorber.absorbed(f));
+    a.loose.push_back(loose);
+    a.spill.push_back(spill);
+    check_close(k);
+    for (const SizeFact& fact : p.facts) {
+      if (std::max(fact.small, fact.large) == k) use_fact(fact);
+    }
+    if (n.is_exact) return;
+    const std::string low = t.is_pair() ? "; low part " + as_power_of_2(loose) : "";
+    a.steps.push_back(n.name + ": off by " + in_words(p, a.error.back()) + low);
+  }
+  void output(int k) {
+    check_no_spill(k);
+    Form f = error(k);
+    const bool is_exact = f.empty() && t.is_pair() && low(k) <= t.u;
+    if (is_exact) {
+      f[size_of(p, k, is_spread).first] = 0;  // other number types have a term there
+    } else {
+      add_loss(f, t.rounding_test(low(k)), k);
+    }
+    a.outputs.push_back(absorber.absorbed(with_margin(f)));
+  }
+  void sign(int k) {
+    check_no_spill(k);
+    Form f = error(k);
+    // The sign is that of the high part; of one part, a unit is allowed for the comparison.
+    add_loss(f, t.is_pair() ? low(k) : t.u, k);
+    a.positive.push_back(absorber.absorbed(with_margin(f)));
+  }
+
+private:
+  const Program& p;
+  const NumberType& t;
+  Absorber absorber;
+  std::vector<bool> is_spread;  // products without a relative bound: sized as their factors are
+
+  const Form& error(int k) const { return a.error[std::size_t(k)]; }
+  double low(int k) const { return a.loose[std::size_t(k)]; }
+  double spill_of(int k) const { return a.spill[std::size_t(k)]; }
+  void check_no_spill(int k) const {
+    if (spill_of(k) > 0) throw Refused("the low part of " + p[k].name + " may be large");
+  }
+
+  /// For roundings of the bound at run time, and for high parts in place of values: both below
+  /// 2^-38 even for ten factors.
+  static Form with_margin(Form f) {
+    for (auto& [sizes, k] : f) k *= and_more;
+    return f;
+  }
+  void add_sized(Form& f, const Form& x, int node, double k = 1) const {
+    const auto [sizes, by] = size_of(p, node, is_spread);
+    add(f, x, k * by, sizes);
+  }
+  void add_loss(Form& f, double loss, int node) const { add_sized(f, {{{}, loss}}, node); }
+
+  /// |computed - exact| / |computed|, where that is bounded.
+  std::optional<double> relative(int k) const {
+    const Form& f = error(k);
+    if (f.empty()) return 0.0;
+    const auto [sizes, by] = size_of(p, k, is_spread);
+    if (f.size() == 1 && f.begin()->first == sizes && by > 0) return f.begin()->second / by;
+    const double least = p[k].range.least();
+    if (least <= 0) return {};
+    const Form c = absorber.constant(f);
+    if (c.size() != 1 || !c.begin()->first.empty()) return {};
+    const double from_least = c.begin()->second / least * and_more;
+    if (from_least > close) return {};
+    return from_least;
+  }
+  double needed(int k) const {
+    const std::optional<double> r = relative(k);
+    if (!r) throw Refused("no relative error bound of " + p[k].name + ", which is needed");
+    return *r;
+  }
+  void check_close(int k) const {
+    const Form& f = error(k);
+    if (f.empty()) return;
+    const std::optional<double> r = relative(k);
+    const double off = r ? *r : absorber.bounded(f) / p[k].range.size();
+    if (!(off <= close)) throw Refused(p[k].name + " is too far off for its range to be used");
+  }
+  /// |small| <= |large| holds of computed values, nearly, if both are close in terms of |large|.
+  void use_fact(const SizeFact& fact) {
+    for (int k : {fact.small, fact.large}) {
+      if (fact.is_of_computed) break;
+      const std::optional<double> r = relative(k);
+      double off = r ? *r : 0;
+      for (const auto& [sizes, c] : error(k)) {
+        if (r) break;
+        const bool is_part = sizes.size() == 1 && absorber.is_below(sizes[0], fact.large);
+        if (!is_part) throw Refused("a fact is not known of computed values of " + p[k].name);
+        off += c;
+      }
+      if (!(off <= close)) throw Refused("a fact is not known of computed values of " + p[k].name);
+    }
+    absorber.know(fact.small, fact.large);
+  }
+
+  void rule(int k, Form& f, double& loose, double& spill) {
+    const Node& n = p[k];
+    const auto x = n.of.empty() ? -1 : n.of[0];
+    const auto y = n.of.size() < 2 ? -1 : n.of[1];
+    const auto take = [&](Loss l) {
+      add_loss(f, l.loss, k);
+      loose = l.loose;
+    };
+    switch (n.op) {
+      case Op::input:
+      case Op::nearest:  // what is counted is what its sign tests
+      case Op::step:
+      case Op::whole_sum:
+      case Op::exact_scale:
+        break;
+      case Op::constant:
+        if (!n.is_exact) take(t.constant(lost(n)));
+        break;
+      case Op::exact_sum:
+        take(t.exact_sum());
+        break;
+      case Op::scale:
+      case Op::size:
+        add(f, error(x), std::fabs(n.factor));
+        loose = low(x);
+        break;
+      case Op::sum:
+        sum(f, k, x, y);
+        take(t.sum(low(x), low(y)));
+        break;
+      case Op::cancelling_sum: {
+        const NumberType::Cancelling c = t.cancelling_sum(low(x), low(y));
+        for (int o : {x, y}) {
+          const double of_operand =
+              (o == x ? c.of_x : c.of_y) + c.of_result;  // |x + y| <= |x| + |y|
+          add(f, error(o));
+          if (p[o].op == Op::cosine) {  // its high part is no size
+            const double loss = of_operand * absorber.most(o) + 3 * t.u * spill_of(o);
+            add(f, {{{}, loss * and_more}});
+          } else {
+            add_loss(f, of_operand, o);
+          }
+        }
+        const bool has_constant = p[x].op == Op::constant || p[y].op == Op::constant;
+        if (has_constant) f = absorber.constant(f);
+        loose = c.loose;
+        break;
+      }
+      case Op::product:
+        product(f, k, x, y);
+        take(t.product(low(x), low(y)));
+        break;
+      case Op::exact_product:
+        if (const std::optional<double> r = relative(x)) {
+          add_loss(f, *r, k);
+        } else {
+          add_sized(f, error(x), y);
+        }
+        take(t.product(low(x)));
+        break;
+      case Op::quotient: {
+        const double of_y = needed(y) * and_more;
+        if (const std::optional<double> r = relative(x)) {
+          add_loss(f, (*r + of_y) * and_more, k);
+        } else {
+          add(f, error(x), and_more / p[y].range.least());
+          add_loss(f, of_y, k);
+        }
+        take(t.quotient(low(x), low(y)));
+        break;
+      }
+      case Op::reciprocal_root:
+        add_loss(f, needed(x) * 0.5 * and_more, k);
+        take(t.reciprocal_root(low(x)));
+        break;
+      case Op::arc_tangent:  // |t atan'(t)/atan(t)| <= 1
+        add_loss(f, needed(x) * and_more, k);
+        take(t.arc_tangent(low(x), low(y), needed(y)));
+        break;
+      case Op::sine:
+      case Op::cosine: {
+        const bool is_small = p[x].range.size() <= small_angle;
+        const NumberType::SineCosine of =
+            is_small ? t.small_sine_cosine(low(x)) : t.sine_cosine(low(x));
+        Form angle = error(x);
+        add_loss(angle, of.angle, x);
+        sine_or_cosine(f, k, x, angle, of.angle);
+        take(n.op == Op::sine ? of.sine : of.cosine);
+        if (n.op == Op::cosine && of.spill > 0) {
+          add(f, {{{}, of.absolute}});
+          spill = of.spill;
+        }
+        break;
+      }
+    }
+  }
+  /// What high and low part of a constant lack.
+  static double lost(const Node& n) {
+    const cln::cl_RA value = n.of_pi ? n.value * pi() : n.value;
+    const cln::cl_RA high = exact(nearest(value));
+    const cln::cl_RA rest = value - high;
+    const cln::cl_RA off = cln::abs((rest - exact(nearest(rest))) / value);
+    return upper(off) + (n.of_pi ? 0x1p-400 : 0);
+  }
+  /// Of one sign: the larger relative bound.
+  void sum(Form& f, int k, int x, int y) const {
+    const std::optional<double> of_x = relative(x);
+    const std::optional<double> of_y = relative(y);
+    if (of_x && of_y) {
+      add_loss(f, std::max(*of_x, *of_y), k);
+    } else {
+      add(f, error(x));
+      add(f, error(y));
+    }
+  }
+  void product(Form& f, int k, int x, int y) {
+    const std::optional<double> of_x = relative(x);
+    const std::optional<double> of_y = relative(y);
+    if (of_x && of_y) {
+      add_loss(f, *of_x + *of_y + *of_x * *of_y, k);
+      return;
+    }
+    is_spread[std::size_t(k)] = true;
+    add_sized(f, error(x), y);
+    add_sized(f, error(y), x);
+    for (const auto& [sizes, c] : error(x)) add(f, error(y), c, sizes);
+  }
+  void sine_or_cosine(Form& f, int k, int x, const Form& angle, double of_turn) {
+    const double top = absorber.most(x);
+    const std::optional<double> r = relative(x);
+    if (p[k].op == Op::sine && r && top < 2.2) {  // |x cos x / sin x| <= max(1, -top/tan top)
+      add_loss(f, (*r + of_turn) * std::max(1.0, -top / std::tan(top)) * and_more, k);
+      return;
+    }
+    const Form plain = absorber.absorbed(absorber.constant(angle));
+    if (p[k].op == Op::sine || top > 1.5707) {
+      add(f, plain, and_more);
+    } else {  // |cos x - cos y| <= |x - y| (sin top + |x - y|)
+      add(f, plain, std::sin(top) * (1 + 0x1p-40) * and_more);
+      for (const auto& [sizes, c] : plain) add(f, plain, c, sizes);
+    }
+  }
+};
+}  // namespace
+
+Analysis analyse(const Program& p, const NumberType& type, Plan& plan) {
+  Analyst analyst(p, type, plan);
+  for (int k = 0; k < p.size(); ++k) analyst.node(k);
+  for (const auto& [name, k] : p.outputs) analyst.output(k);
+  for (const auto& [name, k] : p.positive) analyst.sign(k);
+  return analyst.a;
+}
+}  // namespace codegen

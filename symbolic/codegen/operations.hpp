@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// THE table: what each operation of a number type loses, and how large a low part it leaves. Every
+// bound of a result comes from here.
+#pragma once
+
+#include "codegen/polynomials.hpp"
+
+namespace codegen {
+/// `loss` is relative to the result's size; `loose`: |low| <= loose |high|. Neither is negative.
+struct Loss {
+  double loss, loose;
+};
+/// Terms of third order, and sizes of computed in place of exact values, go into this factor.
+constexpr double and_more = 1 + 0x1p-20;
+/// No low part is looser: what `and_more` allows for.
+constexpr double loosest = 0x1p-40;
+
+/// DoubleDouble with a tier's polynomials, or (tier null) a type that rounds each result correctly
+/// to a unit u: MPFR, whose bounds are emitted in units of u.
+struct NumberType {
+  double u;
+  const Tier* tier;
+  bool is_pair() const { return tier != nullptr; }
+
+  Loss exact_sum() const;
+  Loss constant(double lost) const;  ///< `lost`: what high + low of it lacks, relative
+  Loss sum(double x, double y) const;
+  /// Losses relative to |x|, |y| and the result.
+  struct Cancelling {
+    double of_x, of_y, of_result, loose;
+  };
+  Cancelling cancelling_sum(double x, double y) const;
+  Loss product(double x, double y) const;
+  Loss product(double x) const;  ///< by an exact number
+  Loss quotient(double x, double y) const;
+  Loss reciprocal_root(double y) const;
+
+  /// A polynomial where |z - centre| <= size, |low part of z - centre| <= low. Relative to the
+  /// function's least value; `slope` is how much an error of z counts.
+  struct OfPolynomial {
+    double loss, loose, slope;
+  };
+  OfPolynomial polynomial(const Polynomial& p, double size, double low) const;
+  /// Of t where z = t^2 has a low part z and an error `z_off`, relative.
+  Loss arc_tangent(double t, double z, double z_off) const;
+  /// `angle`: what taking off a quarter turn loses, relative to the angle. The cosine loses
+  /// `absolute` more, and its low part is larger by up to `spill`: near 0 it is large.
+  struct SineCosine {
+    Loss sine, cosine;
+    double angle, absolute, spill;
+  };
+  SineCosine small_sine_cosine(double x) const;
+  SineCosine sine_cosine(double x) const;
+  /// The roundings of the rounding test itself, relative to the result.
+  double rounding_test(double x) const;
+};
+}  // namespace codegen

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Passes: from program to program.
+#include <algorithm>
+#include <set>
+
+#include "codegen/program.hpp"
+#include "codegen/quantity.hpp"
+
+namespace codegen {
+namespace {
+/// The program with its nodes at new places; -1 drops one.
+Program moved(const Program& p, const std::vector<int>& place) {
+  const auto at = [&](int k) { return place[std::size_t(k)]; };
+  Program r = p;
+  r.nodes.clear();
+  for (int k = 0; k < p.size(); ++k) {
+    if (at(k) < 0) continue;
+    r.nodes.push_back(p[k]);
+    for (int& o : r.nodes.back().of) o = at(o);
+  }
+  for (auto* list : {&r.outputs, &r.whole_outputs, &r.positive}) {
+    for (auto& [name, k] : *list) k = at(k);
+  }
+  for (Guard& g : r.guards) g.node = at(g.node);
+  r.facts.clear();
+  for (const SizeFact& f : p.facts) {
+    if (at(f.small) < 0 || at(f.large) < 0) continue;
+    r.facts.push_back({at(f.small), at(f.large), f.is_of_computed});
+  }
+  return r;
+}
+}  // namespace
+
+std::string identifier(const std::string& name) {
+  return name.ends_with("'") ? name.substr(0, name.size() - 1) + "_prime" : name;
+}
+
+Program without_dead_code(const Program& p) {
+  std::vector<bool> live(p.nodes.size(), false);
+  for (const auto* list : {&p.outputs, &p.whole_outputs, &p.positive}) {
+    for (const auto& [name, k] : *list) live[std::size_t(k)] = true;
+  }
+  for (const Guard& g : p.guards) live[std::size_t(g.node)] = true;
+  for (int k = p.size(); k-- > 0;) {
+    if (p[k].op == Op::input) live[std::size_t(k)] = true;
+    if (!live[std::size_t(k)]) continue;
+    for (int o : p[k].of) live[std::size_t(o)] = true;
+  }
+  std::vector<int> place;
+  int next = 0;
+  for (bool is_live : live) place.push_back(is_live ? next++ : -1);
+  return moved(p, place);
+}
+
+Program in_stages(const Program& p) {
+  Program r = p;
+  for (Node& n : r.nodes) {
+    for (int o : n.of) {
+      const Op op = r[o].op;
+      const bool ends = op == Op::arc_tangent || op == Op::sine || op == Op::cosine;
+      n.stage = std::min(3, std::max(n.stage, r[o].stage + (ends ? 1 : 0)));
+    }
+  }
+  return r;
+}
+
+Program named(const Program& p) {
+  Program r = p;
+  std::set<std::string> taken{"T",     "N",       "R",   "E",  "Tier",
+                              "doubt", "columns", "row", "in", "tested"};
+  for (const auto& [name, k] : p.outputs) taken.insert(name);
+  for (const Node& n : p.nodes) {
+    if (n.name.empty()) continue;
+    if (!taken.insert(n.name).second) throw Refused("two values are called " + n.name);
+  }
+  const auto fresh = [&](const std::string& wanted, bool numbered) {
+    for (int k = 1;; ++k) {
+      const std::string name = wanted + (numbered || k > 1 ? std::to_string(k) : "");
+      if (taken.insert(name).second) return name;
+    }
+  };
+  for (const auto* list : {&p.outputs, &p.positive}) {
+    for (const auto& [name, k] : *list) {
+      if (r[k].name.empty()) r[k].name = fresh((list == &p.outputs ? "of_" : "") + name, false);
+    }
+  }
+  for (Node& n : r.nodes) {
+    if (n.name.empty()) n.name = fresh("t", true);
+  }
+  return r;
+}
+}  // namespace codegen

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A Taylor series, economised in Chebyshev's basis, cut, rounded; and its error.
+#include "codegen/polynomials.hpp"
+
+#include <cmath>
+
+#include "codegen/exact.hpp"
+#include "codegen/quantity.hpp"
+
+namespace codegen {
+namespace {
+using cln::cl_RA;
+using Series = std::vector<cl_RA>;  // coefficients of powers
+/// How many terms of the series are taken: the first one left out is below 2^-120.
+int terms(const std::string& name) { return name == "ArcTangent" ? 76 : 32; }
+
+/// c(x) in powers of y, where x = a + b y.
+Series substituted(Series c, const cl_RA& a, const cl_RA& b) {
+  for (std::size_t i = 0; i < c.size(); ++i) {
+    for (std::size_t j = c.size() - 1; j-- > i;) c[j] = c[j] + a * c[j + 1];
+  }
+  cl_RA power = 1;
+  for (cl_RA& x : c) {
+    x = x * power;
+    power = power * b;
+  }
+  return c;
+}
+/// y^k = 2^(1-k) sum of binomial(k, j) T_(k-2j), the one of T_0 halved.
+Series to_chebyshev(const Series& c) {
+  Series r(c.size(), 0);
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    cl_RA b = k == 0 ? c[k] : c[k] / cln::ash(1, long(k) - 1);
+    for (std::size_t j = 0; 2 * j <= k; ++j) {
+      r[k - 2 * j] = r[k - 2 * j] + (k == 2 * j && k > 0 ? b / 2 : b);
+      b = b * cl_RA(long(k - j)) / cl_RA(long(j + 1));
+    }
+  }
+  return r;
+}
+Series from_chebyshev(const Series& c) {
+  Series r(c.size(), 0);
+  Series before{1};
+  Series now{0, 1};
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    const Series& t = k == 0 ? before : now;
+    for (std::size_t i = 0; i < t.size(); ++i) r[i] = r[i] + c[k] * t[i];
+    if (k == 0) continue;
+    Series next(k + 2, 0);
+    for (std::size_t i = 0; i < now.size(); ++i) next[i + 1] = 2 * now[i];
+    for (std::size_t i = 0; i < before.size(); ++i) next[i] = next[i] - before[i];
+    before = now;
+    now = next;
+  }
+  return r;
+}
+
+cl_RA over_factorial(int sign, int last) {
+  cl_RA r = sign;
+  for (int i = 2; i <= last; ++i) r = r / i;
+  return r;
+}
+/// The coefficient of z^k; terms alternate and fall in size where they are used.
+cl_RA term(const std::string& name, int k) {
+  const int sign = k % 2 == 0 ? 1 : -1;
+  if (name == "ArcTangent") return cl_RA(sign) / (2 * k + 1);
+  return over_factorial(sign, name.ends_with("Sine") ? 2 * k + 1 : 2 * k);
+}
+Series series(const std::string& name) {
+  Series s;
+  for (int k = 0; k < terms(name); ++k) s.push_back(term(name, k));
+  return s;
+}
+
+struct Shape {
+  int degree, pairs;
+};
+struct Range {
+  const char* name;
+  double top, centre, least;
+};
+Polynomial make(const Range& range, Shape shape) {
+  const cl_RA half = exact(range.top) / 2;
+  Series all = series(range.name);
+  // About 0, f(0) = 1 exactly, and what is economised is (f - 1)/z.
+  if (range.centre == 0) all.erase(all.begin());
+  Series cut = to_chebyshev(substituted(all, half, half));
+  cut.resize(std::size_t(shape.degree) + (range.centre == 0 ? 0 : 1));
+  Series p = substituted(from_chebyshev(cut), exact(range.centre) / half - 1, 1 / half);
+  if (range.centre == 0) p.insert(p.begin(), 1);
+  Polynomial r{range.name, {}, {}, range.centre, range.top, range.least, 0};
+  for (int k = 0; k <= shape.degree; ++k) {
+    const cl_RA& c = p[std::size_t(k)];
+    r.high.push_back(nearest(c));
+    if (k < shape.pairs) r.low.push_back(nearest(c - exact(r.high.back())));
+  }
+  r.error = proved_error(r);
+  return r;
+}
+std::vector<Tier> make_tiers() {
+  // (pi/4)^2 and (pi/6)^2 and a little more: what a decision by an early angle may be off.
+  constexpr double quarter = 0.6168510;
+  constexpr double sixth = 0.2741560;
+  constexpr double third = 0x1.5555555555556p-2;
+  const Range ranges[] = {{"ArcTangent", third, third / 2, 0.9},
+                          {"Sine", quarter, 0, 0.9},
+                          {"Cosine", quarter, 0, 0.707},
+                          {"SmallSine", sixth, 0, 0.954},
+                          {"SmallCosine", sixth, 0, 0.866}};
+  const struct {
+    const char* name;
+    bool is_tested;
+    Shape shapes[5];
+  } all[] = {{"Fast", false, {{14, 1}, {7, 1}, {8, 2}, {6, 1}, {7, 2}}},
+             {"Accurate", true, {{20, 8}, {10, 5}, {10, 5}, {9, 4}, {9, 5}}},
+             {"Slow", true, {{27, 18}, {13, 9}, {14, 10}, {12, 8}, {12, 8}}}};
+  std::vector<Tier> made;
+  for (const auto& tier : all) {
+    made.push_back({tier.name, tier.is_tested, {}});
+    for (int k = 0; k < 5; ++k) made.back().polynomials.push_back(make(ranges[k], tier.shapes[k]));
+  }
+  return made;
+}
+}  // namespace
+
+double proved_error(const Polynomial& p) {
+  const cl_RA top = exact(p.top);
+  Series off;
+  for (std::size_t k = 0; k < p.high.size(); ++k) {
+    off.push_back(exact(p.high[k]) + (k < p.low.size() ? exact(p.low[k]) : cl_RA(0)));
+  }
+  off = substituted(off, -exact(p.centre), 1);
+  const Series f = series(p.name);
+  off.resize(f.size(), 0);
+  for (std::size_t k = 0; k < f.size(); ++k) off[k] = off[k] - f[k];
+  const int next = terms(p.name);
+  cl_RA error = cln::abs(term(p.name, next)) * cln::expt(top, next);
+  for (const cl_RA& c : to_chebyshev(substituted(off, top / 2, top / 2)))
+    error = error + cln::abs(c);
+  return upper(error / exact(p.least));
+}
+
+const Polynomial& Tier::operator[](const std::string& polynomial) const {
+  for (const Polynomial& p : polynomials) {
+    if (p.name == polynomial) return p;
+  }
+  throw Refused(name + " has no polynomial " + polynomial);
+}
+const std::vector<Tier>& tiers() {
+  static const std::vector<Tier> made = make_tiers();
+  return made;
+}
+
+std::string emit_polynomials() {
+  const auto list = [](const char* name, const std::vector<double>& numbers) {
+    std::string s = std::string("    static constexpr double ") + name + "[] = {";
+    std::size_t in_line = 0;
+    for (double x : numbers) s += (in_line++ % 3 == 0 ? "\n        " : " ") + hex(x) + ",";
+    return s + "};\n";
+  };
+  std::string s =
+      "// SPDX-License-Identifier: MIT\n"
+      "// Generated by magicmass from the functions' series; do not edit: run `magicmass "
+      "generate`.\n"
+      "// Each polynomial's error is proved in exact rationals, relative to its function.\n"
+      "// clang-format off\n#pragma once\n\nnamespace magicmass::generated {\n";
+  for (const Tier& tier : tiers()) {
+    s += "struct " + tier.name +
+         " {\n  static constexpr bool is_tested = " + (tier.is_tested ? "true" : "false") + ";\n";
+    for (const Polynomial& p : tier.polynomials) {
+      s += "  struct " + p.name + " {  // off by at most " + as_power_of_2(p.error) +
+           "\n    static constexpr int size = " + std::to_string(p.high.size()) +
+           ";\n    static constexpr int pairs = " + std::to_string(p.low.size()) +
+           ";\n    static constexpr double centre = " + hex(p.centre) + ";\n" +
+           list("high", p.high) + list("low", p.low) + "  };\n";
+    }
+    s += tier.name == "Fast" ? "  using Early = ArcTangent;\n};\n"
+                             : "  using Early = Fast::ArcTangent;\n};\n";
+  }
+  return s +
+         "/// The tier of the last number type, of as many bits as are asked for.\n"
+         "struct Ziv {\n  static constexpr bool is_tested = true;\n};\n"
+         "}  // namespace magicmass::generated\n";
+}
+}  // namespace codegen

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The intermediate representation: operations in single assignment, in the order of their making.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <cln/rational.h>
+
+#include "codegen/interval.hpp"
+
+namespace codegen {
+/// "Exact" nodes are plain numbers without error; all others are of the number type.
+enum class Op {
+  input,            ///< exact
+  constant,         ///< exact where it is a double, else in two parts
+  exact_sum,        ///< of two exact numbers
+  exact_scale,      ///< an exact number by a power of two: exact
+  whole_sum,        ///< of two exact whole numbers: exact
+  sum,              ///< of two numbers of one sign
+  cancelling_sum,   ///< of any two
+  product,          ///< of two numbers
+  exact_product,    ///< of a number by an exact one
+  scale,            ///< by a power of two
+  quotient,         ///<
+  reciprocal_root,  ///<
+  arc_tangent,      ///< of t, with t^2
+  sine,             ///<
+  cosine,           ///<
+  size,             ///< |x|
+  nearest,          ///< the whole number nearest to x/y: exact; its test is among the signs
+  step              ///< k, or k - 1 where the rest is negative: exact
+};
+struct Node {
+  Op op;
+  std::vector<int> of = {};  ///< operands, all before this one
+  double factor = 1;         ///< of scale and exact_scale
+  cln::cl_RA value = 0;      ///< of a constant, in units of pi where `of_pi`
+  bool of_pi = false;
+  bool is_exact = false;
+  bool is_whole = false;
+  std::string name = {};
+  std::string formula = {};  ///< as the theorem has it
+  Interval range = {0, 0};
+  int stage = 1;
+};
+/// |node| < what is tested.
+struct Guard {
+  int node;
+  Interval range;
+};
+/// |small| <= |large|, by a theorem; of computed values, too, unless that is still to be checked.
+struct SizeFact {
+  int small, large;
+  bool is_of_computed;
+};
+struct Program {
+  std::vector<Node> nodes;
+  std::vector<std::pair<std::string, int>> outputs;
+  std::vector<std::pair<std::string, int>> whole_outputs;
+  std::vector<std::pair<std::string, int>> positive;  ///< nodes whose sign decides a count
+  std::vector<Guard> guards;
+  std::vector<SizeFact> facts;
+
+  const Node& operator[](int k) const { return nodes[std::size_t(k)]; }
+  Node& operator[](int k) { return nodes[std::size_t(k)]; }
+  int size() const { return int(nodes.size()); }
+};
+/// A name as C++ has it: c' is c_prime.
+std::string identifier(const std::string& name);
+
+/// Without what no output, sign or guard needs.
+Program without_dead_code(const Program& p);
+/// In at most three stages, for arrays: what takes the result of a function is in the next one.
+Program in_stages(const Program& p);
+/// Each node named, no two alike, none like a word of the emitted text.
+Program named(const Program& p);
+}  // namespace codegen

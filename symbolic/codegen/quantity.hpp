@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the generator takes: quantities made of theorems, and of intervals that are data.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "codegen/interval.hpp"
+#include "kernel/theorem.hpp"
+
+namespace codegen {
+/// What the generator throws for whatever it does not accept; the message is one line.
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// An argument of a quantity: a variable of the kernel (whole if its sort is Int), and where the
+/// evaluators answer: in doubles, and in MPFR's numbers. Both are emitted as guards at run time.
+struct Input {
+  kernel::Expr variable;
+  Interval range;
+  Interval wide_range;
+};
+/// A closed interval of an input, or of a named node, that is tested at run time.
+struct Condition {
+  std::string name;
+  Interval range;
+};
+/// `p <= q` about named nodes or numbers, or `p^2 = q` for the square that an arctangent needs: by
+/// a theorem, or by an argument that is printed with the evaluator.
+struct Fact {
+  kernel::Exprs hypotheses;
+  kernel::Expr formula;
+  std::string argument;
+  /// Why it holds of computed values, within 2^-22, where their error bounds do not show it.
+  std::string of_computed;
+  Fact(const kernel::Theorem& t, const std::string& computed = "")
+      : hypotheses(t.hypotheses()), formula(t.conclusion()), of_computed(computed) {}
+  Fact(kernel::Expr f, const std::string& why, const std::string& computed = "")
+      : formula(f), argument(why), of_computed(computed) {}
+};
+/// One formula for a part of a quantity's domain. A theorem is taken only if each of its hypotheses
+/// follows from the intervals: of the quantity, met with those of `where`.
+struct Case {
+  std::string name;
+  std::vector<Condition> where;
+  /// `name(params) = term`, in order; they name the nodes.
+  kernel::Theorems definitions;
+  /// `output(params) = term`; an input with a one-point interval may stand as that number.
+  kernel::Theorems outputs;
+  std::vector<Fact> facts;
+  /// Named nodes that must be within their open intervals; else the row is left in doubt.
+  std::vector<Condition> guards;
+};
+struct Quantity {
+  std::string name;
+  std::string labels;  ///< of the paper's equations
+  std::vector<Input> inputs;
+  std::vector<Case> cases;  ///< disjoint; the first is the one for arrays
+};
+}  // namespace codegen

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The one place where chapters are put in order.
+#include "derivation/symbols.hpp"
+
+namespace derivation {
+Book derive() {
+  Book book;
+  for (const auto chapter : {contact, cycle, cycle_matrix, rotation, powers, counting, thresholds,
+                             ratios, terminal, evaluators})
+    chapter(book);
+  return book;
+}
+}  // namespace derivation

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Polynomials with rational coefficients over opaque atoms: variables, bound indices, functions of
+// canonical arguments, entries. The only algebra that the kernel trusts: +, *, comparison with 0.
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "kernel/expr.hpp"
+
+namespace kernel {
+using Monomial = std::vector<std::pair<Expr, int>>;  ///< atoms in order of id, exponents >= 1
+using Polynomial = std::map<Monomial, cln::cl_RA>;   ///< no coefficient is 0
+
+// Refused: an exponent above 1,000,000, a product of more than a million monomials, numbers above a
+// million bits.
+Polynomial operator+(const Polynomial& a, const Polynomial& b);
+Polynomial operator-(const Polynomial& a, const Polynomial& b);
+Polynomial operator*(const Polynomial& a, const Polynomial& b);
+Polynomial scaled(const Polynomial& a, const cln::cl_RA& q);
+
+/// Equal in value to the term, whatever the values of the atoms are.
+Polynomial polynomial(Expr term);
+Expr expression(const Polynomial& p);
+/// Every largest term in e as an expanded polynomial: the same value, or the same truth value.
+Expr canonical(Expr e);
+}  // namespace kernel

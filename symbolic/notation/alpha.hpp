@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The mass ratio alpha = m/M, as somebody writes it: positive, finite, of unit 1.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <cln/rational.h>
+
+namespace notation {
+/// alpha_k of the paper: N_A changes there. k >= 1.
+struct Magic {
+  cln::cl_I k;
+};
+/// beta_k of the paper: N_B changes there. k >= 1.
+struct Deficient {
+  cln::cl_I k;
+};
+/// A double stands for itself, exactly.
+using Alpha = std::variant<double, cln::cl_RA, Magic, Deficient>;
+
+/// Reads a decimal (0.1, 1e-9) or a hex float with its p (0x1.8p-3) as the nearest double, p/q as
+/// that rational, magic:k and deficient:k with k from 1 to 10^18. No sign, no blank, at most 4,096
+/// characters, no locale. Refused (kernel::Refused, one line) otherwise.
+Alpha read_alpha(std::string_view text);
+/// What read_alpha reads back as the same value; a double as its shortest decimal.
+std::string text(const Alpha& alpha);
+}  // namespace notation

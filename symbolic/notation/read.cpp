@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The reader: one function for each level of the printer.
+#include "notation/read.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include <cln/integer_io.h>
+
+#include "kernel/names.hpp"
+
+namespace notation {
+using namespace kernel;
+namespace {
+struct Token {
+  enum class Kind { Number, Name, Sign, End };
+  Kind kind = Kind::End;
+  std::string words = {};
+  std::size_t at = 0;  // its first character, from 1
+  bool spaced = true;  // a blank stands before it
+};
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_inside(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+
+std::size_t end_of(std::string_view text, std::size_t i, bool (*belongs)(char)) {
+  while (i < text.size() && belongs(text[i])) ++i;
+  return i;
+}
+// c, c', c'_n: a prime ends a name, behind which an index may follow.
+std::size_t end_of_name(std::string_view text, std::size_t i) {
+  i = end_of(text, i, is_inside);
+  if (!text.substr(i).starts_with('\'')) return i;
+  if (!text.substr(i).starts_with("'_")) return i + 1;
+  i = end_of(text, i + 1, is_inside);
+  return text.substr(i).starts_with('\'') ? i + 1 : i;
+}
+std::size_t end_of_sign(std::string_view text, std::size_t i) {
+  for (std::string_view sign : {"!=", "<=", ">="})
+    if (text.substr(i).starts_with(sign)) return i + 2;
+  return std::string_view("=<+-*/^()[],;:").find(text[i]) == text.npos ? i : i + 1;
+}
+Token token(std::string_view text, std::size_t from) {
+  const std::size_t i = std::min(text.find_first_not_of(' ', from), text.size());
+  Token out{.at = i + 1, .spaced = i > from || i == 0};
+  if (i == text.size()) return out;
+  const bool digit = is_digit(text[i]);
+  out.kind = digit                ? Token::Kind::Number
+             : is_letter(text[i]) ? Token::Kind::Name
+                                  : Token::Kind::Sign;
+  const std::size_t end = digit                ? end_of(text, i, is_digit)
+                          : is_letter(text[i]) ? end_of_name(text, i)
+                                               : end_of_sign(text, i);
+  if (end == i) refuse("character " + std::to_string(i + 1) + " belongs to no formula");
+  out.words = text.substr(i, end - i);
+  return out;
+}
+std::vector<Token> tokens(std::string_view text) {
+  std::vector<Token> out{token(text, 0)};
+  while (out.back().kind != Token::Kind::End)
+    out.push_back(token(text, out.back().at - 1 + out.back().words.size()));
+  return out;
+}
+
+struct Quantified {
+  std::string name;
+  Sort sort;
+};
+
+class Reader {
+public:
+  explicit Reader(std::string_view text) : words(tokens(text)) {}
+  Expr everything() {
+    const Expr e = formula();
+    if (now().kind != Token::Kind::End) refuse("\"" + now().words + "\" is not expected");
+    return e;
+  }
+  std::size_t at() const { return now().at; }
+
+private:
+  const Token& now() const { return words[place]; }
+  bool is(std::string_view word) const { return now().words == word; }
+  bool is_attached(std::string_view sign) const { return is(sign) && !now().spaced; }
+  bool takes(std::string_view word) {
+    if (!is(word)) return false;
+    ++place;
+    return true;
+  }
+  void need(std::string_view word) {
+    if (!takes(word)) refuse("\"" + std::string(word) + "\" is expected");
+  }
+  std::string need(Token::Kind kind, const std::string& what) {
+    if (now().kind != kind) refuse(what + " is expected");
+    return words[place++].words;
+  }
+
+  Expr formula() {
+    if (++depth > 200) refuse("brackets more than 200 deep");
+    const Expr e = takes("for") ? for_every() : implication();
+    --depth;
+    return e;
+  }
+  Expr for_every() {
+    need("every");
+    const Sort sort = takes("integer") ? Sort::Int : Sort::Real;
+    if (sort == Sort::Real) need("real");
+    const std::string name = need(Token::Kind::Name, "a variable");
+    if (const std::string why = why_no_variable(name, sort); !why.empty()) refuse(why);
+    bound.push_back({name, sort});
+    const Expr least = takes(">=") ? sum() : Expr();
+    need(":");
+    Expr body = formula();
+    if (least) body = imp(le(least, resolved(name)), body);
+    bound.pop_back();
+    return make({.op = Op::All, .args = {body}, .name = name, .variable = sort});
+  }
+  Expr implication() {
+    const Expr left = disjunction();
+    if (takes("implies")) return imp(left, disjunction());
+    if (!takes("if")) return left;
+    for (std::string_view word : {"and", "only", "if"}) need(word);
+    return iff(left, disjunction());
+  }
+  Expr disjunction() {
+    Exprs parts{conjunction()};
+    while (takes("or")) parts.push_back(conjunction());
+    return parts.size() == 1 ? parts[0] : logic_or(parts);
+  }
+  Expr conjunction() {
+    Exprs parts{relation()};
+    while (takes("and")) parts.push_back(relation());
+    return parts.size() == 1 ? parts[0] : logic_and(parts);
+  }
+  Expr relation() {
+    if (takes("not")) return logic_not(atom());
+    const Expr left = sum();
+    if (takes("=")) return eq(left, sum());
+    if (takes("!=")) return neq(left, sum());
+    if (takes("<")) return lt(left, sum());
+    if (takes("<=")) return le(left, sum());
+    return left;
+  }
+  Expr sum() {
+    Expr e = takes("-") ? -product() : product();
+    while (is("+") || is("-")) e = takes("+") ? e + product() : (need("-"), e - product());
+    return e;
+  }
+  Expr product() {
+    Expr e = power();
+    while (is("*") || is("/") || (e.sort() == Sort::Matrix && begins_atom()))
+      e = takes("*") ? e * power() : takes("/") ? e / power() : times(e, power());
+    return e;
+  }
+  bool begins_atom() const {
+    if (is("and") || is("or") || is("implies") || is("if")) return false;
+    return now().kind == Token::Kind::Name || is("(") || is("[");
+  }
+  Expr power() {
+    const Expr base = atom();
+    if (!takes("^")) return base;
+    if (base.sort() != Sort::Matrix) return kernel::power(base, small_number());
+    if (takes("T")) return transpose(base);
+    return kernel::power(base, atom());
+  }
+  int small_number() {
+    const std::string digits = need(Token::Kind::Number, "a whole number");
+    int n = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
+    if (error != std::errc()) refuse(digits.substr(0, 20) + "... is too large here");
+    return n;
+  }
+
+  Expr atom() {
+    Expr e = bare_atom();
+    while (is_attached("[")) {
+      need("[");
+      const int row = small_number();
+      need(",");
+      e = entry(e, row - 1, small_number() - 1);
+      need("]");
+    }
+    return e;
+  }
+  Expr bare_atom() {
+    if (now().kind == Token::Kind::Number) return number();
+    if (takes("[")) return matrix_entries();
+    if (takes("(")) return in_brackets();
+    const std::string name = need(Token::Kind::Name, "a number, a name or a bracket");
+    if (name != "det") return resolved(name);
+    need("(");
+    return det(in_brackets());
+  }
+  Expr in_brackets() {
+    const Expr e = formula();
+    need(")");
+    return e;
+  }
+  Expr number() {
+    if (now().words.size() > 10000) refuse("a number of more than 10000 digits");
+    return Expr(cln::cl_RA(cln::cl_I(words[place++].words.c_str())));
+  }
+  Expr matrix_entries() {
+    Exprs entries = list();
+    const int cols = int(entries.size());
+    while (takes(";")) {
+      const Exprs row = list();
+      if (int(row.size()) != cols) refuse("rows of different lengths");
+      entries.insert(entries.end(), row.begin(), row.end());
+    }
+    need("]");
+    return matrix(cols, entries);
+  }
+  Exprs list() {
+    Exprs out{formula()};
+    while (takes(",")) out.push_back(formula());
+    return out;
+  }
+
+  // A bound variable, a variable, a function with what follows it, or a function at an index.
+  Expr resolved(const std::string& name) {
+    for (std::size_t i = bound.size(); i-- > 0;)
+      if (bound[i].name == name)
+        return make(
+            {.op = Op::Bound, .index = int(bound.size() - 1 - i), .variable = bound[i].sort});
+    if (const Expr v = known_variable(name)) return v;
+    const std::size_t split = name.rfind('_');
+    const std::string index = split == name.npos ? "" : name.substr(split + 1);
+    if (split != name.npos && index.empty() && is_attached("(")) {
+      need("(");
+      const Exprs indices = list();
+      need(")");
+      return applied(indexed(name, split), indices);
+    }
+    if (signature(name)) return applied(name, {});
+    if (index.empty()) refuse("the name " + name + " is not known");
+    const bool digits = index.find_first_not_of("0123456789") == index.npos;
+    const Expr at = digits ? Expr(cln::cl_RA(cln::cl_I(index.c_str()))) : resolved(index);
+    return applied(indexed(name, split), {at});
+  }
+  // alpha_ or alpha, of alpha_3
+  std::string indexed(const std::string& name, std::size_t split) {
+    for (const std::string& f : {name.substr(0, split + 1), name.substr(0, split)})
+      if (const Signature* s = signature(f); s && s->indexed()) return f;
+    refuse("the name " + name + " is not known");
+  }
+  Expr applied(const std::string& name, Exprs indices) {
+    const Signature& s = *signature(name);
+    Exprs plain;
+    if (is_attached("(")) {
+      need("(");
+      plain = list();
+      need(")");
+    }
+    const std::size_t given = indices.size() + plain.size();
+    const bool hidden = given != s.args.size() && given + s.params.size() == s.args.size();
+    Exprs args = hidden ? s.params : Exprs();
+    for (std::size_t i = args.size(); i < s.args.size(); ++i) {
+      Exprs& from = s.args[i] == Sort::Int ? indices : plain;
+      if (from.empty()) refuse(name + " has another number of arguments");
+      args.push_back(from.front());
+      from.erase(from.begin());
+    }
+    if (!indices.empty() || !plain.empty()) refuse(name + " has another number of arguments");
+    return fun(name, args);
+  }
+
+  std::vector<Token> words;
+  std::size_t place = 0;
+  int depth = 0;
+  std::vector<Quantified> bound;
+};
+}  // namespace
+
+Expr read(std::string_view text) {
+  if (text.size() > 200000) refuse("a formula of more than 200000 characters");
+  Reader reader(text);
+  try {
+    return reader.everything();
+  } catch (const Refused& r) {
+    throw Refused("before character " + std::to_string(reader.at()) + ": " + r.what());
+  }
+}
+}  // namespace notation

@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# The rules of the house, for the checkout in a folder: house.sh FOLDER. Prints the table of rooms; a broken rule is a line
+# "FILE:LINE: what" or "ROOM: what" and exit code 1.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+cd "${1:-$here/../..}"
+export LC_ALL=C
+broken=$(mktemp)
+trap 'rm -f "$broken"' EXIT
+rooms() { grep -v '^#' "$here/rooms.txt"; }
+packages() { grep -v '^#' "$here/packages.txt"; }
+files() { find . -type f \( -path './.git' -o -path './.git/*' -o -path './build*/*' \) -prune -o -type f -printf '%P\n' | sort; }
+mapfile -t all < <(files)
+of() { printf '%s\n' "${all[@]}" | grep -E "$1" || true; }
+mapfile -t code < <(of '\.(cpp|hpp)$')
+room_of() { # the longest room that a path is in
+  rooms | awk -v path="$1" 'index(path, $1 "/") == 1 && length($1) > length(best) {best = $1} END {print best}'
+}
+
+# 1. Each C++ file belongs to a room, and each room keeps its budget.
+for file in "${code[@]}"; do
+  printf '%s %s %s\n' "$(room_of "$file")" "$(grep -cv '^[[:space:]]*$' "$file" || true)" "$file"
+done >"$broken.lines"
+awk 'NF == 2 {print $2 ": is in no room of tests/house/rooms.txt"}' "$broken.lines" >>"$broken"
+printf '%-28s %7s %7s %6s\n' room lines budget files
+rooms | while read -r room budget _; do
+  read -r lines count < <(awk -v r="$room" '$1 == r {n += $2; ++f} END {print n + 0, f + 0}' "$broken.lines")
+  printf '%-28s %7d %7d %6d\n' "$room" "$lines" "$budget" "$count"
+  ((lines <= budget)) || echo "$room: $lines lines, at most $budget are allowed" >>"$broken"
+done
+awk 'NF == 3 {n += $2; ++f} END {printf "%-28s %7d %7d %6d\n", "all", n, 21000, f}' "$broken.lines"
+rm -f "$broken.lines"
+
+# 2. Lines: at most 100 columns (characters, not bytes), one statement each.
+for file in "${code[@]}"; do
+  LC_ALL=C.UTF-8 awk -v file="$file" '
+    length($0) > 100 {print file ":" FNR ": " length($0) " columns, at most 100 are allowed"}
+    file !~ /^generated\// {
+      gsub(/\\./, ""); gsub(/"[^"]*"/, "\"\""); gsub(/\x27.\x27/, "0"); sub(/\/\/.*/, "")
+      while (gsub(/\([^()]*\)/, "")) {}
+      if ($0 !~ /(^|[^a-z_])(for|if) \(/ && $0 ~ /;[ \t]*[^ \t})]/) print file ":" FNR ": two statements on a line"
+    }' "$file"
+done >>"$broken"
+
+# 3. C++ has the endings .cpp and .hpp; scripts are few.
+of '\.(h|hh|hxx|inl|inc|ipp|tcc|tpp|cc|cxx|c\+\+|def|py|pl)$' | sed 's/$/: this ending is not allowed (.cpp, .hpp; scripts are bash)/' >>"$broken"
+mapfile -t scripts < <(of '(\.sh|\.gp|\.cmake|^setup|^\.ci/run)$')
+lines=$(cat "${scripts[@]}" | grep -cv '^[[:space:]]*$')
+printf '%-28s %7d %7d %6d\n' scripts "$lines" 1500 "${#scripts[@]}"
+((lines <= 1500)) || echo "scripts: $lines lines, at most 1500 are allowed" >>"$broken"
+
+# 4. Arrows: what a room includes, it may see; what is included or found is in setup's plain list.
+plain=$(sed -n '/^packages=(/,/^)/{s/#.*//;p}' setup)
+awk '
+  function room_of(path, r, best) {
+    for (r in sees) if (index(path, r "/") == 1 && length(r) > length(best)) best = r
+    return best
+  }
+  function allowed(what, i, n, parts) {
+    n = split(sees[room], parts, " ")
+    for (i = 1; i <= n; ++i) {
+      if (parts[i] == what) return 1
+      if (parts[i] ~ /\*$/ && index(what, substr(parts[i], 1, length(parts[i]) - 1)) == 1) return 1
+    }
+    return 0
+  }
+  FILENAME ~ /rooms\.txt$/ {
+    if ($1 != "#") {
+      line = ""
+      for (i = 3; i <= NF; ++i) line = line " " $i
+      sees[$1] = line
+    }
+    next
+  }
+  FILENAME ~ /packages\.txt$/ { if ($1 != "#" && $2 != "-") package[$2] = $1; next }
+  BEGIN { roots = split("symbolic/ src/ generated/ tests/", root, " ") }
+  FNR == 1 {
+    room = room_of(FILENAME)
+    if (!known) {
+      for (i = 1; i < ARGC; ++i) is_file[ARGV[i]] = 1
+      known = 1
+    }
+  }
+  /^#include "/ {
+    split($0, quoted, "\"")
+    to = ""
+    for (i = 1; i <= roots; ++i) if (root[i] quoted[2] in is_file) to = room_of(root[i] quoted[2])
+    if (to != "" && to != room && room != "" && !allowed(to))
+      print FILENAME ":" FNR ": " room " may not see " to
+  }
+  /^#include </ {
+    for (p in package) if (index($0, "#include <" p) == 1 && room != "" && !allowed(package[p]))
+      print FILENAME ":" FNR ": " room " may not see " package[p]
+  }' "$here/rooms.txt" "$here/packages.txt" "${code[@]}" >>"$broken"
+packages | while read -r _ include found debian; do
+  used=$(grep -lE "(find_package\(|pkg_check_modules\()$found[ )]" $(of 'CMakeLists.txt$') || true)
+  [[ $include == - ]] || used+=$(grep -l "#include <$include" "${code[@]}" || true)
+  [[ -z $used ]] || grep -qwF -- "$debian" <<<"$plain" || echo "setup: the plain list lacks $debian" >>"$broken"
+done
+grep -hoE '(find_package|pkg_check_modules)\([A-Za-z0-9_]+' $(of 'CMakeLists.txt$') | sed 's/.*(//' | sort -u | while read -r found; do
+  packages | awk -v f="$found" '$3 == f {ok = 1} END {exit !ok}' ||
+    echo "tests/house/packages.txt: lacks the package that CMake finds as $found" >>"$broken"
+done
+grep -hoE '^#include <[A-Za-z0-9_]+[/.][^>]*>' "${code[@]}" | sed 's/#include <//; s/>//' | sort -u | while read -r include; do
+  packages | awk -v i="$include" '$2 != "-" && index(i, $2) == 1 {ok = 1} END {exit !ok}' ||
+    case $include in
+      immintrin.h | arm_neon.h | wasm_simd128.h | unistd.h | sys/* | fcntl.h | poll.h | signal.h | magicmass/*) ;;
+      *) echo "tests/house/packages.txt: lacks the package of <$include>" >>"$broken" ;;
+    esac
+done
+
+# 5. Files are as the committed .clang-format prints them, where that clang-format is.
+if [[ ${2-} == format ]]; then
+  clang-format --dry-run --Werror "${code[@]}" 2>&1 | grep 'error:' | sed 's/error: .*/not as .clang-format prints it/' >>"$broken" || true
+fi
+
+cat "$broken" >&2
+[[ ! -s $broken ]]

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Each rule of the house can fail: broken one at a time in a small copy, it is named.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+failures=0
+fresh() {
+  rm -rf "${copy:?}"/*
+  mkdir -p "$copy/symbolic/kernel" "$copy/symbolic/codegen" "$copy/src/magicmass/oracle"
+  cp "$here/../../setup" "$copy/setup"
+  printf '#include <cln/rational.h>\nint one() { return 1; }\n' >"$copy/symbolic/kernel/a.cpp"
+  printf '#include "kernel/a.hpp"\nfor (int i = 0; i < 1; ++i) f();\n' >"$copy/symbolic/codegen/b.cpp"
+  touch "$copy/symbolic/kernel/a.hpp" "$copy/symbolic/codegen/b.hpp"
+  echo 'find_package(Eigen3 REQUIRED)' >"$copy/CMakeLists.txt"
+}
+expect() { # "" or a part of what is said
+  local said status=0
+  said=$(bash "$here/house.sh" "$copy" 2>&1 >/dev/null) || status=$?
+  if [[ -z $1 && $status != 0 ]] || [[ -n $1 && ($status != 1 || $said != *"$1"*) ]]; then
+    printf 'expected "%s", got (%s):\n%s\n' "$1" "$status" "$said"
+    failures=1
+  fi
+}
+fresh && expect ""
+fresh && for i in {1..1398}; do echo "int x$i;"; done >>"$copy/symbolic/kernel/a.cpp" && expect ""
+echo 'int last;' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel: 1401 lines, at most 1400"
+fresh && printf '// %097d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect ""
+fresh && printf '// %098d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: 101 columns"
+fresh && echo 'int a = 1; int b = 2;' >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: two statements"
+fresh && echo 'const char* s = "a; b";  // one; two' >>"$copy/symbolic/kernel/a.cpp" && expect ""
+fresh && echo 'int a;' >"$copy/symbolic/kernel/a.inc" && expect "a.inc: this ending"
+fresh && echo 'int a;' >"$copy/lost.cpp" && expect "lost.cpp: is in no room"
+fresh && for _ in {1..1500}; do echo true; done >"$copy/long.sh" && expect "scripts: 15"
+fresh && echo '#include "codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see symbolic/codegen"
+fresh && echo '#include <ginac/ginac.h>' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see ginac"
+fresh && echo '#include <boost/any.hpp>' >>"$copy/symbolic/kernel/a.cpp" && expect "lacks the package of <boost/any.hpp>"
+fresh && echo 'find_package(Boost)' >>"$copy/CMakeLists.txt" && expect "CMake finds as Boost"
+fresh && sed -i 's/libeigen3-dev//' "$copy/setup" && expect "the plain list lacks libeigen3-dev"
+exit $failures

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Tables as text, JSON and CSV.
+#include "answers/table.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "answers/errors.hpp"
+#include "answers/request.hpp"
+#include "answers/shown_text.hpp"
+#include "catch.hpp"
+
+using namespace answers;
+
+namespace {
+
+Table small() {
+  return {
+      {{"alpha", Type::text, "1", ""}, {"N_A", Type::whole, "1", ""}, {"a", Type::real, "V", ""}},
+      {{text_cell("1/7"), whole_cell(3), real_cell(0.1)},
+       {text_cell("x,\"y\""), whole_cell("123456789012345678901234567890"), missing_cell()}}};
+}
+
+}  // namespace
+
+TEST_CASE("a list in the three formats", "[exam]") {
+  CHECK(written(small(), Format::csv) ==
+        "alpha,N_A,a\n1/7,3,0.1\n\"x,\"\"y\"\"\",123456789012345678901234567890,\n");
+  CHECK(written(small(), Format::json) ==
+        "[\n{\"alpha\": \"1/7\", \"N_A\": 3, \"a\": 0.1},\n"
+        "{\"alpha\": \"x,\\\"y\\\"\", \"N_A\": 123456789012345678901234567890, \"a\": null}\n]\n");
+  CHECK(written(small(), Format::text) ==
+        "alpha  N_A                             a\n"
+        "1/7    3                               0.1\n"
+        "x,\"y\"  123456789012345678901234567890  -\n");
+}
+
+TEST_CASE("one row that is the answer, and no row at all", "[exam]") {
+  Table table = small();
+  table.rows.pop_back();
+  table.is_list = false;
+  CHECK(written(table, Format::json) == "{\"alpha\": \"1/7\", \"N_A\": 3, \"a\": 0.1}\n");
+  CHECK(written(table, Format::text) == "alpha  1/7\nN_A    3\na      0.1\n");
+  table.rows.clear();
+  table.is_list = true;
+  CHECK(written(table, Format::json) == "[]\n");
+  CHECK(written(table, Format::csv) == "alpha,N_A,a\n");
+  CHECK(written(table, Format::text) == "alpha  N_A  a\n");
+}
+
+TEST_CASE("a table of 80 columns is a table, one of 81 becomes blocks", "[exam]") {
+  Table table{{{"a", Type::text, "", ""}, {"b", Type::text, "", ""}}, {}};
+  table.rows = {{text_cell("1"), text_cell(std::string(77, 'x'))},
+                {text_cell("2"), text_cell("y")}};
+  CHECK(written(table, Format::text).starts_with("a  b\n1  xxx"));
+  table.rows[0][1] = text_cell(std::string(78, 'x'));
+  CHECK(written(table, Format::text).starts_with("a  1\nb  xxx"));
+  CHECK(written(table, Format::text).ends_with("x\n\na  2\nb  y\n"));
+  table.rows[0][1] = text_cell("\u03b1\u2264");  // two characters, five bytes
+  CHECK(written(table, Format::text) == "a  b\n1  \u03b1\u2264\n2  y\n");
+}
+
+TEST_CASE("blocks are what the whole is", "[check]") {
+  const Table table = small();
+  for (const Format format : {Format::json, Format::csv}) {
+    Writer writer(format, table.columns, true);
+    std::string text;
+    for (const Row& row : table.rows) {
+      text += writer.rows({&row, 1});
+    }
+    CHECK(text + writer.end() == written(table, format));
+  }
+  Writer text(Format::text, table.columns, true);
+  CHECK(text.rows({table.rows.data(), 1}) == "alpha  N_A  a\n1/7    3    0.1\n");
+  CHECK(text.rows({table.rows.data(), 1}) == "1/7    3    0.1\n");
+}
+
+TEST_CASE("cells", "[exam]") {
+  CHECK(real_cell(-0.0).text == "0");
+  CHECK(real_cell(1e300).json == "1e+300");
+  CHECK(real_cell(0.1 + 0.2).text == "0.30000000000000004");
+  CHECK(real_cell(std::numeric_limits<double>::infinity()).json == "null");
+  CHECK(real_cell(std::numeric_limits<double>::quiet_NaN()).text.empty());
+  CHECK(whole_cell(std::numeric_limits<std::int64_t>::min()).json == "-9223372036854775808");
+  CHECK(exact_cell("-3/7").json == "\"-3/7\"");
+  CHECK(list_cell({"a", "b\n"}).json == "[\"a\", \"b\\u000a\"]");
+  CHECK(list_cell({"a", "b"}).text == "a; b");
+  CHECK(text_cell("\\\x1f").json == "\"\\\\\\u001f\"");
+  CHECK(shown_text("a\x1b[2J\xff", 10) == "a\\x1b[2J\\xff");
+  CHECK(shown_text("abcdef", 5) == "abcde...");
+  CHECK(shown_text("") == "(nothing)");
+}
+
+TEST_CASE("whole numbers are decimal digits in a range", "[exam]") {
+  Request request;
+  CHECK_FALSE(request.whole("n", 0, 9));
+  for (const auto& [good, value] : {std::pair{"0", 0}, {"9", 9}, {"007", 7}}) {
+    request.options["n"] = good;
+    CHECK(request.whole("n", 0, 9) == value);
+  }
+  for (const char* const bad :
+       {"", "-1", "10", "+1", " 1", "1 ", "0x1", "1e0", "1.0", "99999999999999999999"}) {
+    request.options["n"] = bad;
+    CHECK_THROWS_AS(request.whole("n", 0, 9), InvalidInput);
+  }
+  CHECK_THROWS_WITH(request.whole("n", 0, 9),
+                    "n must be a whole number from 0 to 9, got 99999999999999999999");
+}

@@ -1,0 +1,101 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Where an answer goes: whole or not at all, beside what others have there. output_test.sh PROGRAM
+set -euo pipefail
+export LC_ALL=C
+program=$(realpath "$1")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+failed=0
+check() { # what it shows, command
+  if "${@:2}"; then echo "passed: $1"; else
+    echo "FAILED: $1"
+    failed=1
+  fi
+}
+holds() { [[ $(cat "$1") == "$2" ]]; }                      # file, text
+only() { [[ $(ls -A) == "$(printf '%s\n' "$@" | sort)" ]]; } # names
+fresh() { rm -rf "$scratch/place" && mkdir "$scratch/place" && cd "$scratch/place"; }
+three=$'1\n2\n3'
+
+fresh
+"$program" many --lines 3 -o new
+check "a new file, with the mode of the umask" test "$(stat -c %a new)" = "$(printf %o $((0666 & ~$(umask))))"
+check "it is whole" holds new "$three"
+echo old >kept && chmod 640 kept
+"$program" many --lines 3 -o kept
+check "a file that is replaced keeps its mode" test "$(stat -c %a kept)" = 640
+check "and has the new text" holds kept "$three"
+ln -s kept link && ln -s later dangling
+"$program" many --lines 1 -o link
+"$program" many --lines 2 -o dangling
+check "a link stays a link" test -L link -a -L dangling
+check "what it points to is written" holds kept 1
+check "what a dangling link points to is made" holds later $'1\n2'
+check "nothing else is left" only dangling kept later link new
+
+fresh
+echo mine >".magicmass-1-0" && echo old >file
+"$program" check -o file || true
+check "a failed check is written" holds file "not proved"
+check "somebody's file is not consumed" holds .magicmass-1-0 mine
+status=0
+"$program" crash -o file 2>errors || status=$?
+check "after a crash the file is as it was" holds file "not proved"
+check "and the exit code is 3" test $status = 3
+status=0
+"$program" many --lines 100000 -o file 2>errors --time-limit 1 || status=$?
+check "enough time: done" test $status = 0
+(ulimit -f 8 && "$program" many --lines 100000 -o file 2>errors) || status=$?
+check "a file too large for its limit: refused" grep -q 'cannot write file: File too large' errors
+check "and the old one is there, whole" test "$(tail -n 1 file)" = 100000
+
+fresh
+{ echo before && "$program" many --lines 1 -o /dev/stdout && echo after; } >group
+check "-o /dev/stdout writes between the other lines" holds group $'before\n1\nafter'
+{ echo before && "$program" many --lines 1 -o /dev/fd/3 && echo after; } 3>three >group
+check "-o /dev/fd/3" holds three 1
+"$program" many --lines 3 -o /dev/null
+check "a device is written, not replaced" test -c /dev/null
+mkfifo pipe && cat pipe >from_pipe &
+until [[ -p pipe ]]; do sleep 0.01; done
+"$program" many --lines 3 -o pipe
+wait
+check "a pipe is written, not replaced" test -p pipe
+check "and all of it arrives" holds from_pipe "$three"
+"$program" many --lines 1000000 | head -n 1 >first
+check "a reader that goes away is not an error" test "${PIPESTATUS[0]}" = 0
+"$program" many --lines 3 -o whole <&- >&- 2>&-
+check "with all streams closed the file is whole" holds whole "$three"
+status=0
+"$program" many --lines 3 >&- 2>errors || status=$?
+check "closed stdout: said in one line" test $status = 2 -a "$(wc -l <errors)" = 1
+status=0
+"$program" bug 2>/dev/full || status=$?
+check "a full stderr does not change the exit code" test $status = 3
+
+fresh
+for signal in INT TERM HUP KILL; do
+  if [[ $signal == INT ]]; then set -m; fi # a background process ignores it otherwise
+  "$program" wait -o file 2>errors &
+  set +m
+  until pgrep -P $! >/dev/null; do sleep 0.01; done
+  child=$(pgrep -P $!)
+  kill -$signal $!
+  status=0
+  wait $! 2>/dev/null || status=$?
+  check "SIG$signal: it ends by the signal" test $status = $((128 + $(kill -l $signal)))
+  for _ in {1..200}; do [[ -e /proc/$child/exe ]] || break; sleep 0.01; done
+  check "SIG$signal: its child is gone" test ! -e "/proc/$child/exe"
+  check "SIG$signal: no file" only errors
+done
+
+fresh
+(for _ in {1..8}; do "$program" many --lines 20000 -o both & done; wait)
+check "writers at once: the file is whole" test "$(wc -l <both)" = 20000
+check "writers at once: nothing is left" only both
+env -i "$program" echo --text 0.5 --format json >bare
+LC_ALL=de_DE.UTF-8 TZ=Mars TMPDIR=/nowhere "$program" echo --text 0.5 --format json >odd
+check "no environment, an odd one: the same bytes" cmp bare odd
+exit $failed

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// CSV as it is written, and as it should not be.
+#include "command/rows.hpp"
+
+#include <filesystem>
+#include <fstream>
+
+#include "answers/errors.hpp"
+#include "catch.hpp"
+
+using command::CsvReader;
+using Rows = std::vector<std::map<std::string, std::string>>;
+
+namespace {
+
+/// A file for the time of a test.
+class Csv {
+public:
+  explicit Csv(const std::string& text) { std::ofstream(name_, std::ios::binary) << text; }
+  ~Csv() { std::filesystem::remove(name_); }
+  Csv(const Csv&) = delete;
+  Csv& operator=(const Csv&) = delete;
+
+  Rows rows() const {
+    CsvReader reader(name_, {"alpha", "n"});
+    Rows all;
+    while (const auto row = reader.next()) {
+      all.push_back(*row);
+    }
+    return all;
+  }
+
+  std::string refusal() const {
+    try {
+      rows();
+    } catch (const answers::InvalidInput& error) {
+      return error.what();
+    }
+    return "read without a word";
+  }
+
+private:
+  std::string name_ = "rows_test.csv";
+};
+
+}  // namespace
+
+TEST_CASE("what is read", "[exam]") {
+  const Rows two = {{{"alpha", "0.1"}, {"n", "2"}}, {{"alpha", "1/7"}, {"n", "3"}}};
+  for (const char* const text : {
+           "alpha,n\n0.1,2\n1/7,3\n",
+           "alpha,n\n0.1,2\n1/7,3",
+           "n,alpha\r\n2,0.1\r\n3,1/7\r\n\r\n",
+           "\xEF\xBB\xBF"
+           "alpha,n\n0.1,2\n1/7,3\n\n \n",
+           " alpha , n \n\t0.1,2 \n 1/7 ,3\n",
+           "\"alpha\",\"n\"\n\"0.1\" , \"2\"\n\"1/7\",3\n",
+           "alpha,other,n\n0.1,,2\n1/7,\"a,\"\"b\"\"\",3\n",
+       }) {
+    CHECK(Csv(text).rows() == two);
+  }
+  CHECK(Csv("alpha\n").rows().empty());
+  CHECK(Csv("alpha\n\"a \"\"b\"\"\"\n").rows() == Rows{{{"alpha", "a \"b\""}}});
+}
+
+TEST_CASE("what is refused, and where", "[exam]") {
+  const std::string file = "rows_test.csv:";
+  const auto refuses = [&](const std::string& text, const std::string& message) {
+    CHECK(Csv(text).refusal() == file + message);
+  };
+  refuses("", "1: the first line must name a column, got (nothing); allowed: alpha, n");
+  refuses("beta\n1\n", "1: the first line must name a column, got beta; allowed: alpha, n");
+  refuses("n,n\n1,2\n", "1: n: a column of that name was there before");
+  refuses("alpha,n\n1,2\n3\n", "3: 1 fields where the header names 2");
+  refuses("alpha\n1,2\n", "2: 2 fields where the header names 1");
+  refuses("alpha,n\n1,\n", "2: n: empty; allowed: a value in every field");
+  refuses("alpha\n1\n\n2\n", "3: an empty line; allowed: at the end");
+  refuses("alpha\n\"1\n", "2: a quoted field has no closing quote");
+  refuses("alpha\n\"1\"2\n",
+          "2: something follows a quoted field; allowed: a comma or the line's end");
+  refuses(std::string("alpha\n1\0\n", 9), "2: a zero byte; allowed: text");
+  refuses("alpha\n" + std::string(65537, '1') + "\n", "2: a line of more than 65536 bytes");
+  CHECK(Csv("alpha\n" + std::string(65536, '1') + "\n").rows().size() == 1);
+}
+
+TEST_CASE("what is not a file", "[exam]") {
+  CHECK_THROWS_WITH(CsvReader("no such file", {"n"}),
+                    "cannot read no such file: No such file or directory");
+  CHECK_THROWS_WITH(CsvReader("/", {"n"}), "cannot read /: Is a directory");
+}

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Replays sessions: sessions.sh [--update] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt: after each line
+# "$ COMMAND" what it prints, stderr too, and "[exit N]" where N is not 0. --update writes what is printed now.
+# FOLDER/refusals.tsv: a command, a tab, a part of its message: one line on stderr, exit code 2, nothing on stdout, no file.
+set -euo pipefail
+export LC_ALL=C
+update=
+if [[ ${1-} == --update ]]; then
+  update=yes
+  shift
+fi
+folder=$(cd "$1" && pwd)
+shift
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir "$scratch/bin" "$scratch/place"
+for program in "$@"; do ln -s "$(realpath "${program#*=}")" "$scratch/bin/${program%%=*}"; done
+PATH=$scratch/bin:$PATH
+cd "$scratch/place"
+failed=0
+
+replay() { # session
+  local line status
+  while IFS= read -r line; do
+    case $line in
+      '$ '*)
+        printf '%s\n' "$line"
+        status=0
+        bash -c "${line#??}" </dev/null 2>&1 || status=$?
+        ((status == 0)) || echo "[exit $status]"
+        ;;
+      '#'*) printf '%s\n' "$line" ;;
+    esac
+  done <"$1"
+}
+for session in "$folder"/sessions/*.txt; do
+  # AddressSanitizer takes terabytes of addresses and has words of its own for a crash.
+  [[ -z ${ASAN_OPTIONS-} || $session != */bounds.txt ]] || continue
+  replay "$session" >"$scratch/seen"
+  if [[ $update ]]; then
+    cp "$scratch/seen" "$session"
+  elif ! diff -u "$session" "$scratch/seen"; then
+    failed=1
+  fi
+done
+
+rm -rf "$scratch/place" && mkdir "$scratch/place" && cd "$scratch/place"
+while IFS=$'\t' read -r command part; do
+  [[ $command && $command != '#'* ]] || continue
+  status=0
+  bash -c "$command" </dev/null >"$scratch/output" 2>"$scratch/errors" || status=$?
+  if ((status != 2)) || [[ -s $scratch/output || $(wc -l <"$scratch/errors") != 1 || -n $(ls -A) ]] ||
+    ! grep -qF -- "$part" "$scratch/errors"; then
+    printf 'refusals.tsv: %s: exit %s, %s\n' "$command" "$status" "$(cat "$scratch/output" "$scratch/errors")"
+    failed=1
+  fi
+done <"$folder/refusals.tsv"
+exit $failed

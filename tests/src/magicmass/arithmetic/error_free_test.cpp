@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Error-free transforms against whole numbers of 128 bits.
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+#include "magicmass/arithmetic/double_double.hpp"
+
+using namespace magicmass::arithmetic;
+
+namespace {
+__extension__ typedef __int128 Whole;
+using D = DoubleDouble<double>;
+
+// A whole number of up to 53 bits, often near a power of two.
+double draw(std::mt19937_64& random) {
+  const int bits = 1 + int(random() % 53);
+  const double top = std::ldexp(1.0, bits);
+  const double x = random() % 4 == 0 ? top - double(random() % 3)
+                                     : std::floor(top * double(random() >> 11) * 0x1p-53);
+  return random() % 2 == 0 ? x : -x;
+}
+Whole whole(double x) { return Whole(x); }
+double half_ulp(double x) { return std::ldexp(0.5, std::ilogb(x) - 52); }
+}  // namespace
+
+TEST_CASE("two_sum and fast_two_sum are exact, and high is the rounded sum") {
+  std::mt19937_64 random(1);
+  for (int row = 0; row < 100000; ++row) {
+    const double x = draw(random) * std::ldexp(1.0, int(random() % 60));
+    const double y = draw(random);
+    const D sum = two_sum(x, y);
+    REQUIRE(sum.high == x + y);
+    REQUIRE(whole(sum.high) + whole(sum.low) == whole(x) + whole(y));
+    const D ordered = std::fabs(x) >= std::fabs(y) ? fast_two_sum(x, y) : fast_two_sum(y, x);
+    REQUIRE(ordered.high == sum.high);
+    REQUIRE(ordered.low == sum.low);
+  }
+}
+
+TEST_CASE("fast_two_sum loses at most an ulp's half of y where |x| < |y|") {
+  const D sum = fast_two_sum(1.0, 0x1.fffffffffffffp53);
+  REQUIRE(two_sum(1.0, 0x1.fffffffffffffp53).low != sum.low);
+  std::mt19937_64 random(2);
+  for (int row = 0; row < 100000; ++row) {
+    const double x = draw(random);
+    const double y = draw(random) * 4.0;
+    if (y == 0.0) continue;
+    const D s = fast_two_sum(x, y);
+    const Whole lost = whole(x) + whole(y) - whole(s.high) - whole(s.low);
+    REQUIRE(std::fabs(double(lost)) <= half_ulp(y));
+  }
+}
+
+TEST_CASE("veltkamp_split gives two numbers of 26 bits, two_product is exact") {
+  std::mt19937_64 random(3);
+  for (int row = 0; row < 100000; ++row) {
+    const double x = draw(random);
+    const double y = draw(random);
+    const D parts = veltkamp_split(x);
+    REQUIRE(parts.high + parts.low == x);
+    REQUIRE(float(parts.low) == float(parts.low * 1.0));
+    REQUIRE(std::fmod(parts.high, std::ldexp(1.0, x == 0.0 ? 0 : std::ilogb(x) - 26)) == 0.0);
+    const D product = two_product(x, y);
+    REQUIRE(whole(product.high) + whole(product.low) == whole(x) * whole(y));
+  }
+}
+
+TEST_CASE("two_product is exact to the ends of its range, and not beyond") {
+  const double x = 0x1.0000000000001p0;
+  for (double scale : {0x1p-480, 0x1p480}) {
+    const D product = two_product(x * scale, x * scale);
+    CHECK(product.high == (x * x) * scale * scale);
+    CHECK(product.low == 0x1p-104 * scale * scale);
+  }
+  CHECK(two_product(x * 0x1p-512, x * 0x1p-512).low != 0x1p-104 * 0x1p-512 * 0x1p-512);
+}
+
+TEST_CASE("less_product has one rounding, where the product is near") {
+  std::mt19937_64 random(4);
+  for (int row = 0; row < 100000; ++row) {
+    const double x = std::fabs(draw(random)) + 1.0;
+    const double y = std::fabs(draw(random)) + 1.0;
+    const double z = x * y * (0.5 + 1.5 * double(random() >> 11) * 0x1p-53);
+    if (z < x * y / 2 || z > 2 * (x * y)) continue;
+    if (z != std::floor(z)) continue;
+    REQUIRE(less_product(z, x, y) == double(whole(z) - whole(x) * whole(y)));
+  }
+}
+
+TEST_CASE("DoubleDouble of small whole numbers is exact") {
+  const D six = D::exact(2.0) + D::exact(4.0);
+  CHECK(rounded(six * D::exact(7.0)) == 42.0);
+  CHECK(rounded(cancelling_sum(six, -D::exact(6.0))) == 0.0);
+  CHECK(rounded(near_sum(six, -D::exact(4.0))) == 2.0);
+  CHECK(rounded(times(six, 0.5)) == 3.0);
+  CHECK(rounded(quotient(six, D::exact(3.0))) == 2.0);
+  CHECK(rounded(quotient(9.0, D::exact(3.0))) == 3.0);
+  CHECK(rounded(reciprocal_root(D::exact(16.0))) == 0.25);
+  CHECK(rounded(scaled(six, -0.5)) == -3.0);
+  const D size = magnitude(D{-3.0, 0x1p-60});
+  CHECK(size.high == 3.0);
+  CHECK(size.low == -0x1p-60);
+}

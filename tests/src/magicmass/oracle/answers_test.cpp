@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The oracle against the simulator in exact rationals, against known values, and with a wrong law.
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "catch.hpp"
+#include "magicmass/oracle/certain.hpp"
+#include "magicmass/simulator/three_bodies.hpp"
+
+using namespace magicmass::oracle;
+using cln::cl_I;
+using cln::cl_RA;
+using Rationals = std::vector<cl_RA>;
+using Texts = std::vector<std::string>;
+
+namespace {
+
+/// Velocities (a, b, c) after all collisions of a cycle's two maps, and as the simulator sees them.
+struct Ends {
+  Rationals by_powers;
+  Rationals by_steps;
+};
+
+Ends ends_of(const Cycle<cl_RA>& cycle, const cl_RA& alpha, int most) {
+  magicmass::simulator::ThreeBodies<cl_RA> bodies(alpha);
+  int collisions = 0;
+  while (collisions < most && bodies.step()) {
+    ++collisions;
+  }
+  const Velocity<cl_RA> v = after_collisions(cycle, cl_I(collisions));
+  const auto& [A, C, B] = bodies.bodies();
+  return {{v(0), v(1), v(2)}, {A.velocity, B.velocity, C.velocity}};
+}
+
+/// Momentum and energy of every motion.
+bool conserves(const Map<cl_RA>& map, const cl_RA& alpha) {
+  const Velocity<cl_RA> masses(1, 1, alpha);
+  const Map<cl_RA> M = masses.asDiagonal();
+  const Map<cl_RA> energy = map.transpose() * M * map;
+  const Velocity<cl_RA> momentum = map.transpose() * masses;
+  return energy == M && momentum == masses;
+}
+
+cl_RA some_alpha(std::mt19937_64& random) {
+  return cl_RA(static_cast<long>(1 + random() % 60)) / static_cast<long>(1 + random() % 400);
+}
+
+}  // namespace
+
+TEST_CASE("powers of the collision map are what stepping gives", "[check]") {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 60; ++i) {
+    const cl_RA alpha = some_alpha(random);
+    const Cycle<cl_RA> cycle = cycle_of(alpha);
+    CHECK(conserves(cycle.with_A, alpha));
+    CHECK(conserves(cycle.with_B, alpha));
+    const Ends ends = ends_of(cycle, alpha, i);
+    CHECK(ends.by_powers == ends.by_steps);
+    const Counts counts = count_collisions(alpha);
+    const Rationals terminal = exactly(alpha, AtEnd(counts));
+    const Rationals last = ends_of(cycle, alpha, 1000).by_steps;
+    CHECK(terminal == Rationals{last[0], last[1], last[2], last[1] * last[1]});
+  }
+}
+
+TEST_CASE("a wrong law is seen", "[exam]") {
+  const cl_RA alpha = cl_RA(1) / 7;
+  const Cycle<cl_RA> right = cycle_of(alpha);
+  const Cycle<cl_RA> wrong_mass = cycle_of<cl_RA>(cl_RA(1) / 8);
+  Cycle<cl_RA> wrong_sign = right;
+  wrong_sign.with_B(1, 2) = -wrong_sign.with_B(1, 2);
+  const Cycle<cl_RA> wrong_order{right.with_B, right.with_A};
+  for (const Cycle<cl_RA>& wrong : {wrong_mass, wrong_sign, wrong_order}) {
+    const Ends ends = ends_of(wrong, alpha, 5);
+    CHECK(ends.by_powers != ends.by_steps);
+  }
+  CHECK_FALSE(conserves(wrong_mass.with_A, alpha));
+  CHECK_FALSE(conserves(wrong_sign.with_B, alpha));
+}
+
+TEST_CASE("known velocities", "[exam]") {
+  const Rationals start{1, 0, 0, 0};
+  CHECK(exactly(cl_RA(1) / 3, OfCycle(0)) == start);
+  CHECK(exactly(1, OfCycle(1)) == Rationals{0, 1, 1, 0});
+  const cl_RA third = cl_RA(1) / 3;
+  CHECK(exactly(third, OfCycle(1)) ==
+        Rationals{third * 3 / 2, third * 9 / 4, 3 * third * 3 / 2, -third * 9 / 4});
+  CHECK(exactly(1, AtEnd({1, 1})) == Rationals{0, 1, 0, 1});
+  CHECK_THROWS_AS(exactly(0, OfCycle(1)), std::invalid_argument);
+  CHECK_THROWS_AS(OfCycle(-1), std::invalid_argument);
+  CHECK_THROWS_AS(AtEnd({1, 2}), std::invalid_argument);
+  CHECK_THROWS_AS(AtEnd({0, -1}), std::invalid_argument);
+  CHECK_THROWS_AS(AtEnd({3, 1}), std::invalid_argument);
+}
+
+TEST_CASE("exact numbers are given up to a length", "[exam]") {
+  const cl_RA alpha = cl_RA(1) / 7;  // a denominator of 4 in each collision: 2 bits
+  const cl_I longest(longest_exact / 4);
+  CHECK(exact_length(alpha, 2 * longest) == longest_exact);
+  CHECK_NOTHROW(exactly(alpha, OfCycle(longest)));
+  CHECK_THROWS_AS(exactly(alpha, OfCycle(longest + 1)), Undecided);
+  CHECK_NOTHROW(exactly(1, OfCycle(cln::ash(cl_I(1), 100))));
+}
+
+TEST_CASE("enclosures hold the exact velocities, beyond the physical ones too", "[check]") {
+  std::mt19937_64 random(5);
+  for (int i = 0; i < 30; ++i) {
+    const cl_RA alpha = some_alpha(random);
+    const OfCycle quantity(static_cast<long>(random() % 40));
+    const Rationals values = exactly(alpha, quantity);
+    const std::vector<Interval> enclosures = quantity(Interval(alpha, 300));
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      CHECK(enclosures[k].low() <= values[k]);
+      CHECK(values[k] <= enclosures[k].high());
+      CHECK(enclosures[k].high() - enclosures[k].low() < exact(0x1p-100));
+    }
+  }
+}
+
+TEST_CASE("long numbers are rounded as the exact ones are", "[check]") {
+  const cl_RA alpha = exact(0x1.1c7397cb68b7ep-18);
+  const OfCycle quantity(539);  // 123,000 bits: past what is rounded from the number itself
+  const Rationals values = exactly(alpha, quantity);
+  const auto doubles = certain(ratio(alpha), quantity, to_double());
+  const auto texts = certain(ratio(alpha), quantity, to_digits(40));
+  const auto within = certain(ratio(alpha), quantity, to_within(90));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    CHECK(doubles[k] == nearest(values[k]));
+    CHECK(texts[k] == to_decimal(values[k], 40));
+    CHECK(cln::abs(within[k] / values[k] - 1) < exact(0x1p-89));
+  }
+}
+
+TEST_CASE("a rounding is certain up to a width", "[exam]") {
+  const cl_RA step = exact(0x1p-10);
+  const cl_RA tiny = exact(0x1p-200);
+  CHECK(to_within(10).common(1, 1 + step - tiny) == cl_RA(1));
+  CHECK_FALSE(to_within(10).common(1, 1 + step));
+  CHECK_FALSE(to_within(10).common(-tiny, tiny));
+  CHECK(to_within(10).common(0, 0) == cl_RA(0));
+  CHECK(to_double().common(1, 1 + exact(0x1p-53)) == 1.0);
+  CHECK_FALSE(to_double().common(1, 1 + exact(0x1p-53) + tiny));
+  CHECK(to_digits(1).common(cl_RA(5) / 2, cl_RA(5) / 2) == "2e0");
+  CHECK_FALSE(to_digits(1).common(cl_RA(5) / 2, cl_RA(5) / 2 + tiny));
+}
+
+TEST_CASE("a tie is settled on the number itself", "[exam]") {
+  const auto velocities = certain(ratio(cl_RA(3) / 5), OfCycle(1), to_digits(1));
+  CHECK(velocities[0] == "2e-1");  // 1/4, while no enclosure of 3/5 is a point
+}
+
+TEST_CASE("ratios by name", "[exam]") {
+  for (long precision = 1; precision < 200; ++precision) {  // sqrt(5) - 2
+    const Interval alpha = magic(2).enclosed(precision);
+    CHECK((cln::square(alpha.low() + 2) <= 5 && 5 <= cln::square(alpha.high() + 2)));
+  }
+  CHECK(certain(magic(2), Itself(), to_digits(30)) == Texts{"2.36067977499789696409173668731e-1"});
+  CHECK(certain(deficient(1), Itself(), to_digits(20)) == Texts{"4.1421356237309504880e-1"});
+  CHECK(certain(magic(1), Itself(), to_double()) == std::vector{1.0});
+  CHECK(certain(magic(1000000), Itself(), to_digits(5)) == Texts{"1.2337e-12"});
+  CHECK_THROWS_AS(magic(0), std::invalid_argument);
+  CHECK_THROWS_AS(deficient(0), std::invalid_argument);
+  // A and the ball end at rest: that is the nearest double, but no digits show it.
+  CHECK(certain(magic(2), AtEnd({2, 2}), to_double()) == std::vector{0.0, 1.0, 0.0, 1.0});
+  CHECK_THROWS_AS(certain(magic(2), AtEnd({2, 2}), to_digits(20)), Undecided);
+  const double b_1 = certain(magic(2), OfCycle(1), to_double())[1];
+  const double alpha = std::sqrt(5.0) - 2;
+  CHECK_THAT(b_1, WithinRel(4 * alpha / ((1 + alpha) * (1 + alpha)), 1e-14));
+}
+
+TEST_CASE("an envelope is what rounding alpha alone costs", "[exam]") {
+  CHECK(envelopes(ratio(1), Itself()) == std::vector{0.5});
+  // b_1 = 4 alpha/(1 + alpha)^2 and c'_1, whose condition is larger than 1
+  const cl_RA alpha = cl_RA(9) / 10;
+  const auto first = envelopes(ratio(alpha), OfCycle(1));
+  CHECK(first[1] == 0.5);
+  CHECK_THAT(first[3], WithinRel(std::fabs(-2 * 0.9 / 1.9 - 0.9 / 0.1) / 2, 1e-9));
+  // For small alpha a_n is cos^2(n h), h = sqrt(2 alpha): cond = n h tan(n h).
+  const double h = std::sqrt(2.0) * 0x1p-20;
+  for (const int n : {1000, 500000, 1000000}) {
+    const double expected = std::fmax(0.5, std::fabs(n * h * std::tan(n * h)) / 2);
+    CHECK_THAT(envelopes(ratio(exact(0x1p-40)), OfCycle(n))[0], WithinRel(expected, 1e-4));
+  }
+  const auto at_zero = envelopes(ratio(1), OfCycle(1));  // a_1 = c'_1 = 0
+  CHECK(at_zero[0] == std::numeric_limits<double>::infinity());
+  CHECK(at_zero[1] == 0.5);
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Intervals hold the true result and are hardly wider.
+#include "magicmass/oracle/interval.hpp"
+
+#include <random>
+
+#include "catch.hpp"
+
+using namespace magicmass::oracle;
+using cln::cl_I;
+using cln::cl_RA;
+
+namespace {
+
+bool holds(const Interval& interval, const cl_RA& x) {
+  return interval.low() <= x && x <= interval.high();
+}
+
+/// Within 2^(bits - p) at each end.
+bool is_tight(const Interval& interval, const cl_RA& x, long bits) {
+  const cl_RA step = cl_RA(cln::ash(cl_I(1), bits)) / cln::ash(cl_I(1), interval.precision());
+  return x - interval.low() <= step && interval.high() - x <= step;
+}
+
+}  // namespace
+
+TEST_CASE("an operation encloses the exact result", "[check]") {
+  std::mt19937_64 random(2);
+  const auto draw = [&] {
+    const auto above = static_cast<long>(random() % 2001) - 1000;
+    return cl_RA(above) / static_cast<long>(1 + random() % 97);
+  };
+  for (int i = 0; i < 500; ++i) {
+    const cl_RA x = draw();
+    const cl_RA y = draw();
+    const Interval u(x, 40);
+    const Interval v(y, 60);
+    CHECK((holds(u + v, x + y) && is_tight(u + v, x + y, 21)));
+    CHECK((holds(u - v, x - y) && is_tight(u - v, x - y, 21)));
+    CHECK((holds(u * v, x * y) && is_tight(u * v, x * y, 31)));
+    if (v.sign() == Sign::positive || v.sign() == Sign::negative) {
+      CHECK(holds(u / v, x / y));
+    }
+    const Interval wide(cln::min(x, y), cln::max(x, y), 10);
+    const cl_RA z = draw();
+    const cl_RA w = draw();
+    const Interval other(cln::min(z, w), cln::max(z, w), 12);
+    for (const cl_RA& corner : {x, y}) {
+      CHECK((holds(wide * other, corner * z) && holds(wide * other, corner * w)));
+      CHECK((holds(wide - other, corner - z) && holds(wide - other, corner - w)));
+    }
+  }
+}
+
+TEST_CASE("signs are certain or open", "[exam]") {
+  const cl_RA third = cl_RA(1) / 3;
+  CHECK(Interval(third, 8).sign() == Sign::positive);
+  CHECK(Interval(third / 1000, 8).sign() == Sign::open);
+  CHECK(Interval(-third, 8).sign() == Sign::negative);
+  CHECK(Interval(0).sign() == Sign::zero);
+  CHECK_THROWS_AS(Interval(1) / Interval(0), Undecided);
+  CHECK_THROWS_AS(Interval(1) / Interval(third / 1000, 8), Undecided);
+  CHECK(holds(Interval(1) / Interval(-third, 8), -3));
+}

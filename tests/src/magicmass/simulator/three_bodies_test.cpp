@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The motion step by step: known events, conservation, and what floating point cannot tell.
+#include "magicmass/simulator/three_bodies.hpp"
+
+#include <random>
+#include <vector>
+
+#include <cln/rational.h>
+
+#include "catch.hpp"
+
+using namespace magicmass::simulator;
+using cln::cl_RA;
+
+namespace {
+
+template <class Scalar>
+int run(ThreeBodies<Scalar>& motion) {
+  int collisions = 0;
+  while (motion.step()) {
+    ++collisions;
+  }
+  return collisions;
+}
+
+}  // namespace
+
+TEST_CASE("equal masses hand the velocity on", "[exam]") {
+  ThreeBodies<cl_RA> motion(1);
+  const auto first = motion.step();
+  REQUIRE(first);
+  CHECK((first->left == 0 && first->time == 0 && first->position == 0));
+  const auto second = motion.step();
+  REQUIRE(second);
+  CHECK((second->left == 1 && second->time == 1 && second->position == 1));
+  CHECK_FALSE(motion.step());
+  CHECK(motion.bodies()[2].velocity == 1);
+}
+
+TEST_CASE("alpha = 1/3: first collisions by hand", "[exam]") {
+  ThreeBodies<cl_RA> motion(cl_RA(1) / 3);
+  motion.step();
+  CHECK(motion.bodies()[0].velocity == cl_RA(1) / 2);
+  CHECK(motion.bodies()[1].velocity == cl_RA(3) / 2);
+  const auto event = motion.step();
+  REQUIRE(event);
+  CHECK(event->time == cl_RA(2) / 3);
+  CHECK(motion.bodies()[0].position == cl_RA(1) / 3);
+  CHECK(motion.bodies()[1].velocity == cl_RA(-3) / 4);
+  CHECK(motion.bodies()[2].velocity == cl_RA(3) / 4);
+}
+
+TEST_CASE("momentum and energy stay, and bodies keep their order", "[check]") {
+  std::mt19937_64 random(6);
+  for (int i = 0; i < 30; ++i) {
+    const cl_RA alpha =
+        cl_RA(static_cast<long>(1 + random() % 9)) / static_cast<long>(1 + random() % 90);
+    ThreeBodies<cl_RA> motion(alpha);
+    cl_RA before = -1;
+    while (const auto event = motion.step()) {
+      const auto& [A, C, B] = motion.bodies();
+      CHECK(A.velocity + alpha * C.velocity + B.velocity == 1);
+      CHECK(A.velocity * A.velocity + alpha * C.velocity * C.velocity + B.velocity * B.velocity ==
+            1);
+      CHECK((A.position <= C.position && C.position <= B.position));
+      CHECK(event->time > before);
+      before = event->time;
+    }
+    CHECK(motion.near_ties() == 0);
+  }
+}
+
+TEST_CASE("near ties are told at thresholds and not away from them", "[exam]") {
+  ThreeBodies<double> equal(1.0);
+  CHECK(run(equal) == 2);
+  CHECK(equal.near_ties() == 0);
+  ThreeBodies<double> everyday(0.1);
+  CHECK(run(everyday) == 7);
+  CHECK(everyday.near_ties() == 0);
+  const double magic_2 = 0.2360679774997897;  // sqrt(5) - 2
+  ThreeBodies<double> near(magic_2 + 2e-15);
+  CHECK(run(near) == 4);
+  CHECK(near.near_ties() == 1);
+  ThreeBodies<double> off(magic_2 + 4e-15);
+  CHECK(run(off) == 4);
+  CHECK(off.near_ties() == 0);
+}
+
+TEST_CASE("equal masses swap velocities without rounding", "[exam]") {
+  Body<double> first{3, 0, 0.1};
+  Body<double> second{3, 0, 0.3};
+  collide(first, second);
+  CHECK((first.velocity == 0.3 && second.velocity == 0.1));
+}
+
+TEST_CASE("only positive finite mass ratios move", "[exam]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {0.0, -1.0, infinity, infinity - infinity}) {
+    CHECK_THROWS_AS(ThreeBodies<double>(bad), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(ThreeBodies<cl_RA>(0), std::invalid_argument);
+  CHECK_NOTHROW(ThreeBodies<double>(std::numeric_limits<double>::max()));
+  CHECK_NOTHROW(ThreeBodies<double>(std::numeric_limits<double>::denorm_min()));
+}

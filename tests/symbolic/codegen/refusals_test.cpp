@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the generator must not accept: each finding of the audit of its forerunner, and each guard
+// of the reader, at its edge from both sides.
+#include <cmath>
+
+#include "catch.hpp"
+#include "codegen/emit_evaluator.hpp"
+#include "codegen/errors.hpp"
+#include "codegen/lower.hpp"
+#include "kernel/theorem.hpp"
+
+namespace {
+using namespace kernel;
+using codegen::Case;
+using codegen::Interval;
+using codegen::Quantity;
+
+const Expr alpha = real("alpha");
+const Expr m = integer("m");
+constexpr double below_1 = 0x1.fffffffffffffp-1;
+
+/// |- fresh(params) = term
+Theorem definition(Expr term, const Exprs& params = {alpha}) {
+  static int count = 0;
+  return define("q" + std::to_string(++count) + "_", params, term);
+}
+Quantity quantity(const Theorem& output, Interval range = {0x1p-20, below_1}) {
+  Quantity q{"test", "none", {{alpha, range, range}}, {Case{"only", {}, {}, {output}, {}, {}}}};
+  return q;
+}
+codegen::Analysis analysis(const Quantity& q) {
+  codegen::Plan plan;
+  return codegen::analyse(codegen::lower(q, q.cases[0], false), {0x1p-53, &codegen::tiers()[1]},
+                          plan);
+}
+double bound(const Quantity& q) {
+  const codegen::Program p = codegen::lower(q, q.cases[0], false);
+  codegen::Plan plan;
+  return codegen::Absorber(p, plan).bounded(analysis(q).outputs.at(0));
+}
+void refuses(const Quantity& q, const std::string& why) {
+  CHECK_THROWS_WITH(analysis(q), ContainsSubstring(why));
+}
+}  // namespace
+
+TEST_CASE("H1: an arctangent of what has no relative bound is refused, not called exact") {
+  const Theorem x = definition(1 / (2 + alpha) - Expr(1) / Expr(4));
+  const Theorem square = definition(power(x.conclusion().arg(0), 2));
+  Quantity q = quantity(definition(atan(x.conclusion().arg(0))), {1, 3});
+  q.cases[0].definitions = {x, square};
+  const Expr equation = eq(power(x.conclusion().arg(0), 2), square.conclusion().arg(0));
+  q.cases[0].facts = {{equation, "its definition"}};
+  refuses(q, "no relative error bound");
+  q.inputs[0].range = {1, 1.5};  // the difference is at least 1/28 there
+  CHECK(analysis(q).outputs.size() == 1);
+}
+TEST_CASE("H2: a rational that is no double has its error") {
+  CHECK(bound(quantity(definition(alpha / 4))) == 0);
+  CHECK(bound(quantity(definition(alpha / 3))) > 0x1p-108);
+  CHECK(bound(quantity(definition(alpha + Expr(1) / Expr(10)))) > 0x1p-112);
+  CHECK(bound(quantity(definition(alpha + Expr(1) / Expr(8)))) == 0);
+  CHECK(bound(quantity(definition(3 * alpha))) > 0);  // its low part's rounding
+}
+TEST_CASE("H3: ranges are data, and emitted as guards") {
+  const std::string header =
+      codegen::emit_evaluator(quantity(definition(1 + alpha), {0.5, 3})).header;
+  CHECK_THAT(header, ContainsSubstring("in.alpha >= 0x1p-1 && in.alpha <= 0x1.8p+1"));
+  CHECK_THAT(header, ContainsSubstring("(alpha >= 0x1p-1) & (alpha <= 0x1.8p+1)"));
+}
+TEST_CASE("H4: a theorem's hypotheses must follow from the intervals") {
+  const Theorem one = definition(1 + alpha);
+  const Expr left = one.conclusion().arg(0);
+  const auto with = [&](Expr hypothesis, Interval range) {
+    // h |- left = 1 + alpha
+    const Theorem t = tautology(one.conclusion(), {one, assume(hypothesis)});
+    return quantity(t, range);
+  };
+  CHECK(left.size() == 1);
+  CHECK_NOTHROW(analysis(with(lt(0, alpha), {0x1p-20, 1})));
+  refuses(with(lt(0, alpha), {0, 1}), "do not give 0 < alpha");
+  CHECK_NOTHROW(analysis(with(lt(alpha, 1), {0, below_1})));
+  refuses(with(lt(alpha, 1), {0, 1}), "do not give alpha < 1");
+  CHECK_NOTHROW(analysis(with(le(alpha, 1), {0, 1})));
+  CHECK_NOTHROW(analysis(with(logic_and({le(0, alpha), le(alpha, 2)}), {0, 1})));
+  refuses(with(logic_and({le(0, alpha), le(2, alpha)}), {0, 1}), "do not give");
+  CHECK_NOTHROW(analysis(with(eq(alpha, 1), {1, 1})));
+  refuses(with(eq(alpha, 1), {1, 2}), "do not give alpha = 1");
+  refuses(with(le(alpha, real("beta")), {0, 1}), "do not give");
+  refuses(with(logic_not(lt(alpha, 0)), {0, 1}), "do not give");
+}
+TEST_CASE("an input may stand as a number where its interval is that point") {
+  const Theorem general = definition(alpha * m, {alpha, m});
+  Quantity q = quantity(instantiate(general, {{m, 1}}));
+  q.inputs.push_back({m, {0, 5}, {0, 5}});
+  q.cases[0].where = {{"m", {1, 1}}};
+  CHECK_NOTHROW(analysis(q));
+  q.cases[0].where = {{"m", {1, 2}}};
+  refuses(q, "1 is no input here");
+}
+TEST_CASE("M3: a fact about exact values is not used of computed ones that are too far off") {
+  const Theorem x = definition(1 - alpha);
+  const Theorem y = definition(Expr(1) / Expr(3) - alpha * alpha);
+  Quantity q = quantity(definition(x.conclusion().arg(0) * y.conclusion().arg(0)));
+  q.cases[0].definitions = {y, x};
+  q.inputs[0].range = {0.25, 0.58};
+  const Expr fact = le(y.conclusion().arg(0), x.conclusion().arg(0));
+  q.cases[0].facts = {{fact, "a test"}, {le(0, y.conclusion().arg(0)), "alpha^2 < 1/3"}};
+  refuses(q, "a fact is not known of computed values");
+  q.cases[0].facts[0].of_computed = "a test";
+  CHECK_NOTHROW(analysis(q));
+}
+TEST_CASE("what is no definition, input or operation is refused with its name") {
+  const auto term = [](Expr t) { return quantity(definition(t)); };
+  const Expr beta = real("beta");
+  refuses(quantity(definition(beta + alpha, {alpha, beta})), "beta is no input");
+  refuses(term(definition(alpha).conclusion().arg(0) + alpha), "no definition of");
+  refuses(quantity(assume(lt(alpha, 1))), "not of the form name(params) = term");
+  refuses(term(sqrt(alpha - 2)), "reciprocal root of what may be negative");
+  refuses(term(1 / (alpha - Expr(1) / Expr(2))), "a divisor that may be 0");
+  refuses(term(sin(4 * alpha)), "from 0 to 3 pi/4");
+  refuses(term(atan(alpha)), "an arctangent needs a fact about the square");
+  refuses(term(ceil(alpha + Expr(1) / Expr(3))), "ceil(p/q + c)");
+  refuses(term(ceil(1 / (alpha * alpha * alpha))), "2^51 or more");
+  Quantity unused = term(1 + alpha);
+  unused.cases[0].guards = {{"nobody", {0, 1}}};
+  refuses(unused, "a guard on nobody");
+  unused.cases[0].guards.clear();
+  unused.cases[0].where = {{"nobody", {0, 1}}};
+  refuses(unused, "a condition on nobody");
+  unused.cases[0].where = {{"alpha", {2, 3}}};
+  refuses(unused, "nothing in common");
+  unused.cases[0].where.clear();
+  unused.cases[0].facts = {{le(alpha, 1), "a test"}};
+  refuses(unused, "a fact that no definition is about");
+}
+TEST_CASE("what may over- or underflow is refused, at the edge from both sides") {
+  const Theorem square = definition(alpha * alpha);
+  CHECK_NOTHROW(analysis(quantity(square, {0x1p-440, 0x1p440})));
+  refuses(quantity(square, {0x1p-460, 1}), "over- or underflow");
+  refuses(quantity(square, {1, 0x1p460}), "over- or underflow");
+  Quantity whole = quantity(definition(m + m, {m}));
+  whole.inputs = {{m, {0, 0x1p50 - 1}, {0, 0x1p63}}};
+  CHECK_NOTHROW(codegen::lower(whole, whole.cases[0], false));
+  whole.inputs[0].range = {0, 0x1p50 + 1};
+  refuses(whole, "may be above 2^51");
+  whole.inputs[0].range = {0, 0x1.0000000000001p51};
+  refuses(whole, "m may be above 2^51");
+}
+TEST_CASE("names do not collide, and cases agree on outputs") {
+  const Theorem doubt = define("doubt", {alpha}, 1 + alpha);
+  Quantity q = quantity(definition(doubt.conclusion().arg(0) * alpha));
+  q.cases[0].definitions = {doubt};
+  refuses(q, "two values are called doubt");
+  Quantity two = quantity(definition(1 + alpha));
+  two.cases.push_back(quantity(definition(2 + alpha)).cases[0]);
+  CHECK_THROWS_WITH(codegen::emit_evaluator(two),
+                    ContainsSubstring("do not have the same outputs"));
+}
+TEST_CASE("a form that is negative or not a number is refused") {
+  codegen::Form f;
+  CHECK_THROWS_WITH(codegen::add(f, {{{}, -1.0}}), ContainsSubstring("negative or not a number"));
+  CHECK_THROWS_WITH(codegen::add(f, {{{}, NAN}}), ContainsSubstring("negative or not a number"));
+  codegen::add(f, {{{}, 0.0}});
+  CHECK(f.empty());
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The book is proved; a wrong formula, law or shape in its place is not.
+#include <set>
+
+#include "catch.hpp"
+#include "derivation/symbols.hpp"
+#include "kernel/print.hpp"
+
+using namespace derivation;
+
+namespace {
+std::string refusal(const std::function<void()>& attempt) {
+  try {
+    attempt();
+  } catch (const Refused& refused) {
+    return refused.what();
+  }
+  return "not refused";
+}
+}  // namespace
+
+TEST_CASE("the book is proved, and says each thing once") {
+  std::set<std::string> ids;
+  std::set<Expr> conclusions;
+  for (const Chapter& chapter : the_book().chapters())
+    for (const Statement& s : chapter.statements) {
+      INFO(s.id);
+      CHECK(ids.insert(s.id).second);
+      CHECK(s.words.size() > 1);
+      // What a statement assumes beyond its chapter is little enough to be read in one line.
+      CHECK(s.theorem.hypotheses().size() <= 5);
+    }
+  CHECK(ids.count("power.a") == 1);
+  CHECK(ids.size() > 90);
+}
+
+TEST_CASE("the main results are what the paper says") {
+  const Book& book = the_book();
+  const auto says = [&](const std::string& id, const std::string& formula) {
+    CHECK(text(book[id].conclusion()) == formula);
+  };
+  says("contact.v_1", "v_1 = ((M_1 - M_2)*u_1 + 2*M_2*u_2)/(M_1 + M_2)");
+  says("cycle.Lambda_product", "Lambda = Gamma_B Gamma_A");
+  says("power.Lambda_n", "Lambda^n = R lambda_3(n*psi) R^T");
+  says("power.a", "a_n = V_CM*(1 + cos(n*psi)/cos(psi/2))");
+  says("counting.N", "N = ceil(2*pi/psi) - 1");
+  says("counting.N_A", "N_A = ceil(pi/psi - 1/2)");
+  says("ratios.N_A_range", "N_A = k if and only if alpha_k <= alpha and alpha < alpha_(k - 1)");
+  says("magic.velocities", "a_k = 0 and b_k = V and c'_k = 0");
+}
+
+TEST_CASE("velocities hold for every n under alpha > 0 alone") {
+  for (const char* id : {"power.a", "power.b", "power.c_prime", "power.a_product"})
+    CHECK(the_book()[id].hypotheses() == Exprs{alpha_positive, le(0, n)});
+}
+
+TEST_CASE("wrong formulas are not proved, and what is left over is said") {
+  const Book& book = the_book();
+  const Theorem p1 = positive(1 + alpha, {assume(alpha_positive)});
+  const Theorems steps{part(book["cycle.P"], 0), part(book["cycle.P"], 1)};
+  const auto momentum = [&](Expr mass) {
+    return eq(a(n - 1) + mass * c_prime(n - 1), a(n) + mass * c(n));
+  };
+  CHECK(refusal([&] { equation(momentum(alpha), steps, {p1}); }) == "not refused");
+  CHECK_THAT(refusal([&] { equation(momentum(2 * alpha), steps, {p1}); }),
+             ContainsSubstring("no proof found of a_(n - 1) + 2*alpha*c'_(n - 1)"));
+  CHECK_THAT(refusal([&] { equation(momentum(alpha), steps, {}); }),
+             ContainsSubstring("left over"));
+  const Theorems values{book["rotation.cos_half_psi"], book["rotation.sin_half_psi"]};
+  CHECK_THAT(refusal([&] { equation(cos(psi() / 2), 1 / (1 + 2 * alpha), values, {p1}); }),
+             ContainsSubstring("no proof found"));
+  CHECK_THAT(refusal([&] { book["power.nothing"]; }),
+             ContainsSubstring("no theorem power.nothing"));
+}
+
+TEST_CASE("GiNaC solves linear equations, and says where they do not determine the unknowns") {
+  const Expr u = real("u_1"), v = real("v_1");
+  CHECK(solve({eq(u + v, 3), eq(u - v, 1)}, {u, v}) == Exprs{2, 1});
+  CHECK_THAT(refusal([&] {
+               solve({eq(u + v, 3)}, {u, v});
+             }),
+             ContainsSubstring("do not determine"));
+  CHECK_THAT(refusal([&] {
+               solve({eq(u, 3), eq(u, 4)}, {u});
+             }),
+             ContainsSubstring("do not determine"));
+  CHECK_THAT(refusal([&] { solve({eq(u * u, 4)}, {u}); }), ContainsSubstring("GiNaC cannot solve"));
+  CHECK(text(simplified((u * u - v * v) / (u - v))) == "u_1 + v_1");
+  CHECK(text(simplified(1 / sqrt(alpha))) == "sqrt(alpha)/alpha");
+}
+
+TEST_CASE("a statement whose terms may not make sense is not shown") {
+  Book book;
+  book.chapter("test", "Test", {});
+  const Expr t = real("t_0");
+  CHECK_THAT(refusal([&] { book.show("quotient", "", "words", equation(1 / t, 1 / t)); }),
+             ContainsSubstring("test.quotient makes sense only where t_0 != 0"));
+  book.show("guarded", "", "words", under({lt(0, t)}, equation(1 / t, 1 / t)));
+  CHECK_THAT(refusal([&] { book.show("guarded", "", "words", equation(t, t)); }),
+             ContainsSubstring("two statements test.guarded"));
+}

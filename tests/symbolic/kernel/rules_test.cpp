@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Attacks on the rules of logic, on induction and on definitions, with a small motion of its own.
+#include <algorithm>
+#include <type_traits>
+
+#include "attack.hpp"
+#include "kernel/print.hpp"
+
+using namespace kernel;
+
+static_assert(!std::is_default_constructible_v<Theorem>);
+static_assert(!std::is_constructible_v<Theorem, Exprs, Expr, Step>);
+static_assert(!std::is_aggregate_v<Theorem>);
+static_assert(!std::is_reference_v<decltype(std::declval<Theorem>().hypotheses())>);
+static_assert(!std::is_reference_v<decltype(std::declval<Theorem>().conclusion())>);
+static_assert(!std::is_reference_v<decltype(std::declval<Theorem>().step())>);
+
+namespace {
+const Expr x = real("x");
+const Expr y = real("y");
+const Expr i = integer("i");
+const Expr n = integer("n");
+const Expr m = integer("m");
+const Expr half = Expr(1) / 2;
+const Theorem zero = arithmetic(eq(0, 0), {});
+const Theorem positive = assume(lt(0, x));
+const Theorem nought = assume(eq(x, 0));
+
+Theorem part(const Theorem& t, std::size_t k) { return tautology(t.conclusion().arg(k), {t}); }
+
+// One collision, by momentum, energy and change; and a ball that is reflected again and again.
+const Expr M_1 = real("M_1");
+const Expr M_2 = real("M_2");
+const Expr u_1 = real("u_1");
+const Expr u_2 = real("u_2");
+const Expr v_1 = real("v_1");
+const Expr v_2 = real("v_2");
+const Theorem contact = define("contact", {M_1, M_2, u_1, u_2, v_1, v_2},
+                               logic_and({eq(M_1 * u_1 + M_2 * u_2, M_1* v_1 + M_2 * v_2),
+                                          eq(M_1* power(u_1, 2) + M_2 * power(u_2, 2),
+                                             M_1* power(v_1, 2) + M_2 * power(v_2, 2)),
+                                          neq(v_1, u_1)}),
+                               0);
+const Theorem laws = discharge(lt(0, M_1), assume(contact.conclusion().arg(1)));
+const Theorems motion = define_recursive({"w"}, {x}, n, {y}, {x}, {y / 2 + 1});
+Expr w(Expr at) { return fun("w", {x, at}); }
+const Theorem last = define_least("N", {x}, n, 2, lt(w(n), 1));
+}  // namespace
+
+TEST_CASE("laws are hypotheses: no instance loses them") {
+  const Theorem instance =
+      instantiate(laws, {{M_1, 1}, {M_2, 1}, {u_1, 1}, {u_2, 0}, {v_1, 0}, {v_2, 0}});
+  const Theorem named = assume(fun("contact", {1, 1, 1, 0, 0, 0}));
+  const Expr momentum = eq(1 * Expr(1) + 1 * Expr(0), 1 * Expr(0) + 1 * Expr(0));
+  CHECK(instance.hypotheses().size() == 1);
+  CHECK(instance.hypotheses().at(0).arg(0) == momentum);
+  CHECK(instantiate(assume(eq(x, 3)), {{x, 7}}).hypotheses() == Exprs{eq(7, 3)});
+  CHECK(
+      tautology(momentum,
+                {instantiate(contact, {{M_1, 1}, {M_2, 1}, {u_1, 1}, {u_2, 0}, {v_1, 0}, {v_2, 0}}),
+                 named})
+          .hypotheses() == Exprs{named.conclusion()});
+  refuse_conclusions({
+      {"1 = 0 from momentum at 1, 1, 1, 0, 0, 0", eq(1, 0), {instance}},
+      {"the momentum itself, without the law", momentum, {contact}},
+      {"changed: w_(n + 1) != w_n for every n", neq(w(n + 1), w(n)), motion},
+  });
+  refuse_all({{"its hypothesis by arithmetic", "does not add up",
+               [&] { arithmetic(instance.hypotheses().at(0).arg(0), {}); }}});
+}
+
+TEST_CASE("a defined name is no variable") {
+  const Expr last_n = fun("N", {x});
+  refuse_all({
+      {"N put in", "is not a variable",
+       [&] {
+         instantiate(last, {{last_n, 0}});
+       }},
+      {"a variable N", "name of a function", [] { integer("N"); }},
+      {"induction over N", "over an integer variable",
+       [&] { induction(last_n, 0, eq(0, 0), zero, zero); }},
+      {"for every N", "only a variable can be bound", [&] { generalize(last_n, last); }},
+      {"N again", "defined already", [] { define_least("N", {x}, n, 0, eq(n, 99)); }},
+      {"N as a term", "defined already", [] { define("N", {}, 6); }},
+      {"N of itself", "no function", [] { define("itself", {x}, fun("itself", {x}) + 1); }},
+      {"w again", "defined already", [] { define_recursive({"w"}, {}, n, {y}, {7}, {y}); }},
+      {"one name, two sequences", "one name for two",
+       [] {
+         define_recursive({"u", "u"}, {}, n, {x, y}, {0, 1}, {x, y});
+       }},
+  });
+}
+
+TEST_CASE("definitions depend on their parameters alone") {
+  const auto recursive = [](const Exprs& params, Expr index, const Exprs& previous,
+                            const Exprs& start, const Exprs& next) {
+    return [=] { define_recursive({"bad"}, params, index, previous, start, next); };
+  };
+  const auto least = [](const Exprs& params, Expr index, Expr lo, Expr f) {
+    return [=] { define_least("bad", params, index, lo, f); };
+  };
+  refuse_all({
+      {"a free variable", "not a parameter", [] { define("bad", {}, x); }},
+      {"a free variable in a predicate", "not a parameter", [] { define("bad", {y}, lt(x, y)); }},
+      {"one parameter twice", "twice",
+       [] {
+         define("bad", {x, x}, x);
+       }},
+      {"a parameter that is a term", "must be a variable", [] { define("bad", {pi()}, 1); }},
+      {"hides more than there are", "hidden", [] { define("bad", {x}, x, 2); }},
+      {"hides less than none", "hidden", [] { define("bad", {x}, x, -2); }},
+      {"the start with its index", "not a parameter", recursive({}, n, {x}, {n}, {x})},
+      {"the start with what was before", "not a parameter", recursive({}, n, {x}, {x}, {x})},
+      {"the step with a free variable", "not a parameter", recursive({}, n, {x}, {0}, {y})},
+      {"index and parameter the same", "twice", recursive({n}, n, {x}, {0}, {x})},
+      {"before and parameter the same", "twice", recursive({x}, n, {x}, {0}, {x})},
+      {"a real index", "over an integer variable", recursive({}, y, {x}, {0}, {x})},
+      {"integers made from reals", "makes real sequences", recursive({}, n, {m}, {half}, {m})},
+      {"no step", "a start and a step", recursive({}, n, {x}, {0}, {})},
+      {"no start", "a start and a step", recursive({}, n, {x}, {}, {0})},
+      {"too many before", "a start and a step", recursive({}, n, {x, y}, {0}, {y})},
+      {"no name", "without a name", [] { define_recursive({}, {}, n, {}, {}, {}); }},
+      {"a formula as start", "must be a term", recursive({}, n, {x}, {eq(0, 0)}, {x})},
+      {"the least with a free variable", "not a parameter", least({}, n, 0, eq(n, x))},
+      {"the least from a free bound", "not a parameter", least({}, n, i, eq(n, n))},
+      {"its index a parameter", "twice", least({n}, n, 0, eq(n, 0))},
+      {"the least real", "the least integer", least({}, x, 0, eq(x, 1))},
+      {"the least from 1/2 on", "the least integer", least({}, n, half, eq(n, 1))},
+      {"the least with a number", "the least integer", least({}, n, 0, n)},
+  });
+  const Theorem t = define_least("least", {}, n, 2, lt(3, n));
+  const Expr q = fun("least", {});
+  CHECK(t.conclusion() ==
+        imp(logic_and({le(2, n), lt(3, n)}), logic_and({le(2, q), lt(3, q), le(q, n)})));
+  CHECK(motion[0].conclusion() == eq(w(0), x));
+  CHECK(motion[1].conclusion() == imp(le(0, n), eq(w(n + 1), w(n) / 2 + 1)));
+  const Theorem hides_all = define("hides_all", {x}, x, 1);
+  CHECK(hides_all.conclusion() == eq(fun("hides_all", {x}), x));
+  refuse_conclusions({
+      {"the least of nothing", eq(1, 0), {define_least("nothing", {}, n, 0, eq(1, 0))}},
+      {"a step before the start", eq(w(0), w(-1) / 2 + 1), {instantiate(motion[1], {{n, -1}})}},
+      {"N has the property, at n = 0", lt(fun("N", {x}), 5), {instantiate(last, {{n, 0}})}},
+  });
+}
+
+TEST_CASE("induction needs base and step for every n") {
+  const Theorems five = define_recursive({"five"}, {}, n, {x}, {5}, {x + 1});
+  const auto f = [](Expr at) { return eq(fun("five", {at}), 5); };
+  const Theorem wrong_step = discharge(logic_and({le(0, n), f(n)}), assume(f(n + 1)));
+  const Theorem base_at_5 = assume(logic_and({eq(n, 5), f(0)}));
+  const Theorem two = assume(logic_and({le(0, n), le(0, n)}));
+  const Theorem step_two =
+      discharge(two.conclusion(),
+                arithmetic(le(0, n + 2), {.products = {{1, {part(two, 0)}}, {2, {}, {1}}}}));
+  const Theorem same_again = tautology(imp(logic_and({le(0, n), f(n)}), f(n)), {});
+  const Theorem from_0 = assume(logic_and({le(0, n), le(-1, n)}));
+  const Theorem step_from_0 =
+      discharge(from_0.conclusion(),
+                arithmetic(le(-1, n + 1), {.products = {{1, {part(from_0, 0)}}, {2, {}, {1}}}}));
+  refuse_all({
+      {"a step of nothing", "the step says", [&] { induction(n, 0, f(n), five[0], same_again); }},
+      {"a step from 0 on only", "the step says",
+       [&] { induction(n, -1, le(-1, n), arithmetic(le(-1, -1), {}), step_from_0); }},
+      {"another base", "the base says", [&] { induction(n, 0, eq(x, 7), five[0], zero); }},
+      {"a base at the wrong start", "the base says", [&] { induction(n, 1, f(n), five[0], zero); }},
+      {"no step", "the step says", [&] { induction(n, 0, f(n), five[0], zero); }},
+      {"a step under a condition on n", "free in the hypothesis",
+       [&] { induction(n, 0, f(n), five[0], wrong_step); }},
+      {"a base at n = 5", "free in the hypothesis",
+       [&] { induction(n, 0, f(n), part(base_at_5, 1), zero); }},
+      {"a start that depends on n", "start of an induction",
+       [] { induction(n, n, eq(n, n), zero, zero); }},
+      {"a start at 1/2", "from an integer on", [] { induction(n, half, eq(n, n), zero, zero); }},
+      {"over a real", "over an integer variable", [] { induction(x, 0, eq(x, x), zero, zero); }},
+      {"of a number", "induction proves a formula", [] { induction(n, 0, x, zero, zero); }},
+      {"a step of two", "the step says",
+       [&] { induction(n, 0, le(0, n), arithmetic(le(0, 0), {}), step_two); }},
+      {"a step from another start", "the step says",
+       [&] { induction(n, -1, le(-1, n), arithmetic(le(-1, -1), {}), step_two); }},
+  });
+  const Expr same = eq(x, 0);
+  const Theorem base = tautology(same, {nought, assume(lt(x, y))});
+  const Theorem step =
+      discharge(logic_and({le(0, n), same}), tautology(same, {assume(lt(y, 0)), nought}));
+  const Theorem t = induction(n, 0, same, base, step);
+  CHECK(t.conclusion() == imp(le(0, n), same));
+  CHECK(t.hypotheses().size() == 3);
+}
+
+TEST_CASE("propositional logic, every table of truth") {
+  const Expr p = lt(x, 1);
+  const Expr q = lt(y, 2);
+  refuse_conclusions({
+      {"p or q gives p", p, {assume(logic_or({p, q}))}},
+      {"not (p and q) gives not p", logic_not(p), {assume(logic_not(logic_and({p, q})))}},
+      {"p implies q gives q", q, {assume(imp(p, q))}},
+      {"p implies q gives q implies p", imp(q, p), {assume(imp(p, q))}},
+      {"p iff q gives p", p, {assume(iff(p, q))}},
+      {"p gives p and q", logic_and({p, q}), {assume(p)}},
+      {"p gives p iff q", iff(p, q), {assume(p)}},
+      {"not p gives p", p, {assume(logic_not(p))}},
+      {"nothing gives not p", logic_not(p), {}},
+      {"x <= y gives x < y", lt(x, y), {assume(le(x, y))}},
+      {"x <= y gives y <= x", le(y, x), {assume(le(x, y))}},
+      {"all reals give all integers", all(i, eq(i, 0)), {assume(all(x, eq(x, 0)))}},
+      {"sin x is positive", lt(0, sin(x)), {axiom("sin positive")}},
+      {"sqrt(-1)^2 = -1",
+       eq(power(sqrt(Expr(-1)), 2), -1),
+       {instantiate(axiom("root squared"), {{x, -1}})}},
+  });
+  for (const auto& [goal, from] :
+       std::vector<std::pair<Expr, Exprs>>{{q, {p, imp(p, q)}},
+                                           {logic_not(p), {logic_not(q), imp(p, q)}},
+                                           {logic_and({p, q}), {q, p}},
+                                           {p, {logic_or({p, q}), logic_not(q)}},
+                                           {iff(p, q), {imp(p, q), imp(q, p)}},
+                                           {le(x, y), {logic_not(lt(y, x))}},
+                                           {lt(x, y), {logic_not(le(y, x))}},
+                                           {q, {logic_not(p), p}},
+                                           {q, {iff(p, q), p}},
+                                           {p, {iff(p, q), q}},
+                                           {logic_not(q), {iff(p, q), logic_not(p)}},
+                                           {logic_or({p, logic_not(p)}), {}}}) {
+    INFO(text(goal));
+    Theorems premises;
+    for (Expr f : from) premises.push_back(assume(f));
+    CHECK(tautology(goal, premises).hypotheses() == from);
+  }
+}
+
+TEST_CASE("quantifiers, rewriting, restating") {
+  refuse_all({
+      {"for every n, from n = 5", "free in the hypothesis",
+       [] { generalize(n, assume(eq(n, 5))); }},
+      {"specialize what is not for all", "not a statement for all", [] { specialize(zero, 1); }},
+      {"rewriting by an inequality", "not an equation", [] { rewrite(positive, zero); }},
+      {"another statement", "not the same statement", [] { restate(eq(1, 1), zero); }},
+      {"iff as implies", "not the same statement",
+       [] { restate(imp(lt(x, y), lt(y, x)), assume(iff(lt(x, y), lt(y, x)))); }},
+      {"<= as <", "not the same statement", [] { restate(lt(x, y), assume(le(x, y))); }},
+      {"and as or", "not the same statement",
+       [] {
+         restate(logic_or({lt(x, y), lt(y, x)}), assume(logic_and({lt(x, y), lt(y, x)})));
+       }},
+      {"an axiom of one's own", "no axiom", [] { axiom("momentum"); }},
+  });
+  const Expr deep = all(x, all(y, logic_and({lt(x, y), all(x, lt(x, y))})));
+  const Theorem one = specialize(assume(deep), 1);
+  CHECK(one.conclusion() == all(y, logic_and({lt(1, y), all(x, lt(x, y))})));
+  CHECK(specialize(one, 2).conclusion() == logic_and({lt(1, 2), all(x, lt(x, 2))}));
+  CHECK(specialize(assume(deep), y).conclusion() ==
+        all(real("z"), logic_and({lt(y, real("z")), all(x, lt(x, real("z")))})));
+  CHECK(substitute(all(y, lt(x, y)), {{x, y}}) == all(real("z"), lt(y, real("z"))));
+  CHECK(rewrite(nought, assume(all(y, lt(x, y)))).conclusion() == all(y, lt(0, y)));
+  CHECK(restate(fun("contact", {x + 0, 1, 2, 3, 4, 5}), assume(fun("contact", {x, 1, 2, 3, 4, 5})))
+            .hypotheses()
+            .size() == 1);
+}
+
+TEST_CASE("hypotheses stay") {
+  CHECK(tautology(logic_or({lt(0, x), lt(x, 0)}), {positive}).hypotheses().size() == 1);
+  CHECK(rewrite(nought, positive).hypotheses().size() == 2);
+  CHECK(restate(lt(0, 1 * x), positive).hypotheses().size() == 1);
+  CHECK(discharge(lt(x, 0), positive).hypotheses().size() == 1);
+  CHECK(discharge(lt(0, x), positive).hypotheses().empty());
+  CHECK(generalize(i, nought).hypotheses().size() == 1);
+  CHECK(specialize(generalize(i, nought), 7).hypotheses().size() == 1);
+}
+
+TEST_CASE("a theorem is copied, never moved") {
+  Theorem t = assume(eq(0, 1));
+  const Theorem moved = std::move(t);
+  CHECK(t.hypotheses() == Exprs{eq(0, 1)});
+  CHECK(moved.hypotheses() == t.hypotheses());
+  refuse_all({{"0 = 1 after a move", "does not add up", [&] { arithmetic(eq(0, 1), {}); }}});
+  Theorems list{positive, assume(eq(0, 1)), nought};
+  const auto end = std::remove_if(list.begin(), list.end(),
+                                  [](const Theorem& k) { return k.conclusion() == lt(0, x); });
+  CHECK(end - list.begin() == 2);
+  for (const Theorem& k : list) CHECK(k.hypotheses().size() == 1);
+}
+
+TEST_CASE("each theorem keeps its step") {
+  const Theorem t = discharge(lt(0, x), positive);
+  CHECK(t.step().rule == "discharge");
+  CHECK(t.step().premises.at(0).conclusion() == lt(0, x));
+  CHECK(t.step().extras == Exprs{lt(0, x)});
+  CHECK(zero.step().certificate.has_value());
+  CHECK(instantiate(zero, {{x, 1}}).step().substitution.at(x) == Expr(1));
+  CHECK(axiom("circle").step().rule == "axiom circle");
+  for (const std::string& name : axiom_names()) CHECK(axiom(name).hypotheses().empty());
+}

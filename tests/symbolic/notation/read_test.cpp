@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the kernel prints is read back as the same tree.
+#include "notation/read.hpp"
+
+#include <functional>
+#include <random>
+
+#include "catch.hpp"
+#include "kernel/names.hpp"
+#include "kernel/print.hpp"
+#include "kernel/theorem.hpp"
+
+using namespace kernel;
+using notation::read;
+
+namespace {
+struct Words {
+  Expr x = real("x");
+  Expr y = real("y'");
+  Expr n = integer("n");
+  Expr k = integer("k_1");
+  Expr T = integer("T");
+  Words() {
+    if (is_known("a")) return;
+    define_recursive({"a", "c'"}, {x}, n, {y, real("z")}, {x, 0}, {y + 1, y});
+    define("alpha_", {x, n}, x + n, 1);
+    define("C", {x, n, k}, x * n + k, 0);
+    define("psi", {x}, 2 * x);
+    define("N", {n}, n + 1);
+    define("Lambda", {x}, matrix(2, {x, 1, 2, 3}));
+    define("rho", {y}, matrix(2, {y, 0, 0, y}), 0);
+    define("contact", {x, y}, lt(x, y), 0);
+  }
+};
+// Random trees over all that the kernel can make.
+class Trees {
+public:
+  explicit Trees(unsigned seed) : random(seed) {}
+  Expr integer_term(int depth) {
+    const auto sub = [&] { return integer_term(depth - 1); };
+    return one_of(depth, 5,
+                  {[&] { return Expr(below(3)); }, [&] { return -Expr(below(30)); },
+                   [&] { return w.n; }, [&] { return w.k; }, [&] { return w.T; },
+                   [&] { return ceil(term(depth - 1)); }, [&] { return power(sub(), 2); },
+                   [&] { return sub() * sub(); }, [&] { return sub() - sub(); }});
+  }
+  Expr term(int depth) {
+    const auto sub = [&] { return term(depth - 1); };
+    const auto at = [&] { return integer_term(depth - 1); };
+    const auto base = [&] { return below(2) ? w.x : sub(); };
+    const auto number = [&] { return Expr(below(9) - 4) / (1 + below(3)); };
+    return one_of(depth, 4,
+                  {number,
+                   [&] { return w.x; },
+                   [&] { return w.y; },
+                   pi,
+                   [&] {
+                     return sum({sub(), sub(), sub()});
+                   },
+                   [&] {
+                     return product({sub(), sub(), sub()});
+                   },
+                   [&] {
+                     return product({number(), sub()});
+                   },
+                   [&] { return fun("inv", {sub()}); },
+                   [&] { return power(fun("inv", {sub()}), 2 + below(2)); },
+                   [&] { return power(sub(), 1 + below(3)); },
+                   [&] { return -sub(); },
+                   [&] { return sub() - sub(); },
+                   [&] { return sub() / sin(sub()); },
+                   [&] { return sub() / (2 * power(w.x, 2) * sqrt(sub())); },
+                   [&] {
+                     return fun(below(2) ? "a" : "c'", {base(), at()});
+                   },
+                   [&] {
+                     return fun("alpha_", {base(), at()});
+                   },
+                   [&] {
+                     return fun("C", {sub(), at(), at()});
+                   },
+                   [&] { return fun("psi", {base()}); },
+                   [&] { return fun("N", {below(2) ? w.n : at()}); },
+                   [&] { return entry(square(depth - 1), below(2), below(2)); },
+                   [&] { return det(square(depth - 1)); },
+                   at});
+  }
+  Expr square(int depth) {
+    const auto sub = [&] { return square(depth - 1); };
+    const auto entry = [&] { return term(depth - 1); };
+    return one_of(
+        depth, 2,
+        {[&] { return fun("Lambda", {below(2) ? w.x : term(0)}); },
+         [&] { return fun("rho", {term(0)}); }, [&] { return times(sub(), sub()); },
+         [&] { return transpose(sub()); }, [&] { return power(sub(), integer_term(depth - 1)); },
+         [&] {
+           return matrix(2, {entry(), 1, entry(), term(0)});
+         }});
+  }
+  Expr formula(int depth) {
+    const auto sub = [&] { return formula(depth - 1); };
+    const auto from = [&] { return imp(le(integer_term(1), w.n), sub()); };
+    return one_of(
+        depth, 5,
+        {[&] { return eq(term(depth), term(depth)); }, [&] { return lt(term(depth), term(depth)); },
+         [&] { return le(integer_term(depth), term(depth)); },
+         [&] {
+           return fun("contact", {term(depth), w.x});
+         },
+         [&] { return eq(square(depth), square(depth)); }, [&] { return logic_not(sub()); },
+         [&] {
+           return logic_and({sub(), sub(), sub()});
+         },
+         [&] {
+           return logic_or({sub(), sub()});
+         },
+         [&] { return imp(sub(), sub()); }, [&] { return iff(sub(), sub()); },
+         [&] { return all(below(2) ? w.x : w.y, sub()); },
+         [&] { return all(below(2) ? w.n : w.k, sub()); }, [&] { return all(w.n, from()); }});
+  }
+
+private:
+  int below(int n) { return int(random() % unsigned(n)); }
+  // The first ways are those without a part.
+  Expr one_of(int depth, int leaves, const std::vector<std::function<Expr()>>& ways) {
+    return ways[std::size_t(below(depth > 0 ? int(ways.size()) : leaves))]();
+  }
+  Words w;
+  std::mt19937 random;
+};
+}  // namespace
+
+TEST_CASE("thousands of random trees are read back") {
+  Trees trees(20250101);
+  for (int round = 0; round < 8000; ++round) {
+    const int depth = 1 + round % 4;
+    const Expr e = round % 3 == 0   ? trees.term(depth)
+                   : round % 3 == 1 ? trees.formula(depth)
+                                    : trees.square(depth);
+    const std::string words = text(e);
+    INFO(words);
+    Expr back;
+    REQUIRE_NOTHROW(back = read(words));
+    REQUIRE(text(back) == words);
+    REQUIRE(back == e);
+  }
+}
+
+TEST_CASE("a textbook's way of writing") {
+  const Words w;
+  const Expr x = w.x;
+  const Expr n = w.n;
+  const Expr a = fun("a", {x, n - 1});
+  for (const auto& [e, words] : std::vector<std::pair<Expr, std::string>>{
+           {2 * x / (3 * w.y), "2*x/(3*y')"},
+           {-pi() / 2, "-pi/2"},
+           {(1 - x) / (1 + x) * a, "(1 - x)/(1 + x)*a_(n - 1)"},
+           {fun("a", {x, n}), "a_n"},
+           {fun("a", {x, 3}), "a_3"},
+           {fun("a", {2, n}), "a_n(2)"},
+           {fun("alpha_", {x, n}), "alpha_n"},
+           {fun("c'", {x, n}), "c'_n"},
+           {fun("inv", {0}), "inv(0)"},
+           {power(fun("a", {x, power(w.k, 2)}), 2), "a_(k_1^2)^2"},
+           {1 / power(x, 2), "1/x^2"},
+           {power(Expr(1) / x, 2) - 1, "1/x^2 - 1"},
+           {fun("inv", {power(x, 2)}), "inv(x^2)"},
+           {all(x, all(x, lt(x, fun("psi", {x})))),
+            "for every real x: for every real x': x' < psi(x')"},
+           {all(n, imp(le(0, n), eq(fun("a", {x, n}), 0))), "for every integer n >= 0: a_n = 0"},
+           {eq(power(fun("Lambda", {x}), n),
+               times(fun("rho", {n * w.y}), transpose(fun("rho", {1})))),
+            "Lambda^n = rho(n*y') rho(1)^T"},
+           {entry(power(fun("Lambda", {x}), w.T), 0, 1), "(Lambda^(T))[1,2]"}}) {
+    CHECK(text(e) == words);
+    CHECK(read(words) == e);
+  }
+}
+
+TEST_CASE("what is no formula is refused, with its place") {
+  const Words w;
+  for (const auto& [words, because] : std::vector<std::pair<std::string, std::string>>{
+           {"", "character 1: a number, a name or a bracket is expected"},
+           {"x +", "character 4: a number, a name"},
+           {"x + unknown", "unknown is not known"},
+           {"x y'", "\"y'\" is not expected"},
+           {"x^2^3", "\"^\" is not expected"},
+           {"x^0", "exponent below 1"},
+           {"x^99999999999", "too large"},
+           {"(x + 1", "\")\" is expected"},
+           {"x = 1 = 2", "\"=\" is not expected"},
+           {"x = 1 and x", "where a formula is needed"},
+           {"sin(x, x)", "another number of arguments"},
+           {"sin", "another number of arguments"},
+           {"a_x", "needs an integer"},
+           {"1/0", "division by 0"},
+           {"[1, 2; 3]", "rows of different lengths"},
+           {"Lambda[3,1]", "no such entry"},
+           {"for every real n: n = 1", "another sort"},
+           {"for every real sin: 1 = 1", "name of a function"},
+           {"x = 1 implies x = 1 implies x = 1", "\"implies\" is not expected"},
+           {"x = 1; x = 2", "\";\" is not expected"},
+           {"x = \xce\xb1", "character 5 belongs to no formula"},
+           {std::string(201, '(') + "x", "brackets more than 200 deep"},
+           {std::string(200001, '('), "more than 200000 characters"},
+           {std::string(10001, '9'), "more than 10000 digits"}}) {
+    INFO(words.substr(0, 50));
+    CHECK_THROWS_WITH(read(words), ContainsSubstring(because));
+  }
+  CHECK(read(std::string(199, '(') + "x" + std::string(199, ')')) == w.x);
+  CHECK_FALSE(is_known("unknown"));
+}

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
-#include <cmath>
-
-// The angle of a cycle, 2 acos(1/(1 + alpha)), for every positive double alpha,
-// within 4 ulp.
-double angle(double alpha) {
-  return alpha < 1e150 ? 2 * std::atan(std::sqrt(alpha * (2 + alpha))) : NAN;
-}
