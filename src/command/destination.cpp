@@ -145,11 +145,10 @@ void Destination::flush() {
   std::string_view rest = buffer_;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written >= 0) {
-      rest.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
+    if (written < 0) {
       refuse(errno);
     }
+    rest.remove_prefix(static_cast<std::size_t>(written));
   }
   buffer_.clear();
 }

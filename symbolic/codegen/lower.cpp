@@ -8,6 +8,7 @@
 
 #include "codegen/builder.hpp"
 #include "codegen/exact.hpp"
+#include "kernel/names.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {
@@ -108,7 +109,12 @@ private:
       throw Refused("not of the form name(params) = term: " + kernel::text(f));
     }
     check_hypotheses(t.hypotheses(), f);
-    for (Expr argument : f.arg(0).args()) check_argument(argument, f);
+    const Exprs parameters = kernel::signature(f.arg(0).name())->params;
+    for (std::size_t k = 0; k < f.arg(0).size(); ++k) {
+      const Expr argument = f.arg(0).arg(k);
+      const auto unit = k < parameters.size() ? q.units.find(parameters[k]) : q.units.end();
+      if (unit == q.units.end() || !(unit->second == argument)) check_argument(argument, f);
+    }
     return f.arg(0);
   }
   void check_argument(Expr argument, Expr formula) const {

@@ -57,6 +57,7 @@ struct Quantity {
   std::string name;
   std::string labels;  ///< of the paper's equations
   std::vector<Input> inputs;
-  std::vector<Case> cases;  ///< disjoint; the first is the one for arrays
+  std::vector<Case> cases;          ///< disjoint; the first is the one for arrays
+  kernel::Substitution units = {};  ///< parameters that are no inputs, and their value: V is 1
 };
 }  // namespace codegen

@@ -30,7 +30,7 @@ public:
 
 /// half_h = psi/4, t = sin(psi/4)/cos(psi/4), w = t/alpha, and their signs.
 struct Angle {
-  Theorem quarter, tangent, t_is, w_is, w_positive, t_positive, cos_positive;
+  Theorem quarter, tangent, t_is, w_is, w_positive, cos_positive, t_small;
 };
 Angle angle(Names& names) {
   Book& book = names.book;
@@ -69,6 +69,14 @@ Angle angle(Names& names) {
                  linear(lt(0, 2 * q), {q_positive}), q_below, linear(lt(0, psi() / 2), {psi_from}),
                  linear(lt(psi() / 2, pi()), {psi_from, psi_to}));
   const Theorem is_quarter = linear(eq(q, psi() / 4), {same});
+  const Theorem light = assume(le(alpha, 1));
+  Certificate third;  // 1/3 - alpha/(2 + alpha) = 2 (1 - alpha)/(3 (2 + alpha))
+  third.multipliers = {p2};
+  third.nonzero = {p2};
+  third.equations = {{2 + alpha, z}};
+  third.products = {{rational(2, 3).value(), {light}, {}}};
+  book.show("z_at_most", "", "a third at most for a ball that is not heavier than a block:",
+            arithmetic(le(of_alpha("z"), rational(1, 3)), third));
   book.show("psi", "", "psi is four times the arctangent of t:", linear(eq(psi(), 4 * q), {same}));
   const Theorem cosine = rewrite(is_quarter, values[0]);
   const Theorem sine = rewrite(is_quarter, values[1]);
@@ -76,8 +84,16 @@ Angle angle(Names& names) {
       linear(lt(0, cos(psi() / 4)), {cosine, positive(1 / sqrt(1 + power(T, 2)), {t_positive})});
   const Theorem tangent = equation(T, sin(psi() / 4) / cos(psi() / 4), {sine, cosine},
                                    {cos_positive, positive(sqrt(1 + power(T, 2)), {t_positive})});
-  return {is_quarter, tangent,    t,           equation(of_alpha("w"), T / alpha, {t}, {mass}),
-          w_positive, t_positive, cos_positive};
+  Certificate smaller;  // w - t = (1 - alpha) w
+  smaller.equations = {{1, t}};
+  smaller.products = {{1, {light, w_positive}, {}}};
+  return {is_quarter,
+          tangent,
+          t,
+          equation(of_alpha("w"), T / alpha, {t}, {mass}),
+          w_positive,
+          cos_positive,
+          arithmetic(le(T, of_alpha("w")), smaller)};
 }
 
 /// Proves that a velocity is a form in t, w and a sine and cosine.
@@ -117,6 +133,15 @@ struct Prover {
   }
 };
 
+/// 0 <= x, t <= w |- t x <= w x, for the names of both products.
+Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
+               const Theorem& w_product) {
+  Certificate c;
+  c.equations = {{1, t_product}, {-1, w_product}};
+  c.products = {{1, {t_small, assume(le(0, factor))}, {}}};
+  return arithmetic(le(t_product.conclusion().arg(0), w_product.conclusion().arg(0)), c);
+}
+
 /// Both velocities after P_n and both after Q_n, from one sine and one cosine.
 void velocities(Names& names, const Angle& a) {
   Book& book = names.book;
@@ -127,12 +152,6 @@ void velocities(Names& names, const Angle& a) {
     return rewrite(a.quarter, rewrite(def_x, t));
   };
   const auto f = of_both;
-  const Theorem light = assume(le(alpha, 1));
-  Certificate smaller;  // w - t = (1 - alpha) w
-  smaller.equations = {{1, a.t_is}};
-  smaller.products = {{1, {light, a.w_positive}, {}}};
-  book.show("t_at_most_w", "", "for a ball that is not heavier than a block",
-            arithmetic(le(of_alpha("t"), of_alpha("w")), smaller));
   const Theorems parts{at_angle("sine", sin(f("phase"))),
                        at_angle("cosine", cos(f("phase"))),
                        names.name("t_sine", both_inputs, of_alpha("t") * f("sine")),
@@ -140,6 +159,8 @@ void velocities(Names& names, const Angle& a) {
                        names.name("plus", both_inputs, f("cosine") + f("t_sine")),
                        names.name("minus", both_inputs, f("cosine") - f("t_sine")),
                        names.name("along", both_inputs, f("cosine") + f("w_sine"))};
+  book.show("t_sine_at_most", "", "where for a ball that is not heavier than a block",
+            under({alpha_positive, from_0}, larger(a.t_small, f("sine"), parts[2], parts[3])));
   const Prover prover(book, a);
   const Exprs bases{n * psi() / 2, psi() / 4};
   const auto show = [&](const std::string& name, const std::string& id, Expr velocity, Expr form,
@@ -275,6 +296,14 @@ void at_the_end(Names& names, const Angle& a) {
   const Theorem P = in_case(false);
   book.show("terminal", "", "The terminal velocities are, whichever collision is the last,",
             tautology(Q.conclusion().arg(1), {Q, P, book["terminal.last"]}));
+  const Theorem transmitted = define("rho", inputs, power(fun("b_t", inputs) / V, 2));
+  restrict_domain("rho", inputs, logic_and({alpha_positive, V_positive}));
+  book.show("def_rho", "", "and B has of the energy the fraction",
+            under({alpha_positive, V_positive}, transmitted));
+  book.show(
+      "rho", "", "that is,",
+      equation(f("rho"), power(f("b_form"), 2),
+               {transmitted, part(book["evaluators_end.terminal"], 1)}, {assume(V_positive)}));
 
   // |r| <= h/2, so sin|r| <= tan(h/2) cos(r).
   const Expr half_h = of_alpha("h") / 2;
@@ -329,6 +358,9 @@ void at_the_end(Names& names, const Angle& a) {
   c.nonzero = {a.cos_positive};
   c.equations = {{1, difference}, {-cos(q), parts[0]}, {-cos(q) * f("rest_cosine"), a.tangent}};
   c.products = {{1, {sine_from_0}, {}}};
+  book.show(
+      "t_cosine_at_most", "", "For a ball that is not heavier than a block",
+      under({alpha_positive, V_positive}, larger(a.t_small, f("rest_cosine"), parts[0], parts[1])));
   book.show("sine_at_most", "", "and so", arithmetic(le(f("rest_sine"), f("t_cosine")), c));
 }
 /// alpha_k and beta_k from the sine of half of their angle.
@@ -362,6 +394,64 @@ void ratio_forms(Names& names) {
                                {definition, linear(eq(f("versed"), 1 - whole), {is, cosine})})));
   }
 }
+/// A ball that is not lighter than a block has one collision with each: rational velocities.
+void heavy_ball(Names& names) {
+  Book& book = names.book;
+  const Expr heavy = le(1, alpha);
+  book.chapter("heavy", "A heavy ball", {heavy, V_positive});
+  const Theorem is_heavy = assume(heavy);
+  const Theorem mass = linear(alpha_positive, {is_heavy});
+  const Theorem one = linear(le(1, 1), {});
+  const Theorem alpha_1 = book["ratios.alpha_1"];
+  const Theorem beta_below = use(discharge(le(1, k), book["ratios.order"]), {{k, 1}}, {one});
+  const Expr beta_1 = beta_below.conclusion().arg(0);
+  const Theorem once_A = cut(mass, book["ratios.N_A_once"]),
+                once_B = cut(mass, book["ratios.N_B_once"]);
+  const Theorem counts = both(
+      {tautology(eq(N_A(), 1),
+                 {once_A, linear(le(alpha_1.conclusion().arg(0), alpha), {alpha_1, is_heavy})}),
+       tautology(eq(N_B(), 1),
+                 {once_B, linear(le(beta_1, alpha), {beta_below, alpha_1, is_heavy})})});
+  book.show("N_A", "", "Both blocks have one collision each, A", part(counts, 0));
+  book.show("N_B", "", "and B:", part(counts, 1));
+  const Theorem sum = names.name("masses", {alpha}, 1 + alpha, "With");
+  book.facts.push_back(
+      linear(lt(0, of_alpha("masses")), {sum, positive(1 + alpha, {assume(alpha_positive)})}));
+  const Theorem part_of = names.name("per_mass", {alpha}, 1 / of_alpha("masses"));
+  const Theorem share = names.name("share", {alpha}, alpha * of_alpha("per_mass"));
+  const Theorem less = names.name("lead", {alpha}, 1 - alpha);
+  const Expr i = of_alpha("per_mass"), f = of_alpha("share"), D = of_alpha("lead");
+  const Theorems rules{share, less, rewrite(sum, part_of)};
+  const auto first = [&](const std::string& id, std::size_t which) {
+    return part(use(discharge(le(1, n), book[id]), {{n, 1}}, {one}), which);
+  };
+  const Theorem zero = equation(Expr(1) - 1, 0);
+  const Theorem starts = book["cycle.start_vector"];
+  Theorems steps{part(starts, 0), part(starts, 1), part(starts, 2)};
+  for (const Theorem& t :
+       {first("cycle.P", 0), first("cycle.P", 1), first("cycle.Q", 0), first("cycle.Q", 1)})
+    steps.push_back(rewrite(zero, t));
+  const Theorem p1 = positive(1 + alpha, {assume(alpha_positive)});
+  const auto show = [&](const std::string& name, Expr velocity, Expr form) {
+    return book.show(name, "", name == "a" ? "the first velocities are" : "and",
+                     equation(velocity, V * form, steps + rules, {p1}));
+  };
+  const Theorems after{show("a", a(1), D * i), show("b", b(1), 4 * f * i), show("c", c(1), 2 * i),
+                       show("c_prime", c_prime(1), -2 * D * power(i, 2))};
+  const Theorem N_is = linear(eq(N(), 2 * Expr(1)), {part(cut(mass, book["counting.shares"]), 1),
+                                                     part(counts, 0), part(counts, 1)});
+  const Theorem end =
+      cut(mass, use(discharge(le(1, n), discharge(eq(N(), 2 * n), book["terminal.after_Q"])),
+                    {{n, 1}}, {one}));
+  const Theorem last = tautology(end.conclusion().arg(1), {end, N_is});
+  for (const auto& [name, which, velocity] :
+       {std::tuple{"a_t", 2U, 0U}, std::tuple{"b_t", 3U, 1U}, std::tuple{"c_t", 4U, 3U}})
+    book.show(name, "", which == 2U ? "which are the terminal ones:" : "and",
+              chain(part(last, which), cut(mass, after[velocity])));
+  book.show("rho", "", "with the fraction of the energy",
+            equation(fun("rho", {alpha, V}), 16 * power(f * i, 2),
+                     {book["evaluators_end.def_rho"], book["heavy.b_t"]}, {assume(V_positive)}));
+}
 }  // namespace
 
 void evaluators(Book& book) {
@@ -371,5 +461,6 @@ void evaluators(Book& book) {
   velocities(names, a);
   at_the_end(names, a);
   ratio_forms(names);
+  heavy_ball(names);
 }
 }  // namespace derivation

@@ -6,7 +6,8 @@
 
 #include "magicmass/arithmetic/simd.hpp"
 
-namespace magicmass::arithmetic::inline MAGICMASS_TARGET {
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
 template <class T>
 struct DoubleDouble;
 template <class T>
@@ -160,4 +161,5 @@ template <class T>
   const T of_low = root * fused(y.low, root, one.low);
   return {root, (0.5 * root) * (less_product(all<T>(1.0), one.high, root) - of_low)};
 }
-}  // namespace magicmass::arithmetic::inline MAGICMASS_TARGET
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

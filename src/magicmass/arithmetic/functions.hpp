@@ -5,7 +5,8 @@
 
 #include "magicmass/arithmetic/double_double.hpp"
 
-namespace magicmass::arithmetic::inline MAGICMASS_TARGET {
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
 /// c_0 + c_1 z + ... in plain numbers, by halves (Estrin).
 template <int size, class T>
 [[gnu::always_inline]] inline T plain_polynomial(const double* c, T z) {
@@ -92,4 +93,5 @@ template <class Tier, class T>
   return {{select(turns, cosine.high, sine.high), select(turns, cosine.low, sine.low)},
           {select(turns, -sine.high, cosine.high), select(turns, -sine.low, cosine.low)}};
 }
-}  // namespace magicmass::arithmetic::inline MAGICMASS_TARGET
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

@@ -5,7 +5,8 @@
 
 #include "magicmass/arithmetic/double_double.hpp"
 
-namespace magicmass::arithmetic::inline MAGICMASS_TARGET {
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
 template <class T>
 struct Rounded {
   T value, doubt;
@@ -29,4 +30,5 @@ template <class T>
   const T distance = magnitude(x.high - (0.5 * high + 0.5 * low));
   return select(is_above(half_width, distance), T{}, all<T>(1.0));
 }
-}  // namespace magicmass::arithmetic::inline MAGICMASS_TARGET
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

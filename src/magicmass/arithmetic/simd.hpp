@@ -22,7 +22,8 @@
 #define MAGICMASS_TARGET baseline
 #endif
 
-namespace magicmass::arithmetic::inline MAGICMASS_TARGET {
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
 #if defined(__AVX512F__)
 inline constexpr int lanes = 8;
 #elif defined(__AVX2__) && defined(__FMA__)
@@ -134,4 +135,5 @@ template <class T>
 }
 [[gnu::always_inline]] inline double to_real(std::int64_t n) { return double(n); }
 [[gnu::always_inline]] inline std::int64_t to_whole(double n) { return std::int64_t(n); }
-}  // namespace magicmass::arithmetic::inline MAGICMASS_TARGET
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

@@ -72,6 +72,9 @@ status=0
 "$program" many --lines 3 >&- 2>errors || status=$?
 check "closed stdout: said in one line" test $status = 2 -a "$(wc -l <errors)" = 1
 status=0
+"$program" many --lines 3 <&- >&- 2>errors || status=$?
+check "closed stdin and stdout: said in one line" test $status = 2 -a "$(wc -l <errors)" = 1
+status=0
 "$program" bug 2>/dev/full || status=$?
 check "a full stderr does not change the exit code" test $status = 3
 
@@ -90,6 +93,14 @@ for signal in INT TERM HUP KILL; do
   check "SIG$signal: its child is gone" test ! -e "/proc/$child/exe"
   check "SIG$signal: no file" only errors
 done
+
+fresh
+"$program" wait 2>errors &
+until pgrep -P $! >/dev/null; do sleep 0.01; done
+kill -TERM "$(pgrep -P $!)"
+status=0
+wait $! 2>/dev/null || status=$?
+check "the child alone ended by SIGTERM: so does the program" test $status = 143
 
 fresh
 (for _ in {1..8}; do "$program" many --lines 20000 -o both & done; wait)

@@ -6,7 +6,8 @@
 #include "magicmass/arithmetic/functions.hpp"
 #include "magicmass/arithmetic/rounding_test.hpp"
 
-namespace magicmass::arithmetic::inline MAGICMASS_TARGET {
+namespace magicmass::arithmetic {
+inline namespace MAGICMASS_TARGET {
 std::uint64_t fingerprint();
 namespace {
 // Taylor's series: good enough to compare bits.
@@ -92,4 +93,5 @@ std::uint64_t fingerprint() {
   }
   return sum;
 }
-}  // namespace magicmass::arithmetic::inline MAGICMASS_TARGET
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::arithmetic

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// derive and verify.
+#pragma once
+
+#include "answers/request.hpp"
+
+namespace answers {
+
+/// The whole derivation, or the chapters and steps that are named; "from": a step and what it rests
+/// on; "list": labels, theorems and formulas; formats text, markdown, json. Throws InvalidInput for
+/// a name that is neither a chapter nor a step.
+Answer derive(const Request& request);
+std::vector<Column> derive_columns();
+
+/// Proves everything again: how many theorems are shown, how many failed, kernel steps.
+Answer verify(const Request& request);
+std::vector<Column> verify_columns();
+
+}  // namespace answers

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/generate.hpp"
+
+#include "generate/quantities.hpp"
+#include "generate/tree.hpp"
+
+namespace command {
+
+answers::Answer generate_files(const answers::Request& request) {
+  const std::string folder = request.has("out") ? request.text("out") : "generated";
+  const generate::Texts texts = generate::generated();
+  if (!request.has("check")) {
+    generate::write(folder, texts);
+    return {{}, std::to_string(texts.size()) + " files written to " + folder + "\n"};
+  }
+  const std::vector<std::string> stale = generate::differences(folder, texts);
+  if (stale.empty()) {
+    return {{},
+            folder + " is what the theorems give: " + std::to_string(texts.size()) + " files\n"};
+  }
+  std::string said;
+  for (const std::string& line : stale) {
+    said += folder + "/" + line + "\n";
+  }
+  return {{}, said + "run: magicmass generate --out " + folder + "\n", true};
+}
+
+}  // namespace command

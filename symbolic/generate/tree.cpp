@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "generate/tree.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace generate {
+namespace {
+namespace fs = std::filesystem;
+
+/// Beside `path`, a name that nobody has.
+fs::path free_name(const fs::path& path) {
+  fs::path name = path;
+  for (int i = 0; fs::exists(fs::symlink_status(name)); ++i) {
+    name = path;
+    name += ".new-" + std::to_string(i);
+  }
+  return name;
+}
+}  // namespace
+
+void write(const std::string& folder, const Texts& texts) {
+  std::vector<std::pair<fs::path, fs::path>> renames;
+  try {
+    for (const auto& [path, text] : texts) {
+      const fs::path place = fs::path(folder) / path;
+      fs::create_directories(place.parent_path());
+      const fs::path beside = free_name(place);
+      renames.emplace_back(beside, place);
+      std::ofstream file(beside, std::ios::binary);
+      file << text;
+      file.close();
+      if (!file) throw std::runtime_error(place.string() + ": cannot be written");
+    }
+    for (const auto& [beside, place] : renames) fs::rename(beside, place);
+  } catch (const std::exception& problem) {
+    std::error_code ignored;
+    for (const auto& [beside, place] : renames)
+      if (beside != place) fs::remove(beside, ignored);
+    throw std::runtime_error(problem.what());
+  }
+}
+std::vector<std::string> differences(const std::string& folder, const Texts& texts) {
+  std::vector<std::string> out;
+  for (const auto& [path, text] : texts) {
+    std::ifstream file(fs::path(folder) / path, std::ios::binary);
+    if (!file) {
+      out.push_back(path + ": is not there");
+      continue;
+    }
+    const std::string there{std::istreambuf_iterator<char>(file), {}};
+    if (there != text) out.push_back(path + ": differs");
+  }
+  if (!fs::is_directory(folder)) return out;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string path = fs::relative(entry.path(), folder).generic_string();
+    const bool ours = texts.count(path) > 0 || entry.path().filename() == "CMakeLists.txt";
+    if (entry.is_regular_file() && !ours) out.push_back(path + ": is not generated");
+  }
+  return out;
+}
+}  // namespace generate

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "render/latex.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "render/formula.hpp"
+
+namespace render {
+namespace {
+bool is_among(const std::string& word, std::initializer_list<const char*> words) {
+  return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
+}
+class Latex : public Style {
+public:
+  std::string name(const std::string& name) const override { return latex_name(name); }
+  std::string indexed(const std::string& base, const std::string& index) const override {
+    // A prime comes before the index: c'_{n}. A second index joins the first.
+    if (base.back() == '}' && base.find("_{") != std::string::npos)
+      return "{" + base + "}_{" + index + "}";
+    return base + "_{" + index + "}";
+  }
+  std::string call(const std::string& function, const std::string& arguments) const override {
+    return function + parentheses(arguments);
+  }
+  std::string fraction(const std::string& over, const std::string& under) const override {
+    return "\\frac{" + over + "}{" + under + "}";
+  }
+  std::string power(const std::string& base, const std::string& exponent) const override {
+    return base + "^{" + exponent + "}";
+  }
+  std::string root(const std::string& radicand) const override {
+    return "\\sqrt{" + radicand + "}";
+  }
+  std::string ceiling(const std::string& argument) const override {
+    return "\\left\\lceil " + argument + "\\right\\rceil";
+  }
+  std::string matrix(const std::vector<Strings>& rows) const override {
+    std::string out = "\\begin{pmatrix}";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      out += i == 0 ? "" : " \\\\ ";
+      for (std::size_t j = 0; j < rows[i].size(); ++j) out += (j == 0 ? "" : " & ") + rows[i][j];
+    }
+    return out + "\\end{pmatrix}";
+  }
+  std::string parentheses(const std::string& inside) const override {
+    return "\\left(" + inside + "\\right)";
+  }
+  std::string product(const Strings& factors) const override {
+    std::string out;
+    for (const std::string& f : factors) {
+      const bool digits = !f.empty() && f[0] >= '0' && f[0] <= '9';
+      out += out.empty() ? "" : digits ? " \\cdot " : " \\, ";
+      out += f;
+    }
+    return out;
+  }
+  std::string word(const std::string& word) const override {
+    constexpr std::array<std::pair<const char*, const char*>, 8> signs{{
+        {" = ", " = "},
+        {" < ", " < "},
+        {" <= ", " \\le "},
+        {" != ", " \\ne "},
+        {"not ", "\\lnot "},
+        {" and ", ",\\quad "},
+        {" implies ", " \\implies "},
+        {" if and only if ", " \\iff "},
+    }};
+    for (const auto& [ours, theirs] : signs)
+      if (word == ours) return theirs;
+    return "\\text{" + word + "}";
+  }
+};
+}  // namespace
+
+std::string latex_name(const std::string& name) {
+  const bool primed = name.back() == '\'';
+  const std::string plain = primed ? name.substr(0, name.size() - 1) : name;
+  const std::size_t underscore = plain.find('_');
+  const std::string head = plain.substr(0, underscore);
+  std::string out;
+  if (is_among(head, {"alpha", "beta", "theta", "psi", "pi", "Gamma", "Lambda", "lambda", "rho"}))
+    out = "\\" + head;
+  else if (is_among(head, {"sin", "cos", "det"}))
+    out = "\\" + head;
+  else if (head == "atan")
+    out = "\\arctan";
+  else
+    out = head.size() == 1 ? head : "\\mathrm{" + head + "}";
+  if (primed) out += "'";
+  if (underscore == std::string::npos) return out;
+  std::string index = plain.substr(underscore + 1);
+  std::replace(index.begin(), index.end(), '_', ' ');
+  const bool is_word = index.size() > 1;
+  return out + "_{" + (is_word ? "\\mathrm{" + index + "}" : index) + "}";
+}
+std::string latex(kernel::Expr e) {
+  static const Latex style;
+  return formula(e, style);
+}
+}  // namespace render

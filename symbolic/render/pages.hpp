@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A derivation as a page: plain text of at most 80 columns where words can be broken, or Markdown.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "kernel/expr.hpp"
+
+namespace render {
+struct Step {
+  std::string id;
+  std::string label;  ///< of the paper, or empty
+  std::string words;
+  kernel::Expr formula;
+  kernel::Exprs conditions;  ///< beyond those said at the head of its section
+  std::string rule;
+  std::vector<std::string> premises;  ///< ids
+};
+struct Section {
+  std::string title;
+  kernel::Exprs assumptions;
+  std::vector<Step> steps;
+};
+std::string text_page(const std::vector<Section>& sections);
+std::string markdown_page(const std::vector<Section>& sections);
+}  // namespace render
