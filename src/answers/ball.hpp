@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Fixed-point balls: a midpoint and a radius, both whole multiples of 2^-bits. What is exact lies
+// within; for mass ratios that are no rationals.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+
+namespace answers {
+
+class Ball {
+public:
+  /// Contains q; the bits of what follows. One thread at a time.
+  Ball(const cln::cl_RA& q = 0);
+  Ball(int n) : Ball(cln::cl_RA(n)) {}
+
+  static void set_bits(int bits);  ///< of all balls from now on; no older one may be used again
+  static Ball pi();
+  /// Of an angle between 0 and 2.
+  friend Ball cos(const Ball& x);
+  friend Ball operator+(const Ball& a, const Ball& b);
+  friend Ball operator-(const Ball& a, const Ball& b);
+  friend Ball operator*(const Ball& a, const Ball& b);
+  /// Throws Undecided where b may be 0.
+  friend Ball operator/(const Ball& a, const Ball& b);
+  friend Ball operator-(const Ball& a) { return Ball(-a.middle, a.radius); }
+  Ball& operator+=(const Ball& b) { return *this = *this + b; }
+  Ball& operator*=(const Ball& b) { return *this = *this * b; }
+
+  cln::cl_RA low() const;
+  cln::cl_RA high() const;
+
+private:
+  Ball(const cln::cl_I& m, const cln::cl_I& r) : middle(m), radius(r) {}
+  static int bits_;
+  cln::cl_I middle;
+  cln::cl_I radius;
+};
+
+/// The double nearest to every number from low to high, ties to even; nothing where they differ.
+std::optional<double> nearest_double(const cln::cl_RA& low, const cln::cl_RA& high);
+/// "0.2360679775": so many significant digits, rounded to nearest; nothing where they differ
+/// between low and high, or where 0 is between them and they are not both 0.
+std::optional<std::string> decimal(const cln::cl_RA& low, const cln::cl_RA& high, int digits);
+
+}  // namespace answers
