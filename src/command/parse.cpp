@@ -59,6 +59,15 @@ public:
   }
 };
 
+/// Versions of CLI11 differ in empty lines at the end.
+std::string help_of(const CLI::App& app) {
+  std::string text = app.help();
+  while (text.size() > 1 && text[text.size() - 2] == '\n') {
+    text.pop_back();
+  }
+  return text;
+}
+
 const Command& command_of(const Program& program, const std::string& word) {
   for (const Command& command : program.commands) {
     if (command.name == word) {
@@ -185,7 +194,7 @@ std::string help_of(const Program& program) {
   for (const Command& command : program.commands) {
     app.add_subcommand(command.name, command.summary + "\n" + command.example);
   }
-  return app.help();
+  return help_of(app);
 }
 
 }  // namespace
@@ -216,7 +225,7 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   try {
     app.parse(joined_words);
   } catch (const CLI::CallForHelp&) {
-    return app.help();
+    return help_of(app);
   } catch (const CLI::ExtrasError&) {
     throw InvalidInput(the(command, "has no option or word " + shown_text(app.remaining().front()) +
                                         "; see " + app.get_name() + " --help"));

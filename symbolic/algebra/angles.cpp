@@ -132,4 +132,24 @@ Theorem same_angle(const Theorem& cosines, const Theorem& p_from, const Theorem&
                               use("equal or less or greater", {{real("x"), p}, {real("y"), q}})});
 }
 
+Theorem cosine_falls(const Theorem& from, const Theorem& less, const Theorem& to) {
+  const Expr p = less.conclusion().arg(0), q = less.conclusion().arg(1);
+  const auto falls = [&](const Theorem& strictly_less) {
+    return use("cos falls", {{real("x"), p}, {real("y"), q}},
+               {linear(le(0, p), {from}), strictly_less, linear(le(q, pi()), {to})});
+  };
+  if (less.conclusion().op() == Op::Lt) return falls(less);
+  const Expr goal = le(cos(q), cos(p));
+  const Theorem below = assume(lt(p, q)), same = assume(eq(p, q));
+  const Theorem equal =
+      otherwise(goal, linear(lt(0, 0), {rewrite(same, assume(lt(cos(p), cos(q))))}));
+  return tautology(goal, {discharge(below.conclusion(), linear(goal, {falls(below)})),
+                          discharge(same.conclusion(), equal), less,
+                          use("equal or less or greater", {{real("x"), p}, {real("y"), q}})});
+}
+Theorem cosine_positive(const Theorem& from, const Theorem& below) {
+  const Theorem edge = linear(le(pi() / 2, pi()), {axiom("pi positive")});
+  return linear(lt(0, cos(below.conclusion().arg(0))),
+                {cosine_falls(from, below, edge), axiom("cos pi/2")});
+}
 }  // namespace algebra

@@ -11,4 +11,8 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle = true);
 /// p = q from cos(p) = cos(q), 0 <= p <= pi and 0 <= q <= pi (or <), as the cosine falls there.
 Theorem same_angle(const Theorem& cosines, const Theorem& p_from, const Theorem& p_to,
                    const Theorem& q_from, const Theorem& q_to);
+/// cos(q) < cos(p) from 0 <= p, p < q and q <= pi; <= from p <= q.
+Theorem cosine_falls(const Theorem& from, const Theorem& less, const Theorem& to);
+/// 0 < t and t < pi/2 give 0 < cos(t).
+Theorem cosine_positive(const Theorem& from, const Theorem& below);
 }  // namespace algebra

@@ -31,6 +31,10 @@ Theorem never() {
 Theorem refute(Expr f, const Theorem& absurd) {
   return tautology(logic_not(f), {discharge(f, absurd), never()});
 }
+Theorem otherwise(Expr goal, const Theorem& absurd) {
+  const Expr l = goal.arg(0), r = goal.arg(1);
+  return tautology(goal, {refute(goal.op() == Op::Lt ? le(r, l) : lt(r, l), absurd)});
+}
 Theorem under(const Exprs& hypotheses, const Theorem& theorem) {
   Theorems from;
   for (const Expr& h : hypotheses) from.push_back(assume(h));

@@ -24,6 +24,8 @@ Theorems operator+(Theorems a, const Theorems& b);
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f
 Theorem refute(Expr f, const Theorem& absurd);
+/// l < r from r <= l, H |- 0 < 0, or l <= r from r < l, H |- 0 < 0.
+Theorem otherwise(Expr goal, const Theorem& absurd);
 /// The same conclusion under more hypotheses, so that a chapter shows what it means by a name.
 Theorem under(const Exprs& hypotheses, const Theorem& theorem);
 /// H, f |- c gives H, K |- c where `proof` is K |- f.

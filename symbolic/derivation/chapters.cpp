@@ -5,8 +5,9 @@
 namespace derivation {
 Book derive() {
   Book book;
-  for (const auto chapter : {contact, cycle, cycle_matrix, rotation, powers, counting, thresholds,
-                             ratios, terminal, evaluators})
+  for (const auto chapter :
+       {contact, cycle, cycle_matrix, rotation, powers, table, counting, constraints, thresholds,
+        ratios, terminal, minima, small_alpha, evaluators, radicals})
     chapter(book);
   return book;
 }

@@ -26,6 +26,8 @@ bool holds(const std::function<Theorem()>& proof) {
 Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
 
 bool proved(Expr condition, const Theorems& known) {
+  for (const Theorem& t : known)
+    if (t.conclusion() == condition) return true;
   if (holds([&] { return linear(condition, known); })) return true;
   if (condition.op() == Op::Lt)
     return holds([&] { return positive(condition.arg(1) - condition.arg(0), known); });

@@ -147,8 +147,7 @@ void deficient(Book& book) {
       value(b(k), 2 * V / (2 + alpha),
             rewrite(rest((k + rational(1, 2)) * psi(), half()), at.velocity("b", k, k_from_0)));
   const Expr at_c = (k + 1 - rational(1, 4)) * psi();
-  const Theorem c_next =
-      use(discharge(le(1, n), book["power.c"]), {{n, k + 1}}, {linear(le(1, k + 1), {k_from_1})});
+  const Theorem c_next = at.velocity("c", k + 1, next_from_0);
   const Theorem c_k = value(c(k + 1), 2 * V / (2 + alpha), rewrite(rest(at_c, psi() / 4), c_next));
   book.show("velocities", "eq:defb-terminal",
             "after which B and C go on together:", both({a_k, b_k, c_k}));

@@ -66,9 +66,14 @@ void cycle_matrix(Book& book);
 void rotation(Book& book);
 void powers(Book& book);
 void counting(Book& book);
+void table(Book& book);
+void constraints(Book& book);
 void thresholds(Book& book);
 void ratios(Book& book);
 void terminal(Book& book);
+void minima(Book& book);
+void small_alpha(Book& book);
 void evaluators(Book& book);
+void radicals(Book& book);
 
 }  // namespace derivation

@@ -27,6 +27,19 @@ void kept_quantities(Book& book) {
       book.show("energy_Q", "", "and energy (over M/2);",
                 equation(power(a(n), 2) + power(b(n), 2) + alpha * power(c_prime(n), 2), V2, rules,
                          roots.divisors));
+  Theorems vectors = entries(book["cycle.vector"]);
+  for (const Theorem& t : entries(instantiate(book["cycle.vector"], {{n, 0}})))
+    vectors.push_back(cut(linear(le(0, 0), {}), t));
+  const auto start = [&](std::size_t i) { return part(book["cycle.start_vector"], i); };
+  const auto length = [](Expr i) { return times(transpose(V_vector(i)), V_vector(i)); };
+  book.show(
+      "V_length", "eq:V2", "so that the length of V_n is always that of V_0;",
+      matrix_equation(length(n), length(0),
+                      vectors + roots.squares +
+                          Theorems{linear(eq(power(a(n), 2),
+                                             V2 - power(b(n), 2) - alpha * power(c_prime(n), 2)),
+                                          {energy}),
+                                   start(0), start(1), start(2)}));
   book.show("momentum_P", "", "so they are after P_n,",
             linear(eq(a(n) + b(n - 1) + alpha * c(n), V),
                    {one_before(momentum), book["cycle.momentum_P"]}));
@@ -151,44 +164,21 @@ void below_V(Book& book, const Theorem& facts) {
 /// (N_A - 1/2) psi < pi <= (N_A + 1/2) psi, so that cosines of half of both have the signs that
 /// make a_t <= 0.
 void recoil(Book& book) {
-  const Theorem psi_positive = part(book["rotation.psi_range"], 0);
-  const Theorem psi_below = part(book["rotation.psi_range"], 1);
   const Theorem mass = assume(alpha_positive);
-  const Expr z = pi() / psi();
-  const Theorem rounded = use("ceiling", {{x, z - rational(1, 2)}});
-  const Theorem number = book["counting.N_A"];
-  const Theorem per = equation(psi() * z, pi(), {}, {psi_positive});
+  const Theorem around_pi = book["constraints.N_A_angle"];
+  const Theorem psi_range = book["rotation.psi_range"];
+  const Theorem N_A_from_1 = part(book["counting.at_least"], 0);
   const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
              down = (N_A() - rational(1, 2)) * (psi() / 2);
-  const auto scaled_by_psi = [&](Expr goal, const Theorem& relation) {
-    return linear(goal, {times(relation, psi_positive), per, psi_below, positive(pi())});
-  };
-  const Theorem up_from = scaled_by_psi(
-      le(pi() / 2, up), linear(le(0, N_A() + rational(1, 2) - z), {part(rounded, 0), number}));
-  const Theorem room = linear(lt(0, z + rational(1, 2) - N_A()), {part(rounded, 1), number});
-  const Theorem up_to = scaled_by_psi(le(up, pi()), room);
-  const Theorem down_to = scaled_by_psi(lt(down, pi() / 2), room);
-  const Theorem N_A_from_1 = part(book["counting.at_least"], 0);
-  const Theorem down_from = linear(
-      le(0, down), {times(linear(le(0, N_A() - rational(1, 2)), {N_A_from_1}), psi_positive)});
-  const auto falls = [&](Expr l, Expr r, const Theorem& from, const Theorem& less,
-                         const Theorem& to) {
-    return use("cos falls", {{x, l}, {y, r}}, {from, less, to});
-  };
-  const Theorem edge_to_pi = linear(le(pi() / 2, pi()), {positive(pi())});
-  const Theorem cos_down = linear(
-      lt(0, cos(down)), {falls(down, pi() / 2, down_from, down_to, edge_to_pi), axiom("cos pi/2")});
-  const Theorem beyond = assume(lt(pi() / 2, up));
-  const Theorem edge_from_0 = linear(le(0, pi() / 2), {positive(pi())});
-  const Theorem cos_beyond =
-      linear(le(cos(up), 0), {falls(pi() / 2, up, edge_from_0, beyond, up_to), axiom("cos pi/2")});
-  const Theorem at = assume(eq(pi() / 2, up));
-  const Theorem cos_at =
-      linear(le(cos(up), 0), {restate(eq(cos(up), 0), rewrite(at, axiom("cos pi/2")))});
-  const Theorem cos_up =
-      tautology(le(cos(up), 0),
-                {discharge(beyond.conclusion(), cos_beyond), discharge(at.conclusion(), cos_at),
-                 up_from, use("equal or less or greater", {{x, pi() / 2}, {y, up}})});
+  const Theorem down_from =
+      linear(lt(0, down),
+             {times(linear(lt(0, N_A() - rational(1, 2)), {N_A_from_1}), part(psi_range, 0))});
+  const Theorem cos_down =
+      cosine_positive(down_from, linear(lt(down, pi() / 2), {part(around_pi, 0)}));
+  const Theorem up_to = linear(le(up, pi()), {part(around_pi, 0), part(psi_range, 1)});
+  const Theorem falls = cosine_falls(linear(le(0, pi() / 2), {positive(pi())}),
+                                     linear(le(pi() / 2, up), {part(around_pi, 1)}), up_to);
+  const Theorem cos_up = linear(le(cos(up), 0), {falls, axiom("cos pi/2")});
   const Theorem form = use(discharge(from_0, book["power.a_product"]), {{n, N_A()}},
                            {linear(le(0, N_A()), {N_A_from_1})});
   const Theorem a_is = chain(part(book["terminal.definitions"], 0), form);

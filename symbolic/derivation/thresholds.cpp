@@ -9,15 +9,6 @@ namespace {
 const Expr edge = pi() / 2;
 Expr half() { return psi() / 2; }
 Theorem pi_positive() { return positive(pi()); }
-
-/// 0 < x, x < pi/2 |- 0 < cos(x), for the terms of both theorems
-Theorem cosine_positive(const Theorem& from, const Theorem& below) {
-  const Expr t = below.conclusion().arg(0);
-  const Theorem falls =
-      use("cos falls", {{x, t}, {y, edge}},
-          {linear(le(0, t), {from}), below, linear(le(edge, pi()), {pi_positive()})});
-  return linear(lt(0, cos(t)), {falls, axiom("cos pi/2")});
-}
 /// A goal l < r or l <= r about 1/cos, from `difference` of the right sign, times cosines and
 /// others proved positive.
 Theorem multiplied(Expr goal, const Theorems& positives, const Theorems& factors) {
@@ -51,39 +42,41 @@ void ratio_of_angle(Book& book) {
             chain(value, arithmetic(eq(1 / (1 + alpha), cos(x)), back)));
   const Theorem range_0 = part(book["rotation.psi_range"], 0);
   const Theorem range_1 = part(book["rotation.psi_range"], 1);
-  const auto falls = [&](Expr p, Expr q, const Theorem& p_from_0, const Theorem& less,
-                         const Theorem& q_to_pi) {
-    return use("cos falls", {{x, p}, {y, q}}, {p_from_0, less, q_to_pi});
-  };
   const Theorem less = assume(lt(half(), x));
   const Theorem more = assume(lt(x, half()));
-  const Theorem same = assume(eq(x, half()));
+  const Theorem same = assume(eq(half(), x));
   const Theorem x_to_pi = linear(le(x, pi()), {below_edge, pi_positive()});
-  const Theorem half_to_pi = linear(le(half(), pi()), {range_0, range_1});
   const Theorem half_from_0 = linear(le(0, half()), {range_0});
-  const Theorem x_from_0 = linear(le(0, x), {above_0});
-  const auto at_most_alpha = [&](const Theorems& facts) {
-    return multiplied(le(ratio, alpha), {cx}, {p1, linear(le(1 / (1 + alpha), cos(x)), facts)});
+  const Theorem half_to_pi = linear(le(half(), pi()), {range_0, range_1});
+  const auto compared = [&](Expr goal, Expr cosines, const Theorem& falls) {
+    return multiplied(goal, {cx}, {p1, linear(cosines, {falls, value})});
   };
-  const Theorem beyond = multiplied(
-      lt(alpha, ratio), {cx},
-      {p1,
-       linear(lt(cos(x), 1 / (1 + alpha)), {falls(half(), x, half_from_0, less, x_to_pi), value})});
-  const Theorem within = at_most_alpha({falls(x, half(), x_from_0, more, half_to_pi), value});
-  const Theorem at_x =
-      restate(eq(cos(x), value.conclusion().arg(1)),
-              rewrite(restate(eq(half(), x), linear(eq(half(), x), {same})), value));
+  const Theorem beyond = compared(lt(alpha, ratio), lt(cos(x), 1 / (1 + alpha)),
+                                  cosine_falls(half_from_0, less, x_to_pi));
+  const Theorem within = compared(lt(ratio, alpha), lt(1 / (1 + alpha), cos(x)),
+                                  cosine_falls(above_0, more, half_to_pi));
+  const Theorem at_x = equation(
+      ratio, alpha, {linear(eq(cos(x), 1 / (1 + alpha)), {rewrite(same, value)})}, {cx, p1});
+  const Theorems cases{discharge(less.conclusion(), beyond), discharge(more.conclusion(), within),
+                       use("equal or less or greater", {{x, half()}, {y, x}})};
+  const auto in_case = [&](Expr f, Expr g, const Theorem& angle, const Theorem& ratios) {
+    Theorems all = cases;
+    for (const auto& [given, proof] : {std::pair{angle, ratios}, std::pair{same, at_x}})
+      all = all +
+            Theorems{discharge(given.conclusion(), both({linear(f, {proof}), linear(g, {given})}))};
+    return tautology(iff(f, g), all);
+  };
   book.show("reached", "", "Ratios from there on have psi/2 >= x, and no others:",
-            tautology(iff(le(ratio, alpha), le(x, half())),
-                      {discharge(less.conclusion(), beyond), discharge(more.conclusion(), within),
-                       discharge(same.conclusion(), at_most_alpha({at_x})),
-                       use("equal or less or greater", {{y, half()}})}));
+            in_case(le(ratio, alpha), le(x, half()), more, within));
+  book.show("passed", "", "and larger ratios psi/2 > x:",
+            tautology(iff(lt(ratio, alpha), lt(x, half())),
+                      {in_case(le(alpha, ratio), le(half(), x), less, beyond)}));
   // A larger angle is that of a larger ratio.
   const Theorem x_less = assume(lt(x, y));
   const Theorem y_below = assume(lt(y, edge));
   const Theorem cy = cosine_positive(linear(lt(0, y), {above_0, x_less}), y_below);
   const Theorem cosines =
-      falls(x, y, x_from_0, x_less, linear(le(y, pi()), {y_below, pi_positive()}));
+      cosine_falls(above_0, x_less, linear(le(y, pi()), {y_below, pi_positive()}));
   const Theorem cx_too = cosine_positive(above_0, linear(lt(x, edge), {x_less, y_below}));
   book.facts = book.facts + Theorems{cy, cx_too};
   book.show("rises", "", "A larger angle is that of a larger ratio:",
@@ -233,6 +226,7 @@ void order(Book& book) {
   const Theorem is_half =
       tautology(eq(cosine, rational(1, 2)),
                 {discharge(other.conclusion(), arithmetic(eq(cosine, rational(1, 2)), c))});
+  book.show("third", "", "The cosine of a third of pi", is_half);
   const Expr angle = pi() / (2 * Expr(1) + 1);
   book.show("alpha_1", "", "and the first is 1:",
             equation(fun("alpha_", {1}), 1,

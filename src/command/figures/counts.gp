@@ -1,0 +1,12 @@
+# N_A and N_B against alpha; columns alpha, N_A, N_B: a row a step.
+set logscale x
+set xlabel 'mass ratio α = m/M'
+set ylabel 'number of collisions' offset 1
+set xrange [0.01:2]
+set yrange [0:12]
+set xtics nomirror
+set ytics 0,1 nomirror
+set grid lc rgb '#dddddd'
+set key right top samplen 3 spacing 1.3
+plot $data using 1:3 with steps lw 7 lc rgb '#b0b0b0' title 'N_B', \
+     $data using 1:2 with steps lw 2 lc rgb 'black' title 'N_A'
