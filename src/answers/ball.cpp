@@ -77,37 +77,59 @@ Ball operator/(const Ball& a, const Ball& b) {
 cl_RA Ball::low() const { return scaled(middle - radius, -bits_); }
 cl_RA Ball::high() const { return scaled(middle + radius, -bits_); }
 
-Ball Ball::pi() {
-  // Machin: pi = 16 atan(1/5) - 4 atan(1/239); an alternating series is off by less than its next
-  // term.
-  const auto arc_tangent = [](int reciprocal) {
-    const cl_I square = reciprocal * reciprocal;
-    Ball power = Ball(cl_RA(1) / reciprocal);
-    Ball sum = power;
-    for (int k = 3;; k += 2) {
-      power = power * Ball(cl_RA(1) / square);
-      const Ball term = power * Ball(cl_RA(1) / k);
-      if (cln::abs(term.middle) <= term.radius) {
-        sum.radius = sum.radius + cln::abs(term.middle) + term.radius;
-        return sum;
-      }
-      sum = k % 4 == 3 ? sum - term : sum + term;
-    }
-  };
-  return Ball(16) * arc_tangent(5) - Ball(4) * arc_tangent(239);
-}
-Ball cos(const Ball& x) {
-  const Ball square = x * x;
-  Ball term = 1;
-  Ball sum = 1;
-  for (int k = 1;; ++k) {  // |x| <= 2: the terms fall from the second on
-    term = term * square * Ball(cl_RA(1) / (2 * k * (2 * k - 1)));
-    if (k > 1 && cln::abs(term.middle) <= term.radius) {
-      sum.radius = sum.radius + cln::abs(term.middle) + term.radius;
-      return sum;
-    }
-    sum = k % 2 == 1 ? sum - term : sum + term;
+/// The sum of term, -term square/((first + 1)(first + 2)), ... An alternating series is off by less
+/// than its next term, once the terms fall.
+Ball Ball::alternating(Ball term, const Ball& square, int first) {
+  Ball sum = term;
+  for (int k = first; cln::abs(term.middle) > term.radius || k < first + 16; k += 2) {
+    term = -term * square * Ball(cl_RA(1) / (cl_I(k + 1) * (k + 2)));
+    sum = sum + term;
   }
+  sum.radius = sum.radius + cln::abs(term.middle) + term.radius;
+  return sum;
+}
+Ball cos(const Ball& x) { return Ball::alternating(1, x * x, 0); }
+Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
+Ball sqrt(const Ball& x) {
+  if (x.middle < x.radius) {
+    throw Undecided("a root of what may be negative");
+  }
+  cl_I root;
+  cln::isqrt(cln::ash(x.middle, Ball::bits_), &root);
+  // |sqrt(x) - sqrt(m)| <= r/sqrt(m), and <= sqrt(r)
+  cl_I error;
+  cln::isqrt(cln::ash(x.radius, Ball::bits_), &error);
+  if (root > 0) {
+    error = cln::min(error, cln::floor1(cln::ash(x.radius, Ball::bits_), root));
+  }
+  return {root, error + 2};
+}
+Ball atan(const Ball& x) {
+  // atan(x) = 2 atan(x/(1 + sqrt(1 + x^2))), so that the series is short.
+  constexpr int halvings = 6;
+  Ball t = x;
+  for (int k = 0; k < halvings; ++k) {
+    t = t / (Ball(1) + sqrt(Ball(1) + t * t));
+  }
+  const Ball square = t * t;
+  Ball power = t;
+  Ball sum = t;
+  for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
+    power = -power * square;
+    sum = sum + power * Ball(cl_RA(1) / (2 * k + 1));
+  }
+  sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
+  return Ball(1 << halvings) * sum;
+}
+Ball Ball::pi() {  // Machin
+  return Ball(16) * atan(Ball(cl_RA(1) / 5)) - Ball(4) * atan(Ball(cl_RA(1) / 239));
+}
+cl_I ceil(const Ball& x) {
+  const cl_I low = cln::ceiling1(x.low());
+  if (low != cln::ceiling1(x.high())) {
+    throw Undecided("a whole number is too close");
+  }
+  return low;
 }
 
 std::optional<double> nearest_double(const cl_RA& low, const cl_RA& high) {

@@ -19,22 +19,26 @@ public:
 
   static void set_bits(int bits);  ///< of all balls from now on; no older one may be used again
   static Ball pi();
-  /// Of an angle between 0 and 2.
-  friend Ball cos(const Ball& x);
+  friend Ball cos(const Ball& x);  ///< |x| at most 8
+  friend Ball sin(const Ball& x);  ///< |x| at most 8
+  friend Ball atan(const Ball& x);
+  /// Throws Undecided where x may be negative.
+  friend Ball sqrt(const Ball& x);
+  /// Throws Undecided where there is a whole number within.
+  friend cln::cl_I ceil(const Ball& x);
   friend Ball operator+(const Ball& a, const Ball& b);
   friend Ball operator-(const Ball& a, const Ball& b);
   friend Ball operator*(const Ball& a, const Ball& b);
   /// Throws Undecided where b may be 0.
   friend Ball operator/(const Ball& a, const Ball& b);
   friend Ball operator-(const Ball& a) { return Ball(-a.middle, a.radius); }
-  Ball& operator+=(const Ball& b) { return *this = *this + b; }
-  Ball& operator*=(const Ball& b) { return *this = *this * b; }
 
   cln::cl_RA low() const;
   cln::cl_RA high() const;
 
 private:
   Ball(const cln::cl_I& m, const cln::cl_I& r) : middle(m), radius(r) {}
+  static Ball alternating(Ball term, const Ball& square, int first);
   static int bits_;
   cln::cl_I middle;
   cln::cl_I radius;

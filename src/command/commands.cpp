@@ -3,11 +3,17 @@
 #include "command/commands.hpp"
 
 #include "answers/derivation.hpp"
+#include "answers/velocities.hpp"
 #include "command/generate.hpp"
 
 namespace command {
 
 Program magicmass() {
+  const Option alpha{"alpha", "ALPHA", "mass ratio: 0.12, 1/7, magic:3, deficient:2",
+                     {},      true,    true};
+  const Option tier{
+      "tier", "TIER", "accurate unless told otherwise", {"fast", "accurate", "exact"}};
+  const Option digits{"digits", "D", "so many significant digits, with certainty"};
   return {
       .name = "magicmass",
       .summary = "Magic mass ratios: from conservation laws to proved, generated, measured C++",
@@ -31,6 +37,38 @@ Program magicmass() {
                {"text", "json", "csv"},
                answers::verify_columns(),
                answers::verify},
+              {"eval",
+               "Velocities after n cycles",
+               "magicmass eval --alpha 0.12 --n 2",
+               {alpha, {"n", "N", "cycles, 0 to N_A", {}, true, true}, tier, digits},
+               "",
+               {"text", "json", "csv"},
+               answers::eval_columns(),
+               answers::eval},
+              {"count",
+               "Numbers of collisions, exactly",
+               "magicmass count --alpha 1e-200",
+               {alpha},
+               "",
+               {"text", "json", "csv"},
+               answers::count_columns(),
+               answers::count},
+              {"terminal",
+               "Counts and terminal velocities",
+               "magicmass terminal --alpha magic:3",
+               {alpha, tier, digits},
+               "",
+               {"text", "json", "csv"},
+               answers::terminal_columns(),
+               answers::terminal},
+              {"ratios",
+               "Magic and deficient mass ratios",
+               "magicmass ratios --count 10 --digits 30",
+               {{"count", "K", "how many, 10 unless told otherwise"}, digits},
+               "",
+               {"text", "json", "csv"},
+               answers::ratios_columns(),
+               answers::ratios},
               {"generate",
                "Emits C++ evaluators from the proved theorems",
                "magicmass generate --check",
@@ -41,8 +79,7 @@ Program magicmass() {
                {},
                generate_files},
           },
-      .absent = {"equal", "eval", "count", "terminal", "ratios", "simulate", "plan", "figure",
-                 "reproduce", "report", "learn"},
+      .absent = {"equal", "simulate", "plan", "figure", "reproduce", "report", "learn"},
       .absent_advice = "not in this version yet; until then use commit 77d7ebf",
   };
 }

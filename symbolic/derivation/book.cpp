@@ -15,9 +15,7 @@ kernel::Theorem Book::show(const std::string& name, const std::string& label,
                            const std::string& words, const kernel::Theorem& theorem) {
   Chapter& last = all.back();
   const std::string id = last.name + "." + name;
-  for (const Chapter& chapter : all)
-    for (const Statement& s : chapter.statements)
-      if (s.id == id) kernel::refuse("two statements " + id);
+  if (has(id)) kernel::refuse("two statements " + id);
   // The chapter's assumptions are read before all other hypotheses.
   kernel::Exprs read_first;
   const kernel::Exprs hypotheses = theorem.hypotheses();
@@ -29,10 +27,14 @@ kernel::Theorem Book::show(const std::string& name, const std::string& label,
   last.statements.push_back({id, label, words, theorem});
   return theorem;
 }
-kernel::Theorem Book::operator[](const std::string& id) const {
+const Statement* Book::find(const std::string& id) const {
   for (const Chapter& chapter : all)
     for (const Statement& s : chapter.statements)
-      if (s.id == id) return s.theorem;
+      if (s.id == id) return &s;
+  return nullptr;
+}
+kernel::Theorem Book::operator[](const std::string& id) const {
+  if (const Statement* s = find(id)) return s->theorem;
   kernel::refuse("no theorem " + id);
 }
 const Book& the_book() {

@@ -30,6 +30,7 @@ public:
                        const kernel::Theorem& theorem);
   /// The theorem of an id. Throws Refused where there is none.
   kernel::Theorem operator[](const std::string& id) const;
+  bool has(const std::string& id) const { return find(id) != nullptr; }
   const std::vector<Chapter>& chapters() const { return all; }
 
   /// What is not shown but tells that terms make sense, such as 0 < sin(psi/2).
@@ -37,6 +38,8 @@ public:
 
 private:
   std::vector<Chapter> all;
+
+  const Statement* find(const std::string& id) const;
 };
 
 /// What terms of `theorem` need to make sense and `facts` and its own hypotheses do not prove.

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "answers/motion.hpp"
+
+#include <cmath>
+
+#include "answers/errors.hpp"
+#include "answers/evaluate.hpp"
+
+namespace answers {
+namespace {
+
+using cln::cl_I;
+using cln::cl_RA;
+using notation::Alpha;
+using notation::Deficient;
+using notation::Magic;
+
+const auto alpha_name = [] { return kernel::real("alpha"); };
+const auto V_name = [] { return kernel::real("V"); };
+const auto n_name = [] { return kernel::integer("n"); };
+const auto k_name = [] { return kernel::integer("k"); };
+
+Ball ball_of(const Alpha& alpha) {
+  if (const auto* magic = std::get_if<Magic>(&alpha)) {
+    return evaluate(right_side("ratios.alpha_k"), {{k_name(), Ball(cl_RA(magic->k))}});
+  }
+  if (const auto* deficient = std::get_if<Deficient>(&alpha)) {
+    return evaluate(right_side("ratios.beta_k"), {{k_name(), Ball(cl_RA(deficient->k))}});
+  }
+  const auto* rational = std::get_if<cl_RA>(&alpha);
+  return Ball(rational != nullptr ? *rational : exact(std::get<double>(alpha)));
+}
+/// Whether alpha >= 1: alpha_1 = 1 is the largest threshold (ratios.alpha_1, ratios.order).
+bool is_heavy(const Alpha& alpha) {
+  if (const auto* value = std::get_if<double>(&alpha)) {
+    return *value >= 1;
+  }
+  const auto* rational = std::get_if<cl_RA>(&alpha);
+  return rational != nullptr && *rational >= 1;
+}
+Ball velocity(const char* id, const Ball& alpha, const cl_I& n) {
+  return evaluate(right_side(id),
+                  {{alpha_name(), alpha}, {V_name(), 1}, {n_name(), Ball(cl_RA(n))}});
+}
+
+const char* const beyond =
+    "more digits would be needed than are allowed; a mass ratio that is a double is decided";
+
+}  // namespace
+
+Alpha alpha_of(const std::string& text) {
+  try {
+    return notation::read_alpha(text);
+  } catch (const kernel::Refused& refused) {
+    throw InvalidInput(refused.what());
+  }
+}
+cl_RA exact(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
+  const cl_RA q = cl_I(static_cast<long long>(whole));
+  const int shift = exponent - 53;
+  return shift >= 0 ? q * cln::ash(cl_I(1), shift) : q / cln::ash(cl_I(1), -shift);
+}
+
+LargeCounts count_collisions(const Alpha& alpha) {
+  if (const auto* magic = std::get_if<Magic>(&alpha)) {
+    return {magic->k, magic->k};  // magic.counts
+  }
+  if (const auto* deficient = std::get_if<Deficient>(&alpha)) {
+    return {deficient->k + 1, deficient->k};  // deficient.counts
+  }
+  if (is_heavy(alpha)) {
+    return {1, 1};  // heavy.N_A, heavy.N_B
+  }
+  LargeCounts counts;
+  with_bits(
+      17,
+      [&] {
+        const Values at{{alpha_name(), ball_of(alpha)}};
+        counts.N_A = cln::numerator(evaluate(right_side("counting.N_A"), at).low());
+        counts.N_B = cln::numerator(evaluate(right_side("counting.N_B"), at).low());
+        return true;
+      },
+      beyond);
+  return counts;
+}
+
+Velocities velocities(const Alpha& alpha, const cl_I& n) {
+  return [alpha, n] {
+    const Ball at = ball_of(alpha);
+    return Four{velocity("power.a", at, n), velocity("power.b", at, n), velocity("power.c", at, n),
+                velocity("power.c_prime", at, n)};
+  };
+}
+Velocities terminal(const Alpha& alpha, const LargeCounts& counts) {
+  return [alpha, counts] {
+    const Ball at = ball_of(alpha);
+    const bool Q_is_last = counts.N_A == counts.N_B;  // terminal.after_Q, terminal.after_P
+    const Ball b = velocity("power.b", at, counts.N_B);
+    return Four{
+        velocity("power.a", at, counts.N_A), b,
+        Q_is_last ? velocity("power.c_prime", at, counts.N_B) : velocity("power.c", at, counts.N_A),
+        b * b};
+  };
+}
+
+std::array<double, 4> nearest_doubles(const Velocities& values,
+                                      const std::array<bool, 4>& is_zero) {
+  std::array<double, 4> result{};
+  with_bits(
+      17,
+      [&] {
+        const Four balls = values();
+        for (std::size_t i = 0; i < 4; ++i) {
+          const auto value = is_zero[i] ? 0 : nearest_double(balls[i].low(), balls[i].high());
+          if (!value) {
+            return false;
+          }
+          result[i] = *value;
+        }
+        return true;
+      },
+      beyond);
+  return result;
+}
+std::array<std::string, 4> decimals(const Velocities& values, const std::array<bool, 4>& is_zero,
+                                    int digits) {
+  std::array<std::string, 4> result;
+  with_bits(
+      digits,
+      [&] {
+        const Four balls = values();
+        for (std::size_t i = 0; i < 4; ++i) {
+          const auto text = is_zero[i] ? "0" : decimal(balls[i].low(), balls[i].high(), digits);
+          if (!text) {
+            return false;
+          }
+          result[i] = *text;
+        }
+        return true;
+      },
+      beyond);
+  return result;
+}
+std::array<bool, 4> zeros(const Alpha& alpha, const cl_I& n) {
+  if (n == 0) {
+    return {false, true, true, true};  // cycle.start_vector, cycle.c_start
+  }
+  const auto* magic = std::get_if<Magic>(&alpha);
+  const bool everything = magic != nullptr && magic->k == n;  // magic.velocities
+  const auto* value = std::get_if<double>(&alpha);
+  const auto* rational = std::get_if<cl_RA>(&alpha);
+  const bool is_one = (value != nullptr && *value == 1) || (rational != nullptr && *rational == 1);
+  const bool rest = everything || (is_one && n == 1);  // alpha_1 = 1
+  return {rest, false, false, rest};
+}
+
+}  // namespace answers

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Balls hold what is exact, and roundings are given only where they are certain.
+#include "answers/ball.hpp"
+
+#include "answers/errors.hpp"
+#include "catch.hpp"
+
+using namespace answers;
+using cln::cl_RA;
+
+namespace {
+bool holds(const Ball& ball, const cl_RA& value) {
+  return ball.low() <= value && value <= ball.high();
+}
+cl_RA width(const Ball& ball) { return ball.high() - ball.low(); }
+}  // namespace
+
+TEST_CASE("operations hold the exact result, narrowly") {
+  Ball::set_bits(100);
+  const cl_RA tiny = cl_RA(1) / cln::ash(cln::cl_I(1), 90);
+  for (int p = -7; p <= 7; ++p)
+    for (int q = 1; q <= 9; q += 2) {
+      const cl_RA x = cl_RA(p) / q, y = cl_RA(q) / 7;
+      for (const auto& [ball, exact] :
+           {std::pair{Ball(x) + Ball(y), x + y}, std::pair{Ball(x) - Ball(y), x - y},
+            std::pair{Ball(x) * Ball(y), x * y}, std::pair{Ball(x) / Ball(y), x / y}}) {
+        CHECK(holds(ball, exact));
+        CHECK(width(ball) < tiny);
+      }
+      const Ball root = sqrt(Ball(x * x));
+      CHECK(holds(root, cln::abs(x)));
+      CHECK(width(root) < tiny * 1000000);  // the root of 0 is known to half as many bits
+    }
+  CHECK_THROWS_AS(Ball(1) / (Ball(cl_RA(1) / 3) - Ball(cl_RA(1) / 3)), Undecided);
+  CHECK_THROWS_AS(sqrt(Ball(-1)), Undecided);
+}
+TEST_CASE("functions meet their identities") {
+  Ball::set_bits(200);
+  const cl_RA tiny = cl_RA(1) / cln::ash(cln::cl_I(1), 180);
+  const Ball pi = Ball::pi();
+  CHECK(*decimal(pi.low(), pi.high(), 40) == "3.141592653589793238462643383279502884197");
+  for (int k = -20; k <= 20; ++k) {
+    const Ball x = Ball(cl_RA(k) / 7);
+    const Ball circle = sin(x) * sin(x) + cos(x) * cos(x);
+    CHECK(holds(circle, 1));
+    CHECK(width(circle) < tiny);
+    const Ball back = sin(atan(x)) - x * cos(atan(x));
+    CHECK(holds(back, 0));
+    CHECK(width(back) < tiny);
+  }
+  CHECK(ceil(pi) == 4);
+  CHECK(ceil(-pi) == -3);
+  CHECK_THROWS_AS(ceil(sin(pi)), Undecided);
+}
+TEST_CASE("nearest doubles and decimals, at their edges") {
+  const cl_RA half_ulp = cl_RA(1) / cln::ash(cln::cl_I(1), 53);
+  CHECK(nearest_double(1 + half_ulp, 1 + half_ulp) == 1.0);  // a tie goes to even
+  CHECK_FALSE(nearest_double(1 + half_ulp, 1 + half_ulp + half_ulp / 1000).has_value());
+  CHECK(nearest_double(cl_RA(1) / cln::ash(cln::cl_I(1), 1074),
+                       cl_RA(1) / cln::ash(cln::cl_I(1), 1074)) == 0x1p-1074);
+  CHECK_FALSE(
+      nearest_double(cln::ash(cln::cl_I(1), 1024), cln::ash(cln::cl_I(1), 1024)).has_value());
+  CHECK(decimal(cl_RA(1) / 8, cl_RA(1) / 8, 2) == "0.12");
+  CHECK(decimal(cl_RA(-9999) / 10000, cl_RA(-9999) / 10000, 3) == "-1.00");
+  CHECK(decimal(123456, 123456, 6) == "1.23456e5");
+  CHECK_FALSE(decimal(cl_RA(124) / 1000, cl_RA(126) / 1000, 2).has_value());
+  CHECK_FALSE(decimal(cl_RA(-1) / 10, cl_RA(1) / 10, 2).has_value());
+  CHECK(decimal(0, 0, 5) == "0");
+}
