@@ -20,16 +20,6 @@ const auto V_name = [] { return kernel::real("V"); };
 const auto n_name = [] { return kernel::integer("n"); };
 const auto k_name = [] { return kernel::integer("k"); };
 
-Ball ball_of(const Alpha& alpha) {
-  if (const auto* magic = std::get_if<Magic>(&alpha)) {
-    return evaluate(right_side("ratios.alpha_k"), {{k_name(), Ball(cl_RA(magic->k))}});
-  }
-  if (const auto* deficient = std::get_if<Deficient>(&alpha)) {
-    return evaluate(right_side("ratios.beta_k"), {{k_name(), Ball(cl_RA(deficient->k))}});
-  }
-  const auto* rational = std::get_if<cl_RA>(&alpha);
-  return Ball(rational != nullptr ? *rational : exact(std::get<double>(alpha)));
-}
 /// Whether alpha >= 1: alpha_1 = 1 is the largest threshold (ratios.alpha_1, ratios.order).
 bool is_heavy(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) {
@@ -48,6 +38,16 @@ const char* const beyond =
 
 }  // namespace
 
+Ball ball_of(const Alpha& alpha) {
+  if (const auto* magic = std::get_if<Magic>(&alpha)) {
+    return evaluate(right_side("ratios.alpha_k"), {{k_name(), Ball(cl_RA(magic->k))}});
+  }
+  if (const auto* deficient = std::get_if<Deficient>(&alpha)) {
+    return evaluate(right_side("ratios.beta_k"), {{k_name(), Ball(cl_RA(deficient->k))}});
+  }
+  const auto* rational = std::get_if<cl_RA>(&alpha);
+  return Ball(rational != nullptr ? *rational : exact(std::get<double>(alpha)));
+}
 Alpha alpha_of(const std::string& text) {
   try {
     return notation::read_alpha(text);

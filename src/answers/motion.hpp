@@ -13,6 +13,8 @@ namespace answers {
 
 /// The mass ratio of a request. Throws InvalidInput.
 notation::Alpha alpha_of(const std::string& text);
+/// It, with the bits that are set now.
+Ball ball_of(const notation::Alpha& alpha);
 /// A double, exactly.
 cln::cl_RA exact(double value);
 
@@ -22,15 +24,15 @@ struct LargeCounts {
 /// Of any size. Throws Undecided where more bits would be needed than are allowed.
 LargeCounts count_collisions(const notation::Alpha& alpha);
 
-/// a, b, c, c_prime in units of V after n cycles, or the terminal a, b, c and rho: each as a ball of
-/// the bits that are set now.
+/// a, b, c, c_prime in units of V after n cycles, or the terminal a, b, c and rho: each as a ball
+/// of the bits that are set now.
 using Four = std::array<Ball, 4>;
 using Velocities = std::function<Four()>;
 Velocities velocities(const notation::Alpha& alpha, const cln::cl_I& n);
 Velocities terminal(const notation::Alpha& alpha, const LargeCounts& counts);
 
-/// The four as nearest doubles, or as decimals with so many significant digits. `is_zero` says which
-/// are 0 by a theorem.
+/// The four as nearest doubles, or as decimals with so many significant digits. `is_zero` says
+/// which are 0 by a theorem.
 std::array<double, 4> nearest_doubles(const Velocities& values, const std::array<bool, 4>& is_zero);
 std::array<std::string, 4> decimals(const Velocities& values, const std::array<bool, 4>& is_zero,
                                     int digits);

@@ -18,8 +18,8 @@ std::vector<Column> count_columns();
 Answer terminal(const Request& request);
 std::vector<Column> terminal_columns();
 
-/// Magic and deficient mass ratios 1 to count, as doubles or with digits, in radicals where the book
-/// has them.
+/// Magic and deficient mass ratios 1 to count, as doubles or with digits, in radicals where the
+/// book has them.
 Answer ratios(const Request& request);
 std::vector<Column> ratios_columns();
 

@@ -4,6 +4,7 @@
 
 #include "answers/derivation.hpp"
 #include "answers/velocities.hpp"
+#include "command/figure.hpp"
 #include "command/generate.hpp"
 
 namespace command {
@@ -69,6 +70,14 @@ Program magicmass() {
                {"text", "json", "csv"},
                answers::ratios_columns(),
                answers::ratios},
+              {"figure",
+               "A figure of the paper",
+               "magicmass figure terminal -o terminal.svg",
+               {{"list", "", "their names"}},
+               "NAME",
+               {"svg", "png", "csv"},
+               {},
+               figure},
               {"generate",
                "Emits C++ evaluators from the proved theorems",
                "magicmass generate --check",
@@ -79,7 +88,7 @@ Program magicmass() {
                {},
                generate_files},
           },
-      .absent = {"equal", "simulate", "plan", "figure", "reproduce", "report", "learn"},
+      .absent = {"equal", "simulate", "plan", "reproduce", "report", "learn"},
       .absent_advice = "not in this version yet; until then use commit 77d7ebf",
   };
 }
