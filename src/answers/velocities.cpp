@@ -11,6 +11,7 @@
 #include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
+#include "magicmass/exact/exact.hpp"
 
 namespace answers {
 namespace {
@@ -46,6 +47,37 @@ std::string tier_of(const Request& request) {
     throw InvalidInput("--digits belongs to --tier exact, not to --tier " + tier);
   }
   return tier;
+}
+
+/// The mass ratio as a fraction. Throws InvalidInput for one that is none, Undecided where
+/// fractions after so many cycles would be too long.
+cln::cl_RA fraction_of(const Alpha& alpha, const cln::cl_I& cycles) {
+  constexpr int longest = 1 << 22;
+  const auto* rational = std::get_if<cln::cl_RA>(&alpha);
+  const auto* value = std::get_if<double>(&alpha);
+  if (rational == nullptr && value == nullptr) {
+    throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
+                       " are no fractions; add --digits D");
+  }
+  const cln::cl_RA q = rational != nullptr ? *rational : exact(*value);
+  const auto length =
+      cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
+  const cln::cl_I bits = 2 * cycles * static_cast<long long>(length);
+  if (bits > longest) {
+    throw Undecided("exact fractions after " + digits_of(cycles) + " cycles would have some " +
+                    digits_of(bits) + " bits; add --digits D");
+  }
+  return q;
+}
+std::array<Cell, 4> exact_cells(const std::array<cln::cl_RA, 4>& values) {
+  std::array<Cell, 4> out;
+  for (std::size_t i = 0; i < 4; ++i) {
+    out[i] = exact_cell(kernel::digits(values[i]));
+  }
+  return out;
+}
+bool wants_fractions(const Request& request) {
+  return tier_of(request) == "exact" && !request.has("digits");
 }
 
 /// Four cells for a tier.
@@ -90,7 +122,13 @@ Answer eval(const Request& request) {
                        " is beyond the last collision; allowed: 0 to " + digits_of(counts.N_A) +
                        " for this alpha");
   }
-  const auto four = cells(velocities(alpha, cycles), zeros(alpha, cycles), request);
+  std::array<Cell, 4> four;
+  if (wants_fractions(request)) {
+    const auto v = magicmass::generated::velocities_exact(fraction_of(alpha, cycles), *n);
+    four = exact_cells({v.a, v.b, v.c, v.c_prime});
+  } else {
+    four = cells(velocities(alpha, cycles), zeros(alpha, cycles), request);
+  }
   return {
       {eval_columns(),
        {{alpha_cell(alpha), whole_cell(*n), text_cell(tier), four[0], four[1], four[2], four[3]}},
@@ -126,11 +164,18 @@ std::vector<Column> terminal_columns() {
 
 Answer terminal(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
-  tier_of(request);
   const LargeCounts counts = count_collisions(alpha);
   std::array<bool, 4> is_zero = zeros(alpha, counts.N_A);
   is_zero = {is_zero[0], false, is_zero[3], false};
-  const auto four = cells(terminal(alpha, counts), is_zero, request);
+  std::array<Cell, 4> four;
+  if (wants_fractions(request)) {
+    const cln::cl_RA q = fraction_of(alpha, counts.N_A);
+    const auto v = magicmass::generated::terminal_exact(q, cln::cl_I_to_long(counts.N_A),
+                                                        cln::cl_I_to_long(counts.N_B));
+    four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
+  } else {
+    four = cells(terminal(alpha, counts), is_zero, request);
+  }
   return {{terminal_columns(),
            {{alpha_cell(alpha), whole_cell(digits_of(counts.N_A)),
              whole_cell(digits_of(counts.N_B)), four[0], four[1], four[2], four[3]}},

@@ -13,6 +13,8 @@ Theorem same_angle(const Theorem& cosines, const Theorem& p_from, const Theorem&
                    const Theorem& q_from, const Theorem& q_to);
 /// cos(q) < cos(p) from 0 <= p, p < q and q <= pi; <= from p <= q.
 Theorem cosine_falls(const Theorem& from, const Theorem& less, const Theorem& to);
+/// 0 <= sin(t) from 0 <= t and t <= pi.
+Theorem sine_not_negative(const Theorem& from, const Theorem& to);
 /// 0 < t and t < pi/2 give 0 < cos(t).
 Theorem cosine_positive(const Theorem& from, const Theorem& below);
 }  // namespace algebra

@@ -31,6 +31,14 @@ Theorem never() {
 Theorem refute(Expr f, const Theorem& absurd) {
   return tautology(logic_not(f), {discharge(f, absurd), never()});
 }
+Theorem by_induction(Expr n, Expr f, const Theorem& base,
+                     const std::function<Theorem(const Theorem&, const Theorem&)>& step) {
+  const Expr premise = logic_and({le(0, n), f});
+  const Theorem known = assume(premise);
+  const Theorem next =
+      discharge(premise, cut(part(known, 0), step(part(known, 0), part(known, 1))));
+  return tautology(f, {induction(n, 0, f, base, next), assume(le(0, n))});
+}
 Theorem otherwise(Expr goal, const Theorem& absurd) {
   const Expr l = goal.arg(0), r = goal.arg(1);
   return tautology(goal, {refute(goal.op() == Op::Lt ? le(r, l) : lt(r, l), absurd)});

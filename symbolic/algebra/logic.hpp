@@ -2,6 +2,7 @@
 // Steps of plain logic that chapters take again and again. Nothing here is trusted: the kernel
 // makes every theorem.
 #pragma once
+#include <functional>
 #include <string>
 
 #include "kernel/theorem.hpp"
@@ -24,6 +25,9 @@ Theorems operator+(Theorems a, const Theorems& b);
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f
 Theorem refute(Expr f, const Theorem& absurd);
+/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use 0 <= n and f.
+Theorem by_induction(Expr n, Expr f, const Theorem& base,
+                     const std::function<Theorem(const Theorem&, const Theorem&)>& step);
 /// l < r from r <= l, H |- 0 < 0, or l <= r from r < l, H |- 0 < 0.
 Theorem otherwise(Expr goal, const Theorem& absurd);
 /// The same conclusion under more hypotheses, so that a chapter shows what it means by a name.

@@ -150,7 +150,6 @@ private:
     for (const auto& [out, k] : p.outputs) text.line("  R " + out + ";");
     for (int k : members) {
       text.line((p[k].is_exact ? "  T " : "  N ") + p[k].name + ";");
-      if (p[k].op == Op::arc_tangent) text.line("  T " + p[k].name + "_early;");
     }
     if (has_bounds) {
       text.line("  static constexpr const double* E = " + name + "Bounds<Tier>::E;");
@@ -227,19 +226,12 @@ private:
       const std::string number = as_number(p, x);
       const bool is_small = p[x].range.size() <= small_angle;
       text.line("    const auto of_" + p[x].name + " = " +
-                (is_small ? "sine_cosine_small<Tier>(" + number
-                          : "sine_cosine<Tier>(" + number + ", " + early(p, x)) +
-                ");");
+                (is_small ? "sine_cosine_small<Tier>(" : "sine_cosine<Tier>(") + number + ");");
     }
     const bool is_member = members.count(k) > 0;
     const std::string type = is_member ? "" : n.is_exact ? "const T " : "const N ";
     const std::string maybe = !is_member && n.op == Op::scale ? "[[maybe_unused]] " : "";
     text.line("    " + maybe + type + n.name + " = " + right_side(p, n) + ";");
-    if (n.op == Op::arc_tangent) {
-      text.line("    " + std::string(is_member ? "" : "const T ") + n.name +
-                "_early = arc_tangent_early<Tier>(" + as_number(p, n.of[0]) + ", " +
-                as_number(p, n.of[1]) + ", " + n.name + ");");
-    }
   }
   void tests() {
     for (std::size_t i = 0; i < p.outputs.size(); ++i) {

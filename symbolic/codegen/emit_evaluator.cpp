@@ -15,14 +15,9 @@ std::string structure(const std::string& name, const std::vector<Field>& fields)
   for (const Field& f : fields) s += "  " + f.type + " " + f.name + ";\n";
   return s + "};\n";
 }
-std::string quoted(const std::vector<std::string>& words) {
-  std::string s;
-  for (const std::string& w : words) s += (s.empty() ? "\"" : ", \"") + w + "\"";
-  return "[" + s + "]";
-}
 }  // namespace
 
-Evaluator emit_evaluator(const Quantity& q) {
+Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
   if (q.cases.empty()) throw Refused(q.name + " has no case");
   std::vector<EmittedCase> cases;
   for (const Case& c : q.cases) cases.push_back(emit_case(q, c));
@@ -74,16 +69,17 @@ Evaluator emit_evaluator(const Quantity& q) {
   t.block(s);
   Evaluator e;
   std::string visits;
-  std::vector<std::string> json;
+  std::vector<Claim> claims;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     const std::string name = Q + capital(q.cases[k].name);
     t.block(cases[k].code);
     e.errors += cases[k].errors;
     visits += "    if (" + condition(q, q.cases[k]) + ") {\n      return f.template operator()<" +
               name + ">();\n    }\n";
-    json.push_back("{\"name\": \"" + q.cases[k].name + "\", \"domain\": \"" +
-                   domain_in_words(q, q.cases[k]) + "\", \"bounds\": " + quoted(cases[k].bounds) +
-                   "}");
+    kernel::Theorems used = q.cases[k].definitions;
+    used.insert(used.end(), q.cases[k].outputs.begin(), q.cases[k].outputs.end());
+    claims.push_back(
+        {q.cases[k].name, domain_in_words(q, q.cases[k]), cases[k].bounds, ids_of(used, ids)});
   }
   t.block(
       "/// What loops over rows need to know of " + q.name + ".\nstruct " + Q +
@@ -97,13 +93,9 @@ Evaluator emit_evaluator(const Quantity& q) {
       "    return 1.0;\n  }\n};\n");
   t.line("}  // namespace magicmass::generated::inline MAGICMASS_TARGET");
   e.header = t.str();
-  std::vector<std::string> in_words;
-  for (const Field& f : inputs) in_words.push_back(f.name);
-  std::vector<std::string> out_words;
-  for (const Field& f : outputs) out_words.push_back(f.name);
-  e.manifest = "{\"name\": \"" + q.name + "\", \"form\": \"evaluator\", \"labels\": \"" + q.labels +
-               "\", \"inputs\": " + quoted(in_words) + ", \"outputs\": " + quoted(out_words) +
-               ",\n   \"cases\": [" + joined(json, ",\n    ") + "]}";
+  std::vector<std::string> names = main.whole;
+  names.insert(names.end(), main.real.begin(), main.real.end());
+  e.manifest = manifest_entry(q, "evaluator", "evaluators/" + q.name + ".hpp", names, claims);
   return e;
 }
 }  // namespace codegen

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "codegen/quantity.hpp"
+#include "codegen/manifest.hpp"
 
 namespace codegen {
 struct Evaluator {
@@ -12,5 +12,5 @@ struct Evaluator {
   std::string errors;    ///< each node's error, for a reader
   std::string manifest;  ///< a JSON object
 };
-Evaluator emit_evaluator(const Quantity& q);
+Evaluator emit_evaluator(const Quantity& q, const Ids& ids = {});
 }  // namespace codegen

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Prints terms as they stand in the theorems.
+// One function template a quantity, one branch a case; others are refused at run time.
 #include "codegen/emit_plain.hpp"
 
-#include <algorithm>
-#include <map>
-#include <set>
-
+#include "codegen/exact.hpp"
+#include "codegen/plain_branch.hpp"
 #include "codegen/program.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"
@@ -13,156 +11,152 @@
 namespace codegen {
 namespace {
 using kernel::Expr;
-using kernel::Op;
+using kernel::Theorem;
+using kernel::Theorems;
 
-class Printer {
-public:
-  std::map<Expr, std::string> names;
-  std::set<std::string> functions;
-
-  std::string print(Expr e, bool in_product = false) {
-    if (const auto found = names.find(e); found != names.end()) return found->second;
-    switch (e.op()) {
-      case Op::Num:
-        return number(e.value());
-      case Op::Add: {
-        std::string s;
-        for (Expr a : e.args()) s += (s.empty() ? "" : " + ") + print(a, !s.empty());
-        return in_product ? "(" + s + ")" : s;
-      }
-      case Op::Mul: {
-        std::string above;
-        std::string below;
-        for (Expr a : e.args()) {
-          const bool is_inverse = a.op() == Op::Fun && a.name() == "inv";
-          std::string& side = is_inverse ? below : above;
-          const std::string factor = print(is_inverse ? a.arg(0) : a, true);
-          side += is_inverse ? " / " + factor : (side.empty() ? "" : " * ") + factor;
-        }
-        return "(" + (above.empty() ? number(1) : above) + below + ")";
-      }
-      case Op::Pow: {
-        const std::string base = print(e.arg(0), true);
-        std::string p = base;
-        for (int k = 1; k < e.exponent(); ++k) p += " * " + base;
-        return "(" + p + ")";
-      }
-      case Op::Fun:
-        return call(e);
-      default:
-        throw Refused("no plain form of " + kernel::text(e));
-    }
+bool is_whole(const Input& i) { return i.variable.sort() == kernel::Sort::Int; }
+/// "alpha >= Number(0x1p-300) && ..."; exact forms are of numbers that need have no order.
+std::string guard(const PlainForm& f, const Case& c) {
+  std::vector<std::string> parts;
+  for (const Input& i : f.quantity.inputs) {
+    if (f.form == "exact" && !is_whole(i)) continue;
+    const std::string name = identifier(i.variable.name());
+    const Interval r = range_of(i, c, false);
+    const auto end = [&](double x) {
+      return is_whole(i) ? kernel::digits(exact(x)) : "Number(" + hex(x) + ")";
+    };
+    parts.push_back(name + " >= " + end(r.low) + " && " + name + " <= " + end(r.high));
   }
-
-private:
-  static std::string number(const cln::cl_RA& q) {
-    const std::string above = "Number(" + kernel::digits(cln::numerator(q)) + ")";
-    if (cln::denominator(q) == 1) return above;
-    return "(" + above + " / Number(" + kernel::digits(cln::denominator(q)) + "))";
-  }
-  std::string call(Expr e) {
-    const std::string f = e.name();
-    if (f == "inv") return "(" + number(1) + " / " + print(e.arg(0), true) + ")";
-    if (f == "pi") {
-      functions.insert("atan");
-      return "(Number(4) * atan(Number(1)))";
-    }
-    const bool is_known = f == "sqrt" || f == "sin" || f == "cos" || f == "atan" || f == "ceil";
-    if (!is_known) throw Refused("no definition of " + kernel::text(e));
-    functions.insert(f);
-    return f + "(" + print(e.arg(0)) + ")";
-  }
-};
-/// The definitions that the outputs need, in order.
-kernel::Theorems needed(const Case& c) {
-  std::set<Expr> live;
-  const auto visit = [&](const auto& self, Expr e) -> void {
-    live.insert(e);
-    for (Expr a : e.args()) self(self, a);
-  };
-  for (const kernel::Theorem& t : c.outputs) visit(visit, t.conclusion().arg(1));
-  kernel::Theorems r;
-  for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
-    if (live.count(t->conclusion().arg(0)) == 0) continue;
-    visit(visit, t->conclusion().arg(1));
-    r.insert(r.begin(), *t);
-  }
-  return r;
+  return parts.empty() ? "true" : joined(parts, " && ");
 }
-std::string without_outer(const std::string& s) {
-  int depth = 0;
-  for (std::size_t k = 0; k < s.size(); ++k) {
-    depth += s[k] == '(' ? 1 : s[k] == ')' ? -1 : 0;
-    if (depth == 0 && k + 1 < s.size()) return s;
+/// "alpha from 0x1p-300 to 0x1p+40, n from 0 to 1024"
+std::string allowed(const PlainForm& f, const Case& c) {
+  std::vector<std::string> parts;
+  for (const Input& i : f.quantity.inputs) {
+    const Interval r = range_of(i, c, false);
+    const auto end = [&](double x) { return is_whole(i) ? kernel::digits(exact(x)) : hex(x); };
+    const bool is_any = f.form == "exact" && !is_whole(i);
+    parts.push_back(identifier(i.variable.name()) +
+                    (is_any ? " > 0" : " from " + end(r.low) + " to " + end(r.high)));
   }
-  return s.substr(1, s.size() - 2);
+  return joined(parts, ", ");
+}
+std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
+
+struct Written {
+  std::string doublings, code;
+  bool has_functions = false;
+  std::vector<std::string> outputs;
+  std::vector<Claim> claims;
+};
+Written write_function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted) {
+  const Quantity& q = f.quantity;
+  Written w;
+  const std::string own_type = capital(q.name) + capital(f.form);
+  std::string type = own_type + "<Number>";
+  std::string branches;
+  std::vector<std::string> domains;
+  Theorems used;
+  std::set<std::string> functions;
+  for (const Case& c : q.cases) {
+    Theorems outputs;
+    std::vector<std::string> names;
+    for (const Theorem& t : c.outputs) {
+      if (!wanted.empty() && wanted.count(output_name(t)) == 0) continue;
+      outputs.push_back(t);
+      names.push_back(output_name(t));
+    }
+    if (outputs.empty()) return {};
+    if (!w.outputs.empty() && w.outputs != names) {
+      throw Refused("the cases of " + q.name + " do not have the same outputs");
+    }
+    w.outputs = names;
+    const PlainBranch b(f, c, outputs);
+    functions.insert(b.printer.functions.begin(), b.printer.functions.end());
+    used.insert(used.end(), b.used.begin(), b.used.end());
+    branches += "  if (" + guard(f, c) + ") {\n" + b.lines + "    return {" +
+                joined(b.results, ", ") + "};\n  }\n";
+    domains.push_back(allowed(f, c));
+    w.claims.push_back({c.name, domains.back(), {}, ids_of(b.used, ids)});
+    if (w.doublings.empty()) {
+      for (const Doubling& d : f.doublings) w.doublings += emit_doubling(d, b.domain);
+    }
+    const Expr first = outputs[0].conclusion().arg(0);
+    if (kernel::is_matrix(first)) {
+      type = "std::array<std::array<Number, " + std::to_string(first.cols()) + ">, " +
+             std::to_string(first.rows()) + ">";
+    }
+  }
+  const bool is_matrix = f.form == "matrices";
+  const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
+  std::vector<std::string> parameters;
+  for (const Input& i : q.inputs) {
+    parameters.push_back((is_whole(i) ? "std::int64_t " : "const Number& ") +
+                         identifier(i.variable.name()));
+  }
+  w.has_functions = !functions.empty();
+  const std::vector<std::string> theorems = ids_of(used, ids);
+  Text t;
+  if (!is_matrix) {
+    t.block("template <class Number>\nstruct " + own_type + " {\n  Number " +
+            joined(w.outputs, ", ") + ";\n};\n");
+  }
+  t.line("/// " + q.name + " (" + q.labels + "): " + joined(w.outputs, ", ") +
+         ". Domain: " + joined(domains, "; or ") + ".");
+  if (!theorems.empty()) t.line("/// Theorems: " + joined(theorems, ", ") + ".");
+  t.block("template <class Number>\n" + type + " " + name + "(" + joined(parameters, ", ") + ") {");
+  for (const std::string& function : functions) t.line("  using std::" + function + ";");
+  t.block(branches);
+  const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
+  t.block("  throw std::domain_error(\"" + name + ": allowed: " + between +
+          joined(domains, "; or " + between) + "\");\n}\n");
+  w.code = t.str();
+  return w;
 }
 }  // namespace
 
-PlainHeader emit_plain(const Quantity& q, const std::string& form) {
-  const std::string type = capital(q.name) + capital(form);
-  Text body;
-  std::set<std::string> functions;
-  std::string fields;
-  for (const Case& c : q.cases) {
-    Printer printer;
-    std::vector<std::string> parameters;
-    for (const Input& i : q.inputs) {
-      const std::string name = identifier(i.variable.name());
-      printer.names[i.variable] = name;
-      parameters.push_back("[[maybe_unused]] const Number& " + name);
-    }
-    Text lines;
-    const auto value = [&](const kernel::Theorem& t) {
-      const Expr f = t.conclusion();
-      lines.line("  // " + kernel::text(f));
-      lines.line("  const Number " + identifier(f.arg(0).name()) + " = " +
-                 without_outer(printer.print(f.arg(1))) + ";");
-      printer.names[f.arg(0)] = identifier(f.arg(0).name());
-    };
-    for (const kernel::Theorem& t : needed(c)) value(t);
-    std::vector<std::string> outputs;
-    for (const kernel::Theorem& t : c.outputs) {
-      if (printer.names.count(t.conclusion().arg(0)) == 0) value(t);
-      outputs.push_back(printer.names.at(t.conclusion().arg(0)));
-    }
-    const std::string declared = "  Number " + joined(outputs, ";\n  Number ") + ";\n";
-    if (!fields.empty() && fields != declared) {
-      throw Refused("the cases of " + q.name + " do not have the same outputs");
-    }
-    fields = declared;
-    std::vector<std::string> conditions;
-    for (const kernel::Theorem& t : c.outputs) {
-      for (Expr h : t.hypotheses()) {
-        const std::string text = kernel::text(h);
-        const bool is_new =
-            std::find(conditions.begin(), conditions.end(), text) == conditions.end();
-        if (is_new) conditions.push_back(text);
-      }
-    }
-    body.line("/// " + q.name + ", " + c.name +
-              (conditions.empty() ? "" : ": where " + joined(conditions, ", ")) + ".");
-    body.line("template <class Number>");
-    body.line(type + "<Number> " + q.name + "_" + form + "_" + c.name + "(" +
-              joined(parameters, ", ") + ") {");
-    for (const std::string& f : printer.functions) body.line("  using std::" + f + ";");
-    body.block(lines.str());
-    body.line("  return {" + joined(outputs, ", ") + "};");
-    body.line("}");
-    functions.insert(printer.functions.begin(), printer.functions.end());
+PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
+                       const std::set<std::string>& wanted) {
+  if (forms.empty()) throw Refused("no form to print");
+  const std::string& form = forms[0].form;
+  const bool is_exact = form == "exact";
+  PlainHeader result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
+  std::string body;
+  std::set<std::string> doublings;
+  std::set<std::string> all;
+  std::set<std::string> missing = wanted;
+  bool has_functions = false;
+  for (const PlainForm& f : forms) {
+    if (f.form != form) throw Refused("two forms in one header: " + form + ", " + f.form);
+    for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
+    const Written w = write_function(f, ids, wanted);
+    if (w.outputs.empty()) continue;
+    const bool is_new = !w.doublings.empty() && doublings.insert(w.doublings).second;
+    body += (is_new ? w.doublings : "") + w.code;
+    has_functions = has_functions || w.has_functions;
+    for (const std::string& name : w.outputs) missing.erase(name);
+    result.manifest.push_back(manifest_entry(f.quantity, form, result.path, w.outputs, w.claims));
   }
-  const bool is_exact = functions.empty();
-  const std::string numbers = is_exact ? "any field" : "any real type with <cmath>'s functions";
+  if (!missing.empty()) {
+    throw Refused("no output is called " + *missing.begin() +
+                  "; allowed: " + joined({all.begin(), all.end()}, ", "));
+  }
+  std::vector<std::string> includes;
+  if (form == "matrices") includes.push_back("<array>");
+  if (!doublings.empty()) includes.push_back("<bit>");
+  if (has_functions) includes.push_back("<cmath>");
+  includes.insert(includes.end(), {"<cstdint>", "<stdexcept>"});
+  if (!doublings.empty()) includes.push_back("<utility>");
+  const std::string numbers =
+      is_exact ? "any field, without error"
+               : "any real type of double's precision and exponents, or better, with <cmath>'s "
+                 "functions; each operation is rounded as the type rounds";
   Text t;
-  t.block(opening("// " + q.name + ", " + form + " form, from " + q.labels + ", for " + numbers +
-                      "; each operation is rounded as the type rounds.",
-                  is_exact ? std::vector<std::string>{} : std::vector<std::string>{"<cmath>"}));
-  t.line("");
-  t.line("namespace magicmass::generated {");
-  t.line("template <class Number>");
-  t.block("struct " + type + " {\n" + fields + "};\n");
-  t.block(body.str());
-  t.line("}  // namespace magicmass::generated");
-  return {is_exact ? "exact" : "plain", t.str()};
+  t.block(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers +
+                      ". Outside of its domain a function throws std::domain_error.",
+                  includes));
+  t.block("\nnamespace magicmass::generated {\n" + body + "}  // namespace magicmass::generated\n");
+  result.header = t.str();
+  return result;
 }
 }  // namespace codegen

@@ -2,16 +2,30 @@
 // Formulas as plain functions of any number type, from the same quantities.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
-#include "codegen/quantity.hpp"
+#include "codegen/doubling.hpp"
+#include "codegen/manifest.hpp"
 
 namespace codegen {
-/// plain/NAME_FORM.hpp: a function template a case, over any real type with <cmath>'s functions, or
-/// (where its theorems are rational) exact/NAME_FORM.hpp, over any field.
-struct PlainHeader {
-  std::string folder;  ///< "plain" or "exact"
-  std::string header;
+/// A quantity to be written as a function QUANTITY_FORM: closed, product, tangent; `exact`: over
+/// any field, by rational theorems; `matrices`: each output is one. Its domain is that of the
+/// narrow ranges, for numbers of doubles' precision and exponents, or better.
+struct PlainForm {
+  Quantity quantity;
+  std::string form;
+  std::vector<Doubling> doublings = {};
 };
-PlainHeader emit_plain(const Quantity& q, const std::string& form);
+struct PlainHeader {
+  std::string path;                   ///< plain/FORM.hpp, exact/FORM.hpp
+  std::string header;                 ///< one function a quantity
+  std::vector<std::string> manifest;  ///< a JSON object each
+};
+/// All forms of one name in one header, with the outputs that are wanted (none named: all) and what
+/// those need. Refused: a wanted output that there is none of; what may over- or underflow.
+PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
+                       const std::set<std::string>& wanted = {});
 }  // namespace codegen

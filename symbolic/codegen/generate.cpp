@@ -9,7 +9,7 @@
 
 namespace codegen {
 std::map<std::string, std::string> generate(const std::vector<Quantity>& evaluators,
-                                            const std::vector<PlainForm>& plain) {
+                                            const std::vector<PlainForm>& plain, const Ids& ids) {
   std::map<std::string, std::string> files;
   std::vector<std::string> manifest;
   const auto put = [&](const std::string& path, const std::string& text) {
@@ -19,18 +19,18 @@ std::map<std::string, std::string> generate(const std::vector<Quantity>& evaluat
   std::string errors =
       "What each value may be off by, in sizes of computed values, tier by tier.\n";
   for (const Quantity& q : evaluators) {
-    const Evaluator e = emit_evaluator(q);
+    const Evaluator e = emit_evaluator(q, ids);
     put("evaluators/" + q.name + ".hpp", e.header);
     errors += e.errors;
     manifest.push_back(e.manifest);
   }
   put("evaluators/errors.txt", errors);
-  for (const PlainForm& p : plain) {
-    const PlainHeader h = emit_plain(p.quantity, p.form);
-    put(h.folder + "/" + p.quantity.name + "_" + p.form + ".hpp", h.header);
-    manifest.push_back("{\"name\": \"" + p.quantity.name + "\", \"form\": \"" + p.form +
-                       "\", \"kind\": \"" + h.folder + "\", \"labels\": \"" + p.quantity.labels +
-                       "\"}");
+  std::map<std::string, std::vector<PlainForm>> by_form;
+  for (const PlainForm& p : plain) by_form[p.form].push_back(p);
+  for (const auto& [form, forms] : by_form) {
+    const PlainHeader h = emit_plain(forms, ids);
+    put(h.path, h.header);
+    manifest.insert(manifest.end(), h.manifest.begin(), h.manifest.end());
   }
   put("manifest.json", "[\n  " + joined(manifest, ",\n  ") + "\n]\n");
   return files;

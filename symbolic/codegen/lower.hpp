@@ -2,14 +2,12 @@
 // From theorems to a program.
 #pragma once
 
+#include "codegen/hypotheses.hpp"
 #include "codegen/program.hpp"
-#include "codegen/quantity.hpp"
 
 namespace codegen {
 /// The case's program after all passes. Refused: a theorem with a hypothesis that does not follow
 /// from the intervals, a name without a definition, an operation that there is none for, a divisor
 /// or root whose range is not known, a value that may over- or underflow.
 Program lower(const Quantity& quantity, const Case& which, bool is_wide);
-/// The interval of an input in a case.
-Interval range_of(const Input& input, const Case& which, bool is_wide);
 }  // namespace codegen

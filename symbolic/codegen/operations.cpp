@@ -111,7 +111,7 @@ NumberType::OfPolynomial NumberType::polynomial(const Polynomial& p, double size
   for (int k = m - 2; k >= 0; --k) {
     if (size * S > c(k) / 2) throw Refused("plus_product in " + p.name);
     const double s = c(k) + size * S;
-    E = size * E + low * L + u * (3 * low * S + 2 * size * L + 3 * u * c(k) + 2 * u * s);
+    E = size * E + low * L + u * (3 * low * S + size * L + 3 * u * c(k) + 3 * u * s);
     L = u * s + low * S + size * L + u * c(k);
     S = s;
   }

@@ -98,7 +98,7 @@ Polynomial make(const Range& range, Shape shape) {
   return r;
 }
 std::vector<Tier> make_tiers() {
-  // (pi/4)^2 and (pi/6)^2 and a little more: what a decision by an early angle may be off.
+  // (pi/4)^2 and (pi/6)^2 and a little more: room for an angle that is rounded.
   constexpr double quarter = 0.6168510;
   constexpr double sixth = 0.2741560;
   constexpr double third = 0x1.5555555555556p-2;
@@ -174,8 +174,7 @@ std::string emit_polynomials() {
            ";\n    static constexpr double centre = " + hex(p.centre) + ";\n" +
            list("high", p.high) + list("low", p.low) + "  };\n";
     }
-    s += tier.name == "Fast" ? "  using Early = ArcTangent;\n};\n"
-                             : "  using Early = Fast::ArcTangent;\n};\n";
+    s += "};\n";
   }
   return s +
          "/// The tier of the last number type, of as many bits as are asked for.\n"

@@ -42,14 +42,6 @@ std::string as_number(const Program& p, int k) {
   if (p[k].op == Op::constant && !p[k].is_exact) return constant(p[k]);
   return p[k].is_exact ? "N::exact(" + as_plain(p, k) + ")" : p[k].name;
 }
-std::string early(const Program& p, int k) {
-  const Node& n = p[k];
-  if (n.op == Op::arc_tangent) return n.name + "_early";
-  if (n.op == Op::exact_product) return early(p, n.of[0]) + " * " + as_plain(p, n.of[1]);
-  if (n.op == Op::scale) return "(" + early(p, n.of[0]) + " * " + hex(n.factor) + ")";
-  return "leading(" + as_number(p, k) + ")";
-}
-
 std::string right_side(const Program& p, const Node& n) {
   const auto number = [&](std::size_t i) { return as_number(p, n.of[i]); };
   const auto plain = [&](std::size_t i) { return as_plain(p, n.of[i]); };
@@ -87,7 +79,7 @@ std::string right_side(const Program& p, const Node& n) {
     case Op::size:
       return "magnitude(" + number(0) + ")";
     case Op::nearest:
-      return "N::nearest(leading(" + number(0) + ") / " + early(p, n.of[1]) + ")";
+      return "N::nearest(leading(" + number(0) + ") / leading(" + number(1) + "))";
     case Op::step:
       return plain(0) + " + (N::times_sign_of(N::all(0.5), leading(" + number(1) + ")) - 0.5)";
     case Op::input:

@@ -10,8 +10,6 @@ namespace codegen {
 std::string as_plain(const Program& p, int k);   ///< an exact node, as a T
 std::string as_number(const Program& p, int k);  ///< any node, as an N
 std::string right_side(const Program& p, const Node& n);
-/// About a node's value as a T, known early: what is decided by it is tested later.
-std::string early(const Program& p, int k);
 /// "3 sums, 2 products, ..."
 std::string operation_counts(const Program& p);
 }  // namespace codegen

@@ -6,8 +6,8 @@ namespace derivation {
 Book derive() {
   Book book;
   for (const auto chapter :
-       {contact, cycle, cycle_matrix, rotation, powers, table, counting, constraints, thresholds,
-        ratios, terminal, minima, small_alpha, evaluators, radicals})
+       {contact, cycle, cycle_matrix, rotation, powers, table, counting, constraints, multiples,
+        thresholds, ratios, terminal, minima, small_alpha, orthogonal, evaluators, radicals})
     chapter(book);
   return book;
 }

@@ -29,28 +29,27 @@ void last_collision(Book& book, const Last& last) {
       scaled(lt(early, pi()), linear(lt(0, quotient() - last.before), {part(rounded, 1), number}));
   const Theorem reached =
       scaled(le(pi(), late), linear(le(0, last.after - quotient()), {part(rounded, 0), number}));
-  book.show(last.name + "_angle", "",
-            "Around " + last.name + " psi there are angles on both sides of pi,",
-            both({below, reached}));
+  book.show(
+      last.name + "_angle", "",
+      last.name == "N_A" ? "pi lies between two angles near N_A psi," : "For B it is N_B psi:",
+      both({below, reached}));
   const Theorem count_from_1 = part(book["counting.at_least"], last.name == "N_A" ? 0 : 1);
   const Theorem above_0 = scaled(lt(0, early), linear(lt(0, last.before), {count_from_1}));
   const Theorem to_end = linear(le(late, 2 * pi()), {below, psi_below, positive(pi())});
   const Theorem sine_before = use("sin positive", {{x, early}}, {above_0, below});
   const Theorem sine_after = tautology(
       le(sin(late), 0), {instantiate(book["counting.sine_past_pi"], {{x, late}}), reached, to_end});
-  book.show(last.name + "_sines", last.label + "-simple", "so that sines have both signs,",
+  book.show(last.name + "_sines", last.label + "-simple", "where the sines have different signs,",
             both({sine_before, sine_after}));
   const auto speed = [&](Expr cycles) {
     return use(discharge(le(0, n), book["power." + last.approach]), {{n, cycles}},
                {linear(le(0, cycles), {count_from_1})});
   };
-  const Theorem sine_half = use("sin positive", {{x, psi() / 2}},
-                                {linear(lt(0, psi() / 2), {psi_positive}),
-                                 linear(lt(psi() / 2, pi()), {psi_positive, psi_below})});
+  const Theorem sine_half = part(book["rotation.half_signs"], 0);
   const Theorem factor = times(assume(V_positive), positive(1 / sin(psi() / 2), {sine_half}));
   book.show(
       last.name + "_last", last.label,
-      "and the two bodies approach before that collision, but not after the next cycle:",
+      "so the two bodies approach before the last collision and not after it:",
       both({linear(lt(last.slower_before, last.faster_before),
                    {speed(last.count - 1), times(factor, sine_before)}),
             linear(le(last.faster_after, last.slower_after),
@@ -60,7 +59,7 @@ void last_collision(Book& book, const Last& last) {
 /// floor(x) <= x < floor(x) + 1, and what is left.
 void whole_part(Book& book) {
   const Theorem def_floor = define("floor", {x}, -ceil(-x), 0);
-  book.show("floor", "", "Rounding down is rounding up of the opposite number,", def_floor);
+  book.show("floor", "", "Rounding down:", def_floor);
   const Theorem ceiling = instantiate(ceiling_is(), {{x, -x}, {k, -k}});
   const Expr is_k = eq(floor(x), k), upper = lt(x, k + 1), lower = le(k, x);
   const auto same = [](Expr f, Expr g) {
@@ -76,9 +75,9 @@ void whole_part(Book& book) {
                       {ceiling, same_by_floor(is_k, ceiling.conclusion().arg(0)),
                        same(upper, meaning.arg(0)), same(lower, meaning.arg(1))}));
   const Theorem rest = define("sawtooth", {x}, x - floor(x), 0);
-  book.show("sawtooth", "def:sawtooth", "What is left is the sawtooth,", rest);
+  book.show("sawtooth", "def:sawtooth", "What is left over is the sawtooth function,", rest);
   const Theorem rounded = use("ceiling", {{x, -x}});
-  book.show("sawtooth_range", "def:sawtooth", "with its range:",
+  book.show("sawtooth_range", "def:sawtooth", "which lies between 0 and 1:",
             both({linear(le(0, sawtooth(x)), {rest, def_floor, part(rounded, 0)}),
                   linear(lt(sawtooth(x), 1), {rest, def_floor, part(rounded, 1)})}));
 }
@@ -102,7 +101,8 @@ void two_cases(Book& book) {
   const Theorem A_near = chain(book["counting.N_A"], ceiling(rational(1, 2), m, near_facts));
   const Theorem B_near = chain(book["counting.N_B"], ceiling(1, m, near_facts));
   const Theorem up_near = ceiling(0, m + 1, near_facts);
-  book.show("N_A_near", "eq:NANB-ans eq:NANB-ans-txt", "If at most one half is left of pi/psi,",
+  book.show("N_A_near", "eq:NANB-ans eq:NANB-ans-txt",
+            "If pi/psi is more than a whole number, by one half at most, the counts are equal,",
             both({linear(eq(N_A(), N_B()), {A_near, B_near}),
                   linear(eq(N_B(), ceil(z) - 1), {B_near, up_near})}));
   const Expr claim = logic_and({eq(N_A(), N_B() + 1), eq(N_B() + 1, ceil(z))});
@@ -115,7 +115,7 @@ void two_cases(Book& book) {
                            linear(claim.arg(1), {B_far, ceiling(0, top, all)})}));
   };
   const Theorem none = assume(eq(rest, 0)), much = assume(lt(rational(1, 2), rest));
-  book.show("N_A_far", "eq:NANB-ans eq:NANB-ans-txt", "and otherwise",
+  book.show("N_A_far", "eq:NANB-ans eq:NANB-ans-txt", "and otherwise A has one more:",
             tautology(claim, {assume(logic_not(small)), far(none, m), far(much, m + 1), from_0,
                               use("equal or less or greater", {{x, 0}, {y, rest}}),
                               discharge(eq(0, rest), turned(assume(eq(0, rest))))}));

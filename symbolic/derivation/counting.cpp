@@ -8,38 +8,15 @@ Expr half_angle(Expr count) { return count * psi() / 2; }
 
 /// |- pi <= x implies (x <= 2 pi implies sin(x) <= 0)
 Theorem sine_not_positive() {
-  const Expr end = 2 * pi();
   const Theorem from_pi = assume(le(pi(), x));
-  const Theorem to_end = assume(le(x, end));
-  const auto shifted_by_pi = [](Expr angle) {  // sin(angle) by the sum theorem at pi
-    return restate(eq(sin(angle), sin(angle - pi()) * cos(pi()) + cos(angle - pi()) * sin(pi())),
-                   use("sin sum", {{x, angle - pi()}, {y, pi()}}));
-  };
-  const Theorems at_pi{axiom("cos pi"), axiom("sin pi")};
-  const Theorem shifted = equation(sin(x), -sin(x - pi()), Theorems{shifted_by_pi(x)} + at_pi);
-  const Theorem sin_end =
-      equation(sin(end), 0,
-               Theorems{restate(eq(sin(end), sin(pi()) * cos(pi()) + cos(pi()) * sin(pi())),
-                                use("sin sum", {{x, pi()}, {y, pi()}}))} +
-                   at_pi);
-  const auto at = [](Expr angle, const Theorem& sine) {
-    const Theorem here = assume(eq(x, angle));
-    const Theorem zero = restate(eq(sin(x), 0), rewrite(turned(here), sine));
-    return discharge(eq(x, angle), linear(le(sin(x), 0), {zero}));
-  };
-  const Theorem above = assume(lt(pi(), x));
-  const Theorem below = assume(lt(x, end));
-  const Theorem inside = linear(
-      le(sin(x), 0),
-      {shifted, use("sin positive", {{x, x - pi()}},
-                    {linear(lt(0, x - pi()), {above}), linear(lt(x - pi(), pi()), {below})})});
-  const Theorem order_1 = use("equal or less or greater", {{y, pi()}});
-  const Theorem order_2 = use("equal or less or greater", {{y, end}});
-  return discharge(
-      from_pi.conclusion(),
-      tautology(imp(to_end.conclusion(), le(sin(x), 0)),
-                {from_pi, order_1, order_2, at(pi(), axiom("sin pi")), at(end, sin_end),
-                 discharge(above.conclusion(), discharge(below.conclusion(), inside))}));
+  const Theorem to_end = assume(le(x, 2 * pi()));
+  const Theorem shifted = equation(
+      sin(x), -sin(x - pi()),
+      angles({sin(x)}, {x - pi(), pi()}, false) + Theorems{axiom("cos pi"), axiom("sin pi")});
+  const Theorem back =
+      sine_not_negative(linear(le(0, x - pi()), {from_pi}), linear(le(x - pi(), pi()), {to_end}));
+  return discharge(from_pi.conclusion(),
+                   discharge(to_end.conclusion(), linear(le(sin(x), 0), {shifted, back})));
 }
 
 /// The approach speed before collision j, for both kinds alike.
@@ -102,9 +79,7 @@ void number_of_collisions(Book& book, const Theorem& speed) {
   const Theorem psi_below = part(book["rotation.psi_range"], 1);
   const Theorem j_from_0 = assume(le(0, j));
   const Expr sine = sin(half_angle(j + 1));
-  const Theorem sin_half = use("sin positive", {{x, psi() / 2}},
-                               {linear(lt(0, psi() / 2), {psi_positive}),
-                                linear(lt(psi() / 2, pi()), {psi_positive, psi_below})});
+  const Theorem sin_half = part(book["rotation.half_signs"], 0);
   const Theorem factor = times(V_above_0, positive(1 / sin(psi() / 2), {sin_half}));
   const Theorem goes_on = assume(lt(0, sine));
   const Theorem ends = assume(le(sine, 0));

@@ -241,7 +241,8 @@ void at_the_end(Names& names, const Angle& a) {
   const Theorem psi_positive = part(book["rotation.psi_range"], 0);
   const Theorem z_rounded = use("ceiling", {{x, 2 * pi() / psi()}});
   const Theorem per = equation(psi() * (2 * pi() / psi()), 2 * pi(), {}, {psi_positive});
-  const auto [root_above, root_below] = root_of_square();
+  const auto roots = root_of_square();
+  const Theorem root_above = roots.first, root_below = roots.second;
 
   // Q_n last: r > 0; P_n last: r <= 0.
   const auto in_case = [&](bool Q_last) {
@@ -338,17 +339,7 @@ void at_the_end(Names& names, const Angle& a) {
   const Theorem gap_from = linear(le(0, gap_angle), {part(bounds, 1), q_is});
   const Theorem gap_below = linear(
       lt(gap_angle, pi()), {part(bounds, 0), part(book["rotation.psi_range"], 1), psi_positive});
-  const Theorem at_0 = assume(eq(gap_angle, 0)), inside = assume(lt(0, gap_angle));
-  const Theorem sine_below_0 = assume(lt(sin(gap_angle), 0));
-  const Theorem not_below_0 = refute(
-      sine_below_0.conclusion(), linear(lt(0, 0), {rewrite(at_0, sine_below_0), axiom("sin 0")}));
-  const Theorem sine_from_0 =
-      tautology(le(0, sin(gap_angle)),
-                {discharge(at_0.conclusion(), tautology(le(0, sin(gap_angle)), {not_below_0})),
-                 discharge(inside.conclusion(),
-                           linear(le(0, sin(gap_angle)),
-                                  {use("sin positive", {{x, gap_angle}}, {inside, gap_below})})),
-                 gap_from, use("equal or less or greater", {{x, gap_angle}, {y, 0}})});
+  const Theorem sine_from_0 = sine_not_negative(gap_from, linear(le(gap_angle, pi()), {gap_below}));
   const Theorem difference =
       equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
                angles({sin(gap_angle)}, {q, f("rest")}, false) +

@@ -45,7 +45,8 @@ void conditions(Book& book, const Given& g, const Condition& which) {
   const Theorem cosine = arithmetic(turned_back, c);
   const Theorem velocity = equation(fast, {g.b_is, assume(turned_back)}, {g.p1, g.p2});
   book.show(which.name + "_cosine", which.cosine_label,
-            which.name == "magic" ? "B takes everything if and only if" : "B has as little as at",
+            which.name == "magic" ? "B takes everything if and only if a cosine is -1,"
+                                  : "B has what it has at a deficient ratio if and only if",
             equal_sides(fast, turned_back, cosine, velocity));
 
   // cos(angle) = cos(target) from 0 to pi; beyond pi the angle is 2 pi - target.
@@ -73,7 +74,7 @@ void conditions(Book& book, const Given& g, const Condition& which) {
   const Theorem counted =
       equation(count, {linear(eq(psi() * N_B(), t - psi() / 2), {is_target})}, {g.psi_positive});
   const Theorem at_target = equation(y, t, {assume(count)}, {g.psi_positive});
-  book.show(which.name + "_count", which.count_label, "which is so if and only if",
+  book.show(which.name + "_count", which.count_label, "which means that N_B is exactly",
             equal_sides(turned_back, count, counted,
                         restate(turned_back, rewrite(turned(at_target), target_is))));
 
@@ -82,16 +83,14 @@ void conditions(Book& book, const Given& g, const Condition& which) {
   const Theorem d_positive = linear(lt(0, which.denominator(N_B())), {g.N_B_from_1});
   const Theorem definition =
       use(discharge(le(1, k), book["ratios." + which.ratio + "k"]), {{k, N_B()}}, {g.N_B_from_1});
-  const Theorem cosine_positive =
-      linear(lt(0, cos(half())), {g.cos_half, positive(1 / (1 + alpha), {g.p1})});
-  const Theorem solved =
-      equation(alpha, (1 - cos(half())) / cos(half()), {g.cos_half}, {g.p1, cosine_positive});
+  const Theorem solved = equation(alpha, (1 - cos(half())) / cos(half()), {g.cos_half},
+                                  {g.p1, part(book["rotation.half_signs"], 1)});
   const Theorem turn =
       equation(psi() * N_B(), pi() - which.shift * psi(), {assume(count)}, {g.psi_positive});
   const Theorem at_angle = equation(half(), quotient, {turn}, {d_positive});
   const Theorem ratio = chain(rewrite(at_angle, solved), turned(definition));
   const Theorem back = cut(g.N_B_from_1, instantiate(book[which.name + ".angle"], {{k, N_B()}}));
-  book.show(which.name + "_only", "", "and so at that ratio only:",
+  book.show(which.name + "_only", "", "and that the ratio is a threshold:",
             equal_sides(count, at, ratio,
                         equation(count, {linear(eq(psi(), 2 * quotient), {back})},
                                  {g.psi_positive, d_positive})));
@@ -113,7 +112,7 @@ void together(Book& book, const Given& g) {
   const Expr rest = V - (1 + alpha) * b_t();
   c.equations = {{1, part(coupled, 1)}, {-(rest + a_t()), part(coupled, 0)}};
   const Theorem fast = arithmetic(eq(b_t(), 2 * V / (2 + alpha)), c);
-  book.show("together", "eq:defb-terminal", "with one solution where B moves:",
+  book.show("together", "eq:defb-terminal", "with one solution in which B moves:",
             both({equation(a_t(), -alpha * V / (2 + alpha),
                            {linear(eq(a_t(), rest), {part(coupled, 0)}), fast}, {g.p2}),
                   fast}));
@@ -138,103 +137,106 @@ Theorem at_least(Book& book, const Given& g) {
                  {-V, equation((1 + alpha) * cos(half()), 1, {g.cos_half}, {g.p1})},
                  {V * (1 + alpha), split}};
   c.products = {{2, {g.speed, g.p1, cos_late, cos_early}, {}}};
-  return book.show("at_least", "",
-                   "B never gets less than that:", arithmetic(le(2 * V / (2 + alpha), b_t()), c));
+  return book.show("at_least", "", "B never has less than that,",
+                   arithmetic(le(2 * V / (2 + alpha), b_t()), c));
 }
 
 /// For k: x = pi/(2k + 2), the half of psi at beta_k, and what B has there.
 struct AtDeficient {
-  Theorem k_from_1, d_positive, angle_positive, angle_below, cos_x, definition, ratio_positive;
-  Theorem velocity;
+  Expr ratio, x_k;
+  AngleRange range;
+  Theorem ratio_positive, velocity;
 };
-AtDeficient at_deficient(Book& book, Expr ratio, Expr x_k) {
-  const Theorem k_from_1 = assume(le(1, k));
-  const Theorem d_positive = linear(lt(0, 2 * k + 2), {k_from_1});
-  const Theorem above_0 = positive(x_k, {d_positive});
-  const Theorem turn = equation((k + 1) * x_k, pi() / 2, {}, {d_positive});
-  const Theorem below =
-      linear(lt(x_k, pi() / 2), {turn, times(assume(le(1, k)), above_0), above_0});
-  const Theorem cos_x = book["ratios.beta_k_cosine"];
-  const Theorem less_than_1 = linear(
-      lt(0, 1 - cos(x_k)),
-      {cosine_falls(linear(le(0, 0), {}), above_0, linear(le(x_k, pi()), {below, positive(pi())})),
-       axiom("cos 0")});
-  const Theorem definition = book["ratios.beta_k"];
-  const Theorem ratio_positive =
-      linear(lt(0, ratio), {definition, positive((1 - cos(x_k)) / cos(x_k), {less_than_1, cos_x})});
+AtDeficient at_deficient(Book& book) {
+  const Expr ratio = fun("beta_", {k}), d = 2 * k + 2, x_k = pi() / d;
+  const AngleRange range = range_of(d, linear(lt(2, d), {assume(le(1, k))}));
+  const Theorem falls = cosine_falls(linear(le(0, 0), {}), range.positive,
+                                     linear(le(x_k, pi()), {range.below_edge, positive(pi())}));
+  const Theorem versed = linear(lt(0, 1 - cos(x_k)), {falls, axiom("cos 0")});
+  const Theorem quotient =
+      positive((1 - cos(x_k)) / cos(x_k), {versed, book["ratios.beta_k_cosine"]});
+  const Theorem ratio_positive = linear(lt(0, ratio), {book["ratios.beta_k"], quotient});
   book.facts.push_back(ratio_positive);
-  const auto at_ratio = [&](const Theorem& t) {
-    return cut(ratio_positive, cut(equation(ratio, ratio), instantiate(t, {{alpha, ratio}})));
+  const auto velocity = [&](const std::string& id) {
+    const Theorem at_ratio = instantiate(book[id], {{alpha, ratio}});
+    return part(cut(ratio_positive, cut(equation(ratio, ratio), at_ratio)), 1);
   };
-  const Theorem velocity = chain(part(at_ratio(book["terminal.definitions"]), 1),
-                                 part(at_ratio(book["deficient.terminal"]), 1));
-  book.show("at_deficient", "", "That is what it has at beta_k:", velocity);
-  return {k_from_1, d_positive, above_0, below, cos_x, definition, ratio_positive, velocity};
+  return {ratio, x_k, range, ratio_positive,
+          book.show("at_deficient", "", "and has just that at beta_k,",
+                    chain(velocity("terminal.definitions"), velocity("deficient.terminal")))};
 }
 
-/// beta_k < alpha, alpha < alpha_k |- b_t at beta_k < b_t
-Theorem after_minimum(Book& book, const Given& g, const AtDeficient& at, Expr ratio, Expr x_k) {
-  const Theorem above = assume(lt(ratio, alpha));
+/// Between beta_k and alpha_k: pi/(2k + 2) < psi/2 < pi/(2k + 1), so N_B = k.
+struct Between {
+  Theorem from, next_step, whole, count;
+};
+Between between(Book& book, const Given& g, const AtDeficient& at) {
+  const Theorem k_from_1 = assume(le(1, k)), above = assume(lt(at.ratio, alpha));
   const Theorem below = assume(lt(alpha, fun("alpha_", {k})));
-  // pi/(2k + 2) < psi/2 < pi/(2k + 1), so N_B = k.
-  const Theorem passed = rewrite(
-      turned(at.definition),
-      cut(at.angle_positive, cut(at.angle_below, instantiate(book["ratios.passed"], {{x, x_k}}))));
-  const Theorem from = tautology(lt(x_k, half()), {passed, above});
-  const Expr y_k = pi() / (2 * k + 1);
-  const Theorem e_positive = linear(lt(0, 2 * k + 1), {at.k_from_1});
-  const Theorem y_positive = positive(y_k, {e_positive});
-  const Theorem y_turn = equation((2 * k + 1) * y_k, pi(), {}, {e_positive});
-  const Theorem y_below =
-      linear(lt(y_k, pi() / 2), {y_turn, times(at.k_from_1, y_positive), y_positive});
-  const Theorem reached =
-      rewrite(turned(book["ratios.alpha_k"]),
-              cut(y_positive, cut(y_below, instantiate(book["ratios.reached"], {{x, y_k}}))));
-  const Theorem to = tautology(lt(half(), y_k), {reached, below});
-  const Theorem turn = equation((k + 1) * x_k, pi() / 2, {}, {at.d_positive});
-  const Theorem k_steps = times(linear(lt(0, k), {at.k_from_1}), from);
-  const Theorem next_step = linear(lt(pi() / 2, (k + 1) * half()), {k_steps, from, turn});
-  const Theorem whole = linear(lt((2 * k + 1) * half(), pi()), {times(e_positive, to), y_turn});
+  const auto compared = [&](const std::string& id, const std::string& ratio, Expr d,
+                            const AngleRange& range) {
+    return rewrite(turned(book[ratio]), at_angle(book[id], d, range));
+  };
+  const Expr d = 2 * k + 2, e = 2 * k + 1;
+  const Theorem e_positive = linear(lt(0, e), {k_from_1});
+  const AngleRange upper = range_of(e, linear(lt(2, e), {k_from_1}));
+  const Theorem from = tautology(lt(at.x_k, half()),
+                                 {compared("ratios.passed", "ratios.beta_k", d, at.range), above});
+  const Theorem to = tautology(lt(half(), pi() / e),
+                               {compared("ratios.reached", "ratios.alpha_k", e, upper), below});
+  const auto steps = [&](Expr per, const Theorem& less) {
+    const Theorem per_positive = linear(lt(0, per), {k_from_1});
+    return linear(lt(per * less.conclusion().arg(0), per * less.conclusion().arg(1)),
+                  {times(per_positive, less)});
+  };
+  const Theorem next_step = linear(lt(pi() / 2, (k + 1) * half()),
+                                   {steps(k + 1, from), equation((k + 1) * at.x_k, pi() / 2, {},
+                                                                 {linear(lt(0, d), {k_from_1})})});
+  const Theorem whole = linear(lt(e * half(), pi()),
+                               {steps(e, to), equation(e * (pi() / e), pi(), {}, {e_positive})});
   const Expr z = pi() / psi();
-  const auto quotient = [&](Expr goal, const Theorem& difference) {
+  const auto quotient = [&](Expr goal, Expr difference, const Theorem& why) {
     Certificate c;
     c.multipliers = {g.psi_positive};
     c.nonzero = {g.psi_positive};
-    c.products = {{1, {difference}, {}}};
+    c.products = {{1, {linear(lt(0, difference), {why, g.psi_positive})}, {}}};
     return arithmetic(goal, c);
   };
-  const Theorem more =
-      quotient(lt(k - 1, z - 1), linear(lt(0, pi() - k * psi()), {whole, g.psi_positive}));
-  const Theorem less = linear(
-      le(z - 1, k), {quotient(lt(z, k + 1), linear(lt(0, (k + 1) * psi() - pi()), {next_step}))});
-  const Theorem count =
+  const Theorem more = quotient(lt(k - 1, z - 1), pi() - k * psi(), whole);
+  const Theorem less =
+      linear(le(z - 1, k), {quotient(lt(z, k + 1), (k + 1) * psi() - pi(), next_step)});
+  return {
+      from, next_step, whole,
       chain(book["counting.N_B"],
-            tautology(eq(ceil(z - 1), k), {instantiate(ceiling_is(), {{x, z - 1}}), more, less}));
+            tautology(eq(ceil(z - 1), k), {instantiate(ceiling_is(), {{x, z - 1}}), more, less}))};
+}
+
+/// beta_k < alpha, alpha < alpha_k |- b_t at beta_k < b_t
+Theorem after_minimum(Book& book, const Given& g, const AtDeficient& at) {
+  const Between between_both = between(book, g, at);
+  const auto& [from, next_step, whole, count] = between_both;
+  const Theorem k_from_1 = assume(le(1, k)), d_positive = linear(lt(0, 2 * k + 2), {k_from_1});
+  const Expr x_k = at.x_k;
   // V - b_t = V (cos(u)/cos(psi/4))^2 with u = (k + 1/2) psi/2; at beta_k tan(x/2) in its place.
   const Expr u = (k + rational(1, 2)) * half(), q = psi() / 4, v = x_k / 2, right = pi() / 2;
-  const Theorem cos_q = linear(
-      lt(0, cos(q)), {book["table.cos_quarter_psi"],
-                      positive(book["table.cos_quarter_psi"].conclusion().arg(1), {g.mass})});
-  const Theorem cos_v = cosine_positive(linear(lt(0, v), {at.angle_positive}),
-                                        linear(lt(v, right), {at.angle_positive, at.angle_below}));
+  const Theorem cos_q = book["table.quarter_cosine"];
+  const Theorem cos_v =
+      cosine_positive(linear(lt(0, v), {at.range.positive}),
+                      linear(lt(v, right), {at.range.positive, at.range.below_edge}));
   const Theorem u_positive = linear(lt(0, u), {next_step, g.psi_below, positive(pi())});
   const Theorem cos_u = cosine_positive(u_positive, linear(lt(u, right), {whole}));
   const Theorem sin_v = use("sin positive", {{x, v}},
-                            {linear(lt(0, v), {at.angle_positive}),
-                             linear(lt(v, pi()), {at.angle_positive, at.angle_below})});
+                            {linear(lt(0, v), {at.range.positive}),
+                             linear(lt(v, pi()), {at.range.positive, at.range.below_edge})});
+  const Theorems facts{from,
+                       times(linear(lt(0, k), {k_from_1}), from),
+                       equation((k + 1) * x_k, pi() / 2, {}, {d_positive}),
+                       times(k_from_1, at.range.positive),
+                       at.range.positive,
+                       whole,
+                       g.psi_below,
+                       g.psi_positive};
   const auto falls = [&](Expr p, Expr r) {
-    const Theorems facts{from,
-                         k_steps,
-                         turn,
-                         at.angle_positive,
-                         at.angle_below,
-                         whole,
-                         to,
-                         y_below,
-                         g.psi_below,
-                         g.psi_positive,
-                         positive(pi()),
-                         times(at.k_from_1, at.angle_positive)};
     return cosine_falls(linear(le(0, p), facts), linear(lt(p, r), facts),
                         linear(le(r, pi()), facts));
   };
@@ -252,10 +254,11 @@ Theorem after_minimum(Book& book, const Given& g, const AtDeficient& at, Expr ra
                                 Theorems{here, part(book["power.quarter"], 1)} +
                                     angles({cos((k + rational(1, 2)) * psi())}, {u}),
                                 {g.p1, g.p2, cos_q});
-  const Theorem two_more = positive(2 + ratio, {at.ratio_positive});
-  const Theorem lack_there = equation(
-      at.velocity.conclusion().arg(0), V - V * power(sin(v) / cos(v), 2),
-      Theorems{at.velocity, at.definition} + angles({cos(x_k)}, {v}), {two_more, at.cos_x, cos_v});
+  const Theorem two_more = positive(2 + at.ratio, {at.ratio_positive});
+  const Theorem lack_there =
+      equation(at.velocity.conclusion().arg(0), V - V * power(sin(v) / cos(v), 2),
+               Theorems{at.velocity, book["ratios.beta_k"]} + angles({cos(x_k)}, {v}),
+               {two_more, book["ratios.beta_k_cosine"], cos_v});
   Certificate c;
   c.multipliers = {cos_q, cos_q, cos_v, cos_v};
   c.nonzero = {cos_q, cos_v};
@@ -280,22 +283,21 @@ void minima(Book& book) {
               pi() - half()});
   together(book, g);
   const Theorem least = at_least(book, g);
-  const Expr ratio = fun("beta_", {k}), x_k = pi() / (2 * k + 2);
-  const AtDeficient at = at_deficient(book, ratio, x_k);
-  const Theorem after = after_minimum(book, g, at, ratio, x_k);
-  const Theorem before = assume(lt(alpha, ratio));
+  const AtDeficient at = at_deficient(book);
+  const Theorem after = after_minimum(book, g, at);
+  const Theorem before = assume(lt(alpha, at.ratio));
   Certificate c;
-  const Theorem two_more = positive(2 + ratio, {at.ratio_positive});
+  const Theorem two_more = positive(2 + at.ratio, {at.ratio_positive});
   c.multipliers = {g.p2, two_more};
   c.nonzero = {g.p2, two_more};
   c.products = {{2, {g.speed, before}, {}}};
   const Theorem slower =
       linear(after.conclusion(),
-             {arithmetic(lt(2 * V / (2 + ratio), 2 * V / (2 + alpha)), c), least, at.velocity});
-  book.show("minimum", "", "So of all ratios below alpha_k beta_k leaves B with least:",
+             {arithmetic(lt(2 * V / (2 + at.ratio), 2 * V / (2 + alpha)), c), least, at.velocity});
+  book.show("minimum", "", "where it has less than at any other ratio below alpha_k:",
             tautology(after.conclusion(),
-                      {discharge(lt(ratio, alpha), after), discharge(before.conclusion(), slower),
-                       assume(neq(alpha, ratio)),
-                       use("equal or less or greater", {{x, alpha}, {y, ratio}})}));
+                      {discharge(lt(at.ratio, alpha), after),
+                       discharge(before.conclusion(), slower), assume(neq(alpha, at.ratio)),
+                       use("equal or less or greater", {{x, alpha}, {y, at.ratio}})}));
 }
 }  // namespace derivation

@@ -8,15 +8,6 @@ const Expr from_0 = le(0, n), from_1 = le(1, n);
 Expr half() { return psi() / 2; }
 Expr quarter() { return psi() / 4; }
 
-/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use f at n.
-template <class StepProof>
-Theorem by_induction(Expr f, const Theorem& base, const StepProof& step) {
-  const Expr premise = logic_and({from_0, f});
-  const Theorem known = assume(premise);
-  const Theorem next = step(part(known, 0), part(known, 1));
-  return tautology(f, {induction(n, 0, f, base, discharge(premise, next)), assume(from_0)});
-}
-
 void powers_of_lambda(Book& book, const Roots& roots) {
   const Theorem def_turn = book["rotation.lambda_3"];
   const auto turned_by = [&](Expr angle) { return entries(instantiate(def_turn, {{x, angle}})); };
@@ -49,7 +40,7 @@ void powers_of_lambda(Book& book, const Roots& roots) {
     return rewrite(added, product);
   };
   book.show("Lambda_n", "eq:Lambda-n-final eq:Lambda-n-final-txt",
-            "So n cycles turn by n psi:", by_induction(claim, base, one_more));
+            "So n cycles turn by n psi:", by_induction(n, claim, base, one_more));
 
   // V_n = Lambda^n V_0
   const Expr start = column({V, 0, 0});
@@ -71,7 +62,7 @@ void powers_of_lambda(Book& book, const Roots& roots) {
   const Theorem recurrence = discharge(from_1, book["cycle.recurrence"]);
   book.show(
       "V_n", "eq:V-n-0 eq:V-n-0-app", "and the velocities are",
-      by_induction(vectors, first, [&](const Theorem& n_from_0, const Theorem& known) {
+      by_induction(n, vectors, first, [&](const Theorem& n_from_0, const Theorem& known) {
         const Theorem next = use(recurrence, {{n, n + 1}}, {linear(le(1, n + 1), {n_from_0})});
         const Theorem simpler = restate(eq(V_vector(n + 1), times(Lambda(), V_vector(n))), next);
         const Theorem up =
@@ -92,13 +83,9 @@ public:
     const Theorem psi_below = part(book["rotation.psi_range"], 1);
     cos_half = {book["rotation.cos_half_psi"]};
     sin_half = {book["rotation.sin_half_psi"]};
-    const auto sine_positive = [&](Expr angle) {
-      return use("sin positive", {{x, angle}},
-                 {linear(lt(0, angle), {psi_positive}),
-                  linear(lt(angle, pi()), {psi_below, psi_positive})});
-    };
-    const Theorem sine_q = sine_positive(quarter());
-    const Theorem sine_h = sine_positive(half());
+    const Theorem sine_q = use("sin positive", {{x, quarter()}},
+                               {linear(lt(0, quarter()), {psi_positive}),
+                                linear(lt(quarter(), pi()), {psi_below, psi_positive})});
     const Theorem circle = use("circle", {{x, quarter()}});
     const Theorem cos_q2 =
         linear(eq(power(cos(quarter()), 2), (1 + 1 / (1 + alpha)) / 2),
@@ -107,19 +94,18 @@ public:
     const Theorem product = linear(eq(cos(quarter()) * sin(quarter()), t / 2),
                                    {angles({sin(half())}, {quarter()}, false)[0], sin_half[0]});
     book.show("quarter", "", "The quarter of psi:", both({sine_q, cos_q2, product}));
-    book.facts = book.facts + Theorems{sine_q, sine_h};
+    book.facts.push_back(sine_q);
     quarter_rules = {cos_q2, product};
     divisors_of_c = {sine_q, roots.divisors[2]};
-    const Theorem cosine_positive =
-        linear(lt(0, cos(half())),
-               {cos_half[0], positive(1 / (1 + alpha), {positive(1 + alpha, {mass})})});
-    divisors = roots.divisors + Theorems{cosine_positive, sine_q, sine_h};
+    const Theorem signs = book["rotation.half_signs"];
+    const Theorem above_0 = part(signs, 1);
+    divisors = roots.divisors + Theorems{above_0, sine_q, part(signs, 0)};
     const Theorem mean = define("V_CM", {alpha, V}, V / (2 + alpha));
     restrict_domain("V_CM", {alpha, V}, alpha_positive);
     book.show("V_CM", "", "The velocity of the centre of mass:", under({alpha_positive}, mean));
     book.show("V_CM_psi", "", "in terms of psi,",
               cancel(eq(V_CM(), V * cos(half()) / (1 + cos(half()))), {}, Theorems{mean} + cos_half,
-                     divisors + Theorems{linear(lt(0, 1 + cos(half())), {cosine_positive})}));
+                     divisors + Theorems{linear(lt(0, 1 + cos(half())), {above_0})}));
     common = Theorems{mean} + cos_half + roots.squares;
   }
   Theorem proved(Expr l, Expr r, const Theorems& rules, const Exprs& bases,

@@ -10,10 +10,8 @@ Expr angle_of(int d) { return pi() / d; }
 Theorem halving(Book& book) {
   const Theorem above = assume(lt(0, x));
   const Theorem below = assume(lt(x, pi()));
-  const Theorem falls = use("cos falls", {{x, x / 2}, {y, pi() / 2}},
-                            {linear(le(0, x / 2), {above}), linear(lt(x / 2, pi() / 2), {below}),
-                             linear(le(pi() / 2, pi()), {positive(pi())})});
-  const Theorem cos_positive = linear(lt(0, cos(x / 2)), {falls, axiom("cos pi/2")});
+  const Theorem cos_positive =
+      cosine_positive(linear(lt(0, x / 2), {above}), linear(lt(x / 2, pi() / 2), {below}));
   const Theorem is = root_is((1 + cos(x)) / 2, cos(x / 2), cos_positive, angles({cos(x)}, {x / 2}));
   book.facts.push_back(
       linear(le(0, (1 + cos(x)) / 2),

@@ -13,22 +13,14 @@ Expr half() { return psi() / 2; }
 Theorem angle_at(Book& book, const std::string& name, Expr d) {
   const Theorem is = assume(eq(alpha, fun(name, {k})));
   const Theorem k_from_1 = assume(le(1, k));
-  const Theorem d_positive = linear(lt(0, d), {k_from_1});
-  const Expr angle = pi() / d;
-  const Theorem above = positive(angle, {d_positive});
-  Certificate c;
-  c.multipliers = {d_positive};
-  c.nonzero = {d_positive};
-  c.products = {{rational(1, 2).value(), {positive(pi()), linear(lt(2, d), {k_from_1})}, {}}};
-  const Theorem below = arithmetic(lt(angle, pi() / 2), c);
+  const AngleRange range = range_of(d, linear(lt(2, d), {k_from_1}));
   const Theorem solved = chain(is, book["ratios." + name + "k"]);
-  const Theorem cosines =
-      cut(solved, cut(below, cut(above, instantiate(book["ratios.ratio"], {{x, angle}}))));
+  const Theorem cosines = cut(solved, at_angle(book["ratios.ratio"], d, range));
   const Theorem psi_from = part(book["rotation.psi_range"], 0);
   const Theorem psi_to = part(book["rotation.psi_range"], 1);
   return same_angle(cosines, linear(lt(0, half()), {psi_from}),
-                    linear(lt(half(), pi()), {psi_from, psi_to}), above,
-                    linear(lt(angle, pi()), {below, positive(pi())}));
+                    linear(lt(half(), pi()), {psi_from, psi_to}), range.positive,
+                    linear(lt(pi() / d, pi()), {range.below_edge, positive(pi())}));
 }
 
 /// What both kinds of ratio share: the angle, the quotient pi/psi, the counts, velocities at the
@@ -87,8 +79,8 @@ Values values_at(Book& book) {
     for (const char* axiom_name : {"cos sum", "sin sum"})
       rules.push_back(use(axiom_name, {{x, pi()}, {y, -angle}}));
   return {rules,
-          {linear(lt(0, cos(half())), {cos_half, positive(1 / (1 + alpha), {p1})}),
-           part(book["power.quarter"], 0), p1, positive(2 + alpha, {mass})}};
+          {part(book["rotation.half_signs"], 1), part(book["power.quarter"], 0), p1,
+           positive(2 + alpha, {mass})}};
 }
 
 void magic(Book& book) {

@@ -54,8 +54,14 @@ void angle(Book& book, Expr lambda) {
   book.show("psi_range", "", "The range of psi:",
             both({linear(lt(0, psi()), {definition, positive(atan(t), {positive(t, {mass})})}),
                   linear(lt(psi(), pi()), {definition, part(use("atan range", {{x, t}}), 1)})}));
-  book.facts.push_back(part(book["rotation.psi_range"], 0));
-  book.facts.push_back(linear(lt(0, cos(psi() / 2)), {cos_half, positive(1 / (1 + alpha), {p1})}));
+  const Theorem range = book["rotation.psi_range"];
+  const Theorem signs =
+      book.show("half_signs", "", "so that half of it has a positive sine and a positive cosine:",
+                both({use("sin positive", {{x, psi() / 2}},
+                          {linear(lt(0, psi() / 2), {part(range, 0)}),
+                           linear(lt(psi() / 2, pi()), {part(range, 0), part(range, 1)})}),
+                      linear(lt(0, cos(psi() / 2)), {cos_half, positive(1 / (1 + alpha), {p1})})}));
+  book.facts = book.facts + Theorems{part(range, 0), part(signs, 0), part(signs, 1)};
   const auto doubled = [&](Expr l, Expr r) {
     return equation(l, r, angles({l}, {psi() / 2}, false) + Theorems{cos_half, sin_half, root_t},
                     {p1});

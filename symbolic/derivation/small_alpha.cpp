@@ -28,7 +28,7 @@ void theta_bounds(Book& book) {
              {book["ball.cos_theta"], positive((1 - alpha) / (1 + alpha), {mass, assume(light)})});
   const Theorem beyond = assume(le(pi() / 2, theta()));
   const Theorem falls = cosine_falls(linear(le(0, pi() / 2), {positive(pi())}), beyond, below);
-  book.show("theta_light", "", "For a ball lighter than a block",
+  book.show("theta_light", "", "for a ball lighter than a block:",
             otherwise(lt(theta(), pi() / 2), linear(lt(0, 0), {cosine, falls, axiom("cos pi/2")})));
   const Theorem bounds = atan_bounds(s_positive);
   const Theorem cube = equation(power(s, 3), alpha * s, {root_squared(mass)});
@@ -96,7 +96,7 @@ void counts(Book& book, const Theorem& bounds) {
     const Theorem rounded = use("ceiling", {{x, pi() / psi() - shift}});
     book.show(name, "eq:NA-approx",
               std::string(name) == "N_A" ? "So A has about pi/(2 sqrt(2 alpha)) collisions,"
-                                         : "and B, too:",
+                                         : "and so has B:",
               both({linear(le(fewest - shift, count), {at_least, number, part(rounded, 0)}),
                     linear(lt(count, below), {at_most, number, part(rounded, 1)})}));
   }
@@ -118,7 +118,8 @@ void small_alpha(Book& book) {
   const Theorem heavy = tautology(le(ratio, alpha), {reached, angle});
   const Theorem less =
       otherwise(lt(psi() / 2, third), linear(lt(0, 0), {heavy, assume(light), is_1}));
-  book.show("psi_light", "", "and", linear(lt(psi(), 2 * pi() / 3), {less}));
+  book.show("psi_light", "",
+            "The range of psi for such a ball:", linear(lt(psi(), 2 * pi() / 3), {less}));
   counts(book, psi_bounds(book));
 }
 }  // namespace derivation

@@ -58,6 +58,13 @@ struct Roots {
 Roots roots_of(Book& book);
 /// |- ceil(x) = k if and only if k - 1 < x and x <= k
 Theorem ceiling_is();
+/// 0 < pi/d and pi/d < pi/2 for a denominator d above 2.
+struct AngleRange {
+  Theorem positive, below_edge;
+};
+AngleRange range_of(Expr d, const Theorem& above_2);
+/// A theorem about 0 < x < pi/2 at x = pi/d.
+Theorem at_angle(const Theorem& t, Expr d, const AngleRange& range);
 
 // The chapters, one file each, in the order of the book.
 void contact(Book& book);
@@ -66,11 +73,13 @@ void cycle_matrix(Book& book);
 void rotation(Book& book);
 void powers(Book& book);
 void counting(Book& book);
+void multiples(Book& book);
 void table(Book& book);
 void constraints(Book& book);
 void thresholds(Book& book);
 void ratios(Book& book);
 void terminal(Book& book);
+void orthogonal(Book& book);
 void minima(Book& book);
 void small_alpha(Book& book);
 void evaluators(Book& book);

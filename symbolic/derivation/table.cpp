@@ -26,9 +26,10 @@ Theorems quarter(Book& book, const Theorem& p1, const Theorem& p2) {
   const Theorem below = linear(lt(q, pi() / 2), {from, part(book["rotation.psi_range"], 1)});
   const Theorem positive_cosine = cosine_positive(from, below);
   book.facts.push_back(positive_cosine);
+  book.show("quarter_cosine", "", "A quarter of psi has a positive cosine,", positive_cosine);
   const Theorem sine_squared =
       linear(eq(power(sin(q), 2), 1 - power(cos(q), 2)), {use("circle", {{x, q}})});
-  const Theorem cosine = book.show("cos_quarter_psi", "table:trig", "A quarter of psi:",
+  const Theorem cosine = book.show("cos_quarter_psi", "table:trig", "that is,",
                                    turned(root_is((2 + alpha) / (2 * (1 + alpha)), cos(q),
                                                   positive_cosine, {cosine_squared}, {p1})));
   book.show("sin_quarter_psi", "table:trig", "and",
@@ -83,8 +84,7 @@ void table(Book& book) {
   show("quarter_psi", psi() / 4, sqrt(alpha / (2 + alpha)), of_quarter[1], {turned(of_quarter[0])},
        {});
   const Theorem psi_half = book["rotation.cos_half_psi"];
-  show("half_psi", psi() / 2, root,
-       linear(lt(0, cos(psi() / 2)), {psi_half, positive(1 / (1 + alpha), {p1})}),
+  show("half_psi", psi() / 2, root, part(book["rotation.half_signs"], 1),
        {book["rotation.sin_half_psi"], psi_half}, {p1});
   const auto show_where = [&](const std::string& name, Expr angle, Expr numerator, Expr d,
                               Expr above, const Theorems& values) {

@@ -213,8 +213,7 @@ void terminal(Book& book) {
   const Theorem p1 = positive(1 + alpha, {assume(alpha_positive)});
   const Theorem cos_half = book["rotation.cos_half_psi"];
   const Theorems form_rules{book["power.V_CM"], cos_half};
-  const Theorem cos_positive =
-      linear(lt(0, cos(psi() / 2)), {cos_half, positive(1 / (1 + alpha), {p1})});
+  const Theorem cos_positive = part(book["rotation.half_signs"], 1);
   const auto show_form = [&](const std::string& name, const std::string& label, const Theorem& t,
                              Expr value) {
     book.show(name, label, name == "a" ? "Their forms:" : "and",

@@ -83,23 +83,6 @@ void ratio_of_angle(Book& book) {
             multiplied(lt(ratio, substitute(ratio, {{x, y}})), {cx_too, cy}, {cosines}));
 }
 
-struct AngleRange {
-  Theorem positive, below_edge;
-};
-/// The angle pi/d for a denominator d above 2.
-AngleRange range_of(Expr d, const Theorem& above_2) {
-  const Theorem d_positive = linear(lt(0, d), {above_2});
-  Certificate c;
-  c.multipliers = {d_positive};
-  c.nonzero = {d_positive};
-  c.products = {{rational(1, 2).value(), {pi_positive(), above_2}, {}}};
-  return {positive(pi() / d, {d_positive}), arithmetic(lt(pi() / d, edge), c)};
-}
-/// A theorem about 0 < x < pi/2 at x = pi/d.
-Theorem at_angle(const Theorem& t, Expr d, const AngleRange& range) {
-  return cut(range.positive, cut(range.below_edge, instantiate(t, {{x, pi() / d}})));
-}
-
 struct Threshold {
   std::string count, name, label, range_label;
   Expr shift;  // N = ceil(pi/psi - shift)
@@ -235,6 +218,18 @@ void order(Book& book) {
                      {restate(lt(0, cos(angle)), c_positive)}));
 }
 }  // namespace
+
+AngleRange range_of(Expr d, const Theorem& above_2) {
+  const Theorem d_positive = linear(lt(0, d), {above_2});
+  Certificate c;
+  c.multipliers = {d_positive};
+  c.nonzero = {d_positive};
+  c.products = {{rational(1, 2).value(), {pi_positive(), above_2}, {}}};
+  return {positive(pi() / d, {d_positive}), arithmetic(lt(pi() / d, edge), c)};
+}
+Theorem at_angle(const Theorem& t, Expr d, const AngleRange& range) {
+  return cut(range.positive, cut(range.below_edge, instantiate(t, {{x, pi() / d}})));
+}
 
 void thresholds(Book& book) {
   book.chapter("ratios", "Thresholds", {alpha_positive, V_positive});

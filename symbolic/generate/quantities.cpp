@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Evaluators: their cases, intervals, facts and guards.
 #include "generate/quantities.hpp"
 
-#include "codegen/generate.hpp"
-#include "derivation/book.hpp"
+#include "generate/source.hpp"
 
 namespace generate {
 namespace {
@@ -11,49 +11,25 @@ using codegen::Condition;
 using codegen::Fact;
 using codegen::Interval;
 using codegen::Quantity;
-using kernel::Expr;
-using kernel::Theorem;
 using kernel::Theorems;
 
 constexpr double below_1 = 0x1.fffffffffffffp-1;
 constexpr double largest = 0x1.fffffffffffffp1023;
 constexpr double smallest = 0x1p-1074;
-
-/// Theorems of the book in units of V.
-class Source {
-public:
-  Theorem operator[](const std::string& id) const { return kernel::instantiate(book[id], units); }
-  Theorem part(const std::string& id, std::size_t i) const {
-    const Theorem t = (*this)[id];
-    return kernel::tautology(t.conclusion().arg(i), {t});
-  }
-  Theorems all(const std::string& chapter, std::initializer_list<const char*> names) const {
-    Theorems out;
-    for (const char* name : names) out.push_back((*this)[chapter + "." + name]);
-    return out;
-  }
-  const derivation::Book& book = derivation::the_book();
-  const kernel::Substitution units{{kernel::real("V"), 1}};
-};
-Theorems operator+(Theorems a, const Theorems& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
-}
-
 const Condition light{"alpha", {smallest, below_1}};
 const Condition heavy{"alpha", {1, largest}};
 
-Theorems angle(const Source& source) {
+Theorems angle(Source& source) {
   return source.all("evaluators", {"def_above", "def_w", "def_z", "def_t", "def_half_h"});
 }
-std::vector<Fact> angle_facts(const Source& source) {
+std::vector<Fact> angle_facts(Source& source) {
   return {source["evaluators.z_at_most"], source["evaluators.t_squared"]};
 }
-Theorems heavy_names(const Source& source) {
+Theorems heavy_names(Source& source) {
   return source.all("heavy", {"def_masses", "def_per_mass", "def_share", "def_lead"});
 }
 
-Quantity velocities(const Source& source) {
+Quantity velocities(Source& source) {
   Case small{"small", {light}, angle(source), {}, angle_facts(source), {}};
   small.definitions =
       small.definitions +
@@ -75,7 +51,7 @@ Quantity velocities(const Source& source) {
           {small, first},
           source.units};
 }
-Quantity terminal(const Source& source) {
+Quantity terminal(Source& source) {
   Case small{"small", {light}, angle(source), {}, angle_facts(source), {}};
   small.definitions =
       small.definitions +
@@ -102,8 +78,7 @@ Quantity terminal(const Source& source) {
           {small, first},
           source.units};
 }
-Quantity ratio(const Source& source, const std::string& kind, const std::string& label,
-               double first) {
+Quantity ratio(Source& source, const std::string& kind, const std::string& label, double first) {
   const std::string prefix = "def_" + kind + "_";
   const Case general{"general",
                      {},
@@ -116,20 +91,14 @@ Quantity ratio(const Source& source, const std::string& kind, const std::string&
                      {}};
   return {kind, label, {{kernel::integer("k"), {first, 0x1p50}, {first, 0x1p63}}}, {general}, {}};
 }
-Quantity psi(const Source& source) {
+Quantity psi(Source& source) {
   const Case small{"small", {}, angle(source), {source["evaluators.psi"]}, angle_facts(source), {}};
   return {"angle", "def:psi", {{kernel::real("alpha"), {0x1p-300, 1}, {smallest, 1}}}, {small}, {}};
 }
 }  // namespace
 
-std::map<std::string, std::string> generated() {
-  const Source source;
-  const std::vector<Quantity> quantities{velocities(source), terminal(source),
-                                         ratio(source, "magic", "exact:ak", 2),
-                                         ratio(source, "deficient", "exact:bk", 1), psi(source)};
-  std::map<std::string, std::string> texts;
-  for (const auto& [path, text] : codegen::generate(quantities, {}))
-    texts[path == "manifest.json" ? path : "magicmass/" + path] = text;
-  return texts;
+std::vector<Quantity> evaluators(Source& source) {
+  return {velocities(source), terminal(source), ratio(source, "magic", "exact:ak", 2),
+          ratio(source, "deficient", "exact:bk", 1), psi(source)};
 }
 }  // namespace generate

@@ -32,7 +32,7 @@ struct AngleColumns {
 template <class Tier> struct AngleSmallBounds;
 template <> struct AngleSmallBounds<Accurate> {
   static constexpr double E[] = {
-      0x1.a657912bda008p-75,  // 2^-74.2
+      0x1.a6579133da022p-75,  // 2^-74.2
   };
 };
 template <> struct AngleSmallBounds<Fast> {
@@ -42,7 +42,7 @@ template <> struct AngleSmallBounds<Fast> {
 };
 template <> struct AngleSmallBounds<Slow> {
   static constexpr double E[] = {
-      0x1.78f074e87049p-98,  // 2^-97.4
+      0x1.7cf075a34d8ffp-98,  // 2^-97.4
   };
 };
 template <> struct AngleSmallBounds<Ziv> {
@@ -65,7 +65,6 @@ struct AngleSmall {
   R doubt;
   R psi;
   N half_h;
-  T half_h_early;
   N of_psi;
   static constexpr const double* E = AngleSmallBounds<Tier>::E;
   AngleSmall() = default;
@@ -97,7 +96,6 @@ struct AngleSmall {
     const N t = times(w, alpha);
     // half_h = atan(t)
     half_h = arc_tangent<Tier>(t, z);
-    half_h_early = arc_tangent_early<Tier>(t, z, half_h);
   }
   [[gnu::always_inline]] void stage_2() {
     of_psi = scaled(half_h, 0x1p+2);

@@ -32,7 +32,7 @@ struct DeficientColumns {
 template <class Tier> struct DeficientGeneralBounds;
 template <> struct DeficientGeneralBounds<Accurate> {
   static constexpr double E[] = {
-      0x1.cdf3233be4b08p-76,  // 2^-75.1
+      0x1.cdf32347af378p-76,  // 2^-75.1
   };
 };
 template <> struct DeficientGeneralBounds<Fast> {
@@ -42,7 +42,7 @@ template <> struct DeficientGeneralBounds<Fast> {
 };
 template <> struct DeficientGeneralBounds<Slow> {
   static constexpr double E[] = {
-      0x1.80b65de611b3cp-98,  // 2^-97.4
+      0x1.83a9006ad1b85p-98,  // 2^-97.4
   };
 };
 template <> struct DeficientGeneralBounds<Ziv> {

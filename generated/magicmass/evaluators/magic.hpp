@@ -32,7 +32,7 @@ struct MagicColumns {
 template <class Tier> struct MagicGeneralBounds;
 template <> struct MagicGeneralBounds<Accurate> {
   static constexpr double E[] = {
-      0x1.949fed142096p-76,  // 2^-75.3
+      0x1.949fed1e6b7c1p-76,  // 2^-75.3
   };
 };
 template <> struct MagicGeneralBounds<Fast> {
@@ -42,7 +42,7 @@ template <> struct MagicGeneralBounds<Fast> {
 };
 template <> struct MagicGeneralBounds<Slow> {
   static constexpr double E[] = {
-      0x1.aba1e070d8ed1p-98,  // 2^-97.2
+      0x1.ae349aa52156ep-98,  // 2^-97.2
   };
 };
 template <> struct MagicGeneralBounds<Ziv> {

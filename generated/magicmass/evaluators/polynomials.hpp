@@ -64,7 +64,6 @@ struct Fast {
     static constexpr double low[] = {
         0x0p+0, 0x1.99270abafac1dp-71,};
   };
-  using Early = ArcTangent;
 };
 struct Accurate {
   static constexpr bool is_tested = true;
@@ -137,7 +136,6 @@ struct Accurate {
         0x0p+0, 0x1.15776eeb1963dp-95, 0x1.5555552d4db6ap-59,
         0x1.f4a3176768304p-65, -0x1.6992f7d6562a4p-75,};
   };
-  using Early = Fast::ArcTangent;
 };
 struct Slow {
   static constexpr bool is_tested = true;
@@ -225,7 +223,6 @@ struct Slow {
         0x1.f49f49f49f4a1p-65, 0x1.a01a019fe311cp-76, -0x1.cbbc05ad6e418p-76,
         -0x1.2aece3ef5f23dp-83, -0x1.fb95385be81d3p-93,};
   };
-  using Early = Fast::ArcTangent;
 };
 /// The tier of the last number type, of as many bits as are asked for.
 struct Ziv {

@@ -48,28 +48,28 @@ struct TerminalColumns {
 template <class Tier> struct TerminalSmallBounds;
 template <> struct TerminalSmallBounds<Accurate> {
   static constexpr double E[] = {
-      0x1.515d8dcc91856p-74,  // 2^-73.6
-      0x1.bc97398c5fb12p-150,  // 2^-149.2
-      0x1.052dd62117d9fp-74,  // 2^-73.9
-      0x1.05f82779b634dp-74,  // 2^-73.9
-      0x1.9cc2ded73a2cfp-74,  // 2^-73.3
-      0x1.052de86b380c8p-72,  // 2^-71.9
-      0x1.05f837d938ac7p-72,  // 2^-71.9
-      0x1.0c13e049716a7p-148,  // 2^-147.9
+      0x1.515d8dd4b0daap-74,  // 2^-73.6
+      0x1.bc9739a1c81cap-150,  // 2^-149.2
+      0x1.052dd62b1bf42p-74,  // 2^-73.9
+      0x1.05f8277ef1587p-74,  // 2^-73.9
+      0x1.9cc2dee23db35p-74,  // 2^-73.3
+      0x1.052de8753c275p-72,  // 2^-71.9
+      0x1.05f837de73d06p-72,  // 2^-71.9
+      0x1.0c13e0542624bp-148,  // 2^-147.9
       0x1.80003000018p-52,  // 2^-51.4
-      0x1.146c2966f108ap-75,  // 2^-74.8
+      0x1.146c296c2d73bp-75,  // 2^-74.8
       0x1.80003000018p-52,  // 2^-51.4
-      0x1.ba46a8b561e1ep-76,  // 2^-75.2
+      0x1.ba46a8bdc28d3p-76,  // 2^-75.2
   };
 };
 template <> struct TerminalSmallBounds<Fast> {
   static constexpr double E[] = {
       0x1.29f44698986dbp-52,  // 2^-51.7
       0x1.5ac8898ba5248p-106,  // 2^-105.5
-      0x1.e07c0c64dd44cp-53,  // 2^-52.0
+      0x1.e07c0c64dd44ep-53,  // 2^-52.0
       0x1.c934406a8de26p-53,  // 2^-52.1
       0x1.6f4e5a5ca614ep-52,  // 2^-51.4
-      0x1.e07c2a6c9e1acp-51,  // 2^-50.0
+      0x1.e07c2a6c9e1aep-51,  // 2^-50.0
       0x1.c9345cfdd1e91p-51,  // 2^-50.1
       0x1.9845b2cef9dbcp-105,  // 2^-104.3
       0x1.80003000018p-52,  // 2^-51.4
@@ -80,18 +80,18 @@ template <> struct TerminalSmallBounds<Fast> {
 };
 template <> struct TerminalSmallBounds<Slow> {
   static constexpr double E[] = {
-      0x1.dfe30397f2627p-97,  // 2^-96.0
-      0x1.9e58d9384636bp-195,  // 2^-194.3
-      0x1.514bfacbcf0d8p-96,  // 2^-95.6
-      0x1.27949c0b0e9e4p-97,  // 2^-96.7
-      0x1.3f8209591401p-96,  // 2^-95.6
-      0x1.cf1cc401c4de6p-94,  // 2^-93.1
-      0x1.2794ae84585efp-95,  // 2^-94.7
-      0x1.5547c091cb8dfp-194,  // 2^-193.5
+      0x1.e3f2ae4d8cbf9p-97,  // 2^-96.0
+      0x1.a5afb3c87242cp-195,  // 2^-194.2
+      0x1.53cd015724ff1p-96,  // 2^-95.5
+      0x1.2a322deeb0073p-97,  // 2^-96.7
+      0x1.4242eafc6055p-96,  // 2^-95.6
+      0x1.d19dcab52b38bp-94,  // 2^-93.1
+      0x1.2a324091d2e62p-95,  // 2^-94.7
+      0x1.5b58c7101eda4p-194,  // 2^-193.5
       0x1.80003000018p-52,  // 2^-51.4
-      0x1.51f28f3547f34p-98,  // 2^-97.5
+      0x1.5490c4b26cc94p-98,  // 2^-97.5
       0x1.80003000018p-52,  // 2^-51.4
-      0x1.10ac03b91986fp-98,  // 2^-97.9
+      0x1.12c42e83a6642p-98,  // 2^-97.8
   };
 };
 template <> struct TerminalSmallBounds<Ziv> {
@@ -142,7 +142,6 @@ struct TerminalSmall {
   N w;
   N t;
   N half_h;
-  T half_h_early;
   T N_A;
   N t6;
   N rest;
@@ -185,43 +184,42 @@ struct TerminalSmall {
     t = times(w, alpha);
     // half_h = atan(t)
     half_h = arc_tangent<Tier>(t, z);
-    half_h_early = arc_tangent_early<Tier>(t, z, half_h);
   }
   [[gnu::always_inline]] void stage_2() {
     // h = 2*half_h
     [[maybe_unused]] const N h = scaled(half_h, 0x1p+1);
-    // N_A(alpha, 1) = ceil(pi/(2*h) - 1/2)
+    // N_A = ceil(pi/(2*h) - 1/2)
     N_A = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0,
-        0x1.1a62633145c07p-54)) / (half_h_early * 0x1p+1));
+        0x1.1a62633145c07p-54)) / leading(h));
     const T t4 = N_A * -0x1p+1;
     const N t5 = times(half_h, t4);
     t6 = near_sum(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54), t5);
-    // rest(alpha, 1) = sqrt((pi/2 - h*N_A(alpha, 1))^2)
+    // rest = sqrt((pi/2 - h*N_A)^2)
     rest = magnitude(t6);
     [[maybe_unused]] const N t7 = -rest;
     to_next = cancelling_sum(half_h, t7);
-    // N_B(alpha, 1) = ceil(pi/(2*h) - 1)
+    // N_B = ceil(pi/(2*h) - 1)
     N_B = N_A + (N::times_sign_of(N::all(0.5), leading(t6)) - 0.5);
-    // rest_sine(alpha, 1) = sin(rest(alpha, 1))
+    // rest_sine = sin(rest)
     const auto of_rest = sine_cosine_small<Tier>(rest);
     rest_sine = of_rest.sine;
-    // rest_cosine(alpha, 1) = cos(rest(alpha, 1))
+    // rest_cosine = cos(rest)
     rest_cosine = of_rest.cosine;
   }
   [[gnu::always_inline]] void stage_3() {
-    // t_cosine(alpha, 1) = t*rest_cosine(alpha, 1)
+    // t_cosine = t*rest_cosine
     const N t_cosine = t * rest_cosine;
-    // w_cosine(alpha, 1) = w*rest_cosine(alpha, 1)
+    // w_cosine = w*rest_cosine
     const N w_cosine = w * rest_cosine;
-    // t_plus(alpha, 1) = t_cosine(alpha, 1) + rest_sine(alpha, 1)
+    // t_plus = t_cosine + rest_sine
     const N t_plus = t_cosine + rest_sine;
     [[maybe_unused]] const N t8 = -rest_sine;
-    // t_minus(alpha, 1) = t_cosine(alpha, 1) - rest_sine(alpha, 1)
+    // t_minus = t_cosine - rest_sine
     const N t_minus = cancelling_sum(t_cosine, t8);
-    // w_plus(alpha, 1) = w_cosine(alpha, 1) + rest_sine(alpha, 1)
+    // w_plus = w_cosine + rest_sine
     const N w_plus = w_cosine + rest_sine;
     const N t9 = w_plus * t_cosine;
-    // b_form(alpha, 1) = 2*w_plus(alpha, 1)*t_cosine(alpha, 1)
+    // b_form = 2*w_plus*t_cosine
     [[maybe_unused]] const N b_form = scaled(t9, 0x1p+1);
     const N t10 = t_minus * t_plus;
     [[maybe_unused]] const N of_a_t = -t10;

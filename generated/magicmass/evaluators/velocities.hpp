@@ -44,13 +44,13 @@ struct VelocitiesColumns {
 template <class Tier> struct VelocitiesSmallBounds;
 template <> struct VelocitiesSmallBounds<Accurate> {
   static constexpr double E[] = {
-      0x1.33dfd4743cdacp-74,  // 2^-73.7
-      0x1.33dfd457258aep-74,  // 2^-73.7
-      0x1.724283d87bc17p-148,  // 2^-147.4
-      0x1.4b21b653235bcp-73,  // 2^-72.6
-      0x1.79d9c988f496bp-73,  // 2^-72.4
-      0x1.1c83d0218e19p-72,  // 2^-71.8
-      0x1.e64309ba772a6p-73,  // 2^-72.0
+      0x1.33dfd476dc981p-74,  // 2^-73.7
+      0x1.33dfd459c5484p-74,  // 2^-73.7
+      0x1.724283decb77ep-148,  // 2^-147.4
+      0x1.4b21b65557d6ep-73,  // 2^-72.6
+      0x1.79d9c98c0b9e1p-73,  // 2^-72.4
+      0x1.1c83d023bc906p-72,  // 2^-71.8
+      0x1.e64309be4700bp-73,  // 2^-72.0
   };
 };
 template <> struct VelocitiesSmallBounds<Fast> {
@@ -66,13 +66,13 @@ template <> struct VelocitiesSmallBounds<Fast> {
 };
 template <> struct VelocitiesSmallBounds<Slow> {
   static constexpr double E[] = {
-      0x1.19156272dace1p-95,  // 2^-94.8
-      0x1.15727877e1b36p-95,  // 2^-94.8
-      0x1.2cb0d917e4525p-190,  // 2^-189.7
-      0x1.46e575bfac12ep-94,  // 2^-93.6
-      0x1.6494313c1b6bep-94,  // 2^-93.5
-      0x1.0db46f4bcef01p-93,  // 2^-92.9
-      0x1.c862cd950a05bp-94,  // 2^-93.1
+      0x1.19695a2c2512p-95,  // 2^-94.8
+      0x1.15c670312bf75p-95,  // 2^-94.8
+      0x1.2d66f5c5b703ep-190,  // 2^-189.7
+      0x1.472c053435e24p-94,  // 2^-93.6
+      0x1.64f71237b7c4ep-94,  // 2^-93.5
+      0x1.0dfa3e42aa2cep-93,  // 2^-92.9
+      0x1.c8dcc8771a2e3p-94,  // 2^-93.1
   };
 };
 template <> struct VelocitiesSmallBounds<Ziv> {
@@ -115,7 +115,6 @@ struct VelocitiesSmall {
   N w;
   N t;
   N half_h;
-  T half_h_early;
   T t3;
   N phase;
   N sine;
@@ -156,14 +155,13 @@ struct VelocitiesSmall {
     t = times(w, alpha);
     // half_h = atan(t)
     half_h = arc_tangent<Tier>(t, z);
-    half_h_early = arc_tangent_early<Tier>(t, z, half_h);
     t3 = n * 0x1p+1;
   }
   [[gnu::always_inline]] void stage_2() {
     // phase_n = 2*half_h*n
     phase = times(half_h, t3);
     // sine_n = sin(phase_n)
-    const auto of_phase = sine_cosine<Tier>(phase, half_h_early * t3);
+    const auto of_phase = sine_cosine<Tier>(phase);
     sine = of_phase.sine;
     // cosine_n = cos(phase_n)
     cosine = of_phase.cosine;

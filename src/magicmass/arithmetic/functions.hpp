@@ -28,7 +28,8 @@ template <class T>
   const T c = all<T>(high);
   const T sum = fused(x.high, y.high, c);
   const T rest = fused(x.high, y.high, c - sum);  // c - sum is exact
-  return {sum, rest + fused(x.high, y.low, fused(x.low, y.high, all<T>(low)))};
+  // y's low part comes last: a chain of these waits for one operation each.
+  return {sum, fused(x.high, y.low, rest + fused(x.low, y.high, all<T>(low)))};
 }
 /// The polynomial P at z: its first P::pairs coefficients in two parts, the others in one.
 template <class P, class T>
@@ -54,18 +55,6 @@ template <class Tier, class T>
   using P = typename Tier::ArcTangent;
   return t * polynomial<P>(less_centre(z, P::centre));
 }
-/// About the same, sooner than `value`, for one number, whose next decision would wait for it. It
-/// proves nothing: what is decided by it is tested by `value`.
-template <class Tier, class T>
-[[gnu::always_inline]] inline T arc_tangent_early(DoubleDouble<T> t, DoubleDouble<T> z,
-                                                  DoubleDouble<T> value) {
-  if constexpr (sizeof(T) == sizeof(double)) {
-    using P = typename Tier::Early;
-    return t.high * plain_polynomial<P::size>(P::high, z.high - P::centre);
-  } else {
-    return value.high;
-  }
-}
 
 template <class N>
 struct SineCosine {
@@ -78,13 +67,13 @@ template <class Tier, class T>
   return {x * polynomial<typename Tier::SmallSine>(square),
           polynomial<typename Tier::SmallCosine>(square)};
 }
-/// 0 <= x <= 3 pi/4: above pi/4 a quarter turn is taken off. `early` is about x, known sooner. The
-/// cosine's low part may be large against its high part, near a quarter turn.
+/// 0 <= x <= 3 pi/4: above pi/4 a quarter turn is taken off. The cosine's
+/// low part may be large against its high part, near a quarter turn.
 template <class Tier, class T>
-[[gnu::always_inline]] inline SineCosine<DoubleDouble<T>> sine_cosine(DoubleDouble<T> x, T early) {
+[[gnu::always_inline]] inline SineCosine<DoubleDouble<T>> sine_cosine(DoubleDouble<T> x) {
   constexpr double quarter = 0x1.921fb54442d18p+0;
   constexpr double quarter_low = 0x1.1a62633145c07p-54;
-  const auto turns = is_above(early, all<T>(quarter / 2));
+  const auto turns = is_above(x.high, all<T>(quarter / 2));
   const DoubleDouble<T> y{x.high - select(turns, all<T>(quarter), T{}),
                           x.low - select(turns, all<T>(quarter_low), T{})};
   const DoubleDouble<T> square = y * y;

@@ -17,8 +17,7 @@
 #include "samples/evaluators/magic.hpp"
 #include "samples/evaluators/terminal.hpp"
 #include "samples/evaluators/velocities.hpp"
-#include "samples/plain/terminal_product.hpp"
-#include "samples/plain/velocities_product.hpp"
+#include "samples/plain/product.hpp"
 
 namespace {
 using namespace magicmass::generated;
@@ -175,10 +174,10 @@ TEST_CASE("what is outside of a case's intervals is not answered") {
 TEST_CASE("plain forms of any real type are near the definitions") {
   const double alpha = 0.1;
   const std::vector<cl_R> v = velocities(alpha, wide(2.0));
-  const auto got = velocities_product_small<double>(alpha, 2);
+  const auto got = velocities_product<double>(alpha, 2);
   CHECK_THAT(got.a, WithinRel(rounded(v[0]), 0x1p-46));
   CHECK_THAT(got.c_prime, WithinRel(rounded(v[3]), 0x1p-46));
-  const auto wider = velocities_product_small<long double>(0.1L, 2);
+  const auto wider = velocities_product<long double>(0.1L, 2);
   CHECK_THAT(double(wider.b), WithinRel(got.b, 0x1p-46));
-  CHECK(terminal_product_small<double>(alpha).N_A == 4);
+  CHECK(terminal_product<double>(alpha).N_A == 4);
 }

@@ -47,6 +47,12 @@ TEST_CASE("the main results are what the paper says") {
   says("counting.N_A", "N_A = ceil(pi/psi - 1/2)");
   says("ratios.N_A_range", "N_A = k if and only if alpha_k <= alpha and alpha < alpha_(k - 1)");
   says("magic.velocities", "a_k = 0 and b_k = V and c'_k = 0");
+  says("constraints.N_A_last", "c'_(N_A - 1) < a_(N_A - 1) and a_(N_A) <= c'_(N_A)");
+  says("minima.minimum", "b_t(beta_k, V) < b_t");
+  says("small_alpha.psi_bounds",
+       "2*sqrt(2*alpha)*(1 - 5*alpha/12) <= psi and psi < 2*sqrt(2*alpha)");
+  says("multiples.cos", "cos(n*x) = cos_sum_(floor(n/2))");
+  says("orthogonal.rotation", "[o_11, o_12; o_21, o_22] = lambda(2*atan(o_21/(1 + o_11)))");
 }
 
 TEST_CASE("velocities hold for every n under alpha > 0 alone") {
@@ -71,6 +77,24 @@ TEST_CASE("wrong formulas are not proved, and what is left over is said") {
              ContainsSubstring("no proof found"));
   CHECK_THAT(refusal([&] { book["power.nothing"]; }),
              ContainsSubstring("no theorem power.nothing"));
+}
+
+TEST_CASE("tactics for angles refuse what does not follow") {
+  const auto le_0 = assume(le(0, x)), less = assume(lt(x, y)), same = assume(le(x, y));
+  const Theorem to_pi = assume(le(y, pi())), beyond = assume(le(y, 2 * pi()));
+  CHECK(text(cosine_falls(le_0, less, to_pi).conclusion()) == "cos(y) < cos(x)");
+  CHECK(text(cosine_falls(le_0, same, to_pi).conclusion()) == "cos(y) <= cos(x)");
+  CHECK_THAT(refusal([&] { cosine_falls(le_0, less, beyond); }),
+             ContainsSubstring("no linear combination of the facts gives y <= pi"));
+  CHECK_THAT(refusal([&] { cosine_falls(assume(le(-1, x)), less, to_pi); }),
+             ContainsSubstring("gives 0 <= x"));
+  const Theorem y_from_0 = assume(le(0, y));
+  CHECK(text(sine_not_negative(y_from_0, to_pi).conclusion()) == "0 <= sin(y)");
+  CHECK(refusal([&] { sine_not_negative(y_from_0, beyond); }) != "not refused");
+  CHECK(refusal([&] { sine_not_negative(assume(le(-1, y)), to_pi); }) != "not refused");
+  CHECK(refusal([&] { cosine_positive(y_from_0, assume(le(y, pi() / 2))); }) != "not refused");
+  CHECK(refusal([&] { otherwise(lt(x, y), assume(lt(0, 1))); }) != "not refused");
+  CHECK(otherwise(lt(x, y), assume(lt(0, 0))).hypotheses() == Exprs{lt(0, 0)});
 }
 
 TEST_CASE("GiNaC solves linear equations, and says where they do not determine the unknowns") {

@@ -25,7 +25,6 @@ struct Series {
 };
 struct Tier {
   using ArcTangent = Series;
-  using Early = Series;
   using Sine = Series;
   using Cosine = Series;
   using SmallSine = Series;
@@ -42,7 +41,7 @@ struct Sample {
     const D t = quotient(scaled(a, 0.25), b);
     const D z = t * t;
     const D angle = arc_tangent<Tier>(root, z);
-    const SineCosine<D> large = sine_cosine<Tier>(b, b.high);
+    const SineCosine<D> large = sine_cosine<Tier>(b);
     const SineCosine<D> small = sine_cosine_small<Tier>(scaled(a, 0.125));
     const D rest = cancelling_sum(a, -b);
     const D size = magnitude(times(rest, x));

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// Arrays: block by block through this processor's kernels; rows that these leave open climb the
+// ladder of single numbers.
+#include <algorithm>
+#include <initializer_list>
+#include <limits>
+#include <string>
+
+#include "magicmass/arithmetic/ieee.hpp"
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/numbers/counts.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/numbers/ladder.hpp"
+
+namespace magicmass {
+namespace numbers {
+namespace {
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+void check_arithmetic() {
+  if (arithmetic::arithmetic_is_ieee()) return;
+  throw NotIeee("this thread does not round to nearest, or flushes subnormal numbers to zero");
+}
+void check_size(const char* name, std::size_t rows, std::size_t size) {
+  if (rows == size) return;
+  throw InvalidInput(std::string(name) + " has " + std::to_string(rows) + " rows, alpha has " +
+                     std::to_string(size));
+}
+struct Column {
+  const char* name;
+  std::size_t rows;
+};
+void check_wanted(std::size_t size, std::initializer_list<Column> columns) {
+  for (const Column& c : columns) check_size(c.name, c.rows == 0 ? size : c.rows, size);
+}
+/// Where a block of a column goes: unwanted ones to memory of the loop.
+template <class T>
+T* at(std::span<T> column, std::size_t row, T* unwanted) {
+  return column.empty() ? unwanted : column.data() + row;
+}
+void velocity_columns(Tier tier, std::span<const double> alpha, std::span<const std::int64_t> n,
+                      const VelocityColumns& to) {
+  check_arithmetic();
+  check_size("n", n.size(), alpha.size());
+  check_wanted(
+      alpha.size(),
+      {{"a", to.a.size()}, {"b", to.b.size()}, {"c", to.c.size()}, {"c_prime", to.c_prime.size()}});
+  double unwanted[longest_block];
+  Open open;
+  for (std::size_t row = 0; row < alpha.size(); row += longest_block) {
+    const VelocityRows rows{alpha.data() + row,      n.data() + row,
+                            at(to.a, row, unwanted), at(to.b, row, unwanted),
+                            at(to.c, row, unwanted), at(to.c_prime, row, unwanted)};
+    const std::size_t size = std::min(longest_block, alpha.size() - row);
+    const std::size_t left = kernels().velocity_rows[tier](size, rows, open);
+    for (std::size_t k = 0; k < left; ++k) {
+      const std::size_t i = open[k];
+      const auto v =
+          velocities(tier, rows.alpha[i], rows.n[i]).value_or(Velocities{nan, nan, nan, nan});
+      rows.a[i] = v.a;
+      rows.b[i] = v.b;
+      rows.c[i] = v.c;
+      rows.c_prime[i] = v.c_prime;
+    }
+  }
+}
+void terminal_columns(Tier tier, std::span<const double> alpha, const TerminalColumns& to) {
+  check_arithmetic();
+  check_wanted(alpha.size(), {{"N_A", to.N_A.size()},
+                              {"N_B", to.N_B.size()},
+                              {"a_t", to.a_t.size()},
+                              {"b_t", to.b_t.size()},
+                              {"c_t", to.c_t.size()},
+                              {"rho", to.rho.size()}});
+  double unwanted[longest_block];
+  std::int64_t unwanted_counts[longest_block];
+  Open open;
+  for (std::size_t row = 0; row < alpha.size(); row += longest_block) {
+    const TerminalRows rows{alpha.data() + row,
+                            at(to.N_A, row, unwanted_counts),
+                            at(to.N_B, row, unwanted_counts),
+                            at(to.a_t, row, unwanted),
+                            at(to.b_t, row, unwanted),
+                            at(to.c_t, row, unwanted),
+                            at(to.rho, row, unwanted)};
+    const std::size_t size = std::min(longest_block, alpha.size() - row);
+    const std::size_t left = kernels().terminal_rows[tier](size, rows, open);
+    for (std::size_t k = 0; k < left; ++k) {
+      const std::size_t i = open[k];
+      const auto t = terminal(tier, rows.alpha[i]).value_or(Terminal{{-1, -1}, nan, nan, nan, nan});
+      rows.N_A[i] = t.counts.N_A;
+      rows.N_B[i] = t.counts.N_B;
+      rows.a_t[i] = t.a_t;
+      rows.b_t[i] = t.b_t;
+      rows.c_t[i] = t.c_t;
+      rows.rho[i] = t.rho;
+    }
+  }
+}
+}  // namespace
+}  // namespace numbers
+
+void accurate::velocities(std::span<const double> alpha, std::span<const std::int64_t> n,
+                          const VelocityColumns& columns) {
+  numbers::velocity_columns(numbers::accurate, alpha, n, columns);
+}
+void fast::velocities(std::span<const double> alpha, std::span<const std::int64_t> n,
+                      const VelocityColumns& columns) {
+  numbers::velocity_columns(numbers::fast, alpha, n, columns);
+}
+void accurate::terminal(std::span<const double> alpha, const TerminalColumns& columns) {
+  numbers::terminal_columns(numbers::accurate, alpha, columns);
+}
+void fast::terminal(std::span<const double> alpha, const TerminalColumns& columns) {
+  numbers::terminal_columns(numbers::fast, alpha, columns);
+}
+void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A,
+                      std::span<std::int64_t> N_B) {
+  numbers::terminal_columns(numbers::fast, alpha, {N_A, N_B});
+}
+}  // namespace magicmass

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Tier fast: within 4 envelopes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "magicmass/numbers/errors.hpp"
+#include "magicmass/numbers/values.hpp"
+
+/// Errors are at most 4 envelopes of max(1/2, |alpha y'/(2 y)|) ulp, half of which rounding alpha
+/// alone would cost; counts are exact.
+/// All functions are thread-safe; an alpha that is not positive and finite is InvalidInput. Single
+/// calls rely on rounding to nearest and on subnormal numbers; array calls throw NotIeee else.
+namespace magicmass::fast {
+/// a_n, b_n, c_n, c'_n, unit V, for any double alpha > 0 and n from 0 to N_A (n = 0: 1, 0, 0, 0),
+/// else throws InvalidInput. b_n and c'_n at n = N_A > N_B belong to a collision that does not take
+/// place.
+Velocities velocities(double alpha, std::int64_t n);
+/// Counts, a_t, b_t, c_t, unit V, and rho. nullopt: N_A + N_B is 2^63 or more, alpha below about
+/// 5.8e-38.
+std::optional<Terminal> terminal(double alpha);
+/// psi, the angle of one cycle, in radians, below pi.
+double angle(double alpha);
+/// alpha_k and beta_k, unit 1, k >= 1, else throws InvalidInput.
+Ratios ratios(std::int64_t k);
+/// Arrays, the same bits as single calls. Of InvalidInput they throw only that sizes differ.
+void velocities(std::span<const double> alpha, std::span<const std::int64_t> n,
+                const VelocityColumns& columns);
+void terminal(std::span<const double> alpha, const TerminalColumns& columns);
+}  // namespace magicmass::fast

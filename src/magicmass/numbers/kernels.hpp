@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What is compiled once for each instruction set: plain functions behind a table. They throw
+// nothing and answer only what their tests make certain; the rest is left open.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "magicmass/numbers/values.hpp"
+
+namespace magicmass::numbers {
+enum Tier { fast, accurate, slow };
+
+/// Pointers into columns; fields in the order of the generated ones.
+struct VelocityRows {
+  const double* alpha;
+  const std::int64_t* n;
+  double *a, *b, *c, *c_prime;
+};
+struct TerminalRows {
+  const double* alpha;
+  std::int64_t *N_A, *N_B;
+  double *a_t, *b_t, *c_t, *rho;
+};
+/// Rows done at a time, so that those left open fit a small list.
+constexpr std::size_t longest_block = 256;
+using Open = std::uint16_t[longest_block];
+
+/// Single numbers by tier, with whether the result is certain; rows by tier (fast, accurate): how
+/// many of `size` are open, and which.
+struct Kernels {
+  const char* name;
+  bool (*velocities[3])(Velocities& result, double alpha, std::int64_t n);
+  bool (*terminal[3])(Terminal& result, double alpha);
+  bool (*counts)(Counts& result, double alpha);
+  bool (*angle[3])(double& result, double alpha);
+  bool (*magic[3])(double& result, std::int64_t k);
+  bool (*deficient[3])(double& result, std::int64_t k);
+  std::size_t (*velocity_rows[2])(std::size_t size, const VelocityRows& rows, Open& open);
+  std::size_t (*terminal_rows[2])(std::size_t size, const TerminalRows& rows, Open& open);
+};
+/// The best table that this processor can run.
+const Kernels& kernels();
+/// Tables by name, for tests: null where the processor cannot run them.
+const Kernels* kernels_named(const char* name);
+}  // namespace magicmass::numbers

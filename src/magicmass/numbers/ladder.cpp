@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#include "magicmass/numbers/ladder.hpp"
+
+#include <limits>
+#include <string>
+
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/numbers/counts.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/numbers/ziv.hpp"
+
+namespace magicmass {
+namespace numbers {
+namespace {
+/// Below, N_A > pi/sqrt(8 alpha) - 3/2 is above 2^63: h < sqrt(2 alpha).
+constexpr double too_many_below = 0x1p-126;
+
+/// The first certain answer of the tiers from `from` on.
+template <class Value, class... Arguments>
+std::optional<Value> certain(bool (*const (&tiers)[3])(Value&, Arguments...), int from,
+                             Arguments... arguments) {
+  Value value{};
+  for (int tier = from; tier <= slow; ++tier) {
+    if (tiers[tier](value, arguments...)) return value;
+  }
+  return std::nullopt;
+}
+/// Counts of 2^63 or more are INT64_MAX.
+[[gnu::noinline]] std::optional<Terminal> settled_terminal(Tier tier, double alpha) {
+  if (!is_mass_ratio(alpha) || alpha < too_many_below) return std::nullopt;
+  const auto t = certain(kernels().terminal, tier + 1, alpha);
+  return t ? t : terminal_by_mpfr(alpha);
+}
+std::optional<Terminal> open_terminal(Tier tier, double alpha) {
+  const std::optional<Terminal> t = settled_terminal(tier, alpha);
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  return t && t->counts.N_A <= most - t->counts.N_B ? t : std::nullopt;
+}
+/// N_A, or the largest integer there is.
+std::int64_t last_cycle(double alpha) {
+  Counts c;
+  if (kernels().counts(c, alpha)) return c.N_A;
+  const std::optional<Terminal> t = settled_terminal(fast, alpha);
+  return t ? t->counts.N_A : std::numeric_limits<std::int64_t>::max();
+}
+[[gnu::noinline]] std::optional<Velocities> open_velocities(Tier tier, double alpha,
+                                                            std::int64_t n) {
+  if (!is_mass_ratio(alpha) || n < 0) return std::nullopt;
+  if (n == 0) return Velocities{1, 0, 0, 0};
+  if (n > last_cycle(alpha)) return std::nullopt;
+  const auto v = certain(kernels().velocities, tier + 1, alpha, n);
+  return v ? v : velocities_by_mpfr(alpha, n);
+}
+
+void check(double alpha) {
+  if (!is_mass_ratio(alpha)) {
+    throw InvalidInput("alpha must be positive and finite, got " + std::to_string(alpha));
+  }
+}
+[[noreturn]] void refuse_cycle(double alpha, std::int64_t n) {
+  check(alpha);
+  throw InvalidInput("n must be from 0 to N_A = " + std::to_string(last_cycle(alpha)) + ", got " +
+                     std::to_string(n));
+}
+double angle(Tier tier, double alpha) {
+  check(alpha);
+  const auto psi = certain(kernels().angle, tier, alpha);
+  return psi ? *psi : angle_by_mpfr(alpha);
+}
+Ratios ratios(Tier tier, std::int64_t k) {
+  if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
+  const auto magic = certain(kernels().magic, tier, k);
+  const auto deficient = certain(kernels().deficient, tier, k);
+  return {k == 1  ? 1.0
+          : magic ? *magic
+                  : magic_by_mpfr(k),
+          deficient ? *deficient : deficient_by_mpfr(k)};
+}
+// Results are written once, where they are returned: to copy them at once is slow.
+Velocities velocities_or_throw(Tier tier, double alpha, std::int64_t n) {
+  Velocities v;
+  if (!kernels().velocities[tier](v, alpha, n)) [[unlikely]] {
+    const std::optional<Velocities> settled = open_velocities(tier, alpha, n);
+    if (!settled) refuse_cycle(alpha, n);
+    v = *settled;
+  }
+  return v;
+}
+std::optional<Terminal> terminal_or_throw(Tier tier, double alpha) {
+  std::optional<Terminal> t = terminal(tier, alpha);
+  if (!t) check(alpha);
+  return t;
+}
+}  // namespace
+
+std::optional<Velocities> velocities(Tier tier, double alpha, std::int64_t n) {
+  std::optional<Velocities> v(std::in_place);
+  if (!kernels().velocities[tier](*v, alpha, n)) v = open_velocities(tier, alpha, n);
+  return v;
+}
+std::optional<Terminal> terminal(Tier tier, double alpha) {
+  std::optional<Terminal> t(std::in_place);
+  if (!kernels().terminal[tier](*t, alpha)) [[unlikely]]
+    t = open_terminal(tier, alpha);
+  return t;
+}
+std::optional<Counts> counts(double alpha) {
+  Counts c;
+  if (kernels().counts(c, alpha)) return c;
+  const std::optional<Terminal> t = open_terminal(fast, alpha);
+  return t ? std::optional(t->counts) : std::nullopt;
+}
+}  // namespace numbers
+
+Velocities accurate::velocities(double alpha, std::int64_t n) {
+  return numbers::velocities_or_throw(numbers::accurate, alpha, n);
+}
+Velocities fast::velocities(double alpha, std::int64_t n) {
+  return numbers::velocities_or_throw(numbers::fast, alpha, n);
+}
+std::optional<Terminal> accurate::terminal(double alpha) {
+  return numbers::terminal_or_throw(numbers::accurate, alpha);
+}
+std::optional<Terminal> fast::terminal(double alpha) {
+  return numbers::terminal_or_throw(numbers::fast, alpha);
+}
+double accurate::angle(double alpha) { return numbers::angle(numbers::accurate, alpha); }
+double fast::angle(double alpha) { return numbers::angle(numbers::fast, alpha); }
+Ratios accurate::ratios(std::int64_t k) { return numbers::ratios(numbers::accurate, k); }
+Ratios fast::ratios(std::int64_t k) { return numbers::ratios(numbers::fast, k); }
+
+std::optional<Counts> count_collisions(double alpha) {
+  numbers::check(alpha);
+  return numbers::counts(alpha);
+}
+}  // namespace magicmass

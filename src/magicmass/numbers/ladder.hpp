@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Single numbers, one number type after the other: the tier's own, Slow, MPFR's. nullopt: the
+// inputs have no answer. Throw Undecided.
+#pragma once
+
+#include <optional>
+
+#include "magicmass/numbers/kernels.hpp"
+
+namespace magicmass::numbers {
+inline bool is_mass_ratio(double alpha) { return alpha > 0.0 && alpha <= 0x1.fffffffffffffp1023; }
+std::optional<Velocities> velocities(Tier tier, double alpha, std::int64_t n);
+std::optional<Terminal> terminal(Tier tier, double alpha);
+std::optional<Counts> counts(double alpha);
+}  // namespace magicmass::numbers

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Results of the numeric functions, and the columns that array calls fill. Velocities are in units
+// of V, the velocity of block A before the first collision; alpha is m/M.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+namespace magicmass {
+/// Numbers of A-C and C-B collisions, the paper's N_A and N_B.
+struct Counts {
+  std::int64_t N_A = 0;
+  std::int64_t N_B = 0;
+  friend bool operator==(const Counts&, const Counts&) = default;
+};
+/// After n cycles: a_n, b_n, c_n, c'_n.
+struct Velocities {
+  double a = 0;        ///< of A
+  double b = 0;        ///< of B
+  double c = 0;        ///< of C between its n-th collisions with A and with B
+  double c_prime = 0;  ///< of C after its n-th collision with B
+  friend bool operator==(const Velocities&, const Velocities&) = default;
+};
+/// After all collisions; rho = b_t^2 is the share of the kinetic energy that B takes.
+struct Terminal {
+  Counts counts;
+  double a_t = 0;
+  double b_t = 0;
+  double c_t = 0;
+  double rho = 0;
+  friend bool operator==(const Terminal&, const Terminal&) = default;
+};
+/// alpha_k and beta_k.
+struct Ratios {
+  double magic = 0;
+  double deficient = 0;
+  friend bool operator==(const Ratios&, const Ratios&) = default;
+};
+/// The magic or deficient mass ratio that is nearest to some alpha.
+struct Threshold {
+  bool is_magic = true;   ///< alpha_k, else beta_k
+  std::int64_t k = 1;     ///< its number, from 1 on
+  double distance = 0.0;  ///< (alpha - threshold)/threshold, correctly rounded
+};
+
+/// Where array calls write: an empty span is not wanted, all others have as many rows as alpha.
+/// Columns overlap neither each other nor the inputs. Rows without an answer are NaN.
+struct VelocityColumns {
+  std::span<double> a = {};
+  std::span<double> b = {};
+  std::span<double> c = {};
+  std::span<double> c_prime = {};
+};
+/// As above; counts of rows without an answer are -1.
+struct TerminalColumns {
+  std::span<std::int64_t> N_A = {};
+  std::span<std::int64_t> N_B = {};
+  std::span<double> a_t = {};
+  std::span<double> b_t = {};
+  std::span<double> c_t = {};
+  std::span<double> rho = {};
+};
+}  // namespace magicmass

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// Why the loop ends, for each output. A value that is no double and no tie is settled by enough
+// bits, so it is to be shown that none is a dyadic number p/2^q, or that it is computed exactly.
+//  Velocities, n >= 1. With u = 1/(1 + alpha) a collision multiplies by 2u - 1, 2u, 2 - 2u and
+//   1 - 2u. Its part with u maps A's and C's velocities to 2(a - c)(1, 1), so that after j
+//   collisions the velocities of the two that collided are polynomials in u with whole
+//   coefficients, the last of which is +-2^j u^j. Where m, the numerator of 1 + alpha, has an odd
+//   prime factor q, that term has the highest power of q in its denominator, alone: the sum is no
+//   dyadic number, and not 0. Its square, rho, neither. alpha < 1: 1 + alpha = m/2^k > 1 is less
+//   than 2, so m is odd and above 1. alpha >= 1 without an odd prime: 1 + alpha = 2^j, j <= 53, and
+//   the few operations on such u (N_A = N_B = 1) are exact in 190 bits: is_exact, nothing is in
+//   doubt, ties included.
+//  Counts: alpha_k and beta_k are 1/cos - 1 of rational multiples of pi. By Niven's theorem cos is
+//   rational for alpha_1 = 1 alone (2 cos is one of 0, +-1, +-2), and alpha >= 1 is not counted.
+//   For the same reason no ratio but alpha_1, and no distance to another, is rational.
+//  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).
+#include "magicmass/numbers/ziv.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "magicmass/evaluators/angle.hpp"
+#include "magicmass/evaluators/deficient.hpp"
+#include "magicmass/evaluators/magic.hpp"
+#include "magicmass/evaluators/terminal.hpp"
+#include "magicmass/evaluators/velocities.hpp"
+#include "magicmass/numbers/big.hpp"
+#include "magicmass/numbers/errors.hpp"
+
+namespace magicmass::numbers {
+namespace {
+using generated::Ziv;
+
+/// Numbers of 190 bits first: three words, enough for counts of 62 bits, a double and 40 more.
+/// The last is enough for the smallest alpha: its square has 2^-2148.
+constexpr long first_bits = 190 - Big::spare;
+constexpr long last_bits = 8192;
+
+/// MPFR keeps pi, for each thread.
+struct Cache {
+  ~Cache() { mpfr_free_cache(); }
+};
+
+/// Runs `attempt`, which returns a doubt, with more and more bits until that is 0.
+template <class F>
+void until_certain(const char* what, double x, bool is_exact, F attempt) {
+  static thread_local const Cache freed_with_thread;
+  Big::is_exact = is_exact;
+  for (Big::bits = first_bits; Big::bits <= last_bits; Big::bits *= 2) {
+    if (attempt() == 0.0) return;
+  }
+  throw Undecided(std::string(what) + " at " + std::to_string(x) + ": still open at " +
+                  std::to_string(last_bits) + " bits");
+}
+/// Runs one case.
+template <class Case>
+double run(Case& k) {
+  k.stage_1();
+  k.stage_2();
+  k.stage_3();
+  return k.doubt;
+}
+template <class Q>
+typename Q::Outputs settled(const char* what, double x, bool is_exact,
+                            const typename Q::Inputs& in) {
+  typename Q::Outputs out{};
+  until_certain(what, x, is_exact, [&] {
+    return Q::template visit<true>(in, [&]<template <class, class> class Case>() {
+      Case<Ziv, Big> k(in);
+      const double doubt = run(k);
+      out = k.outputs();
+      return doubt;
+    });
+  });
+  return out;
+}
+/// Whether 1 + alpha is a power of 2, alpha >= 1.
+bool has_dyadic_velocities(double alpha) {
+  int exponent = 0;
+  return alpha >= 1.0 && (alpha + 1.0) - 1.0 == alpha && std::frexp(alpha + 1.0, &exponent) == 0.5;
+}
+/// The emitted bound is relative, and so is what the quotient and the difference add to it.
+template <class Case>
+double distance(double alpha, std::int64_t k, Big Case::*threshold) {
+  double result = 0.0;
+  until_certain("the distance to a threshold", alpha, false, [&] {
+    Case ratio({k});
+    run(ratio);
+    const Big share = quotient(Big(alpha), ratio.*threshold);
+    const auto tested =
+        rounding_test(share - Big(1.0), Big::magnitude_of(share) * (Case::E[0] + 1.0));
+    result = tested.value;
+    return tested.doubt;
+  });
+  return result;
+}
+}  // namespace
+
+Velocities velocities_by_mpfr(double alpha, std::int64_t n) {
+  const auto v =
+      settled<generated::Velocities>("velocities", alpha, has_dyadic_velocities(alpha), {alpha, n});
+  return {v.a, v.b, v.c, v.c_prime};
+}
+Terminal terminal_by_mpfr(double alpha) {
+  const auto v =
+      settled<generated::Terminal>("terminal", alpha, has_dyadic_velocities(alpha), {alpha});
+  return {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
+}
+double angle_by_mpfr(double alpha) {
+  // The case is for alpha <= 1, where DoubleDouble's arctangent ends; each of MPFR's operations
+  // has its relative bound everywhere.
+  double psi = 0.0;
+  until_certain("angle", alpha, false, [&] {
+    generated::AngleSmall<Ziv, Big> k({alpha});
+    const double doubt = run(k);
+    psi = k.psi;
+    return doubt;
+  });
+  return psi;
+}
+double magic_by_mpfr(std::int64_t k) {
+  return settled<generated::Magic>("magic", double(k), false, {k}).alpha_;
+}
+double deficient_by_mpfr(std::int64_t k) {
+  return settled<generated::Deficient>("deficient", double(k), false, {k}).beta_;
+}
+double distance_by_mpfr(double alpha, bool is_magic, std::int64_t k) {
+  using MagicCase = generated::MagicGeneral<Ziv, Big>;
+  using DeficientCase = generated::DeficientGeneral<Ziv, Big>;
+  return is_magic ? distance<MagicCase>(alpha, k, &MagicCase::of_alpha_)
+                  : distance<DeficientCase>(alpha, k, &DeficientCase::of_beta_);
+}
+}  // namespace magicmass::numbers

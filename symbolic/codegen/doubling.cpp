@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The loop over the bits of an index, and its calls.
+#include "codegen/doubling.hpp"
+
+#include "codegen/program.hpp"
+#include "codegen/text.hpp"
+#include "kernel/print.hpp"
+
+namespace codegen {
+namespace {
+using kernel::Expr;
+using kernel::Exprs;
+
+/// f at another index.
+Expr at(Expr f, Expr index) {
+  Exprs arguments = f.args();
+  arguments.back() = index;
+  return kernel::fun(f.name(), arguments);
+}
+Expr left(const kernel::Theorem& t) { return t.conclusion().arg(0); }
+std::string cpp_name(Expr f) {
+  const std::string name = f.name();
+  return name.ends_with("_") ? name.substr(0, name.size() - 1) : name;
+}
+/// x of 2*x.
+Expr half_of(Expr index) {
+  const bool is_double = index.op() == kernel::Op::Mul && index.size() == 2;
+  return is_double && index.arg(0) == Expr(2) ? index.arg(1) : Expr();
+}
+/// The parameters but the index, as f has them at 0.
+std::vector<std::string> parameters(Expr f) {
+  std::vector<std::string> r;
+  for (std::size_t k = 0; k + 1 < f.size(); ++k) {
+    if (f.arg(k).op() == kernel::Op::Var) r.push_back(identifier(f.arg(k).name()));
+  }
+  return r;
+}
+}  // namespace
+
+std::string emit_doubling(const Doubling& t, const Domain& d) {
+  for (const kernel::Theorem* theorem : {&t.at_0, &t.at_1, &t.even, &t.odd}) {
+    const Expr formula = theorem->conclusion();
+    check_hypotheses(d, theorem->hypotheses(), formula);
+    if (formula.op() != kernel::Op::Eq || formula.arg(0).op() != kernel::Op::Fun) {
+      throw Refused("not of the form f(params, index) = term: " + kernel::text(formula));
+    }
+  }
+  const Expr f = left(t.at_0);
+  const Expr even = left(t.even);
+  const Expr m = half_of(even.arg(even.size() - 1));
+  const bool is_integer = bool(m) && m.op() == kernel::Op::Var && m.sort() == kernel::Sort::Int;
+  if (!is_integer || !(f == at(f, 0)) || !(left(t.at_1) == at(f, 1)) || !(even == at(f, 2 * m)) ||
+      !(left(t.odd) == at(f, 2 * m + 1))) {
+    throw Refused("not f at 0, 1, 2*m and 2*m + 1: " + kernel::text(t.even.conclusion()));
+  }
+  PlainPrinter printer;
+  printer.is_exact = true;
+  for (std::size_t k = 0; k + 1 < f.size(); ++k) {
+    if (f.arg(k).op() == kernel::Op::Var) printer.names[f.arg(k)] = {identifier(f.arg(k).name())};
+  }
+  const auto value = [&](const kernel::Theorem& theorem, const std::string& at_m) {
+    printer.names[at(f, m)] = {at_m};
+    return printer.print(theorem.conclusion().arg(1)).text;
+  };
+  const std::string start = value(t.at_0, "low");
+  const std::string first = value(t.at_1, "low");
+  printer.names[at(f, 1)] = {"first"};
+  const std::string lower = value(t.even, "low");
+  const std::string upper = value(t.even, "high");
+  printer.names[at(f, m + 1)] = {"high"};
+  const std::string between = value(t.odd, "low");
+  Text text;
+  text.line("/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.");
+  text.line("template <class Number>");
+  std::string arguments;
+  for (const std::string& p : parameters(f)) arguments += "const Number& " + p + ", ";
+  text.line("std::pair<Number, Number> " + cpp_name(f) + "_doubled(" + arguments +
+            "std::int64_t n) {");
+  text.line("  // " + kernel::text(t.at_1.conclusion()));
+  text.line("  const Number first = " + without_brackets(first) + ";");
+  text.line("  // " + kernel::text(t.at_0.conclusion()));
+  text.block("  Number low = " + without_brackets(start) + ";\n  Number high = first;\n" +
+             "  const std::uint64_t index = 2 * std::uint64_t(n);\n" +
+             "  for (int bit = int(std::bit_width(index)); bit-- > 0;) {\n");
+  text.line("    // " + kernel::text(t.odd.conclusion()));
+  text.line("    const Number between = " + without_brackets(between) + ";");
+  text.line("    // " + kernel::text(t.even.conclusion()));
+  text.block("    if ((index >> bit & 1) != 0) {\n      low = between;\n      high = " +
+             without_brackets(upper) + ";\n    } else {\n      high = between;\n      low = " +
+             without_brackets(lower) + ";\n    }\n  }\n  return {low, high};\n}\n");
+  return text.str();
+}
+
+std::string call_doubling(const Doubling& t, Expr term, PlainPrinter& printer) {
+  const Expr f = left(t.at_0);
+  std::string lines;
+  for (Expr a : term.args()) lines += call_doubling(t, a, printer);
+  if (term.op() != kernel::Op::Fun || term.name() != f.name()) return lines;
+  if (printer.names.count(term) > 0) return lines;
+  const Expr index = term.arg(term.size() - 1);
+  const bool is_odd = index.op() == kernel::Op::Add && index.size() == 2 && index.arg(1) == Expr(1);
+  const Expr x = half_of(is_odd ? index.arg(0) : index);
+  const bool is_known = bool(x) && (x.op() == kernel::Op::Var || x.op() == kernel::Op::Fun);
+  if (!is_known || !(term == at(f, index))) {
+    throw Refused("not f at 2*x or 2*x + 1: " + kernel::text(term));
+  }
+  const std::string pair = cpp_name(f) + "_at_" + identifier(x.name());
+  printer.names[at(f, 2 * x)] = {pair + ".first"};
+  printer.names[at(f, 2 * x + 1)] = {pair + ".second"};
+  std::vector<std::string> arguments = parameters(f);
+  arguments.push_back(identifier(x.name()));
+  return lines + "    const std::pair<Number, Number> " + pair + " = " + cpp_name(f) + "_doubled(" +
+         joined(arguments, ", ") + ");\n";
+}
+}  // namespace codegen

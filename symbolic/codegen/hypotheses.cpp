@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Hypotheses and parameters against intervals.
+#include "codegen/hypotheses.hpp"
+
+#include <algorithm>
+
+#include "codegen/exact.hpp"
+#include "kernel/names.hpp"
+#include "kernel/print.hpp"
+
+namespace codegen {
+namespace {
+using kernel::Expr;
+using kernel::Exprs;
+
+/// Whether a formula follows from the ranges; what has no range is not known.
+bool holds(const Domain& d, Expr f) {
+  const Exprs parts = f.args();
+  if (f.op() == kernel::Op::And) {
+    return std::all_of(parts.begin(), parts.end(), [&](Expr g) { return holds(d, g); });
+  }
+  if (f.op() != kernel::Op::Lt && f.op() != kernel::Op::Le && f.op() != kernel::Op::Eq)
+    return false;
+  try {
+    const Interval l = d.range(f.arg(0));
+    const Interval r = d.range(f.arg(1));
+    if (f.op() == kernel::Op::Lt) return l.high < r.low;
+    if (f.op() == kernel::Op::Le) return l.high <= r.low;
+    return l.is_point() && r.is_point() && l.low == r.low;
+  } catch (const Refused&) {
+    return false;
+  }
+}
+void check_argument(const Domain& d, Expr argument, Expr formula) {
+  for (const Input& input : d.quantity.inputs) {
+    if (argument == input.variable) return;
+    const Interval r = range_of(input, d.which, d.is_wide);
+    const bool is_number = argument.op() == kernel::Op::Num;
+    if (is_number && r.is_point() && exact(r.low) == argument.value()) return;
+  }
+  throw Refused(kernel::text(argument) + " is no input here: " + kernel::text(formula));
+}
+/// Each name at its own parameters, where it stands at their units.
+Expr at_parameters(const kernel::Substitution& units, Expr e) {
+  Exprs arguments = e.args();
+  if (arguments.empty()) return e;
+  for (Expr& a : arguments) a = at_parameters(units, a);
+  const bool is_name = e.op() == kernel::Op::Fun && kernel::signature(e.name()) != nullptr;
+  const Exprs parameters = is_name ? kernel::signature(e.name())->params : Exprs{};
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    const auto unit = units.find(parameters[k]);
+    if (unit != units.end() && arguments[k] == unit->second) arguments[k] = parameters[k];
+  }
+  return kernel::with_args(e, arguments);
+}
+}  // namespace
+
+std::string shown(const Quantity& q, Expr formula) {
+  return kernel::text(at_parameters(q.units, formula));
+}
+Interval range_of(const Input& input, const Case& which, bool is_wide) {
+  Interval r = is_wide ? input.wide_range : input.range;
+  for (const Condition& w : which.where) {
+    if (w.name == input.variable.name()) r = meet(r, w.range);
+  }
+  return r;
+}
+void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion) {
+  for (Expr h : hypotheses) {
+    if (holds(d, h)) continue;
+    throw Refused("the intervals of case " + d.which.name + " do not give " + kernel::text(h) +
+                  ", which is needed for " + kernel::text(conclusion));
+  }
+}
+Expr checked_head(const Domain& d, const kernel::Theorem& t) {
+  const Expr f = t.conclusion();
+  if (f.op() != kernel::Op::Eq || f.arg(0).op() != kernel::Op::Fun) {
+    throw Refused("not of the form name(params) = term: " + kernel::text(f));
+  }
+  check_hypotheses(d, t.hypotheses(), f);
+  const kernel::Substitution& units = d.quantity.units;
+  const Exprs parameters = kernel::signature(f.arg(0).name())->params;
+  for (std::size_t k = 0; k < f.arg(0).size(); ++k) {
+    const Expr argument = f.arg(0).arg(k);
+    const auto unit = k < parameters.size() ? units.find(parameters[k]) : units.end();
+    if (unit == units.end() || !(unit->second == argument)) check_argument(d, argument, f);
+  }
+  return f.arg(0);
+}
+}  // namespace codegen

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What must hold of a theorem before it is taken.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "codegen/quantity.hpp"
+
+namespace codegen {
+/// The interval of an input in a case.
+Interval range_of(const Input& input, const Case& which, bool is_wide);
+
+/// A case, and the range of each term there; Refused: a term of which none is known.
+struct Domain {
+  const Quantity& quantity;
+  const Case& which;
+  bool is_wide;
+  std::function<Interval(kernel::Expr)> range;
+};
+/// Refused: a hypothesis that does not follow from the ranges.
+void check_hypotheses(const Domain& d, const kernel::Exprs& hypotheses, kernel::Expr conclusion);
+/// The left side of |- name(params) = term. Refused: another form, a hypothesis that does not
+/// follow, a parameter that is no input, unit, or one-point interval.
+kernel::Expr checked_head(const Domain& d, const kernel::Theorem& t);
+/// The formula with names at their parameters in place of units: a_n, not a_n(alpha, 1).
+std::string shown(const Quantity& q, kernel::Expr formula);
+}  // namespace codegen

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// JSON, whose strings here need no escapes.
+#include "codegen/manifest.hpp"
+
+#include <algorithm>
+
+#include "codegen/program.hpp"
+#include "codegen/text.hpp"
+
+namespace codegen {
+namespace {
+std::string quoted(const std::string& text) {
+  const auto is_plain = [](char c) { return c >= ' ' && c != '"' && c != '\\'; };
+  if (!std::all_of(text.begin(), text.end(), is_plain)) {
+    throw Refused("not for a manifest: " + text);
+  }
+  return "\"" + text + "\"";
+}
+std::string list(const std::vector<std::string>& words) {
+  std::vector<std::string> all;
+  for (const std::string& w : words) all.push_back(quoted(w));
+  return "[" + joined(all, ", ") + "]";
+}
+}  // namespace
+
+std::vector<std::string> ids_of(const kernel::Theorems& theorems, const Ids& ids) {
+  std::vector<std::string> r;
+  for (const kernel::Theorem& t : theorems) {
+    const auto found = ids.find(t.conclusion());
+    if (found == ids.end()) continue;
+    if (std::find(r.begin(), r.end(), found->second) == r.end()) r.push_back(found->second);
+  }
+  return r;
+}
+std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
+                           const std::vector<std::string>& outputs,
+                           const std::vector<Claim>& claims) {
+  std::vector<std::string> inputs;
+  for (const Input& i : q.inputs) inputs.push_back(identifier(i.variable.name()));
+  std::vector<std::string> cases;
+  for (const Claim& c : claims) {
+    cases.push_back("{\"name\": " + quoted(c.name) + ", \"domain\": " + quoted(c.domain) +
+                    ", \"bounds\": " + list(c.bounds) +
+                    ",\n     \"theorems\": " + list(c.theorems) + "}");
+  }
+  return "{\"name\": " + quoted(q.name) + ", \"form\": " + quoted(form) +
+         ", \"header\": " + quoted("magicmass/" + header) + ", \"labels\": " + quoted(q.labels) +
+         ",\n   \"inputs\": " + list(inputs) + ", \"outputs\": " + list(outputs) +
+         ",\n   \"cases\": [" + joined(cases, ",\n    ") + "]}";
+}
+}  // namespace codegen

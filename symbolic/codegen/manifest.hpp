@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What generated/manifest.json says of each header.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "codegen/quantity.hpp"
+
+namespace codegen {
+/// The ids of theorems, by their conclusions.
+using Ids = std::map<kernel::Expr, std::string>;
+
+/// The ids of what a case is made of, each once, in order; theorems without an id are left out.
+std::vector<std::string> ids_of(const kernel::Theorems& theorems, const Ids& ids);
+/// What is said of one case.
+struct Claim {
+  std::string name;
+  std::string domain;
+  std::vector<std::string> bounds;  ///< "a: 2^-73.6 |P|"; none: each operation is rounded
+  std::vector<std::string> theorems;
+};
+/// A JSON object: name, form, header, labels, inputs, outputs, cases.
+std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
+                           const std::vector<std::string>& outputs,
+                           const std::vector<Claim>& claims);
+}  // namespace codegen

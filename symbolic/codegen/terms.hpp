@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From the kernel's terms to nodes.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "codegen/builder.hpp"
+#include "codegen/quantity.hpp"
+
+namespace codegen {
+class Terms {
+public:
+  Builder builder;
+  std::map<kernel::Expr, int> nodes;     ///< of what is known: inputs, names, terms already built
+  std::map<kernel::Expr, Fact> squares;  ///< p^2 = q by p, for arctangents
+  std::function<void(const Fact&)> use;  ///< called before a square is used
+
+  /// Refused: a name without a definition, an operation that there is none for.
+  int build(kernel::Expr e);
+  Interval range(kernel::Expr e) { return builder[build(e)].range; }
+  /// Node k, whose square a fact tells, is within the root of that.
+  void narrow_by_square(int k, const Fact& f);
+
+private:
+  struct Fraction;
+  static Fraction fraction(const kernel::Exprs& factors);
+  int made(kernel::Expr e);
+  int function(kernel::Expr e);
+  int arc_tangent(kernel::Expr e);
+  int product(const kernel::Exprs& factors);
+  int ceiling(kernel::Expr x);
+};
+}  // namespace codegen

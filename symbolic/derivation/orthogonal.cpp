@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Orthogonal matrices of the plane and of space: what keeps lengths, and which of them are
+// rotations.
+#include "derivation/symbols.hpp"
+
+namespace derivation {
+namespace {
+Expr matrix_of_names(int size) {
+  Exprs names;
+  for (int i = 1; i <= size; ++i)
+    for (int l = 1; l <= size; ++l)
+      names.push_back(real("o_" + std::to_string(i) + std::to_string(l)));
+  return matrix(size, names);
+}
+Expr determinant(const Exprs& m) {
+  if (m.size() == 4) return m[0] * m[3] - m[1] * m[2];
+  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+         m[2] * (m[3] * m[7] - m[4] * m[6]);
+}
+Expr gram(Expr o) { return times(transpose(o), o); }
+Theorem rewritten(const Theorems& equations, Theorem t) {
+  for (const Theorem& e : equations) t = rewrite(e, t);
+  return t;
+}
+
+/// Lengths are kept if and only if O^T O = 1; then det(O) is 1 or -1.
+Theorem orthogonal(Book& book, int size) {
+  const bool plane = size == 2;
+  const std::string where = plane ? "plane" : "space";
+  const Expr o = matrix_of_names(size), d = det(o);
+  const Exprs all_names{real("v_1"), real("v_2"), real("v_3")};
+  const Exprs v(all_names.begin(), all_names.begin() + size);
+  const Expr image = times(o, column(v));
+  const Expr kept = eq(times(transpose(image), image), times(transpose(column(v)), column(v)));
+  Expr always = kept;
+  for (int i = size - 1; i >= 0; --i) always = all(v[std::size_t(i)], always);
+  const auto along = [&](int i, int l) {  // kept for e_i + e_l, or for e_i
+    Theorem t = assume(always);
+    for (int m = 0; m < size; ++m) t = specialize(t, m == i || m == l ? 1 : 0);
+    return entries(t)[0];
+  };
+  const Theorem is = assume(eq(gram(o), identity(size)));
+  const Theorems products = entries(is);
+  Theorems found;
+  Certificate back;
+  for (int i = 0; i < size; ++i)
+    for (int l = 0; l < size; ++l) {
+      const Theorem& entry_is = products[std::size_t(i * size + l)];
+      found.push_back(linear(entry_is.conclusion(), {along(i, l), along(i, i), along(l, l)}));
+      back.equations.push_back({v[std::size_t(i)] * v[std::size_t(l)], entry_is});
+    }
+  book.show(where, "",
+            plane ? "A matrix that keeps all lengths in the plane is orthogonal,"
+                  : "In space, too, a matrix that keeps all lengths is orthogonal,",
+            restate(is.conclusion(), both(found)));
+  book.show(
+      where + "_keeps", "", "and an orthogonal one keeps them;",
+      restate(kept, arithmetic(eq(entry(kept.arg(0), 0, 0), entry(kept.arg(1), 0, 0)), back)));
+  const Theorem squared =
+      linear(eq(power(d, 2), 1),
+             {rewritten(products, equation(power(d, 2), determinant(kernel::entries(gram(o)))))});
+  const Theorem other = assume(neq(d, 1));
+  Certificate c;  // (1 - d)(-1 - d) = d^2 - 1
+  c.multipliers = {other};
+  c.equations = {{-1, squared}};
+  book.show(where + "_determinant", "", "its determinant is 1 or -1:",
+            tautology(logic_or({eq(d, 1), eq(d, -1)}),
+                      {discharge(other.conclusion(), arithmetic(eq(d, -1), c))}));
+  return is;
+}
+
+/// An orthogonal matrix of the plane is a rotation, after a reflection where its determinant is -1.
+void in_the_plane(Book& book, const Theorem& is) {
+  const Expr o = matrix_of_names(2);
+  const Expr p = entry(o, 0, 0), q = entry(o, 0, 1), r = entry(o, 1, 0), s = entry(o, 1, 1);
+  const Theorems products = entries(is);
+  const Theorem unit = linear(eq(power(r, 2), 1 - power(p, 2)), {products[0]});
+  const Theorem other = assume(neq(p, -1));
+  const Expr t = r / (1 + p), angle = atan(t), root = sqrt(1 + power(t, 2));
+  const Theorem one_more = positive(1 + power(t, 2));
+  const Theorem p_more = tautology(
+      neq(1 + p, 0), {other, discharge(eq(1 + p, 0), linear(eq(p, -1), {assume(eq(1 + p, 0))}))});
+  book.facts.push_back(p_more);
+  const Theorems half{use("cos atan", {{x, t}}), use("sin atan", {{x, t}}), root_squared(one_more)};
+  const auto of_angle = [&](Expr l, Expr value) {
+    return equation(l, value, angles({l}, {angle}, false) + half + Theorems{unit},
+                    {positive(root, {one_more}), one_more, p_more});
+  };
+  const Theorem cosine = of_angle(cos(2 * angle), p), sine = of_angle(sin(2 * angle), r);
+  const auto turned_by = [&](Expr a) {
+    return entries(instantiate(book["ball.lambda"], {{x, a}}));
+  };
+  const Theorems mirror = entries(book["ball.P_2"]);
+  const Theorem at_end = assume(eq(p, -1)), moved = assume(neq(r, 0));
+  Certificate c;
+  c.multipliers = {moved};
+  c.equations = {{-1, unit}, {p - 1, at_end}};
+  const Theorem none =
+      tautology(eq(r, 0), {discharge(moved.conclusion(), arithmetic(eq(r, 0), c))});
+  for (const int sign : {1, -1}) {
+    const Theorem d = assume(eq(det(o), sign));
+    const Theorem value = restate(eq(p * s - q * r, sign), d);
+    Certificate of_s;  // sign p - s = p (p s - q r) - s (p^2 + r^2)
+    of_s.equations = {{-s, products[0]}, {p, value}, {r, products[1]}};
+    Certificate of_q;
+    of_q.equations = {{-q, products[0]}, {-r, value}, {p, products[1]}};
+    const Theorem s_is = arithmetic(eq(s, Expr(sign) * p), of_s);
+    const Theorem q_is = arithmetic(eq(q, Expr(-sign) * r), of_q);
+    const auto form = [&](Expr a) {
+      const Expr turn = fun("lambda", {a});
+      return sign == 1 ? turn : times(turn, fun("P_2", {}));
+    };
+    const std::string name = sign == 1 ? "rotation" : "reflection";
+    book.show(name, "",
+              sign == 1 ? "With determinant 1 it is a rotation of the plane,"
+                        : "With determinant -1 it is a rotation after a reflection,",
+              matrix_equation(o, form(2 * angle),
+                              turned_by(2 * angle) + mirror + Theorems{cosine, sine, s_is, q_is}));
+    book.show(
+        name + "_half", "", "or half a turn,",
+        matrix_equation(o, form(pi()),
+                        turned_by(pi()) + mirror +
+                            Theorems{axiom("cos pi"), axiom("sin pi"), s_is, q_is, at_end, none}));
+  }
+}
+
+/// In space: with determinant 1 there is an axis, with -1 there is one after the reflection P_3.
+void in_space(Book& book, const Theorem& is) {
+  const Expr o = matrix_of_names(3), d = det(o);
+  Exprs less_1, without;
+  const Exprs names = kernel::entries(o), products = kernel::entries(gram(o));
+  for (std::size_t i = 0; i < 9; ++i) {
+    less_1.push_back(i % 4 == 0 ? names[i] - 1 : names[i]);
+    without.push_back(-names[3 * (i % 3) + i / 3] + products[i]);
+  }
+  const Expr fixed = det(matrix(3, less_1));
+  const Theorem product =
+      rewritten(entries(is) + Theorems{assume(eq(d, 1))},
+                equation(d * fixed, determinant(without)));  // det(O^T) det(O - 1)
+  book.show("axis", "",
+            "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
+            linear(eq(fixed, 0), {product}));
+  // O is the matrix of its own cofactors, so O - O^T turns with it.
+  const Theorems columns = entries(is);
+  Theorems own_cofactors;
+  const auto cofactor = [&](std::size_t i, std::size_t l) {
+    const auto at = [&](std::size_t row, std::size_t col) {
+      return names[3 * ((i + row) % 3) + (l + col) % 3];
+    };
+    return at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1);
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t l = 0; l < 3; ++l) {
+      Certificate c;
+      c.equations = {{-names[3 * i + l], assume(eq(d, 1))}};
+      for (std::size_t m = 0; m < 3; ++m)
+        c.equations.push_back({cofactor(i, m), columns[3 * l + m]});
+      own_cofactors.push_back(arithmetic(eq(names[3 * i + l], cofactor(i, l)), c));
+    }
+  const Expr along = column({names[7] - names[5], names[2] - names[6], names[3] - names[1]});
+  Theorems rows;
+  for (int i = 0; i < 3; ++i)
+    rows.push_back(linear(eq(entry(times(o, along), i, 0), entry(along, i, 0)), own_cofactors));
+  book.show("axis_along", "", "which is this one, unless all three differences are 0:",
+            restate(eq(times(o, along), along), both(rows)));
+  const Theorem mirror = define("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}));
+  const Expr P_3 = fun("P_3", {});
+  book.show("P_3", "", "The reflection of the third axis:", mirror);
+  const Expr mirrored = times(o, P_3);
+  book.show("space_reflection", "",
+            "It changes the sign of a determinant, and twice it changes nothing:",
+            both({equation(det(mirrored), -d, entries(mirror)),
+                  matrix_equation(o, times(mirrored, P_3), entries(mirror))}));
+  const Expr third = column({names[2], names[5], names[8]});
+  const auto turn = [&](const std::string& name, const std::string& label, const Exprs& m) {
+    const Theorem t = define(name, {x}, matrix(3, m), 0);
+    book.show(name, label, "A rotation about an axis:", t);
+    return t;
+  };
+  const Theorem first_axis =
+      turn("lambda_1", "eq:lambda-1", {1, 0, 0, 0, cos(x), -sin(x), 0, sin(x), cos(x)});
+  const Theorem second_axis =
+      turn("lambda_2", "eq:lambda-2", {cos(x), 0, sin(x), 0, 1, 0, -sin(x), 0, cos(x)});
+  const Expr turned_by = times(o, lambda_3(x));
+  const Theorems turn_columns = entries(book["rotation.lambda_3"]);
+  const Expr image = times(times(turned_by, transpose(o)), third);
+  rows.clear();
+  for (int i = 0; i < 3; ++i) {
+    Certificate c;
+    for (std::size_t l = 0; l < 3; ++l) {
+      c.equations.push_back({entry(turned_by, i, int(l)), columns[3 * l + 2]});
+      c.equations.push_back({entry(o, i, int(l)), turn_columns[3 * l + 2]});
+    }
+    rows.push_back(arithmetic(eq(entry(image, i, 0), entry(third, i, 0)), c));
+  }
+  book.show("lambda_n", "eq:lambda-n",
+            "In another frame a rotation keeps the third axis of that frame:",
+            restate(eq(image, third), both(rows)));
+  const Theorems gamma = entries(book["ball.Gamma_theta"]) + entries(mirror);
+  const auto collision = [&](const std::string& name, const std::string& id, const Theorem& turn_is,
+                             Expr angle) {
+    const Expr l = book[id].conclusion().arg(0);
+    book.show(
+        name, "Lam-GAM", "A collision is a rotation after a reflection:",
+        matrix_equation(
+            l, times(substitute(turn_is.conclusion().arg(0), {{x, angle}}), P_3),
+            entries(book[id]) + gamma + entries(instantiate(turn_is, {{x, angle}})) +
+                Theorems{use("cos minus", {{x, theta()}}), use("sin minus", {{x, theta()}})}));
+  };
+  collision("Gamma_A", "cycle.Gamma_A", second_axis, -theta());
+  collision("Gamma_B", "cycle.Gamma_B", first_axis, theta());
+}
+}  // namespace
+
+void orthogonal(Book& book) {
+  book.chapter("orthogonal", "Orthogonal matrices", {});
+  in_the_plane(book, orthogonal(book, 2));
+  in_space(book, orthogonal(book, 3));
+}
+}  // namespace derivation

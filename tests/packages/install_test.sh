@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Installs a build into an empty prefix, and there uses it in each way that is offered:
+# install_test.sh BUILD EXAMPLES. Also: examples as the README has them print what they should.
+set -euo pipefail
+build=$(realpath "$1")
+examples=$(realpath "$2")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
+
+cmake -S "$examples" -B "$scratch/found" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_BUILD_TYPE=Release >/dev/null
+cmake --build "$scratch/found" -j2 >/dev/null
+[[ $("$scratch/found/example_terminal") == "3 + 3 collisions, B leaves with 0.995649 V" ]]
+[[ $("$scratch/found/example_exact") == "a_2 = 15/64 V" ]]
+"$scratch/found/example_arrays" | grep -q '^rho = 1.000000000 at alpha = '
+"$scratch/found/example_formula" | grep -q '^formula: '
+
+pc=$(dirname "$(find "$scratch/prefix" -name magicmass.pc)")
+sed -i "s#^prefix=.*#prefix=$scratch/prefix#" "$pc/magicmass.pc"
+# shellcheck disable=SC2046
+c++ "$examples/terminal.cpp" $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs magicmass) -o "$scratch/by_pkg_config"
+[[ $("$scratch/by_pkg_config") == "3 + 3 collisions, B leaves with 0.995649 V" ]]
+echo "installed, found by CMake and by pkg-config"

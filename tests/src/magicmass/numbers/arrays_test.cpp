@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Arrays: a row alone is the row among others, whatever their number, place and instruction set.
+#include <array>
+#include <cfenv>
+#include <cmath>
+#include <cstring>
+
+#include "catch.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/numbers/kernels.hpp"
+#include "src/magicmass/numbers/by_oracle.hpp"
+#include "src/magicmass/numbers/families.hpp"
+
+using namespace magicmass;
+using namespace magicmass::testing;
+
+namespace {
+constexpr double sentinel = -7.25;
+constexpr std::int64_t sentinel_count = -77;
+
+struct Calls {
+  Velocities (*velocities)(double, std::int64_t);
+  std::optional<Terminal> (*terminal)(double);
+  void (*velocity_rows)(std::span<const double>, std::span<const std::int64_t>,
+                        const VelocityColumns&);
+  void (*terminal_rows)(std::span<const double>, const TerminalColumns&);
+};
+const Calls both[] = {
+    {accurate::velocities, accurate::terminal, accurate::velocities, accurate::terminal},
+    {fast::velocities, fast::terminal, fast::velocities, fast::terminal}};
+
+bool is_same(double x, double y) {
+  return std::bit_cast<std::int64_t>(x) == std::bit_cast<std::int64_t>(y) ||
+         (std::isnan(x) && std::isnan(y));
+}
+
+/// What single numbers say, NaN and -1 in place of what they refuse.
+std::array<double, 4> velocities_alone(const Calls& calls, double alpha, std::int64_t n) {
+  try {
+    const Velocities v = calls.velocities(alpha, n);
+    return {v.a, v.b, v.c, v.c_prime};
+  } catch (const InvalidInput&) {
+    return {NAN, NAN, NAN, NAN};
+  }
+}
+Terminal terminal_alone(const Calls& calls, double alpha) {
+  const Terminal none{{-1, -1}, NAN, NAN, NAN, NAN};
+  try {
+    return calls.terminal(alpha).value_or(none);
+  } catch (const InvalidInput&) {
+    return none;
+  }
+}
+
+struct Rows {
+  std::vector<double> alpha;
+  std::vector<std::int64_t> n;
+};
+/// Rows with what is special at places 0, 5, 16, 18.
+Rows rows_of(std::size_t size, Random& random) {
+  const std::vector<double> special{NAN,   -1.0,  0.0,     1.0,      0x1p-1074,
+                                    1e308, 1e-35, 0x1p-54, INFINITY, 3.0};
+  Rows rows;
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool is_special = i == 0 || i == 5 || i == 16 || i == 18;
+    rows.alpha.push_back(is_special ? pick(random, special) : families[random() % 2].alpha(random));
+    rows.n.push_back(random() % 9 == 0 ? std::int64_t(random()) : std::int64_t(random() % 4));
+  }
+  return rows;
+}
+/// Columns of `size` rows from `offset` on, with sentinels on both sides.
+template <class T>
+struct Column {
+  std::vector<T> all;
+  std::size_t offset;
+  std::size_t size;
+  T around;
+  Column(std::size_t rows, std::size_t from, T value)
+      : all(rows + 16, value), offset(from), size(rows), around(value) {}
+  std::span<T> span() { return {all.data() + offset, size}; }
+  bool is_kept() const {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if ((i < offset || i >= offset + size) && all[i] != around) return false;
+    }
+    return true;
+  }
+};
+void check_rows(const Calls& calls, std::size_t size, std::size_t offset, Random& random) {
+  const Rows rows = rows_of(size, random);
+  std::vector<Column<double>> out(4, {size, offset, sentinel});
+  std::vector<Column<std::int64_t>> counts(2, {size, offset, sentinel_count});
+  INFO(size << " rows from " << offset);
+  calls.velocity_rows(rows.alpha, rows.n,
+                      {out[0].span(), out[1].span(), out[2].span(), out[3].span()});
+  for (std::size_t i = 0; i < size; ++i) {
+    INFO("row " << i << ", alpha = " << in_hex(rows.alpha[i]) << ", n = " << rows.n[i]);
+    const auto alone = velocities_alone(calls, rows.alpha[i], rows.n[i]);
+    for (std::size_t c = 0; c < 4; ++c) REQUIRE(is_same(out[c].span()[i], alone[c]));
+  }
+  calls.terminal_rows(rows.alpha, {counts[0].span(), counts[1].span(), out[0].span(), out[1].span(),
+                                   out[2].span(), out[3].span()});
+  for (std::size_t i = 0; i < size; ++i) {
+    INFO("row " << i << ", alpha = " << in_hex(rows.alpha[i]));
+    const Terminal alone = terminal_alone(calls, rows.alpha[i]);
+    REQUIRE(counts[0].span()[i] == alone.counts.N_A);
+    REQUIRE(counts[1].span()[i] == alone.counts.N_B);
+    const double values[] = {alone.a_t, alone.b_t, alone.c_t, alone.rho};
+    for (std::size_t c = 0; c < 4; ++c) REQUIRE(is_same(out[c].span()[i], values[c]));
+  }
+  for (const auto& column : out) REQUIRE(column.is_kept());
+  for (const auto& column : counts) REQUIRE(column.is_kept());
+}
+}  // namespace
+
+TEST_CASE("rows are single numbers, for all tails and offsets, across blocks") {
+  Random random(41);
+  for (const Calls& calls : both) {
+    for (std::size_t size = 0; size <= 33; ++size) check_rows(calls, size, size % 8, random);
+    for (std::size_t offset = 0; offset < 8; ++offset) check_rows(calls, 19, offset, random);
+    for (const int size : {255, 256, 257, 300, 515})
+      check_rows(calls, std::size_t(size), 1, random);
+  }
+}
+TEST_CASE("all instruction sets give the same bits") {
+  Random random(42);
+  const numbers::Kernels& best = numbers::kernels();
+  const Rows rows = rows_of(numbers::longest_block, random);
+  for (const char* name : {"baseline", "avx2", "avx512"}) {
+    const numbers::Kernels* table = numbers::kernels_named(name);
+    if (table == nullptr) continue;
+    INFO(name);
+    CHECK(std::string(table->name) == name);
+    for (int tier : {0, 1}) {
+      std::vector<double> a[2][8];
+      std::vector<std::int64_t> N[2][2];
+      for (int which : {0, 1}) {
+        for (auto& column : a[which]) column.resize(rows.n.size());
+        for (auto& column : N[which]) column.resize(rows.n.size());
+        auto& o = a[which];
+        numbers::Open open;
+        const numbers::Kernels& of = which == 0 ? best : *table;
+        const std::size_t left = of.velocity_rows[tier](
+            rows.n.size(),
+            {rows.alpha.data(), rows.n.data(), o[0].data(), o[1].data(), o[2].data(), o[3].data()},
+            open);
+        for (std::size_t k = 0; k < left; ++k) {
+          for (int c = 0; c < 4; ++c) o[c][open[k]] = -1;
+        }
+        const std::size_t still =
+            of.terminal_rows[tier](rows.n.size(),
+                                   {rows.alpha.data(), N[which][0].data(), N[which][1].data(),
+                                    o[4].data(), o[5].data(), o[6].data(), o[7].data()},
+                                   open);
+        CHECK(still < rows.n.size() / 2);
+        for (std::size_t k = 0; k < still; ++k) {
+          for (int c = 4; c < 8; ++c) o[c][open[k]] = -1;
+          for (auto& column : N[which]) column[open[k]] = -1;
+        }
+      }
+      for (int c = 0; c < 8; ++c) {
+        CHECK(std::memcmp(a[0][c].data(), a[1][c].data(), 8 * rows.n.size()) == 0);
+      }
+      for (int c = 0; c < 2; ++c) CHECK(N[0][c] == N[1][c]);
+    }
+  }
+}
+TEST_CASE("compilers and processors give the same bits") {
+  Random random(43);
+  std::uint64_t bits = 0;
+  const auto add = [&](double x) {
+    bits = bits * 6364136223846793005U + std::bit_cast<std::uint64_t>(x);
+  };
+  for (int row = 0; row < 4000; ++row) {
+    const int exponent = int(random() % 20);
+    const double alpha = std::ldexp(double(1 + (random() >> 11)), -53 - exponent);
+    const std::int64_t n = 1 + std::int64_t(random() % 2);
+    for (const Calls& calls : both) {
+      const Velocities v = calls.velocities(alpha, alpha < 0.4 ? n : 1);
+      const Terminal t = *calls.terminal(alpha);
+      for (const double x : {v.a, v.b, v.c, v.c_prime, t.a_t, t.b_t, t.c_t, t.rho}) add(x);
+      bits += std::uint64_t(t.counts.N_A + 3 * t.counts.N_B);
+    }
+  }
+  // As g++ 12 and clang 14 give it on x86-64, g++ 12 on aarch64.
+  CHECK(bits == 0x5715f31315d49271);
+}
+TEST_CASE("columns that are not wanted are left out, others must have as many rows") {
+  const std::vector<double> alpha(40, 0.01);
+  const std::vector<std::int64_t> n(40, 3);
+  std::vector<double> out(40);
+  std::vector<double> wrong(39);
+  std::vector<std::int64_t> counts(40);
+  accurate::velocities(alpha, n, {.b = out});
+  CHECK(out[39] == accurate::velocities(0.01, 3).b);
+  accurate::velocities(alpha, n, {});
+  accurate::terminal(alpha, {.rho = out});
+  CHECK(out[0] == accurate::terminal(0.01)->rho);
+  count_collisions(alpha, counts, {});
+  CHECK(counts[39] == count_collisions(0.01)->N_A);
+  CHECK_THROWS_WITH(fast::velocities(alpha, n, {.c = wrong}), "c has 39 rows, alpha has 40");
+  CHECK_THROWS_WITH(fast::velocities(wrong, n, {}), "n has 40 rows, alpha has 39");
+  CHECK_THROWS_AS(accurate::terminal(alpha, {.rho = wrong}), InvalidInput);
+}
+TEST_CASE("array calls refuse another rounding mode, and say so") {
+  const std::vector<double> alpha(3, 0.1);
+  std::vector<double> out(3);
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    bool is_refused = false;
+    try {
+      accurate::terminal(alpha, {.a_t = out});
+    } catch (const NotIeee&) {
+      is_refused = true;
+    }
+    std::fesetround(FE_TONEAREST);
+    CHECK(is_refused);
+  }
+#if defined(__SSE2__)
+  for (const unsigned bit : {0x8000U, 0x0040U}) {  // results, operands flushed to zero
+    const unsigned before = __builtin_ia32_stmxcsr();
+    __builtin_ia32_ldmxcsr(before | bit);
+    bool is_refused = false;
+    try {
+      fast::terminal(alpha, {.a_t = out});
+    } catch (const NotIeee&) {
+      is_refused = true;
+    }
+    __builtin_ia32_ldmxcsr(before);
+    CHECK(is_refused);
+  }
+#endif
+  CHECK_NOTHROW(accurate::terminal(alpha, {.a_t = out}));
+}

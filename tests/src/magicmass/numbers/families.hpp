@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Everyday and hard mass ratios, and cycles to ask for; all from whole random numbers, so that a
+// seed gives the same rows everywhere but for libm's last bits.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/numbers/counts.hpp"
+
+namespace magicmass::testing {
+using Random = std::mt19937_64;
+inline double uniform(Random& random) { return double(random() >> 11) * 0x1p-53; }
+inline double log_uniform(Random& random, double low, double high) {
+  return std::exp(std::log(low) + (std::log(high) - std::log(low)) * uniform(random));
+}
+/// So many doubles above x, or below.
+inline double neighbour(double x, std::int64_t steps) {
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + steps);
+}
+/// At most so many doubles away from x.
+inline double some_neighbour(Random& random, double x, std::int64_t most) {
+  return neighbour(x, std::int64_t(random() % std::uint64_t(2 * most + 1)) - most);
+}
+inline std::int64_t some_whole(Random& random, double high) {
+  return std::int64_t(std::floor(log_uniform(random, 1, high)));
+}
+inline double pick(Random& random, const std::vector<double>& values) {
+  return values[random() % values.size()];
+}
+
+struct Family {
+  std::string name;
+  double (*alpha)(Random&);
+};
+inline const std::vector<Family> families{
+    {"everyday", [](Random& r) { return log_uniform(r, 1e-4, 10); }},
+    {"wide", [](Random& r) { return log_uniform(r, 1e-12, 1e12); }},
+    {"tiny", [](Random& r) { return log_uniform(r, 1e-300, 1e-30); }},
+    {"many collisions", [](Random& r) { return log_uniform(r, 5.9e-38, 1e-18); }},
+    {"subnormal", [](Random& r) { return std::bit_cast<double>(1 + r() % ((1ULL << 52) - 1)); }},
+    {"huge", [](Random& r) { return neighbour(0x1.fffffffffffffp1023, -std::int64_t(r() >> 3)); }},
+    {"any double", [](Random& r) { return std::bit_cast<double>(1 + r() % 0x7fefffffffffffff); }},
+    {"magic neighbours",
+     [](Random& r) { return some_neighbour(r, accurate::ratios(some_whole(r, 1e6)).magic, 3); }},
+    {"deficient neighbours",
+     [](Random& r) {
+       return some_neighbour(r, accurate::ratios(some_whole(r, 1e6)).deficient, 3);
+     }},
+    {"far magic neighbours",
+     [](Random& r) { return some_neighbour(r, accurate::ratios(some_whole(r, 0x1p50)).magic, 3); }},
+    {"near powers of 2 less 1",
+     [](Random& r) { return some_neighbour(r, std::ldexp(1.0, int(1 + r() % 53)) - 1, 1); }},
+    {"closest to thresholds, and 1", [](Random& r) {
+       return pick(r, {0x1.1c7397cb68b7ep-18, 0x1.bc7fb47556f22p-29, 1.0, neighbour(1, -1),
+                       neighbour(1, 1), 0.5, 0x1p-53, 0x1.5acd9597016aap-968, 0x1p-1074});
+     }}};
+
+/// 0, 1, N_A - 1, N_A, or any between; where N_A + N_B is beyond 63 bits any number below 2^62.
+inline std::int64_t some_cycle(Random& random, double alpha) {
+  const std::optional<Counts> counts = count_collisions(alpha);
+  const std::int64_t last = counts ? counts->N_A : INT64_MAX / 2;
+  switch (random() % 5) {
+    case 0:
+      return random() % 4 == 0 ? 0 : 1;
+    case 1:
+      return last - 1;
+    case 2:
+      return last;
+    case 3:
+      return std::int64_t(std::fmin(std::floor(log_uniform(random, 1, 0x1p62)), double(last / 2)));
+    default:
+      return std::int64_t(random() % std::uint64_t(last));
+  }
+}
+}  // namespace magicmass::testing

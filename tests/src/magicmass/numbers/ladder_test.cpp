@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The steps of the ladder by themselves: what each leaves open, and what MPFR's numbers say alone.
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "catch.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/numbers/kernels.hpp"
+#include "magicmass/numbers/ziv.hpp"
+#include "src/magicmass/numbers/by_formulas.hpp"
+#include "src/magicmass/numbers/by_oracle.hpp"
+#include "src/magicmass/numbers/families.hpp"
+
+using namespace magicmass;
+using namespace magicmass::testing;
+
+TEST_CASE("every step gives the same rounded numbers, or leaves them open") {
+  Random random(51);
+  int open[3] = {0, 0, 0};
+  for (int row = 0; row < 500; ++row) {
+    const double alpha = row % 2 == 0 ? families[7].alpha(random) : log_uniform(random, 1e-12, 1);
+    const std::int64_t n = some_cycle(random, alpha);
+    INFO("alpha = " << in_hex(alpha) << ", n = " << n);
+    const Terminal terminal = terminal_by_oracle(alpha, *counts_by_oracle(alpha));
+    for (const numbers::Tier tier : {numbers::accurate, numbers::slow}) {
+      Velocities v;
+      Terminal t;
+      if (numbers::kernels().velocities[tier](v, alpha, n)) {
+        REQUIRE(v == velocities_by_oracle(alpha, n));
+      }
+      if (numbers::kernels().terminal[tier](t, alpha)) {
+        REQUIRE(t == terminal);
+      } else {
+        ++open[tier];
+      }
+    }
+    if (n > 0) REQUIRE(numbers::velocities_by_mpfr(alpha, n) == velocities_by_oracle(alpha, n));
+    REQUIRE(numbers::terminal_by_mpfr(alpha) == terminal);
+  }
+  CHECK(open[numbers::accurate] > 10);
+  CHECK(open[numbers::slow] < open[numbers::accurate]);
+}
+TEST_CASE("threads do not disturb each other, at any precision") {
+  Random random(54);
+  std::vector<double> alpha;
+  std::vector<Velocities> alone;
+  for (int row = 0; row < 200; ++row) {
+    alpha.push_back(log_uniform(random, row % 2 == 0 ? 1e-37 : 1e-300, 1e-20));
+    alone.push_back(accurate::velocities(alpha.back(), 3));
+  }
+  std::atomic<int> wrong = 0;
+  const auto run = [&] {
+    for (std::size_t i = 0; i < alpha.size(); ++i) {
+      if (accurate::velocities(alpha[i], 3) != alone[i]) ++wrong;
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k) threads.emplace_back(run);
+  for (std::thread& thread : threads) thread.join();
+  CHECK(wrong == 0);
+}
+TEST_CASE("no kernel answers past the last cycle") {
+  Random random(52);
+  for (int row = 0; row < 2000; ++row) {
+    const double alpha = row % 2 == 0 ? families[0].alpha(random) : log_uniform(random, 1e-30, 1);
+    const std::int64_t last = count_collisions(alpha)->N_A;
+    INFO("alpha = " << in_hex(alpha));
+    for (const char* name : {"baseline", "avx2", "avx512"}) {
+      const numbers::Kernels* table = numbers::kernels_named(name);
+      if (table == nullptr) continue;
+      for (int tier = 0; tier < 3; ++tier) {
+        Velocities v;
+        CHECK_FALSE(table->velocities[tier](v, alpha, last + 1));
+        if (alpha > 1e-4 && alpha < 0.9 && tier == 0) {
+          CHECK(table->velocities[tier](v, alpha, last - 1));
+        }
+      }
+    }
+  }
+}
+TEST_CASE("the long run's formulas are the oracle's numbers, or say that they are not certain") {
+  Random random(53);
+  int certain = 0;
+  for (int row = 0; row < 200; ++row) {
+    const double alpha = log_uniform(random, 1e-25, 1000);
+    const std::int64_t n = std::max(some_cycle(random, alpha), std::int64_t{1});
+    INFO("alpha = " << in_hex(alpha) << ", n = " << n);
+    if (const auto v = velocities_by_formulas(alpha, n)) {
+      ++certain;
+      REQUIRE(*v == velocities_by_oracle(alpha, n));
+    }
+    if (const auto t = terminal_by_formulas(alpha)) {
+      REQUIRE(*t == terminal_by_oracle(alpha, *counts_by_oracle(alpha)));
+    }
+  }
+  CHECK(certain > 190);
+  CHECK_FALSE(velocities_by_formulas(1, 1));  // a_1 = 0
+}
+TEST_CASE("errors in units in the last place are seen") {
+  const Velocities v = accurate::velocities(0.01, 3);
+  Velocities wrong = v;
+  wrong.c = neighbour(v.c, 1);
+  CHECK(wrong != velocities_by_oracle(0.01, 3));
+  CHECK(envelopes_of(v, 0.01, 3) <= 1);
+  wrong.c = neighbour(v.c, 1000);
+  CHECK(envelopes_of(wrong, 0.01, 3) > 4);
+}

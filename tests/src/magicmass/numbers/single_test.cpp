@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Single numbers against the oracle: the collision law alone, in rationals and intervals.
+#include <cfenv>
+#include <limits>
+
+#include "catch.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/oracle/certain.hpp"
+#include "src/magicmass/numbers/by_oracle.hpp"
+#include "src/magicmass/numbers/families.hpp"
+
+using namespace magicmass;
+using namespace magicmass::testing;
+
+TEST_CASE("every family is rounded right, and counted right") {
+  Random random(21);
+  for (const Family& family : families) {
+    for (int row = 0; row < 25; ++row) {
+      const double alpha = family.alpha(random);
+      INFO(family.name << ", alpha = " << in_hex(alpha));
+      const std::optional<Counts> counts = counts_by_oracle(alpha);
+      REQUIRE(count_collisions(alpha) == counts);
+      const std::optional<Terminal> terminal = accurate::terminal(alpha);
+      REQUIRE(terminal.has_value() == counts.has_value());
+      if (terminal) REQUIRE(*terminal == terminal_by_oracle(alpha, *counts));
+      const std::int64_t n = some_cycle(random, alpha);
+      INFO("n = " << n);
+      REQUIRE(accurate::velocities(alpha, n) == velocities_by_oracle(alpha, n));
+    }
+  }
+}
+TEST_CASE("errors of fast are at most 3 envelopes, its counts exact") {
+  Random random(22);
+  for (const Family& family : families) {
+    for (int row = 0; row < 12; ++row) {
+      const double alpha = family.alpha(random);
+      const std::int64_t n = some_cycle(random, alpha);
+      INFO(family.name << ", alpha = " << in_hex(alpha) << ", n = " << n);
+      CHECK(envelopes_of(fast::velocities(alpha, n), alpha, n) <= 3);
+      const std::optional<Terminal> terminal = fast::terminal(alpha);
+      if (!terminal) continue;
+      REQUIRE(terminal->counts == counts_by_oracle(alpha));
+      CHECK(envelopes_of(*terminal, alpha) <= 3);
+    }
+  }
+}
+TEST_CASE("rational alpha up to the last cycle") {
+  Random random(23);
+  for (int row = 0; row < 300; ++row) {
+    const double q = std::ldexp(1.0, int(random() % 13));
+    const double alpha = double(1 + random() % 4096) / q;
+    const Counts counts = *count_collisions(alpha);
+    const std::int64_t n = std::int64_t(random() % std::uint64_t(std::min(counts.N_A, {64}) + 1));
+    INFO("alpha = " << alpha << ", n = " << n);
+    REQUIRE(accurate::velocities(alpha, n) == velocities_by_oracle(alpha, n));
+    REQUIRE(*accurate::terminal(alpha) == terminal_by_oracle(alpha, counts));
+  }
+}
+TEST_CASE("doubles and ties where 1 + alpha is a power of 2") {
+  for (int j = 1; j <= 53; ++j) {
+    const double alpha = std::ldexp(1.0, j) - 1;
+    INFO("alpha = 2^" << j << " - 1");
+    REQUIRE(accurate::velocities(alpha, 1) == velocities_by_oracle(alpha, 1));
+    REQUIRE(*accurate::terminal(alpha) == terminal_by_oracle(alpha, {1, 1}));
+  }
+  CHECK(accurate::velocities(1, 1) == Velocities{0, 1, 1, 0});
+  CHECK(*accurate::terminal(1) == Terminal{{1, 1}, 0, 1, 0, 1});
+  CHECK(accurate::velocities(0.3, 0) == Velocities{1, 0, 0, 0});
+  CHECK(accurate::velocities(1e308, 0) == Velocities{1, 0, 0, 0});
+  CHECK(accurate::velocities(0x1p-1074, 0) == Velocities{1, 0, 0, 0});
+}
+TEST_CASE("single numbers refuse what has no answer") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (double alpha : {0.0, -0.0, -1.0, infinity, -infinity, std::nan("")}) {
+    CHECK_THROWS_AS(accurate::velocities(alpha, 0), InvalidInput);
+    CHECK_THROWS_AS(fast::velocities(alpha, 1), InvalidInput);
+    CHECK_THROWS_AS(accurate::terminal(alpha), InvalidInput);
+    CHECK_THROWS_AS(accurate::angle(alpha), InvalidInput);
+    CHECK_THROWS_AS(count_collisions(alpha), InvalidInput);
+    CHECK_THROWS_AS(nearest_threshold(alpha), InvalidInput);
+  }
+  CHECK_THROWS_AS(accurate::ratios(0), InvalidInput);
+  CHECK_THROWS_WITH(accurate::velocities(0.5, 3), "n must be from 0 to N_A = 2, got 3");
+  CHECK_THROWS_WITH(fast::velocities(1.0, 2), "n must be from 0 to N_A = 1, got 2");
+  CHECK_THROWS_AS(accurate::velocities(0.5, -1), InvalidInput);
+  CHECK_THROWS_AS(fast::velocities(0.5, INT64_MIN), InvalidInput);
+}
+TEST_CASE("n ends at N_A on both sides of a magic mass ratio") {
+  Random random(24);
+  for (int row = 0; row < 200; ++row) {
+    const std::int64_t k = some_whole(random, 0x1p55) + 1;
+    const double alpha = neighbour(accurate::ratios(k).magic, std::int64_t(random() % 5) - 2);
+    const std::int64_t last = counts_by_oracle(alpha)->N_A;
+    INFO("alpha = " << in_hex(alpha) << ", k = " << k);
+    CHECK_NOTHROW(accurate::velocities(alpha, last));
+    CHECK_NOTHROW(fast::velocities(alpha, last));
+    CHECK_THROWS_AS(accurate::velocities(alpha, last + 1), InvalidInput);
+    CHECK_THROWS_AS(fast::velocities(alpha, last + 1), InvalidInput);
+  }
+}
+TEST_CASE("counts end where their sum is 2^63") {
+  double countable = 1e-37;
+  double beyond = 1e-38;
+  while (neighbour(beyond, 1) < countable) {
+    const double middle = neighbour(
+        beyond, (std::bit_cast<std::int64_t>(countable) - std::bit_cast<std::int64_t>(beyond)) / 2);
+    (count_collisions(middle) ? countable : beyond) = middle;
+  }
+  CHECK(counts_by_oracle(countable) == count_collisions(countable));
+  CHECK_FALSE(counts_by_oracle(beyond));
+  CHECK_THAT(countable, WithinRel(5.8e-38, 0.01));
+  // N_A alone still fits there.
+  const auto last = cln::cl_I_to_long(oracle::count_collisions(oracle::exact(beyond)).N_A);
+  CHECK_NOTHROW(accurate::velocities(beyond, last));
+  CHECK_THROWS_AS(accurate::velocities(beyond, last + 1), InvalidInput);
+  CHECK_NOTHROW(accurate::velocities(1.4e-38, INT64_MAX));
+  CHECK_FALSE(accurate::terminal(0x1p-1074));
+}

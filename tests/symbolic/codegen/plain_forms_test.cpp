@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Plain, exact and matrix forms as they are generated, against the law of one collision, applied
+// again and again in rationals; each domain at its ends, from both sides.
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <cln/float.h>
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include "catch.hpp"
+#include "codegen/exact.hpp"
+#include "magicmass/exact/exact.hpp"
+#include "magicmass/plain/closed.hpp"
+#include "magicmass/plain/matrices.hpp"
+#include "magicmass/plain/product.hpp"
+#include "magicmass/plain/tangent.hpp"
+
+namespace {
+using namespace magicmass::generated;
+using cln::cl_RA;
+
+/// Collision by collision: masses 1, 1 and alpha, no formula but the law.
+struct Motion {
+  cl_RA alpha, a = 1, b = 0, c = 0, ball = 0;
+  static void collide(const cl_RA& mass, cl_RA& block, cl_RA& other) {
+    const cl_RA mean = (block + mass * other) / (1 + mass);
+    block = 2 * mean - block;
+    other = 2 * mean - other;
+  }
+  void cycle() {
+    collide(alpha, a, ball);
+    c = ball;
+    collide(alpha, b, ball);
+  }
+};
+double near(const cl_RA& x) { return cln::double_approx(x); }
+/// |got - wanted| <= share * scale
+template <class Number>
+void check_near(Number got, const cl_RA& wanted, double scale, double share) {
+  INFO(double(got) << " for " << near(wanted));
+  CHECK(std::fabs(double(got) - near(wanted)) <= share * scale);
+}
+template <class Number, class Velocities>
+void check_velocities(const Velocities& got, const Motion& m, double share) {
+  const double of_ball = std::sqrt(1 / near(m.alpha));
+  check_near<Number>(got.a, m.a, 1, share);
+  check_near<Number>(got.b, m.b, 1, share);
+  check_near<Number>(got.c, m.c, of_ball, share);
+  check_near<Number>(got.c_prime, m.ball, of_ball, share);
+}
+template <class Function>
+bool throws(const Function& f) {
+  try {
+    f();
+    return false;
+  } catch (const std::domain_error&) {
+    return true;
+  }
+}
+/// At an end of a domain f answers, one step beyond it does not.
+template <class Number, class Function>
+void check_edge(Number end, double towards, const Function& f) {
+  CHECK_FALSE(throws([&] { f(end); }));
+  CHECK(throws([&] { f(std::nextafter(end, Number(towards))); }));
+}
+}  // namespace
+
+TEST_CASE("exact velocities are those of the collisions, for any n") {
+  for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("22/7"), cl_RA("1/1000003")}) {
+    Motion m{alpha};
+    for (int n = 0; n <= 40; ++n) {
+      const auto v = velocities_exact<cl_RA>(alpha, n);
+      CHECK((v.a == m.a && v.b == m.b && v.c == m.c && v.c_prime == m.ball));
+      m.cycle();
+    }
+  }
+}
+TEST_CASE("exact terminal velocities, from the counts") {
+  for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("1/100"), cl_RA("9/10"), cl_RA("5")}) {
+    Motion m{alpha};
+    std::int64_t N_A = 0;
+    std::int64_t N_B = 0;
+    while (m.a > m.ball) {
+      Motion::collide(alpha, m.a, m.ball);
+      ++N_A;
+      if (!(m.ball > m.b)) break;
+      Motion::collide(alpha, m.b, m.ball);
+      ++N_B;
+    }
+    const auto v = terminal_exact<cl_RA>(alpha, N_A, N_B);
+    CHECK((v.a_t == m.a && v.b_t == m.b && v.c_t == m.ball && v.rho == m.b * m.b));
+    const auto closed = terminal_closed<double>(near(alpha));
+    const auto tangent = terminal_tangent<double>(near(alpha));
+    CHECK((closed.N_A == double(N_A) && closed.N_B == double(N_B)));
+    CHECK((tangent.N_A == double(N_A) && tangent.N_B == double(N_B)));
+    check_near(closed.b_t, m.b, 1, 1e-13);
+    check_near(tangent.a_t, m.a, 1, 1e-14);
+    check_near(tangent.c_t, m.ball, 1, 1e-13);
+    check_near(tangent.rho, m.b * m.b, 1, 1e-14);
+  }
+  CHECK(throws([] { terminal_exact<cl_RA>(1, 0, 1); }));
+  CHECK(throws([] { velocities_exact<cl_RA>(1, -1); }));
+}
+TEMPLATE_TEST_CASE("plain velocities hold at the ends of what they state", "", double,
+                   long double) {
+  const TestType least = TestType(0x1p-300);
+  for (std::int64_t n : {0, 1, 2, 7}) {
+    for (const TestType alpha : {least, TestType(0.125), TestType(1), TestType(0x1p20)}) {
+      Motion m{codegen::exact(double(alpha))};
+      for (std::int64_t k = 0; k < n; ++k) m.cycle();
+      const double lost = 1 + double(alpha);  // what a rounded psi loses
+      check_velocities<TestType>(velocities_closed(alpha, n), m, 1e-14 * lost);
+      check_velocities<TestType>(velocities_product(alpha, n), m, 1e-14 * lost);
+      check_velocities<TestType>(velocities_tangent(alpha, n), m, 1e-14);
+    }
+    const TestType most = TestType(0x1p300);
+    for (const auto& v : {velocities_tangent(most, n).c, velocities_product(most, n).c}) {
+      CHECK(std::isfinite(v));
+    }
+  }
+  const auto closed = [](TestType x) { return velocities_closed(x, 1); };
+  const auto product = [](TestType x) { return velocities_product(x, 1); };
+  const auto tangent = [](TestType x) { return velocities_tangent(x, 1); };
+  check_edge(least, 0, closed);
+  check_edge(TestType(0x1p20), INFINITY, closed);
+  check_edge(least, 0, product);
+  check_edge(TestType(0x1p300), INFINITY, product);
+  check_edge(least, 0, tangent);
+  check_edge(TestType(0x1p300), INFINITY, tangent);
+  check_edge(TestType(0x1p-40), 0, [](TestType x) { return terminal_closed(x); });
+  check_edge(TestType(0x1p20), INFINITY, [](TestType x) { return terminal_closed(x); });
+  check_edge(TestType(0x1p-100), 0, [](TestType x) { return terminal_tangent(x); });
+  check_edge(TestType(0x1p100), INFINITY, [](TestType x) { return terminal_tangent(x); });
+  check_edge(TestType(0x1p300), INFINITY, [](TestType x) { return angle_closed(x); });
+  check_edge(least, 0, [](TestType x) { return angle_tangent(x); });
+  const std::int64_t last = std::int64_t(1) << 50;
+  CHECK_FALSE(throws([&] { velocities_closed(TestType(1), last); }));
+  CHECK(throws([&] { velocities_closed(TestType(1), last + 1); }));
+  CHECK(throws([&] { velocities_closed(TestType(1), -1); }));
+  CHECK(throws([&] { velocities_closed(std::numeric_limits<TestType>::quiet_NaN(), 1); }));
+  CHECK(throws([&] { velocities_tangent(std::numeric_limits<TestType>::infinity(), 1); }));
+  CHECK_FALSE(throws([] { magic_closed<TestType>(1); }));
+  CHECK(throws([] { magic_closed<TestType>(0); }));
+  CHECK(throws([] { deficient_closed<TestType>(0); }));
+  CHECK_THAT(double(magic_closed<TestType>(2).alpha_), WithinRel(std::sqrt(5.0) - 2, 0x1p-50));
+  CHECK_THAT(double(deficient_closed<TestType>(1).beta_), WithinRel(std::sqrt(2.0) - 1, 0x1p-50));
+}
+TEMPLATE_TEST_CASE("matrices turn the velocities, and Lambda is Gamma_B Gamma_A and R l_3 R^T", "",
+                   double, long double) {
+  using Rows = std::array<std::array<TestType, 3>, 3>;
+  const auto times = [](const Rows& x, const Rows& y) {
+    Rows r{};
+    for (std::size_t i = 0; i < 9; ++i) {
+      for (std::size_t k = 0; k < 3; ++k) r[i / 3][i % 3] += x[i / 3][k] * y[k][i % 3];
+    }
+    return r;
+  };
+  const auto is_near = [](const Rows& x, const Rows& y) {
+    double off = 0;
+    for (std::size_t i = 0; i < 9; ++i) {
+      off = std::max(off, std::fabs(double(x[i / 3][i % 3] - y[i / 3][i % 3])));
+    }
+    return off < 1e-14;
+  };
+  for (const TestType alpha :
+       {TestType(0x1p-300), TestType(0.125), TestType(3), TestType(0x1p300)}) {
+    const Rows whole = Lambda(alpha);
+    CHECK(is_near(whole, times(Gamma_B(alpha), Gamma_A(alpha))));
+    Rows turned{};
+    for (std::size_t i = 0; i < 9; ++i) turned[i / 3][i % 3] = R(alpha)[i % 3][i / 3];
+    const TestType psi = angle_closed(alpha).psi;
+    CHECK(is_near(whole, times(R(alpha), times(lambda_3(psi), turned))));
+    const auto v = velocities_tangent(alpha, 1);
+    CHECK_THAT(double(whole[0][0]), WithinAbs(double(v.a), 1e-14));
+    CHECK_THAT(double(whole[1][0]), WithinAbs(double(v.b), 1e-14));
+    CHECK_THAT(double(whole[2][0]), WithinAbs(double(std::sqrt(alpha) * v.c_prime), 1e-14));
+  }
+  check_edge(TestType(0x1p-300), 0, [](TestType x) { return Lambda(x); });
+  check_edge(TestType(0x1p300), INFINITY, [](TestType x) { return R(x); });
+  check_edge(TestType(0x1p50), INFINITY, [](TestType x) { return lambda_3(x); });
+  check_edge(TestType(-0x1p50), -INFINITY, [](TestType x) { return lambda_3(x); });
+}

@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-2.0-or-later
+# Halves entries of the table of operations and drops terms of the rules, one at a time: the tests must turn red.
+# usage: spoiled.sh COMPILER SOURCE_DIR CODEGEN_LIBRARY KERNEL_LIBRARY TEST_OBJECT_OR_LIBRARY...
+set -euo pipefail
+export compiler=$1 source=$2 libraries="$3 $4"
+shift 4
+export objects="$*"
+work=$(mktemp -d)
+export work
+trap 'rm -rf "$work"' EXIT
+
+# FILE and a sed command.
+spoiled() {
+  cat <<'LIST'
+operations.cpp|s/Loss{u \* (2 \* l + u) \* and_more/Loss{0.5 * u * (2 * l + u) * and_more/
+operations.cpp|s/(u + l) \* and_more}/0.5 * (u + l) * and_more}/
+operations.cpp|s/return {3 \* u \* x \* and_more, 3 \* u \* y/return {0.2 * u * x * and_more, 0.2 * u * y/
+operations.cpp|s/return {(x \* y + u/return {0.5 * (x * y + u/
+operations.cpp|s/Loss{u \* (x + u) \* and_more/Loss{0.5 * u * (x + u) * and_more/
+operations.cpp|s/return {(u \* (10 \* u/return {0.5 * (u * (10 * u/
+operations.cpp|s/return {(0.375 \* e/return {0.5 * (0.375 * e/
+operations.cpp|s/return {E \* and_more/return {0.01 * E * and_more/
+errors.cpp|s/^ *add(f, error(o));/;/
+errors.cpp|s/add_loss(f, \*of_x + \*of_y + \*of_x \* \*of_y, k);/add_loss(f, *of_x, k);/
+errors.cpp|s/add_loss(f, \*r, k);/;/
+errors.cpp|s/add_loss(f, (\*r + of_y) \* and_more, k);/add_loss(f, *r, k);/
+errors.cpp|s/add_loss(f, needed(x) \* 0.5 \* and_more, k);/;/
+errors.cpp|s/add_loss(f, needed(x) \* and_more, k);/;/
+errors.cpp|s/add(f, error(x), std::fabs(n.factor));/;/
+errors.cpp|s/add_loss(f, std::max(\*of_x, \*of_y), k);/;/
+errors.cpp|s/(\*r + of_turn) \* std::max/0.5 * (*r + of_turn) * std::max/
+errors.cpp|s/add(f, plain, std::sin(top)/add(f, plain, 0.4 * std::sin(top)/
+errors.cpp|s/add(f, plain, and_more);/;/
+errors.cpp|s/add_sized(f, error(x), y);$/;/
+errors.cpp|s/add_sized(f, error(y), x);/;/
+errors.cpp|s/take(n.op == Op::sine ? of.sine : of.cosine);/loose = 0x1p-50;/
+errors.cpp|s/add_loss(f, t.is_pair() ? low(k) : t.u, k);/;/
+form.cpp|s/f\[into\] += \*of_part/f[into] += 0.01 * *of_part/
+form.cpp|s/by \*= most(v);$/by *= 0.25 * most(v);/
+LIST
+}
+# Says what did not turn red.
+try() {
+  local file=${1%%|*} command=${1#*|} folder
+  folder=$(mktemp -d "$work/XXXXXX")
+  sed -e "$command" "$source/symbolic/codegen/$file" >"$folder/$file"
+  if cmp -s "$source/symbolic/codegen/$file" "$folder/$file"; then
+    echo "CHANGES NOTHING  $1"
+  # shellcheck disable=SC2086
+  elif ! "$compiler" -std=c++20 -O1 -w -ffp-contract=off -I"$source/symbolic" -c "$folder/$file" -o "$folder/spoiled.o" ||
+    ! "$compiler" "$folder/spoiled.o" $objects $libraries -lcln -o "$folder/tests"; then
+    echo "DOES NOT COMPILE OR LINK  $1"
+  elif timeout 100 "$folder/tests" >/dev/null 2>&1; then
+    echo "SURVIVED  $1"
+  fi
+  rm -rf "$folder"
+}
+export -f try
+spoiled | tr '\n' '\0' | xargs -0 -n 1 -P "$(nproc)" bash -c 'try "$1"' _ | tee "$work/verdicts"
+echo "$(spoiled | wc -l) spoiled, $(wc -l <"$work/verdicts") not turned red"
+test ! -s "$work/verdicts"

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers from the law of one collision alone: a body is reflected at the velocity of the common
+// centre of mass. Nothing here is read from the book.
+#include <cln/complex.h>
+#include <cln/float.h>
+
+#include "net.hpp"
+
+namespace net {
+namespace {
+const cln::float_format_t digits = cln::float_format(80);
+
+cl_R after(const cl_R& u, const cl_R& other, const cl_R& m, const cl_R& m_other) {
+  return 2 * (m * u + m_other * other) / (m + m_other) - u;
+}
+
+/// A, B, C after some collisions, those with A and B by turns.
+struct State {
+  cl_R a, b, c;
+  bool A_next = true;
+  cl_R approach() const { return A_next ? a - c : c - b; }
+  void collide(const cl_R& alpha) {
+    cl_R& block = A_next ? a : b;
+    const cl_R before = block;
+    block = after(block, c, 1, alpha);
+    c = after(c, before, alpha, 1);
+    A_next = !A_next;
+  }
+};
+State after_collisions(const cl_R& alpha, const cl_R& V, int j) {
+  if (j < 0 || alpha <= 0) throw Undefined();
+  State s{exact(V), exact(0), exact(0)};
+  for (int i = 0; i < j; ++i) s.collide(alpha);
+  return s;
+}
+struct End {
+  State last;
+  int N = 0, N_A = 0;
+};
+End end_of(const cl_R& alpha, const cl_R& V, const cl_R& still) {
+  if (alpha <= 0 || V <= 0) throw Undefined();
+  End e{after_collisions(alpha, V, 0)};
+  while (e.last.approach() > still) {
+    ++e.N;
+    if (e.last.A_next) ++e.N_A;
+    e.last.collide(alpha);
+  }
+  return e;
+}
+/// The least alpha with a count of at most k, by halving.
+cl_R threshold(bool of_A, int k) {
+  if (k < 1) throw Undefined();
+  static std::map<std::pair<bool, int>, cl_R> known;
+  if (const auto it = known.find({of_A, k}); it != known.end()) return it->second;
+  cl_R lo = exact(0), hi = exact(1) + exact(1) / 1000;
+  for (int i = 0; i < 230; ++i) {
+    const cl_R middle = (lo + hi) / 2;
+    const End e = end_of(middle, 1, 0);
+    ((of_A ? e.N_A : e.N - e.N_A) <= k ? hi : lo) = middle;
+  }
+  return known[{of_A, k}] = hi;
+}
+/// The columns of a collision or of a whole cycle, of (A, B, sqrt(alpha) C).
+Matrix collisions(const cl_R& alpha, bool with_A, bool with_B) {
+  if (alpha <= 0) throw Undefined();
+  const cl_R s = cln::realpart(cln::sqrt(exact(alpha)));
+  Matrix m(3, std::vector<cl_R>(3));
+  for (std::size_t col = 0; col < 3; ++col) {
+    State t{exact(col == 0 ? 1 : 0), exact(col == 1 ? 1 : 0), exact(col == 2 ? 1 : 0) / s};
+    if (with_A) t.collide(alpha);
+    t.A_next = false;
+    if (with_B) t.collide(alpha);
+    const cl_R out[]{t.a, t.b, t.c * s};
+    for (std::size_t row = 0; row < 3; ++row) m[row][col] = out[row];
+  }
+  return m;
+}
+Matrix rotation(const cl_R& angle, std::size_t i, std::size_t j, std::size_t size) {
+  Matrix m(size, std::vector<cl_R>(size, exact(0)));
+  for (std::size_t k = 0; k < size; ++k) m[k][k] = exact(1);
+  m[i][i] = m[j][j] = cln::cos(exact(angle));
+  m[j][i] = cln::sin(exact(angle));
+  m[i][j] = -m[j][i];
+  return m;
+}
+using Vector = std::vector<cl_R>;
+Vector cross(const Vector& p, const Vector& q) {
+  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
+}
+Vector unit(const Vector& v) {
+  const cl_R l = cln::realpart(cln::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+  return {v[0] / l, v[1] / l, v[2] / l};
+}
+/// The axis of a cycle, and the two directions that complete it, as columns.
+Matrix frame(const cl_R& alpha) {
+  Matrix m = collisions(alpha, true, true);
+  for (std::size_t i = 0; i < 3; ++i) m[i][i] = m[i][i] - 1;
+  Vector axis = unit(cross(m[0], m[1]));
+  if (axis[0] < 0) axis = {-axis[0], -axis[1], -axis[2]};
+  const Vector first = unit(cross({exact(0), exact(0), exact(1)}, axis));
+  const Vector second = cross(axis, first);
+  Matrix out;
+  for (std::size_t i = 0; i < 3; ++i) out.push_back({first[i], second[i], axis[i]});
+  return out;
+}
+}  // namespace
+
+cl_R exact(const cl_R& x) { return cln::cl_float(x, digits); }
+cl_R circle() { return cln::pi(digits); }
+const cl_R& tiny() {
+  static const cl_R result = cln::expt(cl_R(10), -50);
+  return result;
+}
+int whole(const cl_R& x) {
+  const cl_R r = cln::round1(x);
+  if (cln::abs(x - r) > tiny()) throw Undefined();
+  return cln::cl_I_to_int(cln::round1(x));
+}
+cl_R acos(const cl_R& x) { return cln::realpart(cln::acos(x)); }
+
+Matrix matrix_function(const std::string& f, const Vector& x) {
+  if (f == "Gamma_A") return collisions(x[0], true, false);
+  if (f == "Gamma_B") return collisions(x[0], false, true);
+  if (f == "Lambda") return collisions(x[0], true, true);
+  if (f == "R") return frame(x[0]);
+  if (f == "lambda") return rotation(x[0], 0, 1, 2);
+  if (f == "lambda_1") return rotation(x[0], 1, 2, 3);
+  if (f == "lambda_2") return rotation(x[0], 2, 0, 3);
+  if (f == "lambda_3") return rotation(x[0], 0, 1, 3);
+  if (f == "P_2") return {{1, 0}, {0, -1}};
+  if (f == "P_3") return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  if (f == "Gamma") {
+    const Matrix m = collisions(x[0], true, false);
+    return {{m[0][0], m[0][2]}, {m[2][0], m[2][2]}};
+  }
+  if (f != "V_") throw std::runtime_error("no numbers for the matrix " + f);
+  const cl_R root = cln::realpart(cln::sqrt(exact(x[0])));
+  return {{function("a", x)}, {function("b", x)}, {root * function("c'", x)}};
+}
+cl_R function(const std::string& f, const Vector& x) {
+  if (f == "theta") return acos(matrix_function("Gamma", x)[0][0]);
+  if (f == "psi") {
+    const Matrix m = matrix_function("Lambda", x);
+    return acos((m[0][0] + m[1][1] + m[2][2] - 1) / 2);
+  }
+  if (f == "turn") return whole(x[0]) % 2 == 0 ? 1 : -1;
+  if (f == "alpha_") return threshold(true, whole(x[0]));
+  if (f == "beta_") return threshold(false, whole(x[0]));
+  if (f == "V_CM") return x[1] / (2 + x[0]);
+  if (f == "A" || f == "B" || f == "C" || f == "approach") {
+    const State s = after_collisions(x[0], x[1], whole(x[2]));
+    return f == "A" ? s.a : f == "B" ? s.b : f == "C" ? s.c : s.approach();
+  }
+  if (f == "a") return function("A", {x[0], x[1], 2 * x[2]});
+  if (f == "b") return function("B", {x[0], x[1], 2 * x[2]});
+  if (f == "c'") return function("C", {x[0], x[1], 2 * x[2]});
+  if (f == "c") return x[2] == 0 ? exact(0) : function("C", {x[0], x[1], 2 * x[2] - 1});
+  const End e = end_of(x[0], x[1], tiny());
+  if (f == "N") return e.N;
+  if (f == "N_A") return e.N_A;
+  if (f == "N_B") return e.N - e.N_A;
+  if (f == "a_t") return e.last.a;
+  if (f == "b_t") return e.last.b;
+  if (f == "c_t") return e.last.c;
+  throw std::runtime_error("no number for " + f);
+}
+}  // namespace net

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Values of terms, the truth of formulas, and points at which hypotheses are true.
+#include "net.hpp"
+
+#include <random>
+#include <set>
+#include <sstream>
+
+#include <cln/complex.h>
+#include <cln/float.h>
+
+#include "kernel/print.hpp"
+
+namespace net {
+namespace {
+using kernel::Exprs;
+using kernel::Op;
+
+/// A name that the book makes for evaluation alone, such as plus_n, is what its definition says.
+Expr defined(Expr e) {
+  for (const auto& chapter : derivation::the_book().chapters())
+    for (const auto& s : chapter.statements)
+      if (s.id == chapter.name + ".def_" + e.name()) {
+        const Expr definition = s.theorem.conclusion();
+        kernel::Substitution terms;
+        for (std::size_t i = 0; i < e.size(); ++i) terms[definition.arg(0).arg(i)] = e.arg(i);
+        return substitute(definition.arg(1), terms);
+      }
+  return {};
+}
+cl_R binomial(const cl_R& n, int k) {
+  cl_R out = exact(1);
+  for (int i = 0; i < k; ++i) out = out * (n - i) / (i + 1);
+  return out;
+}
+cl_R of_function(Expr e, const std::vector<cl_R>& x) {
+  const std::string f = e.name();
+  const auto rounded_up = [](const cl_R& y) {
+    const cl_R r = cln::round1(y);
+    return cln::abs(y - r) < tiny() ? r : cl_R(cln::ceiling1(y));
+  };
+  if (f == "inv") {
+    if (cln::abs(x[0]) < tiny()) throw Undefined();
+    return 1 / x[0];
+  }
+  if (f == "sqrt") {
+    if (x[0] < -tiny()) throw Undefined();
+    return x[0] < tiny() ? exact(0) : cln::realpart(cln::sqrt(exact(x[0])));
+  }
+  if (f == "sin") return cln::sin(exact(x[0]));
+  if (f == "cos") return cln::cos(exact(x[0]));
+  if (f == "atan") return cln::atan(exact(x[0]));
+  if (f == "pi") return circle();
+  if (f == "ceil") return rounded_up(x[0]);
+  if (f == "floor") return -rounded_up(-x[0]);
+  if (f == "sawtooth") return x[0] + rounded_up(-x[0]);
+  if (f == "pow") return cln::expt(exact(x[0]), whole(x[1]));
+  if (f == "choose") return binomial(x[0], whole(x[1]));
+  if (f == "cos_sum" || f == "sin_sum") {
+    cl_R sum = exact(0);
+    for (int j = 0; j <= x[2]; ++j) {
+      const int s = f == "cos_sum" ? 2 * j : 2 * j + 1;
+      const int rest = whole(x[1]) - s;
+      if (rest < 0) throw Undefined();
+      const cl_R powers =
+          cln::expt(cln::sin(exact(x[0])), s) * cln::expt(cln::cos(exact(x[0])), rest);
+      sum = sum + (j % 2 == 0 ? 1 : -1) * binomial(x[1], s) * powers;
+    }
+    return sum;
+  }
+  if (f == "tan") {
+    if (cln::abs(cln::cos(exact(x[0]))) < tiny()) throw Undefined();
+    return cln::tan(exact(x[0]));
+  }
+  return function(f, x);
+}
+Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix out(a.size(), std::vector<cl_R>(b[0].size(), exact(0)));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b[0].size(); ++j)
+      for (std::size_t k = 0; k < b.size(); ++k) out[i][j] = out[i][j] + a[i][k] * b[k][j];
+  return out;
+}
+std::vector<cl_R> values(Expr e, const Point& point) {
+  std::vector<cl_R> out;
+  for (const Expr& a : e.args()) out.push_back(value(a, point));
+  return out;
+}
+Matrix matrix_value(Expr e, const Point& point) {
+  Matrix out;
+  switch (e.op()) {
+    case Op::Matrix:
+      for (std::size_t i = 0; i < e.size(); ++i) {
+        if (i % std::size_t(e.cols()) == 0) out.emplace_back();
+        out.back().push_back(value(e.arg(i), point));
+      }
+      return out;
+    case Op::Times:
+      out = matrix_value(e.arg(0), point);
+      for (std::size_t i = 1; i < e.size(); ++i) out = product(out, matrix_value(e.arg(i), point));
+      return out;
+    case Op::Transpose: {
+      const Matrix m = matrix_value(e.arg(0), point);
+      out.assign(m[0].size(), std::vector<cl_R>(m.size()));
+      for (std::size_t i = 0; i < m.size(); ++i)
+        for (std::size_t j = 0; j < m[0].size(); ++j) out[j][i] = m[i][j];
+      return out;
+    }
+    case Op::MatrixPower: {
+      const Matrix m = matrix_value(e.arg(0), point);
+      const cl_R n = value(e.arg(1), point);
+      if (n < 0) throw Undefined();
+      out = product(m, m);
+      for (std::size_t i = 0; i < m.size(); ++i)
+        for (std::size_t j = 0; j < m.size(); ++j) out[i][j] = exact(i == j ? 1 : 0);
+      for (int i = 0; i < n; ++i) out = product(m, out);
+      return out;
+    }
+    default:
+      return matrix_function(e.name(), values(e, point));
+  }
+}
+cl_R determinant(const Matrix& m) {
+  if (m.size() == 1) return m[0][0];
+  cl_R sum = exact(0);
+  for (std::size_t j = 0; j < m.size(); ++j) {
+    Matrix minor;
+    for (std::size_t i = 1; i < m.size(); ++i) {
+      minor.emplace_back();
+      for (std::size_t k = 0; k < m.size(); ++k)
+        if (k != j) minor.back().push_back(m[i][k]);
+    }
+    sum = sum + (j % 2 == 0 ? 1 : -1) * m[0][j] * determinant(minor);
+  }
+  return sum;
+}
+int sign(const cl_R& l, const cl_R& r) {
+  const cl_R d = l - r;
+  if (cln::abs(d) < tiny() * (1 + cln::abs(l) + cln::abs(r))) return 0;
+  return d < 0 ? -1 : 1;
+}
+bool same(Expr l, Expr r, const Point& point) {
+  if (!kernel::is_matrix(l)) return sign(value(l, point), value(r, point)) == 0;
+  const Matrix a = matrix_value(l, point), b = matrix_value(r, point);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a[0].size(); ++j)
+      if (sign(a[i][j], b[i][j]) != 0) return false;
+  return true;
+}
+
+std::mt19937_64& random_bits() {
+  static std::mt19937_64 engine(12345);
+  return engine;
+}
+int any_of(int count) { return int(random_bits()() % std::uint64_t(count)); }
+cl_R between(double lo, double hi) {
+  const cl_R share = exact(cl_R(any_of(1 << 30))) / exact(cl_R(1 << 30));
+  return exact(cl_R(lo)) + share * exact(cl_R(hi - lo));
+}
+/// Contact: momentum, energy and a change, as the law has them.
+bool collides(const std::vector<cl_R>& x) {
+  const auto kept = [&](const cl_R& before, const cl_R& after) { return sign(before, after) == 0; };
+  return kept(x[0] * x[2] + x[1] * x[3], x[0] * x[4] + x[1] * x[5]) &&
+         kept(x[0] * x[2] * x[2] + x[1] * x[3] * x[3], x[0] * x[4] * x[4] + x[1] * x[5] * x[5]) &&
+         sign(x[2], x[4]) != 0;
+}
+}  // namespace
+
+cl_R value(Expr e, const Point& point) {
+  cl_R out = exact(e.op() == Op::Mul ? 1 : 0);
+  switch (e.op()) {
+    case Op::Num:
+      return e.value();
+    case Op::Var:
+      return point.at(e);
+    case Op::Add:
+      for (const cl_R& x : values(e, point)) out = out + x;
+      return out;
+    case Op::Mul:
+      for (const cl_R& x : values(e, point)) out = out * x;
+      return out;
+    case Op::Pow:
+      return cln::expt(value(e.arg(0), point), e.exponent());
+    case Op::Entry: {
+      const Matrix m = matrix_value(e.arg(0), point);
+      return m[std::size_t(e.index()) / m[0].size()][std::size_t(e.index()) % m[0].size()];
+    }
+    case Op::Det:
+      return determinant(matrix_value(e.arg(0), point));
+    default:
+      if (const Expr definition = defined(e)) return value(definition, point);
+      return of_function(e, values(e, point));
+  }
+}
+bool truth(Expr f, const Point& point) {
+  switch (f.op()) {
+    case Op::Eq:
+      return same(f.arg(0), f.arg(1), point);
+    case Op::Lt:
+      return sign(value(f.arg(0), point), value(f.arg(1), point)) < 0;
+    case Op::Le:
+      return sign(value(f.arg(0), point), value(f.arg(1), point)) <= 0;
+    case Op::Not:
+      return !truth(f.arg(0), point);
+    case Op::And:
+      for (const Expr& g : f.args())
+        if (!truth(g, point)) return false;
+      return true;
+    case Op::Or:
+      for (const Expr& g : f.args())
+        if (truth(g, point)) return true;
+      return false;
+    case Op::Imp:
+      return !truth(f.arg(0), point) || truth(f.arg(1), point);
+    case Op::Iff:
+      return truth(f.arg(0), point) == truth(f.arg(1), point);
+    case Op::All:  // at some values
+      for (const int x : {-2, 0, 1, 3})
+        if (!truth(kernel::open(f, x), point)) return false;
+      return true;
+    default:
+      return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
+  }
+}
+
+Point random_point(const Exprs& hypotheses, Expr conclusion) {
+  std::set<Expr> variables = free_variables(conclusion);
+  for (const Expr& h : hypotheses) variables.merge(free_variables(h));
+  Point point;
+  // An orthogonal matrix: some rotations, perhaps a reflection.
+  Matrix o = matrix_function(any_of(2) ? "P_3" : "lambda_3", {exact(0)});
+  if (variables.count(kernel::real("o_33")))
+    for (const char* axis : {"lambda_1", "lambda_2"})
+      o = product(o, matrix_function(axis, {between(-3, 3)}));
+  const cl_R angle = any_of(4) ? between(-3, 3) : circle();
+  o = product(matrix_function("lambda_3", {angle}), o);
+  if (!variables.count(kernel::real("o_33")) && o[2][2] < 0)
+    o = product(o, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
+  cl_R last = exact(1);
+  for (const Expr& v : variables) {
+    const std::string name = v.name();
+    const int kind = any_of(8);
+    if (v.sort() == kernel::Sort::Int)
+      point[v] = any_of(12) - (name == "k" ? 0 : 1);
+    else if (name.starts_with("o_"))
+      point[v] = o[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
+    else if (name == "alpha" && kind < 2)
+      point[v] = function(kind == 0 ? "alpha_" : "beta_", {1 + any_of(8)});
+    else if (name == "alpha")
+      point[v] = cln::exp(between(-4, 2.5));
+    else if (name[0] == 'M')
+      point[v] = between(0.1, 4);
+    else if (kind == 0)
+      point[v] = circle() * (any_of(9) - 2) / 2;
+    else if (kind == 1)
+      point[v] = cl_R(any_of(8) - 1) / (1 + any_of(3));
+    else
+      point[v] = kind == 2 ? last : between(-2.5, 5.5);
+    last = point[v];
+  }
+  for (const Expr& h : hypotheses) {
+    if (h.op() == Op::Fun && h.name() == "contact") {
+      const auto x = values(h, point);
+      const cl_R centre = 2 * (x[0] * x[2] + x[1] * x[3]) / (x[0] + x[1]);
+      point[h.arg(4)] = centre - x[2];
+      point[h.arg(5)] = centre - x[3];
+    }
+    if (h.op() == Op::Eq && h.arg(0).op() == Op::Var && !free_variables(h.arg(1)).count(h.arg(0)))
+      point[h.arg(0)] =
+          h.arg(0).name().starts_with("o_") ? point[h.arg(0)] : value(h.arg(1), point);
+  }
+  return point;
+}
+Tried tried(const Exprs& hypotheses, Expr conclusion, int wanted) {
+  Tried out;
+  constexpr int most_tries = 4000;
+  for (int i = 0; i < most_tries && out.points < wanted; ++i) {
+    Point point;
+    try {
+      point = random_point(hypotheses, conclusion);
+      bool here = true;
+      for (const Expr& h : hypotheses) here = here && truth(h, point);
+      if (!here) continue;
+    } catch (const Undefined&) {
+      continue;
+    }
+    ++out.points;
+    bool good = false;
+    try {
+      good = truth(conclusion, point);
+    } catch (const Undefined&) {
+      out.false_at = "no value ";
+    }
+    if (good) {
+      if (point.empty()) break;
+      continue;
+    }
+    std::ostringstream words;
+    for (const auto& [v, x] : point) words << v.name() << " = " << cln::double_approx(x) << " ";
+    out.false_at += "at " + words.str();
+    break;
+  }
+  return out;
+}
+}  // namespace net

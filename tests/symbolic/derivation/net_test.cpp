@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Each theorem of the book at random points, and false statements beside true ones that are seen;
+// the paper's labels.
+#include "net.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "catch.hpp"
+#include "derivation/paper.hpp"
+#include "kernel/print.hpp"
+#include "notation/read.hpp"
+
+using derivation::the_book;
+
+TEST_CASE("each theorem is true at random points that satisfy its hypotheses") {
+  for (const auto& chapter : the_book().chapters())
+    for (const auto& s : chapter.statements) {
+      INFO(s.id << ": " << kernel::text(s.theorem));
+      const net::Tried t = net::tried(s.theorem.hypotheses(), s.theorem.conclusion(), 100);
+      CHECK(t.false_at.empty());
+      CHECK(t.points >= (kernel::free_variables(s.theorem.conclusion()).empty() ? 1 : 20));
+    }
+}
+
+TEST_CASE("false statements are seen") {
+  struct Mutant {
+    std::string id, from, to;
+  };
+  const std::vector<Mutant> mutants{
+      {"contact.v_1", "M_1 - M_2", "M_1 + M_2"},
+      {"cycle.P", "2*alpha*c'_(n - 1)", "2*alpha*c_(n - 1)"},
+      {"cycle.Lambda_paper", "4*alpha", "2*alpha"},
+      {"cycle.Gamma_A", "0, 1, 0", "0, -1, 0"},
+      {"cycle.V_squared", "V_(n - 1)^T V_(n - 1)", "V_n^T V_(n - 1)"},
+      {"rotation.psi", "2 + alpha", "1 + alpha"},
+      {"rotation.Lambda_R", "R lambda_3(psi) R^T", "R^T lambda_3(psi) R"},
+      {"power.Lambda_n", "n*psi", "(n + 1)*psi"},
+      {"power.a", "1 + cos", "1 - cos"},
+      {"power.b", "n + 1/2", "n - 1/2"},
+      {"power.c", "n - 1/4", "n + 1/4"},
+      {"power.c_prime", "psi/4", "psi/2"},
+      {"table.tan_psi", "1 - 2*alpha", "1 + 2*alpha"},
+      {"counting.N", " - 1", ""},
+      {"counting.N_A", "1/2", "1/3"},
+      {"counting.N_B", "- 1", "- 3/4"},
+      {"constraints.N_A_last", "a_(N_A) <= c'_(N_A)", "c'_(N_A) < a_(N_A)"},
+      {"constraints.N_A_near", "N_A = N_B", "N_A = N_B + 1"},
+      {"ratios.N_A_range", "alpha_k <= alpha", "alpha_k < alpha"},
+      {"ratios.alpha_k", "2*k + 1", "2*k + 2"},
+      {"ratios.order", "beta_k < alpha_k", "alpha_k < beta_k"},
+      {"magic.velocities", "a_k = 0", "a_k = V"},
+      {"deficient.counts", "N_A = k + 1", "N_A = k"},
+      {"terminal.b", "1 - (1 + alpha)", "1 + (1 + alpha)"},
+      {"terminal.order", "b_t <= V", "b_t < V"},
+      {"minima.minimum", "b_t(beta_k, V) < b_t", "b_t < b_t(beta_k, V)"},
+      {"minima.at_least", "<=", "<"},
+      {"small_alpha.psi_bounds", "5*alpha/12", "4*alpha/12"},
+      {"orthogonal.rotation", "o_21/(1 + o_11)", "o_12/(1 + o_11)"},
+      {"orthogonal.Gamma_A", "-theta", "theta"},
+      {"radicals.fifth", "1 + sqrt(5)", "1 - sqrt(5)"},
+  };
+  for (const Mutant& m : mutants) {
+    std::string words = kernel::text(the_book()[m.id].conclusion());
+    const std::size_t at = words.find(m.from);
+    INFO(m.id << ": " << m.to << " in " << words);
+    REQUIRE(at != std::string::npos);
+    words.replace(at, m.from.size(), m.to);
+    const kernel::Exprs hypotheses = the_book()[m.id].hypotheses();
+    CHECK_FALSE(net::tried(hypotheses, notation::read(words), 400).false_at.empty());
+  }
+}
+
+TEST_CASE("hypotheses that nothing satisfies are seen") {
+  const kernel::Expr alpha = kernel::real("alpha");
+  const kernel::Exprs impossible{kernel::lt(alpha, 0), kernel::lt(0, alpha)};
+  CHECK(net::tried(impossible, kernel::eq(alpha, 1), 20).points == 0);
+}
+
+TEST_CASE("each label of the paper has a statement or a reason, and no statement has another") {
+  std::set<std::string> claimed, known;
+  for (const auto& chapter : the_book().chapters())
+    for (const auto& s : chapter.statements) {
+      std::istringstream labels(s.label);
+      for (std::string label; labels >> label;) claimed.insert(label);
+    }
+  for (const auto& l : derivation::paper_labels()) {
+    INFO(l.label);
+    CHECK(known.insert(l.label).second);
+    CHECK(claimed.count(l.label) == (l.reason.empty() ? 1 : 0));
+  }
+  CHECK(std::includes(known.begin(), known.end(), claimed.begin(), claimed.end()));
+  CHECK(known.size() == 68);
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The manifest tells of every header, and each header says what the manifest does; a header with
+// the wanted outputs alone.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "catch.hpp"
+#include "generate/quantities.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+std::string read(const fs::path& path) {
+  std::ifstream file(path);
+  REQUIRE(file);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+/// Comments are broken into lines.
+std::string unbroken(const std::string& text) {
+  std::string out;
+  for (char c : text) {
+    if (c == '/' || c == '"') continue;
+    if (c != '\n' && c != ' ') {
+      out += c;
+    } else if (!out.ends_with(' ')) {
+      out += ' ';
+    }
+  }
+  return out;
+}
+void check_says(const std::string& header, const std::string& what) {
+  CHECK_THAT(unbroken(header), ContainsSubstring(unbroken(what)));
+}
+}  // namespace
+
+TEST_CASE("each entry's header is there and makes the claims of the entry") {
+  const json manifest = json::parse(read(fs::path(GENERATED) / "manifest.json"));
+  const std::set<std::string> forms{"evaluator", "closed", "product",
+                                    "tangent",   "exact",  "matrices"};
+  std::set<std::string> headers, seen;
+  for (const json& entry : manifest) {
+    const std::string path = entry.at("header");
+    const std::string form = entry.at("form");
+    INFO(path << ", " << std::string(entry.at("name")));
+    seen.insert(form);
+    headers.insert(path);
+    const std::string header = read(fs::path(GENERATED) / path);
+    for (const std::string name : entry.at("outputs")) check_says(header, name);
+    for (const std::string name : entry.at("inputs")) check_says(header, name);
+    check_says(header, std::string(entry.at("labels")));
+    CHECK_FALSE(entry.at("cases").empty());
+    for (const json& c : entry.at("cases")) {
+      check_says(header, std::string(c.at("domain")));
+      CHECK_FALSE(c.at("theorems").empty());
+      CHECK(c.at("bounds").empty() == (form != "evaluator"));
+      for (const std::string bound : c.at("bounds")) check_says(header, bound);
+      if (form == "evaluator") continue;
+      for (const std::string id : c.at("theorems")) check_says(header, id);
+    }
+  }
+  CHECK(seen == forms);
+  const fs::path root = fs::path(GENERATED) / "magicmass";
+  for (const auto& file : fs::recursive_directory_iterator(root)) {
+    const std::string path = fs::relative(file.path(), GENERATED).generic_string();
+    if (file.path().extension() != ".hpp" || path.ends_with("polynomials.hpp")) continue;
+    INFO(path);
+    CHECK(headers.count(path) == 1);
+  }
+}
+TEST_CASE("a header of wanted outputs has those, and pays for nothing else") {
+  const std::string psi = generate::selected("closed", {"psi"});
+  CHECK_THAT(psi, ContainsSubstring("angle_closed("));
+  CHECK_THAT(psi, !ContainsSubstring("cos(") && !ContainsSubstring("velocities"));
+  const std::string a = generate::selected("tangent", {"a", "c_t"});
+  for (const char* part : {"{\n  Number a;\n};", "{\n  Number c_t;\n};", "velocities_tangent("})
+    CHECK_THAT(a, ContainsSubstring(part));
+  for (const char* part : {"w_sine", "along", "b_form", "rho", "angle_tangent"})
+    CHECK_THAT(a, !ContainsSubstring(part));
+  CHECK_THAT(generate::selected("exact", {"a"}), !ContainsSubstring("b_before"));
+}
+TEST_CASE("an output or a form that there is none of is refused with what is allowed") {
+  CHECK_THROWS_WITH(
+      generate::selected("closed", {"a", "speed"}),
+      ContainsSubstring("no output is called speed; allowed: ") && ContainsSubstring("c_prime"));
+  CHECK_THROWS_WITH(generate::selected("open", {"a"}), ContainsSubstring("allowed: closed"));
+  CHECK_THROWS_WITH(generate::selected("matrices", {"R"}), ContainsSubstring("no form matrices"));
+}

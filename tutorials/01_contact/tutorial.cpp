@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One collision of two bodies: what the laws say, what follows, and what happens when a law is
+// spoiled.
+#include <cstdio>
+
+#include "derivation/symbols.hpp"
+#include "kernel/print.hpp"
+#include "magicmass/simulator/contact.hpp"
+
+using namespace derivation;
+using cln::cl_RA;
+using magicmass::simulator::Body;
+
+// A body that moves with velocity 1 meets one at rest. Change the masses, or let both move.
+void print_collision(const cl_RA& m_1, const cl_RA& m_2) {
+  Body<cl_RA> first{m_1, 0, 1};
+  Body<cl_RA> second{m_2, 0, 0};
+  magicmass::simulator::collide(first, second);
+  const cl_RA energy_share = m_2 * second.velocity * second.velocity / m_1;
+  for (const cl_RA& number :
+       {m_1, m_2, first.velocity, second.velocity, second.velocity - first.velocity, energy_share})
+    std::printf(" | %s", kernel::digits(number).c_str());
+  std::printf("\n");
+}
+
+// M_1 (u_1 - v_1) times what the relative velocity does, from momentum and from what is kept
+// besides: energy, or something else. Returns what the proof kernel says.
+std::string relative_velocity(int power_kept) {
+  const Expr M_1 = real("M_1"), M_2 = real("M_2"), u_1 = real("u_1"), u_2 = real("u_2"),
+             v_1 = real("v_1"), v_2 = real("v_2");
+  const Expr kept = eq(M_1 * power(u_1, power_kept) + M_2 * power(u_2, power_kept),
+                       M_1 * power(v_1, power_kept) + M_2 * power(v_2, power_kept));
+  const Expr momentum = eq(M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2);
+  Certificate certificate;
+  certificate.equations = {{1, assume(kept)}, {-(u_2 + v_2), assume(momentum)}};
+  certificate.multipliers = {assume(lt(0, M_1)), assume(neq(v_1, u_1))};
+  try {
+    return text(arithmetic(eq(u_1 + v_1, u_2 + v_2), certificate).conclusion());
+  } catch (const Refused&) {
+    return "refused";
+  }
+}
+
+int main() {
+  std::printf("collisions: M_1 | M_2 | v_1 | v_2 | v_2 - v_1 | energy that moved\n");
+  for (const cl_RA& mass : {cl_RA(1), cl_RA(1) / 7, cl_RA(1) / 100, cl_RA(7), cl_RA(1000)})
+    print_collision(1, mass);
+  std::printf("from energy: %s\n", relative_velocity(2).c_str());
+  // Suppose that nature kept M v^4 instead of M v^2.
+  std::printf("from fourth powers: %s\n", relative_velocity(4).c_str());
+  std::printf("solved: %s\n", text(the_book()["contact.v_1"].conclusion()).c_str());
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The end of the story over many mass ratios: who is where in the order, and how little B can get.
+#include <cstdio>
+
+#include "magicmass/numbers/accurate.hpp"
+
+int main() {
+  std::printf("alpha | a_t | c_t | b_t | energy of B | twice the centre's velocity\n");
+  for (const double alpha : {100.0, 2.0, 1.0, 0.7, 0.4142, 0.3, 0.12, 0.01, 0.001}) {
+    const auto end = magicmass::accurate::terminal(alpha).value();
+    const double momentum = end.a_t + alpha * end.c_t + end.b_t;
+    std::printf("%g | %.6f | %.6f | %.6f | %.6f | %.6f\n", alpha, end.a_t, end.c_t, end.b_t,
+                end.rho, 2 * momentum / (2 + alpha));
+  }
+  // Many ratios, evenly spaced on a logarithmic scale: every rule of the chapter is put to the
+  // test.
+  int asked = 0, in_order = 0, recoils = 0, never_faster = 0;
+  double largest_recoil = 0, its_alpha = 0;
+  for (double alpha = 1e-6; alpha < 1e3; alpha *= 1.0005) {
+    const auto end = magicmass::accurate::terminal(alpha).value();
+    ++asked;
+    in_order += end.a_t <= end.c_t && end.c_t <= end.b_t;
+    recoils += end.a_t <= 0;
+    never_faster += end.b_t <= 1;
+    if (alpha < 1 && -end.a_t > largest_recoil) {
+      largest_recoil = -end.a_t;
+      its_alpha = alpha;
+    }
+  }
+  std::printf("asked: %d, in order: %d, recoils: %d, never faster: %d\n", asked, in_order, recoils,
+              never_faster);
+  std::printf("largest recoil: %.4f at alpha = %.3f\n", largest_recoil, its_alpha);
+}
