@@ -5,6 +5,7 @@
 
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
+#include "magicmass/numbers/counts.hpp"
 
 namespace answers {
 namespace {
@@ -73,6 +74,11 @@ LargeCounts count_collisions(const Alpha& alpha) {
   }
   if (is_heavy(alpha)) {
     return {1, 1};  // heavy.N_A, heavy.N_B
+  }
+  if (const auto* value = std::get_if<double>(&alpha)) {
+    if (const auto small = magicmass::count_collisions(*value)) {
+      return {static_cast<long long>(small->N_A), static_cast<long long>(small->N_B)};
+    }
   }
   LargeCounts counts;
   with_bits(

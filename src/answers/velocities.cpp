@@ -12,6 +12,8 @@
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
 #include "magicmass/exact/exact.hpp"
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/numbers/fast.hpp"
 
 namespace answers {
 namespace {
@@ -80,6 +82,23 @@ bool wants_fractions(const Request& request) {
   return tier_of(request) == "exact" && !request.has("digits");
 }
 
+/// The double that tiers fast and accurate answer for, if it is one and no digits are asked for.
+const double* as_number(const Alpha& alpha, const Request& request) {
+  return tier_of(request) == "exact" ? nullptr : std::get_if<double>(&alpha);
+}
+std::array<Cell, 4> real_cells(const std::array<double, 4>& values) {
+  return {real_cell(values[0]), real_cell(values[1]), real_cell(values[2]), real_cell(values[3])};
+}
+/// None where the counts do not fit 64 bits.
+std::optional<magicmass::Terminal> terminal_number(const Alpha& alpha, const Request& request) {
+  const double* value = as_number(alpha, request);
+  if (value == nullptr) {
+    return {};
+  }
+  return tier_of(request) == "fast" ? magicmass::fast::terminal(*value)
+                                    : magicmass::accurate::terminal(*value);
+}
+
 /// Four cells for a tier.
 std::array<Cell, 4> cells(const Velocities& values, const std::array<bool, 4>& is_zero,
                           const Request& request) {
@@ -126,6 +145,10 @@ Answer eval(const Request& request) {
   if (wants_fractions(request)) {
     const auto v = magicmass::generated::velocities_exact(fraction_of(alpha, cycles), *n);
     four = exact_cells({v.a, v.b, v.c, v.c_prime});
+  } else if (const auto* value = as_number(alpha, request)) {
+    const auto v = tier == "fast" ? magicmass::fast::velocities(*value, *n)
+                                  : magicmass::accurate::velocities(*value, *n);
+    four = real_cells({v.a, v.b, v.c, v.c_prime});
   } else {
     four = cells(velocities(alpha, cycles), zeros(alpha, cycles), request);
   }
@@ -173,6 +196,8 @@ Answer terminal(const Request& request) {
     const auto v = magicmass::generated::terminal_exact(q, cln::cl_I_to_long(counts.N_A),
                                                         cln::cl_I_to_long(counts.N_B));
     four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
+  } else if (const auto end = terminal_number(alpha, request)) {
+    four = real_cells({end->a_t, end->b_t, end->c_t, end->rho});
   } else {
     four = cells(terminal(alpha, counts), is_zero, request);
   }
