@@ -1,12 +1,38 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/generate.hpp"
 
+#include <set>
+#include <sstream>
+
+#include "answers/errors.hpp"
 #include "generate/quantities.hpp"
 #include "generate/tree.hpp"
 
 namespace command {
 
+namespace {
+
+/// Names between commas.
+std::set<std::string> listed(const std::string& text) {
+  std::set<std::string> names;
+  std::istringstream words(text);
+  for (std::string word; std::getline(words, word, ',');) {
+    names.insert(word);
+  }
+  return names;
+}
+
+}  // namespace
+
 answers::Answer generate_files(const answers::Request& request) {
+  if (request.has("quantity")) {
+    const std::string form = request.has("form") ? request.text("form") : "tangent";
+    try {
+      return {{}, generate::selected(form, listed(request.text("quantity")))};
+    } catch (const codegen::Refused& refused) {
+      throw answers::InvalidInput("generate: " + std::string(refused.what()));
+    }
+  }
   const std::string folder = request.has("out") ? request.text("out") : "generated";
   const generate::Texts texts = generate::generated();
   if (!request.has("check")) {

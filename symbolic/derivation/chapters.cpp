@@ -5,9 +5,9 @@
 namespace derivation {
 Book derive() {
   Book book;
-  for (const auto chapter :
-       {contact, cycle, cycle_matrix, rotation, powers, table, counting, constraints, multiples,
-        thresholds, ratios, terminal, minima, small_alpha, orthogonal, evaluators, radicals})
+  for (const auto chapter : {contact, cycle, cycle_matrix, rotation, powers, table, counting,
+                             constraints, multiples, thresholds, ratios, terminal, minima,
+                             small_alpha, orthogonal, evaluators, exact_forms, radicals})
     chapter(book);
   return book;
 }

@@ -84,5 +84,6 @@ void minima(Book& book);
 void small_alpha(Book& book);
 void evaluators(Book& book);
 void radicals(Book& book);
+void exact_forms(Book& book);
 
 }  // namespace derivation

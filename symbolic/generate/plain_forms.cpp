@@ -2,7 +2,7 @@
 // Each domain is data; the generator checks that nothing over- or underflows there.
 #include "generate/plain_forms.hpp"
 
-#include "generate/exact_forms.hpp"
+#include "codegen/doubling.hpp"
 
 namespace generate {
 namespace {
@@ -81,10 +81,20 @@ std::vector<PlainForm> tangent(Source& s) {
        "tangent"}};
 }
 std::vector<PlainForm> exact(Source& s) {
-  const ExactForms f = exact_forms(s);
+  const codegen::Doubling cosines{s["exact.T_0"], s["exact.T_1"], s["exact.T_even"],
+                                  s["exact.T_odd"]};
   const Theorems mean{s["power.V_CM"]};
-  const Case start{"start", {{"n", {0, 0}}}, {}, f.at_start, {}, {}};
-  const Case later{"later", {{"n", {1, 0x1p62}}}, mean + Theorems{f.earlier}, f.velocities, {}, {}};
+  const Theorems at_start{s.part("cycle.start_vector", 0), s.part("cycle.start_vector", 1),
+                          s["cycle.c_start"], s.part("cycle.start_vector", 2)};
+  const Case start{"start", {{"n", {0, 0}}}, {}, at_start, {}, {}};
+  const Case later{"later",
+                   {{"n", {1, 0x1p62}}},
+                   mean + Theorems{s["exact.b_before"]},
+                   s.all("exact", {"a", "b", "c", "c_prime"}),
+                   {},
+                   {}};
+  const Theorems ends{s["exact.a_t"], s["exact.b_t"], s.part("terminal.definitions", 2),
+                      s["evaluators_end.def_rho"]};
   const auto count = [&](const char* name) {
     return whole(kernel::fun(name, {kernel::real("alpha"), 1}), 1, 0x1p62);
   };
@@ -95,14 +105,14 @@ std::vector<PlainForm> exact(Source& s) {
             {start, later},
             s.units},
            "exact",
-           {f.cosines}},
+           {cosines}},
           {{"terminal",
             terminal_labels,
             {alpha(1 / any, any), count("N_A"), count("N_B")},
-            {one(mean, f.terminal)},
+            {one(mean, ends)},
             s.units},
            "exact",
-           {f.cosines}}};
+           {cosines}}};
 }
 std::vector<PlainForm> matrices(Source& s) {
   const Theorems block{s["ball.Gamma"]};

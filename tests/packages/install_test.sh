@@ -21,4 +21,9 @@ sed -i "s#^prefix=.*#prefix=$scratch/prefix#" "$pc/magicmass.pc"
 # shellcheck disable=SC2046
 c++ "$examples/terminal.cpp" $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs magicmass) -o "$scratch/by_pkg_config"
 [[ $("$scratch/by_pkg_config") == "3 + 3 collisions, B leaves with 0.995649 V" ]]
+
+"$scratch/prefix/bin/magicmass" generate --quantity b_t,rho >"$scratch/wanted.hpp"
+printf '#include "wanted.hpp"\nint main() { return magicmass::generated::terminal_tangent(0.12).b_t > 0.9956 ? 0 : 1; }\n' >"$scratch/wanted.cpp"
+c++ -std=c++20 -Wall -Wextra -Werror "$scratch/wanted.cpp" -o "$scratch/wanted"
+"$scratch/wanted"
 echo "installed, found by CMake and by pkg-config"

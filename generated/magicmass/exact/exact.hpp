@@ -58,7 +58,7 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   if (n >= 1 && n <= 4611686018427387904) {
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
-    // b_before = V_CM*(1 - 2*T_(2*n) + (1 + alpha)*T_(2*n + 1))
+    // b_before_n = V_CM*(1 - 2*T_(2*n) + (1 + alpha)*T_(2*n + 1))
     const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
     const Number b_before = V_CM * (Number(1) - (Number(2) * T_at_n.first) + ((Number(1) + alpha) *
         T_at_n.second));
@@ -66,7 +66,7 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
     const Number a = V_CM * (Number(1) + ((Number(1) + alpha) * T_at_n.first));
     // b_n = V_CM*(1 - (1 + alpha)*T_(2*n + 1))
     const Number b = V_CM * (Number(1) - ((Number(1) + alpha) * T_at_n.second));
-    // c_n = (1 - a_n - b_before)/alpha
+    // c_n = (1 - a_n - b_before_n)/alpha
     const Number c = (Number(1) - a - b_before) / alpha;
     // c'_n = (1 - a_n - b_n)/alpha
     const Number c_prime = (Number(1) - a - b) / alpha;
