@@ -12,8 +12,10 @@ namespace command {
 Program magicmass() {
   const Option alpha{"alpha", "ALPHA", "mass ratio: 0.12, 1/7, magic:3, deficient:2",
                      {},      true,    true};
-  const Option tier{
-      "tier", "TIER", "accurate unless told otherwise", {"fast", "accurate", "exact"}};
+  const Option tier{"tier",
+                    "TIER",
+                    "fast, accurate (unless told otherwise), exact",
+                    {"fast", "accurate", "exact"}};
   const Option digits{"digits", "D", "so many significant digits, with certainty"};
   return {
       .name = "magicmass",
