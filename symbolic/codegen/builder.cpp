@@ -145,7 +145,7 @@ int Builder::arc_tangent(int t, int square) {
 }
 
 int Builder::rest(int p, int q, int k) {
-  const Node& divisor = program[q];
+  const Node divisor = program[q];  // a copy: products add nodes
   const int part = divisor.op == Op::scale ? product(divisor.of[0], scaled(k, -divisor.factor))
                                            : product(q, scaled(k, -1));
   // |p - q k| <= q/2, but for the rounding of p/q itself, which the test of the sign finds.
