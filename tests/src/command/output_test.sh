@@ -106,7 +106,7 @@ fresh
 (for _ in {1..8}; do "$program" many --lines 20000 -o both & done; wait)
 check "writers at once: the file is whole" test "$(wc -l <both)" = 20000
 check "writers at once: nothing is left" only both
-env -i "$program" echo --text 0.5 --format json >bare
+env -i ${LSAN_OPTIONS:+"LSAN_OPTIONS=$LSAN_OPTIONS"} "$program" echo --text 0.5 --format json >bare
 LC_ALL=de_DE.UTF-8 TZ=Mars TMPDIR=/nowhere "$program" echo --text 0.5 --format json >odd
 check "no environment, an odd one: the same bytes" cmp bare odd
 exit $failed
