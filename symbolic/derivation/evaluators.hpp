@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What the chapters of evaluated forms share: names for parts of a form, the angle, a prover.
+#pragma once
+#include "derivation/symbols.hpp"
+
+namespace derivation {
+inline Expr of_alpha(const std::string& name) { return fun(name, {alpha}); }
+inline Expr of_both(const std::string& name) { return fun(name, {alpha, n}); }
+
+/// Names for parts of a form, each defined by those before it; the generator's nodes.
+class Names {
+public:
+  explicit Names(Book& the_book) : book(the_book) {}
+
+  Theorem name(const std::string& name, const Exprs& params, Expr value,
+               const std::string& words = "and") {
+    Exprs domain;
+    for (const Expr& p : params)
+      domain.push_back(p == alpha ? alpha_positive : p == V ? V_positive : le(p == k ? 1 : 0, p));
+    const bool indexed = params.back() == n || params.back() == k;
+    const Theorem definition = define(name, params, value, indexed ? int(params.size()) - 1 : -1);
+    restrict_domain(name, params, logic_and(domain));
+    book.show("def_" + name, "", words, under(domain, definition));
+    return definition;
+  }
+  Book& book;
+};
+/// half_h = psi/4, t = sin(psi/4)/cos(psi/4), w = t/alpha, and their signs.
+struct Angle {
+  Theorem quarter, tangent, t_is, w_is, w_positive, cos_positive, t_small;
+};
+
+/// Proves that a velocity is a form in t, w and a sine and cosine.
+struct Prover {
+  const Angle& a;
+  Theorem sine_positive;
+  Theorems rules, divisors;
+
+  Prover(Book& book, const Angle& the_angle)
+      : a(the_angle), sine_positive(part(book["power.quarter"], 0)) {
+    const Theorem mass = assume(alpha_positive);
+    rules = {a.w_is,
+             a.tangent,
+             part(book["power.quarter"], 1),
+             part(book["power.quarter"], 2),
+             book["power.V_CM"],
+             root_squared(positive(alpha * (2 + alpha), {mass}))};
+    divisors = {positive(1 + alpha, {mass}),
+                positive(2 + alpha, {mass}),
+                mass,
+                a.cos_positive,
+                sine_positive,
+                positive(sqrt(alpha * (2 + alpha)), {mass})};
+    const Expr root = sqrt(alpha * (2 + alpha)), q = psi() / 4;
+    const Theorem circle = angles({}, {q})[0];
+    const auto rationalised = [&](Expr l, Expr r) {
+      return cancel(eq(l, r), {a.cos_positive}, rules + Theorems{circle}, divisors);
+    };
+    rules = rules + Theorems{rationalised(root * sin(q), alpha * cos(q)),
+                             rationalised(root * cos(q), (2 + alpha) * sin(q))};
+  }
+  Theorem equal(Expr l, Expr r, const Theorems& more, const Exprs& bases,
+                const Theorems& factors) const {
+    Exprs terms{l, r};
+    for (const Theorem& t : more) terms.push_back(t.conclusion().arg(1));
+    return cancel(eq(l, r), factors, more + angles(terms, bases) + rules, divisors);
+  }
+};
+
+/// 0 <= x, t <= w |- t x <= w x, for the names of both products.
+Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
+               const Theorem& w_product);
+/// The terminal velocities, from what is left of a quarter turn after N_A steps of psi/2.
+void terminal_forms(Names& names, const Angle& a);
+/// alpha_k and beta_k from the sine of half of their angle.
+void ratio_forms(Names& names);
+/// A ball that is not lighter than a block has one collision with each: rational velocities.
+void heavy_ball(Names& names);
+}  // namespace derivation
