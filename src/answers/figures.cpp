@@ -2,6 +2,7 @@
 #include "answers/figures.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "answers/evaluate.hpp"
 #include "answers/motion.hpp"
@@ -46,8 +47,9 @@ Table terminal_data() {
   };
   constexpr double least = 0.01;
   std::vector<Alpha> alphas = thresholds_above(least);
-  for (int i = 1; i <= 120; ++i) {
-    alphas.emplace_back(least * i);
+  constexpr int steps = 400;  // closer where the curves are narrower
+  for (int i = 0; i <= steps; ++i) {
+    alphas.emplace_back(least * std::pow(1.2 / least, double(i) / steps));
   }
   std::sort(alphas.begin(), alphas.end(),
             [](const Alpha& a, const Alpha& b) { return nearest(a) < nearest(b); });

@@ -18,8 +18,7 @@ Theorem velocities_after(Book& book) {
   const Theorem law =
       book.show("law", "",
                 "A collision of bodies with masses M_1 and M_2 changes velocities u into v. It "
-                "keeps momentum "
-                "and energy, and something changes:",
+                "keeps momentum and energy, and something changes:",
                 define("contact", bodies, logic_and({momentum, energy, changed}), 0));
   const Theorem collision = assume(fun("contact", bodies));
   const Theorem laws = tautology(law.conclusion().arg(1), {law, collision});
@@ -42,8 +41,8 @@ Theorem velocities_after(Book& book) {
                        linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {P})};
   const Theorem velocities =
       both({book.show("v_1", "",
-                      "With momentum, two linear equations for the "
-                      "velocities after the collision:",
+                      "Together with momentum these are two linear equations, and the velocities "
+                      "after the collision are",
                       equation(v_1, after[0], rules, {total})),
             book.show("v_2", "", "and", equation(v_2, after[1], rules, {total}))});
 
@@ -98,7 +97,7 @@ void contact(Book& book) {
   const Theorem gamma = define("Gamma", {alpha}, scaled_matrix);
   restrict_domain("Gamma", {alpha}, alpha_positive);
   book.show("Gamma", "",
-            "The coefficients, with sqrt(alpha) in both velocities of the ball, are the matrix",
+            "With the ball's velocities times sqrt(alpha), the coefficients form the matrix",
             under({alpha_positive}, gamma));
   const Theorems rules = Theorems{root} + entries(gamma);
   book.show("collision", "", "so that a collision is a linear map:",

@@ -36,14 +36,13 @@ Sequence sequence(Book& book, const Collision& collide) {
     restrict_domain(name, {alpha, V, j}, logic_and({alpha_positive, le(0, j)}));
   restrict_domain("turn", {j}, le(0, j));
   book.show("turn", "",
-            "Collisions are counted from 0, those with A and with B by turns. Whose turn "
-            "it is, 1 for A and -1 for B:",
+            "Collisions are counted from 0 and alternate between A and B. Whose turn it is, 1 for "
+            "A and -1 for B:",
             both(whose_turn));
   book.show("start", "", "At the start A moves with V; B and C are at rest:",
             under({alpha_positive}, both({motion[0], motion[1], motion[2]})));
   book.show("next", "",
-            "Collision j changes the two bodies that take part, by the law of one "
-            "collision:",
+            "Collision j changes the two bodies that take part, by the law of one collision:",
             under({alpha_positive}, both({motion[3], motion[4], motion[5]})));
 
   const Expr even = eq(turn(2 * n), 1);

@@ -44,10 +44,12 @@ void conditions(Book& book, const Given& g, const Condition& which) {
   c.equations = {{1, g.form}, {-(2 + alpha), assume(fast)}};
   const Theorem cosine = arithmetic(turned_back, c);
   const Theorem velocity = equation(fast, {g.b_is, assume(turned_back)}, {g.p1, g.p2});
-  book.show(which.name + "_cosine", which.cosine_label,
-            which.name == "magic" ? "B takes everything if and only if a cosine is -1,"
-                                  : "B has what it has at a deficient ratio if and only if",
-            equal_sides(fast, turned_back, cosine, velocity));
+  book.show(
+      which.name + "_cosine", which.cosine_label,
+      which.name == "magic"
+          ? "B takes everything if and only if a cosine is -1,"
+          : "B has 2V/(2 + alpha) if and only if another cosine is the negative of cos(psi/2),",
+      equal_sides(fast, turned_back, cosine, velocity));
 
   // cos(angle) = cos(target) from 0 to pi; beyond pi the angle is 2 pi - target.
   const Expr y = angle(), t = which.target;
@@ -74,7 +76,7 @@ void conditions(Book& book, const Given& g, const Condition& which) {
   const Theorem counted =
       equation(count, {linear(eq(psi() * N_B(), t - psi() / 2), {is_target})}, {g.psi_positive});
   const Theorem at_target = equation(y, t, {assume(count)}, {g.psi_positive});
-  book.show(which.name + "_count", which.count_label, "which means that N_B is exactly",
+  book.show(which.name + "_count", which.count_label, "which means that nothing is rounded in N_B,",
             equal_sides(turned_back, count, counted,
                         restate(turned_back, rewrite(turned(at_target), target_is))));
 

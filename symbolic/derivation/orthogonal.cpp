@@ -168,7 +168,7 @@ void in_space(Book& book, const Theorem& is) {
   book.show("P_3", "", "The reflection of the third axis:", mirror);
   const Expr mirrored = times(o, P_3);
   book.show("space_reflection", "",
-            "It changes the sign of a determinant, and twice it changes nothing:",
+            "It changes the sign of a determinant, and applied twice it changes nothing:",
             both({equation(det(mirrored), -d, entries(mirror)),
                   matrix_equation(o, times(mirrored, P_3), entries(mirror))}));
   const Expr third = column({names[2], names[5], names[8]});
