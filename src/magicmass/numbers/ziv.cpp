@@ -24,8 +24,11 @@
 #include "magicmass/evaluators/magic.hpp"
 #include "magicmass/evaluators/terminal.hpp"
 #include "magicmass/evaluators/velocities.hpp"
-#include "magicmass/numbers/big.hpp"
 #include "magicmass/numbers/errors.hpp"
+#include "magicmass/numbers/mpfr_float.hpp"
+#if defined(__SIZEOF_INT128__)
+#include "magicmass/numbers/three_words.hpp"
+#endif
 
 namespace magicmass::numbers {
 namespace {
@@ -33,8 +36,11 @@ using generated::Ziv;
 
 /// Numbers of 190 bits first: three words, enough for counts of 62 bits, a double and 40 more.
 /// The last is enough for the smallest alpha: its square has 2^-2148.
-constexpr long first_bits = 190 - Big::spare;
+constexpr long first_bits = 190 - MpfrFloat::spare;
 constexpr long last_bits = 8192;
+
+/// Where series of a few terms are enough.
+constexpr double three_words_below = 0x1p-30;
 
 /// MPFR keeps pi, for each thread.
 struct Cache {
@@ -45,8 +51,8 @@ struct Cache {
 template <class F>
 void until_certain(const char* what, double x, bool is_exact, F attempt) {
   static thread_local const Cache freed_with_thread;
-  Big::is_exact = is_exact;
-  for (Big::bits = first_bits; Big::bits <= last_bits; Big::bits *= 2) {
+  MpfrFloat::is_exact = is_exact;
+  for (MpfrFloat::bits = first_bits; MpfrFloat::bits <= last_bits; MpfrFloat::bits *= 2) {
     if (attempt() == 0.0) return;
   }
   throw Undecided(std::string(what) + " at " + std::to_string(x) + ": still open at " +
@@ -60,18 +66,21 @@ double run(Case& k) {
   k.stage_3();
   return k.doubt;
 }
+/// The doubt that F leaves.
+template <class Q, class F>
+double attempt(const typename Q::Inputs& in, typename Q::Outputs& out) {
+  return Q::template visit<true>(in, [&]<template <class, class> class Case>() {
+    Case<Ziv, F> k(in);
+    const double doubt = run(k);
+    out = k.outputs();
+    return doubt;
+  });
+}
 template <class Q>
 typename Q::Outputs settled(const char* what, double x, bool is_exact,
                             const typename Q::Inputs& in) {
   typename Q::Outputs out{};
-  until_certain(what, x, is_exact, [&] {
-    return Q::template visit<true>(in, [&]<template <class, class> class Case>() {
-      Case<Ziv, Big> k(in);
-      const double doubt = run(k);
-      out = k.outputs();
-      return doubt;
-    });
-  });
+  until_certain(what, x, is_exact, [&] { return attempt<Q, MpfrFloat>(in, out); });
   return out;
 }
 /// Whether 1 + alpha is a power of 2, alpha >= 1.
@@ -81,14 +90,14 @@ bool has_dyadic_velocities(double alpha) {
 }
 /// The emitted bound is relative, and so is what the quotient and the difference add to it.
 template <class Case>
-double distance(double alpha, std::int64_t k, Big Case::*threshold) {
+double distance(double alpha, std::int64_t k, MpfrFloat Case::*threshold) {
   double result = 0.0;
   until_certain("the distance to a threshold", alpha, false, [&] {
     Case ratio({k});
     run(ratio);
-    const Big share = quotient(Big(alpha), ratio.*threshold);
+    const MpfrFloat share = quotient(MpfrFloat(alpha), ratio.*threshold);
     const auto tested =
-        rounding_test(share - Big(1.0), Big::magnitude_of(share) * (Case::E[0] + 1.0));
+        rounding_test(share - MpfrFloat(1.0), MpfrFloat::magnitude_of(share) * (Case::E[0] + 1.0));
     result = tested.value;
     return tested.doubt;
   });
@@ -102,8 +111,15 @@ Velocities velocities_by_mpfr(double alpha, std::int64_t n) {
   return {v.a, v.b, v.c, v.c_prime};
 }
 Terminal terminal_by_mpfr(double alpha) {
-  const auto v =
-      settled<generated::Terminal>("terminal", alpha, has_dyadic_velocities(alpha), {alpha});
+  generated::TerminalOutputs v{};
+#if defined(__SIZEOF_INT128__)
+  const bool is_settled =
+      alpha < three_words_below && attempt<generated::Terminal, ThreeWords>({alpha}, v) == 0.0;
+#else
+  const bool is_settled = false;
+#endif
+  if (!is_settled)
+    v = settled<generated::Terminal>("terminal", alpha, has_dyadic_velocities(alpha), {alpha});
   return {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
 }
 double angle_by_mpfr(double alpha) {
@@ -111,7 +127,7 @@ double angle_by_mpfr(double alpha) {
   // has its relative bound everywhere.
   double psi = 0.0;
   until_certain("angle", alpha, false, [&] {
-    generated::AngleSmall<Ziv, Big> k({alpha});
+    generated::AngleSmall<Ziv, MpfrFloat> k({alpha});
     const double doubt = run(k);
     psi = k.psi;
     return doubt;
@@ -125,8 +141,8 @@ double deficient_by_mpfr(std::int64_t k) {
   return settled<generated::Deficient>("deficient", double(k), false, {k}).beta_;
 }
 double distance_by_mpfr(double alpha, bool is_magic, std::int64_t k) {
-  using MagicCase = generated::MagicGeneral<Ziv, Big>;
-  using DeficientCase = generated::DeficientGeneral<Ziv, Big>;
+  using MagicCase = generated::MagicGeneral<Ziv, MpfrFloat>;
+  using DeficientCase = generated::DeficientGeneral<Ziv, MpfrFloat>;
   return is_magic ? distance<MagicCase>(alpha, k, &MagicCase::of_alpha_)
                   : distance<DeficientCase>(alpha, k, &DeficientCase::of_beta_);
 }
