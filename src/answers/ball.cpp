@@ -29,9 +29,7 @@ int exponent_of(const cl_RA& q) {
   return scaled(q, -e) < 1 ? e - 1 : e;
 }
 double nearest(const cl_RA& q) {
-  if (q == 0) {
-    return 0;
-  }
+  if (q == 0) return 0;
   const cl_RA size = cln::abs(q);
   const int e = std::max(exponent_of(size), -1022) - 52;
   const cl_I whole = rounded(scaled(size, -e));  // at most 2^53
@@ -51,9 +49,7 @@ int Ball::bits_ = 128;
 void Ball::set_bits(int bits) { bits_ = bits; }
 
 Ball::Ball(const cl_RA& q) : middle(cln::floor1(scaled(q, bits_))), radius(1) {
-  if (scaled(q, bits_) == middle) {
-    radius = 0;
-  }
+  if (scaled(q, bits_) == middle) radius = 0;
 }
 Ball operator+(const Ball& a, const Ball& b) { return {a.middle + b.middle, a.radius + b.radius}; }
 Ball operator-(const Ball& a, const Ball& b) { return {a.middle - b.middle, a.radius + b.radius}; }
@@ -65,9 +61,7 @@ Ball operator*(const Ball& a, const Ball& b) {
 }
 Ball operator/(const Ball& a, const Ball& b) {
   const cl_I least = cln::abs(b.middle) - b.radius;
-  if (least <= 0) {
-    throw Undecided("a divisor is not certainly different from 0");
-  }
+  if (least <= 0) throw Undecided("a divisor is not certainly different from 0");
   // |a/b - m_a/m_b| <= (r_a |m_b| + r_b |m_a|)/(|m_b| least)
   const cl_I quotient = cln::floor1(cln::ash(a.middle, Ball::bits_), b.middle);
   const cl_I error =
@@ -91,26 +85,20 @@ Ball Ball::alternating(Ball term, const Ball& square, int first) {
 Ball cos(const Ball& x) { return Ball::alternating(1, x * x, 0); }
 Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
 Ball sqrt(const Ball& x) {
-  if (x.middle < x.radius) {
-    throw Undecided("a root of what may be negative");
-  }
+  if (x.middle < x.radius) throw Undecided("a root of what may be negative");
   cl_I root;
   cln::isqrt(cln::ash(x.middle, Ball::bits_), &root);
   // |sqrt(x) - sqrt(m)| <= r/sqrt(m), and <= sqrt(r)
   cl_I error;
   cln::isqrt(cln::ash(x.radius, Ball::bits_), &error);
-  if (root > 0) {
-    error = cln::min(error, cln::floor1(cln::ash(x.radius, Ball::bits_), root));
-  }
+  if (root > 0) error = cln::min(error, cln::floor1(cln::ash(x.radius, Ball::bits_), root));
   return {root, error + 2};
 }
 Ball atan(const Ball& x) {
   // atan(x) = 2 atan(x/(1 + sqrt(1 + x^2))), so that the series is short.
   constexpr int halvings = 6;
   Ball t = x;
-  for (int k = 0; k < halvings; ++k) {
-    t = t / (Ball(1) + sqrt(Ball(1) + t * t));
-  }
+  for (int k = 0; k < halvings; ++k) t = t / (Ball(1) + sqrt(Ball(1) + t * t));
   const Ball square = t * t;
   Ball power = t;
   Ball sum = t;
@@ -126,56 +114,41 @@ Ball Ball::pi() {  // Machin
 }
 cl_I ceil(const Ball& x) {
   const cl_I low = cln::ceiling1(x.low());
-  if (low != cln::ceiling1(x.high())) {
-    throw Undecided("a whole number is too close");
-  }
+  if (low != cln::ceiling1(x.high())) throw Undecided("a whole number is too close");
   return low;
 }
 
 std::optional<double> nearest_double(const cl_RA& low, const cl_RA& high) {
   const double value = nearest(low);
-  if (value != nearest(high) || std::isinf(value)) {
-    return {};
-  }
+  if (value != nearest(high) || std::isinf(value)) return {};
   return value;
 }
 std::optional<std::string> decimal(const cl_RA& low, const cl_RA& high, int digits) {
-  if (low == 0 && high == 0) {
-    return "0";
-  }
-  if (low <= 0 && high >= 0) {
-    return {};
-  }
+  if (low == 0 && high == 0) return "0";
+  if (low <= 0 && high >= 0) return {};
   const bool minus = high < 0;
   const cl_RA small = minus ? -high : low;
   const cl_RA large = minus ? -low : high;
   // The place of the first digit: 10^p <= small < 10^(p+1).
   int p = static_cast<int>(std::floor(exponent_of(small) * 0.30103));
   const auto power = [](int e) { return cln::expt(cl_RA(10), e); };
-  while (power(p + 1) <= small) {
-    ++p;
-  }
-  while (power(p) > small) {
-    --p;
-  }
+  while (power(p + 1) <= small) ++p;
+  while (power(p) > small) --p;
   const cl_RA scale = power(digits - 1 - p);
   cl_I whole = rounded(small * scale);
-  if (whole != rounded(large * scale)) {
-    return {};
-  }
+  if (whole != rounded(large * scale)) return {};
   std::string text = digits_of(whole);
   if (static_cast<int>(text.size()) > digits) {  // 9.99... became 10.0
     text.pop_back();
     ++p;
   }
   std::string out = minus ? "-" : "";
-  if (p >= 0 && p < digits - 1) {
+  if (p >= 0 && p < digits - 1)
     out += text.substr(0, std::size_t(p) + 1) + "." + text.substr(std::size_t(p) + 1);
-  } else if (p < 0 && p >= -6) {
+  else if (p < 0 && p >= -6)
     out += "0." + std::string(std::size_t(-p - 1), '0') + text;
-  } else {
+  else
     out += text.substr(0, 1) + (digits > 1 ? "." + text.substr(1) : "") + "e" + std::to_string(p);
-  }
   return out;
 }
 

@@ -24,18 +24,12 @@ Content content_of(const Theorem& theorem) { return {theorem.hypotheses(), theor
 /// All theorems that a step was made from, those in its certificate too.
 kernel::Theorems premises_of(const kernel::Step& step) {
   kernel::Theorems all = step.premises;
-  if (!step.certificate) {
-    return all;
-  }
-  for (const auto& [cofactor, equation] : step.certificate->equations) {
-    all.push_back(equation);
-  }
-  for (const auto& product : step.certificate->products) {
+  if (!step.certificate) return all;
+  for (const auto& [cofactor, equation] : step.certificate->equations) all.push_back(equation);
+  for (const auto& product : step.certificate->products)
     all.insert(all.end(), product.factors.begin(), product.factors.end());
-  }
-  for (const auto* more : {&step.certificate->multipliers, &step.certificate->nonzero}) {
+  for (const auto* more : {&step.certificate->multipliers, &step.certificate->nonzero})
     all.insert(all.end(), more->begin(), more->end());
-  }
   return all;
 }
 
@@ -43,11 +37,8 @@ kernel::Theorems premises_of(const kernel::Step& step) {
 class Index {
 public:
   explicit Index(const derivation::Book& the_book) : book(the_book) {
-    for (const Chapter& chapter : book.chapters()) {
-      for (const Statement& s : chapter.statements) {
-        ids.emplace(s.theorem.conclusion(), s.id);
-      }
-    }
+    for (const Chapter& chapter : book.chapters())
+      for (const Statement& s : chapter.statements) ids.emplace(s.theorem.conclusion(), s.id);
   }
   std::vector<std::string> premises(const Statement& s) const {
     std::set<std::string> found;
@@ -57,25 +48,18 @@ public:
       const Theorem t = open.back();
       open.pop_back();
       const Content content = content_of(t);
-      if (!seen.insert(content).second) {
-        continue;
-      }
+      if (!seen.insert(content).second) continue;
       const auto shown = ids.find(t.conclusion());
       if (shown != ids.end() && shown->second != s.id) {
         found.insert(shown->second);
         continue;
       }
-      for (const Theorem& p : premises_of(t.step())) {
-        open.push_back(p);
-      }
+      for (const Theorem& p : premises_of(t.step())) open.push_back(p);
     }
     std::vector<std::string> in_order;
     for (const Chapter& chapter : book.chapters()) {
-      for (const Statement& other : chapter.statements) {
-        if (found.count(other.id) != 0) {
-          in_order.push_back(other.id);
-        }
-      }
+      for (const Statement& other : chapter.statements)
+        if (found.count(other.id) != 0) in_order.push_back(other.id);
     }
     return in_order;
   }
@@ -91,44 +75,27 @@ std::set<std::string> asked_for(const Request& request, const Index& index) {
   const auto add = [&](const std::string& word) {
     const std::size_t before = wanted.size();
     for (const Chapter& chapter : index.book.chapters()) {
-      for (const Statement& s : chapter.statements) {
-        if (s.id == word || chapter.name == word) {
-          wanted.insert(s.id);
-        }
-      }
+      for (const Statement& s : chapter.statements)
+        if (s.id == word || chapter.name == word) wanted.insert(s.id);
     }
     if (wanted.size() == before) {
       std::vector<std::string> names;
-      for (const Chapter& chapter : index.book.chapters()) {
-        names.push_back(chapter.name);
-      }
+      for (const Chapter& chapter : index.book.chapters()) names.push_back(chapter.name);
       throw InvalidInput("derive: no chapter or step " + shown_text(word) +
                          "; chapters: " + joined(names) + "; steps: derive --list");
     }
   };
-  for (const std::string& word : request.words) {
-    add(word);
-  }
-  if (request.has("from")) {
-    add(request.text("from"));
-  }
-  if (wanted.empty()) {
-    for (const Chapter& chapter : index.book.chapters()) {
-      add(chapter.name);
-    }
-  }
-  if (!request.has("from")) {
-    return wanted;
-  }
+  for (const std::string& word : request.words) add(word);
+  if (request.has("from")) add(request.text("from"));
+  if (wanted.empty())
+    for (const Chapter& chapter : index.book.chapters()) add(chapter.name);
+  if (!request.has("from")) return wanted;
   // What they rest on, from the last statement to the first.
   const auto& chapters = index.book.chapters();
   for (auto chapter = chapters.rbegin(); chapter != chapters.rend(); ++chapter) {
     for (auto s = chapter->statements.rbegin(); s != chapter->statements.rend(); ++s) {
-      if (wanted.count(s->id) != 0) {
-        for (const std::string& id : index.premises(*s)) {
-          wanted.insert(id);
-        }
-      }
+      if (wanted.count(s->id) != 0)
+        for (const std::string& id : index.premises(*s)) wanted.insert(id);
     }
   }
   return wanted;
@@ -136,11 +103,8 @@ std::set<std::string> asked_for(const Request& request, const Index& index) {
 
 kernel::Exprs beyond(const kernel::Exprs& hypotheses, const kernel::Exprs& assumptions) {
   kernel::Exprs out;
-  for (const kernel::Expr& h : hypotheses) {
-    if (std::find(assumptions.begin(), assumptions.end(), h) == assumptions.end()) {
-      out.push_back(h);
-    }
-  }
+  for (const kernel::Expr& h : hypotheses)
+    if (std::find(assumptions.begin(), assumptions.end(), h) == assumptions.end()) out.push_back(h);
   return out;
 }
 
@@ -155,9 +119,7 @@ std::vector<render::Section> sections(const std::set<std::string>& wanted, const
                                  s.theorem.step().rule, index.premises(s)});
       }
     }
-    if (!section.steps.empty()) {
-      out.push_back(section);
-    }
+    if (!section.steps.empty()) out.push_back(section);
   }
   return out;
 }
@@ -177,23 +139,16 @@ std::vector<Column> derive_columns() {
 Answer derive(const Request& request) {
   const Index index(derivation::the_book());
   const std::set<std::string> wanted = asked_for(request, index);
-  if (request.format == "markdown") {
-    return {{}, render::markdown_page(sections(wanted, index))};
-  }
-  if (request.format == "text" && !request.has("list")) {
+  if (request.format == "markdown") return {{}, render::markdown_page(sections(wanted, index))};
+  if (request.format == "text" && !request.has("list"))
     return {{}, render::text_page(sections(wanted, index))};
-  }
   Table table{derive_columns(), {}};
   std::string list;
   for (const Chapter& chapter : index.book.chapters()) {
     for (const Statement& s : chapter.statements) {
-      if (wanted.count(s.id) == 0) {
-        continue;
-      }
+      if (wanted.count(s.id) == 0) continue;
       std::vector<std::string> hypotheses;
-      for (const kernel::Expr& h : s.theorem.hypotheses()) {
-        hypotheses.push_back(kernel::text(h));
-      }
+      for (const kernel::Expr& h : s.theorem.hypotheses()) hypotheses.push_back(kernel::text(h));
       const std::string formula = kernel::text(s.theorem.conclusion());
       list += s.id + (s.label.empty() ? "" : " (" + s.label + ")") + "\n    " + formula + "\n";
       table.rows.push_back({text_cell(s.id), text_cell(formula), list_cell(hypotheses),
@@ -230,12 +185,8 @@ Answer verify(const Request&) {
   while (!open.empty()) {
     const Theorem t = open.back();
     open.pop_back();
-    if (!steps.insert(content_of(t)).second) {
-      continue;
-    }
-    for (const Theorem& p : premises_of(t.step())) {
-      open.push_back(p);
-    }
+    if (!steps.insert(content_of(t)).second) continue;
+    for (const Theorem& p : premises_of(t.step())) open.push_back(p);
   }
   const auto step_count = static_cast<std::int64_t>(steps.size());
   return {{verify_columns(), {{whole_cell(shown), whole_cell(0), whole_cell(step_count)}}, false},

@@ -32,9 +32,7 @@ const std::map<std::string, Definition>& definitions() {
 
 Ball power(const Ball& base, int exponent) {
   Ball result = base;
-  for (int k = 1; k < exponent; ++k) {
-    result = result * base;
-  }
+  for (int k = 1; k < exponent; ++k) result = result * base;
   return result;
 }
 
@@ -43,9 +41,7 @@ public:
   explicit Evaluation(Values known) : values(std::move(known)) {}
 
   Ball operator()(Expr e) {
-    if (const auto it = values.find(e); it != values.end()) {
-      return it->second;
-    }
+    if (const auto it = values.find(e); it != values.end()) return it->second;
     const Ball value = compute(e);
     values.emplace(e, value);
     return value;
@@ -60,16 +56,12 @@ private:
         return Ball(e.value());
       case Op::Add: {
         Ball sum = (*this)(e.arg(0));
-        for (std::size_t i = 1; i < e.size(); ++i) {
-          sum = sum + (*this)(e.arg(i));
-        }
+        for (std::size_t i = 1; i < e.size(); ++i) sum = sum + (*this)(e.arg(i));
         return sum;
       }
       case Op::Mul: {
         Ball product = (*this)(e.arg(0));
-        for (std::size_t i = 1; i < e.size(); ++i) {
-          product = product * (*this)(e.arg(i));
-        }
+        for (std::size_t i = 1; i < e.size(); ++i) product = product * (*this)(e.arg(i));
         return product;
       }
       case Op::Pow:
@@ -82,15 +74,12 @@ private:
   }
   Ball function(Expr e) {
     const std::string name = e.name();
-    if (name == "pi") {
-      return Ball::pi();
-    }
+    if (name == "pi") return Ball::pi();
     const auto known = definitions().find(name);
     if (known != definitions().end()) {
       kernel::Substitution arguments;
-      for (std::size_t i = 0; i < e.size(); ++i) {
+      for (std::size_t i = 0; i < e.size(); ++i)
         arguments.emplace(known->second.params[i], e.arg(i));
-      }
       return (*this)(kernel::substitute(known->second.term, arguments));
     }
     const std::map<std::string, std::function<Ball(const Ball&)>> functions{
@@ -102,9 +91,7 @@ private:
         {"ceil", [](const Ball& x) { return Ball(cln::cl_RA(ceil(x))); }},
     };
     const auto function = functions.find(name);
-    if (function == functions.end()) {
-      throw std::logic_error("the book does not define " + name);
-    }
+    if (function == functions.end()) throw std::logic_error("the book does not define " + name);
     return function->second((*this)(e.arg(0)));
   }
 };
@@ -122,9 +109,7 @@ void with_bits(int digits, const std::function<bool()>& is_certain, const std::s
   for (int bits = least; bits <= most; bits *= 2) {
     Ball::set_bits(bits);
     try {
-      if (is_certain()) {
-        return;
-      }
+      if (is_certain()) return;
     } catch (const Undecided&) {
     }
   }

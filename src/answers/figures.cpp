@@ -26,9 +26,7 @@ std::vector<Alpha> thresholds_above(double least) {
   std::vector<Alpha> all;
   for (int k = 1;; ++k) {
     for (const Alpha& alpha : {Alpha(Magic{k}), Alpha(Deficient{k})}) {
-      if (nearest(alpha) < least) {
-        return all;
-      }
+      if (nearest(alpha) < least) return all;
       all.push_back(alpha);
     }
   }
@@ -48,14 +46,11 @@ Table terminal_data() {
   constexpr double least = 0.01;
   std::vector<Alpha> alphas = thresholds_above(least);
   constexpr int steps = 400;  // closer where the curves are narrower
-  for (int i = 0; i <= steps; ++i) {
+  for (int i = 0; i <= steps; ++i)
     alphas.emplace_back(least * std::pow(1.2 / least, double(i) / steps));
-  }
   std::sort(alphas.begin(), alphas.end(),
             [](const Alpha& a, const Alpha& b) { return nearest(a) < nearest(b); });
-  for (const Alpha& alpha : alphas) {
-    add(alpha);
-  }
+  for (const Alpha& alpha : alphas) add(alpha);
   return table;
 }
 
@@ -70,9 +65,7 @@ Table counts_data() {
   std::vector<Alpha> thresholds = thresholds_above(0.01);
   std::reverse(thresholds.begin(), thresholds.end());
   add(Alpha(0.01));
-  for (const Alpha& alpha : thresholds) {
-    add(alpha);
-  }
+  for (const Alpha& alpha : thresholds) add(alpha);
   add(Alpha(2.0));
   return table;
 }

@@ -23,9 +23,7 @@ const auto k_name = [] { return kernel::integer("k"); };
 
 /// Whether alpha >= 1: alpha_1 = 1 is the largest threshold (ratios.alpha_1, ratios.order).
 bool is_heavy(const Alpha& alpha) {
-  if (const auto* value = std::get_if<double>(&alpha)) {
-    return *value >= 1;
-  }
+  if (const auto* value = std::get_if<double>(&alpha)) return *value >= 1;
   const auto* rational = std::get_if<cl_RA>(&alpha);
   return rational != nullptr && *rational >= 1;
 }
@@ -40,12 +38,10 @@ const char* const beyond =
 }  // namespace
 
 Ball ball_of(const Alpha& alpha) {
-  if (const auto* magic = std::get_if<Magic>(&alpha)) {
+  if (const auto* magic = std::get_if<Magic>(&alpha))
     return evaluate(right_side("ratios.alpha_k"), {{k_name(), Ball(cl_RA(magic->k))}});
-  }
-  if (const auto* deficient = std::get_if<Deficient>(&alpha)) {
+  if (const auto* deficient = std::get_if<Deficient>(&alpha))
     return evaluate(right_side("ratios.beta_k"), {{k_name(), Ball(cl_RA(deficient->k))}});
-  }
   const auto* rational = std::get_if<cl_RA>(&alpha);
   return Ball(rational != nullptr ? *rational : exact(std::get<double>(alpha)));
 }
@@ -66,19 +62,13 @@ cl_RA exact(double value) {
 }
 
 LargeCounts count_collisions(const Alpha& alpha) {
-  if (const auto* magic = std::get_if<Magic>(&alpha)) {
-    return {magic->k, magic->k};  // magic.counts
-  }
-  if (const auto* deficient = std::get_if<Deficient>(&alpha)) {
+  if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};  // magic.counts
+  if (const auto* deficient = std::get_if<Deficient>(&alpha))
     return {deficient->k + 1, deficient->k};  // deficient.counts
-  }
-  if (is_heavy(alpha)) {
-    return {1, 1};  // heavy.N_A, heavy.N_B
-  }
+  if (is_heavy(alpha)) return {1, 1};         // heavy.N_A, heavy.N_B
   if (const auto* value = std::get_if<double>(&alpha)) {
-    if (const auto small = magicmass::count_collisions(*value)) {
+    if (const auto small = magicmass::count_collisions(*value))
       return {static_cast<long long>(small->N_A), static_cast<long long>(small->N_B)};
-    }
   }
   LargeCounts counts;
   with_bits(
@@ -121,9 +111,7 @@ std::array<double, 4> nearest_doubles(const Velocities& values,
         const Four balls = values();
         for (std::size_t i = 0; i < 4; ++i) {
           const auto value = is_zero[i] ? 0 : nearest_double(balls[i].low(), balls[i].high());
-          if (!value) {
-            return false;
-          }
+          if (!value) return false;
           result[i] = *value;
         }
         return true;
@@ -140,9 +128,7 @@ std::array<std::string, 4> decimals(const Velocities& values, const std::array<b
         const Four balls = values();
         for (std::size_t i = 0; i < 4; ++i) {
           const auto text = is_zero[i] ? "0" : decimal(balls[i].low(), balls[i].high(), digits);
-          if (!text) {
-            return false;
-          }
+          if (!text) return false;
           result[i] = *text;
         }
         return true;
@@ -151,9 +137,7 @@ std::array<std::string, 4> decimals(const Velocities& values, const std::array<b
   return result;
 }
 std::array<bool, 4> zeros(const Alpha& alpha, const cl_I& n) {
-  if (n == 0) {
-    return {false, true, true, true};  // cycle.start_vector, cycle.c_start
-  }
+  if (n == 0) return {false, true, true, true};  // cycle.start_vector, cycle.c_start
   const auto* magic = std::get_if<Magic>(&alpha);
   const bool everything = magic != nullptr && magic->k == n;  // magic.velocities
   const auto* value = std::get_if<double>(&alpha);

@@ -16,9 +16,7 @@ std::string Request::text(const std::string& option) const {
 
 std::optional<std::int64_t> Request::whole(const std::string& option, std::int64_t least,
                                            std::int64_t most) const {
-  if (!has(option)) {
-    return std::nullopt;
-  }
+  if (!has(option)) return std::nullopt;
   const std::string digits = text(option);
   std::int64_t value = 0;
   const char* const end = digits.data() + digits.size();

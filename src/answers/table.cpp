@@ -21,23 +21,18 @@ std::string json_string(std::string_view text) {
   std::string quoted = "\"";
   for (const char character : text) {
     const auto byte = static_cast<unsigned char>(character);
-    if (byte < 0x20) {
+    if (byte < 0x20)
       quoted += std::string("\\u00") + hex[byte / 16U] + hex[byte % 16U];
-    } else {
+    else
       quoted.append(byte == '"' || byte == '\\' ? "\\" : "").append(1, character);
-    }
   }
   return quoted + "\"";
 }
 
 std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) {
-    return text;
-  }
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
-  for (const char character : text) {
-    quoted.append(character == '"' ? 2 : 1, character);
-  }
+  for (const char character : text) quoted.append(character == '"' ? 2 : 1, character);
   return quoted + "\"";
 }
 
@@ -56,17 +51,14 @@ std::string padded(const std::string& text, std::size_t to) {
 
 std::string line_of(const std::vector<std::string>& texts, const std::vector<std::size_t>& widths) {
   std::string line;
-  for (std::size_t i = 0; i < texts.size(); ++i) {
+  for (std::size_t i = 0; i < texts.size(); ++i)
     line += padded(texts[i], widths[i] + between_columns);
-  }
   return line.erase(line.find_last_not_of(' ') + 1) + "\n";
 }
 
 std::vector<std::string> names_of(const std::vector<Column>& columns) {
   std::vector<std::string> names;
-  for (const Column& column : columns) {
-    names.push_back(column.name);
-  }
+  for (const Column& column : columns) names.push_back(column.name);
   return names;
 }
 
@@ -76,9 +68,7 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns, std::span
   std::size_t all = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     std::size_t widest = width(columns[i].name);
-    for (const Row& row : rows) {
-      widest = std::max(widest, width(shown(row.at(i))));
-    }
+    for (const Row& row : rows) widest = std::max(widest, width(shown(row.at(i))));
     widths.push_back(widest);
     all += widest + between_columns;
   }
@@ -87,13 +77,10 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns, std::span
 
 std::string block_of(const std::vector<Column>& columns, const Row& row) {
   std::size_t widest = 0;
-  for (const Column& column : columns) {
-    widest = std::max(widest, width(column.name));
-  }
+  for (const Column& column : columns) widest = std::max(widest, width(column.name));
   std::string text;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
+  for (std::size_t i = 0; i < columns.size(); ++i)
     text += padded(columns[i].name, widest + between_columns) + shown(row.at(i)) + "\n";
-  }
   return text;
 }
 
@@ -102,9 +89,7 @@ std::string block_of(const std::vector<Column>& columns, const Row& row) {
 Cell text_cell(std::string_view text) { return {std::string(text), json_string(text)}; }
 
 Cell real_cell(double value) {
-  if (!std::isfinite(value)) {
-    return missing_cell();
-  }
+  if (!std::isfinite(value)) return missing_cell();
   std::array<char, 32> digits{};
   const double unsigned_zero = value == 0 ? 0.0 : value;
   char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), unsigned_zero).ptr;
@@ -119,9 +104,7 @@ Cell missing_cell() { return {"", "null"}; }
 
 Cell list_cell(const std::vector<std::string>& texts) {
   std::vector<std::string> quoted;
-  for (const std::string& text : texts) {
-    quoted.push_back(json_string(text));
-  }
+  for (const std::string& text : texts) quoted.push_back(json_string(text));
   return {joined(texts, "; "), "[" + joined(quoted) + "]"};
 }
 
@@ -129,16 +112,13 @@ Writer::Writer(Format format, std::vector<Column> columns, bool is_list)
     : format_(format), columns_(std::move(columns)), is_list_(is_list) {}
 
 std::string Writer::rows(std::span<const Row> block) {
-  if (format_ == Format::text) {
-    return text_rows(block);
-  }
+  if (format_ == Format::text) return text_rows(block);
   const std::vector<std::string> names = names_of(columns_);
   std::string text;
-  if (is_first_ && format_ == Format::csv) {
+  if (is_first_ && format_ == Format::csv)
     text = joined(names, ",") + "\n";
-  } else if (is_first_ && is_list_) {
+  else if (is_first_ && is_list_)
     text = "[";
-  }
   for (const Row& row : block) {
     std::vector<std::string> fields;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -168,9 +148,7 @@ std::string Writer::text_rows(std::span<const Row> block) {
       text += (is_first_ ? "" : "\n") + block_of(columns_, row);
     } else {
       std::vector<std::string> texts;
-      for (std::size_t i = 0; i < columns_.size(); ++i) {
-        texts.push_back(shown(row.at(i)));
-      }
+      for (std::size_t i = 0; i < columns_.size(); ++i) texts.push_back(shown(row.at(i)));
       text += line_of(texts, widths_);
     }
     is_first_ = false;
@@ -179,12 +157,8 @@ std::string Writer::text_rows(std::span<const Row> block) {
 }
 
 std::string Writer::end() const {
-  if (format_ != Format::json) {
-    return "";
-  }
-  if (!is_list_) {
-    return "\n";
-  }
+  if (format_ != Format::json) return "";
+  if (!is_list_) return "\n";
   return is_first_ ? "]\n" : "\n]\n";
 }
 

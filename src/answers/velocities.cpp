@@ -23,9 +23,7 @@ using notation::Alpha;
 constexpr std::int64_t most_digits = 10000;
 
 Cell alpha_cell(const Alpha& alpha) {
-  if (const auto* value = std::get_if<double>(&alpha)) {
-    return real_cell(*value);
-  }
+  if (const auto* value = std::get_if<double>(&alpha)) return real_cell(*value);
   return exact_cell(notation::text(alpha));
 }
 std::string digits_of(const cln::cl_I& n) { return kernel::digits(n); }
@@ -41,13 +39,10 @@ std::optional<std::int64_t> digits_wanted(const Request& request) {
 
 /// The tier that is asked for; "exact" where digits are.
 std::string tier_of(const Request& request) {
-  if (!request.has("tier")) {
-    return request.has("digits") ? "exact" : "accurate";
-  }
+  if (!request.has("tier")) return request.has("digits") ? "exact" : "accurate";
   const std::string tier = request.text("tier");
-  if (request.has("digits") && tier != "exact") {
+  if (request.has("digits") && tier != "exact")
     throw InvalidInput("--digits belongs to --tier exact, not to --tier " + tier);
-  }
   return tier;
 }
 
@@ -73,9 +68,7 @@ cln::cl_RA fraction_of(const Alpha& alpha, const cln::cl_I& cycles) {
 }
 std::array<Cell, 4> exact_cells(const std::array<cln::cl_RA, 4>& values) {
   std::array<Cell, 4> out;
-  for (std::size_t i = 0; i < 4; ++i) {
-    out[i] = exact_cell(kernel::digits(values[i]));
-  }
+  for (std::size_t i = 0; i < 4; ++i) out[i] = exact_cell(kernel::digits(values[i]));
   return out;
 }
 bool wants_fractions(const Request& request) {
@@ -92,9 +85,7 @@ std::array<Cell, 4> real_cells(const std::array<double, 4>& values) {
 /// None where the counts do not fit 64 bits.
 std::optional<magicmass::Terminal> terminal_number(const Alpha& alpha, const Request& request) {
   const double* value = as_number(alpha, request);
-  if (value == nullptr) {
-    return {};
-  }
+  if (value == nullptr) return {};
   return tier_of(request) == "fast" ? magicmass::fast::terminal(*value)
                                     : magicmass::accurate::terminal(*value);
 }
@@ -106,15 +97,11 @@ std::array<Cell, 4> cells(const Velocities& values, const std::array<bool, 4>& i
   const auto digits = digits_wanted(request);
   if (digits) {
     const auto texts = decimals(values, is_zero, static_cast<int>(*digits));
-    for (std::size_t i = 0; i < 4; ++i) {
-      out[i] = exact_cell(texts[i]);
-    }
+    for (std::size_t i = 0; i < 4; ++i) out[i] = exact_cell(texts[i]);
     return out;
   }
   const auto numbers = nearest_doubles(values, is_zero);
-  for (std::size_t i = 0; i < 4; ++i) {
-    out[i] = real_cell(numbers[i]);
-  }
+  for (std::size_t i = 0; i < 4; ++i) out[i] = real_cell(numbers[i]);
   return out;
 }
 

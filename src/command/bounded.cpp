@@ -56,9 +56,7 @@ public:
     }
   }
   void hide() {
-    if (shown_ > 0) {
-      write_to_terminal("\r\033[K");
-    }
+    if (shown_ > 0) write_to_terminal("\r\033[K");
     shown_ = 0;
     may_show_ = false;
   }
@@ -93,9 +91,7 @@ bool wait_for(int from_child, const Limits& limits, Progress& progress) {
     pollfd watched{from_child, POLLIN, 0};
     if (::poll(&watched, 1, 100) > 0) {
       std::array<char, 64> bytes{};
-      if (::read(from_child, bytes.data(), bytes.size()) == 0) {
-        return true;
-      }
+      if (::read(from_child, bytes.data(), bytes.size()) == 0) return true;
       progress.hide();
     }
     progress.show(Clock::now() - start);
@@ -104,9 +100,7 @@ bool wait_for(int from_child, const Limits& limits, Progress& progress) {
 }
 
 ExitCode verdict(const std::string& name, int status, const Limits& limits) {
-  if (WIFEXITED(status)) {
-    return static_cast<ExitCode>(WEXITSTATUS(status));
-  }
+  if (WIFEXITED(status)) return static_cast<ExitCode>(WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
   for (const int of_user : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
     if (signal == of_user) {
@@ -125,13 +119,10 @@ ExitCode verdict(const std::string& name, int status, const Limits& limits) {
 ExitCode run_bounded(const std::string& name, const Limits& limits,
                      const std::function<ExitCode(const HideProgress&)>& action) {
   std::array<int, 2> pipe{};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) {
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
     throw answers::Undecided(name + ": no pipe: " + std::strerror(errno));
-  }
   const pid_t child = ::fork();
-  if (child < 0) {
-    throw answers::Undecided(name + ": no process: " + std::strerror(errno));
-  }
+  if (child < 0) throw answers::Undecided(name + ": no process: " + std::strerror(errno));
   if (child == 0) {
     ::close(pipe[0]);
     run_child(limits, pipe[1], action);
@@ -139,9 +130,7 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   ::close(pipe[1]);
   Progress progress(name, limits);
   const bool is_done = wait_for(pipe[0], limits, progress);
-  if (!is_done) {
-    ::kill(child, SIGKILL);
-  }
+  if (!is_done) ::kill(child, SIGKILL);
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -22,19 +22,14 @@ constexpr std::size_t buffer_size = std::size_t{1} << 16U;
 /// The descriptor that a path names (/dev/stdout, /dev/fd/3), or -1: opening it anew would not go
 /// on where others wrote.
 int named_descriptor(const std::string& path) {
-  if (path.empty() || path == "-" || path == "/dev/stdout") {
-    return STDOUT_FILENO;
-  }
-  if (path == "/dev/stderr") {
-    return STDERR_FILENO;
-  }
+  if (path.empty() || path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
   for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
     int number = 0;
     char rest = 0;
     if (path.starts_with(folder) && path.size() <= folder.size() + 4 &&
-        std::sscanf(path.c_str() + folder.size(), "%d%c", &number, &rest) == 1) {
+        std::sscanf(path.c_str() + folder.size(), "%d%c", &number, &rest) == 1)
       return number;
-    }
   }
   return -1;
 }
@@ -44,9 +39,8 @@ std::string behind_links(const std::string& path) {
   constexpr int most_links = 40;  // as the system follows
   std::filesystem::path file = path;
   std::error_code error;
-  for (int links = 0; links < most_links && std::filesystem::is_symlink(file, error); ++links) {
+  for (int links = 0; links < most_links && std::filesystem::is_symlink(file, error); ++links)
     file = file.parent_path() / std::filesystem::read_symlink(file, error);
-  }
   return file.string();
 }
 
@@ -61,12 +55,8 @@ std::string fresh_name(const std::string& target, const Make& make) {
   for (int number = 0; number < 1000; ++number) {
     const std::string name = folder_of(target) + "/.magicmass-" + std::to_string(::getpid()) + "-" +
                              std::to_string(number);
-    if (make(name.c_str()) >= 0) {
-      return name;
-    }
-    if (errno != EEXIST) {
-      break;
-    }
+    if (make(name.c_str()) >= 0) return name;
+    if (errno != EEXIST) break;
   }
   return "";
 }
@@ -85,69 +75,47 @@ Destination::Destination(const std::string& path, std::function<void()> before_w
   const bool exists = ::stat(path.c_str(), &there) == 0;
   if (exists && !S_ISREG(there.st_mode)) {
     descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (descriptor_ < 0) {
-      refuse(errno);
-    }
+    if (descriptor_ < 0) refuse(errno);
     return;
   }
   target_ = behind_links(path);
-  if (exists && ::access(target_.c_str(), W_OK) != 0) {
-    refuse(errno);
-  }
+  if (exists && ::access(target_.c_str(), W_OK) != 0) refuse(errno);
   open_atomic();
-  if (exists && ::fchmod(descriptor_, there.st_mode & 07777U) != 0) {
-    refuse(errno);
-  }
+  if (exists && ::fchmod(descriptor_, there.st_mode & 07777U) != 0) refuse(errno);
 }
 
 void Destination::open_atomic() {
   constexpr mode_t mode = 0666;
   descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
-  if (descriptor_ >= 0) {
-    return;
-  }
+  if (descriptor_ >= 0) return;
   name_ = fresh_name(target_, [&](const char* name) {
     return descriptor_ = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
   });
-  if (name_.empty()) {
-    refuse(errno);
-  }
+  if (name_.empty()) refuse(errno);
 }
 
 Destination::~Destination() {
-  if (!name_.empty()) {
-    ::unlink(name_.c_str());
-  }
-  if (!target_.empty()) {
-    ::close(descriptor_);
-  }
+  if (!name_.empty()) ::unlink(name_.c_str());
+  if (!target_.empty()) ::close(descriptor_);
 }
 
 void Destination::refuse(int error) const {
-  if (error == EPIPE) {
-    throw ClosedPipe();
-  }
+  if (error == EPIPE) throw ClosedPipe();
   throw answers::InvalidInput("cannot write " + shown_ + ": " +
                               std::generic_category().message(error));
 }
 
 void Destination::write(std::string_view text) {
   buffer_ += text;
-  if (buffer_.size() >= buffer_size) {
-    flush();
-  }
+  if (buffer_.size() >= buffer_size) flush();
 }
 
 void Destination::flush() {
-  if (target_.empty()) {
-    before_writing_();
-  }
+  if (target_.empty()) before_writing_();
   std::string_view rest = buffer_;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written < 0) {
-      refuse(errno);
-    }
+    if (written < 0) refuse(errno);
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
   buffer_.clear();
@@ -156,24 +124,16 @@ void Destination::flush() {
 void Destination::finish() {
   flush();
   const int copy = ::dup(descriptor_);  // close() is where a quota is reported
-  if (copy < 0 || ::close(copy) != 0) {
-    refuse(errno);
-  }
-  if (target_.empty()) {
-    return;
-  }
+  if (copy < 0 || ::close(copy) != 0) refuse(errno);
+  if (target_.empty()) return;
   if (name_.empty()) {
     const std::string open_file = "/proc/self/fd/" + std::to_string(descriptor_);
     name_ = fresh_name(target_, [&](const char* name) {
       return ::linkat(AT_FDCWD, open_file.c_str(), AT_FDCWD, name, AT_SYMLINK_FOLLOW);
     });
-    if (name_.empty()) {
-      refuse(errno);
-    }
+    if (name_.empty()) refuse(errno);
   }
-  if (::rename(name_.c_str(), target_.c_str()) != 0) {
-    refuse(errno);
-  }
+  if (::rename(name_.c_str(), target_.c_str()) != 0) refuse(errno);
   name_.clear();
 }
 

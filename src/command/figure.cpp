@@ -34,9 +34,8 @@ std::string described(std::string svg, const Figure& figure) {
   const std::size_t begin = svg.find("<title>");
   const std::size_t end = svg.find(last);
   const std::size_t root = svg.find("<svg");
-  if (root > begin || begin > end || end == std::string::npos) {
+  if (root > begin || begin > end || end == std::string::npos)
     throw std::runtime_error("figure: gnuplot wrote an SVG without a title and a description");
-  }
   svg.replace(begin, end + last.size() - begin,
               "<title id=\"title\">" + figure.title + "</title>\n<desc id=\"desc\">" +
                   figure.description + "</desc>");
@@ -53,21 +52,16 @@ answers::Answer figure(const answers::Request& request) {
     names.push_back(f.name);
     list += f.name + ": " + f.title + "\n";
   }
-  if (request.has("list")) {
-    return {{}, list};
-  }
-  if (request.words.size() != 1) {
+  if (request.has("list")) return {{}, list};
+  if (request.words.size() != 1)
     throw answers::InvalidInput("figure: give one name; allowed: " + answers::joined(names));
-  }
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Figure& f) { return f.name == request.words[0]; });
   if (found == all.end()) {
     throw answers::InvalidInput("figure: no figure " + answers::shown_text(request.words[0]) +
                                 "; allowed: " + answers::joined(names));
   }
-  if (request.format == "csv") {
-    return {{}, answers::written(found->data(), answers::Format::csv)};
-  }
+  if (request.format == "csv") return {{}, answers::written(found->data(), answers::Format::csv)};
   const std::string picture = drawn(script_of(*found, request.format));
   return {{}, request.format == "svg" ? described(picture, *found) : picture};
 }

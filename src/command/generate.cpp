@@ -16,9 +16,7 @@ namespace {
 std::set<std::string> listed(const std::string& text) {
   std::set<std::string> names;
   std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) {
-    names.insert(word);
-  }
+  for (std::string word; std::getline(words, word, ',');) names.insert(word);
   return names;
 }
 
@@ -45,9 +43,7 @@ answers::Answer generate_files(const answers::Request& request) {
             folder + " is what the theorems give: " + std::to_string(texts.size()) + " files\n"};
   }
   std::string said;
-  for (const std::string& line : stale) {
-    said += folder + "/" + line + "\n";
-  }
+  for (const std::string& line : stale) said += folder + "/" + line + "\n";
   return {{}, said + "run: magicmass generate --out " + folder + "\n", true};
 }
 

@@ -19,9 +19,7 @@ namespace {
 class Memory {
 public:
   explicit Memory(const char* what) : descriptor(::memfd_create(what, MFD_CLOEXEC)) {
-    if (descriptor < 0) {
-      throw std::runtime_error("no memory for a drawing");
-    }
+    if (descriptor < 0) throw std::runtime_error("no memory for a drawing");
   }
   ~Memory() { ::close(descriptor); }
   Memory(const Memory&) = delete;
@@ -31,9 +29,7 @@ public:
     std::size_t done = 0;
     while (done < text.size()) {
       const auto count = ::write(descriptor, text.data() + done, text.size() - done);
-      if (count <= 0) {
-        throw std::runtime_error("no memory for a drawing");
-      }
+      if (count <= 0) throw std::runtime_error("no memory for a drawing");
       done += static_cast<std::size_t>(count);
     }
     ::lseek(descriptor, 0, SEEK_SET);
@@ -43,9 +39,8 @@ public:
     std::string text;
     char block[1 << 16];
     for (auto count = ::read(descriptor, block, sizeof block); count > 0;
-         count = ::read(descriptor, block, sizeof block)) {
+         count = ::read(descriptor, block, sizeof block))
       text.append(block, static_cast<std::size_t>(count));
-    }
     return text;
   }
   int descriptor;
@@ -81,9 +76,7 @@ std::string drawn(const std::string& script) {
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   int status = 0;
-  if (failed == 0) {
-    ::waitpid(child, &status, 0);
-  }
+  if (failed == 0) ::waitpid(child, &status, 0);
   if (failed != 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 127)) {
     throw answers::InvalidInput(
         "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");

@@ -27,9 +27,8 @@ bool takes_rows(const Command& command) {
 /// The command's own options and those that all share.
 std::vector<Option> options_of(const Command& command) {
   std::vector<Option> options = command.options;
-  if (takes_rows(command)) {
+  if (takes_rows(command))
     options.push_back({"input", "FILE", "CSV whose columns are options, a row each; - is stdin"});
-  }
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
   options.push_back({"time-limit", "SECONDS", "give up after so long, 30 unless told otherwise"});
@@ -62,21 +61,15 @@ public:
 /// Versions of CLI11 differ in empty lines at the end.
 std::string help_of(const CLI::App& app) {
   std::string text = app.help();
-  while (text.size() > 1 && text[text.size() - 2] == '\n') {
-    text.pop_back();
-  }
+  while (text.size() > 1 && text[text.size() - 2] == '\n') text.pop_back();
   return text;
 }
 
 const Command& command_of(const Program& program, const std::string& word) {
-  for (const Command& command : program.commands) {
-    if (command.name == word) {
-      return command;
-    }
-  }
-  if (std::count(program.absent.begin(), program.absent.end(), word) != 0) {
+  for (const Command& command : program.commands)
+    if (command.name == word) return command;
+  if (std::count(program.absent.begin(), program.absent.end(), word) != 0)
     throw InvalidInput(word + ": " + program.absent_advice);
-  }
   throw InvalidInput("unknown command " + shown_text(word) + "; see " + program.name + " --help");
 }
 
@@ -91,22 +84,19 @@ std::vector<std::string> with_values_joined(const std::vector<std::string>& word
     const auto option = std::find_if(options.begin(), options.end(), [&](const Option& known) {
       return word.substr(0, equals) == "--" + known.name;
     });
-    if (word.starts_with("-o=")) {
+    if (word.starts_with("-o="))
       throw InvalidInput("-o= is not an option; allowed: -o FILE and --output=FILE");
-    }
     if (option == options.end()) {
       result.push_back(word);
       continue;
     }
     const bool takes_value = !option->value.empty();
-    if (!takes_value && equals != std::string::npos) {
+    if (!takes_value && equals != std::string::npos)
       throw InvalidInput("--" + option->name + " takes no value");
-    }
     const bool is_apart = takes_value && equals == std::string::npos;
     const std::string next = is_apart && i + 1 < words.size() ? words[++i] : "";
-    if (is_apart ? next.empty() || next.starts_with("--") : equals + 1 == word.size()) {
+    if (is_apart ? next.empty() || next.starts_with("--") : equals + 1 == word.size())
       throw InvalidInput("--" + option->name + " has no value");
-    }
     result.push_back(is_apart ? word + "=" + next : word);
   }
   return result;
@@ -116,11 +106,10 @@ void add_options(CLI::App& app, const std::vector<Option>& options) {
   const CLI::callback_t keep = [](const CLI::results_t&) { return true; };
   for (const Option& option : options) {
     const std::string names = (option.name == "output" ? "-o,--" : "--") + option.name;
-    if (option.value.empty()) {
+    if (option.value.empty())
       app.add_flag(names, option.words);
-    } else {
+    else
       app.add_option(names, keep, option.words)->type_name(option.value)->type_size(1);
-    }
   }
 }
 
@@ -133,9 +122,7 @@ std::map<std::string, std::string> values_of(const CLI::App& app, const Command&
   std::map<std::string, std::string> values;
   for (const Option& option : options_of(command)) {
     const CLI::Option& given = *app.get_option("--" + option.name);
-    if (given.count() == 0) {
-      continue;
-    }
+    if (given.count() == 0) continue;
     const std::string value = option.value.empty() ? "" : given.results().back();
     const auto& allowed = option.choices;
     if (!allowed.empty() && std::count(allowed.begin(), allowed.end(), value) == 0) {
@@ -157,12 +144,8 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
   asked.seconds = asked.request.whole("time-limit", 1, longest).value_or(asked.seconds);
   asked.mebibytes = asked.request.whole("memory-limit", 16, longest).value_or(asked.mebibytes);
   asked.output = asked.request.text("output");
-  if (asked.request.has("format")) {
-    asked.request.format = asked.request.text("format");
-  }
-  if (asked.request.has("input")) {
-    asked.input = asked.request.text("input");
-  }
+  if (asked.request.has("format")) asked.request.format = asked.request.text("format");
+  if (asked.request.has("input")) asked.input = asked.request.text("input");
   for (const Option& option : command.options) {
     const bool may_be_column = asked.input && option.is_column;
     if (option.is_required && !may_be_column && !asked.request.has(option.name)) {
@@ -191,35 +174,26 @@ std::string help_of(const Program& program) {
   app.footer(program.name +
              " COMMAND --help explains a command. Exit codes: 0 done,\n"
              "1 a check failed, 2 bad usage or input, 3 undecided or does not fit.");
-  for (const Command& command : program.commands) {
+  for (const Command& command : program.commands)
     app.add_subcommand(command.name, command.summary + "\n" + command.example);
-  }
   return help_of(app);
 }
 
 }  // namespace
 
 std::variant<Asked, std::string> parse(const Program& program, std::vector<std::string> words) {
-  if (words.empty()) {
-    throw InvalidInput("no command; see " + program.name + " --help");
-  }
+  if (words.empty()) throw InvalidInput("no command; see " + program.name + " --help");
   const std::string first = words.front();
   words.erase(words.begin());
-  if (first == "--help" || first == "-h") {
-    return help_of(program);
-  }
-  if (first == "--version") {
-    return program.name + " " + program.version + "\n";
-  }
+  if (first == "--help" || first == "-h") return help_of(program);
+  if (first == "--version") return program.name + " " + program.version + "\n";
   const Command& command = command_of(program, first);
   const std::vector<Option> options = options_of(command);
   CLI::App app;
   describe(app, program.name + " " + command.name, command.summary, command.example);
   add_options(app, options);
   std::vector<std::string> free_words;
-  if (!command.words.empty()) {
-    app.add_option("words", free_words, command.words)->type_name("");
-  }
+  if (!command.words.empty()) app.add_option("words", free_words, command.words)->type_name("");
   std::vector<std::string> joined_words = with_values_joined(words, options);
   std::reverse(joined_words.begin(), joined_words.end());  // as CLI11 takes them
   try {

@@ -40,11 +40,9 @@ ExitCode guarded(const std::string& name, const std::function<ExitCode()>& actio
 /// Where one was closed, a file would get its number, and what is meant for the terminal: it gets a
 /// stream that takes and gives nothing.
 void open_standard_streams() {
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(descriptor, F_GETFD) < 0) {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0)
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
-    }
-  }
 }
 
 answers::Format table_format(const std::string& name) {
@@ -57,34 +55,24 @@ answers::Format table_format(const std::string& name) {
 void answer_rows(const Asked& asked, Destination& output) {
   constexpr std::size_t rows_at_once = 4096;
   std::vector<std::string> may_be_columns;
-  for (const Option& option : asked.command->options) {
-    if (option.is_column) {
-      may_be_columns.push_back(option.name);
-    }
-  }
+  for (const Option& option : asked.command->options)
+    if (option.is_column) may_be_columns.push_back(option.name);
   CsvReader reader(*asked.input, may_be_columns);
   answers::Request request = asked.request;
-  for (const std::string& column : reader.columns()) {
-    if (!request.options.emplace(column, "").second) {
+  for (const std::string& column : reader.columns())
+    if (!request.options.emplace(column, "").second)
       throw InvalidInput(column + ": given twice, as an option and as a column");
-    }
-  }
-  for (const Option& option : asked.command->options) {
-    if (option.is_required && !request.has(option.name)) {
+  for (const Option& option : asked.command->options)
+    if (option.is_required && !request.has(option.name))
       throw InvalidInput(reader.place() + "no column " + option.name);
-    }
-  }
   answers::Writer writer(table_format(request.format), asked.command->columns, true);
   std::vector<answers::Row> block;
   bool is_first = true;
   while (auto row = reader.next()) {
-    for (auto& [column, field] : *row) {
-      request.options[column] = std::move(field);
-    }
+    for (auto& [column, field] : *row) request.options[column] = std::move(field);
     try {
-      for (answers::Row& answer : asked.command->run(request).table.rows) {
+      for (answers::Row& answer : asked.command->run(request).table.rows)
         block.push_back(std::move(answer));
-      }
     } catch (const InvalidInput& error) {
       throw InvalidInput(reader.place() + error.what());
     } catch (const answers::Undecided& error) {
@@ -96,9 +84,7 @@ void answer_rows(const Asked& asked, Destination& output) {
       is_first = false;
     }
   }
-  if (is_first || !block.empty()) {
-    output.write(writer.rows(block));
-  }
+  if (is_first || !block.empty()) output.write(writer.rows(block));
   output.write(writer.end());
 }
 

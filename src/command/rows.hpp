@@ -30,9 +30,7 @@ public:
 private:
   struct Close {
     void operator()(std::FILE* file) const {
-      if (file != stdin) {
-        std::fclose(file);
-      }
+      if (file != stdin) std::fclose(file);
     }
   };
   std::string source_;

@@ -46,11 +46,10 @@ typedef std::int64_t TwoMask __attribute__((vector_size(16)));
 /// x in every lane.
 template <class T>
 [[gnu::always_inline]] inline T all(double x) {
-  if constexpr (sizeof(T) == sizeof(double)) {
+  if constexpr (sizeof(T) == sizeof(double))
     return x;
-  } else {
+  else
     return x - T{};
-  }
 }
 
 [[gnu::always_inline]] inline double square_root(double x) {

@@ -49,8 +49,8 @@ public:
   static ThreeWords nearest(const ThreeWords& x) {
     ThreeWords r = x + ThreeWords(x.is_negative ? -0.5 : 0.5);
     if (r.top <= 0) return {};
-    for (int k = 0; k < 3; ++k) {
-      const long kept = std::clamp<long>(r.top - 64 * (2 - k), 0, 64);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const long kept = std::clamp<long>(r.top - 64 * (2 - long(k)), 0, 64);
       r.word[k] = kept == 0 ? 0 : r.word[k] & (~Word{0} << (64 - kept));
     }
     return r;
@@ -81,9 +81,9 @@ public:
   friend ThreeWords operator-(const ThreeWords& x, const ThreeWords& y) { return sum(x, y, true); }
   friend ThreeWords operator*(const ThreeWords& x, const ThreeWords& y) {
     Word r[6] = {};
-    for (int i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i) {
       TwoWords carry = 0;
-      for (int j = 0; j < 3; ++j) {
+      for (std::size_t j = 0; j < 3; ++j) {
         carry += TwoWords(x.word[i]) * y.word[j] + r[i + j];
         r[i + j] = Word(carry);
         carry >>= 64;

@@ -39,16 +39,12 @@ cl_I exact_length(const cl_RA& alpha, const cl_I& j) {
   // Both collisions have entries of the same size, so either one's common denominator will do.
   const Map<cl_RA> map = cycle_of(alpha).with_A;
   cl_I common(1);
-  for (const cl_RA& entry : map.reshaped()) {
-    common = cln::lcm(common, cln::denominator(entry));
-  }
+  for (const cl_RA& entry : map.reshaped()) common = cln::lcm(common, cln::denominator(entry));
   return j * cl_I(static_cast<unsigned long>(cln::integer_length(common - 1)));
 }
 
 double envelope(const cl_RA& y, const cl_RA& beside, const cl_RA& step) {
-  if (cln::zerop(y)) {
-    return std::numeric_limits<double>::infinity();
-  }
+  if (cln::zerop(y)) return std::numeric_limits<double>::infinity();
   return std::max(0.5, nearest(cln::abs((beside / y - 1) / step) / 2));
 }
 

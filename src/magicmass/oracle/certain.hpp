@@ -61,9 +61,7 @@ std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
   constexpr long short_length = 1L << 12;
   std::vector<Value> values;
   if (alpha.rational && exact_length(*alpha.rational, quantity.j) <= short_length) {
-    for (const cln::cl_RA& x : quantity(*alpha.rational)) {
-      values.push_back(*rounding.common(x, x));
-    }
+    for (const cln::cl_RA& x : quantity(*alpha.rational)) values.push_back(*rounding.common(x, x));
     return values;
   }
   const auto squarings = static_cast<long>(cln::integer_length(quantity.j));
@@ -71,14 +69,10 @@ std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
   for (long precision = first; precision <= 64 * first; precision *= 2) {
     values.clear();
     const std::vector<Interval> enclosures = quantity(alpha.enclosed(precision));
-    for (const Interval& x : enclosures) {
-      if (const std::optional<Value> value = rounding.common(x.low(), x.high())) {
+    for (const Interval& x : enclosures)
+      if (const std::optional<Value> value = rounding.common(x.low(), x.high()))
         values.push_back(*value);
-      }
-    }
-    if (values.size() == enclosures.size()) {
-      return values;
-    }
+    if (values.size() == enclosures.size()) return values;
   }
   throw Undecided("after " + to_text(quantity.j) + " collisions a number is still open at " +
                   std::to_string(64 * first) + " bits");
@@ -98,9 +92,8 @@ std::vector<double> envelopes(const MassRatio& alpha, const Quantity& quantity) 
   const auto here = certain(alpha, quantity, to_within(2 * bits));
   const auto beside = certain(alpha * (1 + step), quantity, to_within(2 * bits));
   std::vector<double> values;
-  for (std::size_t i = 0; i < here.size(); ++i) {
+  for (std::size_t i = 0; i < here.size(); ++i)
     values.push_back(envelope(here[i], beside[i], step));
-  }
   return values;
 }
 

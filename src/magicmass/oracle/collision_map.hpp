@@ -53,12 +53,8 @@ template <class Scalar>
 Velocity<Scalar> apply_power(Map<Scalar> map, const cln::cl_I& n, Velocity<Scalar> v) {
   const std::size_t bits = cln::integer_length(n);
   for (std::size_t bit = 0; bit < bits; ++bit) {
-    if (bit > 0) {
-      map = Map<Scalar>(map * map);
-    }
-    if (cln::logbitp(bit, n)) {
-      v = Velocity<Scalar>(map * v);
-    }
+    if (bit > 0) map = Map<Scalar>(map * map);
+    if (cln::logbitp(bit, n)) v = Velocity<Scalar>(map * v);
   }
   return v;
 }

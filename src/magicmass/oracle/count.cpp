@@ -40,21 +40,15 @@ std::optional<Counts> search(const Interval& alpha) {
   std::vector<Map<Interval>> powers{cycle.with_B * cycle.with_A};  // to the 2^i
   for (;;) {
     const std::optional<bool> meet = A_closes(powers.back() * last);
-    if (!meet) {
-      return std::nullopt;
-    }
-    if (!*meet) {
-      break;
-    }
+    if (!meet) return std::nullopt;
+    if (!*meet) break;
     powers.push_back(powers.back() * powers.back());
   }
   cl_I cycles(0);
   for (auto i = static_cast<long>(powers.size()) - 2; i >= 0; --i) {
     const Velocity<Interval> v = powers[static_cast<std::size_t>(i)] * last;
     const std::optional<bool> meet = A_closes(v);
-    if (!meet) {
-      return std::nullopt;
-    }
+    if (!meet) return std::nullopt;
     if (*meet) {
       last = v;
       cycles = cycles + cln::ash(cl_I(1), i);
@@ -63,9 +57,7 @@ std::optional<Counts> search(const Interval& alpha) {
   // `last` is just before A's last collision; B may or may not be met once more after it.
   const Velocity<Interval> after = cycle.with_A * last;
   const std::optional<bool> meet_again = closes(after(2) - after(1));
-  if (!meet_again) {
-    return std::nullopt;
-  }
+  if (!meet_again) return std::nullopt;
   const cl_I N_A = cycles + 1;
   return Counts{N_A, *meet_again ? N_A : cycles};
 }
@@ -73,17 +65,13 @@ std::optional<Counts> search(const Interval& alpha) {
 }  // namespace
 
 Counts count_collisions(const cl_RA& alpha) {
-  if (!cln::plusp(alpha)) {
+  if (!cln::plusp(alpha))
     throw std::invalid_argument("alpha must be positive, got " + to_text(alpha));
-  }
   // A squaring costs a few bits, up to n = alpha^(-1/2), and telling alpha from a threshold takes
   // what alpha's own digits take: the first precision mostly does.
   const long first = 16 + length(alpha);
-  for (long precision = first; precision <= 64 * first; precision *= 2) {
-    if (const std::optional<Counts> counts = search(Interval(alpha, precision))) {
-      return *counts;
-    }
-  }
+  for (long precision = first; precision <= 64 * first; precision *= 2)
+    if (const std::optional<Counts> counts = search(Interval(alpha, precision))) return *counts;
   throw Undecided("alpha is closer to a threshold than " + std::to_string(64 * first) +
                   " bits can tell");
 }

@@ -32,12 +32,8 @@ cl_RA Interval::low() const { return cl_RA(low_) / cln::ash(cl_I(1), precision_)
 cl_RA Interval::high() const { return cl_RA(high_) / cln::ash(cl_I(1), precision_); }
 
 Sign Interval::sign() const {
-  if (cln::plusp(low_)) {
-    return Sign::positive;
-  }
-  if (cln::minusp(high_)) {
-    return Sign::negative;
-  }
+  if (cln::plusp(low_)) return Sign::positive;
+  if (cln::minusp(high_)) return Sign::negative;
   return cln::zerop(low_) && cln::zerop(high_) ? Sign::zero : Sign::open;
 }
 
@@ -71,12 +67,9 @@ Interval operator*(const Interval& x, const Interval& y) {
 }
 
 Interval operator/(const Interval& x, const Interval& y) {
-  if (y.sign() == Sign::zero || y.sign() == Sign::open) {
+  if (y.sign() == Sign::zero || y.sign() == Sign::open)
     throw Undecided("division by an interval that reaches zero");
-  }
-  if (y.sign() == Sign::negative) {
-    return (Interval(0) - x) / (Interval(0) - y);
-  }
+  if (y.sign() == Sign::negative) return (Interval(0) - x) / (Interval(0) - y);
   // u / v = (u 2^p / v) / 2^p with both ends at precision p; for v > 0 the extremes are u's ends
   // over one of v's.
   const long p = std::max(x.precision_, y.precision_);

@@ -28,9 +28,7 @@ Interval secant_less_one(const cl_I& divisor, long precision) {
 }
 
 MassRatio secant_ratio(const cl_I& divisor) {
-  if (divisor < 4) {
-    throw std::invalid_argument("k must be 1 or more");
-  }
+  if (divisor < 4) throw std::invalid_argument("k must be 1 or more");
   const auto bits = static_cast<long>(cln::integer_length(divisor));
   const auto enclosed = [divisor](long precision) { return secant_less_one(divisor, precision); };
   return {std::nullopt, enclosed, 2 * bits};
@@ -39,17 +37,14 @@ MassRatio secant_ratio(const cl_I& divisor) {
 }  // namespace
 
 MassRatio ratio(const cl_RA& alpha) {
-  if (!cln::plusp(alpha)) {
+  if (!cln::plusp(alpha))
     throw std::invalid_argument("alpha must be positive, got " + to_text(alpha));
-  }
   const auto enclosed = [alpha](long precision) { return Interval(alpha, precision); };
   return {alpha, enclosed, length(alpha)};
 }
 
 MassRatio operator*(const MassRatio& alpha, const cl_RA& factor) {
-  if (alpha.rational) {
-    return ratio(*alpha.rational * factor);
-  }
+  if (alpha.rational) return ratio(*alpha.rational * factor);
   const auto enclosed = [alpha, factor](long precision) {
     return alpha.enclosed(precision) * Interval(factor, precision);
   };

@@ -21,16 +21,12 @@ struct OfCycle {
   cln::cl_I j = 2 * n;
 
   explicit OfCycle(const cln::cl_I& index) : n(index) {
-    if (cln::minusp(n)) {
-      throw std::invalid_argument("n must be 0 or more, got " + to_text(n));
-    }
+    if (cln::minusp(n)) throw std::invalid_argument("n must be 0 or more, got " + to_text(n));
   }
 
   template <class Scalar>
   std::vector<Scalar> operator()(const Scalar& alpha) const {
-    if (cln::zerop(n)) {
-      return {Scalar(1), Scalar(0), Scalar(0), Scalar(0)};
-    }
+    if (cln::zerop(n)) return {Scalar(1), Scalar(0), Scalar(0), Scalar(0)};
     const Cycle<Scalar> cycle = cycle_of(alpha);
     const Velocity<Scalar> at_P = after_collisions(cycle, j - 1);
     const Velocity<Scalar> at_Q = cycle.with_B * at_P;

@@ -49,21 +49,16 @@ cl_I rounded(const cl_RA& x) {
 long decade(const cl_RA& x) {
   const long bits = bits_of(cln::numerator(x)) - bits_of(cln::denominator(x));
   auto estimate = static_cast<long>(static_cast<double>(bits) * 0.30103);
-  while (scaled(x, 10, -estimate) < 1) {
-    --estimate;
-  }
-  while (scaled(x, 10, -estimate) >= 10) {
-    ++estimate;
-  }
+  while (scaled(x, 10, -estimate) < 1) --estimate;
+  while (scaled(x, 10, -estimate) >= 10) ++estimate;
   return estimate;
 }
 
 }  // namespace
 
 cl_RA exact(double value) {
-  if (!std::isfinite(value)) {
+  if (!std::isfinite(value))
     throw std::invalid_argument("an infinity or NaN is not a rational number");
-  }
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
   const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, Limits::digits));
@@ -71,9 +66,7 @@ cl_RA exact(double value) {
 }
 
 double nearest(const cl_RA& x) {
-  if (cln::zerop(x)) {
-    return 0;
-  }
+  if (cln::zerop(x)) return 0;
   const cl_RA size = cln::abs(x);
   const long spacing = spacing_exponent(size);
   const cl_I whole = rounded(scaled(size, 2, -spacing));
@@ -85,9 +78,7 @@ double nearest(const cl_RA& x) {
 }
 
 double ulp_error(double got, const cl_RA& exact_value) {
-  if (!std::isfinite(got)) {
-    return Limits::infinity();
-  }
+  if (!std::isfinite(got)) return Limits::infinity();
   const long spacing = cln::zerop(exact_value)
                            ? smallest_spacing
                            : std::min(spacing_exponent(cln::abs(exact_value)), largest_spacing);
@@ -107,9 +98,7 @@ std::string to_decimal(const cl_RA& x, int digits) {
     throw std::invalid_argument("the number of digits must be 1 or more, got " +
                                 std::to_string(digits));
   }
-  if (cln::zerop(x)) {
-    return "0";
-  }
+  if (cln::zerop(x)) return "0";
   const cl_RA size = cln::abs(x);
   long exponent = decade(size);
   std::string text = to_text(rounded(scaled(size, 10, digits - 1 - exponent)));
@@ -117,9 +106,7 @@ std::string to_decimal(const cl_RA& x, int digits) {
     text.pop_back();
     ++exponent;
   }
-  if (digits > 1) {
-    text.insert(1, ".");
-  }
+  if (digits > 1) text.insert(1, ".");
   return (cln::minusp(x) ? "-" : "") + text + "e" + std::to_string(exponent);
 }
 

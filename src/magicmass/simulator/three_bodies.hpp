@@ -35,9 +35,8 @@ public:
       : bodies_{{{Scalar(1), Scalar(0), Scalar(1)},
                  {alpha, Scalar(0), Scalar(0)},
                  {Scalar(1), Scalar(1), Scalar(0)}}} {
-    if (!(Scalar(0) < alpha) || !(Scalar(0) < Scalar(1) / alpha)) {
+    if (!(Scalar(0) < alpha) || !(Scalar(0) < Scalar(1) / alpha))
       throw std::invalid_argument("alpha must be a positive finite number");
-    }
   }
 
   /// Goes on to just after the next collision; returns nothing where none comes. What the ball met
@@ -46,14 +45,10 @@ public:
     const std::size_t left = next_;
     const Scalar closing = bodies_[left].velocity - bodies_[left + 1].velocity;
     note_near_tie(left, closing);
-    if (!(Scalar(0) < closing)) {
-      return std::nullopt;
-    }
+    if (!(Scalar(0) < closing)) return std::nullopt;
     const Scalar wait = (bodies_[left + 1].position - bodies_[left].position) / closing;
     time_ = time_ + wait;
-    for (Body<Scalar>& body : bodies_) {
-      body.position = body.position + body.velocity * wait;
-    }
+    for (Body<Scalar>& body : bodies_) body.position = body.position + body.velocity * wait;
     const Scalar place = bodies_[left == 0 ? 0 : 2].position;
     bodies_[1].position = place;  // in floating point the ball may be beside the block
     note_error(bodies_[left], bodies_[left + 1]);
@@ -92,9 +87,7 @@ private:
   void note_near_tie([[maybe_unused]] std::size_t left, [[maybe_unused]] const Scalar& closing) {
     if constexpr (std::floating_point<Scalar>) {
       const Scalar spread = std::sqrt(1 / bodies_[left].mass + 1 / bodies_[left + 1].mass);
-      if (std::abs(closing) <= velocity_error_ * spread && velocity_error_ > 0) {
-        ++near_ties_;
-      }
+      if (std::abs(closing) <= velocity_error_ * spread && velocity_error_ > 0) ++near_ties_;
     }
   }
 };
