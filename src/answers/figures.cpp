@@ -18,7 +18,7 @@ using notation::Magic;
 Column real_column(const std::string& name) { return {name, Type::real, "", ""}; }
 
 double nearest(const Alpha& alpha) {
-  return nearest_doubles([alpha] { return Four{ball_of(alpha), 1, 1, 1}; }, {})[0];
+  return std::stod(rounded([alpha] { return Balls{ball_of(alpha)}; })[0].text);
 }
 
 /// alpha_k and beta_k down to a mass ratio, from the largest.
@@ -37,11 +37,8 @@ Table terminal_data() {
               {}};
   const auto add = [&](const Alpha& alpha) {
     const LargeCounts counts = count_collisions(alpha);
-    std::array<bool, 4> zero = zeros(alpha, counts.N_A);
-    zero = {zero[0], false, zero[3], false};
-    const auto v = nearest_doubles(terminal(alpha, counts), zero);
-    table.rows.push_back(
-        {real_cell(nearest(alpha)), real_cell(v[0]), real_cell(v[1]), real_cell(v[2])});
+    const Row v = rounded([&] { return terminal(alpha, counts); });
+    table.rows.push_back({real_cell(nearest(alpha)), v[0], v[1], v[2]});
   };
   constexpr double least = 0.01;
   std::vector<Alpha> alphas = thresholds_above(least);

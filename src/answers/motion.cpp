@@ -27,6 +27,13 @@ bool is_heavy(const Alpha& alpha) {
   const auto* rational = std::get_if<cl_RA>(&alpha);
   return rational != nullptr && *rational >= 1;
 }
+/// At alpha_k after k cycles; alpha_1 = 1.
+bool takes_everything(const Alpha& alpha, const cl_I& n) {
+  if (const auto* magic = std::get_if<Magic>(&alpha)) return magic->k == n;
+  const auto* value = std::get_if<double>(&alpha);
+  const auto* rational = std::get_if<cl_RA>(&alpha);
+  return n == 1 && (value != nullptr ? *value == 1 : rational != nullptr && *rational == 1);
+}
 Ball velocity(const char* id, const Ball& alpha, const cl_I& n) {
   return evaluate(right_side(id),
                   {{alpha_name(), alpha}, {V_name(), 1}, {n_name(), Ball(cl_RA(n))}});
@@ -83,68 +90,36 @@ LargeCounts count_collisions(const Alpha& alpha) {
   return counts;
 }
 
-Velocities velocities(const Alpha& alpha, const cl_I& n) {
-  return [alpha, n] {
-    const Ball at = ball_of(alpha);
-    return Four{velocity("power.a", at, n), velocity("power.b", at, n), velocity("power.c", at, n),
-                velocity("power.c_prime", at, n)};
-  };
+Balls velocities(const Alpha& alpha, const cl_I& n) {
+  const Ball at = ball_of(alpha);
+  Balls all{velocity("power.a", at, n), velocity("power.b", at, n), velocity("power.c", at, n),
+            velocity("power.c_prime", at, n)};
+  if (n == 0) return {all[0], 0, 0, 0};  // cycle.start_vector, cycle.c_start
+  if (takes_everything(alpha, n)) return {0, all[1], all[2], 0};  // magic.velocities
+  return all;
 }
-Velocities terminal(const Alpha& alpha, const LargeCounts& counts) {
-  return [alpha, counts] {
-    const Ball at = ball_of(alpha);
-    const bool Q_is_last = counts.N_A == counts.N_B;  // terminal.after_Q, terminal.after_P
-    const Ball b = velocity("power.b", at, counts.N_B);
-    return Four{
-        velocity("power.a", at, counts.N_A), b,
-        Q_is_last ? velocity("power.c_prime", at, counts.N_B) : velocity("power.c", at, counts.N_A),
-        b * b};
-  };
+Balls terminal(const Alpha& alpha, const LargeCounts& counts) {
+  const Balls after_P = velocities(alpha, counts.N_A), after_Q = velocities(alpha, counts.N_B);
+  const bool Q_is_last = counts.N_A == counts.N_B;  // terminal.after_Q, terminal.after_P
+  return {after_P[0], after_Q[1], Q_is_last ? after_Q[3] : after_P[2], after_Q[1] * after_Q[1]};
 }
 
-std::array<double, 4> nearest_doubles(const Velocities& values,
-                                      const std::array<bool, 4>& is_zero) {
-  std::array<double, 4> result{};
+Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {
+  Row row;
   with_bits(
-      17,
+      digits.value_or(17),
       [&] {
-        const Four balls = values();
-        for (std::size_t i = 0; i < 4; ++i) {
-          const auto value = is_zero[i] ? 0 : nearest_double(balls[i].low(), balls[i].high());
-          if (!value) return false;
-          result[i] = *value;
+        row.clear();
+        for (const Ball& ball : values()) {
+          const auto text = digits ? decimal(ball.low(), ball.high(), *digits) : std::nullopt;
+          const auto number = digits ? std::nullopt : nearest_double(ball.low(), ball.high());
+          if (!text && !number) return false;
+          row.push_back(text ? exact_cell(*text) : real_cell(*number));
         }
         return true;
       },
       beyond);
-  return result;
-}
-std::array<std::string, 4> decimals(const Velocities& values, const std::array<bool, 4>& is_zero,
-                                    int digits) {
-  std::array<std::string, 4> result;
-  with_bits(
-      digits,
-      [&] {
-        const Four balls = values();
-        for (std::size_t i = 0; i < 4; ++i) {
-          const auto text = is_zero[i] ? "0" : decimal(balls[i].low(), balls[i].high(), digits);
-          if (!text) return false;
-          result[i] = *text;
-        }
-        return true;
-      },
-      beyond);
-  return result;
-}
-std::array<bool, 4> zeros(const Alpha& alpha, const cl_I& n) {
-  if (n == 0) return {false, true, true, true};  // cycle.start_vector, cycle.c_start
-  const auto* magic = std::get_if<Magic>(&alpha);
-  const bool everything = magic != nullptr && magic->k == n;  // magic.velocities
-  const auto* value = std::get_if<double>(&alpha);
-  const auto* rational = std::get_if<cl_RA>(&alpha);
-  const bool is_one = (value != nullptr && *value == 1) || (rational != nullptr && *rational == 1);
-  const bool rest = everything || (is_one && n == 1);  // alpha_1 = 1
-  return {rest, false, false, rest};
+  return row;
 }
 
 }  // namespace answers

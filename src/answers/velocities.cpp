@@ -28,13 +28,13 @@ Cell alpha_cell(const Alpha& alpha) {
 }
 std::string digits_of(const cln::cl_I& n) { return kernel::digits(n); }
 /// The digits that are asked for. Throws Undecided for more than are given at once.
-std::optional<std::int64_t> digits_wanted(const Request& request) {
+std::optional<int> digits_wanted(const Request& request) {
   const auto digits = request.whole("digits", 1, INT64_MAX);
   if (digits.value_or(0) > most_digits) {
     throw Undecided("digits: " + std::to_string(*digits) +
                     " are more than are given at once; at most " + std::to_string(most_digits));
   }
-  return digits;
+  return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
 }
 
 /// The tier that is asked for; "exact" where digits are.
@@ -66,43 +66,37 @@ cln::cl_RA fraction_of(const Alpha& alpha, const cln::cl_I& cycles) {
   }
   return q;
 }
-std::array<Cell, 4> exact_cells(const std::array<cln::cl_RA, 4>& values) {
-  std::array<Cell, 4> out;
-  for (std::size_t i = 0; i < 4; ++i) out[i] = exact_cell(kernel::digits(values[i]));
-  return out;
+Row real_cells(const std::vector<double>& values) {
+  Row row;
+  for (const double value : values) row.push_back(real_cell(value));
+  return row;
 }
-bool wants_fractions(const Request& request) {
-  return tier_of(request) == "exact" && !request.has("digits");
-}
-
-/// The double that tiers fast and accurate answer for, if it is one and no digits are asked for.
-const double* as_number(const Alpha& alpha, const Request& request) {
-  return tier_of(request) == "exact" ? nullptr : std::get_if<double>(&alpha);
-}
-std::array<Cell, 4> real_cells(const std::array<double, 4>& values) {
-  return {real_cell(values[0]), real_cell(values[1]), real_cell(values[2]), real_cell(values[3])};
-}
-/// None where the counts do not fit 64 bits.
-std::optional<magicmass::Terminal> terminal_number(const Alpha& alpha, const Request& request) {
-  const double* value = as_number(alpha, request);
-  if (value == nullptr) return {};
-  return tier_of(request) == "fast" ? magicmass::fast::terminal(*value)
-                                    : magicmass::accurate::terminal(*value);
+Row exact_cells(const std::vector<cln::cl_RA>& values) {
+  Row row;
+  for (const cln::cl_RA& value : values) row.push_back(exact_cell(kernel::digits(value)));
+  return row;
 }
 
-/// Four cells for a tier.
-std::array<Cell, 4> cells(const Velocities& values, const std::array<bool, 4>& is_zero,
-                          const Request& request) {
-  std::array<Cell, 4> out;
-  const auto digits = digits_wanted(request);
-  if (digits) {
-    const auto texts = decimals(values, is_zero, static_cast<int>(*digits));
-    for (std::size_t i = 0; i < 4; ++i) out[i] = exact_cell(texts[i]);
-    return out;
-  }
-  const auto numbers = nearest_doubles(values, is_zero);
-  for (std::size_t i = 0; i < 4; ++i) out[i] = real_cell(numbers[i]);
-  return out;
+/// What eval and terminal are asked.
+struct Asked {
+  explicit Asked(const Request& request)
+      : alpha(alpha_of(request.text("alpha"))),
+        tier(tier_of(request)),
+        digits(digits_wanted(request)),
+        counts(count_collisions(alpha)),
+        wants_fractions(tier == "exact" && !digits),
+        number(tier == "exact" ? nullptr : std::get_if<double>(&alpha)) {}
+  Alpha alpha;
+  std::string tier;
+  std::optional<int> digits;
+  LargeCounts counts;
+  bool wants_fractions;
+  const double* number;  // the double that tiers fast and accurate answer for
+};
+/// One row, the answer.
+Answer answer(std::vector<Column> columns, Row row, const Row& more = {}) {
+  row.insert(row.end(), more.begin(), more.end());
+  return {{std::move(columns), {std::move(row)}, false}, ""};
 }
 
 }  // namespace
@@ -118,32 +112,25 @@ std::vector<Column> eval_columns() {
 }
 
 Answer eval(const Request& request) {
-  const Alpha alpha = alpha_of(request.text("alpha"));
-  const auto n = request.whole("n", 0, INT64_MAX);
-  const std::string tier = tier_of(request);
-  const LargeCounts counts = count_collisions(alpha);
-  const cln::cl_I cycles = cln::cl_I(static_cast<long long>(*n));
-  if (cycles > counts.N_A) {
-    throw InvalidInput("n: " + std::to_string(*n) +
-                       " is beyond the last collision; allowed: 0 to " + digits_of(counts.N_A) +
-                       " for this alpha");
+  const Asked in(request);
+  const std::int64_t n = *request.whole("n", 0, INT64_MAX);
+  const cln::cl_I cycles = static_cast<long long>(n);
+  if (cycles > in.counts.N_A) {
+    throw InvalidInput("n: " + std::to_string(n) + " is beyond the last collision; allowed: 0 to " +
+                       digits_of(in.counts.N_A) + " for this alpha");
   }
-  std::array<Cell, 4> four;
-  if (wants_fractions(request)) {
-    const auto v = magicmass::generated::velocities_exact(fraction_of(alpha, cycles), *n);
+  Row four;
+  if (in.wants_fractions) {
+    const auto v = magicmass::generated::velocities_exact(fraction_of(in.alpha, cycles), n);
     four = exact_cells({v.a, v.b, v.c, v.c_prime});
-  } else if (const auto* value = as_number(alpha, request)) {
-    const auto v = tier == "fast" ? magicmass::fast::velocities(*value, *n)
-                                  : magicmass::accurate::velocities(*value, *n);
+  } else if (in.number != nullptr) {
+    const auto v = in.tier == "fast" ? magicmass::fast::velocities(*in.number, n)
+                                     : magicmass::accurate::velocities(*in.number, n);
     four = real_cells({v.a, v.b, v.c, v.c_prime});
   } else {
-    four = cells(velocities(alpha, cycles), zeros(alpha, cycles), request);
+    four = rounded([&] { return velocities(in.alpha, cycles); }, in.digits);
   }
-  return {
-      {eval_columns(),
-       {{alpha_cell(alpha), whole_cell(*n), text_cell(tier), four[0], four[1], four[2], four[3]}},
-       false},
-      ""};
+  return answer(eval_columns(), {alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four);
 }
 
 std::vector<Column> count_columns() {
@@ -155,44 +142,40 @@ std::vector<Column> count_columns() {
 Answer count(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
   const LargeCounts counts = count_collisions(alpha);
-  return {
-      {count_columns(),
-       {{alpha_cell(alpha), whole_cell(digits_of(counts.N_A)), whole_cell(digits_of(counts.N_B))}},
-       false},
-      ""};
+  return answer(count_columns(), {alpha_cell(alpha), whole_cell(digits_of(counts.N_A)),
+                                  whole_cell(digits_of(counts.N_B))});
 }
 
 std::vector<Column> terminal_columns() {
-  return {{"alpha", Type::exact, "1", "mass ratio"},
-          {"N_A", Type::whole, "1", "collisions of A"},
-          {"N_B", Type::whole, "1", "collisions of B"},
-          {"a_t", Type::real, "V", "A's terminal velocity"},
-          {"b_t", Type::real, "V", "B's terminal velocity"},
-          {"c_t", Type::real, "V", "the ball's terminal velocity"},
-          {"rho", Type::real, "1", "B's share of the energy"}};
+  std::vector<Column> columns = count_columns();
+  for (const Column& more : {Column{"a_t", Type::real, "V", "A's terminal velocity"},
+                             Column{"b_t", Type::real, "V", "B's terminal velocity"},
+                             Column{"c_t", Type::real, "V", "the ball's terminal velocity"},
+                             Column{"rho", Type::real, "1", "B's share of the energy"}})
+    columns.push_back(more);
+  return columns;
 }
 
 Answer terminal(const Request& request) {
-  const Alpha alpha = alpha_of(request.text("alpha"));
-  const LargeCounts counts = count_collisions(alpha);
-  std::array<bool, 4> is_zero = zeros(alpha, counts.N_A);
-  is_zero = {is_zero[0], false, is_zero[3], false};
-  std::array<Cell, 4> four;
-  if (wants_fractions(request)) {
-    const cln::cl_RA q = fraction_of(alpha, counts.N_A);
-    const auto v = magicmass::generated::terminal_exact(q, cln::cl_I_to_long(counts.N_A),
-                                                        cln::cl_I_to_long(counts.N_B));
+  const Asked in(request);
+  const auto& [N_A, N_B] = in.counts;
+  // Counts that do not fit 64 bits are for balls.
+  const auto number = in.number == nullptr ? std::nullopt
+                      : in.tier == "fast"  ? magicmass::fast::terminal(*in.number)
+                                           : magicmass::accurate::terminal(*in.number);
+  Row four;
+  if (in.wants_fractions) {
+    const auto v = magicmass::generated::terminal_exact(
+        fraction_of(in.alpha, N_A), cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B));
     four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
-  } else if (const auto end = terminal_number(alpha, request)) {
-    four = real_cells({end->a_t, end->b_t, end->c_t, end->rho});
+  } else if (number) {
+    four = real_cells({number->a_t, number->b_t, number->c_t, number->rho});
   } else {
-    four = cells(terminal(alpha, counts), is_zero, request);
+    four = rounded([&] { return answers::terminal(in.alpha, in.counts); }, in.digits);
   }
-  return {{terminal_columns(),
-           {{alpha_cell(alpha), whole_cell(digits_of(counts.N_A)),
-             whole_cell(digits_of(counts.N_B)), four[0], four[1], four[2], four[3]}},
-           false},
-          ""};
+  return answer(terminal_columns(),
+                {alpha_cell(in.alpha), whole_cell(digits_of(N_A)), whole_cell(digits_of(N_B))},
+                four);
 }
 
 std::vector<Column> ratios_columns() {
@@ -218,24 +201,11 @@ Answer ratios(const Request& request) {
     Row row{whole_cell(k)};
     Row radicals;
     for (const std::string name : {"alpha_", "beta_"}) {
-      Cell cell;
-      with_bits(
-          static_cast<int>(digits.value_or(17)),
-          [&] {
-            const Ball index(cln::cl_RA(static_cast<long long>(k)));
-            const Ball ratio =
-                evaluate(right_side("ratios." + name + "k"), {{kernel::integer("k"), index}});
-            if (digits) {
-              const auto text = decimal(ratio.low(), ratio.high(), static_cast<int>(*digits));
-              cell = exact_cell(text.value_or(""));
-              return text.has_value();
-            }
-            const auto value = nearest_double(ratio.low(), ratio.high());
-            cell = real_cell(value.value_or(0));
-            return value.has_value();
-          },
-          "ratios: too many digits");
-      row.push_back(cell);
+      const auto ratio = [&] {
+        const Ball index(cln::cl_RA(static_cast<long long>(k)));
+        return Balls{evaluate(right_side("ratios." + name + "k"), {{kernel::integer("k"), index}})};
+      };
+      row.push_back(rounded(ratio, digits)[0]);
       const std::string id =
           (k == 1 && name == "alpha_" ? "ratios." : "radicals.") + name + std::to_string(k);
       radicals.push_back(derivation::the_book().has(id) ? text_cell(kernel::text(right_side(id)))
