@@ -33,70 +33,78 @@ kernel::Theorems premises_of(const kernel::Step& step) {
   return all;
 }
 
-/// The shown theorems of the book, and which of them each was made from.
+/// Once for each different theorem that `open` is made from, itself too: visit(theorem) says
+/// whether to go on to what it is made from.
+template <class F>
+void walk(kernel::Theorems open, const F& visit) {
+  std::set<Content> seen;
+  while (!open.empty()) {
+    const Theorem t = open.back();
+    open.pop_back();
+    if (!seen.insert(content_of(t)).second || !visit(t)) continue;
+    for (const Theorem& p : premises_of(t.step())) open.push_back(p);
+  }
+}
+
+/// The shown theorems by number, in the book's order, and which of them each was made from.
+using Numbers = std::set<std::size_t>;
 class Index {
 public:
-  explicit Index(const derivation::Book& the_book) : book(the_book) {
-    for (const Chapter& chapter : book.chapters())
-      for (const Statement& s : chapter.statements) ids.emplace(s.theorem.conclusion(), s.id);
-  }
-  std::vector<std::string> premises(const Statement& s) const {
-    std::set<std::string> found;
-    std::set<Content> seen;
-    std::vector<Theorem> open = premises_of(s.theorem.step());
-    while (!open.empty()) {
-      const Theorem t = open.back();
-      open.pop_back();
-      const Content content = content_of(t);
-      if (!seen.insert(content).second) continue;
-      const auto shown = ids.find(t.conclusion());
-      if (shown != ids.end() && shown->second != s.id) {
-        found.insert(shown->second);
-        continue;
-      }
-      for (const Theorem& p : premises_of(t.step())) open.push_back(p);
-    }
-    std::vector<std::string> in_order;
+  explicit Index(const derivation::Book& book) {
     for (const Chapter& chapter : book.chapters()) {
-      for (const Statement& other : chapter.statements)
-        if (found.count(other.id) != 0) in_order.push_back(other.id);
+      for (const Statement& s : chapter.statements) {
+        numbers.emplace(s.theorem.conclusion(), all.size());
+        all.push_back({chapter, s});
+      }
     }
-    return in_order;
   }
-  const derivation::Book& book;
+  Numbers premises(std::size_t of) const {
+    Numbers found;
+    walk(premises_of(all[of].statement.theorem.step()), [&](const Theorem& t) {
+      const auto shown = numbers.find(t.conclusion());
+      if (shown == numbers.end() || shown->second == of) return true;
+      found.insert(shown->second);
+      return false;
+    });
+    return found;
+  }
+  std::vector<std::string> ids(const Numbers& which) const {
+    std::vector<std::string> texts;
+    for (const std::size_t k : which) texts.push_back(all[k].statement.id);
+    return texts;
+  }
+  struct Shown {
+    const Chapter& chapter;
+    const Statement& statement;
+  };
+  std::vector<Shown> all;
 
 private:
-  std::map<kernel::Expr, std::string> ids;  // a definition may be shown under more hypotheses
+  std::map<kernel::Expr, std::size_t> numbers;  // a definition may be shown under more hypotheses
 };
 
-/// The ids that are asked for; all where no word is given.
-std::set<std::string> asked_for(const Request& request, const Index& index) {
-  std::set<std::string> wanted;
-  const auto add = [&](const std::string& word) {
+/// What is asked for; all where no word is given.
+Numbers asked_for(const Request& request, const Index& index) {
+  Numbers wanted;
+  std::vector<std::string> words = request.words;
+  if (request.has("from")) words.push_back(request.text("from"));
+  for (const std::string& word : words) {
     const std::size_t before = wanted.size();
-    for (const Chapter& chapter : index.book.chapters()) {
-      for (const Statement& s : chapter.statements)
-        if (s.id == word || chapter.name == word) wanted.insert(s.id);
+    std::vector<std::string> chapters;
+    for (std::size_t k = 0; k < index.all.size(); ++k) {
+      const auto& [chapter, statement] = index.all[k];
+      if (statement.id == word || chapter.name == word) wanted.insert(k);
+      if (chapters.empty() || chapters.back() != chapter.name) chapters.push_back(chapter.name);
     }
     if (wanted.size() == before) {
-      std::vector<std::string> names;
-      for (const Chapter& chapter : index.book.chapters()) names.push_back(chapter.name);
       throw InvalidInput("derive: no chapter or step " + shown_text(word) +
-                         "; chapters: " + joined(names) + "; steps: derive --list");
+                         "; chapters: " + joined(chapters) + "; steps: derive --list");
     }
-  };
-  for (const std::string& word : request.words) add(word);
-  if (request.has("from")) add(request.text("from"));
-  if (wanted.empty())
-    for (const Chapter& chapter : index.book.chapters()) add(chapter.name);
-  if (!request.has("from")) return wanted;
-  // What they rest on, from the last statement to the first.
-  const auto& chapters = index.book.chapters();
-  for (auto chapter = chapters.rbegin(); chapter != chapters.rend(); ++chapter) {
-    for (auto s = chapter->statements.rbegin(); s != chapter->statements.rend(); ++s) {
-      if (wanted.count(s->id) != 0)
-        for (const std::string& id : index.premises(*s)) wanted.insert(id);
-    }
+  }
+  const bool takes_all = words.empty();
+  for (std::size_t k = index.all.size(); k-- > 0;) {  // from the last to the first
+    if (takes_all) wanted.insert(k);
+    if (request.has("from") && wanted.count(k) != 0) wanted.merge(index.premises(k));
   }
   return wanted;
 }
@@ -108,18 +116,16 @@ kernel::Exprs beyond(const kernel::Exprs& hypotheses, const kernel::Exprs& assum
   return out;
 }
 
-std::vector<render::Section> sections(const std::set<std::string>& wanted, const Index& index) {
+std::vector<render::Section> sections(const Numbers& wanted, const Index& index) {
   std::vector<render::Section> out;
-  for (const Chapter& chapter : index.book.chapters()) {
-    render::Section section{chapter.title, chapter.assumptions, {}};
-    for (const Statement& s : chapter.statements) {
-      if (wanted.count(s.id) != 0) {
-        section.steps.push_back({s.id, s.label, s.words, s.theorem.conclusion(),
-                                 beyond(s.theorem.hypotheses(), chapter.assumptions),
-                                 s.theorem.step().rule, index.premises(s)});
-      }
-    }
-    if (!section.steps.empty()) out.push_back(section);
+  const Chapter* last = nullptr;
+  for (const std::size_t k : wanted) {
+    const auto& [chapter, s] = index.all[k];
+    if (last != &chapter) out.push_back({chapter.title, chapter.assumptions, {}});
+    last = &chapter;
+    out.back().steps.push_back({s.id, s.label, s.words, s.theorem.conclusion(),
+                                beyond(s.theorem.hypotheses(), chapter.assumptions),
+                                s.theorem.step().rule, index.ids(index.premises(k))});
   }
   return out;
 }
@@ -138,23 +144,21 @@ std::vector<Column> derive_columns() {
 
 Answer derive(const Request& request) {
   const Index index(derivation::the_book());
-  const std::set<std::string> wanted = asked_for(request, index);
+  const Numbers wanted = asked_for(request, index);
   if (request.format == "markdown") return {{}, render::markdown_page(sections(wanted, index))};
   if (request.format == "text" && !request.has("list"))
     return {{}, render::text_page(sections(wanted, index))};
   Table table{derive_columns(), {}};
   std::string list;
-  for (const Chapter& chapter : index.book.chapters()) {
-    for (const Statement& s : chapter.statements) {
-      if (wanted.count(s.id) == 0) continue;
-      std::vector<std::string> hypotheses;
-      for (const kernel::Expr& h : s.theorem.hypotheses()) hypotheses.push_back(kernel::text(h));
-      const std::string formula = kernel::text(s.theorem.conclusion());
-      list += s.id + (s.label.empty() ? "" : " (" + s.label + ")") + "\n    " + formula + "\n";
-      table.rows.push_back({text_cell(s.id), text_cell(formula), list_cell(hypotheses),
-                            text_cell(s.label), text_cell(s.theorem.step().rule),
-                            list_cell(index.premises(s)), text_cell("proved")});
-    }
+  for (const std::size_t k : wanted) {
+    const Statement& s = index.all[k].statement;
+    std::vector<std::string> hypotheses;
+    for (const kernel::Expr& h : s.theorem.hypotheses()) hypotheses.push_back(kernel::text(h));
+    const std::string formula = kernel::text(s.theorem.conclusion());
+    list += s.id + (s.label.empty() ? "" : " (" + s.label + ")") + "\n    " + formula + "\n";
+    table.rows.push_back({text_cell(s.id), text_cell(formula), list_cell(hypotheses),
+                          text_cell(s.label), text_cell(s.theorem.step().rule),
+                          list_cell(index.ids(index.premises(k))), text_cell("proved")});
   }
   return {table, request.format == "text" ? list : ""};
 }
@@ -173,24 +177,12 @@ Answer verify(const Request&) {
     Table failed{verify_columns(), {{whole_cell(0), whole_cell(1), whole_cell(0)}}, false};
     return {failed, "not proved: " + std::string(refused.what()) + "\n", true};
   }
-  std::int64_t shown = 0;
-  std::set<Content> steps;
-  std::vector<Theorem> open;
-  for (const Chapter& chapter : book->chapters()) {
-    for (const Statement& s : chapter.statements) {
-      ++shown;
-      open.push_back(s.theorem);
-    }
-  }
-  while (!open.empty()) {
-    const Theorem t = open.back();
-    open.pop_back();
-    if (!steps.insert(content_of(t)).second) continue;
-    for (const Theorem& p : premises_of(t.step())) open.push_back(p);
-  }
-  const auto step_count = static_cast<std::int64_t>(steps.size());
-  return {{verify_columns(), {{whole_cell(shown), whole_cell(0), whole_cell(step_count)}}, false},
-          ""};
+  kernel::Theorems shown;
+  for (const auto& entry : Index(*book).all) shown.push_back(entry.statement.theorem);
+  std::int64_t steps = 0;
+  walk(shown, [&](const Theorem&) { return ++steps > 0; });
+  const auto proved = static_cast<std::int64_t>(shown.size());
+  return {{verify_columns(), {{whole_cell(proved), whole_cell(0), whole_cell(steps)}}, false}, ""};
 }
 
 }  // namespace answers
