@@ -65,14 +65,14 @@ public:
 
 private:
   static constexpr long series_below = -16;  // where at most bits/16 terms are needed
-  /// 1 - z r_1 + z^2 r_1 r_2 - ..., until a term is below the spare bits; r_k = ratio(k) <= 1.
+  /// 1 - z r_1 + z^2 r_1 r_2 - ..., without terms below the spare bits; r_k = ratio(k) <= 1.
   template <class R>
   static F series(const F& z, R ratio) {
-    F sum = 1.0;
     F term = -z * ratio(1);
-    for (long k = 2; exponent(term) > -F::bits - F::spare; ++k) {
-      sum = sum + term;
+    F sum = F(1.0) + term;
+    for (long k = 2; exponent(term) + exponent(z) > -F::bits - F::spare; ++k) {
       term = -term * z * ratio(k);
+      sum = sum + term;
     }
     return sum;
   }

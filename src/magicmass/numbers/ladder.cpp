@@ -14,6 +14,8 @@ namespace numbers {
 namespace {
 /// Below, N_A > pi/sqrt(8 alpha) - 3/2 is above 2^63: h < sqrt(2 alpha).
 constexpr double too_many_below = 0x1p-126;
+/// Counts have so many bits that two doubles leave nearly every row open.
+constexpr double slow_settles_few_below = 0x1p-84;
 
 /// The first certain answer of the tiers from `from` on.
 template <class Value, class... Arguments>
@@ -28,6 +30,7 @@ std::optional<Value> certain(bool (*const (&tiers)[3])(Value&, Arguments...), in
 /// Counts of 2^63 or more are INT64_MAX.
 [[gnu::noinline]] std::optional<Terminal> settled_terminal(Tier tier, double alpha) {
   if (!is_mass_ratio(alpha) || alpha < too_many_below) return std::nullopt;
+  if (alpha < slow_settles_few_below) return terminal_by_mpfr(alpha);
   const auto t = certain(kernels().terminal, tier + 1, alpha);
   return t ? t : terminal_by_mpfr(alpha);
 }

@@ -19,14 +19,21 @@ public:
   /// For inputs whose results are computed without rounding: bounds are 0 then.
   static inline thread_local bool is_exact = false;
 
-  MpfrFloat() { mpfr_init2(v, bits + spare); }
+  MpfrFloat() {
+    if (bits + spare <= own_limbs * 64)
+      mpfr_custom_init_set(v, MPFR_ZERO_KIND, 0, bits + spare, limbs);
+    else
+      mpfr_init2(v, bits + spare);
+  }
   MpfrFloat(double x) : MpfrFloat() { mpfr_set_d(v, x, MPFR_RNDN); }
   MpfrFloat(const MpfrFloat& x) : MpfrFloat() { mpfr_set(v, x.v, MPFR_RNDN); }
   MpfrFloat& operator=(const MpfrFloat& x) {
     mpfr_set(v, x.v, MPFR_RNDN);
     return *this;
   }
-  ~MpfrFloat() { mpfr_clear(v); }
+  ~MpfrFloat() {
+    if (mpfr_custom_get_significand(v) != limbs) mpfr_clear(v);
+  }
 
   static MpfrFloat whole(std::int64_t n) { return of(mpfr_set_sj, n); }
   static std::int64_t to_whole(const MpfrFloat& x) { return mpfr_get_sj(x.v, MPFR_RNDN); }
@@ -85,6 +92,9 @@ private:
     f(r.v, arguments..., MPFR_RNDN);
     return r;
   }
+  // The first precision fits in here: memory from the heap would take more time than arithmetic.
+  static constexpr long own_limbs = 3;
   mpfr_t v;
+  mp_limb_t limbs[own_limbs];
 };
 }  // namespace magicmass::numbers
