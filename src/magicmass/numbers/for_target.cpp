@@ -90,7 +90,7 @@ template <class Q, class Tier>
 [[gnu::always_inline]] inline std::size_t rows_of(std::size_t size,
                                                   const typename Q::Columns& columns, Open& open) {
   constexpr std::size_t width = lanes;
-  constexpr std::size_t most = 16;
+  constexpr std::size_t most = 64 / width;
   std::size_t left = 0;
   std::size_t i = 0;
   while (i + width <= size) {
