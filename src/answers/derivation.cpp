@@ -145,9 +145,14 @@ std::vector<Column> derive_columns() {
 Answer derive(const Request& request) {
   const Index index(derivation::the_book());
   const Numbers wanted = asked_for(request, index);
-  if (request.format == "markdown") return {{}, render::markdown_page(sections(wanted, index))};
-  if (request.format == "text" && !request.has("list"))
-    return {{}, render::text_page(sections(wanted, index))};
+  const std::map<std::string, std::string (*)(const std::vector<render::Section>&)> pages{
+      {"text", render::text_page},
+      {"markdown", render::markdown_page},
+      {"latex", render::latex_page},
+      {"html", render::html_page}};
+  const auto page = pages.find(request.format);
+  const bool is_list = request.format == "text" && request.has("list");
+  if (page != pages.end() && !is_list) return {{}, page->second(sections(wanted, index))};
   Table table{derive_columns(), {}};
   std::string list;
   for (const std::size_t k : wanted) {
@@ -160,7 +165,7 @@ Answer derive(const Request& request) {
                           text_cell(s.label), text_cell(s.theorem.step().rule),
                           list_cell(index.ids(index.premises(k))), text_cell("proved")});
   }
-  return {table, request.format == "text" ? list : ""};
+  return {table, is_list ? list : ""};
 }
 
 std::vector<Column> verify_columns() {

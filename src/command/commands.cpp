@@ -29,7 +29,7 @@ Program magicmass() {
                {{"from", "STEP", "a step and what it rests on"},
                 {"list", "", "the paper's labels, theorems and formulas"}},
                "CHAPTER or STEP",
-               {"text", "markdown", "json"},
+               {"text", "markdown", "latex", "html", "json"},
                answers::derive_columns(),
                answers::derive},
               {"verify",

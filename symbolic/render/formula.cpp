@@ -26,14 +26,18 @@ enum Level {
 };
 
 struct Piece {
-  std::string text;
-  int level = Atom;
-  bool minus = false;  // begins with a minus sign
+  std::string text;  // without its minus sign
+  int level = Atom;  // with it
+  bool minus = false;
 };
 
 class Visitor {
 public:
   explicit Visitor(const Style& the_style) : style(the_style) {}
+  std::string text(Expr e) const { return whole(visit(e)); }
+
+private:
+  const Style& style;
 
   Piece visit(Expr e) const {
     switch (e.op()) {
@@ -51,18 +55,17 @@ public:
       case Op::Pow:
         return is_inverse(e)
                    ? product(e)
-                   : Piece{style.power(within(Atom, e.arg(0)), std::to_string(e.exponent())),
-                           Power};
+                   : Piece{style.power(within(Atom, e.arg(0)), number(e.exponent())), Power};
       case Op::Matrix:
         return {matrix(e)};
       case Op::Transpose:
-        return {style.power(within(Atom, e.arg(0)), "T"), Power};
+        return {style.power(within(Atom, e.arg(0)), style.name("T")), Power};
       case Op::MatrixPower:
         return {style.power(within(Atom, e.arg(0)), within(Sum, e.arg(1))), Power};
       case Op::Entry:
-        return {style.indexed(within(Atom, e.arg(0)),
-                              std::to_string(e.index() / e.arg(0).cols() + 1) + "," +
-                                  std::to_string(e.index() % e.arg(0).cols() + 1))};
+        return {style.indexed(within(Atom, e.arg(0)), number(e.index() / e.arg(0).cols() + 1) +
+                                                          style.word(",") +
+                                                          number(e.index() % e.arg(0).cols() + 1))};
       case Op::Det:
         return {style.call(style.name("det"), within(Quantified, e.arg(0)))};
       default:
@@ -70,13 +73,15 @@ public:
     }
   }
 
-private:
-  const Style& style;
-
   std::string within(int least, Expr e) const { return within(least, visit(e)); }
   std::string within(int least, const Piece& piece) const {
-    return piece.level < least ? style.parentheses(piece.text) : piece.text;
+    return piece.level < least ? style.parentheses(whole(piece)) : whole(piece);
   }
+  std::string whole(const Piece& piece) const {
+    return (piece.minus ? style.word("-") : "") + piece.text;
+  }
+  std::string number(int n) const { return style.number(std::to_string(n)); }
+  std::string number(const cln::cl_I& n) const { return style.number(kernel::digits(n)); }
   Strings parts(Expr e, int least) const {
     Strings out;
     for (const Expr& a : e.args()) out.push_back(within(least, a));
@@ -89,23 +94,25 @@ private:
     return out;
   }
   Piece number(const cln::cl_RA& q) const {
-    const bool minus = q < 0;
-    const std::string over = kernel::digits(cln::abs(cln::numerator(q)));
-    const std::string under = kernel::digits(cln::denominator(q));
-    const std::string size = under == "1" ? over : style.fraction(over, under);
-    return {(minus ? "-" : "") + size, minus ? Sum : under == "1" ? Atom : Product, minus};
+    const std::string over = number(cln::abs(cln::numerator(q)));
+    const bool is_whole = cln::denominator(q) == 1;
+    return {is_whole ? over : style.fraction(over, number(cln::denominator(q))),
+            q < 0      ? Sum
+            : is_whole ? Atom
+                       : Product,
+            q < 0};
   }
   Piece sum(Expr e) const {
-    std::string out;
-    bool minus = false;
+    Piece out{"", Sum};
     for (const Expr& a : e.args()) {
       const Piece p = visit(a);
-      const std::string text = p.minus ? p.text.substr(1) : within(Product, p);
-      if (out.empty()) minus = p.minus;
-      out += out.empty() ? (p.minus ? "-" : "") : p.minus ? " - " : " + ";
-      out += text;
+      if (out.text.empty())
+        out.minus = p.minus;
+      else
+        out.text += style.word(p.minus ? " - " : " + ");
+      out.text += p.minus ? p.text : within(Product, p);
     }
-    return {out, Sum, minus};
+    return out;
   }
   static bool is_inverse(Expr e) {
     const Expr base = e.op() == Op::Pow ? e.arg(0) : e;
@@ -116,7 +123,6 @@ private:
     cln::cl_RA coefficient = 1;
     Strings over;
     Strings under;
-    int lone_over = Atom;
     Exprs factors = e.op() == Op::Mul ? e.args() : Exprs{e};
     flatten(factors);
     const auto divisors = std::count_if(factors.begin(), factors.end(), is_inverse);
@@ -129,25 +135,22 @@ private:
                          : f.op() == Op::Pow ? kernel::power(f.arg(0).arg(0), f.exponent())
                                              : f.arg(0);
       const Piece p = visit(shown);
-      lone_over = p.level;
-      (is_inverse(f) ? under : over).push_back(p.text);
+      (is_inverse(f) ? under : over).push_back(whole(p));
       // Alone over or under a line nothing needs parentheses.
       const bool alone = is_inverse(f)
                              ? divisors == 1 && cln::denominator(coefficient) == 1
                              : factors.size() == 1 + std::size_t(divisors) && divisors > 0;
       if (!alone && p.level < Product + (p.minus ? 1 : 0))
-        (is_inverse(f) ? under : over).back() = style.parentheses(p.text);
+        (is_inverse(f) ? under : over).back() = style.parentheses(whole(p));
     }
-    (void)lone_over;
-    const bool minus = coefficient < 0;
-    const std::string number = kernel::digits(cln::abs(cln::numerator(coefficient)));
-    const std::string divisor = kernel::digits(cln::denominator(coefficient));
-    if (number != "1" || over.empty()) over.insert(over.begin(), number);
-    if (divisor != "1") under.insert(under.begin(), divisor);
+    const cln::cl_I times = cln::abs(cln::numerator(coefficient));
+    if (times != 1 || over.empty()) over.insert(over.begin(), number(times));
+    if (cln::denominator(coefficient) != 1)
+      under.insert(under.begin(), number(cln::denominator(coefficient)));
     const std::string text = under.empty()
                                  ? style.product(over)
                                  : style.fraction(style.product(over), style.product(under));
-    return {(minus ? "-" : "") + text, minus ? Sum : Product, minus};
+    return {text, coefficient < 0 ? Sum : Product, coefficient < 0};
   }
   static void flatten(Exprs& factors) {
     Exprs out;
@@ -169,7 +172,7 @@ private:
     std::string plain;
     for (std::size_t i = hide ? signature.params.size() : 0; i < args.size(); ++i) {
       std::string& part = signature.args[i] == kernel::Sort::Int ? index : plain;
-      part += (part.empty() ? "" : ", ") + within(Quantified, args[i]);
+      part += (part.empty() ? "" : style.word(", ")) + within(Quantified, args[i]);
     }
     std::string name = e.name();
     if (name.back() == '_') name.pop_back();
@@ -207,7 +210,8 @@ private:
         const bool whole = e.bound_sort() == kernel::Sort::Int;
         const Expr v = whole ? kernel::integer(e.name()) : kernel::real(e.name());
         return {style.word(whole ? "for every integer " : "for every real ") +
-                    style.name(e.name()) + ": " + within(Quantified, kernel::open(e, v)),
+                    style.name(e.name()) + style.word(": ") +
+                    within(Quantified, kernel::open(e, v)),
                 Quantified};
       }
     }
@@ -215,5 +219,5 @@ private:
 };
 }  // namespace
 
-std::string formula(Expr e, const Style& style) { return Visitor(style).visit(e).text; }
+std::string formula(Expr e, const Style& style) { return Visitor(style).text(e); }
 }  // namespace render

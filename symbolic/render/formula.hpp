@@ -13,6 +13,7 @@ using Strings = std::vector<std::string>;
 struct Style {
   virtual ~Style() = default;
   virtual std::string name(const std::string& name) const = 0;  ///< of a variable or function
+  virtual std::string number(const std::string& digits) const = 0;
   virtual std::string indexed(const std::string& base, const std::string& index) const = 0;
   virtual std::string call(const std::string& function, const std::string& arguments) const = 0;
   virtual std::string fraction(const std::string& over, const std::string& under) const = 0;
@@ -22,7 +23,8 @@ struct Style {
   virtual std::string matrix(const std::vector<Strings>& rows) const = 0;
   virtual std::string parentheses(const std::string& inside) const = 0;
   virtual std::string product(const Strings& factors) const = 0;
-  /// " = ", " <= ", " and ", "not ", "for every integer ": what stands between formulas.
+  /// " + ", "-", ", ", " = ", " <= ", " and ", "not ", "for every integer ": what stands between
+  /// terms and formulas.
   virtual std::string word(const std::string& word) const = 0;
 };
 /// A closed term, matrix or formula. Throws kernel::Refused for anything else.

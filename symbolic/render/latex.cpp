@@ -14,6 +14,7 @@ bool is_among(const std::string& word, std::initializer_list<const char*> words)
 class Latex : public Style {
 public:
   std::string name(const std::string& name) const override { return latex_name(name); }
+  std::string number(const std::string& digits) const override { return digits; }
   std::string indexed(const std::string& base, const std::string& index) const override {
     // A prime comes before the index: c'_{n}. A second index joins the first.
     if (base.back() == '}' && base.find("_{") != std::string::npos)
@@ -56,9 +57,7 @@ public:
     return out;
   }
   std::string word(const std::string& word) const override {
-    constexpr std::array<std::pair<const char*, const char*>, 8> signs{{
-        {" = ", " = "},
-        {" < ", " < "},
+    constexpr std::array<std::pair<const char*, const char*>, 6> signs{{
         {" <= ", " \\le "},
         {" != ", " \\ne "},
         {"not ", "\\lnot "},
@@ -68,6 +67,7 @@ public:
     }};
     for (const auto& [ours, theirs] : signs)
       if (word == ours) return theirs;
+    if (word.find_first_of("abcdefghijklmnopqrstuvwxyz") == word.npos) return word;
     return "\\text{" + word + "}";
   }
 };

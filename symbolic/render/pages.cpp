@@ -2,9 +2,11 @@
 #include "render/pages.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "kernel/print.hpp"
 #include "render/latex.hpp"
+#include "render/mathml.hpp"
 
 namespace render {
 namespace {
@@ -41,12 +43,13 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   }
   return out + line + "\n";
 }
+std::string because(const Step& s, std::string (*link)(const std::string&)) {
+  Lines premises;
+  for (const std::string& id : s.premises) premises.push_back(link(id));
+  return s.rule + (premises.empty() ? "" : " from " + joined(premises, ", "));
+}
 /// A conjunction is shown a line a part.
 Exprs lines_of(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
-
-std::string because(const Step& s) {
-  return s.rule + (s.premises.empty() ? "" : " from " + joined(s.premises, ", "));
-}
 }  // namespace
 
 std::string text_page(const std::vector<Section>& sections) {
@@ -61,28 +64,113 @@ std::string text_page(const std::vector<Section>& sections) {
       out += "\n" + wrapped(s.words, "");
       if (!s.conditions.empty()) out += wrapped("if " + listed(s.conditions, print, " and "), "  ");
       for (const Expr& line : lines_of(s.formula)) out += wrapped(print(line), "    ");
-      out += wrapped(
-          "[" + s.id + "]" + (s.label.empty() ? "" : " (" + s.label + ")") + " by " + because(s),
-          "  ");
+      out += wrapped("[" + s.id + "]" + (s.label.empty() ? "" : " (" + s.label + ")") + " by " +
+                         because(s, [](const std::string& id) { return id; }),
+                     "  ");
     }
   }
   return out;
 }
-std::string markdown_page(const std::vector<Section>& sections) {
-  std::string out;
+
+namespace {
+/// What a page puts around its parts.
+struct Markup {
+  std::string head, foot;
+  std::string (*escaped)(const std::string& words);
+  std::string (*heading)(const std::string& title);
+  std::string (*paragraph)(const std::string& inside, const std::string& id);
+  std::string (*in_line)(Expr);
+  std::string (*block)(Expr);
+  std::string (*own_id)(const std::string& id);
+  std::string (*link)(const std::string& id);
+  std::string (*reason)(const std::string& inside);
+};
+std::string page(const std::vector<Section>& sections, const Markup& m) {
+  std::string out = m.head;
   for (const Section& section : sections) {
-    out += (out.empty() ? "## " : "\n## ") + section.title + "\n";
-    const auto inline_math = [](Expr e) { return "$" + latex(e) + "$"; };
+    out += m.heading(m.escaped(section.title));
     if (!section.assumptions.empty())
-      out += "\nThroughout: " + listed(section.assumptions, inline_math, ", ") + ".\n";
+      out += m.paragraph("Throughout: " + listed(section.assumptions, m.in_line, ", ") + ".", "");
     for (const Step& s : section.steps) {
-      out += "\n" + s.words + "\n";
-      if (!s.conditions.empty()) out += "If " + listed(s.conditions, inline_math, " and ") + ":\n";
-      for (const Expr& line : lines_of(s.formula)) out += "\n$$" + latex(line) + "$$\n";
-      out += "\n`" + s.id + "`" + (s.label.empty() ? "" : " (" + s.label + ")") + ": " +
-             because(s) + "\n";
+      out += m.paragraph(m.escaped(s.words), s.id);
+      if (!s.conditions.empty())
+        out += m.paragraph("If " + listed(s.conditions, m.in_line, " and ") + ":", "");
+      for (const Expr& line : lines_of(s.formula)) out += m.block(line);
+      out += m.reason(m.own_id(s.id) + (s.label.empty() ? "" : " (" + m.escaped(s.label) + ")") +
+                      ": " + because(s, m.link));
     }
   }
+  return out + m.foot;
+}
+std::string escaped(const std::string& text, const std::map<char, std::string>& escapes) {
+  std::string out;
+  for (const char c : text) {
+    const auto found = escapes.find(c);
+    out += found == escapes.end() ? std::string(1, c) : found->second;
+  }
   return out;
+}
+std::string as_it_is(const std::string& text) { return text; }
+std::string in_dollars(Expr e) { return "$" + latex(e) + "$"; }
+std::string in_latex(const std::string& text) {
+  return escaped(text, {{'_', "\\_"}, {'^', "\\^{}"}, {'&', "\\&"}, {'%', "\\%"}, {'#', "\\#"}});
+}
+std::string in_html(const std::string& text) {
+  return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+}
+}  // namespace
+
+std::string markdown_page(const std::vector<Section>& sections) {
+  return page(sections, {.head = "",
+                         .foot = "",
+                         .escaped = as_it_is,
+                         .heading = [](const std::string& title) { return "\n## " + title + "\n"; },
+                         .paragraph = [](const std::string& inside,
+                                         const std::string&) { return "\n" + inside + "\n"; },
+                         .in_line = in_dollars,
+                         .block = [](Expr e) { return "\n$$" + latex(e) + "$$\n"; },
+                         .own_id = [](const std::string& id) { return "`" + id + "`"; },
+                         .link = as_it_is,
+                         .reason = [](const std::string& inside) { return "\n" + inside + "\n"; }});
+}
+std::string latex_page(const std::vector<Section>& sections) {
+  return page(
+      sections,
+      {.head = "\\documentclass{article}\n\\usepackage{amsmath}\n"
+               "\\usepackage[margin=2cm]{geometry}\n\\begin{document}\n",
+       .foot = "\\end{document}\n",
+       .escaped = in_latex,
+       .heading = [](const std::string& title) { return "\n\\section{" + title + "}\n"; },
+       .paragraph = [](const std::string& inside,
+                       const std::string&) { return "\n" + inside + "\n"; },
+       .in_line = in_dollars,
+       .block = [](Expr e) { return "\\[" + latex(e) + "\\]\n"; },
+       .own_id = [](const std::string& id) { return "\\texttt{" + in_latex(id) + "}"; },
+       .link = in_latex,
+       .reason = [](const std::string& inside) { return "{\\footnotesize " + inside + "}\n"; }});
+}
+std::string html_page(const std::vector<Section>& sections) {
+  const auto link = [](const std::string& id) { return "<a href=\"#" + id + "\">" + id + "</a>"; };
+  return page(
+      sections,
+      {.head = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+               "<meta name=\"viewport\" content=\"width=device-width\">\n"
+               "<title>Derivation</title>\n<style>\n"
+               "body { max-width: 50em; margin: auto; padding: 1em; font-family: serif; }\n"
+               "math[display] { overflow: auto hidden; }\n"
+               ".reason { font-size: smaller; color: #444; }\n</style>\n</head>\n<body>\n",
+       .foot = "</body>\n</html>\n",
+       .escaped = in_html,
+       .heading = [](const std::string& title) { return "<h2>" + title + "</h2>\n"; },
+       .paragraph =
+           [](const std::string& inside, const std::string& id) {
+             return (id.empty() ? "<p>" : "<p id=\"" + id + "\">") + inside + "</p>\n";
+           },
+       .in_line = [](Expr e) { return mathml(e, false); },
+       .block = [](Expr e) { return mathml(e, true) + "\n"; },
+       .own_id = link,
+       .link = link,
+       .reason =
+           [](const std::string& inside) { return "<p class=\"reason\">" + inside + "</p>\n"; }});
 }
 }  // namespace render

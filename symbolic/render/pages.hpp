@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A derivation as a page: plain text of at most 80 columns where words can be broken, or Markdown.
+// A derivation as a page: plain text of at most 80 columns where words can be broken, Markdown,
+// LaTeX or HTML.
 #pragma once
 #include <string>
 #include <vector>
@@ -23,4 +24,8 @@ struct Section {
 };
 std::string text_page(const std::vector<Section>& sections);
 std::string markdown_page(const std::vector<Section>& sections);
+/// A document for pdflatex with amsmath.
+std::string latex_page(const std::vector<Section>& sections);
+/// A page of its own, formulas in MathML; premises are links.
+std::string html_page(const std::vector<Section>& sections);
 }  // namespace render

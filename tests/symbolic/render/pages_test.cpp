@@ -41,3 +41,33 @@ TEST_CASE("a page of Markdown has its formulas between dollars") {
   CHECK_THAT(page, ContainsSubstring("If $0 < y$:\n\n$$x \\, y = y \\, x$$\n"));
   CHECK_THAT(page, ContainsSubstring("`a.first` (eq:first): arithmetic\n"));
 }
+TEST_CASE("a page of HTML is well-formed, its premises are links") {
+  const std::string page = render::html_page(sections());
+  CHECK_THAT(page, ContainsSubstring("<h2>A chapter</h2>\n<p>Throughout: <math><mn>0</mn>"));
+  CHECK_THAT(page, ContainsSubstring("<mo>&lt;</mo>"));
+  CHECK_THAT(page, ContainsSubstring("<p id=\"a.second\">"));
+  CHECK_THAT(page, ContainsSubstring("tautology from <a href=\"#a.first\">a.first</a></p>"));
+  std::vector<std::string> open;
+  for (std::size_t at = page.find('<', 15); at != page.npos; at = page.find('<', at + 1)) {
+    const std::string tag = page.substr(at + 1, page.find_first_of(" >", at) - at - 1);
+    if (tag == "meta") continue;
+    if (tag[0] != '/') {
+      open.push_back(tag);
+      continue;
+    }
+    REQUIRE(!open.empty());
+    CHECK(tag == "/" + open.back());
+    open.pop_back();
+  }
+  CHECK(open.empty());
+}
+TEST_CASE("a page of LaTeX is a document, with signs of its own escaped") {
+  const std::string page = render::latex_page(sections());
+  CHECK(page.starts_with("\\documentclass"));
+  CHECK(page.ends_with("\\end{document}\n"));
+  CHECK_THAT(page, ContainsSubstring("\n\\section{A chapter}\n\nThroughout: $0 < x$.\n"));
+  CHECK_THAT(page, ContainsSubstring("\\[x \\, y = y \\, x\\]\n"));
+  auto odd = sections();
+  odd[0].steps[0].id = "a.first_one";
+  CHECK_THAT(render::latex_page(odd), ContainsSubstring("\\texttt{a.first\\_one}"));
+}

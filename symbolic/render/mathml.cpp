@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "render/mathml.hpp"
+
+#include <array>
+#include <map>
+
+#include "render/formula.hpp"
+
+namespace render {
+namespace {
+std::string element(const std::string& tag, const std::string& inside) {
+  return "<" + tag + ">" + inside + "</" + tag + ">";
+}
+std::string row(const std::string& inside) { return element("mrow", inside); }
+/// Greek letters by their entities' characters; words stay upright.
+std::string letters(const std::string& name) {
+  static const std::map<std::string, std::string> greek{
+      {"alpha", "α"}, {"beta", "β"},  {"theta", "θ"},  {"psi", "ψ"},    {"pi", "π"},
+      {"rho", "ρ"},   {"Gamma", "Γ"}, {"Lambda", "Λ"}, {"lambda", "λ"}, {"atan", "arctan"}};
+  const auto found = greek.find(name);
+  return element("mi", found == greek.end() ? name : found->second);
+}
+class Mathml : public Style {
+public:
+  std::string name(const std::string& name) const override {
+    const bool primed = name.back() == '\'';
+    const std::string plain = primed ? name.substr(0, name.size() - 1) : name;
+    const std::size_t underscore = plain.find('_');
+    std::string out = letters(plain.substr(0, underscore));
+    if (primed) out = element("msup", out + element("mo", "′"));
+    if (underscore == std::string::npos) return out;
+    const std::string index = plain.substr(underscore + 1);
+    const bool is_number = index.find_first_not_of("0123456789") == index.npos;
+    return indexed(out, element(is_number ? "mn" : "mi", index));
+  }
+  std::string number(const std::string& digits) const override { return element("mn", digits); }
+  std::string indexed(const std::string& base, const std::string& index) const override {
+    return element("msub", row(base) + row(index));
+  }
+  std::string call(const std::string& function, const std::string& arguments) const override {
+    return function + "<mo>&#x2061;</mo>" + parentheses(arguments);
+  }
+  std::string fraction(const std::string& over, const std::string& under) const override {
+    return element("mfrac", row(over) + row(under));
+  }
+  std::string power(const std::string& base, const std::string& exponent) const override {
+    return element("msup", row(base) + row(exponent));
+  }
+  std::string root(const std::string& radicand) const override {
+    return element("msqrt", radicand);
+  }
+  std::string ceiling(const std::string& argument) const override {
+    return row("<mo>⌈</mo>" + argument + "<mo>⌉</mo>");
+  }
+  std::string matrix(const std::vector<Strings>& rows) const override {
+    std::string table;
+    for (const Strings& r : rows) {
+      std::string cells;
+      for (const std::string& cell : r) cells += element("mtd", cell);
+      table += element("mtr", cells);
+    }
+    return parentheses(element("mtable", table));
+  }
+  std::string parentheses(const std::string& inside) const override {
+    return row("<mo>(</mo>" + inside + "<mo>)</mo>");
+  }
+  std::string product(const Strings& factors) const override {
+    std::string out;
+    for (const std::string& f : factors) {
+      const bool is_number = f.starts_with("<mn>");
+      out += out.empty() ? "" : is_number ? "<mo>⋅</mo>" : "<mo>&#x2062;</mo>";
+      out += f;
+    }
+    return out;
+  }
+  std::string word(const std::string& word) const override {
+    static const std::map<std::string, std::string> signs{{"-", "−"},
+                                                          {" + ", "+"},
+                                                          {" - ", "−"},
+                                                          {",", ","},
+                                                          {", ", ","},
+                                                          {": ", ":"},
+                                                          {" = ", "="},
+                                                          {" < ", "&lt;"},
+                                                          {" <= ", "≤"},
+                                                          {" != ", "≠"},
+                                                          {"not ", "¬"},
+                                                          {" implies ", "⟹"},
+                                                          {" if and only if ", "⟺"}};
+    const auto sign = signs.find(word);
+    if (sign != signs.end()) return element("mo", sign->second);
+    std::string text = word;
+    for (std::size_t at = text.find(' '); at != text.npos; at = text.find(' ', at))
+      text.replace(at, 1, "&#xa0;");
+    return element("mtext", text);
+  }
+};
+}  // namespace
+
+std::string mathml(kernel::Expr e, bool is_block) {
+  static const Mathml style;
+  return (is_block ? "<math display=\"block\">" : "<math>") + formula(e, style) + "</math>";
+}
+}  // namespace render
