@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "codegen/exact.hpp"
 #include "codegen/quantity.hpp"
@@ -11,10 +12,15 @@
 
 namespace codegen {
 namespace {
-constexpr double largest_size = 0x1p900;    // below that, products and splits do not overflow
-constexpr double smallest_size = 0x1p-900;  // above that, errors of products are numbers
-constexpr double largest_whole = 0x1p51;    // `nearest` of the runtime
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double largest_whole = 0x1p51;  // `nearest` of the runtime
 
+/// Up to there, and down to its inverse, nothing over- or underflows: of pairs, no products, splits
+/// and errors of products.
+double largest_size(Numbers numbers) {
+  if (numbers == Numbers::doubles) return 0x1p900;
+  return numbers == Numbers::plain ? 0x1p1000 : infinity;
+}
 }  // namespace
 
 int Builder::add(Node n) {
@@ -23,13 +29,23 @@ int Builder::add(Node n) {
                         n.op == Op::cancelling_sum || n.op == Op::whole_sum;
   if (commutes) std::sort(std::get<1>(key).begin(), std::get<1>(key).end());
   if (const auto found = seen.find(key); found != seen.end()) return found->second;
-  if (n.op != Op::input) n.range = range_of(n);
-  const bool may_underflow = n.range.least() > 0 && n.range.least() < smallest_size;
-  if (!is_wide && (!(n.range.size() <= largest_size) || may_underflow)) {
+  if (n.op != Op::input) n.range = known_range(n);
+  const double most = largest_size(numbers);
+  const bool may_underflow = n.range.least() > 0 && n.range.least() < 1 / most;
+  if (!(n.range.size() <= most) || may_underflow) {
     throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
   }
   program.nodes.push_back(n);
   return seen[key] = program.size() - 1;
+}
+/// A field's numbers are of any size.
+Interval Builder::known_range(const Node& n) const {
+  try {
+    return range_of(n);
+  } catch (const Refused&) {
+    if (numbers != Numbers::field) throw;
+    return {-infinity, infinity};
+  }
 }
 Interval Builder::range_of(const Node& n) const {
   const auto of = [&](std::size_t i) { return program[n.of[i]].range; };
@@ -38,7 +54,7 @@ Interval Builder::range_of(const Node& n) const {
       break;
     case Op::constant: {
       const double x = codegen::nearest(n.of_pi ? n.value * pi() : n.value);
-      return n.is_exact ? Interval{x, x} : around(x, x);
+      return !n.of_pi && is_double(n.value) ? Interval{x, x} : around(x, x);
     }
     case Op::exact_sum:
     case Op::whole_sum:
@@ -55,6 +71,10 @@ Interval Builder::range_of(const Node& n) const {
       return of(0) / of(1);
     case Op::reciprocal_root:
       return codegen::reciprocal_root(of(0));
+    case Op::root:
+      return codegen::root(of(0));
+    case Op::ceiling:
+      return {std::ceil(of(0).low), std::ceil(of(0).high)};
     case Op::arc_tangent:
       return codegen::arc_tangent(of(0));
     case Op::sine:
@@ -65,7 +85,7 @@ Interval Builder::range_of(const Node& n) const {
       return magnitude(of(0));
     case Op::nearest: {
       const Interval ratio = of(0) / of(1);
-      if (!is_wide && !(ratio.size() < largest_whole))
+      if (numbers == Numbers::doubles && !(ratio.size() < largest_whole))
         throw Refused("a ceiling that may be 2^51 or more");
       return {std::floor(ratio.low), std::ceil(ratio.high)};
     }
@@ -76,14 +96,19 @@ Interval Builder::range_of(const Node& n) const {
 }
 
 int Builder::input(const std::string& name, bool is_whole, Interval range) {
-  if (!is_wide && is_whole && range.size() > largest_whole)
+  if (numbers == Numbers::doubles && is_whole && range.size() > largest_whole) {
     throw Refused(name + " may be above 2^51");
-  Node n{.op = Op::input, .is_exact = true, .is_whole = is_whole, .name = name, .formula = name};
+  }
+  Node n{.op = Op::input,
+         .is_exact = !is_plain(),
+         .is_whole = is_whole,
+         .name = name,
+         .formula = name};
   n.range = range;
   return add(n);
 }
 int Builder::constant(const cln::cl_RA& value, bool of_pi) {
-  const bool is_exact = !of_pi && is_double(value);
+  const bool is_exact = !is_plain() && !of_pi && is_double(value);
   const bool is_whole = is_exact && cln::denominator(value) == 1;
   return add({.op = Op::constant,
               .value = value,
@@ -110,7 +135,8 @@ int Builder::sum(int x, int y) {
   const Node& b = program[y];
   if (a.is_exact && b.is_exact) {
     const bool is_whole = a.is_whole && b.is_whole;
-    const bool fits = is_wide || (a.range.size() < largest_whole && b.range.size() < largest_whole);
+    const bool fits = numbers == Numbers::wide ||
+                      (a.range.size() < largest_whole && b.range.size() < largest_whole);
     if (is_whole && fits) {
       return add({.op = Op::whole_sum, .of = {x, y}, .is_exact = true, .is_whole = true});
     }
@@ -132,7 +158,7 @@ int Builder::unary(Op op, int x) {
   }
   const Interval range = program[x].range;
   const bool turns = (op == Op::sine || op == Op::cosine) && range.size() > small_angle;
-  if (turns && !(range.low >= 0 && range.high <= 2.3561)) {
+  if (turns && !is_plain() && !(range.low >= 0 && range.high <= 2.3561)) {
     throw Refused("an angle that is not known to be from 0 to 3 pi/4");
   }
   return add({.op = op, .of = {x}});

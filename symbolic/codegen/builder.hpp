@@ -7,11 +7,21 @@
 #include "codegen/program.hpp"
 
 namespace codegen {
+/// What nodes are computed in.
+enum class Numbers {
+  doubles,  ///< two or more to a number, with a bound of each error
+  wide,     ///< MPFR's: no over- or underflow, whole numbers of any size
+  plain,    ///< any real type of doubles' precision and exponents, or better, with <cmath>
+  field     ///< any field's, without error: no limits, and no function
+};
 class Builder {
 public:
   Program program;
-  /// Without doubles' limits, for MPFR: no over- or underflow, whole numbers of any size.
-  bool is_wide = false;
+  const Numbers numbers;
+
+  explicit Builder(Numbers of) : numbers(of) {}
+  /// Whether each operation of a theorem is one of the number type, as it is.
+  bool is_plain() const { return numbers == Numbers::plain || numbers == Numbers::field; }
 
   int input(const std::string& name, bool is_whole, Interval range);
   int constant(const cln::cl_RA& value, bool of_pi = false);
@@ -38,6 +48,7 @@ private:
   std::map<Key, int> seen;
   void need_positive(const std::string& name, int k);
   int add(Node n);
+  Interval known_range(const Node& n) const;
   Interval range_of(const Node& n) const;
 };
 /// The largest angle that sine and cosine take without turning it: pi/6 and a little more.

@@ -2,7 +2,9 @@
 // The loop over the bits of an index, and its calls.
 #include "codegen/doubling.hpp"
 
-#include "codegen/program.hpp"
+#include <limits>
+
+#include "codegen/plain_text.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"
 
@@ -28,12 +30,17 @@ Expr half_of(Expr index) {
   return is_double && index.arg(0) == Expr(2) ? index.arg(1) : Expr();
 }
 /// The parameters but the index, as f has them at 0.
-std::vector<std::string> parameters(Expr f) {
-  std::vector<std::string> r;
+Exprs parameters(Expr f) {
+  Exprs r;
   for (std::size_t k = 0; k + 1 < f.size(); ++k) {
-    if (f.arg(k).op() == kernel::Op::Var) r.push_back(identifier(f.arg(k).name()));
+    if (f.arg(k).op() == kernel::Op::Var) r.push_back(f.arg(k));
   }
   return r;
+}
+/// A term, from now on a number of that name.
+void know(Terms& terms, Expr term, const std::string& name) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  terms.nodes[term] = terms.builder.input(name, false, {-infinity, infinity});
 }
 }  // namespace
 
@@ -53,50 +60,49 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
       !(left(t.odd) == at(f, 2 * m + 1))) {
     throw Refused("not f at 0, 1, 2*m and 2*m + 1: " + kernel::text(t.even.conclusion()));
   }
-  PlainPrinter printer;
-  printer.is_exact = true;
-  for (std::size_t k = 0; k + 1 < f.size(); ++k) {
-    if (f.arg(k).op() == kernel::Op::Var) printer.names[f.arg(k)] = {identifier(f.arg(k).name())};
-  }
+  Terms terms(Numbers::field);
+  for (const Expr parameter : parameters(f)) know(terms, parameter, identifier(parameter.name()));
   const auto value = [&](const kernel::Theorem& theorem, const std::string& at_m) {
-    printer.names[at(f, m)] = {at_m};
-    return printer.print(theorem.conclusion().arg(1)).text;
+    Terms these = terms;
+    know(these, at(f, m), at_m);
+    const int k = these.build(theorem.conclusion().arg(1));
+    return PlainText(these.builder.program).right_side(k);
   };
   const std::string start = value(t.at_0, "low");
   const std::string first = value(t.at_1, "low");
-  printer.names[at(f, 1)] = {"first"};
+  know(terms, at(f, 1), "first");
   const std::string lower = value(t.even, "low");
   const std::string upper = value(t.even, "high");
-  printer.names[at(f, m + 1)] = {"high"};
+  know(terms, at(f, m + 1), "high");
   const std::string between = value(t.odd, "low");
   Text text;
   text.line("/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.");
   text.line("template <class Number>");
   std::string arguments;
-  for (const std::string& p : parameters(f)) arguments += "const Number& " + p + ", ";
+  for (Expr p : parameters(f)) arguments += "const Number& " + identifier(p.name()) + ", ";
   text.line("std::pair<Number, Number> " + cpp_name(f) + "_doubled(" + arguments +
             "std::int64_t n) {");
   text.line("  // " + kernel::text(t.at_1.conclusion()));
-  text.line("  const Number first = " + without_brackets(first) + ";");
+  text.line("  const Number first = " + first + ";");
   text.line("  // " + kernel::text(t.at_0.conclusion()));
-  text.block("  Number low = " + without_brackets(start) + ";\n  Number high = first;\n" +
+  text.block("  Number low = " + start + ";\n  Number high = first;\n" +
              "  const std::uint64_t index = 2 * std::uint64_t(n);\n" +
              "  for (int bit = int(std::bit_width(index)); bit-- > 0;) {\n");
   text.line("    // " + kernel::text(t.odd.conclusion()));
-  text.line("    const Number between = " + without_brackets(between) + ";");
+  text.line("    const Number between = " + between + ";");
   text.line("    // " + kernel::text(t.even.conclusion()));
-  text.block("    if ((index >> bit & 1) != 0) {\n      low = between;\n      high = " +
-             without_brackets(upper) + ";\n    } else {\n      high = between;\n      low = " +
-             without_brackets(lower) + ";\n    }\n  }\n  return {low, high};\n}\n");
+  text.block("    if ((index >> bit & 1) != 0) {\n      low = between;\n      high = " + upper +
+             ";\n    } else {\n      high = between;\n      low = " + lower +
+             ";\n    }\n  }\n  return {low, high};\n}\n");
   return text.str();
 }
 
-std::string call_doubling(const Doubling& t, Expr term, PlainPrinter& printer) {
+std::string call_doubling(const Doubling& t, Expr term, Terms& terms) {
   const Expr f = left(t.at_0);
   std::string lines;
-  for (Expr a : term.args()) lines += call_doubling(t, a, printer);
+  for (Expr a : term.args()) lines += call_doubling(t, a, terms);
   if (term.op() != kernel::Op::Fun || term.name() != f.name()) return lines;
-  if (printer.names.count(term) > 0) return lines;
+  if (terms.nodes.count(term) > 0) return lines;
   const Expr index = term.arg(term.size() - 1);
   const bool is_odd = index.op() == kernel::Op::Add && index.size() == 2 && index.arg(1) == Expr(1);
   const Expr x = half_of(is_odd ? index.arg(0) : index);
@@ -105,9 +111,10 @@ std::string call_doubling(const Doubling& t, Expr term, PlainPrinter& printer) {
     throw Refused("not f at 2*x or 2*x + 1: " + kernel::text(term));
   }
   const std::string pair = cpp_name(f) + "_at_" + identifier(x.name());
-  printer.names[at(f, 2 * x)] = {pair + ".first"};
-  printer.names[at(f, 2 * x + 1)] = {pair + ".second"};
-  std::vector<std::string> arguments = parameters(f);
+  know(terms, at(f, 2 * x), pair + ".first");
+  know(terms, at(f, 2 * x + 1), pair + ".second");
+  std::vector<std::string> arguments;
+  for (Expr p : parameters(f)) arguments.push_back(identifier(p.name()));
   arguments.push_back(identifier(x.name()));
   return lines + "    const std::pair<Number, Number> " + pair + " = " + cpp_name(f) + "_doubled(" +
          joined(arguments, ", ") + ");\n";

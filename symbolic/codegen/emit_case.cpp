@@ -145,7 +145,7 @@ private:
     text.line("struct " + name + " {");
     text.line("  using T = typename N::Value;");
     text.line("  using R = typename N::Result;");
-    for (const Input& i : q.inputs) text.line("  T " + identifier(i.variable.name()) + ";");
+    for (const Input& i : q.inputs) text.line("  T " + i.name() + ";");
     text.line("  R doubt;");
     for (const auto& [out, k] : p.outputs) text.line("  R " + out + ";");
     for (int k : members) {
@@ -163,8 +163,8 @@ private:
     text.line("  " + name + "() = default;");
     std::vector<std::string> set;
     for (const Input& i : q.inputs) {
-      const std::string v = identifier(i.variable.name());
-      const bool is_whole = i.variable.sort() == kernel::Sort::Int;
+      const std::string v = i.name();
+      const bool is_whole = i.is_whole();
       set.push_back(v + (is_whole ? "(N::whole(in." : "(N::all(in.") + v + "))");
     }
     text.line(inlined + "explicit " + name + "(const " + Q + "Inputs& in)");
@@ -172,8 +172,8 @@ private:
     text.line(inlined + "void load_inputs(const " + Q + "Columns& columns, std::size_t row) {");
     std::string in_case;
     for (const Input& i : q.inputs) {
-      const std::string v = identifier(i.variable.name());
-      const bool is_whole = i.variable.sort() == kernel::Sort::Int;
+      const std::string v = i.name();
+      const bool is_whole = i.is_whole();
       const std::string from = (is_whole ? "arithmetic::SimdMask" : "arithmetic::Simd") +
                                std::string(">(columns.") + v + " + row)";
       text.line("    " + v + " = " + (is_whole ? "arithmetic::to_real(" : "") +
@@ -268,30 +268,19 @@ private:
 std::string condition(const Quantity& q, const Case& c) {
   std::vector<std::string> parts;
   for (const Input& i : q.inputs) {
-    const std::string v = "in." + identifier(i.variable.name());
+    const std::string v = "in." + i.name();
     const Interval r = range_of(i, c, false);
     const Interval wide = range_of(i, c, true);
     const auto end = [](double narrow, double wide_end) {
       if (narrow == wide_end) return hex(narrow);
       return "(is_wide ? " + hex(wide_end) + " : " + hex(narrow) + ")";
     };
-    const bool is_whole = i.variable.sort() == kernel::Sort::Int;
+    const bool is_whole = i.is_whole();
     const std::string value = is_whole ? "double(" + v + ")" : v;
     parts.push_back(value + " >= " + end(r.low, wide.low) + " && " + value +
                     " <= " + end(r.high, wide.high));
   }
   return joined(parts, " && ");
-}
-std::string domain_in_words(const Quantity& q, const Case& c) {
-  std::vector<std::string> parts;
-  for (const Input& i : q.inputs) {
-    const Interval r = range_of(i, c, false);
-    parts.push_back(i.variable.name() + " from " + hex(r.low) + " to " + hex(r.high));
-  }
-  for (const Condition& g : c.guards) {
-    parts.push_back(g.name + " between " + hex(g.range.low) + " and " + hex(g.range.high));
-  }
-  return joined(parts, ", ");
 }
 EmittedCase emit_case(const Quantity& q, const Case& c) { return CaseEmitter(q, c).result; }
 }  // namespace codegen

@@ -18,6 +18,4 @@ struct EmittedCase {
 EmittedCase emit_case(const Quantity& q, const Case& c);
 /// "in.alpha >= 0x1p-300 && ..." of the case, in both domains.
 std::string condition(const Quantity& q, const Case& c);
-/// "alpha from 0x1p-300 to 0x1p+300, n from 0 to ..."
-std::string domain_in_words(const Quantity& q, const Case& c);
 }  // namespace codegen

@@ -23,9 +23,8 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
   for (const Case& c : q.cases) cases.push_back(emit_case(q, c));
   const EmittedCase& main = cases[0];
   for (const EmittedCase& c : cases) {
-    if (c.whole != main.whole || c.real != main.real) {
-      throw Refused("the cases of " + q.name + " do not have the same outputs");
-    }
+    check_outputs(q, main.whole, c.whole);
+    check_outputs(q, main.real, c.real);
   }
 
   const std::string Q = capital(q.name);
@@ -34,9 +33,9 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
   std::vector<Field> columns;
   std::vector<std::string> in_names;
   for (const Input& i : q.inputs) {
-    const bool is_whole = i.variable.sort() == kernel::Sort::Int;
+    const bool is_whole = i.is_whole();
     const std::string type = is_whole ? "std::int64_t" : "double";
-    const std::string name = identifier(i.variable.name());
+    const std::string name = i.name();
     inputs.push_back({type, name});
     columns.push_back({"const " + type + "*", name});
     in_names.push_back(name + "[row]");
@@ -76,10 +75,8 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
     e.errors += cases[k].errors;
     visits += "    if (" + condition(q, q.cases[k]) + ") {\n      return f.template operator()<" +
               name + ">();\n    }\n";
-    kernel::Theorems used = q.cases[k].definitions;
-    used.insert(used.end(), q.cases[k].outputs.begin(), q.cases[k].outputs.end());
-    claims.push_back(
-        {q.cases[k].name, domain_in_words(q, q.cases[k]), cases[k].bounds, ids_of(used, ids)});
+    claims.push_back({q.cases[k].name, domain_in_words(q, q.cases[k]), cases[k].bounds,
+                      ids_of(q.cases[k], ids)});
   }
   t.block(
       "/// What loops over rows need to know of " + q.name + ".\nstruct " + Q +

@@ -2,9 +2,11 @@
 // One function template a quantity, one branch a case; others are refused at run time.
 #include "codegen/emit_plain.hpp"
 
+#include <algorithm>
+
 #include "codegen/exact.hpp"
-#include "codegen/plain_branch.hpp"
-#include "codegen/program.hpp"
+#include "codegen/lower.hpp"
+#include "codegen/plain_text.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"
 
@@ -12,107 +14,133 @@ namespace codegen {
 namespace {
 using kernel::Expr;
 using kernel::Theorem;
-using kernel::Theorems;
 
-bool is_whole(const Input& i) { return i.variable.sort() == kernel::Sort::Int; }
 /// "alpha >= Number(0x1p-300) && ..."; exact forms are of numbers that need have no order.
 std::string guard(const PlainForm& f, const Case& c) {
   std::vector<std::string> parts;
   for (const Input& i : f.quantity.inputs) {
-    if (f.form == "exact" && !is_whole(i)) continue;
-    const std::string name = identifier(i.variable.name());
+    if (f.form == "exact" && !i.is_whole()) continue;
+    const std::string name = i.name();
     const Interval r = range_of(i, c, false);
     const auto end = [&](double x) {
-      return is_whole(i) ? kernel::digits(exact(x)) : "Number(" + hex(x) + ")";
+      return i.is_whole() ? kernel::digits(exact(x)) : "Number(" + hex(x) + ")";
     };
     parts.push_back(name + " >= " + end(r.low) + " && " + name + " <= " + end(r.high));
   }
   return parts.empty() ? "true" : joined(parts, " && ");
 }
-/// "alpha from 0x1p-300 to 0x1p+40, n from 0 to 1024"
-std::string allowed(const PlainForm& f, const Case& c) {
-  std::vector<std::string> parts;
-  for (const Input& i : f.quantity.inputs) {
-    const Interval r = range_of(i, c, false);
-    const auto end = [&](double x) { return is_whole(i) ? kernel::digits(exact(x)) : hex(x); };
-    const bool is_any = f.form == "exact" && !is_whole(i);
-    parts.push_back(identifier(i.variable.name()) +
-                    (is_any ? " > 0" : " from " + end(r.low) + " to " + end(r.high)));
-  }
-  return joined(parts, ", ");
-}
 std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
 
-struct Written {
-  std::string doublings, code;
-  bool has_functions = false;
-  std::vector<std::string> outputs;
-  std::vector<Claim> claims;
-};
-Written write_function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted) {
-  const Quantity& q = f.quantity;
-  Written w;
-  const std::string own_type = capital(q.name) + capital(f.form);
-  std::string type = own_type + "<Number>";
-  std::string branches;
-  std::vector<std::string> domains;
-  Theorems used;
-  std::set<std::string> functions;
-  for (const Case& c : q.cases) {
-    Theorems outputs;
-    std::vector<std::string> names;
-    for (const Theorem& t : c.outputs) {
-      if (!wanted.empty() && wanted.count(output_name(t)) == 0) continue;
-      outputs.push_back(t);
-      names.push_back(output_name(t));
-    }
-    if (outputs.empty()) return {};
-    if (!w.outputs.empty() && w.outputs != names) {
-      throw Refused("the cases of " + q.name + " do not have the same outputs");
-    }
-    w.outputs = names;
-    const PlainBranch b(f, c, outputs);
-    functions.insert(b.printer.functions.begin(), b.printer.functions.end());
-    used.insert(used.end(), b.used.begin(), b.used.end());
-    branches += "  if (" + guard(f, c) + ") {\n" + b.lines + "    return {" +
-                joined(b.results, ", ") + "};\n  }\n";
-    domains.push_back(allowed(f, c));
-    w.claims.push_back({c.name, domains.back(), {}, ids_of(b.used, ids)});
-    if (w.doublings.empty()) {
-      for (const Doubling& d : f.doublings) w.doublings += emit_doubling(d, b.domain);
-    }
-    const Expr first = outputs[0].conclusion().arg(0);
-    if (kernel::is_matrix(first)) {
-      type = "std::array<std::array<Number, " + std::to_string(first.cols()) + ">, " +
-             std::to_string(first.rows()) + ">";
-    }
+/// The case with the outputs that are wanted (none named: all) and the definitions those need.
+Case wanted_part(const Case& c, const std::set<std::string>& wanted) {
+  Case r = c;
+  std::set<Expr> live;
+  const auto visit = [&](const auto& self, Expr e) -> void {
+    live.insert(e);
+    for (Expr a : e.args()) self(self, a);
+  };
+  r.outputs.clear();
+  for (const Theorem& t : c.outputs) {
+    if (!wanted.empty() && wanted.count(output_name(t)) == 0) continue;
+    r.outputs.push_back(t);
+    visit(visit, t.conclusion().arg(1));
   }
-  const bool is_matrix = f.form == "matrices";
-  const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
-  std::vector<std::string> parameters;
-  for (const Input& i : q.inputs) {
-    parameters.push_back((is_whole(i) ? "std::int64_t " : "const Number& ") +
-                         identifier(i.variable.name()));
+  r.definitions.clear();
+  for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
+    if (live.count(t->conclusion().arg(0)) == 0) continue;
+    visit(visit, t->conclusion().arg(1));
+    r.definitions.insert(r.definitions.begin(), *t);
   }
-  w.has_functions = !functions.empty();
-  const std::vector<std::string> theorems = ids_of(used, ids);
-  Text t;
-  if (!is_matrix) {
-    t.block("template <class Number>\nstruct " + own_type + " {\n  Number " +
-            joined(w.outputs, ", ") + ";\n};\n");
-  }
-  t.line("/// " + q.name + " (" + q.labels + "): " + joined(w.outputs, ", ") +
-         ". Domain: " + joined(domains, "; or ") + ".");
-  if (!theorems.empty()) t.line("/// Theorems: " + joined(theorems, ", ") + ".");
-  t.block("template <class Number>\n" + type + " " + name + "(" + joined(parameters, ", ") + ") {");
-  for (const std::string& function : functions) t.line("  using std::" + function + ";");
-  t.block(branches);
-  const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-  t.block("  throw std::domain_error(\"" + name + ": allowed: " + between +
-          joined(domains, "; or " + between) + "\");\n}\n");
-  w.code = t.str();
-  return w;
+  return r;
 }
+/// "a, b, c", or "{{..}, {..}, {..}}" of a matrix.
+std::string results(const Program& p, PlainText& text, Expr first) {
+  const std::size_t columns = kernel::is_matrix(first) ? std::size_t(first.cols()) : 0;
+  std::vector<std::string> values;
+  std::vector<std::string> rows;
+  for (const auto& [name, k] : p.outputs) {
+    values.push_back(text.use(k));
+    if (values.size() != columns) continue;
+    rows.push_back("{" + joined(values, ", ") + "}");
+    values.clear();
+  }
+  return columns > 0 ? "{" + joined(rows, ", ") + "}" : joined(values, ", ");
+}
+
+std::string array_of(const std::string& type, int size) {
+  return "std::array<" + type + ", " + std::to_string(size) + ">";
+}
+
+class Function {
+public:
+  std::string doublings, code;
+  std::set<std::string> functions;   ///< of <cmath>
+  std::vector<std::string> outputs;  ///< none: nothing is wanted here
+  std::vector<Claim> claims;
+
+  Function(const PlainForm& form, const Ids& all_ids, const std::set<std::string>& wanted)
+      : f(form), q(form.quantity), ids(all_ids) {
+    for (const Case& c : q.cases) {
+      const Case part = wanted_part(c, wanted);
+      if (part.outputs.empty()) return;
+      branch(part);
+    }
+    write();
+  }
+
+private:
+  const PlainForm& f;
+  const Quantity& q;
+  const Ids& ids;
+  std::string branches, type;
+  std::vector<std::string> domains, theorems;
+
+  void branch(const Case& c) {
+    std::vector<std::string> names;
+    for (const Theorem& t : c.outputs) names.push_back(output_name(t));
+    check_outputs(q, outputs.empty() ? names : outputs, names);
+    outputs = names;
+    const bool is_exact = f.form == "exact";
+    const Program p = lower_plain(q, c, is_exact);
+    PlainText text(p);
+    const Expr first = c.outputs[0].conclusion().arg(0);
+    branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() + "    return {" +
+                results(p, text, first) + "};\n  }\n";
+    functions.merge(text.functions);
+    doublings = p.functions;
+    domains.push_back(domain_in_words(q, c, is_exact));
+    claims.push_back({c.name, domains.back(), {}, ids_of(c, ids)});
+    for (const std::string& id : claims.back().theorems) {
+      if (std::find(theorems.begin(), theorems.end(), id) == theorems.end()) theorems.push_back(id);
+    }
+    type = kernel::is_matrix(first) ? array_of(array_of("Number", first.cols()), first.rows())
+                                    : capital(q.name) + capital(f.form) + "<Number>";
+  }
+  void write() {
+    const bool is_matrix = f.form == "matrices";
+    const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
+    std::vector<std::string> parameters;
+    for (const Input& i : q.inputs) {
+      parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
+    }
+    Text t;
+    if (!is_matrix) {
+      t.block("template <class Number>\nstruct " + capital(q.name) + capital(f.form) +
+              " {\n  Number " + joined(outputs, ", ") + ";\n};\n");
+    }
+    t.line("/// " + q.name + " (" + q.labels + "): " + joined(outputs, ", ") +
+           ". Domain: " + joined(domains, "; or ") + ".");
+    if (!theorems.empty()) t.line("/// Theorems: " + joined(theorems, ", ") + ".");
+    t.block("template <class Number>\n" + type + " " + name + "(" + joined(parameters, ", ") +
+            ") {");
+    for (const std::string& function : functions) t.line("  using std::" + function + ";");
+    t.block(branches);
+    const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
+    t.block("  throw std::domain_error(\"" + name + ": allowed: " + between +
+            joined(domains, "; or " + between) + "\");\n}\n");
+    code = t.str();
+  }
+};
 }  // namespace
 
 PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
@@ -129,11 +157,11 @@ PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   for (const PlainForm& f : forms) {
     if (f.form != form) throw Refused("two forms in one header: " + form + ", " + f.form);
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
-    const Written w = write_function(f, ids, wanted);
+    const Function w(f, ids, wanted);
     if (w.outputs.empty()) continue;
     const bool is_new = !w.doublings.empty() && doublings.insert(w.doublings).second;
     body += (is_new ? w.doublings : "") + w.code;
-    has_functions = has_functions || w.has_functions;
+    has_functions = has_functions || !w.functions.empty();
     for (const std::string& name : w.outputs) missing.erase(name);
     result.manifest.push_back(manifest_entry(f.quantity, form, result.path, w.outputs, w.claims));
   }

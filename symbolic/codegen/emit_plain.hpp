@@ -17,7 +17,6 @@ namespace codegen {
 struct PlainForm {
   Quantity quantity;
   std::string form;
-  std::vector<Doubling> doublings = {};
 };
 struct PlainHeader {
   std::string path;                   ///< plain/FORM.hpp, exact/FORM.hpp

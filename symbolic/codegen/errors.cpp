@@ -148,6 +148,9 @@ private:
       case Op::constant:
         if (!n.is_exact) take(t.constant(lost(n)));
         break;
+      case Op::root:
+      case Op::ceiling:
+        throw Refused("no error bound of an operation of plain forms");
       case Op::exact_sum:
         take(t.exact_sum());
         break;

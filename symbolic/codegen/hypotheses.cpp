@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "codegen/exact.hpp"
+#include "codegen/text.hpp"
 #include "kernel/names.hpp"
 #include "kernel/print.hpp"
 
@@ -64,6 +65,24 @@ Interval range_of(const Input& input, const Case& which, bool is_wide) {
     if (w.name == input.variable.name()) r = meet(r, w.range);
   }
   return r;
+}
+std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
+  std::vector<std::string> parts;
+  for (const Input& i : q.inputs) {
+    const Interval r = range_of(i, c, false);
+    const auto end = [&](double x) { return i.is_whole() ? kernel::digits(exact(x)) : hex(x); };
+    const bool is_any = is_exact && !i.is_whole();
+    parts.push_back(i.name() + (is_any ? " > 0" : " from " + end(r.low) + " to " + end(r.high)));
+  }
+  for (const Condition& g : c.guards) {
+    parts.push_back(g.name + " between " + hex(g.range.low) + " and " + hex(g.range.high));
+  }
+  return joined(parts, ", ");
+}
+void check_outputs(const Quantity& q, const std::vector<std::string>& some,
+                   const std::vector<std::string>& others) {
+  if (some == others) return;
+  throw Refused("the cases of " + q.name + " do not have the same outputs");
 }
 void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion) {
   for (Expr h : hypotheses) {

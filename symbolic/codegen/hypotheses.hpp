@@ -11,6 +11,12 @@ namespace codegen {
 /// The interval of an input in a case.
 Interval range_of(const Input& input, const Case& which, bool is_wide);
 
+/// "alpha from 0x1p-300 to 0x1p+40, n from 0 to 1024", and the guards; is_exact: "alpha > 0".
+std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact = false);
+/// The cases of a quantity answer the same. Refused: others.
+void check_outputs(const Quantity& q, const std::vector<std::string>& some,
+                   const std::vector<std::string>& others);
+
 /// A case, and the range of each term there; Refused: a term of which none is known.
 struct Domain {
   const Quantity& quantity;

@@ -67,9 +67,7 @@ Interval arc_tangent(Interval x) {
   return {x.low >= 0 ? std::max(0.0, r.low) : r.low, r.high};
 }
 Interval sine(Interval x) {
-  if (!(x.low >= -pi_below / 2 && x.high <= pi_below)) {
-    throw Refused("a sine of an angle that is not known to be from -pi/2 to pi");
-  }
+  if (!(x.low >= -pi_below / 2 && x.high <= pi_below)) return {-1, 1};
   const double least = std::min(std::sin(x.low), std::sin(x.high));
   const bool has_top = x.low <= pi_below / 2 && x.high >= pi_below / 2;
   const double most = has_top ? 1.0 : std::max(std::sin(x.low), std::sin(x.high));
@@ -77,9 +75,7 @@ Interval sine(Interval x) {
   return {std::max(x.low >= 0 ? 0.0 : -1.0, r.low), std::min(1.0, r.high)};
 }
 Interval cosine(Interval x) {
-  if (!(x.low >= -pi_below && x.high <= pi_below)) {
-    throw Refused("a cosine of an angle that is not known to be from -pi to pi");
-  }
+  if (!(x.low >= -pi_below && x.high <= pi_below)) return {-1, 1};
   const Interval size = magnitude(x);
   const Interval r = around(std::cos(size.high), std::cos(size.low), libm_steps);
   return {std::max(-1.0, r.low), std::min(1.0, r.high)};

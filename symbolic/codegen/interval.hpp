@@ -22,6 +22,6 @@ Interval root(Interval x);             ///< Refused: a negative x
 Interval reciprocal_root(Interval x);  ///< Refused: a negative x; of 0: infinite
 Interval magnitude(Interval x);
 Interval arc_tangent(Interval x);
-Interval sine(Interval x);    ///< Refused: not within [-pi/2, pi]
-Interval cosine(Interval x);  ///< Refused: not within [-pi, pi]
+Interval sine(Interval x);    ///< [-1, 1] where x is not within [-pi/2, pi]
+Interval cosine(Interval x);  ///< [-1, 1] where x is not within [-pi, pi]
 }  // namespace codegen

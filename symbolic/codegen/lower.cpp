@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "codegen/terms.hpp"
+#include "codegen/doubling.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {
@@ -17,23 +17,25 @@ using kernel::Theorem;
 
 class Reader : public Terms {
 public:
-  Reader(const Quantity& quantity, const Case& which, bool is_wide)
-      : q(quantity), c(which), wide(is_wide), domain{q, c, wide, [this](Expr e) {
-                                                       return range(e);
-                                                     }} {
-    builder.is_wide = is_wide;
+  Reader(const Quantity& quantity, const Case& which, Numbers numbers)
+      : Terms(numbers),
+        q(quantity),
+        c(which),
+        domain{q, c, numbers == Numbers::wide, [this](Expr e) { return range(e); }} {
     use = [this](const Fact& f) {
       check_hypotheses(domain, f.hypotheses, f.formula);
       used.insert(f.formula);
     };
     for (const Input& input : q.inputs) {
       const std::string name = input.variable.name();
-      const Interval range = range_of(input, c, wide);
-      if (!(range.low >= 0)) throw Refused(name + " may be negative");
-      if (input.variable.op() != kernel::Op::Var) throw Refused(name + " is no variable");
+      const Interval range = range_of(input, c, domain.is_wide);
+      const bool is_variable = input.variable.op() == kernel::Op::Var;
+      if (!builder.is_plain() && !(range.low >= 0)) throw Refused(name + " may be negative");
+      if (!builder.is_plain() && !is_variable) throw Refused(name + " is no variable");
       nodes[input.variable] =
           builder.input(identifier(name), input.variable.sort() == kernel::Sort::Int, range);
     }
+    for (const Doubling& d : q.doublings) builder.program.functions += emit_doubling(d, domain);
     for (const Condition& w : c.where) {
       const auto is_it = [&](const Input& i) { return i.variable.name() == w.name; };
       if (std::none_of(q.inputs.begin(), q.inputs.end(), is_it)) {
@@ -50,13 +52,9 @@ public:
   }
   void define(const Theorem& t) {
     const Expr name = checked_head(domain, t);
-    const int k = build(t.conclusion().arg(1));
-    nodes[name] = k;
-    Node& n = builder.program[k];
-    if (n.name.empty() && n.op != Op::constant) {
-      n.name = identifier(name.name());
-      n.formula = shown(q, t.conclusion());
-    }
+    if (kernel::is_matrix(name)) return define_entries(t);
+    const int k =
+        named_node(name, t.conclusion().arg(1), identifier(name.name()), shown(q, t.conclusion()));
     named[name.name()] = k;
     if (const auto square = squares.find(name); square != squares.end()) {
       const Expr as = square->second.formula.arg(1);
@@ -72,10 +70,17 @@ public:
   }
   void output(const Theorem& t) {
     const Expr left = checked_head(domain, t);
+    if (builder.is_plain()) {
+      define(t);
+      for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) {
+        builder.program.outputs.push_back({identifier(left.name()), nodes.at(e)});
+      }
+      return;
+    }
     const int k = build(t.conclusion().arg(1));
     const bool is_whole = left.sort() == kernel::Sort::Int;
     if (is_whole && !builder[k].is_whole) throw Refused(left.name() + " is not known to be whole");
-    if (is_whole && !wide && builder[k].range.size() > 0x1p51) {
+    if (is_whole && !domain.is_wide && builder[k].range.size() > 0x1p51) {
       throw Refused(left.name() + " may be above 2^51");
     }
     auto& list = is_whole ? builder.program.whole_outputs : builder.program.outputs;
@@ -96,11 +101,33 @@ public:
 private:
   const Quantity& q;
   const Case& c;
-  bool wide;
   Domain domain;
   std::map<std::string, int> named;
   std::set<Expr> used;
 
+  int named_node(Expr left, Expr right, const std::string& name, const std::string& formula) {
+    for (const Doubling& d : q.doublings) builder.program.calls += call_doubling(d, right, *this);
+    const int k = build(right);
+    nodes[left] = k;
+    Node& n = builder.program[k];
+    if (n.name.empty() && n.op != Op::constant) {
+      n.name = name;
+      n.formula = formula;
+    }
+    return k;
+  }
+  /// The formula stands at the first entry.
+  void define_entries(const Theorem& t) {
+    const Expr left = t.conclusion().arg(0);
+    const Expr right = t.conclusion().arg(1);
+    for (int k = 0; k < left.rows() * left.cols(); ++k) {
+      const int row = k / left.cols();
+      const int col = k % left.cols();
+      const std::string place = std::to_string(row + 1) + std::to_string(col + 1);
+      named_node(kernel::entry(left, row, col), kernel::entry(right, row, col),
+                 left.name() + "_" + place, k == 0 ? shown(q, t.conclusion()) : "");
+    }
+  }
   static bool mentions(Expr e, Expr what) {
     if (e == what) return true;
     const Exprs args = e.args();
@@ -138,13 +165,19 @@ private:
     used.insert(f);
   }
 };
-}  // namespace
-
-Program lower(const Quantity& quantity, const Case& which, bool is_wide) {
-  Reader reader(quantity, which, is_wide);
+Program read(const Quantity& quantity, const Case& which, Numbers numbers) {
+  Reader reader(quantity, which, numbers);
   for (const Theorem& t : which.definitions) reader.define(t);
   for (const Theorem& t : which.outputs) reader.output(t);
   reader.check_all_used();
   return named(in_stages(without_dead_code(reader.builder.program)));
+}
+}  // namespace
+
+Program lower(const Quantity& quantity, const Case& which, bool is_wide) {
+  return read(quantity, which, is_wide ? Numbers::wide : Numbers::doubles);
+}
+Program lower_plain(const Quantity& quantity, const Case& which, bool is_exact) {
+  return read(quantity, which, is_exact ? Numbers::field : Numbers::plain);
 }
 }  // namespace codegen

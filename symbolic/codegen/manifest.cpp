@@ -23,12 +23,14 @@ std::string list(const std::vector<std::string>& words) {
 }
 }  // namespace
 
-std::vector<std::string> ids_of(const kernel::Theorems& theorems, const Ids& ids) {
+std::vector<std::string> ids_of(const Case& c, const Ids& ids) {
   std::vector<std::string> r;
-  for (const kernel::Theorem& t : theorems) {
-    const auto found = ids.find(t.conclusion());
-    if (found == ids.end()) continue;
-    if (std::find(r.begin(), r.end(), found->second) == r.end()) r.push_back(found->second);
+  for (const auto* theorems : {&c.definitions, &c.outputs}) {
+    for (const kernel::Theorem& t : *theorems) {
+      const auto found = ids.find(t.conclusion());
+      if (found == ids.end()) continue;
+      if (std::find(r.begin(), r.end(), found->second) == r.end()) r.push_back(found->second);
+    }
   }
   return r;
 }
@@ -36,7 +38,7 @@ std::string manifest_entry(const Quantity& q, const std::string& form, const std
                            const std::vector<std::string>& outputs,
                            const std::vector<Claim>& claims) {
   std::vector<std::string> inputs;
-  for (const Input& i : q.inputs) inputs.push_back(identifier(i.variable.name()));
+  for (const Input& i : q.inputs) inputs.push_back(i.name());
   std::vector<std::string> cases;
   for (const Claim& c : claims) {
     cases.push_back("{\"name\": " + quoted(c.name) + ", \"domain\": " + quoted(c.domain) +

@@ -13,7 +13,7 @@ namespace codegen {
 using Ids = std::map<kernel::Expr, std::string>;
 
 /// The ids of what a case is made of, each once, in order; theorems without an id are left out.
-std::vector<std::string> ids_of(const kernel::Theorems& theorems, const Ids& ids);
+std::vector<std::string> ids_of(const Case& c, const Ids& ids);
 /// What is said of one case.
 struct Claim {
   std::string name;

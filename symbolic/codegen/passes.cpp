@@ -34,6 +34,7 @@ Program moved(const Program& p, const std::vector<int>& place) {
 std::string identifier(const std::string& name) {
   return name.ends_with("'") ? name.substr(0, name.size() - 1) + "_prime" : name;
 }
+std::string Input::name() const { return identifier(variable.name()); }
 
 Program without_dead_code(const Program& p) {
   std::vector<bool> live(p.nodes.size(), false);
@@ -68,7 +69,9 @@ Program named(const Program& p) {
   Program r = p;
   std::set<std::string> taken{"T",     "N",       "R",   "E",  "Tier",
                               "doubt", "columns", "row", "in", "tested"};
-  for (const auto& [name, k] : p.outputs) taken.insert(name);
+  for (const auto& [name, k] : p.outputs) {
+    if (p[k].name != name) taken.insert(name);
+  }
   for (const Node& n : p.nodes) {
     if (n.name.empty()) continue;
     if (!taken.insert(n.name).second) throw Refused("two values are called " + n.name);
@@ -85,7 +88,7 @@ Program named(const Program& p) {
     }
   }
   for (Node& n : r.nodes) {
-    if (n.name.empty()) n.name = fresh("t", true);
+    if (n.name.empty() && n.op != Op::constant) n.name = fresh("t", true);
   }
   return r;
 }

@@ -82,6 +82,8 @@ std::string right_side(const Program& p, const Node& n) {
       return "N::nearest(leading(" + number(0) + ") / leading(" + number(1) + "))";
     case Op::step:
       return plain(0) + " + (N::times_sign_of(N::all(0.5), leading(" + number(1) + ")) - 0.5)";
+    case Op::root:
+    case Op::ceiling:
     case Op::input:
     case Op::constant:
       break;

@@ -26,7 +26,9 @@ enum class Op {
   scale,            ///< by a power of two
   quotient,         ///<
   reciprocal_root,  ///<
-  arc_tangent,      ///< of t, with t^2
+  root,             ///< plain forms' alone
+  ceiling,          ///< plain forms' alone
+  arc_tangent,      ///< of t, with t^2 where that is needed
   sine,             ///<
   cosine,           ///<
   size,             ///< |x|
@@ -57,6 +59,7 @@ struct SizeFact {
   bool is_of_computed;
 };
 struct Program {
+  std::string functions, calls;  ///< C++ of doublings: before all, and of the lines that come first
   std::vector<Node> nodes;
   std::vector<std::pair<std::string, int>> outputs;
   std::vector<std::pair<std::string, int>> whole_outputs;

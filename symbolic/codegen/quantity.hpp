@@ -21,6 +21,8 @@ struct Input {
   kernel::Expr variable;
   Interval range;
   Interval wide_range;
+  bool is_whole() const { return variable.sort() == kernel::Sort::Int; }
+  std::string name() const;  ///< as C++ has it
 };
 /// A closed interval of an input, or of a named node, that is tested at run time.
 struct Condition {
@@ -53,11 +55,17 @@ struct Case {
   /// Named nodes that must be within their open intervals; else the row is left in doubt.
   std::vector<Condition> guards;
 };
+/// |- f(params, 0) = .., f(params, 1) = .., f(params, 2*m) by f(params, m), and f(params, 2*m + 1)
+/// by f(params, m), f(params, m + 1) and f(params, 1), for every integer m.
+struct Doubling {
+  kernel::Theorem at_0, at_1, even, odd;
+};
 struct Quantity {
   std::string name;
   std::string labels;  ///< of the paper's equations
   std::vector<Input> inputs;
-  std::vector<Case> cases;          ///< disjoint; the first is the one for arrays
-  kernel::Substitution units = {};  ///< parameters that are no inputs, and their value: V is 1
+  std::vector<Case> cases;               ///< disjoint; the first is the one for arrays
+  kernel::Substitution units = {};       ///< parameters that are no inputs, and their value: V is 1
+  std::vector<Doubling> doublings = {};  ///< of exact forms: sequences that stand at 2*x, 2*x + 1
 };
 }  // namespace codegen

@@ -51,22 +51,29 @@ int Terms::made(Expr e) {
   }
 }
 int Terms::function(Expr e) {
-  const std::string f = e.name();
-  if (f == "pi" && e.size() == 0) return builder.constant(1, true);
-  if (f == "inv") return product({e});
-  if (f == "sqrt") {
-    const Expr x = e.arg(0);
-    if (x.op() == kernel::Op::Pow && x.exponent() == 2) {
-      return builder.unary(Op::size, build(x.arg(0)));
-    }
-    const int k = build(x);
-    return builder.product(k, builder.unary(Op::reciprocal_root, k));
+  static const std::map<std::string, Op> operations{
+      {"inv", Op::quotient}, {"pi", Op::constant},      {"sqrt", Op::root},   {"sin", Op::sine},
+      {"cos", Op::cosine},   {"atan", Op::arc_tangent}, {"ceil", Op::ceiling}};
+  const auto found = operations.find(e.name());
+  if (found == operations.end()) throw Refused("no definition of " + kernel::text(e));
+  const Op op = found->second;
+  if (op == Op::quotient) return product({e});
+  if (builder.numbers == Numbers::field) {
+    throw Refused("no operation of a field: " + kernel::text(e));
   }
-  if (f == "sin") return builder.unary(Op::sine, build(e.arg(0)));
-  if (f == "cos") return builder.unary(Op::cosine, build(e.arg(0)));
-  if (f == "atan") return arc_tangent(e);
-  if (f == "ceil") return ceiling(e.arg(0));
-  throw Refused("no definition of " + kernel::text(e));
+  if (op == Op::constant) return builder.constant(1, true);
+  if (op == Op::root) return square_root(e.arg(0));
+  if (op == Op::arc_tangent && !builder.is_plain()) return arc_tangent(e);
+  if (op == Op::ceiling && !builder.is_plain()) return ceiling(e.arg(0));
+  return builder.unary(op, build(e.arg(0)));
+}
+int Terms::square_root(Expr x) {
+  if (x.op() == kernel::Op::Pow && x.exponent() == 2) {
+    return builder.unary(Op::size, build(x.arg(0)));
+  }
+  const int k = build(x);
+  if (builder.is_plain()) return builder.unary(Op::root, k);
+  return builder.product(k, builder.unary(Op::reciprocal_root, k));
 }
 int Terms::arc_tangent(Expr e) {
   const auto square = squares.find(e.arg(0));
@@ -102,8 +109,19 @@ Terms::Fraction Terms::fraction(const Exprs& factors) {
   }
   return r;
 }
+/// Whole numbers above and below, a sign before it all.
+int Terms::plain_product(const Fraction& f) {
+  const cln::cl_I above = cln::abs(cln::numerator(f.factor));
+  const cln::cl_I below = cln::denominator(f.factor);
+  int p = above == 1 && !f.above.empty() ? -1 : builder.constant(above);
+  for (Expr e : f.above) p = p < 0 ? build(e) : builder.product(p, build(e));
+  for (Expr e : f.below) p = builder.quotient(p, build(e));
+  if (below != 1) p = builder.quotient(p, builder.constant(below));
+  return builder.scaled(p, f.factor < 0 ? -1 : 1);
+}
 int Terms::product(const Exprs& factors) {
   const Fraction f = fraction(factors);
+  if (builder.is_plain()) return plain_product(f);
   double power = 1;
   std::vector<int> numbers;
   std::vector<int> exact_ones;

@@ -11,6 +11,7 @@
 namespace codegen {
 class Terms {
 public:
+  explicit Terms(Numbers numbers) : builder(numbers) {}
   Builder builder;
   std::map<kernel::Expr, int> nodes;     ///< of what is known: inputs, names, terms already built
   std::map<kernel::Expr, Fact> squares;  ///< p^2 = q by p, for arctangents
@@ -27,8 +28,10 @@ private:
   static Fraction fraction(const kernel::Exprs& factors);
   int made(kernel::Expr e);
   int function(kernel::Expr e);
+  int square_root(kernel::Expr x);
   int arc_tangent(kernel::Expr e);
   int product(const kernel::Exprs& factors);
+  int plain_product(const Fraction& f);
   int ceiling(kernel::Expr x);
 };
 }  // namespace codegen

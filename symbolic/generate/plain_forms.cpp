@@ -2,8 +2,6 @@
 // Each domain is data; the generator checks that nothing over- or underflows there.
 #include "generate/plain_forms.hpp"
 
-#include "codegen/doubling.hpp"
-
 namespace generate {
 namespace {
 using codegen::Case;
@@ -103,16 +101,16 @@ std::vector<PlainForm> exact(Source& s) {
             velocity_labels,
             {alpha(1 / any, any), whole(kernel::integer("n"), 0, 0x1p62)},
             {start, later},
-            s.units},
-           "exact",
-           {cosines}},
+            s.units,
+            {cosines}},
+           "exact"},
           {{"terminal",
             terminal_labels,
             {alpha(1 / any, any), count("N_A"), count("N_B")},
             {one(mean, ends)},
-            s.units},
-           "exact",
-           {cosines}}};
+            s.units,
+            {cosines}},
+           "exact"}};
 }
 std::vector<PlainForm> matrices(Source& s) {
   const Theorems block{s["ball.Gamma"]};

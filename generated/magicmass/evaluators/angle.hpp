@@ -87,9 +87,9 @@ struct AngleSmall {
     doubt = R{};
     // above = 2 + alpha
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);
-    const N t2 = times(above, alpha);
+    const N t1 = times(above, alpha);
     // w = 1/sqrt(alpha*above)
-    const N w = reciprocal_root(t2);
+    const N w = reciprocal_root(t1);
     // z = alpha/above
     const N z = quotient(alpha, above);
     // t = alpha*w

@@ -50,7 +50,7 @@ template <> struct DeficientGeneralBounds<Ziv> {
       0x1.b74b8ee9a3cadp+3,  // 2^3.8
   };
 };
-/// deficient, general: k from 0x1p+0 to 0x1p+50.
+/// deficient, general: k from 1 to 1125899906842624.
 /// Theorem: beta_k = deficient_versed_k/deficient_cosine_k
 /// Accurate is off by at most beta_: 2^-75.1 |of_beta_|
 /// Operations: products: 1, quotients: 2, sines: 1, sums: 1.
@@ -84,22 +84,22 @@ struct DeficientGeneral {
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    const T t3 = N::all(0x1p+0) + k;
-    const N t4 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
-        N::exact(t3));
+    const T t1 = N::all(0x1p+0) + k;
+    const N t2 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
+        N::exact(t1));
     // deficient_angle_k = pi/(4*(1 + k))
-    [[maybe_unused]] const N deficient_angle = scaled(t4, 0x1p-2);
+    [[maybe_unused]] const N deficient_angle = scaled(t2, 0x1p-2);
     // deficient_sine_k = sin(deficient_angle_k)
     const auto of_deficient_angle = sine_cosine_small<Tier>(deficient_angle);
     deficient_sine = of_deficient_angle.sine;
   }
   [[gnu::always_inline]] void stage_2() {
-    const N t5 = deficient_sine * deficient_sine;
+    const N t3 = deficient_sine * deficient_sine;
     // deficient_versed_k = 2*deficient_sine_k^2
-    [[maybe_unused]] const N deficient_versed = scaled(t5, 0x1p+1);
-    [[maybe_unused]] const N t6 = scaled(t5, -0x1p+1);
+    [[maybe_unused]] const N deficient_versed = scaled(t3, 0x1p+1);
+    [[maybe_unused]] const N t4 = scaled(t3, -0x1p+1);
     // deficient_cosine_k = 1 - deficient_versed_k
-    const N deficient_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t6);
+    const N deficient_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t4);
     of_beta_ = quotient(deficient_versed, deficient_cosine);
   }
   [[gnu::always_inline]] void stage_3() {

@@ -50,7 +50,7 @@ template <> struct MagicGeneralBounds<Ziv> {
       0x1.83fd28356a40cp+3,  // 2^3.6
   };
 };
-/// magic, general: k from 0x1p+1 to 0x1p+50.
+/// magic, general: k from 2 to 1125899906842624.
 /// Theorem: alpha_k = magic_versed_k/magic_cosine_k
 /// Accurate is off by at most alpha_: 2^-75.3 |of_alpha_|
 /// Operations: products: 1, quotients: 2, sines: 1, sums: 1, sums of doubles: 1.
@@ -83,23 +83,23 @@ struct MagicGeneral {
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    const T t3 = k * 0x1p+1;
-    const N t4 = N::fast_two_sum(t3, N::all(0x1p+0));
-    const N t5 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
-        t4);
+    const T t1 = k * 0x1p+1;
+    const N t2 = N::fast_two_sum(t1, N::all(0x1p+0));
+    const N t3 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
+        t2);
     // magic_angle_k = pi/(2*(1 + 2*k))
-    [[maybe_unused]] const N magic_angle = scaled(t5, 0x1p-1);
+    [[maybe_unused]] const N magic_angle = scaled(t3, 0x1p-1);
     // magic_sine_k = sin(magic_angle_k)
     const auto of_magic_angle = sine_cosine_small<Tier>(magic_angle);
     magic_sine = of_magic_angle.sine;
   }
   [[gnu::always_inline]] void stage_2() {
-    const N t6 = magic_sine * magic_sine;
+    const N t4 = magic_sine * magic_sine;
     // magic_versed_k = 2*magic_sine_k^2
-    [[maybe_unused]] const N magic_versed = scaled(t6, 0x1p+1);
-    [[maybe_unused]] const N t7 = scaled(t6, -0x1p+1);
+    [[maybe_unused]] const N magic_versed = scaled(t4, 0x1p+1);
+    [[maybe_unused]] const N t5 = scaled(t4, -0x1p+1);
     // magic_cosine_k = 1 - magic_versed_k
-    const N magic_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t7);
+    const N magic_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t5);
     of_alpha_ = quotient(magic_versed, magic_cosine);
   }
   [[gnu::always_inline]] void stage_3() {

@@ -143,7 +143,7 @@ struct TerminalSmall {
   N t;
   N half_h;
   T N_A;
-  N t6;
+  N t4;
   N rest;
   N to_next;
   T N_B;
@@ -175,9 +175,9 @@ struct TerminalSmall {
     doubt = R{};
     // above = 2 + alpha
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);
-    const N t2 = times(above, alpha);
+    const N t1 = times(above, alpha);
     // w = 1/sqrt(alpha*above)
-    w = reciprocal_root(t2);
+    w = reciprocal_root(t1);
     // z = alpha/above
     const N z = quotient(alpha, above);
     // t = alpha*w
@@ -191,15 +191,15 @@ struct TerminalSmall {
     // N_A = ceil(pi/(2*h) - 1/2)
     N_A = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0,
         0x1.1a62633145c07p-54)) / leading(h));
-    const T t4 = N_A * -0x1p+1;
-    const N t5 = times(half_h, t4);
-    t6 = near_sum(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54), t5);
+    const T t2 = N_A * -0x1p+1;
+    const N t3 = times(half_h, t2);
+    t4 = near_sum(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54), t3);
     // rest = sqrt((pi/2 - h*N_A)^2)
-    rest = magnitude(t6);
-    [[maybe_unused]] const N t7 = -rest;
-    to_next = cancelling_sum(half_h, t7);
+    rest = magnitude(t4);
+    [[maybe_unused]] const N t5 = -rest;
+    to_next = cancelling_sum(half_h, t5);
     // N_B = ceil(pi/(2*h) - 1)
-    N_B = N_A + (N::times_sign_of(N::all(0.5), leading(t6)) - 0.5);
+    N_B = N_A + (N::times_sign_of(N::all(0.5), leading(t4)) - 0.5);
     // rest_sine = sin(rest)
     const auto of_rest = sine_cosine_small<Tier>(rest);
     rest_sine = of_rest.sine;
@@ -213,18 +213,18 @@ struct TerminalSmall {
     const N w_cosine = w * rest_cosine;
     // t_plus = t_cosine + rest_sine
     const N t_plus = t_cosine + rest_sine;
-    [[maybe_unused]] const N t8 = -rest_sine;
+    [[maybe_unused]] const N t6 = -rest_sine;
     // t_minus = t_cosine - rest_sine
-    const N t_minus = cancelling_sum(t_cosine, t8);
+    const N t_minus = cancelling_sum(t_cosine, t6);
     // w_plus = w_cosine + rest_sine
     const N w_plus = w_cosine + rest_sine;
-    const N t9 = w_plus * t_cosine;
+    const N t7 = w_plus * t_cosine;
     // b_form = 2*w_plus*t_cosine
-    [[maybe_unused]] const N b_form = scaled(t9, 0x1p+1);
-    const N t10 = t_minus * t_plus;
-    [[maybe_unused]] const N of_a_t = -t10;
-    const N t11 = t_minus * w_cosine;
-    [[maybe_unused]] const N of_c_t = scaled(t11, 0x1p+1);
+    [[maybe_unused]] const N b_form = scaled(t7, 0x1p+1);
+    const N t8 = t_minus * t_plus;
+    [[maybe_unused]] const N of_a_t = -t8;
+    const N t9 = t_minus * w_cosine;
+    [[maybe_unused]] const N of_c_t = scaled(t9, 0x1p+1);
     const N of_rho = b_form * b_form;
     if constexpr (Tier::is_tested) {
       const auto tested = rounding_test(of_a_t, N::magnitude_of(leading(t_plus)) * E[0] + E[1]);
@@ -258,7 +258,7 @@ struct TerminalSmall {
       rho = rounded(of_rho);
     }
     doubt = doubt + doubt_of_sign(to_next, N::magnitude_of(leading(to_next)) * E[8] + E[9]);
-    doubt = doubt + doubt_of_sign(rest, N::magnitude_of(leading(t6)) * E[10] + E[11]);
+    doubt = doubt + doubt_of_sign(rest, N::magnitude_of(leading(t4)) * E[10] + E[11]);
   }
 };
 template <class Tier> struct TerminalFirstBounds;
@@ -302,9 +302,9 @@ template <> struct TerminalFirstBounds<Ziv> {
 /// Theorem: c_t(alpha, 1) = 1*(-2*lead*per_mass^2)
 /// Theorem: rho(alpha, 1) = 16*(share*per_mass)^2
 /// Accurate is off by at most a_t: 2^-100.9 |of_a_t|
-/// Accurate is off by at most b_t: 2^-97.8 |t3|
-/// Accurate is off by at most c_t: 2^-98.6 |t5|
-/// Accurate is off by at most rho: 2^-94.1 |t6|
+/// Accurate is off by at most b_t: 2^-97.8 |t2|
+/// Accurate is off by at most c_t: 2^-98.6 |t4|
+/// Accurate is off by at most rho: 2^-94.1 |t5|
 /// Operations: products: 5, products by doubles: 1, quotients: 1, sums of doubles: 2.
 template <class Tier, class N>
 struct TerminalFirst {
@@ -317,11 +317,11 @@ struct TerminalFirst {
   R c_t;
   R rho;
   N of_a_t;
-  N t3;
+  N t2;
   N of_b_t;
-  N t5;
+  N t4;
   N of_c_t;
-  N t6;
+  N t5;
   N of_rho;
   static constexpr const double* E = TerminalFirstBounds<Tier>::E;
   TerminalFirst() = default;
@@ -353,17 +353,17 @@ struct TerminalFirst {
     const N per_mass = quotient(N::all(0x1p+0), masses);
     // share = alpha*per_mass
     const N share = times(per_mass, alpha);
-    const T t2 = alpha * -0x1p+0;
+    const T t1 = alpha * -0x1p+0;
     // lead = 1 - alpha
-    const N lead = N::two_sum(N::all(0x1p+0), t2);
+    const N lead = N::two_sum(N::all(0x1p+0), t1);
     of_a_t = lead * per_mass;
-    t3 = share * per_mass;
-    of_b_t = scaled(t3, 0x1p+2);
-    const N t4 = per_mass * per_mass;
-    t5 = lead * t4;
-    of_c_t = scaled(t5, -0x1p+1);
-    t6 = t3 * t3;
-    of_rho = scaled(t6, 0x1p+4);
+    t2 = share * per_mass;
+    of_b_t = scaled(t2, 0x1p+2);
+    const N t3 = per_mass * per_mass;
+    t4 = lead * t3;
+    of_c_t = scaled(t4, -0x1p+1);
+    t5 = t2 * t2;
+    of_rho = scaled(t5, 0x1p+4);
   }
   [[gnu::always_inline]] void stage_2() {
   }
@@ -376,21 +376,21 @@ struct TerminalFirst {
       a_t = rounded(of_a_t);
     }
     if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_b_t, N::magnitude_of(leading(t3)) * E[1]);
+      const auto tested = rounding_test(of_b_t, N::magnitude_of(leading(t2)) * E[1]);
       b_t = tested.value;
       doubt = doubt + tested.doubt;
     } else {
       b_t = rounded(of_b_t);
     }
     if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c_t, N::magnitude_of(leading(t5)) * E[2]);
+      const auto tested = rounding_test(of_c_t, N::magnitude_of(leading(t4)) * E[2]);
       c_t = tested.value;
       doubt = doubt + tested.doubt;
     } else {
       c_t = rounded(of_c_t);
     }
     if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_rho, N::magnitude_of(leading(t6)) * E[3]);
+      const auto tested = rounding_test(of_rho, N::magnitude_of(leading(t5)) * E[3]);
       rho = tested.value;
       doubt = doubt + tested.doubt;
     } else {

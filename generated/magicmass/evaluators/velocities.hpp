@@ -86,8 +86,8 @@ template <> struct VelocitiesSmallBounds<Ziv> {
       0x1.0345eb42d3711p+6,  // 2^6.1
   };
 };
-/// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0x0p+0 to 0x1p+50, phase
-///   between -0x1.0624dd2f1a9fcp-10 and 0x1.0c189374bc6a8p+1.
+/// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0 to 1125899906842624,
+///   phase between -0x1.0624dd2f1a9fcp-10 and 0x1.0c189374bc6a8p+1.
 /// Theorem: a_n(alpha, 1) = 1*(plus_n*minus_n)
 /// Theorem: b_n(alpha, 1) = 1*(2*along_n*t_sine_n)
 /// Theorem: c_n(alpha, 1) = 1*(2*plus_n*w_sine_n)
@@ -115,7 +115,7 @@ struct VelocitiesSmall {
   N w;
   N t;
   N half_h;
-  T t3;
+  T t2;
   N phase;
   N sine;
   N cosine;
@@ -146,20 +146,20 @@ struct VelocitiesSmall {
     doubt = R{};
     // above = 2 + alpha
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);
-    const N t2 = times(above, alpha);
+    const N t1 = times(above, alpha);
     // w = 1/sqrt(alpha*above)
-    w = reciprocal_root(t2);
+    w = reciprocal_root(t1);
     // z = alpha/above
     const N z = quotient(alpha, above);
     // t = alpha*w
     t = times(w, alpha);
     // half_h = atan(t)
     half_h = arc_tangent<Tier>(t, z);
-    t3 = n * 0x1p+1;
+    t2 = n * 0x1p+1;
   }
   [[gnu::always_inline]] void stage_2() {
     // phase_n = 2*half_h*n
-    phase = times(half_h, t3);
+    phase = times(half_h, t2);
     // sine_n = sin(phase_n)
     const auto of_phase = sine_cosine<Tier>(phase);
     sine = of_phase.sine;
@@ -173,18 +173,18 @@ struct VelocitiesSmall {
     const N w_sine = w * sine;
     // plus_n = cosine_n + t_sine_n
     const N plus = cancelling_sum(cosine, t_sine);
-    [[maybe_unused]] const N t4 = -t_sine;
+    [[maybe_unused]] const N t3 = -t_sine;
     // minus_n = cosine_n - t_sine_n
-    const N minus = cancelling_sum(cosine, t4);
+    const N minus = cancelling_sum(cosine, t3);
     // along_n = cosine_n + w_sine_n
     const N along = cancelling_sum(cosine, w_sine);
     const N of_a = plus * minus;
-    const N t5 = along * t_sine;
-    [[maybe_unused]] const N of_b = scaled(t5, 0x1p+1);
-    const N t6 = plus * w_sine;
-    [[maybe_unused]] const N of_c = scaled(t6, 0x1p+1);
-    const N t7 = minus * w_sine;
-    [[maybe_unused]] const N of_c_prime = scaled(t7, -0x1p+1);
+    const N t4 = along * t_sine;
+    [[maybe_unused]] const N of_b = scaled(t4, 0x1p+1);
+    const N t5 = plus * w_sine;
+    [[maybe_unused]] const N of_c = scaled(t5, 0x1p+1);
+    const N t6 = minus * w_sine;
+    [[maybe_unused]] const N of_c_prime = scaled(t6, -0x1p+1);
     if constexpr (Tier::is_tested) {
       const auto tested = rounding_test(of_a, N::magnitude_of(leading(plus)) * E[0] +
           N::magnitude_of(leading(minus)) * E[1] + E[2]);
@@ -251,15 +251,15 @@ template <> struct VelocitiesFirstBounds<Ziv> {
       0x1.00001a0000ep+4,  // 2^4.1
   };
 };
-/// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 0x1p+0 to 0x1p+0.
+/// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 1 to 1.
 /// Theorem: a_1(alpha, 1) = 1*(lead*per_mass)
 /// Theorem: b_1(alpha, 1) = 1*(4*share*per_mass)
 /// Theorem: c_1(alpha, 1) = 1*(2*per_mass)
 /// Theorem: c'_1(alpha, 1) = 1*(-2*lead*per_mass^2)
 /// Accurate is off by at most a: 2^-100.9 |of_a|
-/// Accurate is off by at most b: 2^-97.8 |t3|
+/// Accurate is off by at most b: 2^-97.8 |t2|
 /// Accurate is off by at most c: 2^-100.6 |per_mass|
-/// Accurate is off by at most c_prime: 2^-98.6 |t5|
+/// Accurate is off by at most c_prime: 2^-98.6 |t4|
 /// Operations: products: 4, products by doubles: 1, quotients: 1, sums of doubles: 2.
 template <class Tier, class N>
 struct VelocitiesFirst {
@@ -274,10 +274,10 @@ struct VelocitiesFirst {
   R c_prime;
   N per_mass;
   N of_a;
-  N t3;
+  N t2;
   N of_b;
   N of_c;
-  N t5;
+  N t4;
   N of_c_prime;
   static constexpr const double* E = VelocitiesFirstBounds<Tier>::E;
   VelocitiesFirst() = default;
@@ -310,16 +310,16 @@ struct VelocitiesFirst {
     per_mass = quotient(N::all(0x1p+0), masses);
     // share = alpha*per_mass
     const N share = times(per_mass, alpha);
-    const T t2 = alpha * -0x1p+0;
+    const T t1 = alpha * -0x1p+0;
     // lead = 1 - alpha
-    const N lead = N::two_sum(N::all(0x1p+0), t2);
+    const N lead = N::two_sum(N::all(0x1p+0), t1);
     of_a = lead * per_mass;
-    t3 = share * per_mass;
-    of_b = scaled(t3, 0x1p+2);
+    t2 = share * per_mass;
+    of_b = scaled(t2, 0x1p+2);
     of_c = scaled(per_mass, 0x1p+1);
-    const N t4 = per_mass * per_mass;
-    t5 = lead * t4;
-    of_c_prime = scaled(t5, -0x1p+1);
+    const N t3 = per_mass * per_mass;
+    t4 = lead * t3;
+    of_c_prime = scaled(t4, -0x1p+1);
   }
   [[gnu::always_inline]] void stage_2() {
   }
@@ -332,7 +332,7 @@ struct VelocitiesFirst {
       a = rounded(of_a);
     }
     if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_b, N::magnitude_of(leading(t3)) * E[1]);
+      const auto tested = rounding_test(of_b, N::magnitude_of(leading(t2)) * E[1]);
       b = tested.value;
       doubt = doubt + tested.doubt;
     } else {
@@ -346,7 +346,7 @@ struct VelocitiesFirst {
       c = rounded(of_c);
     }
     if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c_prime, N::magnitude_of(leading(t5)) * E[3]);
+      const auto tested = rounding_test(of_c_prime, N::magnitude_of(leading(t4)) * E[3]);
       c_prime = tested.value;
       doubt = doubt + tested.doubt;
     } else {

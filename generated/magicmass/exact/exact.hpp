@@ -22,14 +22,14 @@ std::pair<Number, Number> T_doubled(const Number& alpha, std::int64_t n) {
   const std::uint64_t index = 2 * std::uint64_t(n);
   for (int bit = int(std::bit_width(index)); bit-- > 0;) {
     // T_(2*m + 1) = 2*T_m*T_(m + 1) - T_1
-    const Number between = (Number(2) * low * high) - first;
+    const Number between = Number(2) * low * high - first;
     // T_(2*m) = 2*T_m^2 - 1
     if ((index >> bit & 1) != 0) {
       low = between;
-      high = (Number(2) * (high * high)) - Number(1);
+      high = Number(2) * (high * high) - Number(1);
     } else {
       high = between;
-      low = (Number(2) * (low * low)) - Number(1);
+      low = Number(2) * (low * low) - Number(1);
     }
   }
   return {low, high};
@@ -45,31 +45,25 @@ struct VelocitiesExact {
 template <class Number>
 VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   if (n >= 0 && n <= 0) {
-    // a_0 = 1
-    const Number a = Number(1);
-    // b_0 = 0
-    const Number b = Number(0);
-    // c_0 = 0
-    const Number c = Number(0);
-    // c'_0 = 0
-    const Number c_prime = Number(0);
-    return {a, b, c, c_prime};
+    return {Number(1), Number(0), Number(0), Number(0)};
   }
   if (n >= 1 && n <= 4611686018427387904) {
+    const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
+    const Number t5 = Number(1) + alpha;
+    const Number t6 = t5 * T_at_n.second;
     // b_before_n = V_CM*(1 - 2*T_(2*n) + (1 + alpha)*T_(2*n + 1))
-    const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
-    const Number b_before = V_CM * (Number(1) - (Number(2) * T_at_n.first) + ((Number(1) + alpha) *
-        T_at_n.second));
+    const Number b_before = V_CM * (Number(1) - Number(2) * T_at_n.first + t6);
     // a_n = V_CM*(1 + (1 + alpha)*T_(2*n))
-    const Number a = V_CM * (Number(1) + ((Number(1) + alpha) * T_at_n.first));
+    const Number a = V_CM * (Number(1) + t5 * T_at_n.first);
     // b_n = V_CM*(1 - (1 + alpha)*T_(2*n + 1))
-    const Number b = V_CM * (Number(1) - ((Number(1) + alpha) * T_at_n.second));
+    const Number b = V_CM * (Number(1) - t6);
+    const Number t13 = Number(1) - a;
     // c_n = (1 - a_n - b_before_n)/alpha
-    const Number c = (Number(1) - a - b_before) / alpha;
+    const Number c = (t13 - b_before) / alpha;
     // c'_n = (1 - a_n - b_n)/alpha
-    const Number c_prime = (Number(1) - a - b) / alpha;
+    const Number c_prime = (t13 - b) / alpha;
     return {a, b, c, c_prime};
   }
   throw std::domain_error("velocities_exact: allowed: "
@@ -86,14 +80,15 @@ struct TerminalExact {
 template <class Number>
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
   if (N_A >= 1 && N_A <= 4611686018427387904 && N_B >= 1 && N_B <= 4611686018427387904) {
+    const std::pair<Number, Number> T_at_N_A = T_doubled(alpha, N_A);
+    const std::pair<Number, Number> T_at_N_B = T_doubled(alpha, N_B);
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
+    const Number t2 = Number(1) + alpha;
     // a_t = V_CM*(1 + (1 + alpha)*T_(2*N_A))
-    const std::pair<Number, Number> T_at_N_A = T_doubled(alpha, N_A);
-    const Number a_t = V_CM * (Number(1) + ((Number(1) + alpha) * T_at_N_A.first));
+    const Number a_t = V_CM * (Number(1) + t2 * T_at_N_A.first);
     // b_t = V_CM*(1 - (1 + alpha)*T_(2*N_B + 1))
-    const std::pair<Number, Number> T_at_N_B = T_doubled(alpha, N_B);
-    const Number b_t = V_CM * (Number(1) - ((Number(1) + alpha) * T_at_N_B.second));
+    const Number b_t = V_CM * (Number(1) - t2 * T_at_N_B.second);
     // c_t = (1 - a_t - b_t)/alpha
     const Number c_t = (Number(1) - a_t - b_t) / alpha;
     // rho = (b_t*inv(1))^2

@@ -25,25 +25,22 @@ VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) 
   using std::sin;
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+20) && n >= 0 && n <= 1125899906842624) {
+    const Number t1 = Number(2) + alpha;
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
-    const Number psi = Number(2) * atan(sqrt(alpha * (Number(2) + alpha)));
+    const Number psi = Number(2) * atan(sqrt(alpha * t1));
     // V_CM = 1*(1/(2 + alpha))
-    const Number V_CM = Number(1) / (Number(2) + alpha);
+    const Number V_CM = Number(1) / t1;
+    const Number t8 = cos(psi / Number(2));
     // a_n = V_CM*(1 + cos(n*psi)/cos(psi/2))
-    // cos(psi/2)
-    const Number cos_1 = cos((Number(1) / Number(2)) * psi);
-    const Number a = V_CM * (Number(1) + (cos(Number(n) * psi) / cos_1));
+    const Number a = V_CM * (Number(1) + cos(Number(n) * psi) / t8);
     // b_n = V_CM*(1 - cos((n + 1/2)*psi)/cos(psi/2))
-    const Number b = V_CM * (Number(1) - (cos((Number(n) + (Number(1) / Number(2))) * psi) /
-        cos_1));
+    const Number b = V_CM * (Number(1) - cos((Number(n) + Number(1) / Number(2)) * psi) / t8);
+    const Number t21 = sin(psi / Number(4));
     // c_n = V_CM*(1 + sin((n - 1/4)*psi)/sin(psi/4))
-    // sin(psi/4)
-    const Number sin_2 = sin((Number(1) / Number(4)) * psi);
-    const Number c = V_CM * (Number(1) + (sin((Number(n) - (Number(1) / Number(4))) * psi) /
-        sin_2));
+    const Number c = V_CM * (Number(1) + sin((Number(n) - Number(1) / Number(4)) * psi) / t21);
     // c'_n = V_CM*(1 - sin((n + 1/4)*psi)/sin(psi/4))
-    const Number c_prime = V_CM * (Number(1) - (sin((Number(n) + (Number(1) / Number(4))) * psi) /
-        sin_2));
+    const Number c_prime = V_CM * (Number(1) - sin((Number(n) + Number(1) / Number(4)) * psi) /
+        t21);
     return {a, b, c, c_prime};
   }
   throw std::domain_error("velocities_closed: allowed: "
@@ -64,17 +61,19 @@ TerminalClosed<Number> terminal_closed(const Number& alpha) {
   using std::cos;
   using std::sqrt;
   if (alpha >= Number(0x1p-40) && alpha <= Number(0x1p+20)) {
+    const Number t1 = Number(2) + alpha;
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
-    const Number psi = Number(2) * atan(sqrt(alpha * (Number(2) + alpha)));
+    const Number psi = Number(2) * atan(sqrt(alpha * t1));
+    const Number t5 = Number(4) * atan(Number(1)) / psi;
     // N_A = ceil(pi/psi - 1/2)
-    const Number N_A = ceil(((Number(4) * atan(Number(1))) / psi) - (Number(1) / Number(2)));
+    const Number N_A = ceil(t5 - Number(1) / Number(2));
     // N_B = ceil(pi/psi - 1)
-    const Number N_B = ceil(((Number(4) * atan(Number(1))) / psi) - Number(1));
+    const Number N_B = ceil(t5 - Number(1));
+    const Number t8 = Number(1) + alpha;
     // a_t = 1*(1/(2 + alpha))*(1 + (1 + alpha)*cos(N_A*psi))
-    const Number a_t = (Number(1) + ((Number(1) + alpha) * cos(N_A * psi))) / (Number(2) + alpha);
+    const Number a_t = (Number(1) + t8 * cos(N_A * psi)) / t1;
     // b_t = 1*(1/(2 + alpha))*(1 - (1 + alpha)*cos((N_B + 1/2)*psi))
-    const Number b_t = (Number(1) - ((Number(1) + alpha) * cos((N_B + (Number(1) / Number(2))) *
-        psi))) / (Number(2) + alpha);
+    const Number b_t = (Number(1) - t8 * cos((N_B + Number(1) / Number(2)) * psi)) / t1;
     // c_t = (1 - a_t - b_t)/alpha
     const Number c_t = (Number(1) - a_t - b_t) / alpha;
     // rho = (b_t*inv(1))^2
@@ -112,8 +111,8 @@ MagicClosed<Number> magic_closed(std::int64_t k) {
   using std::cos;
   if (k >= 1 && k <= 1125899906842624) {
     // alpha_k = -1 + 1/cos(pi/(2*k + 1))
-    const Number alpha_ = Number(-1) + (Number(1) / cos((Number(4) * atan(Number(1))) / ((Number(2)
-        * Number(k)) + Number(1))));
+    const Number alpha_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *
+        Number(k) + Number(1)));
     return {alpha_};
   }
   throw std::domain_error("magic_closed: allowed: k from 1 to 1125899906842624");
@@ -130,8 +129,8 @@ DeficientClosed<Number> deficient_closed(std::int64_t k) {
   using std::cos;
   if (k >= 1 && k <= 1125899906842624) {
     // beta_k = -1 + 1/cos(pi/(2*k + 2))
-    const Number beta_ = Number(-1) + (Number(1) / cos((Number(4) * atan(Number(1))) / ((Number(2) *
-        Number(k)) + Number(2))));
+    const Number beta_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *
+        Number(k) + Number(2)));
     return {beta_};
   }
   throw std::domain_error("deficient_closed: allowed: k from 1 to 1125899906842624");

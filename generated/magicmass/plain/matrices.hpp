@@ -18,17 +18,13 @@ template <class Number>
 std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
+    const Number t3 = Number(1) + alpha;
     // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
     //   alpha)/(1 + alpha)]
-    const Number Gamma_11 = (Number(1) - alpha) / (Number(1) + alpha);
-    // sqrt(alpha)
-    const Number sqrt_1 = sqrt(alpha);
-    const Number Gamma_12 = Number(2) * sqrt_1 / (Number(1) + alpha);
-    const Number Gamma_21 = Number(2) * sqrt_1 / (Number(1) + alpha);
-    const Number Gamma_22 = Number(-1) * (Number(1) - alpha) / (Number(1) + alpha);
-    // Gamma_A = [Gamma[1,1], 0, Gamma[1,2]; 0, 1, 0; Gamma[2,1], 0, Gamma[2,2]]
-    return {{{Gamma_11, Number(0), Gamma_12}, {Number(0), Number(1), Number(0)}, {Gamma_21,
-        Number(0), Gamma_22}}};
+    const Number Gamma_11 = (Number(1) - alpha) / t3;
+    const Number Gamma_12 = Number(2) * sqrt(alpha) / t3;
+    return {{{Gamma_11, Number(0), Gamma_12}, {Number(0), Number(1), Number(0)}, {Gamma_12,
+        Number(0), -Gamma_11}}};
   }
   throw std::domain_error("Gamma_A: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
@@ -38,17 +34,13 @@ template <class Number>
 std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
+    const Number t3 = Number(1) + alpha;
     // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
     //   alpha)/(1 + alpha)]
-    const Number Gamma_11 = (Number(1) - alpha) / (Number(1) + alpha);
-    // sqrt(alpha)
-    const Number sqrt_1 = sqrt(alpha);
-    const Number Gamma_12 = Number(2) * sqrt_1 / (Number(1) + alpha);
-    const Number Gamma_21 = Number(2) * sqrt_1 / (Number(1) + alpha);
-    const Number Gamma_22 = Number(-1) * (Number(1) - alpha) / (Number(1) + alpha);
-    // Gamma_B = [1, 0, 0; 0, Gamma[1,1], Gamma[1,2]; 0, Gamma[2,1], Gamma[2,2]]
+    const Number Gamma_11 = (Number(1) - alpha) / t3;
+    const Number Gamma_12 = Number(2) * sqrt(alpha) / t3;
     return {{{Number(1), Number(0), Number(0)}, {Number(0), Gamma_11, Gamma_12}, {Number(0),
-        Gamma_21, Gamma_22}}};
+        Gamma_12, -Gamma_11}}};
   }
   throw std::domain_error("Gamma_B: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
@@ -58,24 +50,18 @@ template <class Number>
 std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
+    const Number t2 = Number(1) - alpha;
+    const Number t3 = Number(1) + alpha;
     // Lambda = [(1 - alpha)/(1 + alpha), 0, 2*sqrt(alpha)/(1 + alpha); 4*alpha/(1 + alpha)^2, (1 -
     //   alpha)/(1 + alpha), -2*sqrt(alpha)*(1 - alpha)/(1 + alpha)^2; -2*sqrt(alpha)*(1 - alpha)/(1
     //   + alpha)^2, 2*sqrt(alpha)/(1 + alpha), (1 - alpha)^2/(1 + alpha)^2]
-    const Number Lambda_11 = (Number(1) - alpha) / (Number(1) + alpha);
-    // sqrt(alpha)
-    const Number sqrt_1 = sqrt(alpha);
-    const Number Lambda_13 = Number(2) * sqrt_1 / (Number(1) + alpha);
-    const Number Lambda_21 = Number(4) * alpha / ((Number(1) + alpha) * (Number(1) + alpha));
-    const Number Lambda_22 = (Number(1) - alpha) / (Number(1) + alpha);
-    const Number Lambda_23 = Number(-2) * sqrt_1 * (Number(1) - alpha) / ((Number(1) + alpha) *
-        (Number(1) + alpha));
-    const Number Lambda_31 = Number(-2) * sqrt_1 * (Number(1) - alpha) / ((Number(1) + alpha) *
-        (Number(1) + alpha));
-    const Number Lambda_32 = Number(2) * sqrt_1 / (Number(1) + alpha);
-    const Number Lambda_33 = ((Number(1) - alpha) * (Number(1) - alpha)) / ((Number(1) + alpha) *
-        (Number(1) + alpha));
-    return {{{Lambda_11, Number(0), Lambda_13}, {Lambda_21, Lambda_22, Lambda_23}, {Lambda_31,
-        Lambda_32, Lambda_33}}};
+    const Number Lambda_11 = t2 / t3;
+    const Number t5 = Number(2) * sqrt(alpha);
+    const Number Lambda_13 = t5 / t3;
+    const Number t7 = Number(1) / t3;
+    const Number t8 = t7 * t7;
+    return {{{Lambda_11, Number(0), Lambda_13}, {Number(4) * alpha * t8, Lambda_11, -t5 * t2 * t8},
+        {-t5 * t2 * t8, Lambda_13, t2 * t2 * t8}}};
   }
   throw std::domain_error("Lambda: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
@@ -85,24 +71,17 @@ template <class Number>
 std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
+    const Number t1 = sqrt(Number(2));
+    const Number R_21 = Number(1) / t1;
     // R = [-1/sqrt(2), -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 1/sqrt(2),
     //   -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 0, 2/(sqrt(2 + alpha)*sqrt(2)),
     //   sqrt(alpha)/sqrt(2 + alpha)]
-    // sqrt(2)
-    const Number sqrt_1 = sqrt(Number(2));
-    const Number R_11 = Number(-1) / sqrt_1;
-    // sqrt(alpha)
-    const Number sqrt_2 = sqrt(alpha);
-    // sqrt(2 + alpha)
-    const Number sqrt_3 = sqrt(Number(2) + alpha);
-    const Number R_12 = Number(-1) * sqrt_2 / sqrt_3 / sqrt_1;
-    const Number R_13 = Number(1) / sqrt_3;
-    const Number R_21 = Number(1) / sqrt_1;
-    const Number R_22 = Number(-1) * sqrt_2 / sqrt_3 / sqrt_1;
-    const Number R_23 = Number(1) / sqrt_3;
-    const Number R_32 = Number(2) / sqrt_3 / sqrt_1;
-    const Number R_33 = sqrt_2 / sqrt_3;
-    return {{{R_11, R_12, R_13}, {R_21, R_22, R_23}, {Number(0), R_32, R_33}}};
+    const Number R_11 = -R_21;
+    const Number t4 = sqrt(Number(2) + alpha);
+    const Number R_33 = sqrt(alpha) / t4;
+    const Number R_13 = Number(1) / t4;
+    return {{{R_11, -R_33 / t1, R_13}, {R_21, -R_33 / t1, R_13}, {Number(0), Number(2) / t4 / t1,
+        R_33}}};
   }
   throw std::domain_error("R: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
@@ -115,12 +94,9 @@ std::array<std::array<Number, 3>, 3> lambda_3(const Number& x) {
   if (x >= Number(-0x1p+50) && x <= Number(0x1p+50)) {
     // lambda_3(x) = [cos(x), -sin(x), 0; sin(x), cos(x), 0; 0, 0, 1]
     const Number lambda_3_11 = cos(x);
-    // sin(x)
-    const Number sin_1 = sin(x);
-    const Number lambda_3_12 = Number(-1) * sin_1;
-    const Number lambda_3_22 = cos(x);
-    return {{{lambda_3_11, lambda_3_12, Number(0)}, {sin_1, lambda_3_22, Number(0)}, {Number(0),
-        Number(0), Number(1)}}};
+    const Number lambda_3_21 = sin(x);
+    return {{{lambda_3_11, -lambda_3_21, Number(0)}, {lambda_3_21, lambda_3_11, Number(0)},
+        {Number(0), Number(0), Number(1)}}};
   }
   throw std::domain_error("lambda_3: allowed: x from -0x1p+50 to 0x1p+50");
 }

@@ -26,29 +26,27 @@ VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n
   using std::sin;
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
+    const Number t1 = Number(2) + alpha;
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
-    const Number psi = Number(2) * atan(sqrt(alpha * (Number(2) + alpha)));
+    const Number psi = Number(2) * atan(sqrt(alpha * t1));
     // V_CM = 1*(1/(2 + alpha))
-    const Number V_CM = Number(1) / (Number(2) + alpha);
+    const Number V_CM = Number(1) / t1;
+    const Number t5 = Number(2) * V_CM;
+    const Number t7 = t5 * (Number(1) + alpha);
+    const Number t9 = psi / Number(2);
+    const Number t11 = cos((Number(n) + Number(1) / Number(2)) * t9);
+    const Number t15 = cos((Number(n) - Number(1) / Number(2)) * t9);
     // a_n = 2*V_CM*(1 + alpha)*cos((n + 1/2)*(psi/2))*cos((n - 1/2)*(psi/2))
-    // cos((n + 1/2)*(psi/2))
-    const Number cos_1 = cos((Number(n) + (Number(1) / Number(2))) * ((Number(1) / Number(2)) *
-        psi));
-    // cos((n - 1/2)*(psi/2))
-    const Number cos_2 = cos((Number(n) - (Number(1) / Number(2))) * ((Number(1) / Number(2)) *
-        psi));
-    const Number a = Number(2) * V_CM * (Number(1) + alpha) * cos_1 * cos_2;
+    const Number a = t7 * t11 * t15;
+    const Number t21 = sin(Number(n) * t9);
     // b_n = 2*V_CM*(1 + alpha)*sin((n + 1)*(psi/2))*sin(n*(psi/2))
-    // sin(n*(psi/2))
-    const Number sin_3 = sin(Number(n) * ((Number(1) / Number(2)) * psi));
-    const Number b = Number(2) * V_CM * (Number(1) + alpha) * sin((Number(n) + Number(1)) *
-        ((Number(1) / Number(2)) * psi)) * sin_3;
+    const Number b = t7 * sin((Number(n) + Number(1)) * t9) * t21;
+    const Number t22 = t5 * t21;
+    const Number t25 = sin(psi / Number(4));
     // c_n = 2*V_CM*sin(n*(psi/2))*cos((n - 1/2)*(psi/2))/sin(psi/4)
-    // sin(psi/4)
-    const Number sin_4 = sin((Number(1) / Number(4)) * psi);
-    const Number c = Number(2) * V_CM * sin_3 * cos_2 / sin_4;
+    const Number c = t22 * t15 / t25;
     // c'_n = -2*V_CM*sin(n*(psi/2))*cos((n + 1/2)*(psi/2))/sin(psi/4)
-    const Number c_prime = Number(-2) * V_CM * sin_3 * cos_1 / sin_4;
+    const Number c_prime = -t22 * t11 / t25;
     return {a, b, c, c_prime};
   }
   throw std::domain_error("velocities_product: allowed: "

@@ -53,13 +53,13 @@ VelocitiesTangent<Number> velocities_tangent(const Number& alpha, std::int64_t n
     // along_n = cosine_n + w_sine_n
     const Number along = cosine + w_sine;
     // a_n = 1*(plus_n*minus_n)
-    const Number a = (plus * minus);
+    const Number a = plus * minus;
     // b_n = 1*(2*along_n*t_sine_n)
-    const Number b = (Number(2) * along * t_sine);
+    const Number b = Number(2) * along * t_sine;
     // c_n = 1*(2*plus_n*w_sine_n)
-    const Number c = (Number(2) * plus * w_sine);
+    const Number c = Number(2) * plus * w_sine;
     // c'_n = 1*(-2*minus_n*w_sine_n)
-    const Number c_prime = (Number(-2) * minus * w_sine);
+    const Number c_prime = -Number(2) * minus * w_sine;
     return {a, b, c, c_prime};
   }
   throw std::domain_error("velocities_tangent: allowed: "
@@ -96,11 +96,11 @@ TerminalTangent<Number> terminal_tangent(const Number& alpha) {
     const Number half_h = atan(t);
     // h = 2*half_h
     const Number h = Number(2) * half_h;
+    const Number t4 = Number(4) * atan(Number(1)) / h / Number(2);
     // N_A = ceil(pi/(2*h) - 1/2)
-    const Number N_A = ceil(((Number(1) / Number(2)) * (Number(4) * atan(Number(1))) / h) -
-        (Number(1) / Number(2)));
+    const Number N_A = ceil(t4 - Number(1) / Number(2));
     // rest = sqrt((pi/2 - h*N_A)^2)
-    const Number rest = abs(((Number(1) / Number(2)) * (Number(4) * atan(Number(1)))) - (h * N_A));
+    const Number rest = abs(Number(4) * atan(Number(1)) / Number(2) - h * N_A);
     // rest_sine = sin(rest)
     const Number rest_sine = sin(rest);
     // rest_cosine = cos(rest)
@@ -118,17 +118,14 @@ TerminalTangent<Number> terminal_tangent(const Number& alpha) {
     // b_form = 2*w_plus*t_cosine
     const Number b_form = Number(2) * w_plus * t_cosine;
     // N_B = ceil(pi/(2*h) - 1)
-    const Number N_B = ceil(((Number(1) / Number(2)) * (Number(4) * atan(Number(1))) / h) -
-        Number(1));
+    const Number N_B = ceil(t4 - Number(1));
     // a_t = 1*(-t_minus*t_plus)
-    const Number a_t = (Number(-1) * t_minus * t_plus);
-    // b_t = 1*b_form
-    const Number b_t = b_form;
+    const Number a_t = -t_minus * t_plus;
     // c_t = 1*(2*t_minus*w_cosine)
-    const Number c_t = (Number(2) * t_minus * w_cosine);
+    const Number c_t = Number(2) * t_minus * w_cosine;
     // rho = b_form^2
     const Number rho = b_form * b_form;
-    return {N_A, N_B, a_t, b_t, c_t, rho};
+    return {N_A, N_B, a_t, b_form, c_t, rho};
   }
   throw std::domain_error("terminal_tangent: allowed: alpha from 0x1p-100 to 0x1p+100");
 }
