@@ -37,10 +37,9 @@ public:
       : q(quantity), c(which), p(lower(quantity, which, false)) {
     name = capital(q.name) + capital(c.name);
     bounds();
-    find_members();
-    structure();
     for (const auto& [out, k] : p.whole_outputs) result.whole.push_back(out);
     for (const auto& [out, k] : p.outputs) result.real.push_back(out);
+    structure();
     result.code = text.str();
   }
 
@@ -51,10 +50,8 @@ private:
   std::string name;
   Text text;
   Analysis accurate;
-  std::vector<std::string> outputs;  // bounds as C++
-  std::vector<std::string> signs;
+  std::vector<std::string> bounds_of;  // outputs and signs, as C++
   bool has_bounds = false;
-  std::set<int> members;  // nodes that a later stage takes
 
   void bounds() {
     Plan plan;
@@ -64,34 +61,27 @@ private:
       const Program program = is_wide ? lower(q, c, true) : p;
       const Analysis a = analyse(program, t.type, plan);
       std::vector<double> constants;
-      std::vector<std::string> of_outputs;
-      std::vector<std::string> of_signs;
-      for (const Form& f : a.outputs) of_outputs.push_back(in_code(program, f, constants));
-      for (const Form& f : a.positive) of_signs.push_back(in_code(program, f, constants));
+      std::vector<std::string> here;
+      for (const auto* forms : {&a.outputs, &a.positive}) {
+        for (const Form& f : *forms) here.push_back(in_code(program, f, constants));
+      }
       if (t.tier == "Accurate") {
         accurate = a;
-        outputs = of_outputs;
-        signs = of_signs;
+        bounds_of = here;
         has_bounds = !constants.empty();
       }
-      if (outputs != of_outputs || signs != of_signs) {
+      if (bounds_of != here) {
         throw Refused("bounds of " + name + " differ in form for " + t.tier + ": " +
-                      codegen::joined(of_outputs, "; ") + codegen::joined(of_signs, "; "));
+                      codegen::joined(here, "; "));
       }
       describe(program, t, a);
-      if (has_bounds) specialised += specialisation(t, constants);
+      std::vector<std::string> printed;
+      for (double x : constants) printed.push_back(hex(is_wide ? x / t.type.u : x));
+      specialised += "template <> struct " + name + "Bounds<" + t.tier +
+                     "> { static constexpr double E[] = {" + codegen::joined(printed, ", ") +
+                     "}; };\n";
     }
-    if (has_bounds) text.line("template <class Tier> struct " + name + "Bounds;");
-    text.block(specialised);
-  }
-  std::string specialisation(const TypeOfNumber& t, const std::vector<double>& constants) const {
-    std::string s = "template <> struct " + name + "Bounds<" + t.tier +
-                    "> {\n  static constexpr double E[] = {\n";
-    for (double x : constants) {
-      const double printed = t.type.is_pair() ? x : x / t.type.u;
-      s += "      " + hex(printed) + ",  // " + as_power_of_2(printed) + "\n";
-    }
-    return s + "  };\n};\n";
+    if (has_bounds) text.block("template <class Tier> struct " + name + "Bounds;\n" + specialised);
   }
   void describe(const Program& program, const TypeOfNumber& t, const Analysis& a) {
     std::string& e = result.errors;
@@ -107,10 +97,12 @@ private:
     }
   }
 
-  void find_members() {
+  /// Nodes that a later stage takes.
+  std::set<int> members() const {
+    std::set<int> found;
     const auto keep = [&](int k, int stage) {
       const Op op = p[k].op;
-      if (p[k].stage < stage && op != Op::input && op != Op::constant) members.insert(k);
+      if (p[k].stage < stage && op != Op::input && op != Op::constant) found.insert(k);
     };
     for (const Node& n : p.nodes) {
       for (int o : n.of) keep(o, n.stage);
@@ -127,144 +119,134 @@ private:
     }
     for (const auto& [out, k] : p.whole_outputs) keep(k, 4);
     for (const Guard& g : p.guards) keep(g.node, 3);
+    return found;
   }
 
   void structure() {
     text.line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
     for (const kernel::Theorem& t : c.outputs) {
-      text.line("/// Theorem: " + kernel::text(t.conclusion()));
+      text.line("/// Theorem: " + shown(q, t.conclusion()));
     }
     for (const Fact& f : c.facts) {
       const std::string why = f.argument.empty() ? "a theorem" : f.argument;
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;
-      text.line("/// " + kernel::text(f.formula) + ": " + why + computed);
+      text.line("/// " + shown(q, f.formula) + ": " + why + computed);
     }
     for (const std::string& b : result.bounds) text.line("/// Accurate is off by at most " + b);
     text.line("/// Operations: " + operation_counts(p) + ".");
-    text.line("template <class Tier, class N>");
-    text.line("struct " + name + " {");
-    text.line("  using T = typename N::Value;");
-    text.line("  using R = typename N::Result;");
-    for (const Input& i : q.inputs) text.line("  T " + i.name() + ";");
-    text.line("  R doubt;");
-    for (const auto& [out, k] : p.outputs) text.line("  R " + out + ";");
-    for (int k : members) {
-      text.line((p[k].is_exact ? "  T " : "  N ") + p[k].name + ";");
-    }
-    if (has_bounds) {
-      text.line("  static constexpr const double* E = " + name + "Bounds<Tier>::E;");
-    }
+    text.block("template <class Tier, class N>\nstruct " + name +
+               " {\n  using T = typename N::Value;\n  using R = typename N::Result;\n");
+    const std::set<int> kept = members();
+    std::vector<std::string> exact;
+    std::vector<std::string> results{"doubt"};
+    std::vector<std::string> numbers;
+    for (const Input& i : q.inputs) exact.push_back(i.name());
+    for (int k : kept) (p[k].is_exact ? exact : numbers).push_back(p[k].name);
+    results.insert(results.end(), result.real.begin(), result.real.end());
+    text.line(fields("T", exact));
+    text.line(fields("R", results));
+    if (!numbers.empty()) text.line(fields("N", numbers));
+    if (has_bounds) text.line("  static constexpr const double* E = " + name + "Bounds<Tier>::E;");
     inputs_and_outputs();
-    for (int stage = 1; stage <= 3; ++stage) stage_function(stage);
+    if (&c == &q.cases[0]) columns();
+    for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);
     text.line("};");
   }
   void inputs_and_outputs() {
     const std::string Q = capital(q.name);
-    text.line("  " + name + "() = default;");
     std::vector<std::string> set;
-    for (const Input& i : q.inputs) {
-      const std::string v = i.name();
-      const bool is_whole = i.is_whole();
-      set.push_back(v + (is_whole ? "(N::whole(in." : "(N::all(in.") + v + "))");
-    }
-    text.line(inlined + "explicit " + name + "(const " + Q + "Inputs& in)");
-    text.line("      : " + codegen::joined(set, ", ") + " {}");
-    text.line(inlined + "void load_inputs(const " + Q + "Columns& columns, std::size_t row) {");
-    std::string in_case;
-    for (const Input& i : q.inputs) {
-      const std::string v = i.name();
-      const bool is_whole = i.is_whole();
-      const std::string from = (is_whole ? "arithmetic::SimdMask" : "arithmetic::Simd") +
-                               std::string(">(columns.") + v + " + row)";
-      text.line("    " + v + " = " + (is_whole ? "arithmetic::to_real(" : "") +
-                "arithmetic::load<" + from + (is_whole ? ");" : ";"));
-      const Interval r = range_of(i, c, false);
-      in_case += " & (" + v + " >= " + hex(r.low) + ") & (" + v + " <= " + hex(r.high) + ")";
-      if (is_whole) {
-        in_case += " & (arithmetic::to_whole(" + v + ") == arithmetic::load<" + from + ")";
-      }
-    }
-    text.line("  }");
-    text.line(inlined + "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + Q +
-              "Columns& columns, [[maybe_unused]] std::size_t row) const {");
-    text.line("    return " + in_case.substr(3) + ";");
-    text.line("  }");
-    text.line(inlined + "void store_outputs(const " + Q +
-              "Columns& columns, std::size_t row) const {");
     std::vector<std::string> values;
+    for (const Input& i : q.inputs) {
+      set.push_back(i.name() + (i.is_whole() ? "(N::whole(in." : "(N::all(in.") + i.name() + "))");
+    }
     for (const auto& [out, k] : p.whole_outputs) {
-      text.line("    arithmetic::store(columns." + out + " + row, arithmetic::to_whole(" +
-                as_plain(p, k) + "));");
       values.push_back("N::to_whole(" + as_plain(p, k) + ")");
     }
-    for (const auto& [out, k] : p.outputs) {
-      text.line("    arithmetic::store(columns." + out + " + row, " + out + ");");
-      values.push_back(out);
-    }
-    text.line("  }");
-    text.line(inlined + Q + "Outputs outputs() const {");
-    text.line("    return {" + codegen::joined(values, ", ") + "};");
-    text.line("  }");
+    values.insert(values.end(), result.real.begin(), result.real.end());
+    text.line("  " + name + "() = default;");
+    text.line(inlined + "explicit " + name + "(const " + Q +
+              "Inputs& in) : " + codegen::joined(set, ", ") + " {}");
+    text.line(inlined + Q + "Outputs outputs() const { return {" + codegen::joined(values, ", ") +
+              "}; }");
   }
-  void stage_function(int stage) {
+  /// Rows of arrays, a register at a time.
+  void columns() {
+    const std::string of_columns =
+        "const " + capital(q.name) + "Columns& columns, std::size_t row)";
+    std::string loads;
+    std::string in_case;
+    for (const Input& i : q.inputs) {
+      const std::string type = i.is_whole() ? "SimdMask" : "Simd";
+      const std::string load =
+          "arithmetic::load<arithmetic::" + type + ">(columns." + i.name() + " + row)";
+      loads += "    " + i.name() + " = " +
+               (i.is_whole() ? "arithmetic::to_real(" + load + ")" : load) + ";\n";
+      const Interval r = range_of(i, c, false);
+      in_case +=
+          " & (" + i.name() + " >= " + hex(r.low) + ") & (" + i.name() + " <= " + hex(r.high) + ")";
+      if (i.is_whole()) in_case += " & (arithmetic::to_whole(" + i.name() + ") == " + load + ")";
+    }
+    std::string stores;
+    const auto store = [&](const std::string& out, const std::string& value) {
+      stores += "    arithmetic::store(columns." + out + " + row, " + value + ");\n";
+    };
+    for (const auto& [out, k] : p.whole_outputs)
+      store(out, "arithmetic::to_whole(" + as_plain(p, k) + ")");
+    for (const std::string& out : result.real) store(out, out);
+    text.block(inlined + "void load_inputs(" + of_columns + " {\n" + loads + "  }\n" + inlined +
+               "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + capital(q.name) +
+               "Columns& columns, [[maybe_unused]] std::size_t row) const {\n    return " +
+               in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + of_columns +
+               " const {\n" + stores + "  }\n");
+  }
+  void stage_function(int stage, const std::set<int>& kept) {
     text.line(inlined + "void stage_" + std::to_string(stage) + "() {");
     if (stage == 1) text.line("    doubt = R{};");
     std::set<int> paired;
     for (int k = 0; k < p.size(); ++k) {
-      if (p[k].stage == stage) operation(k, paired);
+      const Node& n = p[k];
+      if (n.stage != stage || n.op == Op::input || n.op == Op::constant) continue;
+      if (!n.formula.empty()) text.line("    // " + n.formula);
+      const bool is_function = n.op == Op::sine || n.op == Op::cosine;
+      if (is_function && paired.insert(n.of[0]).second) text.line("    " + sine_and_cosine(p, n));
+      const bool is_member = kept.count(k) > 0;
+      const std::string type = is_member ? "" : n.is_exact ? "const T " : "const N ";
+      const std::string maybe = !is_member && n.op == Op::scale ? "[[maybe_unused]] " : "";
+      text.line("    " + maybe + type + n.name + " = " + right_side(p, n) + ";");
     }
     if (stage == 3) tests();
     text.line("  }");
   }
-  void operation(int k, std::set<int>& paired) {
-    const Node& n = p[k];
-    if (n.op == Op::input || n.op == Op::constant) return;
-    if (!n.formula.empty()) text.line("    // " + n.formula);
-    const bool is_function = n.op == Op::sine || n.op == Op::cosine;
-    if (is_function && paired.insert(n.of[0]).second) {
-      const int x = n.of[0];
-      const std::string number = as_number(p, x);
-      const bool is_small = p[x].range.size() <= small_angle;
-      text.line("    const auto of_" + p[x].name + " = " +
-                (is_small ? "sine_cosine_small<Tier>(" : "sine_cosine<Tier>(") + number + ");");
-    }
-    const bool is_member = members.count(k) > 0;
-    const std::string type = is_member ? "" : n.is_exact ? "const T " : "const N ";
-    const std::string maybe = !is_member && n.op == Op::scale ? "[[maybe_unused]] " : "";
-    text.line("    " + maybe + type + n.name + " = " + right_side(p, n) + ";");
-  }
   void tests() {
-    for (std::size_t i = 0; i < p.outputs.size(); ++i) {
-      const auto& [out, k] = p.outputs[i];
-      if (p[k].is_exact) {
-        text.line("    " + out + " = N::to_result(" + as_plain(p, k) + ");");
-        continue;
-      }
-      text.line("    if constexpr (Tier::is_tested) {");
-      text.line("      const auto tested = rounding_test(" + as_number(p, k) + ", " +
-                bound(outputs[i]) + ");");
-      text.line("      " + out + " = tested.value;");
-      text.line("      doubt = doubt + tested.doubt;");
-      text.line("    } else {");
-      text.line("      " + out + " = rounded(" + as_number(p, k) + ");");
-      text.line("    }");
+    std::size_t next = 0;
+    for (const auto& [out, k] : p.outputs) {
+      const std::string bound = bound_of(next++);
+      text.line("    " + out + " = " +
+                (p[k].is_exact ? "N::to_result(" + as_plain(p, k)
+                               : "arithmetic::rounded_by<Tier>(" + as_number(p, k) + ", " + bound +
+                                     ", doubt") +
+                ");");
     }
-    for (std::size_t i = 0; i < p.positive.size(); ++i) {
-      text.line("    doubt = doubt + doubt_of_sign(" + as_number(p, p.positive[i].second) + ", " +
-                bound(signs[i]) + ");");
+    const std::string test = "    doubt = doubt + doubt_of_";
+    for (const auto& [sign, k] : p.positive) {
+      text.line(test + "sign(" + as_number(p, k) + ", " + bound_of(next++) + ");");
     }
     for (const Guard& g : p.guards) {
-      text.line("    doubt = doubt + doubt_of_range(" + as_number(p, g.node) + ", " +
-                hex(g.range.low) + ", " + hex(g.range.high) + ");");
+      text.line(test + "range(" + as_number(p, g.node) + ", " + hex(g.range.low) + ", " +
+                hex(g.range.high) + ");");
     }
   }
-  static std::string bound(const std::string& code) {
+  std::string bound_of(std::size_t i) const {
+    const std::string& code = bounds_of[i];
     if (code.empty()) return "T{}";
     return code.find(' ') == std::string::npos ? "N::all(" + code + ")" : code;
   }
 };
 }  // namespace
 
+std::string fields(const std::string& type, const std::vector<std::string>& names) {
+  return "  " + type + " " + joined(names, ", ") + ";";
+}
 std::string condition(const Quantity& q, const Case& c) {
   std::vector<std::string> parts;
   for (const Input& i : q.inputs) {

@@ -15,6 +15,8 @@ struct EmittedCase {
   std::vector<std::string> whole;   ///< whole outputs, then the others
   std::vector<std::string> real;
 };
+/// "  double a, b;"
+std::string fields(const std::string& type, const std::vector<std::string>& names);
 EmittedCase emit_case(const Quantity& q, const Case& c);
 /// "in.alpha >= 0x1p-300 && ..." of the case, in both domains.
 std::string condition(const Quantity& q, const Case& c);

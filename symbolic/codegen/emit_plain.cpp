@@ -33,19 +33,17 @@ std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg
 
 /// The case with the outputs that are wanted (none named: all) and the definitions those need.
 Case wanted_part(const Case& c, const std::set<std::string>& wanted) {
-  Case r = c;
+  Case r{c.name, c.where, {}, {}, {}, {}};
   std::set<Expr> live;
   const auto visit = [&](const auto& self, Expr e) -> void {
     live.insert(e);
     for (Expr a : e.args()) self(self, a);
   };
-  r.outputs.clear();
   for (const Theorem& t : c.outputs) {
     if (!wanted.empty() && wanted.count(output_name(t)) == 0) continue;
     r.outputs.push_back(t);
     visit(visit, t.conclusion().arg(1));
   }
-  r.definitions.clear();
   for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
     if (live.count(t->conclusion().arg(0)) == 0) continue;
     visit(visit, t->conclusion().arg(1));

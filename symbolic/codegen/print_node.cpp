@@ -90,6 +90,12 @@ std::string right_side(const Program& p, const Node& n) {
   }
   throw Refused("nothing to print for " + n.name);
 }
+std::string sine_and_cosine(const Program& p, const Node& n) {
+  const int x = n.of[0];
+  const bool is_small = p[x].range.size() <= small_angle;
+  return "const auto of_" + p[x].name + " = sine_cosine" +
+         (is_small ? "_small<Tier>(" : "<Tier>(") + as_number(p, x) + ");";
+}
 
 std::string operation_counts(const Program& p) {
   static const std::map<Op, std::string> words{{Op::exact_sum, "sums of doubles"},

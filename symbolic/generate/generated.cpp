@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All of generated/, or a header of one's own.
 #include "codegen/generate.hpp"
-#include "generate/plain_forms.hpp"
 #include "generate/quantities.hpp"
 
 namespace generate {
@@ -9,7 +8,7 @@ namespace {
 struct Inventory {
   Source source;
   std::vector<codegen::Quantity> all = evaluators(source);
-  std::vector<codegen::PlainForm> plain = plain_forms(source);
+  std::vector<codegen::PlainForm> plain = plain_forms(source, all);
 };
 const Inventory& inventory() {
   static const Inventory made;

@@ -1,104 +1,100 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Evaluators: their cases, intervals, facts and guards.
+// The evaluators' theorems, case by case.
 #include "generate/quantities.hpp"
-
-#include "generate/source.hpp"
 
 namespace generate {
 namespace {
 using codegen::Case;
 using codegen::Condition;
 using codegen::Fact;
-using codegen::Interval;
+using codegen::Input;
 using codegen::Quantity;
-using kernel::Theorems;
 
 constexpr double below_1 = 0x1.fffffffffffffp-1;
 constexpr double largest = 0x1.fffffffffffffp1023;
 constexpr double smallest = 0x1p-1074;
-const Condition light{"alpha", {smallest, below_1}};
-const Condition heavy{"alpha", {1, largest}};
 
-Theorems angle(Source& source) {
-  return source.all("evaluators", {"def_above", "def_w", "def_z", "def_t", "def_half_h"});
+Input alpha(double least, double most, double wide_most) {
+  return {kernel::real("alpha"), {least, most}, {smallest, wide_most}};
 }
-std::vector<Fact> angle_facts(Source& source) {
-  return {source["evaluators.z_at_most"], source["evaluators.t_squared"]};
-}
-Theorems heavy_names(Source& source) {
-  return source.all("heavy", {"def_masses", "def_per_mass", "def_share", "def_lead"});
-}
-
-Quantity velocities(Source& source) {
-  Case small{"small", {light}, angle(source), {}, angle_facts(source), {}};
-  small.definitions =
-      small.definitions +
-      source.all("evaluators", {"def_phase", "def_sine", "def_cosine", "def_t_sine", "def_w_sine",
-                                "def_plus", "def_minus", "def_along"});
-  small.outputs = source.all("evaluators", {"a", "b", "c", "c_prime"});
-  small.facts.push_back(source["evaluators.t_sine_at_most"]);
-  small.guards = {{"phase", {-0.001, 2.0945}}};
-  const Case first{"first",
-                   {heavy, {"n", {1, 1}}},
-                   heavy_names(source),
-                   source.all("heavy", {"a", "b", "c", "c_prime"}),
-                   {},
-                   {}};
-  return {"velocities",
-          "eq:a-final eq:b-final eq:c-final eq:c'-final",
-          {{kernel::real("alpha"), {0x1p-300, 0x1p300}, {smallest, largest}},
-           {kernel::integer("n"), {0, 0x1p50}, {0, 0x1p63}}},
-          {small, first},
-          source.units};
-}
-Quantity terminal(Source& source) {
-  Case small{"small", {light}, angle(source), {}, angle_facts(source), {}};
-  small.definitions =
-      small.definitions +
-      source.all("evaluators_end", {"def_h", "N_A", "N_B", "def_rest", "def_rest_sine",
-                                    "def_rest_cosine", "def_t_cosine", "def_w_cosine", "def_t_plus",
-                                    "def_t_minus", "def_w_plus", "def_b_form"});
-  small.outputs = source.all("evaluators_end", {"N_A", "N_B"});
-  for (std::size_t i = 0; i < 3; ++i)
-    small.outputs.push_back(source.part("evaluators_end.terminal", i));
-  small.outputs.push_back(source["evaluators_end.rho"]);
-  small.facts.push_back(
-      {source["evaluators_end.sine_at_most"],
-       "rest < h/2 is tested of computed values, and both are of the computed rest"});
-  small.facts.push_back(source["evaluators_end.t_cosine_at_most"]);
-  const Case first{"first",
-                   {heavy},
-                   heavy_names(source),
-                   source.all("heavy", {"N_A", "N_B", "a_t", "b_t", "c_t", "rho"}),
-                   {},
-                   {}};
-  return {"terminal",
-          "eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct",
-          {{kernel::real("alpha"), {0x1p-100, 0x1p300}, {smallest, largest}}},
-          {small, first},
-          source.units};
-}
-Quantity ratio(Source& source, const std::string& kind, const std::string& label, double first) {
-  const std::string prefix = "def_" + kind + "_";
-  const Case general{"general",
-                     {},
-                     {source["evaluators_ratios." + prefix + "angle"],
-                      source["evaluators_ratios." + prefix + "sine"],
-                      source["evaluators_ratios." + prefix + "versed"],
-                      source["evaluators_ratios." + prefix + "cosine"]},
-                     {source["evaluators_ratios." + kind]},
-                     {},
-                     {}};
-  return {kind, label, {{kernel::integer("k"), {first, 0x1p50}, {first, 0x1p63}}}, {general}, {}};
-}
-Quantity psi(Source& source) {
-  const Case small{"small", {}, angle(source), {source["evaluators.psi"]}, angle_facts(source), {}};
-  return {"angle", "def:psi", {{kernel::real("alpha"), {0x1p-300, 1}, {smallest, 1}}}, {small}, {}};
+Input whole(const char* name, double first) {
+  return {kernel::integer(name), {first, 0x1p50}, {first, 0x1p63}};
 }
 }  // namespace
 
+std::string labels(const std::string& quantity) {
+  static const std::map<std::string, std::string> all{
+      {"velocities", "eq:a-final eq:b-final eq:c-final eq:c'-final"},
+      {"terminal", "eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct"},
+      {"magic", "exact:ak"},
+      {"deficient", "exact:bk"},
+      {"angle", "def:psi"},
+      {"Gamma_A", "eq:Gamma"},
+      {"Gamma_B", "eq:Gamma"},
+      {"Lambda", "eq:Lambda"},
+      {"R", "def:R"},
+      {"lambda_3", "eq:lambda-3"}};
+  return all.at(quantity);
+}
 std::vector<Quantity> evaluators(Source& source) {
-  return {velocities(source), terminal(source), ratio(source, "magic", "exact:ak", 2),
-          ratio(source, "deficient", "exact:bk", 1), psi(source)};
+  const Condition light{"alpha", {smallest, below_1}};
+  const Condition heavy{"alpha", {1, largest}};
+  const std::string angle = "evaluators.def_above def_w def_z def_t def_half_h ";
+  const std::string share = "heavy.def_masses def_per_mass def_share def_lead";
+  const auto facts = [&](const std::string& words) {
+    std::vector<Fact> r;
+    for (const kernel::Theorem& t : source("evaluators.z_at_most t_squared " + words)) {
+      r.emplace_back(t);
+    }
+    return r;
+  };
+  const auto made = [&](const std::string& name, const std::vector<Input>& inputs,
+                        const std::vector<Case>& cases) {
+    return Quantity{name, labels(name), inputs, cases, source.units};
+  };
+  const auto ratio = [&](const std::string& kind, double first) {
+    const std::string prefix = " def_" + kind;
+    return made(kind, {whole("k", first)},
+                {{"general",
+                  {},
+                  source("evaluators_ratios." + prefix.substr(1) + "_angle" + prefix + "_sine" +
+                         prefix + "_versed" + prefix + "_cosine"),
+                  source("evaluators_ratios." + kind),
+                  {},
+                  {}}});
+  };
+  Case velocities{"small",
+                  {light},
+                  source(angle + "def_phase def_sine def_cosine def_t_sine def_w_sine def_plus "
+                                 "def_minus def_along"),
+                  source("evaluators.a b c c_prime"),
+                  facts("t_sine_at_most"),
+                  {{"phase", {-0.001, 2.0945}}}};
+  Case terminal{"small",
+                {light},
+                source(angle + "evaluators_end.def_h N_A N_B def_rest def_rest_sine "
+                               "def_rest_cosine def_t_cosine def_w_cosine def_t_plus def_t_minus "
+                               "def_w_plus def_b_form"),
+                source("evaluators_end.N_A N_B terminal/0 terminal/1 terminal/2 rho"),
+                facts("evaluators_end.t_cosine_at_most"),
+                {}};
+  terminal.facts.emplace_back(
+      source("evaluators_end.sine_at_most")[0],
+      "rest < h/2 is tested of computed values, and both are of the computed rest");
+  return {
+      made("velocities", {alpha(0x1p-300, 0x1p300, largest), whole("n", 0)},
+           {velocities,
+            {"first",
+             {heavy, {"n", {1, 1}}},
+             source(share),
+             source("heavy.a b c c_prime"),
+             {},
+             {}}}),
+      made("terminal", {alpha(0x1p-100, 0x1p300, largest)},
+           {terminal,
+            {"first", {heavy}, source(share), source("heavy.N_A N_B a_t b_t c_t rho"), {}, {}}}),
+      ratio("magic", 2), ratio("deficient", 1),
+      made("angle", {alpha(0x1p-300, 1, 1)},
+           {{"small", {}, source(angle), source("evaluators.psi"), facts(""), {}}})};
 }
 }  // namespace generate

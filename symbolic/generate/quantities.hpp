@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is generated: the chapters' theorems, handed to the generator.
+// All that is generated: which theorems, on which intervals.
 #pragma once
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "codegen/emit_plain.hpp"
 #include "generate/source.hpp"
 
 namespace generate {
 /// Evaluators in DoubleDouble.
 std::vector<codegen::Quantity> evaluators(Source& source);
+std::vector<codegen::PlainForm> plain_forms(Source& source,
+                                            const std::vector<codegen::Quantity>& evaluators);
+/// The labels of the paper's equations for a quantity.
+std::string labels(const std::string& quantity);
 /// Texts by path below generated/. The same bytes from every run.
 std::map<std::string, std::string> generated();
 /// One header with the wanted outputs alone, in a plain form: closed, product, tangent, exact.

@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// Ids to theorems.
 #include "generate/source.hpp"
 
-namespace generate {
-using kernel::Theorem;
-using kernel::Theorems;
+#include <sstream>
 
-Theorem Source::taken(const std::string& id, const Theorem& t) {
-  const Theorem special = kernel::instantiate(t, units);
-  ids.insert({special.conclusion(), id});
-  return special;
-}
-Theorem Source::part(const std::string& id, std::size_t i) {
-  const Theorem t = book[id];
-  return taken(id, kernel::tautology(t.conclusion().arg(i), {t}));
-}
-Theorems Source::all(const std::string& chapter, std::initializer_list<const char*> names) {
-  Theorems out;
-  for (const char* name : names) out.push_back((*this)[chapter + "." + name]);
+namespace generate {
+kernel::Theorems Source::operator()(const std::string& words) {
+  kernel::Theorems out;
+  std::istringstream in(words);
+  std::string chapter;
+  for (std::string word; in >> word;) {
+    const std::size_t dot = word.find('.');
+    if (dot != std::string::npos) chapter = word.substr(0, dot + 1);
+    const std::string name = word.substr(dot == std::string::npos ? 0 : dot + 1);
+    const std::size_t slash = name.find('/');
+    const std::string id = chapter + name.substr(0, slash);
+    kernel::Theorem t = derivation::the_book()[id];
+    if (slash != std::string::npos) {
+      t = kernel::tautology(t.conclusion().arg(std::stoul(name.substr(slash + 1))), {t});
+    }
+    out.push_back(kernel::instantiate(t, units));
+    ids.insert({out.back().conclusion(), id});
+  }
   return out;
-}
-Theorems operator+(Theorems a, const Theorems& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
 }
 }  // namespace generate

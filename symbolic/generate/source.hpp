@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Theorems of the book in units of V, with their ids.
 #pragma once
-#include <initializer_list>
 #include <string>
 
 #include "codegen/manifest.hpp"
@@ -10,15 +9,11 @@
 namespace generate {
 class Source {
 public:
-  kernel::Theorem operator[](const std::string& id) { return taken(id, book[id]); }
-  kernel::Theorem part(const std::string& id, std::size_t i);
-  kernel::Theorems all(const std::string& chapter, std::initializer_list<const char*> names);
-  /// The theorem in units of V, known by that id from now on.
-  kernel::Theorem taken(const std::string& id, const kernel::Theorem& t);
+  /// "evaluators.def_w def_t terminal.definitions/2": a word without a chapter is of the one before
+  /// it, /2 is the theorem's part 2, counted from 0. Each is known by its id from now on.
+  kernel::Theorems operator()(const std::string& words);
 
-  const derivation::Book& book = derivation::the_book();
   const kernel::Substitution units{{kernel::real("V"), 1}};
   codegen::Ids ids;
 };
-kernel::Theorems operator+(kernel::Theorems a, const kernel::Theorems& b);
 }  // namespace generate

@@ -21,35 +21,20 @@ struct AngleOutputs {
 };
 struct AngleColumns {
   const double* alpha;
-  double* psi;
-  [[gnu::always_inline]] AngleInputs get(std::size_t row) const {
-    return {alpha[row]};
-  }
+  double *psi;
+  [[gnu::always_inline]] AngleInputs get(std::size_t row) const { return {alpha[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const AngleOutputs& out) const {
     psi[row] = out.psi;
   }
 };
 template <class Tier> struct AngleSmallBounds;
-template <> struct AngleSmallBounds<Accurate> {
-  static constexpr double E[] = {
-      0x1.a6579133da022p-75,  // 2^-74.2
-  };
-};
-template <> struct AngleSmallBounds<Fast> {
-  static constexpr double E[] = {
-      0x1.7d05c96b952a8p-53,  // 2^-52.4
-  };
-};
-template <> struct AngleSmallBounds<Slow> {
-  static constexpr double E[] = {
-      0x1.7cf075a34d8ffp-98,  // 2^-97.4
-  };
-};
-template <> struct AngleSmallBounds<Ziv> {
-  static constexpr double E[] = {
-      0x1.40002800018p+4,  // 2^4.4
-  };
-};
+template <> struct AngleSmallBounds<Accurate> { static constexpr double E[] =
+    {0x1.a6579133da022p-75}; };
+template <> struct AngleSmallBounds<Fast> { static constexpr double E[] = {0x1.7d05c96b952a8p-53};
+    };
+template <> struct AngleSmallBounds<Slow> { static constexpr double E[] = {0x1.7cf075a34d8ffp-98};
+    };
+template <> struct AngleSmallBounds<Ziv> { static constexpr double E[] = {0x1.40002800018p+4}; };
 /// angle, small: alpha from 0x1p-300 to 0x1p+0.
 /// Theorem: psi = 4*half_h
 /// z <= 1/3: a theorem
@@ -62,14 +47,12 @@ struct AngleSmall {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha;
-  R doubt;
-  R psi;
-  N half_h;
-  N of_psi;
+  R doubt, psi;
+  N half_h, of_psi;
   static constexpr const double* E = AngleSmallBounds<Tier>::E;
   AngleSmall() = default;
-  [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in)
-      : alpha(N::all(in.alpha)) {}
+  [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
+  [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }
   [[gnu::always_inline]] void load_inputs(const AngleColumns& columns, std::size_t row) {
     alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
   }
@@ -79,9 +62,6 @@ struct AngleSmall {
   }
   [[gnu::always_inline]] void store_outputs(const AngleColumns& columns, std::size_t row) const {
     arithmetic::store(columns.psi + row, psi);
-  }
-  [[gnu::always_inline]] AngleOutputs outputs() const {
-    return {psi};
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
@@ -101,13 +81,7 @@ struct AngleSmall {
     of_psi = scaled(half_h, 0x1p+2);
   }
   [[gnu::always_inline]] void stage_3() {
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_psi, N::magnitude_of(leading(half_h)) * E[0]);
-      psi = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      psi = rounded(of_psi);
-    }
+    psi = arithmetic::rounded_by<Tier>(of_psi, N::magnitude_of(leading(half_h)) * E[0], doubt);
   }
 };
 /// What loops over rows need to know of angle.

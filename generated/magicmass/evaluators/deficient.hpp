@@ -21,35 +21,21 @@ struct DeficientOutputs {
 };
 struct DeficientColumns {
   const std::int64_t* k;
-  double* beta_;
-  [[gnu::always_inline]] DeficientInputs get(std::size_t row) const {
-    return {k[row]};
-  }
+  double *beta_;
+  [[gnu::always_inline]] DeficientInputs get(std::size_t row) const { return {k[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const DeficientOutputs& out) const {
     beta_[row] = out.beta_;
   }
 };
 template <class Tier> struct DeficientGeneralBounds;
-template <> struct DeficientGeneralBounds<Accurate> {
-  static constexpr double E[] = {
-      0x1.cdf32347af378p-76,  // 2^-75.1
-  };
-};
-template <> struct DeficientGeneralBounds<Fast> {
-  static constexpr double E[] = {
-      0x1.493663ce8b869p-54,  // 2^-53.6
-  };
-};
-template <> struct DeficientGeneralBounds<Slow> {
-  static constexpr double E[] = {
-      0x1.83a9006ad1b85p-98,  // 2^-97.4
-  };
-};
-template <> struct DeficientGeneralBounds<Ziv> {
-  static constexpr double E[] = {
-      0x1.b74b8ee9a3cadp+3,  // 2^3.8
-  };
-};
+template <> struct DeficientGeneralBounds<Accurate> { static constexpr double E[] =
+    {0x1.cdf32347af378p-76}; };
+template <> struct DeficientGeneralBounds<Fast> { static constexpr double E[] =
+    {0x1.493663ce8b869p-54}; };
+template <> struct DeficientGeneralBounds<Slow> { static constexpr double E[] =
+    {0x1.83a9006ad1b85p-98}; };
+template <> struct DeficientGeneralBounds<Ziv> { static constexpr double E[] =
+    {0x1.b74b8ee9a3cadp+3}; };
 /// deficient, general: k from 1 to 1125899906842624.
 /// Theorem: beta_k = deficient_versed_k/deficient_cosine_k
 /// Accurate is off by at most beta_: 2^-75.1 |of_beta_|
@@ -59,14 +45,12 @@ struct DeficientGeneral {
   using T = typename N::Value;
   using R = typename N::Result;
   T k;
-  R doubt;
-  R beta_;
-  N deficient_sine;
-  N of_beta_;
+  R doubt, beta_;
+  N deficient_sine, of_beta_;
   static constexpr const double* E = DeficientGeneralBounds<Tier>::E;
   DeficientGeneral() = default;
-  [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in)
-      : k(N::whole(in.k)) {}
+  [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in) : k(N::whole(in.k)) {}
+  [[gnu::always_inline]] DeficientOutputs outputs() const { return {beta_}; }
   [[gnu::always_inline]] void load_inputs(const DeficientColumns& columns, std::size_t row) {
     k = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.k + row));
   }
@@ -78,9 +62,6 @@ struct DeficientGeneral {
   [[gnu::always_inline]] void store_outputs(const DeficientColumns& columns, std::size_t row) const
       {
     arithmetic::store(columns.beta_ + row, beta_);
-  }
-  [[gnu::always_inline]] DeficientOutputs outputs() const {
-    return {beta_};
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
@@ -103,13 +84,8 @@ struct DeficientGeneral {
     of_beta_ = quotient(deficient_versed, deficient_cosine);
   }
   [[gnu::always_inline]] void stage_3() {
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_beta_, N::magnitude_of(leading(of_beta_)) * E[0]);
-      beta_ = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      beta_ = rounded(of_beta_);
-    }
+    beta_ = arithmetic::rounded_by<Tier>(of_beta_, N::magnitude_of(leading(of_beta_)) * E[0],
+        doubt);
   }
 };
 /// What loops over rows need to know of deficient.

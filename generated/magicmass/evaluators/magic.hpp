@@ -21,35 +21,21 @@ struct MagicOutputs {
 };
 struct MagicColumns {
   const std::int64_t* k;
-  double* alpha_;
-  [[gnu::always_inline]] MagicInputs get(std::size_t row) const {
-    return {k[row]};
-  }
+  double *alpha_;
+  [[gnu::always_inline]] MagicInputs get(std::size_t row) const { return {k[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const MagicOutputs& out) const {
     alpha_[row] = out.alpha_;
   }
 };
 template <class Tier> struct MagicGeneralBounds;
-template <> struct MagicGeneralBounds<Accurate> {
-  static constexpr double E[] = {
-      0x1.949fed1e6b7c1p-76,  // 2^-75.3
-  };
-};
-template <> struct MagicGeneralBounds<Fast> {
-  static constexpr double E[] = {
-      0x1.231952ba29691p-54,  // 2^-53.8
-  };
-};
-template <> struct MagicGeneralBounds<Slow> {
-  static constexpr double E[] = {
-      0x1.ae349aa52156ep-98,  // 2^-97.2
-  };
-};
-template <> struct MagicGeneralBounds<Ziv> {
-  static constexpr double E[] = {
-      0x1.83fd28356a40cp+3,  // 2^3.6
-  };
-};
+template <> struct MagicGeneralBounds<Accurate> { static constexpr double E[] =
+    {0x1.949fed1e6b7c1p-76}; };
+template <> struct MagicGeneralBounds<Fast> { static constexpr double E[] = {0x1.231952ba29691p-54};
+    };
+template <> struct MagicGeneralBounds<Slow> { static constexpr double E[] = {0x1.ae349aa52156ep-98};
+    };
+template <> struct MagicGeneralBounds<Ziv> { static constexpr double E[] = {0x1.83fd28356a40cp+3};
+    };
 /// magic, general: k from 2 to 1125899906842624.
 /// Theorem: alpha_k = magic_versed_k/magic_cosine_k
 /// Accurate is off by at most alpha_: 2^-75.3 |of_alpha_|
@@ -59,14 +45,12 @@ struct MagicGeneral {
   using T = typename N::Value;
   using R = typename N::Result;
   T k;
-  R doubt;
-  R alpha_;
-  N magic_sine;
-  N of_alpha_;
+  R doubt, alpha_;
+  N magic_sine, of_alpha_;
   static constexpr const double* E = MagicGeneralBounds<Tier>::E;
   MagicGeneral() = default;
-  [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in)
-      : k(N::whole(in.k)) {}
+  [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in) : k(N::whole(in.k)) {}
+  [[gnu::always_inline]] MagicOutputs outputs() const { return {alpha_}; }
   [[gnu::always_inline]] void load_inputs(const MagicColumns& columns, std::size_t row) {
     k = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.k + row));
   }
@@ -77,9 +61,6 @@ struct MagicGeneral {
   }
   [[gnu::always_inline]] void store_outputs(const MagicColumns& columns, std::size_t row) const {
     arithmetic::store(columns.alpha_ + row, alpha_);
-  }
-  [[gnu::always_inline]] MagicOutputs outputs() const {
-    return {alpha_};
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
@@ -103,13 +84,8 @@ struct MagicGeneral {
     of_alpha_ = quotient(magic_versed, magic_cosine);
   }
   [[gnu::always_inline]] void stage_3() {
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_alpha_, N::magnitude_of(leading(of_alpha_)) * E[0]);
-      alpha_ = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      alpha_ = rounded(of_alpha_);
-    }
+    alpha_ = arithmetic::rounded_by<Tier>(of_alpha_, N::magnitude_of(leading(of_alpha_)) * E[0],
+        doubt);
   }
 };
 /// What loops over rows need to know of magic.

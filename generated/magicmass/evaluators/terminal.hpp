@@ -18,24 +18,14 @@ struct TerminalInputs {
   double alpha;
 };
 struct TerminalOutputs {
-  std::int64_t N_A;
-  std::int64_t N_B;
-  double a_t;
-  double b_t;
-  double c_t;
-  double rho;
+  std::int64_t N_A, N_B;
+  double a_t, b_t, c_t, rho;
 };
 struct TerminalColumns {
   const double* alpha;
-  std::int64_t* N_A;
-  std::int64_t* N_B;
-  double* a_t;
-  double* b_t;
-  double* c_t;
-  double* rho;
-  [[gnu::always_inline]] TerminalInputs get(std::size_t row) const {
-    return {alpha[row]};
-  }
+  std::int64_t *N_A, *N_B;
+  double *a_t, *b_t, *c_t, *rho;
+  [[gnu::always_inline]] TerminalInputs get(std::size_t row) const { return {alpha[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const TerminalOutputs& out) const {
     N_A[row] = out.N_A;
     N_B[row] = out.N_B;
@@ -46,82 +36,34 @@ struct TerminalColumns {
   }
 };
 template <class Tier> struct TerminalSmallBounds;
-template <> struct TerminalSmallBounds<Accurate> {
-  static constexpr double E[] = {
-      0x1.515d8dd4b0daap-74,  // 2^-73.6
-      0x1.bc9739a1c81cap-150,  // 2^-149.2
-      0x1.052dd62b1bf42p-74,  // 2^-73.9
-      0x1.05f8277ef1587p-74,  // 2^-73.9
-      0x1.9cc2dee23db35p-74,  // 2^-73.3
-      0x1.052de8753c275p-72,  // 2^-71.9
-      0x1.05f837de73d06p-72,  // 2^-71.9
-      0x1.0c13e0542624bp-148,  // 2^-147.9
-      0x1.80003000018p-52,  // 2^-51.4
-      0x1.146c296c2d73bp-75,  // 2^-74.8
-      0x1.80003000018p-52,  // 2^-51.4
-      0x1.ba46a8bdc28d3p-76,  // 2^-75.2
-  };
-};
-template <> struct TerminalSmallBounds<Fast> {
-  static constexpr double E[] = {
-      0x1.29f44698986dbp-52,  // 2^-51.7
-      0x1.5ac8898ba5248p-106,  // 2^-105.5
-      0x1.e07c0c64dd44ep-53,  // 2^-52.0
-      0x1.c934406a8de26p-53,  // 2^-52.1
-      0x1.6f4e5a5ca614ep-52,  // 2^-51.4
-      0x1.e07c2a6c9e1aep-51,  // 2^-50.0
-      0x1.c9345cfdd1e91p-51,  // 2^-50.1
-      0x1.9845b2cef9dbcp-105,  // 2^-104.3
-      0x1.80003000018p-52,  // 2^-51.4
-      0x1.f2c205ca703e4p-54,  // 2^-53.0
-      0x1.80003000018p-52,  // 2^-51.4
-      0x1.8f019e423eb6cp-54,  // 2^-53.3
-  };
-};
-template <> struct TerminalSmallBounds<Slow> {
-  static constexpr double E[] = {
-      0x1.e3f2ae4d8cbf9p-97,  // 2^-96.0
-      0x1.a5afb3c87242cp-195,  // 2^-194.2
-      0x1.53cd015724ff1p-96,  // 2^-95.5
-      0x1.2a322deeb0073p-97,  // 2^-96.7
-      0x1.4242eafc6055p-96,  // 2^-95.6
-      0x1.d19dcab52b38bp-94,  // 2^-93.1
-      0x1.2a324091d2e62p-95,  // 2^-94.7
-      0x1.5b58c7101eda4p-194,  // 2^-193.5
-      0x1.80003000018p-52,  // 2^-51.4
-      0x1.5490c4b26cc94p-98,  // 2^-97.5
-      0x1.80003000018p-52,  // 2^-51.4
-      0x1.12c42e83a6642p-98,  // 2^-97.8
-  };
-};
-template <> struct TerminalSmallBounds<Ziv> {
-  static constexpr double E[] = {
-      0x1.a1329610fde23p+5,  // 2^5.8
-      0x1.450f8239c29c5p-91,  // 2^-90.6
-      0x1.e72925678268ap+5,  // 2^6.0
-      0x1.0b541a912d2ap+5,  // 2^5.1
-      0x1.124ba73e5718dp+6,  // 2^6.1
-      0x1.e729445a14df2p+7,  // 2^8.0
-      0x1.0b542b466ed31p+7,  // 2^7.1
-      0x1.17287999bea37p-90,  // 2^-89.8
-      0x1.00001p+0,  // 2^0.1
-      0x1.2d97f82fdeeddp+4,  // 2^4.3
-      0x1.00001p+0,  // 2^0.1
-      0x1.f6a7f24d59f3bp+3,  // 2^4.0
-  };
-};
+template <> struct TerminalSmallBounds<Accurate> { static constexpr double E[] =
+    {0x1.515d8dd4b0daap-74, 0x1.bc9739a1c81cap-150, 0x1.052dd62b1bf42p-74, 0x1.05f8277ef1587p-74,
+    0x1.9cc2dee23db35p-74, 0x1.052de8753c275p-72, 0x1.05f837de73d06p-72, 0x1.0c13e0542624bp-148,
+    0x1.80003000018p-52, 0x1.146c296c2d73bp-75, 0x1.80003000018p-52, 0x1.ba46a8bdc28d3p-76}; };
+template <> struct TerminalSmallBounds<Fast> { static constexpr double E[] = {0x1.29f44698986dbp-52,
+    0x1.5ac8898ba5248p-106, 0x1.e07c0c64dd44ep-53, 0x1.c934406a8de26p-53, 0x1.6f4e5a5ca614ep-52,
+    0x1.e07c2a6c9e1aep-51, 0x1.c9345cfdd1e91p-51, 0x1.9845b2cef9dbcp-105, 0x1.80003000018p-52,
+    0x1.f2c205ca703e4p-54, 0x1.80003000018p-52, 0x1.8f019e423eb6cp-54}; };
+template <> struct TerminalSmallBounds<Slow> { static constexpr double E[] = {0x1.e3f2ae4d8cbf9p-97,
+    0x1.a5afb3c87242cp-195, 0x1.53cd015724ff1p-96, 0x1.2a322deeb0073p-97, 0x1.4242eafc6055p-96,
+    0x1.d19dcab52b38bp-94, 0x1.2a324091d2e62p-95, 0x1.5b58c7101eda4p-194, 0x1.80003000018p-52,
+    0x1.5490c4b26cc94p-98, 0x1.80003000018p-52, 0x1.12c42e83a6642p-98}; };
+template <> struct TerminalSmallBounds<Ziv> { static constexpr double E[] = {0x1.a1329610fde23p+5,
+    0x1.450f8239c29c5p-91, 0x1.e72925678268ap+5, 0x1.0b541a912d2ap+5, 0x1.124ba73e5718dp+6,
+    0x1.e729445a14df2p+7, 0x1.0b542b466ed31p+7, 0x1.17287999bea37p-90, 0x1.00001p+0,
+    0x1.2d97f82fdeeddp+4, 0x1.00001p+0, 0x1.f6a7f24d59f3bp+3}; };
 /// terminal, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1.
-/// Theorem: N_A(alpha, 1) = ceil(pi/(2*h) - 1/2)
-/// Theorem: N_B(alpha, 1) = ceil(pi/(2*h) - 1)
-/// Theorem: a_t(alpha, 1) = 1*(-t_minus(alpha, 1)*t_plus(alpha, 1))
-/// Theorem: b_t(alpha, 1) = 1*b_form(alpha, 1)
-/// Theorem: c_t(alpha, 1) = 1*(2*t_minus(alpha, 1)*w_cosine(alpha, 1))
-/// Theorem: rho(alpha, 1) = b_form(alpha, 1)^2
+/// Theorem: N_A = ceil(pi/(2*h) - 1/2)
+/// Theorem: N_B = ceil(pi/(2*h) - 1)
+/// Theorem: a_t = 1*(-t_minus*t_plus)
+/// Theorem: b_t = 1*b_form
+/// Theorem: c_t = 1*(2*t_minus*w_cosine)
+/// Theorem: rho = b_form^2
 /// z <= 1/3: a theorem
 /// t^2 = z: a theorem
-/// rest_sine(alpha, 1) <= t_cosine(alpha, 1): a theorem; and: rest < h/2 is tested of computed
-///   values, and both are of the computed rest
-/// t_cosine(alpha, 1) <= w_cosine(alpha, 1): a theorem
+/// t_cosine <= w_cosine: a theorem
+/// rest_sine <= t_cosine: a theorem; and: rest < h/2 is tested of computed values, and both are of
+///   the computed rest
 /// Accurate is off by at most a_t: 2^-149.2 + 2^-73.6 |t_plus|
 /// Accurate is off by at most b_t: 2^-73.9 |t_cosine| + 2^-73.9 |t_cosine| |w_plus|
 /// Accurate is off by at most c_t: 2^-73.3 |w_cosine|
@@ -133,26 +75,15 @@ template <class Tier, class N>
 struct TerminalSmall {
   using T = typename N::Value;
   using R = typename N::Result;
-  T alpha;
-  R doubt;
-  R a_t;
-  R b_t;
-  R c_t;
-  R rho;
-  N w;
-  N t;
-  N half_h;
-  T N_A;
-  N t4;
-  N rest;
-  N to_next;
-  T N_B;
-  N rest_sine;
-  N rest_cosine;
+  T alpha, N_A, N_B;
+  R doubt, a_t, b_t, c_t, rho;
+  N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
   static constexpr const double* E = TerminalSmallBounds<Tier>::E;
   TerminalSmall() = default;
-  [[gnu::always_inline]] explicit TerminalSmall(const TerminalInputs& in)
-      : alpha(N::all(in.alpha)) {}
+  [[gnu::always_inline]] explicit TerminalSmall(const TerminalInputs& in) : alpha(N::all(in.alpha))
+      {}
+  [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N_A),
+      N::to_whole(N_B), a_t, b_t, c_t, rho}; }
   [[gnu::always_inline]] void load_inputs(const TerminalColumns& columns, std::size_t row) {
     alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
   }
@@ -167,9 +98,6 @@ struct TerminalSmall {
     arithmetic::store(columns.b_t + row, b_t);
     arithmetic::store(columns.c_t + row, c_t);
     arithmetic::store(columns.rho + row, rho);
-  }
-  [[gnu::always_inline]] TerminalOutputs outputs() const {
-    return {N::to_whole(N_A), N::to_whole(N_B), a_t, b_t, c_t, rho};
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
@@ -226,81 +154,34 @@ struct TerminalSmall {
     const N t9 = t_minus * w_cosine;
     [[maybe_unused]] const N of_c_t = scaled(t9, 0x1p+1);
     const N of_rho = b_form * b_form;
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_a_t, N::magnitude_of(leading(t_plus)) * E[0] + E[1]);
-      a_t = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      a_t = rounded(of_a_t);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(b_form, N::magnitude_of(leading(t_cosine)) *
-          (N::magnitude_of(leading(w_plus)) * E[2] + E[3]));
-      b_t = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      b_t = rounded(b_form);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c_t, N::magnitude_of(leading(w_cosine)) * E[4]);
-      c_t = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      c_t = rounded(of_c_t);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_rho, N::magnitude_of(leading(t_cosine)) *
-          (N::magnitude_of(leading(t_cosine)) * (N::magnitude_of(leading(w_plus)) *
-          (N::magnitude_of(leading(w_plus)) * E[5] + E[6]) + E[7])));
-      rho = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      rho = rounded(of_rho);
-    }
+    a_t = arithmetic::rounded_by<Tier>(of_a_t, N::magnitude_of(leading(t_plus)) * E[0] + E[1],
+        doubt);
+    b_t = arithmetic::rounded_by<Tier>(b_form, N::magnitude_of(leading(t_cosine)) *
+        (N::magnitude_of(leading(w_plus)) * E[2] + E[3]), doubt);
+    c_t = arithmetic::rounded_by<Tier>(of_c_t, N::magnitude_of(leading(w_cosine)) * E[4], doubt);
+    rho = arithmetic::rounded_by<Tier>(of_rho, N::magnitude_of(leading(t_cosine)) *
+        (N::magnitude_of(leading(t_cosine)) * (N::magnitude_of(leading(w_plus)) *
+        (N::magnitude_of(leading(w_plus)) * E[5] + E[6]) + E[7])), doubt);
     doubt = doubt + doubt_of_sign(to_next, N::magnitude_of(leading(to_next)) * E[8] + E[9]);
     doubt = doubt + doubt_of_sign(rest, N::magnitude_of(leading(t4)) * E[10] + E[11]);
   }
 };
 template <class Tier> struct TerminalFirstBounds;
-template <> struct TerminalFirstBounds<Accurate> {
-  static constexpr double E[] = {
-      0x1.0000270001f8p-101,  // 2^-100.9
-      0x1.1c0035400418p-98,  // 2^-97.8
-      0x1.44003b40043cp-99,  // 2^-98.6
-      0x1.d20078e00f28p-95,  // 2^-94.1
-  };
-};
-template <> struct TerminalFirstBounds<Fast> {
-  static constexpr double E[] = {
-      0x1.0000270001f8p-101,  // 2^-100.9
-      0x1.1c0035400418p-98,  // 2^-97.8
-      0x1.44003b40043cp-99,  // 2^-98.6
-      0x1.d20078e00f28p-95,  // 2^-94.1
-  };
-};
-template <> struct TerminalFirstBounds<Slow> {
-  static constexpr double E[] = {
-      0x1.0000270001f8p-101,  // 2^-100.9
-      0x1.1c0035400418p-98,  // 2^-97.8
-      0x1.44003b40043cp-99,  // 2^-98.6
-      0x1.d20078e00f28p-95,  // 2^-94.1
-  };
-};
-template <> struct TerminalFirstBounds<Ziv> {
-  static constexpr double E[] = {
-      0x1.4000200001p+2,  // 2^2.4
-      0x1.c000300001cp+4,  // 2^4.9
-      0x1.00001a0000ep+4,  // 2^4.1
-      0x1.c0002e0001ap+7,  // 2^7.9
-  };
-};
+template <> struct TerminalFirstBounds<Accurate> { static constexpr double E[] =
+    {0x1.0000270001f8p-101, 0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95}; };
+template <> struct TerminalFirstBounds<Fast> { static constexpr double E[] = {0x1.0000270001f8p-101,
+    0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95}; };
+template <> struct TerminalFirstBounds<Slow> { static constexpr double E[] = {0x1.0000270001f8p-101,
+    0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95}; };
+template <> struct TerminalFirstBounds<Ziv> { static constexpr double E[] = {0x1.4000200001p+2,
+    0x1.c000300001cp+4, 0x1.00001a0000ep+4, 0x1.c0002e0001ap+7}; };
 /// terminal, first: alpha from 0x1p+0 to 0x1p+300.
-/// Theorem: N_A(alpha, 1) = 1
-/// Theorem: N_B(alpha, 1) = 1
-/// Theorem: a_t(alpha, 1) = 1*(lead*per_mass)
-/// Theorem: b_t(alpha, 1) = 1*(4*share*per_mass)
-/// Theorem: c_t(alpha, 1) = 1*(-2*lead*per_mass^2)
-/// Theorem: rho(alpha, 1) = 16*(share*per_mass)^2
+/// Theorem: N_A = 1
+/// Theorem: N_B = 1
+/// Theorem: a_t = 1*(lead*per_mass)
+/// Theorem: b_t = 1*(4*share*per_mass)
+/// Theorem: c_t = 1*(-2*lead*per_mass^2)
+/// Theorem: rho = 16*(share*per_mass)^2
 /// Accurate is off by at most a_t: 2^-100.9 |of_a_t|
 /// Accurate is off by at most b_t: 2^-97.8 |t2|
 /// Accurate is off by at most c_t: 2^-98.6 |t4|
@@ -311,40 +192,14 @@ struct TerminalFirst {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha;
-  R doubt;
-  R a_t;
-  R b_t;
-  R c_t;
-  R rho;
-  N of_a_t;
-  N t2;
-  N of_b_t;
-  N t4;
-  N of_c_t;
-  N t5;
-  N of_rho;
+  R doubt, a_t, b_t, c_t, rho;
+  N of_a_t, t2, of_b_t, t4, of_c_t, t5, of_rho;
   static constexpr const double* E = TerminalFirstBounds<Tier>::E;
   TerminalFirst() = default;
-  [[gnu::always_inline]] explicit TerminalFirst(const TerminalInputs& in)
-      : alpha(N::all(in.alpha)) {}
-  [[gnu::always_inline]] void load_inputs(const TerminalColumns& columns, std::size_t row) {
-    alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
-  }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const TerminalColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
-    return (alpha >= 0x1p+0) & (alpha <= 0x1p+300);
-  }
-  [[gnu::always_inline]] void store_outputs(const TerminalColumns& columns, std::size_t row) const {
-    arithmetic::store(columns.N_A + row, arithmetic::to_whole(N::all(0x1p+0)));
-    arithmetic::store(columns.N_B + row, arithmetic::to_whole(N::all(0x1p+0)));
-    arithmetic::store(columns.a_t + row, a_t);
-    arithmetic::store(columns.b_t + row, b_t);
-    arithmetic::store(columns.c_t + row, c_t);
-    arithmetic::store(columns.rho + row, rho);
-  }
-  [[gnu::always_inline]] TerminalOutputs outputs() const {
-    return {N::to_whole(N::all(0x1p+0)), N::to_whole(N::all(0x1p+0)), a_t, b_t, c_t, rho};
-  }
+  [[gnu::always_inline]] explicit TerminalFirst(const TerminalInputs& in) : alpha(N::all(in.alpha))
+      {}
+  [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N::all(0x1p+0)),
+      N::to_whole(N::all(0x1p+0)), a_t, b_t, c_t, rho}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
     // masses = 1 + alpha
@@ -368,34 +223,10 @@ struct TerminalFirst {
   [[gnu::always_inline]] void stage_2() {
   }
   [[gnu::always_inline]] void stage_3() {
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_a_t, N::magnitude_of(leading(of_a_t)) * E[0]);
-      a_t = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      a_t = rounded(of_a_t);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_b_t, N::magnitude_of(leading(t2)) * E[1]);
-      b_t = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      b_t = rounded(of_b_t);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c_t, N::magnitude_of(leading(t4)) * E[2]);
-      c_t = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      c_t = rounded(of_c_t);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_rho, N::magnitude_of(leading(t5)) * E[3]);
-      rho = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      rho = rounded(of_rho);
-    }
+    a_t = arithmetic::rounded_by<Tier>(of_a_t, N::magnitude_of(leading(of_a_t)) * E[0], doubt);
+    b_t = arithmetic::rounded_by<Tier>(of_b_t, N::magnitude_of(leading(t2)) * E[1], doubt);
+    c_t = arithmetic::rounded_by<Tier>(of_c_t, N::magnitude_of(leading(t4)) * E[2], doubt);
+    rho = arithmetic::rounded_by<Tier>(of_rho, N::magnitude_of(leading(t5)) * E[3], doubt);
   }
 };
 /// What loops over rows need to know of terminal.

@@ -19,21 +19,14 @@ struct VelocitiesInputs {
   std::int64_t n;
 };
 struct VelocitiesOutputs {
-  double a;
-  double b;
-  double c;
-  double c_prime;
+  double a, b, c, c_prime;
 };
 struct VelocitiesColumns {
   const double* alpha;
   const std::int64_t* n;
-  double* a;
-  double* b;
-  double* c;
-  double* c_prime;
-  [[gnu::always_inline]] VelocitiesInputs get(std::size_t row) const {
-    return {alpha[row], n[row]};
-  }
+  double *a, *b, *c, *c_prime;
+  [[gnu::always_inline]] VelocitiesInputs get(std::size_t row) const { return {alpha[row], n[row]};
+      }
   [[gnu::always_inline]] void set(std::size_t row, const VelocitiesOutputs& out) const {
     a[row] = out.a;
     b[row] = out.b;
@@ -42,56 +35,24 @@ struct VelocitiesColumns {
   }
 };
 template <class Tier> struct VelocitiesSmallBounds;
-template <> struct VelocitiesSmallBounds<Accurate> {
-  static constexpr double E[] = {
-      0x1.33dfd476dc981p-74,  // 2^-73.7
-      0x1.33dfd459c5484p-74,  // 2^-73.7
-      0x1.724283decb77ep-148,  // 2^-147.4
-      0x1.4b21b65557d6ep-73,  // 2^-72.6
-      0x1.79d9c98c0b9e1p-73,  // 2^-72.4
-      0x1.1c83d023bc906p-72,  // 2^-71.8
-      0x1.e64309be4700bp-73,  // 2^-72.0
-  };
-};
-template <> struct VelocitiesSmallBounds<Fast> {
-  static constexpr double E[] = {
-      0x1.47f903cb250e4p-52,  // 2^-51.6
-      0x1.47f903cb250ddp-52,  // 2^-51.6
-      0x1.a42dffa679eb5p-104,  // 2^-103.2
-      0x1.6a692b62d0dedp-51,  // 2^-50.4
-      0x1.948f25a315aeap-51,  // 2^-50.3
-      0x1.32e60c54a727p-50,  // 2^-49.7
-      0x1.059b00e232829p-50,  // 2^-49.9
-  };
-};
-template <> struct VelocitiesSmallBounds<Slow> {
-  static constexpr double E[] = {
-      0x1.19695a2c2512p-95,  // 2^-94.8
-      0x1.15c670312bf75p-95,  // 2^-94.8
-      0x1.2d66f5c5b703ep-190,  // 2^-189.7
-      0x1.472c053435e24p-94,  // 2^-93.6
-      0x1.64f71237b7c4ep-94,  // 2^-93.5
-      0x1.0dfa3e42aa2cep-93,  // 2^-92.9
-      0x1.c8dcc8771a2e3p-94,  // 2^-93.1
-  };
-};
-template <> struct VelocitiesSmallBounds<Ziv> {
-  static constexpr double E[] = {
-      0x1.5954eab56e94cp+4,  // 2^4.5
-      0x1.36da7d631261dp+4,  // 2^4.3
-      0x1.7975ca8e5e014p-92,  // 2^-91.4
-      0x1.81878b6f82503p+5,  // 2^5.6
-      0x1.985356b27ec5dp+5,  // 2^5.7
-      0x1.3374a0a566442p+6,  // 2^6.3
-      0x1.0345eb42d3711p+6,  // 2^6.1
-  };
-};
+template <> struct VelocitiesSmallBounds<Accurate> { static constexpr double E[] =
+    {0x1.33dfd476dc981p-74, 0x1.33dfd459c5484p-74, 0x1.724283decb77ep-148, 0x1.4b21b65557d6ep-73,
+    0x1.79d9c98c0b9e1p-73, 0x1.1c83d023bc906p-72, 0x1.e64309be4700bp-73}; };
+template <> struct VelocitiesSmallBounds<Fast> { static constexpr double E[] =
+    {0x1.47f903cb250e4p-52, 0x1.47f903cb250ddp-52, 0x1.a42dffa679eb5p-104, 0x1.6a692b62d0dedp-51,
+    0x1.948f25a315aeap-51, 0x1.32e60c54a727p-50, 0x1.059b00e232829p-50}; };
+template <> struct VelocitiesSmallBounds<Slow> { static constexpr double E[] =
+    {0x1.19695a2c2512p-95, 0x1.15c670312bf75p-95, 0x1.2d66f5c5b703ep-190, 0x1.472c053435e24p-94,
+    0x1.64f71237b7c4ep-94, 0x1.0dfa3e42aa2cep-93, 0x1.c8dcc8771a2e3p-94}; };
+template <> struct VelocitiesSmallBounds<Ziv> { static constexpr double E[] = {0x1.5954eab56e94cp+4,
+    0x1.36da7d631261dp+4, 0x1.7975ca8e5e014p-92, 0x1.81878b6f82503p+5, 0x1.985356b27ec5dp+5,
+    0x1.3374a0a566442p+6, 0x1.0345eb42d3711p+6}; };
 /// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0 to 1125899906842624,
 ///   phase between -0x1.0624dd2f1a9fcp-10 and 0x1.0c189374bc6a8p+1.
-/// Theorem: a_n(alpha, 1) = 1*(plus_n*minus_n)
-/// Theorem: b_n(alpha, 1) = 1*(2*along_n*t_sine_n)
-/// Theorem: c_n(alpha, 1) = 1*(2*plus_n*w_sine_n)
-/// Theorem: c'_n(alpha, 1) = 1*(-2*minus_n*w_sine_n)
+/// Theorem: a_n = 1*(plus_n*minus_n)
+/// Theorem: b_n = 1*(2*along_n*t_sine_n)
+/// Theorem: c_n = 1*(2*plus_n*w_sine_n)
+/// Theorem: c'_n = 1*(-2*minus_n*w_sine_n)
 /// z <= 1/3: a theorem
 /// t^2 = z: a theorem
 /// t_sine_n <= w_sine_n: a theorem
@@ -105,24 +66,14 @@ template <class Tier, class N>
 struct VelocitiesSmall {
   using T = typename N::Value;
   using R = typename N::Result;
-  T alpha;
-  T n;
-  R doubt;
-  R a;
-  R b;
-  R c;
-  R c_prime;
-  N w;
-  N t;
-  N half_h;
-  T t2;
-  N phase;
-  N sine;
-  N cosine;
+  T alpha, n, t2;
+  R doubt, a, b, c, c_prime;
+  N w, t, half_h, phase, sine, cosine;
   static constexpr const double* E = VelocitiesSmallBounds<Tier>::E;
   VelocitiesSmall() = default;
-  [[gnu::always_inline]] explicit VelocitiesSmall(const VelocitiesInputs& in)
-      : alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
+  [[gnu::always_inline]] explicit VelocitiesSmall(const VelocitiesInputs& in) :
+      alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
+  [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
   [[gnu::always_inline]] void load_inputs(const VelocitiesColumns& columns, std::size_t row) {
     alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
     n = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.n + row));
@@ -138,9 +89,6 @@ struct VelocitiesSmall {
     arithmetic::store(columns.b + row, b);
     arithmetic::store(columns.c + row, c);
     arithmetic::store(columns.c_prime + row, c_prime);
-  }
-  [[gnu::always_inline]] VelocitiesOutputs outputs() const {
-    return {a, b, c, c_prime};
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
@@ -185,77 +133,30 @@ struct VelocitiesSmall {
     [[maybe_unused]] const N of_c = scaled(t5, 0x1p+1);
     const N t6 = minus * w_sine;
     [[maybe_unused]] const N of_c_prime = scaled(t6, -0x1p+1);
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_a, N::magnitude_of(leading(plus)) * E[0] +
-          N::magnitude_of(leading(minus)) * E[1] + E[2]);
-      a = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      a = rounded(of_a);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_b, N::magnitude_of(leading(t_sine)) *
-          (N::magnitude_of(leading(w_sine)) * E[3] + E[4]));
-      b = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      b = rounded(of_b);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c, N::magnitude_of(leading(w_sine)) * E[5]);
-      c = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      c = rounded(of_c);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c_prime, N::magnitude_of(leading(w_sine)) * E[6]);
-      c_prime = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      c_prime = rounded(of_c_prime);
-    }
+    a = arithmetic::rounded_by<Tier>(of_a, N::magnitude_of(leading(plus)) * E[0] +
+        N::magnitude_of(leading(minus)) * E[1] + E[2], doubt);
+    b = arithmetic::rounded_by<Tier>(of_b, N::magnitude_of(leading(t_sine)) *
+        (N::magnitude_of(leading(w_sine)) * E[3] + E[4]), doubt);
+    c = arithmetic::rounded_by<Tier>(of_c, N::magnitude_of(leading(w_sine)) * E[5], doubt);
+    c_prime = arithmetic::rounded_by<Tier>(of_c_prime, N::magnitude_of(leading(w_sine)) * E[6],
+        doubt);
     doubt = doubt + doubt_of_range(phase, -0x1.0624dd2f1a9fcp-10, 0x1.0c189374bc6a8p+1);
   }
 };
 template <class Tier> struct VelocitiesFirstBounds;
-template <> struct VelocitiesFirstBounds<Accurate> {
-  static constexpr double E[] = {
-      0x1.0000270001f8p-101,  // 2^-100.9
-      0x1.1c0035400418p-98,  // 2^-97.8
-      0x1.40002b0001ap-101,  // 2^-100.6
-      0x1.44003b40043cp-99,  // 2^-98.6
-  };
-};
-template <> struct VelocitiesFirstBounds<Fast> {
-  static constexpr double E[] = {
-      0x1.0000270001f8p-101,  // 2^-100.9
-      0x1.1c0035400418p-98,  // 2^-97.8
-      0x1.40002b0001ap-101,  // 2^-100.6
-      0x1.44003b40043cp-99,  // 2^-98.6
-  };
-};
-template <> struct VelocitiesFirstBounds<Slow> {
-  static constexpr double E[] = {
-      0x1.0000270001f8p-101,  // 2^-100.9
-      0x1.1c0035400418p-98,  // 2^-97.8
-      0x1.40002b0001ap-101,  // 2^-100.6
-      0x1.44003b40043cp-99,  // 2^-98.6
-  };
-};
-template <> struct VelocitiesFirstBounds<Ziv> {
-  static constexpr double E[] = {
-      0x1.4000200001p+2,  // 2^2.4
-      0x1.c000300001cp+4,  // 2^4.9
-      0x1.8000300002p+2,  // 2^2.6
-      0x1.00001a0000ep+4,  // 2^4.1
-  };
-};
+template <> struct VelocitiesFirstBounds<Accurate> { static constexpr double E[] =
+    {0x1.0000270001f8p-101, 0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99}; };
+template <> struct VelocitiesFirstBounds<Fast> { static constexpr double E[] =
+    {0x1.0000270001f8p-101, 0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99}; };
+template <> struct VelocitiesFirstBounds<Slow> { static constexpr double E[] =
+    {0x1.0000270001f8p-101, 0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99}; };
+template <> struct VelocitiesFirstBounds<Ziv> { static constexpr double E[] = {0x1.4000200001p+2,
+    0x1.c000300001cp+4, 0x1.8000300002p+2, 0x1.00001a0000ep+4}; };
 /// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 1 to 1.
-/// Theorem: a_1(alpha, 1) = 1*(lead*per_mass)
-/// Theorem: b_1(alpha, 1) = 1*(4*share*per_mass)
-/// Theorem: c_1(alpha, 1) = 1*(2*per_mass)
-/// Theorem: c'_1(alpha, 1) = 1*(-2*lead*per_mass^2)
+/// Theorem: a_1 = 1*(lead*per_mass)
+/// Theorem: b_1 = 1*(4*share*per_mass)
+/// Theorem: c_1 = 1*(2*per_mass)
+/// Theorem: c'_1 = 1*(-2*lead*per_mass^2)
 /// Accurate is off by at most a: 2^-100.9 |of_a|
 /// Accurate is off by at most b: 2^-97.8 |t2|
 /// Accurate is off by at most c: 2^-100.6 |per_mass|
@@ -265,43 +166,14 @@ template <class Tier, class N>
 struct VelocitiesFirst {
   using T = typename N::Value;
   using R = typename N::Result;
-  T alpha;
-  T n;
-  R doubt;
-  R a;
-  R b;
-  R c;
-  R c_prime;
-  N per_mass;
-  N of_a;
-  N t2;
-  N of_b;
-  N of_c;
-  N t4;
-  N of_c_prime;
+  T alpha, n;
+  R doubt, a, b, c, c_prime;
+  N per_mass, of_a, t2, of_b, of_c, t4, of_c_prime;
   static constexpr const double* E = VelocitiesFirstBounds<Tier>::E;
   VelocitiesFirst() = default;
-  [[gnu::always_inline]] explicit VelocitiesFirst(const VelocitiesInputs& in)
-      : alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
-  [[gnu::always_inline]] void load_inputs(const VelocitiesColumns& columns, std::size_t row) {
-    alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
-    n = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.n + row));
-  }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const VelocitiesColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
-    return (alpha >= 0x1p+0) & (alpha <= 0x1p+300) & (n >= 0x1p+0) & (n <= 0x1p+0) &
-        (arithmetic::to_whole(n) == arithmetic::load<arithmetic::SimdMask>(columns.n + row));
-  }
-  [[gnu::always_inline]] void store_outputs(const VelocitiesColumns& columns, std::size_t row) const
-      {
-    arithmetic::store(columns.a + row, a);
-    arithmetic::store(columns.b + row, b);
-    arithmetic::store(columns.c + row, c);
-    arithmetic::store(columns.c_prime + row, c_prime);
-  }
-  [[gnu::always_inline]] VelocitiesOutputs outputs() const {
-    return {a, b, c, c_prime};
-  }
+  [[gnu::always_inline]] explicit VelocitiesFirst(const VelocitiesInputs& in) :
+      alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
+  [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
     // masses = 1 + alpha
@@ -324,34 +196,10 @@ struct VelocitiesFirst {
   [[gnu::always_inline]] void stage_2() {
   }
   [[gnu::always_inline]] void stage_3() {
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_a, N::magnitude_of(leading(of_a)) * E[0]);
-      a = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      a = rounded(of_a);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_b, N::magnitude_of(leading(t2)) * E[1]);
-      b = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      b = rounded(of_b);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c, N::magnitude_of(leading(per_mass)) * E[2]);
-      c = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      c = rounded(of_c);
-    }
-    if constexpr (Tier::is_tested) {
-      const auto tested = rounding_test(of_c_prime, N::magnitude_of(leading(t4)) * E[3]);
-      c_prime = tested.value;
-      doubt = doubt + tested.doubt;
-    } else {
-      c_prime = rounded(of_c_prime);
-    }
+    a = arithmetic::rounded_by<Tier>(of_a, N::magnitude_of(leading(of_a)) * E[0], doubt);
+    b = arithmetic::rounded_by<Tier>(of_b, N::magnitude_of(leading(t2)) * E[1], doubt);
+    c = arithmetic::rounded_by<Tier>(of_c, N::magnitude_of(leading(per_mass)) * E[2], doubt);
+    c_prime = arithmetic::rounded_by<Tier>(of_c_prime, N::magnitude_of(leading(t4)) * E[3], doubt);
   }
 };
 /// What loops over rows need to know of velocities.
