@@ -22,10 +22,6 @@ public:
         q(quantity),
         c(which),
         domain{q, c, numbers == Numbers::wide, [this](Expr e) { return range(e); }} {
-    use = [this](const Fact& f) {
-      check_hypotheses(domain, f.hypotheses, f.formula);
-      used.insert(f.formula);
-    };
     for (const Input& input : q.inputs) {
       const std::string name = input.variable.name();
       const Interval range = range_of(input, c, domain.is_wide);
@@ -42,13 +38,6 @@ public:
         throw Refused("a condition on " + w.name + ", which is no input");
       }
     }
-    for (const Fact& fact : c.facts) {
-      const Expr f = fact.formula;
-      if (f.op() == kernel::Op::Eq && f.arg(0).op() == kernel::Op::Pow &&
-          f.arg(0).exponent() == 2) {
-        squares.insert_or_assign(f.arg(0).arg(0), fact);
-      }
-    }
   }
   void define(const Theorem& t) {
     const Expr name = checked_head(domain, t);
@@ -56,17 +45,13 @@ public:
     const int k =
         named_node(name, t.conclusion().arg(1), identifier(name.name()), shown(q, t.conclusion()));
     named[name.name()] = k;
-    if (const auto square = squares.find(name); square != squares.end()) {
-      const Expr as = square->second.formula.arg(1);
-      if (nodes.count(as) > 0) narrow_by_square(k, square->second);
-    }
     // Guards first: a fact's hypotheses may rest on them.
     for (const Condition& g : c.guards) {
       if (g.name != name.name()) continue;
       builder.narrow(k, g.range);
       builder.program.guards.push_back({k, g.range});
     }
-    for (const Fact& f : c.facts) use_fact(f, name);
+    for (const Fact& f : c.facts) use_fact(f);
   }
   void output(const Theorem& t) {
     const Expr left = checked_head(domain, t);
@@ -128,41 +113,34 @@ private:
                  left.name() + "_" + place, k == 0 ? shown(q, t.conclusion()) : "");
     }
   }
-  static bool mentions(Expr e, Expr what) {
-    if (e == what) return true;
-    const Exprs args = e.args();
-    return std::any_of(args.begin(), args.end(), [&](Expr a) { return mentions(a, what); });
-  }
-  bool is_known(Expr e) const { return nodes.count(e) > 0; }
-  /// p <= q, once its last name is defined: an end of a range, or which of two sizes is larger.
-  void use_fact(const Fact& t, Expr last) {
+  bool is_known(Expr e) const { return e.op() == kernel::Op::Num || nodes.count(e) > 0; }
+  /// p <= q or p^2 = q, once p and q are known: an end of a range, which of two values is larger, a
+  /// square for arctangents.
+  void use_fact(const Fact& t) {
     const Expr f = t.formula;
-    if (f.op() == kernel::Op::Eq) return;
-    if (f.op() != kernel::Op::Le && f.op() != kernel::Op::Lt) {
+    const bool is_square =
+        f.op() == kernel::Op::Eq && f.arg(0).op() == kernel::Op::Pow && f.arg(0).exponent() == 2;
+    if (!is_square && f.op() != kernel::Op::Le && f.op() != kernel::Op::Lt) {
       throw Refused("not of the form p <= q or p^2 = q: " + kernel::text(f));
     }
-    const Expr small = f.arg(0);
-    const Expr large = f.arg(1);
-    if (!mentions(f, last)) return;
-    const bool of_names = small.op() == kernel::Op::Fun && large.op() == kernel::Op::Fun;
-    if (of_names && small.size() > 0 && large.size() > 0) {
-      if (!is_known(small) || !is_known(large)) return;
-      check_hypotheses(domain, t.hypotheses, f);
-      const int s = nodes.at(small);
-      const int l = nodes.at(large);
-      if (!(builder[s].range.low >= 0)) throw Refused("of unknown sign: " + kernel::text(small));
-      builder.program.facts.push_back({s, l, !t.of_computed.empty()});
-      builder.narrow(s, {0, builder[l].range.high});
-    } else if (small == last) {
-      check_hypotheses(domain, t.hypotheses, f);
-      builder.narrow(nodes.at(small), {builder[nodes.at(small)].range.low, range(large).high});
-    } else if (large == last) {
-      check_hypotheses(domain, t.hypotheses, f);
-      builder.narrow(nodes.at(large), {range(small).low, builder[nodes.at(large)].range.high});
-    } else {
-      return;
-    }
+    const Expr p = is_square ? f.arg(0).arg(0) : f.arg(0);
+    if (used.count(f) > 0 || !is_known(p) || !is_known(f.arg(1))) return;
+    check_hypotheses(domain, t.hypotheses, f);
     used.insert(f);
+    const int small = build(p);
+    const int large = build(f.arg(1));
+    const Interval low = builder[small].range;
+    const Interval high = builder[large].range;
+    if (is_square) {
+      squares[small] = large;
+      const Interval size = root(high);
+      return builder.narrow(small, low.low >= 0 ? size : Interval{-size.high, size.high});
+    }
+    builder.narrow(large, {low.low, high.high});
+    builder.narrow(small, {low.low, high.high});
+    if (builder[small].op == Op::constant || builder[large].op == Op::constant) return;
+    if (!(low.low >= 0)) throw Refused("of unknown sign: " + kernel::text(p));
+    builder.program.facts.push_back({small, large, !t.of_computed.empty()});
   }
 };
 Program read(const Quantity& quantity, const Case& which, Numbers numbers) {

@@ -26,32 +26,34 @@ Series substituted(Series c, const cl_RA& a, const cl_RA& b) {
   }
   return c;
 }
-/// y^k = 2^(1-k) sum of binomial(k, j) T_(k-2j), the one of T_0 halved.
-Series to_chebyshev(const Series& c) {
+/// T_k in powers.
+const Series& chebyshev(std::size_t k) {
+  static std::vector<Series> made{{1}, {0, 1}};
+  while (made.size() <= k) {
+    const Series& now = made[made.size() - 1];
+    const Series& before = made[made.size() - 2];
+    Series next(made.size() + 1, 0);
+    for (std::size_t i = 0; i < now.size(); ++i) next[i + 1] = 2 * now[i];
+    for (std::size_t i = 0; i < before.size(); ++i) next[i] = next[i] - before[i];
+    made.push_back(next);
+  }
+  return made[k];
+}
+void add(Series& to, const cl_RA& by, const Series& s) {
+  for (std::size_t i = 0; i < s.size(); ++i) to[i] = to[i] + by * s[i];
+}
+/// The highest power first: it is in one T_k alone of those that are left.
+Series to_chebyshev(Series c) {
   Series r(c.size(), 0);
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    cl_RA b = k == 0 ? c[k] : c[k] / cln::ash(1, long(k) - 1);
-    for (std::size_t j = 0; 2 * j <= k; ++j) {
-      r[k - 2 * j] = r[k - 2 * j] + (k == 2 * j && k > 0 ? b / 2 : b);
-      b = b * cl_RA(long(k - j)) / cl_RA(long(j + 1));
-    }
+  for (std::size_t k = c.size(); k-- > 0;) {
+    r[k] = c[k] / chebyshev(k).back();
+    add(c, -r[k], chebyshev(k));
   }
   return r;
 }
 Series from_chebyshev(const Series& c) {
   Series r(c.size(), 0);
-  Series before{1};
-  Series now{0, 1};
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    const Series& t = k == 0 ? before : now;
-    for (std::size_t i = 0; i < t.size(); ++i) r[i] = r[i] + c[k] * t[i];
-    if (k == 0) continue;
-    Series next(k + 2, 0);
-    for (std::size_t i = 0; i < now.size(); ++i) next[i + 1] = 2 * now[i];
-    for (std::size_t i = 0; i < before.size(); ++i) next[i] = next[i] - before[i];
-    before = now;
-    now = next;
-  }
+  for (std::size_t k = 0; k < c.size(); ++k) add(r, c[k], chebyshev(k));
   return r;
 }
 

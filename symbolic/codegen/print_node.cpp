@@ -9,6 +9,7 @@
 #include "codegen/builder.hpp"
 #include "codegen/exact.hpp"
 #include "codegen/quantity.hpp"
+#include "codegen/text.hpp"
 
 namespace codegen {
 namespace {
@@ -29,8 +30,43 @@ std::string constant(const Node& n) {
   return std::string(n.of_pi ? "N::pi_times(" : "N::rational(") + hex(above) + ", " + hex(below) +
          ", " + hex(high) + ", " + hex(low) + ")";
 }
-std::string call(const std::string& function, const std::string& x, const std::string& y) {
-  return function + "(" + x + ", " + y + ")";
+struct Spelling {
+  const char* pattern;
+  const char* word;  ///< what is counted
+};
+/// #0: the first operand as an N, $0: as a T, @0: its name; %: the factor.
+const std::map<Op, Spelling> spellings{
+    {Op::exact_sum, {"N::two_sum($0, $1)", "sums of doubles"}},
+    {Op::whole_sum, {"$0 + $1", ""}},
+    {Op::exact_scale, {"$0 * %", ""}},
+    {Op::scale, {"scaled(#0, %)", ""}},
+    {Op::sum, {"#0 + #1", "sums"}},
+    {Op::cancelling_sum, {"cancelling_sum(#0, #1)", "sums"}},
+    {Op::product, {"#0 * #1", "products"}},
+    {Op::exact_product, {"times(#0, $1)", "products by doubles"}},
+    {Op::quotient, {"quotient(#0, #1)", "quotients"}},
+    {Op::reciprocal_root, {"reciprocal_root(#0)", "reciprocal roots"}},
+    {Op::arc_tangent, {"arc_tangent<Tier>(#0, #1)", "arctangents"}},
+    {Op::sine, {"of_@0.sine", "sines"}},
+    {Op::cosine, {"of_@0.cosine", "cosines"}},
+    {Op::size, {"magnitude(#0)", ""}},
+    {Op::nearest, {"N::nearest(leading(#0) / leading(#1))", "roundings to whole numbers"}},
+    {Op::step, {"$0 + (N::times_sign_of(N::all(0.5), leading(#1)) - 0.5)", ""}}};
+/// Faster ones, where ranges allow them.
+std::string pattern(const Program& p, const Node& n) {
+  const auto range = [&](std::size_t i) { return p[n.of[i]].range; };
+  if (n.op == Op::exact_sum && range(0).least() >= range(1).size()) {
+    return "N::fast_two_sum($0, $1)";
+  }
+  if (n.op == Op::exact_sum && range(1).least() >= range(0).size()) {
+    return "N::fast_two_sum($1, $0)";
+  }
+  if (n.op == Op::scale && n.factor == -1) return "-#0";
+  if (n.op == Op::cancelling_sum && is_near(range(0), range(1))) return "near_sum(#0, #1)";
+  if (n.op == Op::quotient && p[n.of[0]].is_exact) return "quotient($0, #1)";
+  const auto found = spellings.find(n.op);
+  if (found == spellings.end()) throw Refused("nothing to print for " + n.name);
+  return found->second.pattern;
 }
 }  // namespace
 
@@ -43,52 +79,20 @@ std::string as_number(const Program& p, int k) {
   return p[k].is_exact ? "N::exact(" + as_plain(p, k) + ")" : p[k].name;
 }
 std::string right_side(const Program& p, const Node& n) {
-  const auto number = [&](std::size_t i) { return as_number(p, n.of[i]); };
-  const auto plain = [&](std::size_t i) { return as_plain(p, n.of[i]); };
-  const auto range = [&](std::size_t i) { return p[n.of[i]].range; };
-  switch (n.op) {
-    case Op::exact_sum:
-      if (range(0).least() >= range(1).size()) return call("N::fast_two_sum", plain(0), plain(1));
-      if (range(1).least() >= range(0).size()) return call("N::fast_two_sum", plain(1), plain(0));
-      return call("N::two_sum", plain(0), plain(1));
-    case Op::whole_sum:
-      return plain(0) + " + " + plain(1);
-    case Op::exact_scale:
-      return plain(0) + " * " + hex(n.factor);
-    case Op::scale:
-      return n.factor == -1 ? "-" + number(0) : call("scaled", number(0), hex(n.factor));
-    case Op::sum:
-      return number(0) + " + " + number(1);
-    case Op::cancelling_sum:
-      return call(is_near(range(0), range(1)) ? "near_sum" : "cancelling_sum", number(0),
-                  number(1));
-    case Op::product:
-      return number(0) + " * " + number(1);
-    case Op::exact_product:
-      return call("times", number(0), plain(1));
-    case Op::quotient:
-      return call("quotient", p[n.of[0]].is_exact ? plain(0) : number(0), number(1));
-    case Op::reciprocal_root:
-      return "reciprocal_root(" + number(0) + ")";
-    case Op::arc_tangent:
-      return call("arc_tangent<Tier>", number(0), number(1));
-    case Op::sine:
-      return "of_" + p[n.of[0]].name + ".sine";
-    case Op::cosine:
-      return "of_" + p[n.of[0]].name + ".cosine";
-    case Op::size:
-      return "magnitude(" + number(0) + ")";
-    case Op::nearest:
-      return "N::nearest(leading(" + number(0) + ") / leading(" + number(1) + "))";
-    case Op::step:
-      return plain(0) + " + (N::times_sign_of(N::all(0.5), leading(" + number(1) + ")) - 0.5)";
-    case Op::root:
-    case Op::ceiling:
-    case Op::input:
-    case Op::constant:
-      break;
+  const std::string from = pattern(p, n);
+  std::string r;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const char c = from[i];
+    if (c == '%') {
+      r += hex(n.factor);
+    } else if (c == '#' || c == '$' || c == '@') {
+      const int x = n.of[std::size_t(from[++i] - '0')];
+      r += c == '#' ? as_number(p, x) : c == '$' ? as_plain(p, x) : p[x].name;
+    } else {
+      r += c;
+    }
   }
-  throw Refused("nothing to print for " + n.name);
+  return r;
 }
 std::string sine_and_cosine(const Program& p, const Node& n) {
   const int x = n.of[0];
@@ -98,25 +102,13 @@ std::string sine_and_cosine(const Program& p, const Node& n) {
 }
 
 std::string operation_counts(const Program& p) {
-  static const std::map<Op, std::string> words{{Op::exact_sum, "sums of doubles"},
-                                               {Op::sum, "sums"},
-                                               {Op::cancelling_sum, "sums"},
-                                               {Op::product, "products"},
-                                               {Op::exact_product, "products by doubles"},
-                                               {Op::quotient, "quotients"},
-                                               {Op::reciprocal_root, "reciprocal roots"},
-                                               {Op::arc_tangent, "arctangents"},
-                                               {Op::sine, "sines"},
-                                               {Op::cosine, "cosines"},
-                                               {Op::nearest, "roundings to whole numbers"}};
   std::map<std::string, int> counts;
   for (const Node& n : p.nodes) {
-    if (const auto found = words.find(n.op); found != words.end()) ++counts[found->second];
+    const auto found = spellings.find(n.op);
+    if (found != spellings.end() && *found->second.word != 0) ++counts[found->second.word];
   }
-  std::string r;
-  for (const auto& [word, count] : counts) {
-    r += (r.empty() ? "" : ", ") + word + ": " + std::to_string(count);
-  }
-  return r.empty() ? "none" : r;
+  std::vector<std::string> r;
+  for (const auto& [word, count] : counts) r.push_back(word + ": " + std::to_string(count));
+  return r.empty() ? "none" : joined(r, ", ");
 }
 }  // namespace codegen

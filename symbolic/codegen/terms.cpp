@@ -3,6 +3,7 @@
 #include "codegen/terms.hpp"
 
 #include "codegen/exact.hpp"
+#include "codegen/quantity.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {
@@ -16,11 +17,6 @@ struct Terms::Fraction {
   Exprs below = {};
 };
 
-void Terms::narrow_by_square(int k, const Fact& f) {
-  use(f);
-  const Interval size = root(range(f.formula.arg(1)));
-  builder.narrow(k, builder[k].range.low >= 0 ? size : Interval{-size.high, size.high});
-}
 int Terms::build(Expr e) {
   if (const auto found = nodes.find(e); found != nodes.end()) return found->second;
   return nodes[e] = made(e);
@@ -76,13 +72,12 @@ int Terms::square_root(Expr x) {
   return builder.product(k, builder.unary(Op::reciprocal_root, k));
 }
 int Terms::arc_tangent(Expr e) {
-  const auto square = squares.find(e.arg(0));
+  const int t = build(e.arg(0));
+  const auto square = squares.find(t);
   if (square == squares.end()) {
     throw Refused("an arctangent needs a fact about the square: " + kernel::text(e));
   }
-  const int t = build(e.arg(0));
-  narrow_by_square(t, square->second);
-  return builder.arc_tangent(t, build(square->second.formula.arg(1)));
+  return builder.arc_tangent(t, square->second);
 }
 
 Terms::Fraction Terms::fraction(const Exprs& factors) {

@@ -2,7 +2,6 @@
 // From the kernel's terms to nodes.
 #pragma once
 
-#include <functional>
 #include <map>
 
 #include "codegen/builder.hpp"
@@ -13,15 +12,12 @@ class Terms {
 public:
   explicit Terms(Numbers numbers) : builder(numbers) {}
   Builder builder;
-  std::map<kernel::Expr, int> nodes;     ///< of what is known: inputs, names, terms already built
-  std::map<kernel::Expr, Fact> squares;  ///< p^2 = q by p, for arctangents
-  std::function<void(const Fact&)> use;  ///< called before a square is used
+  std::map<kernel::Expr, int> nodes;  ///< of what is known: inputs, names, terms already built
+  std::map<int, int> squares;         ///< nodes, for arctangents
 
   /// Refused: a name without a definition, an operation that there is none for.
   int build(kernel::Expr e);
   Interval range(kernel::Expr e) { return builder[build(e)].range; }
-  /// Node k, whose square a fact tells, is within the root of that.
-  void narrow_by_square(int k, const Fact& f);
 
 private:
   struct Fraction;
