@@ -61,7 +61,6 @@ Interval Builder::range_of(const Node& n) const {
     case Op::sum:
     case Op::cancelling_sum:
       return of(0) + of(1);
-    case Op::exact_scale:
     case Op::scale:
       return of(0) * Interval{n.factor, n.factor};
     case Op::product:
@@ -119,14 +118,11 @@ int Builder::constant(const cln::cl_RA& value, bool of_pi) {
 int Builder::scaled(int x, double by) {
   if (by == 1) return x;
   const Node n = program[x];
-  if (n.op == Op::scale || n.op == Op::exact_scale) return scaled(n.of[0], by * n.factor);
+  if (n.op == Op::scale) return scaled(n.of[0], by * n.factor);
   if (n.op == Op::constant) return constant(n.value * exact(by), n.of_pi);
   const bool is_whole = n.is_whole && std::fabs(by) >= 1;
-  return add({.op = n.is_exact ? Op::exact_scale : Op::scale,
-              .of = {x},
-              .factor = by,
-              .is_exact = n.is_exact,
-              .is_whole = is_whole});
+  return add(
+      {.op = Op::scale, .of = {x}, .factor = by, .is_exact = n.is_exact, .is_whole = is_whole});
 }
 int Builder::sum(int x, int y) {
   if (program[x].op == Op::constant && program[x].value == 0) return y;
@@ -181,9 +177,9 @@ int Builder::rest(int p, int q, int k) {
   return sum(p, part);
 }
 void Builder::need_positive(const std::string& name, int k) {
-  const std::pair<std::string, int> needed{name, k};
-  const auto end = program.positive.end();
-  if (std::find(program.positive.begin(), end, needed) == end) program.positive.push_back(needed);
+  const auto is_it = [&](const Result& r) { return r.kind == Result::sign && r.node == k; };
+  if (std::any_of(program.results.begin(), program.results.end(), is_it)) return;
+  program.results.push_back({Result::sign, name, k});
 }
 int Builder::nearest(int p, int q) {
   const int k = add({.op = Op::nearest, .of = {p, q}, .is_exact = true, .is_whole = true});

@@ -37,8 +37,10 @@ public:
       : q(quantity), c(which), p(lower(quantity, which, false)) {
     name = capital(q.name) + capital(c.name);
     bounds();
-    for (const auto& [out, k] : p.whole_outputs) result.whole.push_back(out);
-    for (const auto& [out, k] : p.outputs) result.real.push_back(out);
+    for (const Result& r : p.results) {
+      if (r.kind == Result::whole) result.whole.push_back(r.name);
+      if (r.kind == Result::real) result.real.push_back(r.name);
+    }
     structure();
     result.code = text.str();
   }
@@ -62,9 +64,7 @@ private:
       const Analysis a = analyse(program, t.type, plan);
       std::vector<double> constants;
       std::vector<std::string> here;
-      for (const auto* forms : {&a.outputs, &a.positive}) {
-        for (const Form& f : *forms) here.push_back(in_code(program, f, constants));
-      }
+      for (const Form& f : a.outputs) here.push_back(in_code(program, f, constants));
       if (t.tier == "Accurate") {
         accurate = a;
         bounds_of = here;
@@ -88,12 +88,12 @@ private:
     e += "\n" + name + ", " + t.tier + "\n";
     for (const std::string& step : a.steps) e += "  " + step + "\n";
     for (std::size_t i = 0; i < a.outputs.size(); ++i) {
-      const std::string bound = p.outputs[i].first + ": " + in_words(program, a.outputs[i]);
-      e += "  OUTPUT " + bound + "\n";
-      if (t.tier == "Accurate") result.bounds.push_back(bound);
-    }
-    for (std::size_t i = 0; i < a.positive.size(); ++i) {
-      e += "  SIGN " + p.positive[i].first + ": " + in_words(program, a.positive[i]) + "\n";
+      const Result& r = p.results[i];
+      const std::string bound = r.name + ": " + in_words(program, a.outputs[i]) + "\n";
+      if (r.kind == Result::real) e += "  OUTPUT " + bound;
+      if (r.kind == Result::sign) e += "  SIGN " + bound;
+      const bool is_said = r.kind == Result::real && t.tier == "Accurate";
+      if (is_said) result.bounds.push_back(bound.substr(0, bound.size() - 1));
     }
   }
 
@@ -107,18 +107,12 @@ private:
     for (const Node& n : p.nodes) {
       for (int o : n.of) keep(o, n.stage);
     }
-    for (const auto* list : {&accurate.outputs, &accurate.positive}) {
-      for (const Form& f : *list) {
-        for (const auto& [sizes, k] : f) {
-          for (int v : sizes) keep(v, 3);
-        }
+    for (const Form& f : accurate.outputs) {
+      for (const auto& [sizes, k] : f) {
+        for (int v : sizes) keep(v, 3);
       }
     }
-    for (const auto* list : {&p.outputs, &p.positive}) {
-      for (const auto& [out, k] : *list) keep(k, 3);
-    }
-    for (const auto& [out, k] : p.whole_outputs) keep(k, 4);
-    for (const Guard& g : p.guards) keep(g.node, 3);
+    for (const Result& r : p.results) keep(r.node, r.kind == Result::whole ? 4 : 3);
     return found;
   }
 
@@ -159,10 +153,10 @@ private:
     for (const Input& i : q.inputs) {
       set.push_back(i.name() + (i.is_whole() ? "(N::whole(in." : "(N::all(in.") + i.name() + "))");
     }
-    for (const auto& [out, k] : p.whole_outputs) {
-      values.push_back("N::to_whole(" + as_plain(p, k) + ")");
+    for (const Result& r : p.results) {
+      if (r.kind == Result::whole) values.push_back("N::to_whole(" + as_plain(p, r.node) + ")");
+      if (r.kind == Result::real) values.push_back(r.name);
     }
-    values.insert(values.end(), result.real.begin(), result.real.end());
     text.line("  " + name + "() = default;");
     text.line(inlined + "explicit " + name + "(const " + Q +
               "Inputs& in) : " + codegen::joined(set, ", ") + " {}");
@@ -187,12 +181,12 @@ private:
       if (i.is_whole()) in_case += " & (arithmetic::to_whole(" + i.name() + ") == " + load + ")";
     }
     std::string stores;
-    const auto store = [&](const std::string& out, const std::string& value) {
-      stores += "    arithmetic::store(columns." + out + " + row, " + value + ");\n";
-    };
-    for (const auto& [out, k] : p.whole_outputs)
-      store(out, "arithmetic::to_whole(" + as_plain(p, k) + ")");
-    for (const std::string& out : result.real) store(out, out);
+    for (const Result& r : p.results) {
+      const bool is_whole = r.kind == Result::whole;
+      if (!is_whole && r.kind != Result::real) continue;
+      stores += "    arithmetic::store(columns." + r.name + " + row, " +
+                (is_whole ? "arithmetic::to_whole(" + as_plain(p, r.node) + ")" : r.name) + ");\n";
+    }
     text.block(inlined + "void load_inputs(" + of_columns + " {\n" + loads + "  }\n" + inlined +
                "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + capital(q.name) +
                "Columns& columns, [[maybe_unused]] std::size_t row) const {\n    return " +
@@ -211,29 +205,30 @@ private:
       if (is_function && paired.insert(n.of[0]).second) text.line("    " + sine_and_cosine(p, n));
       const bool is_member = kept.count(k) > 0;
       const std::string type = is_member ? "" : n.is_exact ? "const T " : "const N ";
-      const std::string maybe = !is_member && n.op == Op::scale ? "[[maybe_unused]] " : "";
+      const std::string maybe = type == "const N " && n.op == Op::scale ? "[[maybe_unused]] " : "";
       text.line("    " + maybe + type + n.name + " = " + right_side(p, n) + ";");
     }
     if (stage == 3) tests();
     text.line("  }");
   }
   void tests() {
-    std::size_t next = 0;
-    for (const auto& [out, k] : p.outputs) {
-      const std::string bound = bound_of(next++);
-      text.line("    " + out + " = " +
-                (p[k].is_exact ? "N::to_result(" + as_plain(p, k)
-                               : "arithmetic::rounded_by<Tier>(" + as_number(p, k) + ", " + bound +
-                                     ", doubt") +
-                ");");
-    }
-    const std::string test = "    doubt = doubt + doubt_of_";
-    for (const auto& [sign, k] : p.positive) {
-      text.line(test + "sign(" + as_number(p, k) + ", " + bound_of(next++) + ");");
-    }
-    for (const Guard& g : p.guards) {
-      text.line(test + "range(" + as_number(p, g.node) + ", " + hex(g.range.low) + ", " +
-                hex(g.range.high) + ");");
+    for (std::size_t i = 0; i < p.results.size(); ++i) {
+      const Result& r = p.results[i];
+      if (r.kind == Result::whole) continue;
+      if (r.kind == Result::real && p[r.node].is_exact) {
+        text.line("    " + r.name + " = N::to_result(" + as_plain(p, r.node) + ");");
+        continue;
+      }
+      const std::string x = as_number(p, r.node) + ", ";
+      const std::string test = "    doubt = doubt + doubt_of_";
+      if (r.kind == Result::real) {
+        text.line("    " + r.name + " = arithmetic::rounded_by<Tier>(" + x + bound_of(i) +
+                  ", doubt);");
+      } else if (r.kind == Result::sign) {
+        text.line(test + "sign(" + x + bound_of(i) + ");");
+      } else {
+        text.line(test + "range(" + x + hex(r.range.low) + ", " + hex(r.range.high) + ");");
+      }
     }
   }
   std::string bound_of(std::size_t i) const {

@@ -56,8 +56,8 @@ std::string results(const Program& p, PlainText& text, Expr first) {
   const std::size_t columns = kernel::is_matrix(first) ? std::size_t(first.cols()) : 0;
   std::vector<std::string> values;
   std::vector<std::string> rows;
-  for (const auto& [name, k] : p.outputs) {
-    values.push_back(text.use(k));
+  for (const Result& r : p.results) {
+    values.push_back(text.use(r.node));
     if (values.size() != columns) continue;
     rows.push_back("{" + joined(values, ", ") + "}");
     values.clear();

@@ -43,23 +43,24 @@ public:
     const std::string low = t.is_pair() ? "; low part " + as_power_of_2(loose) : "";
     a.steps.push_back(n.name + ": off by " + in_words(p, a.error.back()) + low);
   }
-  void output(int k) {
+  void result(const Result& r) {
+    const int k = r.node;
+    if (r.kind == Result::whole || r.kind == Result::guard) return a.outputs.push_back({});
     check_no_spill(k);
     Form f = error(k);
     const bool is_exact = f.empty() && t.is_pair() && low(k) <= t.u;
-    if (is_exact) {
+    if (r.kind == Result::sign) {
+      // The sign is that of the high part; of one part, a unit is allowed for the comparison.
+      add_loss(f, t.is_pair() ? low(k) : t.u, k);
+    } else if (is_exact) {
       f[size_of(p, k, is_spread).first] = 0;  // other number types have a term there
     } else {
       add_loss(f, t.rounding_test(low(k)), k);
     }
-    a.outputs.push_back(absorber.absorbed(with_margin(f)));
-  }
-  void sign(int k) {
-    check_no_spill(k);
-    Form f = error(k);
-    // The sign is that of the high part; of one part, a unit is allowed for the comparison.
-    add_loss(f, t.is_pair() ? low(k) : t.u, k);
-    a.positive.push_back(absorber.absorbed(with_margin(f)));
+    // For roundings of the bound at run time, and for high parts in place of values: both below
+    // 2^-38 even for ten factors.
+    for (auto& [sizes, c] : f) c *= and_more;
+    a.outputs.push_back(absorber.absorbed(f));
   }
 
 private:
@@ -75,12 +76,6 @@ private:
     if (spill_of(k) > 0) throw Refused("the low part of " + p[k].name + " may be large");
   }
 
-  /// For roundings of the bound at run time, and for high parts in place of values: both below
-  /// 2^-38 even for ten factors.
-  static Form with_margin(Form f) {
-    for (auto& [sizes, k] : f) k *= and_more;
-    return f;
-  }
   void add_sized(Form& f, const Form& x, int node, double k = 1) const {
     const auto [sizes, by] = size_of(p, node, is_spread);
     add(f, x, k * by, sizes);
@@ -143,7 +138,6 @@ private:
       case Op::nearest:  // what is counted is what its sign tests
       case Op::step:
       case Op::whole_sum:
-      case Op::exact_scale:
         break;
       case Op::constant:
         if (!n.is_exact) take(t.constant(lost(n)));
@@ -281,8 +275,7 @@ private:
 Analysis analyse(const Program& p, const NumberType& type, Plan& plan) {
   Analyst analyst(p, type, plan);
   for (int k = 0; k < p.size(); ++k) analyst.node(k);
-  for (const auto& [name, k] : p.outputs) analyst.output(k);
-  for (const auto& [name, k] : p.positive) analyst.sign(k);
+  for (const Result& r : p.results) analyst.result(r);
   return analyst.a;
 }
 }  // namespace codegen

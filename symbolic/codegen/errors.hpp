@@ -7,11 +7,11 @@
 
 namespace codegen {
 struct Analysis {
-  std::vector<Form> error;         ///< of each node
-  std::vector<double> loose;       ///< of its low part, against its high part
-  std::vector<double> spill;       ///< how much larger its low part may be; sums that cancel end it
-  std::vector<Form> outputs;       ///< what the rounding test of each output is given
-  std::vector<Form> positive;      ///< above that a sign is certain
+  std::vector<Form> error;    ///< of each node
+  std::vector<double> loose;  ///< of its low part, against its high part
+  std::vector<double> spill;  ///< how much larger its low part may be; sums that cancel end it
+  /// Of each result: what its rounding test is given; above that a sign is certain; 0 of others.
+  std::vector<Form> outputs;
   std::vector<std::string> steps;  ///< one line a node, for a reader
 };
 /// Refused: a bound that is not known where it is needed, a fact or a range that is not known to

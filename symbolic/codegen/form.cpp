@@ -143,7 +143,7 @@ double Absorber::bounded(const Form& f) const {
 
 std::pair<Sizes, double> size_of(const Program& p, int node, const std::vector<bool>& is_spread) {
   const Node& n = p[node];
-  if (n.op == Op::scale || n.op == Op::exact_scale) {
+  if (n.op == Op::scale) {
     const auto [s, by] = size_of(p, n.of[0], is_spread);
     return {s, by * std::fabs(n.factor)};
   }

@@ -49,7 +49,7 @@ public:
     for (const Condition& g : c.guards) {
       if (g.name != name.name()) continue;
       builder.narrow(k, g.range);
-      builder.program.guards.push_back({k, g.range});
+      builder.program.results.push_back({Result::guard, g.name, k, g.range});
     }
     for (const Fact& f : c.facts) use_fact(f);
   }
@@ -58,7 +58,7 @@ public:
     if (builder.is_plain()) {
       define(t);
       for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) {
-        builder.program.outputs.push_back({identifier(left.name()), nodes.at(e)});
+        builder.program.results.push_back({Result::real, identifier(left.name()), nodes.at(e)});
       }
       return;
     }
@@ -68,8 +68,8 @@ public:
     if (is_whole && !domain.is_wide && builder[k].range.size() > 0x1p51) {
       throw Refused(left.name() + " may be above 2^51");
     }
-    auto& list = is_whole ? builder.program.whole_outputs : builder.program.outputs;
-    list.push_back({identifier(left.name()), k});
+    builder.program.results.push_back(
+        {is_whole ? Result::whole : Result::real, identifier(left.name()), k});
   }
   void check_all_used() const {
     for (const Condition& g : c.guards) {
@@ -148,6 +148,9 @@ Program read(const Quantity& quantity, const Case& which, Numbers numbers) {
   for (const Theorem& t : which.definitions) reader.define(t);
   for (const Theorem& t : which.outputs) reader.output(t);
   reader.check_all_used();
+  std::vector<Result>& results = reader.builder.program.results;
+  std::stable_sort(results.begin(), results.end(),
+                   [](const Result& x, const Result& y) { return x.kind < y.kind; });
   return named(in_stages(without_dead_code(reader.builder.program)));
 }
 }  // namespace

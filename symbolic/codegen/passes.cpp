@@ -18,10 +18,7 @@ Program moved(const Program& p, const std::vector<int>& place) {
     r.nodes.push_back(p[k]);
     for (int& o : r.nodes.back().of) o = at(o);
   }
-  for (auto* list : {&r.outputs, &r.whole_outputs, &r.positive}) {
-    for (auto& [name, k] : *list) k = at(k);
-  }
-  for (Guard& g : r.guards) g.node = at(g.node);
+  for (Result& result : r.results) result.node = at(result.node);
   r.facts.clear();
   for (const SizeFact& f : p.facts) {
     if (at(f.small) < 0 || at(f.large) < 0) continue;
@@ -38,10 +35,7 @@ std::string Input::name() const { return identifier(variable.name()); }
 
 Program without_dead_code(const Program& p) {
   std::vector<bool> live(p.nodes.size(), false);
-  for (const auto* list : {&p.outputs, &p.whole_outputs, &p.positive}) {
-    for (const auto& [name, k] : *list) live[std::size_t(k)] = true;
-  }
-  for (const Guard& g : p.guards) live[std::size_t(g.node)] = true;
+  for (const Result& r : p.results) live[std::size_t(r.node)] = true;
   for (int k = p.size(); k-- > 0;) {
     if (p[k].op == Op::input) live[std::size_t(k)] = true;
     if (!live[std::size_t(k)]) continue;
@@ -69,8 +63,8 @@ Program named(const Program& p) {
   Program r = p;
   std::set<std::string> taken{"T",     "N",       "R",   "E",  "Tier",
                               "doubt", "columns", "row", "in", "tested"};
-  for (const auto& [name, k] : p.outputs) {
-    if (p[k].name != name) taken.insert(name);
+  for (const Result& out : p.results) {
+    if (out.kind == Result::real && p[out.node].name != out.name) taken.insert(out.name);
   }
   for (const Node& n : p.nodes) {
     if (n.name.empty()) continue;
@@ -82,10 +76,10 @@ Program named(const Program& p) {
       if (taken.insert(name).second) return name;
     }
   };
-  for (const auto* list : {&p.outputs, &p.positive}) {
-    for (const auto& [name, k] : *list) {
-      if (r[k].name.empty()) r[k].name = fresh((list == &p.outputs ? "of_" : "") + name, false);
-    }
+  for (const Result& out : p.results) {
+    std::string& name = r[out.node].name;
+    const bool is_open = name.empty() && out.kind != Result::whole;
+    if (is_open) name = fresh((out.kind == Result::real ? "of_" : "") + out.name, false);
   }
   for (Node& n : r.nodes) {
     if (n.name.empty() && n.op != Op::constant) n.name = fresh("t", true);

@@ -22,7 +22,7 @@ PlainText::PlainText(const Program& program) : p(program), uses(program.nodes.si
   for (const Node& n : p.nodes) {
     for (int o : n.of) ++uses[std::size_t(o)];
   }
-  for (const auto& [name, k] : p.outputs) ++uses[std::size_t(k)];
+  for (const Result& r : p.results) ++uses[std::size_t(r.node)];
 }
 bool PlainText::has_line(int k) const {
   const Node& n = p[k];

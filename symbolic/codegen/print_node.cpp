@@ -38,7 +38,6 @@ struct Spelling {
 const std::map<Op, Spelling> spellings{
     {Op::exact_sum, {"N::two_sum($0, $1)", "sums of doubles"}},
     {Op::whole_sum, {"$0 + $1", ""}},
-    {Op::exact_scale, {"$0 * %", ""}},
     {Op::scale, {"scaled(#0, %)", ""}},
     {Op::sum, {"#0 + #1", "sums"}},
     {Op::cancelling_sum, {"cancelling_sum(#0, #1)", "sums"}},
@@ -61,6 +60,7 @@ std::string pattern(const Program& p, const Node& n) {
   if (n.op == Op::exact_sum && range(1).least() >= range(0).size()) {
     return "N::fast_two_sum($1, $0)";
   }
+  if (n.op == Op::scale && n.is_exact) return "$0 * %";
   if (n.op == Op::scale && n.factor == -1) return "-#0";
   if (n.op == Op::cancelling_sum && is_near(range(0), range(1))) return "near_sum(#0, #1)";
   if (n.op == Op::quotient && p[n.of[0]].is_exact) return "quotient($0, #1)";

@@ -17,13 +17,12 @@ enum class Op {
   input,            ///< exact
   constant,         ///< exact where it is a double, else in two parts
   exact_sum,        ///< of two exact numbers
-  exact_scale,      ///< an exact number by a power of two: exact
   whole_sum,        ///< of two exact whole numbers: exact
   sum,              ///< of two numbers of one sign
   cancelling_sum,   ///< of any two
   product,          ///< of two numbers
   exact_product,    ///< of a number by an exact one
-  scale,            ///< by a power of two
+  scale,            ///< by a power of two: exact where its operand is
   quotient,         ///<
   reciprocal_root,  ///<
   root,             ///< plain forms' alone
@@ -38,7 +37,7 @@ enum class Op {
 struct Node {
   Op op;
   std::vector<int> of = {};  ///< operands, all before this one
-  double factor = 1;         ///< of scale and exact_scale
+  double factor = 1;         ///< of scale
   cln::cl_RA value = 0;      ///< of a constant, in units of pi where `of_pi`
   bool of_pi = false;
   bool is_exact = false;
@@ -48,10 +47,17 @@ struct Node {
   Interval range = {0, 0};
   int stage = 1;
 };
-/// |node| < what is tested.
-struct Guard {
+/// What a program is for.
+struct Result {
+  enum Kind {
+    whole,
+    real,
+    sign,  ///< positive, or the row is left in doubt
+    guard  ///< within its open range, or the row is left in doubt
+  } kind;
+  std::string name;
   int node;
-  Interval range;
+  Interval range = {0, 0};
 };
 /// |small| <= |large|, by a theorem; of computed values, too, unless that is still to be checked.
 struct SizeFact {
@@ -61,10 +67,7 @@ struct SizeFact {
 struct Program {
   std::string functions, calls;  ///< C++ of doublings: before all, and of the lines that come first
   std::vector<Node> nodes;
-  std::vector<std::pair<std::string, int>> outputs;
-  std::vector<std::pair<std::string, int>> whole_outputs;
-  std::vector<std::pair<std::string, int>> positive;  ///< nodes whose sign decides a count
-  std::vector<Guard> guards;
+  std::vector<Result> results;  ///< kind by kind
   std::vector<SizeFact> facts;
 
   const Node& operator[](int k) const { return nodes[std::size_t(k)]; }

@@ -140,7 +140,7 @@ int Terms::product(const Exprs& factors) {
   int p = -1;
   const auto multiply = [&](int k) {
     const Node& n = builder[k];
-    const bool is_scaled = n.op == Op::scale || n.op == Op::exact_scale;
+    const bool is_scaled = n.op == Op::scale;
     if (is_scaled && numbers.size() + exact_ones.size() > 1) {
       power *= n.factor;
       k = n.of[0];
