@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Plain and exact forms: a row each.
+// Plain and exact forms: a row each; then all that is generated.
+#include "codegen/generate.hpp"
 #include "generate/quantities.hpp"
 
 namespace generate {
@@ -23,15 +24,12 @@ std::vector<PlainForm> exact(Source& s) {
   const auto count = [&](const char* name) {
     return input(kernel::fun(name, {kernel::real("alpha"), 1}), 1, most);
   };
-  const Case start{"start", {{"n", {0, 0}}},
-                   {},      s("cycle.start_vector/0 start_vector/1 c_start start_vector/2"),
-                   {},      {}};
-  const Case later{
-      "later", {{"n", {1, most}}}, s("power.V_CM exact.b_before"), s("exact.a b c c_prime"), {},
-      {}};
-  const Case end{
-      "all", {}, s("power.V_CM"), s("exact.a_t b_t terminal.definitions/2 evaluators_end.def_rho"),
-      {},    {}};
+  const Case start = s.of("start", {{"n", {0, 0}}},
+                          "-> cycle.start_vector/0 start_vector/1 c_start start_vector/2");
+  const Case later =
+      s.of("later", {{"n", {1, most}}}, "power.V_CM exact.b_before -> exact.a b c c_prime");
+  const Case end =
+      s.of("all", {}, "power.V_CM -> exact.a_t b_t terminal.definitions/2 evaluators_end.def_rho");
   const auto made = [&](const std::string& name, const std::vector<Input>& inputs,
                         const std::vector<Case>& cases) {
     return PlainForm{{name, labels(name), inputs, cases, s.units, {cosines}}, "exact"};
@@ -39,8 +37,31 @@ std::vector<PlainForm> exact(Source& s) {
   return {made("velocities", {any, input(kernel::integer("n"), 0, most)}, {start, later}),
           made("terminal", {any, count("N_A"), count("N_B")}, {end})};
 }
+struct Inventory {
+  Source source;
+  std::vector<codegen::Quantity> all = evaluators(source);
+  std::vector<codegen::PlainForm> plain = plain_forms(source, all);
+};
+const Inventory& inventory() {
+  static const Inventory made;
+  return made;
+}
 }  // namespace
 
+std::string labels(const std::string& quantity) {
+  static const std::map<std::string, std::string> all{
+      {"velocities", "eq:a-final eq:b-final eq:c-final eq:c'-final"},
+      {"terminal", "eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct"},
+      {"magic", "exact:ak"},
+      {"deficient", "exact:bk"},
+      {"angle", "def:psi"},
+      {"Gamma_A", "eq:Gamma"},
+      {"Gamma_B", "eq:Gamma"},
+      {"Lambda", "eq:Lambda"},
+      {"R", "def:R"},
+      {"lambda_3", "eq:lambda-3"}};
+  return all.at(quantity);
+}
 std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evaluators) {
   constexpr double most_cycles = 0x1p50;
   // The paper's forms divide by cos(psi/2) = 1/(1 + alpha), which is lost beside a rounded psi from
@@ -51,33 +72,28 @@ std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evalu
   const Input x = input(kernel::real("x"), -0x1p50, 0x1p50);
   const Input mass = alpha(0x1p-300, 0x1p300);
   const std::string psi = "rotation.psi ";
-  const std::string mean = psi + "power.V_CM";
+  const std::string mean = psi + "power.V_CM -> power.";
   const std::string counts = "counting.N_A N_B ";
   const struct {
     const char* form;
     const char* name;
     std::vector<Input> inputs;
-    std::string definitions, outputs;
+    std::string words;
   } rows[] = {
-      {"closed", "velocities", {alpha(0x1p-300, closed_most), n}, mean, "power.a b c c_prime"},
+      {"closed", "velocities", {alpha(0x1p-300, closed_most), n}, mean + "a b c c_prime"},
       {"closed",
        "terminal",
        {alpha(0x1p-40, closed_most)},
-       psi + counts,
-       counts + "terminal.a b definitions/2 evaluators_end.def_rho"},
-      {"closed", "angle", {mass}, "", psi},
-      {"closed", "magic", {k}, "", "ratios.alpha_k_paper"},
-      {"closed", "deficient", {k}, "", "ratios.beta_k_paper"},
-      {"product",
-       "velocities",
-       {mass, n},
-       mean,
-       "power.a_product b_product c_product c_prime_product"},
-      {"matrices", "Gamma_A", {mass}, "ball.Gamma", "cycle.Gamma_A"},
-      {"matrices", "Gamma_B", {mass}, "ball.Gamma", "cycle.Gamma_B"},
-      {"matrices", "Lambda", {mass}, "", "cycle.Lambda"},
-      {"matrices", "R", {mass}, "", "rotation.R"},
-      {"matrices", "lambda_3", {x}, "", "rotation.lambda_3"}};
+       psi + counts + "-> " + counts + "terminal.a b definitions/2 evaluators_end.def_rho"},
+      {"closed", "angle", {mass}, "-> " + psi},
+      {"closed", "magic", {k}, "-> ratios.alpha_k_paper"},
+      {"closed", "deficient", {k}, "-> ratios.beta_k_paper"},
+      {"product", "velocities", {mass, n}, mean + "a_product b_product c_product c_prime_product"},
+      {"matrices", "Gamma_A", {mass}, "ball.Gamma -> cycle.Gamma_A"},
+      {"matrices", "Gamma_B", {mass}, "ball.Gamma -> cycle.Gamma_B"},
+      {"matrices", "Lambda", {mass}, "-> cycle.Lambda"},
+      {"matrices", "R", {mass}, "-> rotation.R"},
+      {"matrices", "lambda_3", {x}, "-> rotation.lambda_3"}};
   std::vector<PlainForm> all = exact(s);
   // The evaluators' theorems where alpha < 1; they hold everywhere.
   for (Quantity q : evaluators) {
@@ -88,9 +104,24 @@ std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evalu
     all.push_back({q, "tangent"});
   }
   for (const auto& r : rows) {
-    const Case only{"all", {}, s(r.definitions), s(r.outputs), {}, {}};
-    all.push_back({{r.name, labels(r.name), r.inputs, {only}, s.units}, r.form});
+    all.push_back(
+        {{r.name, labels(r.name), r.inputs, {s.of("all", {}, r.words)}, s.units}, r.form});
   }
   return all;
+}
+std::map<std::string, std::string> generated() {
+  const Inventory& made = inventory();
+  std::map<std::string, std::string> texts;
+  for (const auto& [path, text] : codegen::generate(made.all, made.plain, made.source.ids))
+    texts[path == "manifest.json" ? path : "magicmass/" + path] = text;
+  return texts;
+}
+std::string selected(const std::string& form, const std::set<std::string>& outputs) {
+  std::vector<codegen::PlainForm> forms;
+  for (const codegen::PlainForm& f : inventory().plain)
+    if (f.form == form && form != "matrices") forms.push_back(f);
+  if (forms.empty())
+    throw codegen::Refused("no form " + form + "; allowed: closed, product, tangent, exact");
+  return codegen::emit_plain(forms, inventory().source.ids, outputs).header;
 }
 }  // namespace generate

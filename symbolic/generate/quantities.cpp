@@ -2,99 +2,92 @@
 // The evaluators' theorems, case by case.
 #include "generate/quantities.hpp"
 
+#include <sstream>
+
+#include "derivation/book.hpp"
+
 namespace generate {
-namespace {
 using codegen::Case;
 using codegen::Condition;
-using codegen::Fact;
-using codegen::Input;
 using codegen::Quantity;
 
-constexpr double below_1 = 0x1.fffffffffffffp-1;
-constexpr double largest = 0x1.fffffffffffffp1023;
-constexpr double smallest = 0x1p-1074;
-
-Input alpha(double least, double most, double wide_most) {
-  return {kernel::real("alpha"), {least, most}, {smallest, wide_most}};
+kernel::Theorems Source::operator()(const std::string& words) {
+  kernel::Theorems out;
+  std::istringstream in(words);
+  std::string chapter;
+  for (std::string word; in >> word;) {
+    const std::size_t dot = word.find('.');
+    if (dot != std::string::npos) chapter = word.substr(0, dot + 1);
+    const std::string name = word.substr(dot == std::string::npos ? 0 : dot + 1);
+    const std::size_t slash = name.find('/');
+    const std::string id = chapter + name.substr(0, slash);
+    kernel::Theorem t = derivation::the_book()[id];
+    if (slash != std::string::npos) {
+      t = kernel::tautology(t.conclusion().arg(std::stoul(name.substr(slash + 1))), {t});
+    }
+    out.push_back(kernel::instantiate(t, units));
+    ids.insert({out.back().conclusion(), id});
+  }
+  return out;
 }
-Input whole(const char* name, double first) {
-  return {kernel::integer(name), {first, 0x1p50}, {first, 0x1p63}};
-}
-}  // namespace
-
-std::string labels(const std::string& quantity) {
-  static const std::map<std::string, std::string> all{
-      {"velocities", "eq:a-final eq:b-final eq:c-final eq:c'-final"},
-      {"terminal", "eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct"},
-      {"magic", "exact:ak"},
-      {"deficient", "exact:bk"},
-      {"angle", "def:psi"},
-      {"Gamma_A", "eq:Gamma"},
-      {"Gamma_B", "eq:Gamma"},
-      {"Lambda", "eq:Lambda"},
-      {"R", "def:R"},
-      {"lambda_3", "eq:lambda-3"}};
-  return all.at(quantity);
+Case Source::of(const std::string& name, const std::vector<Condition>& where,
+                const std::string& words) {
+  const std::size_t to = words.find("->");
+  const std::size_t by = words.find('|');
+  Case c{name, where, (*this)(words.substr(0, to)), {}, {}, {}};
+  c.outputs = (*this)(words.substr(to + 2, by == std::string::npos ? by : by - to - 2));
+  if (by == std::string::npos) return c;
+  for (const kernel::Theorem& t : (*this)(words.substr(by + 1))) {
+    const bool is_of_rest = ids.at(t.conclusion()) == "evaluators_end.sine_at_most";
+    c.facts.emplace_back(t, is_of_rest ? "rest < h/2 is tested of computed values, and both are of "
+                                         "the computed rest"
+                                       : "");
+  }
+  return c;
 }
 std::vector<Quantity> evaluators(Source& source) {
-  const Condition light{"alpha", {smallest, below_1}};
+  constexpr double smallest = 0x1p-1074;
+  constexpr double largest = 0x1.fffffffffffffp1023;
+  const Condition light{"alpha", {smallest, 0x1.fffffffffffffp-1}};
   const Condition heavy{"alpha", {1, largest}};
+  const kernel::Expr alpha = kernel::real("alpha");
+  const kernel::Expr k = kernel::integer("k");
   const std::string angle = "evaluators.def_above def_w def_z def_t def_half_h ";
-  const std::string share = "heavy.def_masses def_per_mass def_share def_lead";
-  const auto facts = [&](const std::string& words) {
-    std::vector<Fact> r;
-    for (const kernel::Theorem& t : source("evaluators.z_at_most t_squared " + words)) {
-      r.emplace_back(t);
-    }
-    return r;
-  };
-  const auto made = [&](const std::string& name, const std::vector<Input>& inputs,
+  const std::string about = " | evaluators.z_at_most t_squared ";
+  const std::string share = "heavy.def_masses def_per_mass def_share def_lead -> ";
+  const auto made = [&](const std::string& name, const std::vector<codegen::Input>& inputs,
                         const std::vector<Case>& cases) {
     return Quantity{name, labels(name), inputs, cases, source.units};
   };
   const auto ratio = [&](const std::string& kind, double first) {
-    const std::string prefix = " def_" + kind;
-    return made(kind, {whole("k", first)},
-                {{"general",
-                  {},
-                  source("evaluators_ratios." + prefix.substr(1) + "_angle" + prefix + "_sine" +
-                         prefix + "_versed" + prefix + "_cosine"),
-                  source("evaluators_ratios." + kind),
-                  {},
-                  {}}});
+    const std::string name = "evaluators_ratios.def_" + kind;
+    return made(kind, {{k, {first, 0x1p50}, {first, 0x1p63}}},
+                {source.of("general", {},
+                           name + "_angle " + name + "_sine " + name + "_versed " + name +
+                               "_cosine -> evaluators_ratios." + kind)});
   };
-  Case velocities{"small",
-                  {light},
-                  source(angle + "def_phase def_sine def_cosine def_t_sine def_w_sine def_plus "
-                                 "def_minus def_along"),
-                  source("evaluators.a b c c_prime"),
-                  facts("t_sine_at_most"),
-                  {{"phase", {-0.001, 2.0945}}}};
-  Case terminal{"small",
-                {light},
-                source(angle + "evaluators_end.def_h N_A N_B def_rest def_rest_sine "
-                               "def_rest_cosine def_t_cosine def_w_cosine def_t_plus def_t_minus "
-                               "def_w_plus def_b_form"),
-                source("evaluators_end.N_A N_B terminal/0 terminal/1 terminal/2 rho"),
-                facts("evaluators_end.t_cosine_at_most"),
-                {}};
-  terminal.facts.emplace_back(
-      source("evaluators_end.sine_at_most")[0],
-      "rest < h/2 is tested of computed values, and both are of the computed rest");
+  Case velocities = source.of("small", {light},
+                              angle +
+                                  "def_phase def_sine def_cosine def_t_sine def_w_sine def_plus "
+                                  "def_minus def_along -> evaluators.a b c c_prime" +
+                                  about + "t_sine_at_most");
+  velocities.guards = {{"phase", {-0.001, 2.0945}}};
+  const Case terminal = source.of(
+      "small", {light},
+      angle +
+          "evaluators_end.def_h N_A N_B def_rest def_rest_sine def_rest_cosine def_t_cosine "
+          "def_w_cosine def_t_plus def_t_minus def_w_plus def_b_form "
+          "-> evaluators_end.N_A N_B terminal/0 terminal/1 terminal/2 rho" +
+          about + "evaluators_end.sine_at_most t_cosine_at_most");
   return {
-      made("velocities", {alpha(0x1p-300, 0x1p300, largest), whole("n", 0)},
-           {velocities,
-            {"first",
-             {heavy, {"n", {1, 1}}},
-             source(share),
-             source("heavy.a b c c_prime"),
-             {},
-             {}}}),
-      made("terminal", {alpha(0x1p-100, 0x1p300, largest)},
-           {terminal,
-            {"first", {heavy}, source(share), source("heavy.N_A N_B a_t b_t c_t rho"), {}, {}}}),
+      made("velocities",
+           {{alpha, {0x1p-300, 0x1p300}, {smallest, largest}},
+            {kernel::integer("n"), {0, 0x1p50}, {0, 0x1p63}}},
+           {velocities, source.of("first", {heavy, {"n", {1, 1}}}, share + "heavy.a b c c_prime")}),
+      made("terminal", {{alpha, {0x1p-100, 0x1p300}, {smallest, largest}}},
+           {terminal, source.of("first", {heavy}, share + "heavy.N_A N_B a_t b_t c_t rho")}),
       ratio("magic", 2), ratio("deficient", 1),
-      made("angle", {alpha(0x1p-300, 1, 1)},
-           {{"small", {}, source(angle), source("evaluators.psi"), facts(""), {}}})};
+      made("angle", {{alpha, {0x1p-300, 1}, {smallest, 1}}},
+           {source.of("small", {}, angle + "-> evaluators.psi" + about)})};
 }
 }  // namespace generate

@@ -7,9 +7,21 @@
 #include <vector>
 
 #include "codegen/emit_plain.hpp"
-#include "generate/source.hpp"
 
 namespace generate {
+/// Theorems of the book in units of V, with their ids.
+class Source {
+public:
+  /// "evaluators.def_w def_t terminal.definitions/2": a word without a chapter is of the one before
+  /// it, /2 is the theorem's part 2, counted from 0. Each is known by its id from now on.
+  kernel::Theorems operator()(const std::string& words);
+  /// "DEFINITIONS -> OUTPUTS | FACTS"
+  codegen::Case of(const std::string& name, const std::vector<codegen::Condition>& where,
+                   const std::string& words);
+
+  const kernel::Substitution units{{kernel::real("V"), 1}};
+  codegen::Ids ids;
+};
 /// Evaluators in DoubleDouble.
 std::vector<codegen::Quantity> evaluators(Source& source);
 std::vector<codegen::PlainForm> plain_forms(Source& source,

@@ -61,9 +61,9 @@ template <> struct TerminalSmallBounds<Ziv> { static constexpr double E[] = {0x1
 /// Theorem: rho = b_form^2
 /// z <= 1/3: a theorem
 /// t^2 = z: a theorem
-/// t_cosine <= w_cosine: a theorem
 /// rest_sine <= t_cosine: a theorem; and: rest < h/2 is tested of computed values, and both are of
 ///   the computed rest
+/// t_cosine <= w_cosine: a theorem
 /// Accurate is off by at most a_t: 2^-149.2 + 2^-73.6 |t_plus|
 /// Accurate is off by at most b_t: 2^-73.9 |t_cosine| + 2^-73.9 |t_cosine| |w_plus|
 /// Accurate is off by at most c_t: 2^-73.3 |w_cosine|
