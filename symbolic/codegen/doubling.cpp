@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The loop over the bits of an index, and its calls.
-#include "codegen/doubling.hpp"
-
 #include <limits>
 
+#include "codegen/lower.hpp"
 #include "codegen/plain_text.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"
@@ -75,26 +74,20 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   const std::string upper = value(t.even, "high");
   know(terms, at(f, m + 1), "high");
   const std::string between = value(t.odd, "low");
-  Text text;
-  text.line("/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.");
-  text.line("template <class Number>");
+  const auto said = [](const kernel::Theorem& of) { return "// " + kernel::text(of.conclusion()); };
   std::string arguments;
   for (Expr p : parameters(f)) arguments += "const Number& " + identifier(p.name()) + ", ";
-  text.line("std::pair<Number, Number> " + cpp_name(f) + "_doubled(" + arguments +
-            "std::int64_t n) {");
-  text.line("  // " + kernel::text(t.at_1.conclusion()));
-  text.line("  const Number first = " + first + ";");
-  text.line("  // " + kernel::text(t.at_0.conclusion()));
-  text.block("  Number low = " + start + ";\n  Number high = first;\n" +
-             "  const std::uint64_t index = 2 * std::uint64_t(n);\n" +
-             "  for (int bit = int(std::bit_width(index)); bit-- > 0;) {\n");
-  text.line("    // " + kernel::text(t.odd.conclusion()));
-  text.line("    const Number between = " + between + ";");
-  text.line("    // " + kernel::text(t.even.conclusion()));
-  text.block("    if ((index >> bit & 1) != 0) {\n      low = between;\n      high = " + upper +
-             ";\n    } else {\n      high = between;\n      low = " + lower +
-             ";\n    }\n  }\n  return {low, high};\n}\n");
-  return text.str();
+  return "/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.\n" +
+         "template <class Number>\nstd::pair<Number, Number> " + cpp_name(f) + "_doubled(" +
+         arguments + "std::int64_t n) {\n  " + said(t.at_1) + "\n  const Number first = " + first +
+         ";\n  " + said(t.at_0) + "\n  Number low = " + start +
+         ";\n  Number high = first;\n"
+         "  const std::uint64_t index = 2 * std::uint64_t(n);\n"
+         "  for (int bit = int(std::bit_width(index)); bit-- > 0;) {\n    " +
+         said(t.odd) + "\n    const Number between = " + between + ";\n    " + said(t.even) +
+         "\n    if ((index >> bit & 1) != 0) {\n      low = between;\n      high = " + upper +
+         ";\n    } else {\n      high = between;\n      low = " + lower +
+         ";\n    }\n  }\n  return {low, high};\n}\n";
 }
 
 std::string call_doubling(const Doubling& t, Expr term, Terms& terms) {

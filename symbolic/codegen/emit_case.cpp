@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bounds of all tiers, members, stages, tests of one case.
-#include "codegen/emit_case.hpp"
-
 #include <set>
 
 #include "codegen/builder.hpp"
+#include "codegen/emit_evaluator.hpp"
 #include "codegen/errors.hpp"
 #include "codegen/exact.hpp"
-#include "codegen/print_node.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"
 
@@ -42,7 +40,6 @@ public:
       if (r.kind == Result::real) result.real.push_back(r.name);
     }
     structure();
-    result.code = text.str();
   }
 
 private:
@@ -50,10 +47,11 @@ private:
   const Case& c;
   Program p;
   std::string name;
-  Text text;
   Analysis accurate;
   std::vector<std::string> bounds_of;  // outputs and signs, as C++
   bool has_bounds = false;
+
+  void line(const std::string& code) { result.code += code + "\n"; }
 
   void bounds() {
     Plan plan;
@@ -81,7 +79,8 @@ private:
                      "> { static constexpr double E[] = {" + codegen::joined(printed, ", ") +
                      "}; };\n";
     }
-    if (has_bounds) text.block("template <class Tier> struct " + name + "Bounds;\n" + specialised);
+    if (has_bounds)
+      result.code += "template <class Tier> struct " + name + "Bounds;\n" + specialised;
   }
   void describe(const Program& program, const TypeOfNumber& t, const Analysis& a) {
     std::string& e = result.errors;
@@ -117,19 +116,19 @@ private:
   }
 
   void structure() {
-    text.line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
+    line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
     for (const kernel::Theorem& t : c.outputs) {
-      text.line("/// Theorem: " + shown(q, t.conclusion()));
+      line("/// Theorem: " + shown(q, t.conclusion()));
     }
     for (const Fact& f : c.facts) {
       const std::string why = f.argument.empty() ? "a theorem" : f.argument;
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;
-      text.line("/// " + shown(q, f.formula) + ": " + why + computed);
+      line("/// " + shown(q, f.formula) + ": " + why + computed);
     }
-    for (const std::string& b : result.bounds) text.line("/// Accurate is off by at most " + b);
-    text.line("/// Operations: " + operation_counts(p) + ".");
-    text.block("template <class Tier, class N>\nstruct " + name +
-               " {\n  using T = typename N::Value;\n  using R = typename N::Result;\n");
+    for (const std::string& b : result.bounds) line("/// Accurate is off by at most " + b);
+    line("/// Operations: " + operation_counts(p) + ".");
+    line("template <class Tier, class N>\nstruct " + name +
+         " {\n  using T = typename N::Value;\n  using R = typename N::Result;");
     const std::set<int> kept = members();
     std::vector<std::string> exact;
     std::vector<std::string> results{"doubt"};
@@ -137,14 +136,14 @@ private:
     for (const Input& i : q.inputs) exact.push_back(i.name());
     for (int k : kept) (p[k].is_exact ? exact : numbers).push_back(p[k].name);
     results.insert(results.end(), result.real.begin(), result.real.end());
-    text.line(fields("T", exact));
-    text.line(fields("R", results));
-    if (!numbers.empty()) text.line(fields("N", numbers));
-    if (has_bounds) text.line("  static constexpr const double* E = " + name + "Bounds<Tier>::E;");
+    line(fields("T", exact));
+    line(fields("R", results));
+    if (!numbers.empty()) line(fields("N", numbers));
+    if (has_bounds) line("  static constexpr const double* E = " + name + "Bounds<Tier>::E;");
     inputs_and_outputs();
     if (&c == &q.cases[0]) columns();
     for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);
-    text.line("};");
+    line("};");
   }
   void inputs_and_outputs() {
     const std::string Q = capital(q.name);
@@ -157,11 +156,11 @@ private:
       if (r.kind == Result::whole) values.push_back("N::to_whole(" + as_plain(p, r.node) + ")");
       if (r.kind == Result::real) values.push_back(r.name);
     }
-    text.line("  " + name + "() = default;");
-    text.line(inlined + "explicit " + name + "(const " + Q +
-              "Inputs& in) : " + codegen::joined(set, ", ") + " {}");
-    text.line(inlined + Q + "Outputs outputs() const { return {" + codegen::joined(values, ", ") +
-              "}; }");
+    line("  " + name + "() = default;");
+    line(inlined + "explicit " + name + "(const " + Q +
+         "Inputs& in) : " + codegen::joined(set, ", ") + " {}");
+    line(inlined + Q + "Outputs outputs() const { return {" + codegen::joined(values, ", ") +
+         "}; }");
   }
   /// Rows of arrays, a register at a time.
   void columns() {
@@ -187,47 +186,47 @@ private:
       stores += "    arithmetic::store(columns." + r.name + " + row, " +
                 (is_whole ? "arithmetic::to_whole(" + as_plain(p, r.node) + ")" : r.name) + ");\n";
     }
-    text.block(inlined + "void load_inputs(" + of_columns + " {\n" + loads + "  }\n" + inlined +
-               "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + capital(q.name) +
-               "Columns& columns, [[maybe_unused]] std::size_t row) const {\n    return " +
-               in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + of_columns +
-               " const {\n" + stores + "  }\n");
+    result.code +=
+        (inlined + "void load_inputs(" + of_columns + " {\n" + loads + "  }\n" + inlined +
+         "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + capital(q.name) +
+         "Columns& columns, [[maybe_unused]] std::size_t row) const {\n    return " +
+         in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + of_columns +
+         " const {\n" + stores + "  }\n");
   }
   void stage_function(int stage, const std::set<int>& kept) {
-    text.line(inlined + "void stage_" + std::to_string(stage) + "() {");
-    if (stage == 1) text.line("    doubt = R{};");
+    line(inlined + "void stage_" + std::to_string(stage) + "() {");
+    if (stage == 1) line("    doubt = R{};");
     std::set<int> paired;
     for (int k = 0; k < p.size(); ++k) {
       const Node& n = p[k];
       if (n.stage != stage || n.op == Op::input || n.op == Op::constant) continue;
-      if (!n.formula.empty()) text.line("    // " + n.formula);
+      if (!n.formula.empty()) line("    // " + n.formula);
       const bool is_function = n.op == Op::sine || n.op == Op::cosine;
-      if (is_function && paired.insert(n.of[0]).second) text.line("    " + sine_and_cosine(p, n));
+      if (is_function && paired.insert(n.of[0]).second) line("    " + sine_and_cosine(p, n));
       const bool is_member = kept.count(k) > 0;
       const std::string type = is_member ? "" : n.is_exact ? "const T " : "const N ";
       const std::string maybe = type == "const N " && n.op == Op::scale ? "[[maybe_unused]] " : "";
-      text.line("    " + maybe + type + n.name + " = " + right_side(p, n) + ";");
+      line("    " + maybe + type + n.name + " = " + right_side(p, n) + ";");
     }
     if (stage == 3) tests();
-    text.line("  }");
+    line("  }");
   }
   void tests() {
     for (std::size_t i = 0; i < p.results.size(); ++i) {
       const Result& r = p.results[i];
       if (r.kind == Result::whole) continue;
       if (r.kind == Result::real && p[r.node].is_exact) {
-        text.line("    " + r.name + " = N::to_result(" + as_plain(p, r.node) + ");");
+        line("    " + r.name + " = N::to_result(" + as_plain(p, r.node) + ");");
         continue;
       }
       const std::string x = as_number(p, r.node) + ", ";
       const std::string test = "    doubt = doubt + doubt_of_";
       if (r.kind == Result::real) {
-        text.line("    " + r.name + " = arithmetic::rounded_by<Tier>(" + x + bound_of(i) +
-                  ", doubt);");
+        line("    " + r.name + " = arithmetic::rounded_by<Tier>(" + x + bound_of(i) + ", doubt);");
       } else if (r.kind == Result::sign) {
-        text.line(test + "sign(" + x + bound_of(i) + ");");
+        line(test + "sign(" + x + bound_of(i) + ");");
       } else {
-        text.line(test + "range(" + x + hex(r.range.low) + ", " + hex(r.range.high) + ");");
+        line(test + "range(" + x + hex(r.range.low) + ", " + hex(r.range.high) + ");");
       }
     }
   }

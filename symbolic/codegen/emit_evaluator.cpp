@@ -2,7 +2,6 @@
 // The header of a quantity: its cases between its structures and the choice among them.
 #include "codegen/emit_evaluator.hpp"
 
-#include "codegen/emit_case.hpp"
 #include "codegen/text.hpp"
 
 namespace codegen {
@@ -59,14 +58,13 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
               capital(c.name) + ">();\n    }\n";
     claims.push_back({c.name, domain_in_words(q, c), emitted.bounds, ids_of(c, ids)});
   }
-  Text t;
-  t.block(opening(
-      "// " + q.name + " in DoubleDouble, from " + q.labels +
-          ". Bounds: errors.txt beside this file.\n// Only for rows whose inputs are in "
-          "a case and whose doubt is 0; all others are left to the caller.",
-      {"<cstddef>", "<cstdint>", "", "\"magicmass/arithmetic/functions.hpp\"",
-       "\"magicmass/arithmetic/rounding_test.hpp\"", "\"magicmass/evaluators/polynomials.hpp\""}));
-  t.block(
+  e.header = broken(
+      opening("// " + q.name + " in DoubleDouble, from " + q.labels +
+                  ". Bounds: errors.txt beside this file.\n// Only for rows whose inputs are in "
+                  "a case and whose doubt is 0; all others are left to the caller.",
+              {"<cstddef>", "<cstdint>", "", "\"magicmass/arithmetic/functions.hpp\"",
+               "\"magicmass/arithmetic/rounding_test.hpp\"",
+               "\"magicmass/evaluators/polynomials.hpp\""}) +
       "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q, whole, real) +
       code + "/// What loops over rows need to know of " + q.name + ".\nstruct " + Q +
       " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q +
@@ -80,7 +78,6 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
       visits +
       "    return 1.0;\n  }\n};\n"
       "}  // namespace magicmass::generated::inline MAGICMASS_TARGET\n");
-  e.header = t.str();
   Words names = whole;
   names.insert(names.end(), real.begin(), real.end());
   e.manifest = manifest_entry(q, "evaluator", "evaluators/" + q.name + ".hpp", names, claims);

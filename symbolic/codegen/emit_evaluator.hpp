@@ -1,12 +1,34 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// DoubleDouble evaluators, as C++ templates over a tier and a number type.
+// DoubleDouble evaluators, as C++ templates over a tier and a number type: a header, its cases as
+// structs of three stages, their nodes.
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "codegen/lower.hpp"
 #include "codegen/manifest.hpp"
 
 namespace codegen {
+struct EmittedCase {
+  std::string code;
+  std::string errors;
+  std::vector<std::string> bounds;  ///< of Accurate's outputs, in words
+  std::vector<std::string> whole;   ///< whole outputs, then the others
+  std::vector<std::string> real;
+};
+/// "  double a, b;"
+std::string fields(const std::string& type, const std::vector<std::string>& names);
+EmittedCase emit_case(const Quantity& q, const Case& c);
+/// "in.alpha >= 0x1p-300 && ..." of the case, in both domains.
+std::string condition(const Quantity& q, const Case& c);
+std::string as_plain(const Program& p, int k);   ///< an exact node, as a T
+std::string as_number(const Program& p, int k);  ///< any node, as an N
+std::string right_side(const Program& p, const Node& n);
+/// The line that both functions of an angle come from.
+std::string sine_and_cosine(const Program& p, const Node& n);
+/// "3 sums, 2 products, ..."
+std::string operation_counts(const Program& p);
 struct Evaluator {
   std::string header;    ///< evaluators/NAME.hpp
   std::string errors;    ///< each node's error, for a reader

@@ -72,7 +72,6 @@ std::string array_of(const std::string& type, int size) {
 class Function {
 public:
   std::string doublings, code;
-  std::set<std::string> functions;   ///< of <cmath>
   std::vector<std::string> outputs;  ///< none: nothing is wanted here
   std::vector<Claim> claims;
 
@@ -92,6 +91,7 @@ private:
   const Ids& ids;
   std::string branches, type;
   std::vector<std::string> domains, theorems;
+  std::set<std::string> functions;  // of <cmath>
 
   void branch(const Case& c) {
     std::vector<std::string> names;
@@ -104,7 +104,8 @@ private:
     const Expr first = c.outputs[0].conclusion().arg(0);
     branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() + "    return {" +
                 results(p, text, first) + "};\n  }\n";
-    functions.merge(text.functions);
+    for (const std::string& function : text.functions)
+      functions.insert("  using std::" + function + ";");
     doublings = p.functions;
     domains.push_back(domain_in_words(q, c, is_exact));
     claims.push_back({c.name, domains.back(), {}, ids_of(c, ids)});
@@ -121,22 +122,19 @@ private:
     for (const Input& i : q.inputs) {
       parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
     }
-    Text t;
     if (!is_matrix) {
-      t.block("template <class Number>\nstruct " + capital(q.name) + capital(f.form) +
-              " {\n  Number " + joined(outputs, ", ") + ";\n};\n");
+      code += "template <class Number>\nstruct " + capital(q.name) + capital(f.form) +
+              " {\n  Number " + joined(outputs, ", ") + ";\n};\n";
     }
-    t.line("/// " + q.name + " (" + q.labels + "): " + joined(outputs, ", ") +
-           ". Domain: " + joined(domains, "; or ") + ".");
-    if (!theorems.empty()) t.line("/// Theorems: " + joined(theorems, ", ") + ".");
-    t.block("template <class Number>\n" + type + " " + name + "(" + joined(parameters, ", ") +
-            ") {");
-    for (const std::string& function : functions) t.line("  using std::" + function + ";");
-    t.block(branches);
+    code += "/// " + q.name + " (" + q.labels + "): " + joined(outputs, ", ") +
+            ". Domain: " + joined(domains, "; or ") + ".\n";
+    if (!theorems.empty()) code += "/// Theorems: " + joined(theorems, ", ") + ".\n";
+    code +=
+        "template <class Number>\n" + type + " " + name + "(" + joined(parameters, ", ") + ") {\n";
+    for (const std::string& line : functions) code += line + "\n";
     const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-    t.block("  throw std::domain_error(\"" + name + ": allowed: " + between +
-            joined(domains, "; or " + between) + "\");\n}\n");
-    code = t.str();
+    code += branches + "  throw std::domain_error(\"" + name + ": allowed: " + between +
+            joined(domains, "; or " + between) + "\");\n}\n";
   }
 };
 }  // namespace
@@ -148,18 +146,14 @@ PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   const bool is_exact = form == "exact";
   PlainHeader result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
   std::string body;
-  std::set<std::string> doublings;
   std::set<std::string> all;
   std::set<std::string> missing = wanted;
-  bool has_functions = false;
   for (const PlainForm& f : forms) {
     if (f.form != form) throw Refused("two forms in one header: " + form + ", " + f.form);
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
     const Function w(f, ids, wanted);
     if (w.outputs.empty()) continue;
-    const bool is_new = !w.doublings.empty() && doublings.insert(w.doublings).second;
-    body += (is_new ? w.doublings : "") + w.code;
-    has_functions = has_functions || !w.functions.empty();
+    body += (body.find(w.doublings) == std::string::npos ? w.doublings : "") + w.code;
     for (const std::string& name : w.outputs) missing.erase(name);
     result.manifest.push_back(manifest_entry(f.quantity, form, result.path, w.outputs, w.claims));
   }
@@ -168,21 +162,23 @@ PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
                   "; allowed: " + joined({all.begin(), all.end()}, ", "));
   }
   std::vector<std::string> includes;
-  if (form == "matrices") includes.push_back("<array>");
-  if (!doublings.empty()) includes.push_back("<bit>");
-  if (has_functions) includes.push_back("<cmath>");
-  includes.insert(includes.end(), {"<cstdint>", "<stdexcept>"});
-  if (!doublings.empty()) includes.push_back("<utility>");
+  for (const auto& [used, header] : {std::pair("std::array<", "<array>"),
+                                     {"std::bit_width(", "<bit>"},
+                                     {"  using std::", "<cmath>"},
+                                     {"std::int64_t", "<cstdint>"},
+                                     {"std::domain_error(", "<stdexcept>"},
+                                     {"std::pair<", "<utility>"}}) {
+    if (body.find(used) != std::string::npos) includes.push_back(header);
+  }
   const std::string numbers =
       is_exact ? "any field, without error"
                : "any real type of double's precision and exponents, or better, with <cmath>'s "
                  "functions; each operation is rounded as the type rounds";
-  Text t;
-  t.block(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers +
-                      ". Outside of its domain a function throws std::domain_error.",
-                  includes));
-  t.block("\nnamespace magicmass::generated {\n" + body + "}  // namespace magicmass::generated\n");
-  result.header = t.str();
+  result.header = broken(
+      opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers +
+                  ". Outside of its domain a function throws std::domain_error.",
+              includes) +
+      "\nnamespace magicmass::generated {\n" + body + "}  // namespace magicmass::generated\n");
   return result;
 }
 }  // namespace codegen

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "codegen/doubling.hpp"
+#include "codegen/lower.hpp"
 #include "codegen/manifest.hpp"
 
 namespace codegen {

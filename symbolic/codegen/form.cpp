@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forms: algebra, absorption, printing.
-#include "codegen/form.hpp"
-
 #include <algorithm>
 #include <cmath>
 
+#include "codegen/errors.hpp"
 #include "codegen/exact.hpp"
-#include "codegen/operations.hpp"
 #include "codegen/quantity.hpp"
 
 namespace codegen {

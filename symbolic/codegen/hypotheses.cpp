@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Hypotheses and parameters against intervals.
-#include "codegen/hypotheses.hpp"
-
 #include <algorithm>
 
 #include "codegen/exact.hpp"
+#include "codegen/lower.hpp"
 #include "codegen/text.hpp"
 #include "kernel/names.hpp"
 #include "kernel/print.hpp"

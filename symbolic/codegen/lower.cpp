@@ -6,7 +6,6 @@
 #include <map>
 #include <set>
 
-#include "codegen/doubling.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {

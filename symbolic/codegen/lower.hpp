@@ -1,11 +1,41 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From theorems to a program.
+// From theorems to a program: what must hold of a theorem before it is taken, and how it is read.
 #pragma once
 
-#include "codegen/hypotheses.hpp"
-#include "codegen/program.hpp"
+#include <functional>
+#include <string>
+
+#include "codegen/terms.hpp"
 
 namespace codegen {
+/// The interval of an input in a case.
+Interval range_of(const Input& input, const Case& which, bool is_wide);
+
+/// "alpha from 0x1p-300 to 0x1p+40, n from 0 to 1024", and the guards; is_exact: "alpha > 0".
+std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact = false);
+/// The cases of a quantity answer the same. Refused: others.
+void check_outputs(const Quantity& q, const std::vector<std::string>& some,
+                   const std::vector<std::string>& others);
+
+/// A case, and the range of each term there; Refused: a term of which none is known.
+struct Domain {
+  const Quantity& quantity;
+  const Case& which;
+  bool is_wide;
+  std::function<Interval(kernel::Expr)> range;
+};
+/// Refused: a hypothesis that does not follow from the ranges.
+void check_hypotheses(const Domain& d, const kernel::Exprs& hypotheses, kernel::Expr conclusion);
+/// The left side of |- name(params) = term. Refused: another form, a hypothesis that does not
+/// follow, a parameter that is no input, unit, or one-point interval.
+kernel::Expr checked_head(const Domain& d, const kernel::Theorem& t);
+/// The formula with names at their parameters in place of units: a_n, not a_n(alpha, 1).
+std::string shown(const Quantity& q, kernel::Expr formula);
+/// The function template that goes to f(params, 2n) and f(params, 2n + 1) in as many steps as n has
+/// bits. Refused: theorems of another shape.
+std::string emit_doubling(const Doubling& t, const Domain& d);
+/// Makes f(params, 2*x) and f(params, 2*x + 1) in a term known; the lines that compute both.
+std::string call_doubling(const Doubling& t, kernel::Expr term, Terms& terms);
 /// The case's program after all passes, for an evaluator. Refused: a theorem with a hypothesis that
 /// does not follow from the intervals, a name without a definition, an operation that there is none
 /// for, a divisor or root whose range is not known, a value that may over- or underflow.

@@ -66,12 +66,12 @@ std::string PlainText::right_side(int k, int binding) {
   }
 }
 std::string PlainText::lines() {
-  Text t;
+  std::string text;
   for (int k = 0; k < p.size(); ++k) {
     if (!has_line(k)) continue;
-    if (!p[k].formula.empty()) t.line("    // " + p[k].formula);
-    t.line("    const Number " + p[k].name + " = " + right_side(k) + ";");
+    if (!p[k].formula.empty()) text += "    // " + p[k].formula + "\n";
+    text += "    const Number " + p[k].name + " = " + right_side(k) + ";\n";
   }
-  return t.str();
+  return text;
 }
 }  // namespace codegen

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The spelling of each operation in the runtime.
-#include "codegen/print_node.hpp"
-
 #include <map>
 
 #include <cln/integer.h>
 
 #include "codegen/builder.hpp"
+#include "codegen/emit_evaluator.hpp"
 #include "codegen/exact.hpp"
 #include "codegen/quantity.hpp"
 #include "codegen/text.hpp"
