@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "codegen/exact.hpp"
-#include "codegen/quantity.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {

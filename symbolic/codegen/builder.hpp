@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Makes nodes: one for each different operation on the same operands, with its range.
+// Makes nodes, one for each different operation on the same operands, with its range; from terms.
 #pragma once
 
+#include <map>
 #include <tuple>
 
 #include "codegen/program.hpp"
+#include "codegen/quantity.hpp"
 
 namespace codegen {
 /// What nodes are computed in.
@@ -53,4 +55,27 @@ private:
 };
 /// The largest angle that sine and cosine take without turning it: pi/6 and a little more.
 constexpr double small_angle = 0.52359905;
+/// From the kernel's terms to nodes.
+class Terms {
+public:
+  explicit Terms(Numbers numbers) : builder(numbers) {}
+  Builder builder;
+  std::map<kernel::Expr, int> nodes;  ///< of what is known: inputs, names, terms already built
+  std::map<int, int> squares;         ///< nodes, for arctangents
+
+  /// Refused: a name without a definition, an operation that there is none for.
+  int build(kernel::Expr e);
+  Interval range(kernel::Expr e) { return builder[build(e)].range; }
+
+private:
+  struct Fraction;
+  static Fraction fraction(const kernel::Exprs& factors);
+  int made(kernel::Expr e);
+  int function(kernel::Expr e);
+  int square_root(kernel::Expr x);
+  int arc_tangent(kernel::Expr e);
+  int product(const kernel::Exprs& factors);
+  int plain_product(const Fraction& f);
+  int ceiling(kernel::Expr x);
+};
 }  // namespace codegen

@@ -35,10 +35,6 @@ public:
       : q(quantity), c(which), p(lower(quantity, which, false)) {
     name = capital(q.name) + capital(c.name);
     bounds();
-    for (const Result& r : p.results) {
-      if (r.kind == Result::whole) result.whole.push_back(r.name);
-      if (r.kind == Result::real) result.real.push_back(r.name);
-    }
     structure();
   }
 
@@ -135,7 +131,9 @@ private:
     std::vector<std::string> numbers;
     for (const Input& i : q.inputs) exact.push_back(i.name());
     for (int k : kept) (p[k].is_exact ? exact : numbers).push_back(p[k].name);
-    results.insert(results.end(), result.real.begin(), result.real.end());
+    for (const Result& r : p.results) {
+      if (r.kind == Result::real) results.push_back(r.name);
+    }
     line(fields("T", exact));
     line(fields("R", results));
     if (!numbers.empty()) line(fields("N", numbers));

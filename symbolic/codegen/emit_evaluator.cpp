@@ -12,7 +12,7 @@ std::string structure(const std::string& name, const Words& members) {
   return "struct " + name + " {\n" + joined(members, "\n") + "\n};\n";
 }
 /// Inputs, outputs, and columns of both.
-std::string structures(const Quantity& q, const Words& whole, const Words& real) {
+std::string structures(const Quantity& q) {
   const std::string Q = capital(q.name);
   const std::string inlined = "  [[gnu::always_inline]] ";
   Words inputs, outputs, columns, values;
@@ -23,11 +23,11 @@ std::string structures(const Quantity& q, const Words& whole, const Words& real)
     columns.push_back(fields("const " + type + "*", {i.name()}));
     values.push_back(i.name() + "[row]");
   }
-  for (const auto& [type, names] : {std::pair("std::int64_t", whole), std::pair("double", real)}) {
-    if (names.empty()) continue;
-    outputs.push_back(fields(type, names));
-    columns.push_back("  " + std::string(type) + " *" + joined(names, ", *") + ";");
-    for (const std::string& name : names) set += "    " + name + "[row] = out." + name + ";\n";
+  for (const Output& o : outputs_of(q.cases[0])) {
+    const std::string type = o.is_whole ? "std::int64_t" : "double";
+    outputs.push_back(fields(type, {o.name}));
+    columns.push_back(fields(type + "*", {o.name}));
+    set += "    " + o.name + "[row] = out." + o.name + ";\n";
   }
   columns.push_back(inlined + Q + "Inputs get(std::size_t row) const { return {" +
                     joined(values, ", ") + "}; }");
@@ -39,19 +39,13 @@ std::string structures(const Quantity& q, const Words& whole, const Words& real)
 }  // namespace
 
 Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
-  if (q.cases.empty()) throw Refused(q.name + " has no case");
+  check_outputs(q);
   const std::string Q = capital(q.name);
   Evaluator e;
-  Words whole, real;
   std::string code, visits;
   std::vector<Claim> claims;
   for (const Case& c : q.cases) {
     const EmittedCase emitted = emit_case(q, c);
-    const bool is_first = claims.empty();
-    check_outputs(q, is_first ? emitted.whole : whole, emitted.whole);
-    check_outputs(q, is_first ? emitted.real : real, emitted.real);
-    whole = emitted.whole;
-    real = emitted.real;
     code += emitted.code;
     e.errors += emitted.errors;
     visits += "    if (" + condition(q, c) + ") {\n      return f.template operator()<" + Q +
@@ -65,8 +59,8 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
               {"<cstddef>", "<cstdint>", "", "\"magicmass/arithmetic/functions.hpp\"",
                "\"magicmass/arithmetic/rounding_test.hpp\"",
                "\"magicmass/evaluators/polynomials.hpp\""}) +
-      "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q, whole, real) +
-      code + "/// What loops over rows need to know of " + q.name + ".\nstruct " + Q +
+      "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q) + code +
+      "/// What loops over rows need to know of " + q.name + ".\nstruct " + Q +
       " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q +
       "Outputs;\n  using Columns = " + Q +
       "Columns;\n  template <class Tier, class N>\n  using Main = " + Q + capital(q.cases[0].name) +
@@ -78,9 +72,7 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
       visits +
       "    return 1.0;\n  }\n};\n"
       "}  // namespace magicmass::generated::inline MAGICMASS_TARGET\n");
-  Words names = whole;
-  names.insert(names.end(), real.begin(), real.end());
-  e.manifest = manifest_entry(q, "evaluator", "evaluators/" + q.name + ".hpp", names, claims);
+  e.manifest = manifest_entry(q, "evaluator", "evaluators/" + q.name + ".hpp", claims);
   return e;
 }
 }  // namespace codegen

@@ -14,8 +14,6 @@ struct EmittedCase {
   std::string code;
   std::string errors;
   std::vector<std::string> bounds;  ///< of Accurate's outputs, in words
-  std::vector<std::string> whole;   ///< whole outputs, then the others
-  std::vector<std::string> real;
 };
 /// "  double a, b;"
 std::string fields(const std::string& type, const std::vector<std::string>& names);

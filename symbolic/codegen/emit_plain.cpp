@@ -31,24 +31,29 @@ std::string guard(const PlainForm& f, const Case& c) {
 }
 std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
 
-/// The case with the outputs that are wanted (none named: all) and the definitions those need.
-Case wanted_part(const Case& c, const std::set<std::string>& wanted) {
-  Case r{c.name, c.where, {}, {}, {}, {}};
-  std::set<Expr> live;
-  const auto visit = [&](const auto& self, Expr e) -> void {
-    live.insert(e);
-    for (Expr a : e.args()) self(self, a);
-  };
-  for (const Theorem& t : c.outputs) {
-    if (!wanted.empty() && wanted.count(output_name(t)) == 0) continue;
-    r.outputs.push_back(t);
-    visit(visit, t.conclusion().arg(1));
+/// The outputs that are wanted (none named: all) and the definitions those need.
+Quantity wanted_part(const Quantity& q, const std::set<std::string>& wanted) {
+  Quantity r = q;
+  for (Case& c : r.cases) {
+    const Case whole = c;
+    c = {c.name, c.where, {}, {}, {}, {}};
+    std::set<Expr> live;
+    const auto visit = [&](const auto& self, Expr e) -> void {
+      live.insert(e);
+      for (Expr a : e.args()) self(self, a);
+    };
+    for (const Theorem& t : whole.outputs) {
+      if (!wanted.empty() && wanted.count(output_name(t)) == 0) continue;
+      c.outputs.push_back(t);
+      visit(visit, t.conclusion().arg(1));
+    }
+    for (auto t = whole.definitions.rbegin(); t != whole.definitions.rend(); ++t) {
+      if (live.count(t->conclusion().arg(0)) == 0) continue;
+      visit(visit, t->conclusion().arg(1));
+      c.definitions.insert(c.definitions.begin(), *t);
+    }
   }
-  for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
-    if (live.count(t->conclusion().arg(0)) == 0) continue;
-    visit(visit, t->conclusion().arg(1));
-    r.definitions.insert(r.definitions.begin(), *t);
-  }
+  check_outputs(r);
   return r;
 }
 /// "a, b, c", or "{{..}, {..}, {..}}" of a matrix.
@@ -71,33 +76,27 @@ std::string array_of(const std::string& type, int size) {
 
 class Function {
 public:
+  const Quantity q;  ///< no outputs: nothing is wanted here
   std::string doublings, code;
-  std::vector<std::string> outputs;  ///< none: nothing is wanted here
+  std::vector<std::string> outputs;
   std::vector<Claim> claims;
 
   Function(const PlainForm& form, const Ids& all_ids, const std::set<std::string>& wanted)
-      : f(form), q(form.quantity), ids(all_ids) {
-    for (const Case& c : q.cases) {
-      const Case part = wanted_part(c, wanted);
-      if (part.outputs.empty()) return;
-      branch(part);
-    }
+      : q(wanted_part(form.quantity, wanted)), f(form), ids(all_ids) {
+    for (const Output& o : outputs_of(q.cases[0])) outputs.push_back(o.name);
+    if (outputs.empty()) return;
+    for (const Case& c : q.cases) branch(c);
     write();
   }
 
 private:
   const PlainForm& f;
-  const Quantity& q;
   const Ids& ids;
   std::string branches, type;
   std::vector<std::string> domains, theorems;
   std::set<std::string> functions;  // of <cmath>
 
   void branch(const Case& c) {
-    std::vector<std::string> names;
-    for (const Theorem& t : c.outputs) names.push_back(output_name(t));
-    check_outputs(q, outputs.empty() ? names : outputs, names);
-    outputs = names;
     const bool is_exact = f.form == "exact";
     const Program p = lower_plain(q, c, is_exact);
     PlainText text(p);
@@ -155,7 +154,7 @@ PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
     if (w.outputs.empty()) continue;
     body += (body.find(w.doublings) == std::string::npos ? w.doublings : "") + w.code;
     for (const std::string& name : w.outputs) missing.erase(name);
-    result.manifest.push_back(manifest_entry(f.quantity, form, result.path, w.outputs, w.claims));
+    result.manifest.push_back(manifest_entry(w.q, form, result.path, w.claims));
   }
   if (!missing.empty()) {
     throw Refused("no output is called " + *missing.begin() +

@@ -7,7 +7,6 @@
 
 #include "codegen/builder.hpp"
 #include "codegen/exact.hpp"
-#include "codegen/quantity.hpp"
 
 namespace codegen {
 namespace {

@@ -13,29 +13,20 @@
 #include "codegen/quantity.hpp"
 
 namespace codegen {
-namespace {
-cln::cl_RA times_power_of_2(const cln::cl_RA& x, long exponent) {
-  const cln::cl_I power = cln::ash(1, std::labs(exponent));
-  return exponent < 0 ? x / power : x * power;
-}
-}  // namespace
-
 cln::cl_RA exact(double x) {
   if (!std::isfinite(x)) throw Refused("a number that is not finite");
   int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  const auto whole = std::int64_t(std::ldexp(mantissa, 53));
-  return times_power_of_2(cln::cl_I(static_cast<long long>(whole)), exponent - 53);
+  const double scaled = std::ldexp(std::frexp(x, &exponent), 53);
+  const cln::cl_I mantissa(static_cast<long long>(scaled));
+  const cln::cl_I power = cln::ash(1, std::abs(exponent - 53));
+  return exponent < 53 ? mantissa / power : cln::cl_RA(mantissa * power);
 }
 double nearest(const cln::cl_RA& x) {
   if (cln::zerop(x)) return 0;
-  const auto bits = [](const cln::cl_I& n) { return long(cln::integer_length(n)); };
-  long exponent = bits(cln::abs(cln::numerator(x))) - bits(cln::denominator(x)) - 53;
-  const cln::cl_RA whole = cln::abs(times_power_of_2(x, -exponent));
-  if (whole >= cln::ash(1, 53)) ++exponent;
-  if (exponent < -1012 || exponent > 950) throw Refused("a number that is no double");
-  const double mantissa = cln::double_approx(cln::round1(times_power_of_2(x, -exponent)));
-  return std::ldexp(mantissa, int(exponent));
+  const cln::cl_RA size = cln::abs(x);
+  const bool is_double = size >= exact(0x1p-960) && size <= exact(0x1p1000);
+  if (!is_double) throw Refused("a number that is no double");
+  return cln::double_approx(x);
 }
 double upper(const cln::cl_RA& x) {
   const double below = nearest(x);

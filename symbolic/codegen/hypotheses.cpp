@@ -78,10 +78,21 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
   }
   return joined(parts, ", ");
 }
-void check_outputs(const Quantity& q, const std::vector<std::string>& some,
-                   const std::vector<std::string>& others) {
-  if (some == others) return;
-  throw Refused("the cases of " + q.name + " do not have the same outputs");
+std::vector<Output> outputs_of(const Case& c) {
+  std::vector<Output> r;
+  for (const kernel::Theorem& t : c.outputs) {
+    const Expr left = t.conclusion().arg(0);
+    r.push_back({identifier(left.name()), left.sort() == kernel::Sort::Int});
+  }
+  std::stable_partition(r.begin(), r.end(), [](const Output& x) { return x.is_whole; });
+  return r;
+}
+void check_outputs(const Quantity& q) {
+  if (q.cases.empty()) throw Refused(q.name + " has no case");
+  for (const Case& c : q.cases) {
+    if (outputs_of(c) == outputs_of(q.cases[0])) continue;
+    throw Refused("the cases of " + q.name + " do not have the same outputs");
+  }
 }
 void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion) {
   for (Expr h : hypotheses) {

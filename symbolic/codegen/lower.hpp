@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "codegen/terms.hpp"
+#include "codegen/builder.hpp"
 
 namespace codegen {
 /// The interval of an input in a case.
@@ -13,9 +13,14 @@ Interval range_of(const Input& input, const Case& which, bool is_wide);
 
 /// "alpha from 0x1p-300 to 0x1p+40, n from 0 to 1024", and the guards; is_exact: "alpha > 0".
 std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact = false);
-/// The cases of a quantity answer the same. Refused: others.
-void check_outputs(const Quantity& q, const std::vector<std::string>& some,
-                   const std::vector<std::string>& others);
+struct Output {
+  std::string name;
+  bool is_whole;
+  bool operator==(const Output&) const = default;
+};
+std::vector<Output> outputs_of(const Case& c);  ///< whole ones first
+/// Refused: no case, cases of different outputs.
+void check_outputs(const Quantity& q);
 
 /// A case, and the range of each term there; Refused: a term of which none is known.
 struct Domain {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "codegen/program.hpp"
+#include "codegen/lower.hpp"
 #include "codegen/text.hpp"
 
 namespace codegen {
@@ -35,9 +35,10 @@ std::vector<std::string> ids_of(const Case& c, const Ids& ids) {
   return r;
 }
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
-                           const std::vector<std::string>& outputs,
                            const std::vector<Claim>& claims) {
   std::vector<std::string> inputs;
+  std::vector<std::string> outputs;
+  for (const Output& o : outputs_of(q.cases.at(0))) outputs.push_back(o.name);
   for (const Input& i : q.inputs) inputs.push_back(i.name());
   std::vector<std::string> cases;
   for (const Claim& c : claims) {

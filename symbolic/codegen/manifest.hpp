@@ -23,6 +23,5 @@ struct Claim {
 };
 /// A JSON object: name, form, header, labels, inputs, outputs, cases.
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
-                           const std::vector<std::string>& outputs,
                            const std::vector<Claim>& claims);
 }  // namespace codegen

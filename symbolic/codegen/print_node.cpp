@@ -7,7 +7,6 @@
 #include "codegen/builder.hpp"
 #include "codegen/emit_evaluator.hpp"
 #include "codegen/exact.hpp"
-#include "codegen/quantity.hpp"
 #include "codegen/text.hpp"
 
 namespace codegen {

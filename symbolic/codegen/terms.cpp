@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Terms into nodes: fractions, powers of two, ceilings.
-#include "codegen/terms.hpp"
-
+#include "codegen/builder.hpp"
 #include "codegen/exact.hpp"
-#include "codegen/quantity.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {

@@ -21,7 +21,7 @@ struct AngleOutputs {
 };
 struct AngleColumns {
   const double* alpha;
-  double *psi;
+  double* psi;
   [[gnu::always_inline]] AngleInputs get(std::size_t row) const { return {alpha[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const AngleOutputs& out) const {
     psi[row] = out.psi;

@@ -21,7 +21,7 @@ struct DeficientOutputs {
 };
 struct DeficientColumns {
   const std::int64_t* k;
-  double *beta_;
+  double* beta_;
   [[gnu::always_inline]] DeficientInputs get(std::size_t row) const { return {k[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const DeficientOutputs& out) const {
     beta_[row] = out.beta_;

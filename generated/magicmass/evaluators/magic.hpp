@@ -21,7 +21,7 @@ struct MagicOutputs {
 };
 struct MagicColumns {
   const std::int64_t* k;
-  double *alpha_;
+  double* alpha_;
   [[gnu::always_inline]] MagicInputs get(std::size_t row) const { return {k[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const MagicOutputs& out) const {
     alpha_[row] = out.alpha_;

@@ -18,13 +18,21 @@ struct TerminalInputs {
   double alpha;
 };
 struct TerminalOutputs {
-  std::int64_t N_A, N_B;
-  double a_t, b_t, c_t, rho;
+  std::int64_t N_A;
+  std::int64_t N_B;
+  double a_t;
+  double b_t;
+  double c_t;
+  double rho;
 };
 struct TerminalColumns {
   const double* alpha;
-  std::int64_t *N_A, *N_B;
-  double *a_t, *b_t, *c_t, *rho;
+  std::int64_t* N_A;
+  std::int64_t* N_B;
+  double* a_t;
+  double* b_t;
+  double* c_t;
+  double* rho;
   [[gnu::always_inline]] TerminalInputs get(std::size_t row) const { return {alpha[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const TerminalOutputs& out) const {
     N_A[row] = out.N_A;

@@ -19,12 +19,18 @@ struct VelocitiesInputs {
   std::int64_t n;
 };
 struct VelocitiesOutputs {
-  double a, b, c, c_prime;
+  double a;
+  double b;
+  double c;
+  double c_prime;
 };
 struct VelocitiesColumns {
   const double* alpha;
   const std::int64_t* n;
-  double *a, *b, *c, *c_prime;
+  double* a;
+  double* b;
+  double* c;
+  double* c_prime;
   [[gnu::always_inline]] VelocitiesInputs get(std::size_t row) const { return {alpha[row], n[row]};
       }
   [[gnu::always_inline]] void set(std::size_t row, const VelocitiesOutputs& out) const {
