@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Terms into nodes: fractions, powers of two, ceilings.
+#include <algorithm>
+
 #include "codegen/builder.hpp"
 #include "codegen/exact.hpp"
 #include "kernel/print.hpp"
@@ -116,16 +118,13 @@ int Terms::product(const Exprs& factors) {
   const Fraction f = fraction(factors);
   if (builder.is_plain()) return plain_product(f);
   double power = 1;
-  std::vector<int> numbers;
-  std::vector<int> exact_ones;
-  const auto take = [&](int k) { (builder[k].is_exact ? exact_ones : numbers).push_back(k); };
+  std::vector<int> over;
   std::vector<int> below;
-  for (Expr e : f.above) take(build(e));
+  for (Expr e : f.above) over.push_back(build(e));
   for (Expr e : f.below) {
     const bool is_root = e.op() == kernel::Op::Fun && e.name() == "sqrt";
-    const bool is_size = is_root && e.arg(0).op() == kernel::Op::Pow;
-    if (is_root && !is_size) {
-      take(builder.unary(Op::reciprocal_root, build(e.arg(0))));
+    if (is_root && e.arg(0).op() != kernel::Op::Pow) {
+      over.push_back(builder.unary(Op::reciprocal_root, build(e.arg(0))));
     } else {
       below.push_back(build(e));
     }
@@ -133,28 +132,22 @@ int Terms::product(const Exprs& factors) {
   if (is_double(f.factor) && is_power_of_2(nearest(f.factor))) {
     power = nearest(f.factor);
   } else {
-    take(builder.constant(f.factor));
+    over.push_back(builder.constant(f.factor));
   }
+  std::stable_partition(over.begin(), over.end(), [&](int k) { return !builder[k].is_exact; });
   int p = -1;
-  const auto multiply = [&](int k) {
-    const Node& n = builder[k];
-    const bool is_scaled = n.op == Op::scale;
-    if (is_scaled && numbers.size() + exact_ones.size() > 1) {
-      power *= n.factor;
-      k = n.of[0];
-    }
-    p = p < 0 ? k : builder.product(p, k);
-  };
-  for (int k : numbers) multiply(k);
-  for (int k : exact_ones) {
-    // The power of two goes into a number that is scaled exactly, once.
-    if (p >= 0) {
-      k = builder.scaled(k, power);
+  for (int k : over) {
+    const Node n = builder[k];
+    if (p >= 0 && n.is_exact) {
+      // The power of two goes into a number that is scaled exactly, once.
+      p = builder.product(p, builder.scaled(k, power));
       power = 1;
-      p = builder.product(p, k);
-    } else {
-      multiply(k);
+      continue;
     }
+    const bool is_scaled = n.op == Op::scale && over.size() > 1;
+    if (is_scaled) power *= n.factor;
+    const int factor = is_scaled ? n.of[0] : k;
+    p = p < 0 ? factor : builder.product(p, factor);
   }
   for (int k : below) p = builder.quotient(p < 0 ? builder.constant(1) : p, k);
   if (p < 0) return builder.constant(f.factor);
@@ -162,22 +155,16 @@ int Terms::product(const Exprs& factors) {
 }
 /// ceil(p/q + c), c a whole number or half of an odd one.
 int Terms::ceiling(Expr x) {
-  const Exprs terms = x.op() == kernel::Op::Add ? x.args() : Exprs{x};
-  cln::cl_RA c_ = 0;
-  Exprs rest;
-  for (Expr t : terms) {
-    if (t.op() == kernel::Op::Num) {
-      c_ = c_ + t.value();
-    } else {
-      rest.push_back(t);
-    }
+  const bool is_sum = x.op() == kernel::Op::Add;
+  const bool is_known = !is_sum || (x.size() == 2 && x.arg(1).op() == kernel::Op::Num);
+  const Expr ratio = is_sum ? x.arg(0) : x;
+  const cln::cl_RA c_ = is_sum && is_known ? x.arg(1).value() : cln::cl_RA(0);
+  const Fraction f = fraction(ratio.op() == kernel::Op::Mul ? ratio.args() : Exprs{ratio});
+  if (!is_known || f.below.empty()) {
+    throw Refused("not of the form ceil(p/q + c): " + kernel::text(x));
   }
-  if (rest.size() != 1) throw Refused("not of the form ceil(p/q + c): " + kernel::text(x));
-  const bool is_product = rest[0].op() == kernel::Op::Mul;
-  const Fraction f = fraction(is_product ? rest[0].args() : Exprs{rest[0]});
   Exprs above = f.above;
   above.insert(above.begin(), Expr(f.factor));
-  if (f.below.empty()) throw Refused("not of the form ceil(p/q + c): " + kernel::text(x));
   const int p = product(above);
   const int q_ = product(f.below);
   if (cln::denominator(c_) == 1) return builder.ceiling(p, q_, c_);

@@ -173,8 +173,7 @@ TEST_CASE("what is outside of a case's intervals is not answered") {
 }
 TEST_CASE("a zero of tier fast has no sign") {
   const auto k = Margins().run<VelocitiesSmall, Fast>(VelocitiesInputs{0.5, 0});
-  CHECK(k.c_prime == 0.0);
-  CHECK_FALSE(std::signbit(k.c_prime));
+  CHECK((k.c_prime == 0.0 && !std::signbit(k.c_prime)));
 }
 TEST_CASE("plain forms of any real type are near the definitions") {
   const double alpha = 0.1;
