@@ -13,18 +13,10 @@ namespace codegen {
 namespace {
 const std::string inlined = "  [[gnu::always_inline]] ";
 
-struct TypeOfNumber {
-  std::string tier;
-  NumberType type;
-};
 /// Accurate first: it makes the plan. Ziv's bounds are reckoned at u = 2^-100, and are in units.
-std::vector<TypeOfNumber> number_types() {
+std::vector<NumberType> number_types() {
   constexpr double u = 0x1p-53;
-  const std::vector<Tier>& t = tiers();
-  return {{"Accurate", {u, &t[1]}},
-          {"Fast", {u, &t[0]}},
-          {"Slow", {u, &t[2]}},
-          {"Ziv", {0x1p-100, nullptr}}};
+  return {{u, &tiers()[1]}, {u, &tiers()[0]}, {u, &tiers()[2]}, {0x1p-100, nullptr}};
 }
 
 class CaseEmitter {
@@ -52,42 +44,42 @@ private:
   void bounds() {
     Plan plan;
     std::string specialised;
-    for (const TypeOfNumber& t : number_types()) {
-      const bool is_wide = !t.type.is_pair();
+    for (const NumberType& t : number_types()) {
+      const bool is_wide = !t.is_pair();
       const Program program = is_wide ? lower(q, c, true) : p;
-      const Analysis a = analyse(program, t.type, plan);
+      const Analysis a = analyse(program, t, plan);
       std::vector<double> constants;
       std::vector<std::string> here;
       for (const Form& f : a.outputs) here.push_back(in_code(program, f, constants));
-      if (t.tier == "Accurate") {
+      if (t.name() == "Accurate") {
         accurate = a;
         bounds_of = here;
         has_bounds = !constants.empty();
       }
       if (bounds_of != here) {
-        throw Refused("bounds of " + name + " differ in form for " + t.tier + ": " +
+        throw Refused("bounds of " + name + " differ in form for " + t.name() + ": " +
                       codegen::joined(here, "; "));
       }
       describe(program, t, a);
       std::vector<std::string> printed;
-      for (double x : constants) printed.push_back(hex(is_wide ? x / t.type.u : x));
-      specialised += "template <> struct " + name + "Bounds<" + t.tier +
+      for (double x : constants) printed.push_back(hex(is_wide ? x / t.u : x));
+      specialised += "template <> struct " + name + "Bounds<" + t.name() +
                      "> { static constexpr double E[] = {" + codegen::joined(printed, ", ") +
                      "}; };\n";
     }
     if (has_bounds)
       result.code += "template <class Tier> struct " + name + "Bounds;\n" + specialised;
   }
-  void describe(const Program& program, const TypeOfNumber& t, const Analysis& a) {
+  void describe(const Program& program, const NumberType& t, const Analysis& a) {
     std::string& e = result.errors;
-    e += "\n" + name + ", " + t.tier + "\n";
+    e += "\n" + name + ", " + t.name() + "\n";
     for (const std::string& step : a.steps) e += "  " + step + "\n";
     for (std::size_t i = 0; i < a.outputs.size(); ++i) {
       const Result& r = p.results[i];
       const std::string bound = r.name + ": " + in_words(program, a.outputs[i]) + "\n";
       if (r.kind == Result::real) e += "  OUTPUT " + bound;
       if (r.kind == Result::sign) e += "  SIGN " + bound;
-      const bool is_said = r.kind == Result::real && t.tier == "Accurate";
+      const bool is_said = r.kind == Result::real && t.name() == "Accurate";
       if (is_said) result.bounds.push_back(bound.substr(0, bound.size() - 1));
     }
   }

@@ -21,6 +21,7 @@ struct NumberType {
   double u;
   const Tier* tier;
   bool is_pair() const { return tier != nullptr; }
+  std::string name() const { return is_pair() ? tier->name : "Ziv"; }
 
   Loss exact_sum() const;
   Loss constant(double lost) const;  ///< `lost`: what high + low of it lacks, relative

@@ -7,27 +7,6 @@
 #include "codegen/quantity.hpp"
 
 namespace codegen {
-namespace {
-/// The program with its nodes at new places; -1 drops one.
-Program moved(const Program& p, const std::vector<int>& place) {
-  const auto at = [&](int k) { return place[std::size_t(k)]; };
-  Program r = p;
-  r.nodes.clear();
-  for (int k = 0; k < p.size(); ++k) {
-    if (at(k) < 0) continue;
-    r.nodes.push_back(p[k]);
-    for (int& o : r.nodes.back().of) o = at(o);
-  }
-  for (Result& result : r.results) result.node = at(result.node);
-  r.facts.clear();
-  for (const SizeFact& f : p.facts) {
-    if (at(f.small) < 0 || at(f.large) < 0) continue;
-    r.facts.push_back({at(f.small), at(f.large), f.is_of_computed});
-  }
-  return r;
-}
-}  // namespace
-
 std::string identifier(const std::string& name) {
   return name.ends_with("'") ? name.substr(0, name.size() - 1) + "_prime" : name;
 }
@@ -41,10 +20,23 @@ Program without_dead_code(const Program& p) {
     if (!live[std::size_t(k)]) continue;
     for (int o : p[k].of) live[std::size_t(o)] = true;
   }
-  std::vector<int> place;
-  int next = 0;
-  for (bool is_live : live) place.push_back(is_live ? next++ : -1);
-  return moved(p, place);
+  Program r = p;
+  r.nodes.clear();
+  std::vector<int> place(p.nodes.size(), -1);
+  const auto at = [&](int k) { return place[std::size_t(k)]; };
+  for (int k = 0; k < p.size(); ++k) {
+    if (!live[std::size_t(k)]) continue;
+    place[std::size_t(k)] = r.size();
+    r.nodes.push_back(p[k]);
+    for (int& o : r.nodes.back().of) o = at(o);
+  }
+  for (Result& result : r.results) result.node = at(result.node);
+  r.facts.clear();
+  for (const SizeFact& f : p.facts) {
+    if (at(f.small) < 0 || at(f.large) < 0) continue;
+    r.facts.push_back({at(f.small), at(f.large), f.is_of_computed});
+  }
+  return r;
 }
 
 Program in_stages(const Program& p) {
