@@ -176,12 +176,11 @@ private:
       stores += "    arithmetic::store(columns." + r.name + " + row, " +
                 (is_whole ? "arithmetic::to_whole(" + as_plain(p, r.node) + ")" : r.name) + ");\n";
     }
-    result.code +=
-        (inlined + "void load_inputs(" + of_columns + " {\n" + loads + "  }\n" + inlined +
-         "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + capital(q.name) +
-         "Columns& columns, [[maybe_unused]] std::size_t row) const {\n    return " +
-         in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + of_columns +
-         " const {\n" + stores + "  }\n");
+    result.code += inlined + "void load_inputs(" + of_columns + " {\n" + loads + "  }\n" + inlined +
+                   "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + capital(q.name) +
+                   "Columns& columns, [[maybe_unused]] std::size_t row) const {\n    return " +
+                   in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + of_columns +
+                   " const {\n" + stores + "  }\n";
   }
   void stage_function(int stage, const std::set<int>& kept) {
     line(inlined + "void stage_" + std::to_string(stage) + "() {");

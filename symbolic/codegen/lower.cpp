@@ -54,21 +54,22 @@ public:
   }
   void output(const Theorem& t) {
     const Expr left = checked_head(domain, t);
+    const bool is_whole = left.sort() == kernel::Sort::Int;
+    const auto add = [&](int k) {
+      builder.program.results.push_back(
+          {is_whole ? Result::whole : Result::real, identifier(left.name()), k});
+    };
     if (builder.is_plain()) {
       define(t);
-      for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) {
-        builder.program.results.push_back({Result::real, identifier(left.name()), nodes.at(e)});
-      }
+      for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) add(nodes.at(e));
       return;
     }
     const int k = build(t.conclusion().arg(1));
-    const bool is_whole = left.sort() == kernel::Sort::Int;
     if (is_whole && !builder[k].is_whole) throw Refused(left.name() + " is not known to be whole");
     if (is_whole && !domain.is_wide && builder[k].range.size() > 0x1p51) {
       throw Refused(left.name() + " may be above 2^51");
     }
-    builder.program.results.push_back(
-        {is_whole ? Result::whole : Result::real, identifier(left.name()), k});
+    add(k);
   }
   void check_all_used() const {
     for (const Condition& g : c.guards) {

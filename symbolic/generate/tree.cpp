@@ -12,12 +12,11 @@ namespace fs = std::filesystem;
 
 /// Beside `path`, a name that nobody has.
 fs::path free_name(const fs::path& path) {
-  fs::path name = path;
-  for (int i = 0; fs::exists(fs::symlink_status(name)); ++i) {
-    name = path;
+  for (int i = 0;; ++i) {
+    fs::path name = path;
     name += ".new-" + std::to_string(i);
+    if (!fs::exists(fs::symlink_status(name))) return name;
   }
-  return name;
 }
 }  // namespace
 
@@ -27,9 +26,8 @@ void write(const std::string& folder, const Texts& texts) {
     for (const auto& [path, text] : texts) {
       const fs::path place = fs::path(folder) / path;
       fs::create_directories(place.parent_path());
-      const fs::path beside = free_name(place);
-      renames.emplace_back(beside, place);
-      std::ofstream file(beside, std::ios::binary);
+      renames.emplace_back(free_name(place), place);
+      std::ofstream file(renames.back().first, std::ios::binary);
       file << text;
       file.close();
       if (!file) throw std::runtime_error(place.string() + ": cannot be written");
@@ -37,8 +35,7 @@ void write(const std::string& folder, const Texts& texts) {
     for (const auto& [beside, place] : renames) fs::rename(beside, place);
   } catch (const std::exception& problem) {
     std::error_code ignored;
-    for (const auto& [beside, place] : renames)
-      if (beside != place) fs::remove(beside, ignored);
+    for (const auto& [beside, place] : renames) fs::remove(beside, ignored);
     throw std::runtime_error(problem.what());
   }
 }
