@@ -32,7 +32,7 @@ struct Spelling {
   const char* pattern;
   const char* word;  ///< what is counted
 };
-/// #0: the first operand as an N, $0: as a T, @0: its name; %: the factor.
+/// #0: the first operand as an N, $0: as a T, @0: its name. The factor is %.
 const std::map<Op, Spelling> spellings{
     {Op::exact_sum, {"N::two_sum($0, $1)", "sums of doubles"}},
     {Op::whole_sum, {"$0 + $1", ""}},

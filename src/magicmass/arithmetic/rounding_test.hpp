@@ -18,7 +18,7 @@ template <class T>
   const T top = p.high + (p.low + error);
   return {top, top - (p.high + (p.low - error))};
 }
-/// p, rounded. Tiers that are tested add what is in doubt; of the others, a zero has no sign.
+/// p, rounded. Tiers that are tested add what is in doubt.
 template <class Tier, class N, class T, class R>
 [[gnu::always_inline]] inline R rounded_by(const N& p, [[maybe_unused]] const T& error,
                                            [[maybe_unused]] R& doubt) {
@@ -27,7 +27,7 @@ template <class Tier, class N, class T, class R>
     doubt = doubt + tested.doubt;
     return tested.value;
   } else {
-    return rounded(p) + 0.0;
+    return rounded(p);
   }
 }
 /// 0 where x is certainly positive, 1 elsewhere: `error` bounds low part and error of x.

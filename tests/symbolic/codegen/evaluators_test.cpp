@@ -171,10 +171,6 @@ TEST_CASE("what is outside of a case's intervals is not answered") {
   CHECK(Margins().run<VelocitiesSmall, Accurate>(VelocitiesInputs{0.5, 2}).doubt == 0.0);
   CHECK(Margins().run<VelocitiesSmall, Accurate>(VelocitiesInputs{0.5, 5}).doubt != 0.0);
 }
-TEST_CASE("a zero of tier fast has no sign") {
-  const auto k = Margins().run<VelocitiesSmall, Fast>(VelocitiesInputs{0.5, 0});
-  CHECK((k.c_prime == 0.0 && !std::signbit(k.c_prime)));
-}
 TEST_CASE("plain forms of any real type are near the definitions") {
   const double alpha = 0.1;
   const std::vector<cl_R> v = velocities(alpha, wide(2.0));
