@@ -1,16 +1,26 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is emitted: the same bytes again, no long line, every temporary explained or named.
-#include <fstream>
+#include <regex>
+#include <set>
 #include <sstream>
 
 #include "catch.hpp"
 #include "codegen/emit_evaluator.hpp"
+#include "codegen/exact.hpp"
 #include "codegen/generate.hpp"
 #include "codegen/polynomials.hpp"
-#include "quantities.hpp"
+#include "generate/quantities.hpp"
+
+namespace {
+const std::vector<codegen::Quantity>& quantities() {
+  static generate::Source source;
+  static const std::vector<codegen::Quantity> all = generate::evaluators(source);
+  return all;
+}
+}  // namespace
 
 TEST_CASE("emission gives the same bytes again, in lines of at most 100 columns") {
-  for (const codegen::Quantity& q : test::quantities()) {
+  for (const codegen::Quantity& q : quantities()) {
     const codegen::Evaluator e = codegen::emit_evaluator(q);
     CHECK(codegen::emit_evaluator(q).header == e.header);
     std::istringstream lines(e.header + codegen::emit_polynomials());
@@ -21,22 +31,52 @@ TEST_CASE("emission gives the same bytes again, in lines of at most 100 columns"
   }
 }
 TEST_CASE("a header states licence, theorems, domain, bounds, operations and arguments") {
-  const std::string header = codegen::emit_evaluator(test::quantities()[1]).header;
+  const std::string header = codegen::emit_evaluator(quantities()[1]).header;
   for (const char* part :
        {"// SPDX-License-Identifier: MIT", "do not edit: run `magicmass generate`", "eq:NA-ans",
-        "alpha from 0x1p-100 to 0x1.fffffffffffffp-1", "/// Theorem: N_A = ceil(",
+        "alpha from 0x1p-100 to 0x1.fffffffffffffp-1", "/// Theorem: N_A(alpha, 1) = ceil(",
         "/// Accurate is off by at most a_t: 2^", "/// Operations: arctangents: 1",
-        "r < h/2 is tested of computed values", "// half_h = atan(t)", "doubt_of_sign(to_next"}) {
+        "rest < h/2 is tested of computed", "// half_h = atan(t)", "doubt_of_sign(to_next"}) {
     CHECK_THAT(header, ContainsSubstring(part));
   }
 }
 TEST_CASE("the tiers' bounds grow from Slow to Accurate to Fast") {
-  const std::string errors = codegen::emit_evaluator(test::quantities()[0]).errors;
+  const std::string errors = codegen::emit_evaluator(quantities()[0]).errors;
   for (const char* part :
        {"VelocitiesSmall, Accurate", "VelocitiesSmall, Fast", "VelocitiesSmall, Slow",
         "VelocitiesSmall, Ziv", "OUTPUT c_prime: 2^-"}) {
     CHECK_THAT(errors, ContainsSubstring(part));
   }
+}
+TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
+  static const std::regex tier("template <> struct (\\w+)Bounds<(\\w+)> [^;]*\\{([^}]*)\\}");
+  static const std::regex constant("(\\S+),  // (\\S+)\n"), power("2\\^\\S+");
+  const auto all = [](const std::string& text, const std::regex& what) {
+    return std::vector(std::sregex_iterator(text.begin(), text.end(), what), {});
+  };
+  std::size_t constants = 0;
+  for (const codegen::Quantity& q : quantities()) {
+    const codegen::Evaluator e = codegen::emit_evaluator(q);
+    for (const std::smatch& t : all(e.header, tier)) {
+      std::multiset<std::string> in_code, in_text;
+      const std::string list = t[3];
+      const double unit = t[2] == "Ziv" ? 0x1p-100 : 1;  // the text is of numbers of 100 bits
+      for (const std::smatch& c : all(list, constant)) {
+        CHECK(codegen::as_power_of_2(std::stod(c[1])) == c[2]);
+        in_code.insert(codegen::as_power_of_2(std::stod(c[1]) * unit));
+      }
+      const std::size_t from = e.errors.find(t.str(1) + ", " + t.str(2) + "\n");
+      std::istringstream lines(e.errors.substr(from, e.errors.find("\n\n", from) - from));
+      for (std::string line; std::getline(lines, line);) {
+        if (!line.starts_with("  OUTPUT ") && !line.starts_with("  SIGN ")) continue;
+        for (const std::smatch& p : all(line, power)) in_text.insert(p[0]);
+      }
+      INFO(t.str(1) << ", " << t.str(2));
+      CHECK(in_code == in_text);
+      constants += in_code.size();
+    }
+  }
+  CHECK(constants > 100);
 }
 TEST_CASE("cases are disjoint conditions, rational theorems give exact forms, files are listed") {
   const kernel::Expr alpha = kernel::real("alpha");

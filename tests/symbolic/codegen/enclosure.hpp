@@ -1,26 +1,33 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Intervals of exact rationals, rounded outwards, for the independent checker: series with their
-// remainders, nothing of the generator.
+// Intervals of exact rationals, rounded outwards, for the independent checker: CLN's functions,
+// nothing of the generator.
 #pragma once
 
-#include <cmath>
 #include <stdexcept>
 
+#include <cln/float.h>
 #include <cln/integer.h>
 #include <cln/rational.h>
 #include <cln/real.h>
 
 namespace test {
-using cln::cl_I;
 using cln::cl_RA;
 constexpr int bits = 240;
+
+/// f(x) from CLN, to a few units of 2^-249 of it.
+using RealFunction = const cln::cl_R (*)(const cln::cl_R&);
+inline cl_RA by_float(RealFunction f, const cl_RA& x) {
+  return cln::rational(f(cln::cl_float(x, cln::float_format(75))));
+}
 
 struct Enclosure {
   cl_RA low, high;
 };
+inline cl_RA largest(const Enclosure& x) { return cln::max(cln::abs(x.low), cln::abs(x.high)); }
+inline double size(const Enclosure& x) { return cln::double_approx(largest(x)); }
 /// To numbers of at most `bits` binary places beyond their size: outwards.
 inline Enclosure outward(const cl_RA& low, const cl_RA& high) {
-  const cl_RA size = cln::max(cln::abs(low), cln::abs(high));
+  const cl_RA size = largest({low, high});
   if (cln::zerop(size)) return {0, 0};
   const long length = long(cln::integer_length(cln::numerator(size))) -
                       long(cln::integer_length(cln::denominator(size)));
@@ -44,48 +51,10 @@ inline Enclosure magnitude(const Enclosure& x) {
   if (x.low >= 0) return x;
   return x.high <= 0 ? -x : Enclosure{0, cln::max(-x.low, x.high)};
 }
-inline Enclosure root(const Enclosure& x) {
-  const long length = long(cln::integer_length(cln::numerator(x.high))) -
-                      long(cln::integer_length(cln::denominator(x.high)));
-  const cl_RA unit = cln::expt(cl_RA(2), int((length / 2) - bits));
-  cl_I low, high;
-  cln::isqrt(cln::floor1(x.low / (unit * unit)), &low);
-  cln::isqrt(cln::ceiling1(x.high / (unit * unit)), &high);
-  return {low * unit, (high + 1) * unit};
-}
-/// first - first*z*ratio(1) + ...: terms fall and signs change, so that the rest is below the last.
-template <class Ratio>
-Enclosure alternating(Enclosure first, const Enclosure& z, const Ratio& ratio) {
-  const cl_RA small = cln::expt(cl_RA(2), -bits) * cln::max(cln::abs(first.low), first.high);
-  Enclosure sum = first;
-  Enclosure term = first;
-  for (int k = 1; k < 400; ++k) {
-    term = -(term * z * Enclosure{ratio(k), ratio(k)});
-    sum = sum + term;
-    const cl_RA size = cln::max(cln::abs(term.low), cln::abs(term.high));
-    if (k > 6 && size < small) return outward(sum.low - size, sum.high + size);
-  }
-  throw std::domain_error("a series that is not done after 400 terms");
-}
-/// |x| <= 3
-inline Enclosure sine(const Enclosure& x) {
-  if (cln::zerop(x.low) && cln::zerop(x.high)) return x;
-  return alternating(x, x * x, [](int k) { return cl_RA(1) / (2 * k * (2 * k + 1)); });
-}
-inline Enclosure cosine(const Enclosure& x) {
-  return alternating({1, 1}, x * x, [](int k) { return cl_RA(1) / (2 * k * (2 * k - 1)); });
-}
-/// 0 <= x <= 0.7
-inline Enclosure arc_tangent(const Enclosure& x) {
-  return alternating(x, x * x, [](int k) { return cl_RA(2 * k - 1) / (2 * k + 1); });
-}
-inline const Enclosure& pi() {
-  const auto of_inverse = [](int n) { return arc_tangent(outward(cl_RA(1) / n, cl_RA(1) / n)); };
-  static const Enclosure value =
-      Enclosure{16, 16} * of_inverse(5) + Enclosure{-4, -4} * of_inverse(239);
-  return value;
-}
-inline double size(const Enclosure& x) {
-  return cln::double_approx(cln::max(cln::abs(x.low), cln::abs(x.high)));
+/// Of a function whose slope is at most `slope` on x.
+inline Enclosure of_function(RealFunction f, const Enclosure& x, const cl_RA& slope) {
+  const cl_RA y = by_float(f, x.low);
+  const cl_RA off = slope * (x.high - x.low) + cln::abs(y) * cln::expt(cl_RA(2), -bits);
+  return outward(y - off, y + off);
 }
 }  // namespace test

@@ -10,17 +10,36 @@ work=$(mktemp -d)
 export work
 trap 'rm -rf "$work"' EXIT
 
-# FILE and a sed command.
+# FILE and a sed command. Halves of these entries are not seen and not listed: what a sum that cancels
+# loses of its result (the table allows twice what can happen), and what a turned angle loses of itself
+# and near a quarter turn (there the sine's entry allows for more than both).
 spoiled() {
   cat <<'LIST'
+operations.cpp|s/Loss{0, u} : Loss{u, 0}/Loss{0, u} : Loss{u \/ 2, 0}/
+operations.cpp|s/Loss{lost, u} : Loss{u, 0}/Loss{lost, u} : Loss{u \/ 2, 0}/
 operations.cpp|s/Loss{u \* (2 \* l + u) \* and_more/Loss{0.5 * u * (2 * l + u) * and_more/
 operations.cpp|s/(u + l) \* and_more}/0.5 * (u + l) * and_more}/
-operations.cpp|s/return {3 \* u \* x \* and_more, 3 \* u \* y/return {0.2 * u * x * and_more, 0.2 * u * y/
+operations.cpp|s/return {3 \* u \* x/return {1.5 * u * x/
+operations.cpp|s/3 \* u \* y \* and_more/1.5 * u * y * and_more/
+operations.cpp|s/u \* u \* and_more, 3 \* u/u * u * and_more, 0.9 * u/
 operations.cpp|s/return {(x \* y + u/return {0.5 * (x * y + u/
+operations.cpp|s/(x + y + u) \* and_more}/0.5 * (x + y + u) * and_more}/
 operations.cpp|s/Loss{u \* (x + u) \* and_more/Loss{0.5 * u * (x + u) * and_more/
+operations.cpp|s/and_more, (x + u) \* and_more/and_more, 0.5 * (x + u) * and_more/
 operations.cpp|s/return {(u \* (10 \* u/return {0.5 * (u * (10 * u/
+operations.cpp|s/, d \* and_more};/, 0.5 * d * and_more};/
 operations.cpp|s/return {(0.375 \* e/return {0.5 * (0.375 * e/
-operations.cpp|s/return {E \* and_more/return {0.01 * E * and_more/
+operations.cpp|s/and_more, e \/ 2 \* and_more/and_more, e \/ 4 * and_more/
+operations.cpp|s/return {E \* and_more/return {0.5 * E * and_more/
+operations.cpp|s/p.error, L \* and_more/p.error, 0.5 * L * and_more/
+operations.cpp|s/+ p.error, /+ 0.5 * p.error, /
+operations.cpp|s/return {(q.loss + q.slope/return {0.45 * (q.loss + q.slope/
+operations.cpp|s/return {{(of_s.loss/return {{0.5 * (of_s.loss/
+operations.cpp|s/{(of_c.loss + of_c.slope \* square/{0.5 * (of_c.loss + of_c.slope * square/
+operations.cpp|s/const Loss either{/const Loss either{0.5 * /
+operations.cpp|s/, std::max(sine.loose, cosine.loose)}/, 0.5 * std::max(sine.loose, cosine.loose)}/
+operations.cpp|s/and_more, spill};/and_more, 0.5 * spill};/
+operations.cpp|s/return (is_pair() ? u \* x : u)/return 0.5 * (is_pair() ? u * x : u)/
 errors.cpp|s/^ *add(f, error(o));/;/
 errors.cpp|s/add_loss(f, \*of_x + \*of_y + \*of_x \* \*of_y, k);/add_loss(f, *of_x, k);/
 errors.cpp|s/add_loss(f, \*r, k);/;/
@@ -49,7 +68,7 @@ try() {
     echo "CHANGES NOTHING  $1"
   # shellcheck disable=SC2086
   elif ! "$compiler" -std=c++20 -O1 -w -ffp-contract=off -I"$source/symbolic" -c "$folder/$file" -o "$folder/spoiled.o" ||
-    ! "$compiler" "$folder/spoiled.o" $objects $libraries -lcln -o "$folder/tests"; then
+    ! "$compiler" "$folder/spoiled.o" $objects $libraries -lginac -lcln -o "$folder/tests"; then
     echo "DOES NOT COMPILE OR LINK  $1"
   elif timeout 100 "$folder/tests" >/dev/null 2>&1; then
     echo "SURVIVED  $1"

@@ -8,12 +8,10 @@
 #include "kernel/print.hpp"
 
 using namespace kernel;
+using namespace attacked;
 
 namespace {
 using Values = std::map<Expr, cln::cl_RA>;
-const Expr x = real("x");
-const Expr y = real("y");
-const Expr n = integer("n");
 
 class Model {
 public:

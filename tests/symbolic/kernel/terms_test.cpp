@@ -8,6 +8,7 @@
 #include "kernel/print.hpp"
 
 using namespace kernel;
+using namespace attacked;
 
 template <class T>
 concept makes_expr = requires(T t) {
@@ -29,14 +30,8 @@ static_assert(!std::is_reference_v<decltype(Expr().name())>);
 static_assert(!std::is_reference_v<decltype(Expr().value())>);
 
 namespace {
-const Expr x = real("x");
-const Expr y = real("y");
-const Expr i = integer("i");
-const Expr n = integer("n");
-const Expr half = Expr(1) / 2;
 // A bound index torn out of its quantifier.
 const Expr loose = all(i, eq(i, 0)).arg(0).arg(0);
-const Theorem zero = arithmetic(eq(0, 0), {});
 
 Expr nested(int depth) {
   Expr e = x;
@@ -59,54 +54,49 @@ TEST_CASE("names are identifiers and mean one thing for ever") {
   real("plain_k");
   declare("plain", {.args = {Sort::Int}, .result = Sort::Real});
   const auto function = [](const std::string& name) { define(name, {}, 1); };
-  refuse_all({
-      {"0 = 1", "is no name", [&] { function("0"); }},
-      {"nothing", "is no name", [&] { function(""); }},
-      {"a blank", "is no name", [&] { function("x = x or y"); }},
-      {"two primes", "is no name", [&] { real("x''"); }},
-      {"a prime inside", "is no name", [&] { real("x'y"); }},
-      {"a prime alone", "is no name", [&] { real("'"); }},
-      {"an underscore first", "is no name", [&] { real("_x"); }},
-      {"a letter of another script", "is no name", [&] { real("\xce\xb1"); }},
-      {"61 letters", "is no name", [&] { real(std::string(61, 'x')); }},
-      {"a word of the notation", "a word of the notation", [&] { function("implies"); }},
-      {"det", "a word of the notation", [&] { function("det"); }},
-      {"a function's name", "name of a function", [&] { real("taken"); }},
-      {"a constant's name", "name of a function", [&] { integer("pi"); }},
-      {"a variable's name", "a variable already", [&] { function("x"); }},
-      {"a name again", "defined already", [&] { function("taken"); }},
-      {"an old name", "defined already", [&] { function("sin"); }},
-      {"two sorts", "another sort", [&] { real("n"); }},
-      {"a variable h_1 beside h at 1", "height at an index", [&] { real("height_1"); }},
-      {"a variable h_n beside h at n", "height at an index", [&] { real("height_n"); }},
-      {"a function h_1", "height at an index", [&] { function("height_1"); }},
-      {"step_ at 1 is step_1", "step_ at an index", [&] { real("step_1"); }},
-      {"two functions with one index", "prints as step_",
-       [&] { declare("step", {.args = {Sort::Int}}); }},
-      {"a function beside one at an index", "prints as step_",
-       [&] { declare("step", {.args = {Sort::Real}}); }},
-      {"h beside h_3", "depth at an index", [&] { declare("depth", {.args = {Sort::Int}}); }},
-      {"h beside h_n", "depth at an index",
-       [&] { define_recursive({"depth"}, {}, n, {x}, {0}, {x}); }},
-      {"an index k beside p and p_k", "plain at an index", [&] { integer("k"); }},
-      {"an unknown function", "no function", [&] { fun("unheard_of", {x}); }},
-      {"too many arguments", "another number of arguments",
-       [&] {
-         fun("sin", {x, y});
-       }},
-      {"a formula as an argument", "must be a number",
-       [&] { declare("odd", {.args = {Sort::Bool}}); }},
-      {"a matrix without shape", "does not fit together",
-       [&] { declare("odd", {.result = Sort::Matrix}); }},
-      {"a matrix of 9 rows", "does not fit together",
-       [&] { declare("odd", {.result = Sort::Matrix, .rows = 9, .cols = 1}); }},
-      {"a number with a shape", "does not fit together",
-       [&] { declare("odd", {.rows = 1, .cols = 1}); }},
-      {"more hidden than there are", "does not fit together",
-       [&] { declare("odd", {.params = {x}}); }},
-      {"a variable that is a formula", "real or integer",
-       [&] { make({.op = Op::Var, .name = "formula", .variable = Sort::Bool}); }},
-  });
+  refused("0 = 1", "is no name", [&] { function("0"); });
+  refused("nothing", "is no name", [&] { function(""); });
+  refused("a blank", "is no name", [&] { function("x = x or y"); });
+  refused("two primes", "is no name", [&] { real("x''"); });
+  refused("a prime inside", "is no name", [&] { real("x'y"); });
+  refused("a prime alone", "is no name", [&] { real("'"); });
+  refused("an underscore first", "is no name", [&] { real("_x"); });
+  refused("a letter of another script", "is no name", [&] { real("\xce\xb1"); });
+  refused("61 letters", "is no name", [&] { real(std::string(61, 'x')); });
+  refused("a word of the notation", "a word of the notation", [&] { function("implies"); });
+  refused("det", "a word of the notation", [&] { function("det"); });
+  refused("a function's name", "name of a function", [&] { real("taken"); });
+  refused("a constant's name", "name of a function", [&] { integer("pi"); });
+  refused("a variable's name", "a variable already", [&] { function("x"); });
+  refused("a name again", "defined already", [&] { function("taken"); });
+  refused("an old name", "defined already", [&] { function("sin"); });
+  refused("two sorts", "another sort", [&] { real("n"); });
+  refused("a variable h_1 beside h at 1", "height at an index", [&] { real("height_1"); });
+  refused("a variable h_n beside h at n", "height at an index", [&] { real("height_n"); });
+  refused("a function h_1", "height at an index", [&] { function("height_1"); });
+  refused("step_ at 1 is step_1", "step_ at an index", [&] { real("step_1"); });
+  refused("two functions with one index", "prints as step_",
+          [&] { declare("step", {.args = {Sort::Int}}); });
+  refused("a function beside one at an index", "prints as step_",
+          [&] { declare("step", {.args = {Sort::Real}}); });
+  refused("h beside h_3", "depth at an index", [&] { declare("depth", {.args = {Sort::Int}}); });
+  refused("h beside h_n", "depth at an index",
+          [&] { define_recursive({"depth"}, {}, n, {x}, {0}, {x}); });
+  refused("an index k beside p and p_k", "plain at an index", [&] { integer("k"); });
+  refused("an unknown function", "no function", [&] { fun("unheard_of", {x}); });
+  refused("too many arguments", "another number of arguments", [&] { fun("sin", {x, y}); });
+  refused("a formula as an argument", "must be a number",
+          [&] { declare("odd", {.args = {Sort::Bool}}); });
+  refused("a matrix without shape", "does not fit together",
+          [&] { declare("odd", {.result = Sort::Matrix}); });
+  refused("a matrix of 9 rows", "does not fit together",
+          [&] { declare("odd", {.result = Sort::Matrix, .rows = 9, .cols = 1}); });
+  refused("a number with a shape", "does not fit together",
+          [&] { declare("odd", {.rows = 1, .cols = 1}); });
+  refused("more hidden than there are", "does not fit together",
+          [&] { declare("odd", {.params = {x}}); });
+  refused("a variable that is a formula", "real or integer",
+          [&] { make({.op = Op::Var, .name = "formula", .variable = Sort::Bool}); });
   CHECK_NOTHROW(real(std::string(60, 'x')));
   CHECK_NOTHROW(real("x'"));
   CHECK_NOTHROW(real("height_t"));
@@ -116,64 +106,48 @@ TEST_CASE("names are identifiers and mean one thing for ever") {
 TEST_CASE("sorts are checked wherever a tree is made") {
   const Theorem every = generalize(n, discharge(le(0, n), assume(le(0, n))));
   define("counted", {n}, n);
-  refuse_all({
-      {"a formula as a number", "where a number is needed", [] { eq(eq(x, 1), 1); }},
-      {"a number as a formula", "where a formula is needed", [] { logic_not(x); }},
-      {"a number for every x", "where a formula is needed", [] { all(x, x); }},
-      {"n = 1/2", "is an integer",
-       [] {
-         instantiate(zero, {{n, half}});
-       }},
-      {"n = x", "is an integer",
-       [] {
-         instantiate(zero, {{n, x}});
-       }},
-      {"for every integer, at x", "is an integer", [&] { specialize(every, x); }},
-      {"an integer rewritten to a real", "by an integer term only",
-       [] { rewrite(assume(eq(n, x)), zero); }},
-      {"discrete at real numbers", "is an integer",
-       [] {
-         instantiate(axiom("discrete"), {{i, x}});
-       }},
-      {"counted at 1/2", "needs an integer", [] { fun("counted", {half}); }},
-      {"a formula put in", "where a number is needed",
-       [] {
-         instantiate(zero, {{x, eq(1, 1)}});
-       }},
-      {"a formula for every n", "where a number is needed", [&] { specialize(every, eq(1, 1)); }},
-      {"a term put in for a term", "is not a variable",
-       [] {
-         instantiate(zero, {{x + y, 1}});
-       }},
-      {"pi put in", "is not a variable",
-       [] {
-         instantiate(zero, {{pi(), 3}});
-       }},
-      {"for every pi", "only a variable can be bound", [] { generalize(pi(), zero); }},
-      {"1/0", "division by 0", [] { Expr(1) / 0; }},
-      {"x^0", "exponent below 1", [] { power(x, 0); }},
-      {"x^1000001", "exponent above", [] { power(x, 1000001); }},
-      {"an empty sum", "with 0 arguments", [] { sum({}); }},
-      {"an empty product", "with 0 arguments", [] { product({}); }},
-      {"an empty conjunction", "with 0 arguments", [] { logic_and({}); }},
-      {"an empty disjunction", "with 0 arguments", [] { logic_or({}); }},
-      {"an implication of one", "with 1 arguments",
-       [] { make({.op = Op::Imp, .args = {eq(x, 1)}}); }},
-      {"a negation of two", "with 2 arguments",
-       [] {
-         make({.op = Op::Not, .args = {eq(x, 1), eq(x, 2)}});
-       }},
-      {"a number with an argument", "with 1 arguments", [] { make({.args = {x}}); }},
-      {"a sum of nothing", "with 0 arguments", [] { make({.op = Op::Add}); }},
-      {"a bound index below 0", "no such bound index",
-       [] { make({.op = Op::Bound, .index = -1}); }},
-      {"a bound formula", "a bound number",
-       [] { make({.op = Op::Bound, .variable = Sort::Bool}); }},
-      {"for every formula", "a bound number",
-       [] { make({.op = Op::All, .args = {eq(x, 1)}, .variable = Sort::Bool}); }},
-      {"no tree at all", "never given a value", [] { Expr().op(); }},
-      {"the third argument of two", "no argument 2", [] { eq(x, y).arg(2); }},
+  refused("a formula as a number", "where a number is needed", [] { eq(eq(x, 1), 1); });
+  refused("a number as a formula", "where a formula is needed", [] { logic_not(x); });
+  refused("a number for every x", "where a formula is needed", [] { all(x, x); });
+  refused("n = 1/2", "is an integer", [] { instantiate(zero, {{n, half}}); });
+  refused("n = x", "is an integer", [] { instantiate(zero, {{n, x}}); });
+  refused("for every integer, at x", "is an integer", [&] { specialize(every, x); });
+  refused("an integer rewritten to a real", "by an integer term only",
+          [] { rewrite(assume(eq(n, x)), zero); });
+  refused("discrete at real numbers", "is an integer", [] {
+    instantiate(axiom("discrete"), {{i, x}});
   });
+  refused("counted at 1/2", "needs an integer", [] { fun("counted", {half}); });
+  refused("a formula put in", "where a number is needed", [] {
+    instantiate(zero, {{x, eq(1, 1)}});
+  });
+  refused("a formula for every n", "where a number is needed",
+          [&] { specialize(every, eq(1, 1)); });
+  refused("a term put in for a term", "is not a variable", [] { instantiate(zero, {{x + y, 1}}); });
+  refused("pi put in", "is not a variable", [] { instantiate(zero, {{pi(), 3}}); });
+  refused("for every pi", "only a variable can be bound", [] { generalize(pi(), zero); });
+  refused("1/0", "division by 0", [] { Expr(1) / 0; });
+  refused("x^0", "exponent below 1", [] { power(x, 0); });
+  refused("x^1000001", "exponent above", [] { power(x, 1000001); });
+  refused("an empty sum", "with 0 arguments", [] { sum({}); });
+  refused("an empty product", "with 0 arguments", [] { product({}); });
+  refused("an empty conjunction", "with 0 arguments", [] { logic_and({}); });
+  refused("an empty disjunction", "with 0 arguments", [] { logic_or({}); });
+  refused("an implication of one", "with 1 arguments",
+          [] { make({.op = Op::Imp, .args = {eq(x, 1)}}); });
+  refused("a negation of two", "with 2 arguments", [] {
+    make({.op = Op::Not, .args = {eq(x, 1), eq(x, 2)}});
+  });
+  refused("a number with an argument", "with 1 arguments", [] { make({.args = {x}}); });
+  refused("a sum of nothing", "with 0 arguments", [] { make({.op = Op::Add}); });
+  refused("a bound index below 0", "no such bound index",
+          [] { make({.op = Op::Bound, .index = -1}); });
+  refused("a bound formula", "a bound number",
+          [] { make({.op = Op::Bound, .variable = Sort::Bool}); });
+  refused("for every formula", "a bound number",
+          [] { make({.op = Op::All, .args = {eq(x, 1)}, .variable = Sort::Bool}); });
+  refused("no tree at all", "never given a value", [] { Expr().op(); });
+  refused("the third argument of two", "no argument 2", [] { eq(x, y).arg(2); });
   CHECK(power(x, 1) == x);
   CHECK(is_term(power(x, 1000000)));
   CHECK((n * n + 2).sort() == Sort::Int);
@@ -181,57 +155,50 @@ TEST_CASE("sorts are checked wherever a tree is made") {
 }
 
 TEST_CASE("a loose index gets into no theorem") {
-  refuse_all({
-      {"as a hypothesis", "must be a formula", [] { assume(eq(loose, 0)); }},
-      {"put in", "loose index",
-       [] {
-         instantiate(zero, {{i, loose}});
-       }},
-      {"as a goal of arithmetic", "must be a formula", [] { arithmetic(eq(loose, loose), {}); }},
-      {"put in for every", "loose index",
-       [] { specialize(generalize(i, discharge(eq(i, 0), assume(eq(i, 0)))), loose); }},
-      {"as a goal", "must be a formula", [] { tautology(imp(eq(loose, 0), eq(loose, 0)), {}); }},
-      {"discharged", "must be a formula", [] { discharge(eq(loose, 0), zero); }},
-      {"restated", "not the same statement", [] { restate(eq(loose, loose), zero); }},
-      {"that cancels", "must be a formula", [] { restate(eq(0 * loose, 0), zero); }},
-      {"as a definition", "only a closed term", [] { define("loose", {}, loose); }},
-      {"as the start of an induction", "start of an induction",
-       [] { induction(n, loose, zero.conclusion(), zero, zero); }},
-      {"as a start", "start must be a term",
-       [] { define_recursive({"loose1"}, {}, n, {x}, {loose}, {x}); }},
-      {"as a step", "step must be a term",
-       [] { define_recursive({"loose2"}, {}, n, {x}, {0}, {loose}); }},
-      {"as a property", "the least integer",
-       [] { define_least("loose3", {}, n, 0, eq(loose, 0)); }},
-      {"as a bound", "the least integer", [] { define_least("loose4", {}, n, loose, eq(n, 0)); }},
-      {"replaced", "loose index", [] { replace(eq(x, 0), loose, x); }},
-      {"opened", "loose index", [] { open(all(x, all(y, eq(x, y))).arg(0), 1); }},
-      {"printed", "loose index", [] { text(eq(loose, 0)); }},
-      {"as a power", "must be a formula", [] { matrix_power(matrix(1, {1}), loose); }},
-      {"in a matrix", "a matrix is needed", [] { matrix_power(matrix(1, {loose}), 2); }},
-  });
+  refused("as a hypothesis", "must be a formula", [] { assume(eq(loose, 0)); });
+  refused("put in", "loose index", [] { instantiate(zero, {{i, loose}}); });
+  refused("as a goal of arithmetic", "must be a formula", [] { arithmetic(eq(loose, loose), {}); });
+  refused("put in for every", "loose index",
+          [] { specialize(generalize(i, discharge(eq(i, 0), assume(eq(i, 0)))), loose); });
+  refused("as a goal", "must be a formula", [] { tautology(imp(eq(loose, 0), eq(loose, 0)), {}); });
+  refused("discharged", "must be a formula", [] { discharge(eq(loose, 0), zero); });
+  refused("restated", "not the same statement", [] { restate(eq(loose, loose), zero); });
+  refused("that cancels", "must be a formula", [] { restate(eq(0 * loose, 0), zero); });
+  refused("as a definition", "only a closed term", [] { define("loose", {}, loose); });
+  refused("as the start of an induction", "start of an induction",
+          [] { induction(n, loose, zero.conclusion(), zero, zero); });
+  refused("as a start", "start must be a term",
+          [] { define_recursive({"loose1"}, {}, n, {x}, {loose}, {x}); });
+  refused("as a step", "step must be a term",
+          [] { define_recursive({"loose2"}, {}, n, {x}, {0}, {loose}); });
+  refused("as a property", "the least integer",
+          [] { define_least("loose3", {}, n, 0, eq(loose, 0)); });
+  refused("as a bound", "the least integer",
+          [] { define_least("loose4", {}, n, loose, eq(n, 0)); });
+  refused("replaced", "loose index", [] { replace(eq(x, 0), loose, x); });
+  refused("opened", "loose index", [] { open(all(x, all(y, eq(x, y))).arg(0), 1); });
+  refused("printed", "loose index", [] { text(eq(loose, 0)); });
+  refused("as a power", "must be a formula", [] { matrix_power(matrix(1, {1}), loose); });
+  refused("in a matrix", "a matrix is needed", [] { matrix_power(matrix(1, {loose}), 2); });
 }
 
 TEST_CASE("what is too large is refused, not computed") {
-  refuse_all({
-      {"nested 1,001 deep", "nested more than 1000", [] { nested(1001); }},
-      {"printed 2^40 nodes", "not printed", [] { text(doubled(40)); }},
-      {"x^(2^32)", "exponent above",
-       [] { arithmetic(eq(power(power(x, 65536), 65536), power(x, 2)), {}); }},
-      {"many monomials", "more than a million monomials",
-       [] { polynomial(power(x + y + pi() + i + n, 40)); }},
-      {"a number of 20 million bits", "more than a million bits",
-       [] { polynomial(power(power(Expr(1024), 2000), 1000)); }},
-      {"too many cases", "more than 20000 cases",
-       [] {
-         Exprs parts;
-         Exprs turned;
-         for (int k = 0; k < 20; ++k) {
-           parts.push_back(logic_or({eq(x, k), eq(y, k)}));
-           turned.push_back(logic_or({eq(y, k), eq(x, k)}));
-         }
-         tautology(logic_and(turned), {assume(logic_and(parts))});
-       }},
+  refused("nested 1,001 deep", "nested more than 1000", [] { nested(1001); });
+  refused("printed 2^40 nodes", "not printed", [] { text(doubled(40)); });
+  refused("x^(2^32)", "exponent above",
+          [] { arithmetic(eq(power(power(x, 65536), 65536), power(x, 2)), {}); });
+  refused("many monomials", "more than a million monomials",
+          [] { polynomial(power(x + y + pi() + i + n, 40)); });
+  refused("a number of 20 million bits", "more than a million bits",
+          [] { polynomial(power(power(Expr(1024), 2000), 1000)); });
+  refused("too many cases", "more than 20000 cases", [] {
+    Exprs parts;
+    Exprs turned;
+    for (int k = 0; k < 20; ++k) {
+      parts.push_back(logic_or({eq(x, k), eq(y, k)}));
+      turned.push_back(logic_or({eq(y, k), eq(x, k)}));
+    }
+    tautology(logic_and(turned), {assume(logic_and(parts))});
   });
   CHECK(is_term(nested(1000)));
   CHECK(text(nested(1000)).size() > 5000);

@@ -32,6 +32,13 @@ struct Words {
     define("contact", {x, y}, lt(x, y), 0);
   }
 };
+template <class... Terms>
+Expr call(const std::string& name, Terms... terms) {
+  return fun(name, {terms...});
+}
+Expr all_of(Expr p, Expr q, Expr r) { return logic_and({p, q, r}); }
+Expr any_of(Expr p, Expr q) { return logic_or({p, q}); }
+Expr with_rows(Expr a, Expr c, Expr d) { return matrix(2, {a, 1, c, d}); }
 // Random trees over all that the kernel can make.
 class Trees {
 public:
@@ -54,33 +61,21 @@ public:
                    [&] { return w.x; },
                    [&] { return w.y; },
                    pi,
-                   [&] {
-                     return sum({sub(), sub(), sub()});
-                   },
-                   [&] {
-                     return product({sub(), sub(), sub()});
-                   },
-                   [&] {
-                     return product({number(), sub()});
-                   },
-                   [&] { return fun("inv", {sub()}); },
+                   [&] { return sub() + sub() + sub(); },
+                   [&] { return sub() * sub() * sub(); },
+                   [&] { return number() * sub(); },
+                   [&] { return call("inv", sub()); },
                    [&] { return power(fun("inv", {sub()}), 2 + below(2)); },
                    [&] { return power(sub(), 1 + below(3)); },
                    [&] { return -sub(); },
                    [&] { return sub() - sub(); },
                    [&] { return sub() / sin(sub()); },
                    [&] { return sub() / (2 * power(w.x, 2) * sqrt(sub())); },
-                   [&] {
-                     return fun(below(2) ? "a" : "c'", {base(), at()});
-                   },
-                   [&] {
-                     return fun("alpha_", {base(), at()});
-                   },
-                   [&] {
-                     return fun("C", {sub(), at(), at()});
-                   },
-                   [&] { return fun("psi", {base()}); },
-                   [&] { return fun("N", {below(2) ? w.n : at()}); },
+                   [&] { return call(below(2) ? "a" : "c'", base(), at()); },
+                   [&] { return call("alpha_", base(), at()); },
+                   [&] { return call("C", sub(), at(), at()); },
+                   [&] { return call("psi", base()); },
+                   [&] { return call("N", below(2) ? w.n : at()); },
                    [&] { return entry(square(depth - 1), below(2), below(2)); },
                    [&] { return det(square(depth - 1)); },
                    at});
@@ -90,12 +85,10 @@ public:
     const auto entry = [&] { return term(depth - 1); };
     return one_of(
         depth, 2,
-        {[&] { return fun("Lambda", {below(2) ? w.x : term(0)}); },
-         [&] { return fun("rho", {term(0)}); }, [&] { return times(sub(), sub()); },
+        {[&] { return call("Lambda", below(2) ? w.x : term(0)); },
+         [&] { return call("rho", term(0)); }, [&] { return times(sub(), sub()); },
          [&] { return transpose(sub()); }, [&] { return power(sub(), integer_term(depth - 1)); },
-         [&] {
-           return matrix(2, {entry(), 1, entry(), term(0)});
-         }});
+         [&] { return with_rows(entry(), entry(), term(0)); }});
   }
   Expr formula(int depth) {
     const auto sub = [&] { return formula(depth - 1); };
@@ -104,16 +97,9 @@ public:
         depth, 5,
         {[&] { return eq(term(depth), term(depth)); }, [&] { return lt(term(depth), term(depth)); },
          [&] { return le(integer_term(depth), term(depth)); },
-         [&] {
-           return fun("contact", {term(depth), w.x});
-         },
+         [&] { return call("contact", term(depth), w.x); },
          [&] { return eq(square(depth), square(depth)); }, [&] { return logic_not(sub()); },
-         [&] {
-           return logic_and({sub(), sub(), sub()});
-         },
-         [&] {
-           return logic_or({sub(), sub()});
-         },
+         [&] { return all_of(sub(), sub(), sub()); }, [&] { return any_of(sub(), sub()); },
          [&] { return imp(sub(), sub()); }, [&] { return iff(sub(), sub()); },
          [&] { return all(below(2) ? w.x : w.y, sub()); },
          [&] { return all(below(2) ? w.n : w.k, sub()); }, [&] { return all(w.n, from()); }});
