@@ -5,14 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <random>
 #include <vector>
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/numbers/kernels.hpp"
+#include "src/magicmass/numbers/families.hpp"
 
 namespace {
 using namespace magicmass;
@@ -42,25 +41,18 @@ constexpr double pi = 3.14159265358979323846;
   return Terminal{{std::int64_t(N_A), std::int64_t(N_B)}, a, b, (1 - a - b) / alpha, b * b};
 }
 
-struct Data {
+struct Data : testing::Table {
   std::vector<double> alpha = std::vector<double>(rows);
   std::vector<std::int64_t> n = std::vector<std::int64_t>(rows);
-  std::vector<double> out[4];
-  std::vector<std::int64_t> counts[2];
   double sum = 0;  // keeps results alive
 
-  Data(double low, double high) {
-    std::mt19937_64 random(1);
-    const auto uniform = [&] { return double(random() >> 11) * 0x1p-53; };
-    for (auto& column : out) column.resize(rows);
-    for (auto& column : counts) column.resize(rows);
+  Data(double low, double high) : Table(rows) {
+    testing::Random random(1);
     for (std::size_t i = 0; i < rows; ++i) {
-      alpha[i] = std::exp(std::log(low) + std::log(high / low) * uniform());
-      n[i] = std::int64_t(uniform() * (double(count_collisions(alpha[i])->N_A) + 1));
+      alpha[i] = testing::log_uniform(random, low, high);
+      n[i] = std::int64_t(testing::uniform(random) * (double(count_collisions(alpha[i])->N_A) + 1));
     }
   }
-  VelocityColumns velocities() { return {out[0], out[1], out[2], out[3]}; }
-  TerminalColumns terminal() { return {counts[0], counts[1], out[0], out[1], out[2], out[3]}; }
 };
 /// One pass of single velocities, or of terminal ones.
 template <class F>
@@ -86,7 +78,7 @@ double nanoseconds(F pass) {
 }
 /// `speed` is printed where more is better, else the share of naive's time.
 template <class Naive, class Ours>
-void compare(const char* name, Naive naive, Ours ours, bool is_speed) {
+void compare(const std::string& name, Naive naive, Ours ours, bool is_speed) {
   double least[2] = {1e30, 1e30};
   double ratio[2] = {1e30, 0};
   for (int run = 0; run < 5; ++run) {
@@ -101,34 +93,37 @@ void compare(const char* name, Naive naive, Ours ours, bool is_speed) {
     ratio[1] = std::max(ratio[1], r);
   }
   const double r = is_speed ? least[0] / least[1] : least[1] / least[0];
-  std::printf("%-34s %6.1f ns, naive %5.1f ns: %s %.2f (%.2f to %.2f)\n", name, least[1], least[0],
-              is_speed ? "times faster" : "of its time", r, ratio[0], ratio[1]);
+  std::printf("%-34s %6.1f ns, naive %5.1f ns: %s %.2f (%.2f to %.2f)\n", name.c_str(), least[1],
+              least[0], is_speed ? "times faster" : "of its time", r, ratio[0], ratio[1]);
 }
 void everyday(const numbers::Kernels& table) {
   Data d(1e-4, 1);
   const auto v = singly(d, naive_velocities);
   const auto t = singly(d, naive_terminal);
   std::printf("alpha log-uniform in 1e-4..1, %s\n", table.name);
-  const auto rows_of = [&](auto kernel, auto columns_at) {
-    return [kernel, columns_at] {
-      numbers::Open open;
-      for (std::size_t i = 0; i < rows; i += numbers::longest_block) {
-        kernel(numbers::longest_block, columns_at(i), open);
-      }
+  numbers::Open open;
+  auto& o = d.values;
+  for (const int tier : {0, 1}) {
+    const std::string of_tier = tier == 0 ? "rows of fast " : "rows of accurate ";
+    const auto each_block = [](const auto& run) {
+      return [run] {
+        for (std::size_t i = 0; i < rows; i += numbers::longest_block) run(i);
+      };
     };
-  };
-  const auto v_rows = [&](std::size_t i) {
-    return numbers::VelocityRows{&d.alpha[i],  &d.n[i],      &d.out[0][i],
-                                 &d.out[1][i], &d.out[2][i], &d.out[3][i]};
-  };
-  const auto t_rows = [&](std::size_t i) {
-    return numbers::TerminalRows{&d.alpha[i],  &d.counts[0][i], &d.counts[1][i], &d.out[0][i],
-                                 &d.out[1][i], &d.out[2][i],    &d.out[3][i]};
-  };
-  compare("rows of fast velocities", v, rows_of(table.velocity_rows[0], v_rows), true);
-  compare("rows of fast terminal", t, rows_of(table.terminal_rows[0], t_rows), true);
-  compare("rows of accurate velocities", v, rows_of(table.velocity_rows[1], v_rows), true);
-  compare("rows of accurate terminal", t, rows_of(table.terminal_rows[1], t_rows), true);
+    compare(of_tier + "velocities", v, each_block([&, tier](std::size_t i) {
+              table.velocity_rows[tier](
+                  numbers::longest_block,
+                  {&d.alpha[i], &d.n[i], &o[0][i], &o[1][i], &o[2][i], &o[3][i]}, open);
+            }),
+            true);
+    compare(of_tier + "terminal", t, each_block([&, tier](std::size_t i) {
+              table.terminal_rows[tier](numbers::longest_block,
+                                        {&d.alpha[i], &d.counts[0][i], &d.counts[1][i], &o[4][i],
+                                         &o[5][i], &o[6][i], &o[7][i]},
+                                        open);
+            }),
+            true);
+  }
 }
 void public_calls() {
   Data d(1e-4, 1);
@@ -142,16 +137,17 @@ void public_calls() {
   compare("fast terminal", t, singly(d, End(fast::terminal)), false);
   compare("accurate velocities", v, singly(d, Of(accurate::velocities)), false);
   compare("accurate terminal", t, singly(d, End(accurate::terminal)), false);
-  compare(
-      "arrays of fast velocities", v, [&] { fast::velocities(d.alpha, d.n, d.velocities()); },
-      true);
-  compare(
-      "arrays of fast terminal", t, [&] { fast::terminal(d.alpha, d.terminal()); }, true);
-  compare(
-      "arrays of accurate velocities", v,
-      [&] { accurate::velocities(d.alpha, d.n, d.velocities()); }, true);
-  compare(
-      "arrays of accurate terminal", t, [&] { accurate::terminal(d.alpha, d.terminal()); }, true);
+  const auto arrays = [&](const std::string& tier, auto velocities, auto terminal) {
+    const auto of_v = [&] { velocities(d.alpha, d.n, d.velocities()); };
+    const auto of_t = [&] { terminal(d.alpha, d.terminal()); };
+    compare("arrays of " + tier + " velocities", v, of_v, true);
+    compare("arrays of " + tier + " terminal", t, of_t, true);
+  };
+  using Rows =
+      void (*)(std::span<const double>, std::span<const std::int64_t>, const VelocityColumns&);
+  using Ends = void (*)(std::span<const double>, const TerminalColumns&);
+  arrays("fast", Rows(fast::velocities), Ends(fast::terminal));
+  arrays("accurate", Rows(accurate::velocities), Ends(accurate::terminal));
   if (d.sum == 1) std::puts("");
 }
 /// Time of arrays of terminal velocities where counts are large, and rows that Accurate leaves.

@@ -3,6 +3,7 @@
 // seed gives the same rows everywhere but for libm's last bits.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -60,6 +61,20 @@ inline const std::vector<Family> families{
        return pick(r, {0x1.1c7397cb68b7ep-18, 0x1.bc7fb47556f22p-29, 1.0, neighbour(1, -1),
                        neighbour(1, 1), 0.5, 0x1p-53, 0x1.5acd9597016aap-968, 0x1p-1074});
      }}};
+
+/// Columns of a, b, c, c', a_t, b_t, c_t, rho; of N_A, N_B.
+struct Table {
+  explicit Table(std::size_t rows) {
+    for (auto& column : values) column.resize(rows);
+    for (auto& column : counts) column.resize(rows);
+  }
+  VelocityColumns velocities() { return {values[0], values[1], values[2], values[3]}; }
+  TerminalColumns terminal() {
+    return {counts[0], counts[1], values[4], values[5], values[6], values[7]};
+  }
+  std::array<std::vector<double>, 8> values;
+  std::array<std::vector<std::int64_t>, 2> counts;
+};
 
 /// 0, 1, N_A - 1, N_A, or any between; where N_A + N_B is beyond 63 bits any number below 2^62.
 inline std::int64_t some_cycle(Random& random, double alpha) {

@@ -93,10 +93,9 @@ int main(int count, char** arguments) {
   std::vector<Row> rows;
   std::vector<double> alpha(block);
   std::vector<std::int64_t> n(block);
-  std::vector<double> o[8];
-  for (auto& column : o) column.resize(block);
-  std::vector<std::int64_t> N[2];
-  for (auto& column : N) column.resize(block);
+  Table table(block);
+  const auto& o = table.values;
+  const auto& N = table.counts;
   for (long done = 0; done < wanted; done += block) {
     rows.clear();
     for (std::size_t i = 0; i < block; ++i) {
@@ -106,8 +105,8 @@ int main(int count, char** arguments) {
       n[i] = some_cycle(random, alpha[i]);
       rows.push_back({&family, alpha[i], n[i]});
     }
-    accurate::velocities(alpha, n, {o[0], o[1], o[2], o[3]});
-    accurate::terminal(alpha, {N[0], N[1], o[4], o[5], o[6], o[7]});
+    accurate::velocities(alpha, n, table.velocities());
+    accurate::terminal(alpha, table.terminal());
     for (std::size_t i = 0; i < block; ++i) {
       check(rows[i], {o[0][i], o[1][i], o[2][i], o[3][i]},
             {{N[0][i], N[1][i]}, o[4][i], o[5][i], o[6][i], o[7][i]}, random() % 1000 == 0,
