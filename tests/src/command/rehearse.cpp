@@ -82,33 +82,28 @@ Answer bug(const Request&) { throw std::logic_error("index past the end"); }
 command::Command plain(const std::string& name, Answer (*run)(const Request&)) {
   return {name, "Does what " + name + " does", "rehearse " + name, {}, "", {"text"}, {}, run};
 }
+Answer words(const Request& request) { return document(answers::joined(request.words) + "\n"); }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const command::Command echo_row = {"echo",
-                                     "Says a text again",
-                                     "rehearse echo --text hello",
-                                     {{"text", "TEXT", "what to say", {}, true, true},
-                                      {"times", "N", "how often, from 1 to 99", {}, false, true},
-                                      {"voice", "VOICE", "loud, soft", {"loud", "soft"}},
-                                      {"twice", "", "a flag"}},
-                                     "",
-                                     {"text", "json", "csv"},
-                                     echo_columns,
-                                     echo};
-  const command::Command many_row = {
-      "many", "Many lines", "rehearse many --lines 9", {{"lines", "N", "how many"}}, "", {"text"},
-      {},     many};
-  const command::Command words_row = {
-      "words",
-      "Says its words",
-      "rehearse words a b",
-      {},
-      "WORD...",
-      {"text"},
-      {},
-      [](const Request& request) { return document(answers::joined(request.words) + "\n"); }};
+  command::Command echo_row = plain("echo", echo);
+  echo_row.summary = "Says a text again";
+  echo_row.example = "rehearse echo --text hello";
+  echo_row.options = {{"text", "TEXT", "what to say", {}, true, true},
+                      {"times", "N", "how often, from 1 to 99", {}, false, true},
+                      {"voice", "VOICE", "loud, soft", {"loud", "soft"}},
+                      {"twice", "", "a flag"}};
+  echo_row.formats = {"text", "json", "csv"};
+  echo_row.columns = echo_columns;
+  command::Command many_row = plain("many", many);
+  many_row.summary = "Many lines";
+  many_row.example = "rehearse many --lines 9";
+  many_row.options = {{"lines", "N", "how many"}};
+  command::Command words_row = plain("words", words);
+  words_row.summary = "Says its words";
+  words_row.example = "rehearse words a b";
+  words_row.words = "WORD...";
   const command::Program program = {
       "rehearse",
       "A program for tests",

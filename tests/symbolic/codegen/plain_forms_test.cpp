@@ -120,15 +120,13 @@ TEMPLATE_TEST_CASE("plain velocities hold at the ends of what they state", "", d
       CHECK(std::isfinite(v));
     }
   }
-  const auto closed = [](TestType x) { return velocities_closed(x, 1); };
-  const auto product = [](TestType x) { return velocities_product(x, 1); };
-  const auto tangent = [](TestType x) { return velocities_tangent(x, 1); };
-  check_edge(least, 0, closed);
-  check_edge(TestType(0x1p20), INFINITY, closed);
-  check_edge(least, 0, product);
-  check_edge(TestType(0x1p300), INFINITY, product);
-  check_edge(least, 0, tangent);
-  check_edge(TestType(0x1p300), INFINITY, tangent);
+  const auto check_edges = [&](const auto& form, double most) {
+    check_edge(least, 0, form);
+    check_edge(TestType(most), INFINITY, form);
+  };
+  check_edges([](TestType x) { return velocities_closed(x, 1); }, 0x1p20);
+  check_edges([](TestType x) { return velocities_product(x, 1); }, 0x1p300);
+  check_edges([](TestType x) { return velocities_tangent(x, 1); }, 0x1p300);
   check_edge(TestType(0x1p-40), 0, [](TestType x) { return terminal_closed(x); });
   check_edge(TestType(0x1p20), INFINITY, [](TestType x) { return terminal_closed(x); });
   check_edge(TestType(0x1p-100), 0, [](TestType x) { return terminal_tangent(x); });

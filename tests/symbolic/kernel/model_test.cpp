@@ -46,47 +46,30 @@ private:
   std::mt19937 random;
 };
 cln::cl_RA value(Expr e, const Values& at) {
-  cln::cl_RA out = e.op() == Op::Mul ? 1 : 0;
-  switch (e.op()) {
-    case Op::Num:
-      return e.value();
-    case Op::Var:
-      return at.at(e);
-    case Op::Add:
-      for (Expr a : e.args()) out = out + value(a, at);
-      return out;
-    case Op::Mul:
-      for (Expr a : e.args()) out = out * value(a, at);
-      return out;
-    case Op::Pow:
-      return cln::expt(value(e.arg(0), at), e.exponent());
-    default:
-      const cln::cl_RA a = value(e.arg(0), at);
-      if (e.name() == "inv") return a == 0 ? cln::cl_RA(7) : 1 / a;
-      return a * a * a - 5;
+  const Op op = e.op();
+  if (op == Op::Num) return e.value();
+  if (op == Op::Var) return at.at(e);
+  if (op == Op::Pow) return cln::expt(value(e.arg(0), at), e.exponent());
+  if (op == Op::Fun) {
+    const cln::cl_RA a = value(e.arg(0), at);
+    if (e.name() != "inv") return a * a * a - 5;
+    return a == 0 ? cln::cl_RA(7) : 1 / a;
   }
+  cln::cl_RA out = op == Op::Mul ? 1 : 0;
+  for (Expr a : e.args()) out = op == Op::Mul ? out * value(a, at) : out + value(a, at);
+  return out;
 }
 bool truth(Expr f, const Values& at) {
   const auto part = [&](std::size_t i) { return truth(f.arg(i), at); };
   const auto side = [&](std::size_t i) { return value(f.arg(i), at); };
-  switch (f.op()) {
-    case Op::Eq:
-      return side(0) == side(1);
-    case Op::Lt:
-      return side(0) < side(1);
-    case Op::Le:
-      return side(0) <= side(1);
-    case Op::Not:
-      return !part(0);
-    case Op::And:
-      return part(0) && part(1);
-    case Op::Or:
-      return part(0) || part(1);
-    case Op::Imp:
-      return !part(0) || part(1);
-    default:
-      return part(0) == part(1);
-  }
+  if (f.op() == Op::Eq) return side(0) == side(1);
+  if (f.op() == Op::Lt) return side(0) < side(1);
+  if (f.op() == Op::Le) return side(0) <= side(1);
+  if (f.op() == Op::Not) return !part(0);
+  if (f.op() == Op::And) return part(0) && part(1);
+  if (f.op() == Op::Or) return part(0) || part(1);
+  if (f.op() == Op::Imp) return !part(0) || part(1);
+  return part(0) == part(1);
 }
 }  // namespace
 

@@ -80,17 +80,11 @@ struct Table {
 inline std::int64_t some_cycle(Random& random, double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   const std::int64_t last = counts ? counts->N_A : INT64_MAX / 2;
-  switch (random() % 5) {
-    case 0:
-      return random() % 4 == 0 ? 0 : 1;
-    case 1:
-      return last - 1;
-    case 2:
-      return last;
-    case 3:
-      return std::int64_t(std::fmin(std::floor(log_uniform(random, 1, 0x1p62)), double(last / 2)));
-    default:
-      return std::int64_t(random() % std::uint64_t(last));
-  }
+  const std::uint64_t way = random() % 5;
+  if (way == 0) return random() % 4 == 0 ? 0 : 1;
+  if (way == 1) return last - 1;
+  if (way == 2) return last;
+  if (way == 4) return std::int64_t(random() % std::uint64_t(last));
+  return std::int64_t(std::fmin(std::floor(log_uniform(random, 1, 0x1p62)), double(last / 2)));
 }
 }  // namespace magicmass::testing
