@@ -4,86 +4,46 @@
 #include <algorithm>
 #include <cmath>
 
-#include <mpfr.h>
+#include <cln/float.h>
+#include <cln/real.h>
+
+#include "magicmass/oracle/rational.hpp"
 
 namespace magicmass::testing {
 namespace {
-/// An MPFR number of the precision of its time.
-class Real {
-public:
-  Real(double x = 0) {
-    mpfr_init(v);
-    mpfr_set_d(v, x, MPFR_RNDN);
-  }
-  Real(const Real& x) : Real() { mpfr_set(v, x.v, MPFR_RNDN); }
-  Real& operator=(const Real& x) {
-    mpfr_set(v, x.v, MPFR_RNDN);
-    return *this;
-  }
-  ~Real() { mpfr_clear(v); }
-  friend Real operator+(const Real& x, const Real& y) { return of(mpfr_add, x, y); }
-  friend Real operator-(const Real& x, const Real& y) { return of(mpfr_sub, x, y); }
-  friend Real operator*(const Real& x, const Real& y) { return of(mpfr_mul, x, y); }
-  friend Real operator/(const Real& x, const Real& y) { return of(mpfr_div, x, y); }
-  static Real of(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_rnd_t), const Real& x) {
-    Real r;
-    f(r.v, x.v, MPFR_RNDN);
-    return r;
-  }
-  static Real of(int (*f)(mpfr_ptr, mpfr_srcptr, mpfr_srcptr, mpfr_rnd_t), const Real& x,
-                 const Real& y) {
-    Real r;
-    f(r.v, x.v, y.v, MPFR_RNDN);
-    return r;
-  }
-  mpfr_t v;
-};
-Real whole(std::int64_t n) {
-  Real r;
-  mpfr_set_sj(r.v, n, MPFR_RNDN);
-  return r;
-}
+using Real = cln::cl_R;
 
 /// h = psi/2 and what the four velocities share.
 class Formulas {
 public:
-  explicit Formulas(double x) : precision(set_precision(x)) {
-    alpha = x;
-    const Real tangent = Real::of(mpfr_sqrt, alpha * (alpha + 2));
-    h = Real::of(mpfr_atan, tangent);
-    V = Real(1) / (alpha + 2);
-    per_half = Real(1) / Real::of(mpfr_sin, h * 0.5);
-    // Angles up to 4 pi, each within some units of 2^-precision; 1 + alpha <= 2^11.
-    error = per_half + 0x1p12;
-    mpfr_mul_2si(error.v, error.v, 8 - precision, MPFR_RNDU);
-  }
-  Real a(const Real& n) const { return V * (Real(1) + (alpha + 1) * cosine(n + n)); }
-  Real b(const Real& n) const { return V * (Real(1) - (alpha + 1) * cosine(n + n + 1)); }
-  Real c(const Real& n) const { return V * (Real(1) + per_half * sine(n + n - 0.5)); }
-  Real c_prime(const Real& n) const { return V * (Real(1) - per_half * sine(n + n + 0.5)); }
+  /// Results are as small as alpha^(3/2) against terms as large as alpha^(-1/2).
+  explicit Formulas(double x)
+      : precision(160 - 2 * std::min(0, std::ilogb(x))),
+        alpha(cln::cl_float(oracle::exact(x), format())),
+        h(cln::atan(cln::sqrt(alpha * (alpha + 2)))),
+        V(1 / (alpha + 2)),
+        per_half(1 / cln::sin(h / 2)),
+        // Angles up to 4 pi, each within some units of 2^-precision; 1 + alpha <= 2^11.
+        error(cln::scale_float(cln::cl_float(per_half + 4096), 8 - precision)) {}
+  cln::float_format_t format() const { return cln::float_format_t(precision); }
+  Real a(const Real& n) const { return V * (1 + (alpha + 1) * cln::cos(2 * n * h)); }
+  Real b(const Real& n) const { return V * (1 - (alpha + 1) * cln::cos((2 * n + 1) * h)); }
+  Real c(const Real& n) const { return V * (1 + per_half * cln::sin((2 * n - half) * h)); }
+  Real c_prime(const Real& n) const { return V * (1 - per_half * cln::sin((2 * n + half) * h)); }
   /// x rounded; `is_certain` is cleared where the error might change it.
   double rounded(const Real& x, const Real& off) {
-    const double low = mpfr_get_d((x - off).v, MPFR_RNDN);
-    const double high = mpfr_get_d((x + off).v, MPFR_RNDN);
-    is_certain = is_certain && low == high;
+    const double low = oracle::nearest(cln::rational(x - off));
+    is_certain = is_certain && low == oracle::nearest(cln::rational(x + off));
     return low;
   }
   double rounded(const Real& x) { return rounded(x, error); }
 
-  long precision;  // first: the others are made with it
+  int precision;  // first: the others are made with it
+  Real half = cln::cl_RA(1) / 2;
   Real alpha, h, V, per_half, error;
   bool is_certain = true;
-
-private:
-  /// Results are as small as alpha^(3/2) against terms as large as alpha^(-1/2).
-  static long set_precision(double alpha) {
-    const long bits = 160 - 2 * std::min(0, std::ilogb(alpha));
-    mpfr_set_default_prec(bits);
-    return bits;
-  }
-  Real cosine(const Real& k) const { return Real::of(mpfr_cos, k * h); }
-  Real sine(const Real& k) const { return Real::of(mpfr_sin, k * h); }
 };
+cln::cl_I whole(std::int64_t n) { return static_cast<long long>(n); }
 }  // namespace
 
 std::optional<Velocities> velocities_by_formulas(double alpha, std::int64_t n) {
@@ -95,15 +55,11 @@ std::optional<Velocities> velocities_by_formulas(double alpha, std::int64_t n) {
 }
 std::optional<Terminal> terminal_by_formulas(double alpha) {
   Formulas f(alpha);
-  Real pi;
-  mpfr_const_pi(pi.v, MPFR_RNDN);
-  const Real last = pi / f.h;  // N = ceil(pi/h) - 1
-  Real off = last;
-  mpfr_mul_2si(off.v, off.v, 4 - f.precision, MPFR_RNDU);
-  const Real low = last - off;
-  const Real high = last + off;
-  const std::intmax_t N = mpfr_get_sj(low.v, MPFR_RNDU) - 1;
-  if (mpfr_get_sj(high.v, MPFR_RNDU) - 1 != N) return std::nullopt;
+  const Real last = cln::pi(f.format()) / f.h;  // N = ceil(pi/h) - 1
+  const Real off = cln::scale_float(cln::cl_float(last), 4 - f.precision);
+  const cln::cl_I most = cln::ceiling1(last - off) - 1;
+  if (cln::ceiling1(last + off) - 1 != most) return std::nullopt;
+  const std::int64_t N = cln::cl_I_to_long(most);
   const Counts counts{N / 2 + N % 2, N / 2};
   const Real b = f.b(whole(counts.N_B));
   const Terminal t{counts, f.rounded(f.a(whole(counts.N_A))), f.rounded(b),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A cheaper certified route than the oracle's, for millions of rows: the paper's sums of sines and
-// cosines, typed in, on MPFR's numbers with a bound of their error. The product's evaluators are
+// cosines, typed in, on CLN's floats with a bound of their error. The product's evaluators are
 // products of other angles. nullopt: not certain, ask the oracle.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Millions of rows of accurate arrays, half everyday, half from the hard families, fixed seed:
-// nothing misrounded, no wrong count. Rows go to certified formulas on MPFR's numbers, and to the
+// nothing misrounded, no wrong count. Rows go to certified formulas on CLN's floats, and to the
 // oracle where these are not certain, for alpha > 2^10, and for one row in a thousand anyhow. Then
 // rational alpha up to cycle 64, all by the oracle.
 #include <algorithm>
