@@ -63,12 +63,13 @@ private:
       describe(program, t, a);
       std::vector<std::string> printed;
       for (double x : constants) printed.push_back(hex(is_wide ? x / t.u : x));
-      specialised += "template <> struct " + name + "Bounds<" + t.name() +
-                     "> { static constexpr double E[] = {" + codegen::joined(printed, ", ") +
-                     "}; };\n";
+      const std::string size = "[" + std::to_string(printed.size()) + "] = {";
+      if (specialised.empty())
+        specialised = "template <class Tier> constexpr double " + name + "Bounds" + size + "};\n";
+      specialised += "template <> constexpr double " + name + "Bounds<" + t.name() + ">" + size +
+                     codegen::joined(printed, ", ") + "};\n";
     }
-    if (has_bounds)
-      result.code += "template <class Tier> struct " + name + "Bounds;\n" + specialised;
+    if (has_bounds) result.code += specialised;
   }
   void describe(const Program& program, const NumberType& t, const Analysis& a) {
     std::string& e = result.errors;
@@ -129,7 +130,7 @@ private:
     line(fields("T", exact));
     line(fields("R", results));
     if (!numbers.empty()) line(fields("N", numbers));
-    if (has_bounds) line("  static constexpr const double* E = " + name + "Bounds<Tier>::E;");
+    if (has_bounds) line("  static constexpr const double* E = " + name + "Bounds<Tier>;");
     inputs_and_outputs();
     if (&c == &q.cases[0]) columns();
     for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);

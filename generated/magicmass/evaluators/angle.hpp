@@ -27,14 +27,11 @@ struct AngleColumns {
     psi[row] = out.psi;
   }
 };
-template <class Tier> struct AngleSmallBounds;
-template <> struct AngleSmallBounds<Accurate> { static constexpr double E[] =
-    {0x1.a6579133da022p-75}; };
-template <> struct AngleSmallBounds<Fast> { static constexpr double E[] = {0x1.7d05c96b952a8p-53};
-    };
-template <> struct AngleSmallBounds<Slow> { static constexpr double E[] = {0x1.7cf075a34d8ffp-98};
-    };
-template <> struct AngleSmallBounds<Ziv> { static constexpr double E[] = {0x1.40002800018p+4}; };
+template <class Tier> constexpr double AngleSmallBounds[1] = {};
+template <> constexpr double AngleSmallBounds<Accurate>[1] = {0x1.a6579133da022p-75};
+template <> constexpr double AngleSmallBounds<Fast>[1] = {0x1.7d05c96b952a8p-53};
+template <> constexpr double AngleSmallBounds<Slow>[1] = {0x1.7cf075a34d8ffp-98};
+template <> constexpr double AngleSmallBounds<Ziv>[1] = {0x1.40002800018p+4};
 /// angle, small: alpha from 0x1p-300 to 0x1p+0.
 /// Theorem: psi = 4*half_h
 /// z <= 1/3: a theorem
@@ -49,7 +46,7 @@ struct AngleSmall {
   T alpha;
   R doubt, psi;
   N half_h, of_psi;
-  static constexpr const double* E = AngleSmallBounds<Tier>::E;
+  static constexpr const double* E = AngleSmallBounds<Tier>;
   AngleSmall() = default;
   [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }

@@ -34,7 +34,7 @@ TEST_CASE("a header states licence, theorems, domain, bounds, operations and arg
   const std::string header = codegen::emit_evaluator(quantities()[1]).header;
   for (const char* part :
        {"// SPDX-License-Identifier: MIT", "do not edit: run `magicmass generate`", "eq:NA-ans",
-        "alpha from 0x1p-100 to 0x1.fffffffffffffp-1", "/// Theorem: N_A(alpha, 1) = ceil(",
+        "alpha from 0x1p-100 to 0x1.fffffffffffffp-1", "/// Theorem: N_A = ceil(",
         "/// Accurate is off by at most a_t: 2^", "/// Operations: arctangents: 1",
         "rest < h/2 is tested of computed", "// half_h = atan(t)", "doubt_of_sign(to_next"}) {
     CHECK_THAT(header, ContainsSubstring(part));
@@ -49,8 +49,8 @@ TEST_CASE("the tiers' bounds grow from Slow to Accurate to Fast") {
   }
 }
 TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
-  static const std::regex tier("template <> struct (\\w+)Bounds<(\\w+)> [^;]*\\{([^}]*)\\}");
-  static const std::regex constant("(\\S+),  // (\\S+)\n"), power("2\\^\\S+");
+  static const std::regex tier("constexpr double (\\w+)Bounds<(\\w+)>[^{]*\\{([^}]*)\\}");
+  static const std::regex constant("0x[0-9a-fp.+-]+"), power("2\\^\\S+");
   const auto all = [](const std::string& text, const std::regex& what) {
     return std::vector(std::sregex_iterator(text.begin(), text.end(), what), {});
   };
@@ -61,10 +61,8 @@ TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
       std::multiset<std::string> in_code, in_text;
       const std::string list = t[3];
       const double unit = t[2] == "Ziv" ? 0x1p-100 : 1;  // the text is of numbers of 100 bits
-      for (const std::smatch& c : all(list, constant)) {
-        CHECK(codegen::as_power_of_2(std::stod(c[1])) == c[2]);
-        in_code.insert(codegen::as_power_of_2(std::stod(c[1]) * unit));
-      }
+      for (const std::smatch& c : all(list, constant))
+        in_code.insert(codegen::as_power_of_2(std::stod(c[0]) * unit));
       const std::size_t from = e.errors.find(t.str(1) + ", " + t.str(2) + "\n");
       std::istringstream lines(e.errors.substr(from, e.errors.find("\n\n", from) - from));
       for (std::string line; std::getline(lines, line);) {
