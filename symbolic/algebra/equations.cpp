@@ -160,9 +160,8 @@ Theorem root_squared(const Theorem& not_negative) {
   const Expr x = not_negative.conclusion().arg(1);
   return use("root squared", {{real("x"), x}}, {linear(le(0, x), {not_negative})});
 }
-Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules,
-                const Theorems& nonzero) {
-  const Theorem square = equation(power(t, 2), x, rules, nonzero);
+Theorem root_of(const Theorem& square, const Theorem& t_positive) {
+  const Expr t = square.conclusion().arg(0).arg(0), x = square.conclusion().arg(1);
   Certificate sum;
   sum.equations = {{1, square}};
   sum.products = {{1, {}, {t}}};
@@ -172,5 +171,9 @@ Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules
   c.multipliers = {linear(lt(0, sqrt(x) + t), {root_sign, t_positive})};
   c.equations = {{-1, square}, {1, root_squared(not_negative)}};
   return arithmetic(eq(sqrt(x), t), c);
+}
+Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules,
+                const Theorems& nonzero) {
+  return root_of(equation(power(t, 2), x, rules, nonzero), t_positive);
 }
 }  // namespace algebra

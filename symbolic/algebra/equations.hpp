@@ -24,7 +24,9 @@ Theorems entries(const Theorem& matrix_equation);
 Theorem matrix_equation(Expr l, Expr r, const Theorems& rules = {}, const Theorems& nonzero = {});
 /// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
 Theorem root_squared(const Theorem& not_negative);
-/// |- sqrt(x) = t from 0 < t and t^2 = x, the latter by `equation`.
+/// |- sqrt(x) = t from t^2 = x and 0 < t.
+Theorem root_of(const Theorem& square, const Theorem& t_positive);
+/// The same where `equation` shows t^2 = x.
 Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules = {},
                 const Theorems& nonzero = {});
 }  // namespace algebra

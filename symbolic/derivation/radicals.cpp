@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The first ratios in square roots: from the cosines of pi/3 and pi/5, by halving angles.
+// The first ratios in square roots: sums of cosines of 2 k pi/p, p = 5 and 17, solve quadratic
+// equations (Gauss' periods); halves and a difference of angles give the others.
+#include <algorithm>
+
 #include "derivation/symbols.hpp"
 
 namespace derivation {
@@ -19,52 +22,171 @@ Theorem halving(Book& book) {
               not_negative(power(cos(x / 2), 2))}));
   return book.show("halving", "", "Half of an angle between 0 and pi:", turned(is));
 }
-/// |- cos(pi/5) = (1 + sqrt(Expr(5)))/4: cos(3x) = -cos(2x) there.
-Theorem fifth(Book& book, const Theorem& c_positive) {
-  const Expr t = angle_of(5), c = cos(t), s = sqrt(Expr(5));
-  const Theorem opposite = [&] {  // cos(3x) = cos(pi - 2x)
-    const Theorem sum = use("cos sum", {{x, pi()}, {y, -2 * t}});
-    const Theorem even = use("cos minus", {{x, 2 * t}});
-    return equation(cos(pi() - 2 * t), -cos(2 * t),
-                    {restate(eq(cos(pi() - 2 * t), sum.conclusion().arg(1)), sum), axiom("cos pi"),
-                     axiom("sin pi"), restate(eq(cos(-2 * t), cos(2 * t)), even)});
-  }();
-  const Theorem same = restate(eq(cos(3 * t), -cos(2 * t)), opposite);
-  const Theorems multiples = angles({cos(3 * t), cos(2 * t)}, {t});
-  const Theorem cubic = linear(eq(4 * power(c, 3) + 2 * power(c, 2) - 3 * c - 1, 0),
-                               {same, equation(cos(3 * t), 4 * power(c, 3) - 3 * c, multiples),
-                                equation(cos(2 * t), 2 * power(c, 2) - 1, multiples)});
+/// u and v from u + v = s, (u - v)^2 = d and v < u.
+struct Quadratic {
+  Quadratic(Book& book, const Theorem& sum, const Theorem& square, const Theorem& less)
+      : root(root_of(square, linear(lt(0, square.conclusion().arg(0).arg(0)), {less}))),
+        greater(solved(sum, less.conclusion().arg(1), root.conclusion().arg(0) / 2)),
+        smaller(solved(sum, less.conclusion().arg(0), -root.conclusion().arg(0) / 2)) {
+    book.facts.push_back(linear(le(0, square.conclusion().arg(1)),
+                                {square, not_negative(square.conclusion().arg(0))}));
+  }
+  Theorem solved(const Theorem& sum, Expr which, Expr half_gap) const {
+    return linear(eq(which, sum.conclusion().arg(1) / 2 + half_gap), {sum, root});
+  }
+  Theorem root, greater, smaller;
+};
+
+/// The cosines of 2 k pi/p for a prime p, k = 1, ..., (p - 1)/2.
+class Periods {
+public:
+  explicit Periods(int prime) : p(prime) {
+    const Theorem product = equation(cos(x) * cos(y), (cos(x + y) + cos(x - y)) / 2,
+                                     angles({cos(x + y), cos(x - y)}, {x, y}, false));
+    const Theorem step = equation(2 * cos(x) * sin(y), sin(x + y) - sin(x - y),
+                                  angles({sin(x + y), sin(x - y)}, {x, y}, false));
+    const Expr unit = pi() / p;
+    Certificate c;  // sin(unit) (1 + 2 sum of cosines) = sin(pi), as a telescope
+    c.multipliers = {use("sin positive", {{x, unit}},
+                         {positive(unit), linear(lt(unit, pi()), {positive(pi())})})};
+    c.equations = {{1, restate(eq(sin(Expr(p) * unit), 0), axiom("sin pi"))}};
+    Expr sum = 0;
+    for (int i = 1; 2 * i < p; ++i) {
+      sum = sum + 2 * cosine(i);
+      c.equations.push_back({1, instantiate(step, {{x, angle(i)}, {y, unit}})});
+      for (int l = 1; l <= i; ++l) {
+        const Theorem t = instantiate(product, {{x, angle(i)}, {y, angle(l)}});
+        const Expr found = (cos(angle(i + l)) + cos(angle(i - l))) / 2;
+        Theorems folding{restate(eq(cosine(i) * cosine(l), found), t),
+                         restate(eq(cos(angle(0)), 1), axiom("cos 0"))};
+        if (2 * (i + l) > p) folding.push_back(fold(i + l));
+        rules.push_back(equation(cosine(i) * cosine(l), period({i + l, i - l}) / 4, folding));
+      }
+    }
+    rules.push_back(arithmetic(eq(sum, -1), c));
+  }
+  Expr angle(int i) const { return Expr(2 * i) * pi() / p; }
+  Expr cosine(int i) const {
+    const int least = std::min(i % p, p - i % p);
+    return least == 0 ? Expr(1) : cos(angle(least));
+  }
+  /// 2 cos of each, added.
+  Expr period(const std::vector<int>& of) const {
+    Expr sum = 0;
+    for (const int i : of) sum = sum + 2 * cosine(i);
+    return sum;
+  }
+  /// |- cos(2 l pi/p) < cos(2 i pi/p)
+  Theorem falls(int i, int l) const { return falls(angle(i), angle(l)); }
+  static Theorem falls(Expr smaller, Expr larger) {
+    const Theorem circle = positive(pi());
+    return cosine_falls(linear(le(0, smaller), {circle}), linear(lt(smaller, larger), {circle}),
+                        linear(le(larger, pi()), {circle}));
+  }
+  /// A linear relation of periods of the second degree.
+  Theorem known(Expr goal) const { return linear(goal, rules); }
+  int p;
+  Theorems rules;  ///< products of two cosines as sums; the sum of all
+
+private:
+  Theorem fold(int i) const {
+    const Theorem back = equation(
+        cos(2 * pi() - x), cos(x),
+        angles({cos(2 * pi() - x)}, {pi(), x}, false) + Theorems{axiom("cos pi"), axiom("sin pi")});
+    return restate(eq(cos(angle(i)), cos(angle(p - i))), instantiate(back, {{x, angle(p - i)}}));
+  }
+};
+/// |- cos(pi/p) = -cos(2 h pi/p), h = (p - 1)/2
+Theorem opposite(const Periods& of) {
+  const Expr t = pi() / of.p;
+  const Theorem turned_back = equation(
+      cos(pi() - x), -cos(x),
+      angles({cos(pi() - x)}, {pi(), x}, false) + Theorems{axiom("cos pi"), axiom("sin pi")});
+  const Theorem at =
+      restate(eq(cos(Expr(of.p - 1) * t), -cos(t)), instantiate(turned_back, {{x, t}}));
+  return restate(eq(cos(t), -of.cosine(of.p / 2)),
+                 linear(eq(cos(t), -cos(Expr(of.p - 1) * t)), {at}));
+}
+/// |- cos(pi/5) = (1 + sqrt(5))/4, and what the cosine of 2 pi/5 is
+struct Fifth {
+  Theorem cosine, twice;
+};
+Fifth fifth(Book& book) {
+  const Periods of(5);
+  const Expr u = of.period({1}), v = of.period({2});
+  const Quadratic q(book, of.known(eq(u + v, -1)), of.known(eq(power(u - v, 2), 5)),
+                    linear(lt(v, u), {of.falls(1, 2)}));
+  const Expr s = sqrt(Expr(5));
+  return {book.show("fifth", "", "The cosine of a fifth of pi:",
+                    linear(eq(cos(pi() / 5), (1 + s) / 4), {opposite(of), q.smaller})),
+          linear(eq(of.cosine(1), (s - 1) / 4), {q.greater})};
+}
+/// |- cos(pi/15), from 2 pi/5 - pi/3
+Theorem fifteenth(const Theorem& cos_fifth, const Theorem& cos_third) {
+  const Expr twice = 2 * pi() / 5, third = pi() / 3, s = sqrt(Expr(5));
+  const auto sine = [&](Expr t, Expr squared, const Theorem& cosine, const Theorems& roots) {
+    const Theorem above =
+        use("sin positive", {{x, t}}, {positive(t), linear(lt(t, pi()), {positive(pi())})});
+    return turned(root_is(squared, sin(t), above, angles({}, {t}) + Theorems{cosine} + roots));
+  };
   const Theorem five = root_squared(positive(5));
-  const Theorem root_positive = positive(s);
-  Certificate at_least_1;  // (s + 1)(s - 1) = 4
-  at_least_1.multipliers = {linear(lt(0, s + 1), {root_positive})};
-  at_least_1.equations = {{-1, five}};
-  at_least_1.products = {{4, {}, {}}};
-  const Theorem above_1 = arithmetic(lt(1, s), at_least_1);
-  Certificate last;  // (c + 1)(4c - 1 + s)((1 + s)/4 - c) = -(4c^3 + 2c^2 - 3c - 1), as s^2 = 5
-  last.multipliers = {linear(lt(0, c + 1), {c_positive}),
-                      linear(lt(0, 4 * c - 1 + s), {c_positive, above_1})};
-  last.equations = {{1, cubic}, {-(c + 1) / 4, five}};
-  return book.show("fifth", "",
-                   "The cosine of a fifth of pi:", arithmetic(eq(c, (1 + s) / 4), last));
+  const Theorem cosine = restate(eq(cos(twice), (s - 1) / 4), cos_fifth);
+  const Theorem difference =
+      equation(cos(x - y), cos(x) * cos(y) + sin(x) * sin(y), angles({cos(x - y)}, {x, y}, false));
+  const Expr value = (s - 1) / 8 + sqrt((5 + s) / 8) * sqrt(rational(3, 4));
+  const Theorem is = instantiate(difference, {{x, twice}, {y, third}});
+  return equation(
+      cos(pi() / 15), value,
+      {restate(eq(cos(pi() / 15), is.conclusion().arg(1)), is), cosine, cos_third,
+       sine(twice, (5 + s) / 8, cosine, {five}), sine(third, rational(3, 4), cos_third, {})});
+}
+/// |- cos(pi/17), by four quadratic equations
+Theorem seventeenth(Book& book) {
+  const Periods of(17);
+  const auto period = [&](const std::vector<int>& which) { return of.period(which); };
+  const Expr E = period({1, 2, 4, 8}), F = period({3, 5, 6, 7});
+  const Expr a = period({1, 4}), b = period({2, 8}), c = period({3, 5}), d = period({6, 7});
+  const Theorem half = book["ratios.third"];
+  const Theorem E_positive =
+      linear(lt(0, E), {of.falls(of.angle(1), pi() / 3), of.falls(of.angle(2), pi() / 3), half,
+                        of.falls(of.angle(4), pi() / 2), axiom("cos pi/2"),
+                        of.falls(of.angle(8), pi()), axiom("cos pi")});
+  const Theorem whole = of.known(eq(E + F, -1));
+  const Quadratic first(book, whole, of.known(eq(power(E - F, 2), 17)),
+                        linear(lt(F, E), {E_positive, whole}));
+  const Theorem root_17 = root_squared(positive(17));
+  const auto halves = [&](Expr u, Expr v, const Theorem& sum, const Theorem& less) {
+    const Expr s = sum.conclusion().arg(0);  // (u - v)^2 = s^2 + 4
+    const Theorem square = rewrite(sum, of.known(eq(power(u - v, 2), power(s, 2) + 4)));
+    const Expr value = square.conclusion().arg(1), simple = simplified(value);
+    return Quadratic(book, linear(eq(u + v, sum.conclusion().arg(1)), {sum}),
+                     rewrite(equation(value, simple, {root_17}), square), less);
+  };
+  const Quadratic of_E =
+      halves(a, b, first.greater, linear(lt(b, a), {of.falls(1, 2), of.falls(4, 8)}));
+  const Quadratic of_F =
+      halves(c, d, first.smaller, linear(lt(d, c), {of.falls(3, 6), of.falls(5, 7)}));
+  const Expr u = period({2}), v = period({8});
+  const Theorem square = of.known(eq(power(u - v, 2), power(b, 2) - 4 * d));
+  const Quadratic last(book, linear(eq(u + v, of_E.smaller.conclusion().arg(1)), {of_E.smaller}),
+                       rewrite(of_F.smaller, rewrite(of_E.smaller, square)),
+                       linear(lt(v, u), {of.falls(2, 8)}));
+  const Theorem is = opposite(of);
+  const Expr b_value = of_E.smaller.conclusion().arg(1), root = last.root.conclusion().arg(0);
+  return linear(eq(is.conclusion().arg(0), (root - b_value) / 4), {is, last.smaller});
 }
 }  // namespace
 
 void radicals(Book& book) {
   book.chapter("radicals", "The first ratios in square roots", {});
   const Theorem half_of = halving(book);
-  const auto cosine_positive = [&](int d) {
-    const Expr t = angle_of(d);
-    const Theorem falls =
-        use("cos falls", {{x, t}, {y, pi() / 2}},
-            {linear(le(0, t), {positive(t)}), linear(lt(t, pi() / 2), {positive(pi())}),
-             linear(le(pi() / 2, pi()), {positive(pi())})});
-    return linear(lt(0, cos(t)), {falls, axiom("cos pi/2")});
-  };
   std::map<int, Theorem> cosines;
   cosines.emplace(2, axiom("cos pi/2"));
   cosines.emplace(3, restate(eq(cos(angle_of(3)), rational(1, 2)), book["ratios.third"]));
-  cosines.emplace(5, fifth(book, cosine_positive(5)));
+  const Fifth of_5 = fifth(book);
+  cosines.emplace(5, of_5.cosine);
+  cosines.emplace(15, fifteenth(of_5.twice, cosines.at(3)));
+  cosines.emplace(17, seventeenth(book));
   for (const int d : {4, 6, 8, 10, 12, 16, 20}) {
     const Expr whole = angle_of(d / 2);
     const Theorem half = cut(positive(whole), cut(linear(lt(whole, pi()), {positive(pi())}),
@@ -74,7 +196,7 @@ void radicals(Book& book) {
     const Theorem simpler = rewrite(equation(value.conclusion().arg(1).arg(0), under_root), value);
     cosines.emplace(d, restate(eq(cos(angle_of(d)), sqrt(under_root)), simpler));
   }
-  for (const int d : {4, 5, 6, 8, 10, 12, 16, 20}) {
+  for (const int d : {4, 5, 6, 8, 10, 12, 15, 16, 17, 20}) {
     const bool magic = d % 2 == 1;
     const int index = magic ? (d - 1) / 2 : d / 2 - 1;
     const std::string name = magic ? "alpha_" : "beta_";
@@ -83,6 +205,8 @@ void radicals(Book& book) {
     const Expr angle = definition.conclusion().arg(1).arg(1).arg(0).arg(0);
     const Theorem cosine =
         restate(eq(cos(angle), cosines.at(d).conclusion().arg(1)), cosines.at(d));
+    book.facts.push_back(linear(lt(0, cosine.conclusion().arg(1)),
+                                {cosine, Periods::falls(angle, pi() / 2), axiom("cos pi/2")}));
     Theorem value = rewrite(cosine, definition);
     if (d == 5) {  // the root out of the denominator
       const Expr r = value.conclusion().arg(1);

@@ -81,6 +81,12 @@ Matrix product(const Matrix& a, const Matrix& b) {
       for (std::size_t k = 0; k < b.size(); ++k) out[i][j] = out[i][j] + a[i][k] * b[k][j];
   return out;
 }
+Matrix transposed(const Matrix& m) {
+  Matrix out(m[0].size(), std::vector<cl_R>(m.size()));
+  for (std::size_t i = 0; i < m.size(); ++i)
+    for (std::size_t j = 0; j < m[0].size(); ++j) out[j][i] = m[i][j];
+  return out;
+}
 std::vector<cl_R> values(Expr e, const Point& point) {
   std::vector<cl_R> out;
   for (const Expr& a : e.args()) out.push_back(value(a, point));
@@ -99,13 +105,8 @@ Matrix matrix_value(Expr e, const Point& point) {
       out = matrix_value(e.arg(0), point);
       for (std::size_t i = 1; i < e.size(); ++i) out = product(out, matrix_value(e.arg(i), point));
       return out;
-    case Op::Transpose: {
-      const Matrix m = matrix_value(e.arg(0), point);
-      out.assign(m[0].size(), std::vector<cl_R>(m.size()));
-      for (std::size_t i = 0; i < m.size(); ++i)
-        for (std::size_t j = 0; j < m[0].size(); ++j) out[j][i] = m[i][j];
-      return out;
-    }
+    case Op::Transpose:
+      return transposed(matrix_value(e.arg(0), point));
     case Op::MatrixPower: {
       const Matrix m = matrix_value(e.arg(0), point);
       const cl_R n = value(e.arg(1), point);
@@ -236,14 +237,24 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   o = product(matrix_function("lambda_3", {angle}), o);
   if (!variables.count(kernel::real("o_33")) && o[2][2] < 0)
     o = product(o, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
+  // A frame whose third axis it may leave as it is, and the matrix in that frame.
+  const Matrix turn = matrix_function("lambda_3", {angle});
+  Matrix r = matrix_function(any_of(2) ? "P_3" : "lambda_3", {between(-3, 3)});
+  for (const char* axis : {"lambda_1", "lambda_2"})
+    r = product(r, matrix_function(axis, {between(-3, 3)}));
+  if (variables.count(kernel::real("r_33"))) o = product(product(r, turn), transposed(r));
+  const Matrix m = product(product(transposed(r), o), r);
+  const auto named = [](const std::string& name, const Matrix& values) {
+    return values[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
+  };
   cl_R last = exact(1);
   for (const Expr& v : variables) {
     const std::string name = v.name();
     const int kind = any_of(8);
     if (v.sort() == kernel::Sort::Int)
       point[v] = any_of(12) - (name == "k" ? 0 : 1);
-    else if (name.starts_with("o_"))
-      point[v] = o[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
+    else if (name.starts_with("o_") || name.starts_with("r_") || name.starts_with("m_"))
+      point[v] = named(name, name[0] == 'o' ? o : name[0] == 'r' ? r : m);
     else if (name == "alpha" && kind < 2)
       point[v] = function(kind == 0 ? "alpha_" : "beta_", {1 + any_of(8)});
     else if (name == "alpha")

@@ -58,8 +58,12 @@ TEST_CASE("false statements are seen") {
       {"minima.at_least", "<=", "<"},
       {"small_alpha.psi_bounds", "5*alpha/12", "4*alpha/12"},
       {"orthogonal.rotation", "o_21/(1 + o_11)", "o_12/(1 + o_11)"},
+      {"orthogonal.lambda_n", "m_21/(1 + m_11)", "m_12/(1 + m_11)"},
+      {"orthogonal.lambda_n", "lambda_3(pi)", "lambda_3(0)"},
       {"orthogonal.Gamma_A", "-theta", "theta"},
       {"radicals.fifth", "1 + sqrt(5)", "1 - sqrt(5)"},
+      {"radicals.alpha_7", "5 + sqrt(5)", "5 - sqrt(5)"},
+      {"radicals.alpha_8", "17 - sqrt(17)", "17 + sqrt(17)"},
   };
   for (const Mutant& m : mutants) {
     std::string words = kernel::text(the_book()[m.id].conclusion());
