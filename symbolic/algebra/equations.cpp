@@ -3,7 +3,9 @@
 
 #include <optional>
 
+#include "algebra/angles.hpp"
 #include "algebra/linear.hpp"
+#include "algebra/signs.hpp"
 #include "kernel/polynomial.hpp"
 #include "kernel/print.hpp"
 
@@ -90,13 +92,16 @@ Expr gap(const Theorem& relation) {
   return c.arg(1) - c.arg(0);
 }
 
-Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules, const Theorems& nonzero) {
+namespace {
+struct Given {
+  Theorems rules, divisors;
+};
+std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const Given& given,
+                                      Polynomial& left_over) {
+  const auto& [rules, nonzero] = given;
   Search search{polynomial(goal.arg(1) - goal.arg(0)), factors,
                 std::vector<Polynomial>(rules.size())};
   for (const Theorem& t : factors) search.remainder = search.remainder * polynomial(gap(t));
-  for (const Theorem& r : rules)
-    if (r.conclusion().op() != Op::Eq)
-      refuse("a rule must be an equation: " + text(r.conclusion()));
   std::map<Expr, const Theorem*> divisors;
   for (const Theorem& t : nonzero) {
     divisors.emplace(canonical(gap(t)), &t);
@@ -110,9 +115,8 @@ Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules, const 
       changed = search.rewrite_once(rules[i], search.cofactors[i]) || changed;
     changed = search.clear_once(divisors) || changed;
   }
-  if (!search.remainder.empty())
-    refuse("no proof found of " + text(goal) +
-           "; left over: " + text(expression(search.remainder)));
+  left_over = search.remainder;
+  if (!search.remainder.empty()) return {};
   Certificate certificate;
   certificate.nonzero = nonzero;
   certificate.multipliers = search.multipliers;
@@ -121,11 +125,53 @@ Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules, const 
       certificate.equations.emplace_back(expression(search.cofactors[i]), rules[i]);
   return arithmetic(goal, certificate);
 }
-Theorem equation(Expr goal, const Theorems& rules, const Theorems& nonzero) {
-  return cancel(goal, {}, rules, nonzero);
+/// Squares of the roots and divisors that are seen to be positive.
+Given found_in(Expr goal, const Given& given) {
+  Given out = given;
+  std::set<Expr> seen;
+  const auto look_at = [&](Expr e) {
+    for (const auto& [monomial, q] : polynomial(e))
+      for (const auto& [a, k] : monomial) {
+        if (a.op() != Op::Fun || !seen.insert(a).second) continue;
+        if (a.name() == "sqrt")
+          if (const auto s = sign_of(a.arg(0), given.divisors, false))
+            out.rules.push_back(root_squared(*s));
+        if (a.name() != "inv") continue;
+        if (const auto s = sign_of(a.arg(0), given.divisors)) out.divisors.push_back(*s);
+      }
+  };
+  look_at(goal.arg(0));
+  look_at(goal.arg(1));
+  for (const Theorem& t : given.rules) {
+    look_at(t.conclusion().arg(0));
+    look_at(t.conclusion().arg(1));
+  }
+  for (std::size_t i = 0; i < out.divisors.size(); ++i) look_at(gap(out.divisors[i]));
+  return out;
 }
-Theorem equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
-  return equation(eq(l, r), rules, nonzero);
+}  // namespace
+
+Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts, const Exprs& bases) {
+  Given given;
+  for (const Theorem& t : parts(facts))
+    (t.conclusion().op() == Op::Eq ? given.rules : given.divisors).push_back(t);
+  if (!bases.empty()) {
+    Exprs terms{goal.arg(0), goal.arg(1)};
+    for (const Theorem& t : given.rules) terms.push_back(t.conclusion().arg(1));
+    given.rules = given.rules + angles(terms, bases);
+    for (const char* name : {"sin 0", "cos 0", "sin pi", "cos pi", "sin pi/2", "cos pi/2"})
+      given.rules.push_back(axiom(name));
+  }
+  Polynomial left_over;
+  if (const auto t = rewritten_to_0(goal, factors, given, left_over)) return *t;
+  if (const auto t = rewritten_to_0(goal, factors, found_in(goal, given), left_over)) return *t;
+  refuse("no proof found of " + text(goal) + "; left over: " + text(expression(left_over)));
+}
+Theorem equation(Expr goal, const Theorems& facts, const Exprs& bases) {
+  return cancel(goal, {}, facts, bases);
+}
+Theorem equation(Expr l, Expr r, const Theorems& facts, const Exprs& bases) {
+  return equation(eq(l, r), facts, bases);
 }
 Theorem chain(const Theorem& a, const Theorem& b) {
   Certificate c;
@@ -149,11 +195,12 @@ Theorems entries(const Theorem& e) {
   for (std::size_t i = 0; i < equations.size(); ++i) out.push_back(part(all_entries, i));
   return out;
 }
-Theorem matrix_equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
+Theorem matrix_equation(Expr l, Expr r, const Theorems& facts, const Exprs& bases) {
+  const Theorems rules = parts(facts);
   Theorems equations;
   for (int i = 0; i < l.rows(); ++i)
     for (int j = 0; j < l.cols(); ++j)
-      equations.push_back(equation(entry(l, i, j), entry(r, i, j), rules, nonzero));
+      equations.push_back(equation(entry(l, i, j), entry(r, i, j), rules, bases));
   return restate(eq(l, r), both(equations));
 }
 Theorem root_squared(const Theorem& not_negative) {
@@ -174,6 +221,6 @@ Theorem root_of(const Theorem& square, const Theorem& t_positive) {
 }
 Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules,
                 const Theorems& nonzero) {
-  return root_of(equation(power(t, 2), x, rules, nonzero), t_positive);
+  return root_of(equation(power(t, 2), x, rules + nonzero), t_positive);
 }
 }  // namespace algebra

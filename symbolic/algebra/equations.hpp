@@ -6,14 +6,15 @@
 namespace algebra {
 /// q - p of p = q, p < q, p <= q or not p = q.
 Expr gap(const Theorem& relation);
-/// `goal` (l = r): each of `rules` (monomial = term) rewrites a monomial, the denominators of
-/// `nonzero` (0 < d, or not d = 0) are cleared. Throws Refused, with what is left over, where that
-/// does not end in 0 = 0.
-Theorem equation(Expr goal, const Theorems& rules = {}, const Theorems& nonzero = {});
-Theorem equation(Expr l, Expr r, const Theorems& rules = {}, const Theorems& nonzero = {});
+/// `goal` (l = r): each equation of `facts` (monomial = term) rewrites a monomial; denominators are
+/// cleared that `facts` (0 < d, not d = 0) or `positive` say not to be 0; squares of roots are
+/// rewritten; sines and cosines are expanded in those of the angles `bases`, if there are any.
+/// Throws Refused, with what is left over, where that does not end in 0 = 0.
+Theorem equation(Expr goal, const Theorems& facts = {}, const Exprs& bases = {});
+Theorem equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs& bases = {});
 /// The same after the goal is multiplied by `factors`, each proved not 0.
-Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules = {},
-               const Theorems& nonzero = {});
+Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts = {},
+               const Exprs& bases = {});
 /// l = m and m = r give l = r.
 Theorem chain(const Theorem& a, const Theorem& b);
 /// l = r gives r = l.
@@ -21,7 +22,7 @@ Theorem turned(const Theorem& e);
 /// The equations of the entries of an equation of matrices, row by row.
 Theorems entries(const Theorem& matrix_equation);
 /// l = r for matrices, entry by entry by `equation`.
-Theorem matrix_equation(Expr l, Expr r, const Theorems& rules = {}, const Theorems& nonzero = {});
+Theorem matrix_equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs& bases = {});
 /// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
 Theorem root_squared(const Theorem& not_negative);
 /// |- sqrt(x) = t from t^2 = x and 0 < t.
@@ -29,4 +30,17 @@ Theorem root_of(const Theorem& square, const Theorem& t_positive);
 /// The same where `equation` shows t^2 = x.
 Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules = {},
                 const Theorems& nonzero = {});
+inline Theorem equation(Expr goal, const Theorems& rules, const Theorems& nonzero) {
+  return equation(goal, rules + nonzero);
+}
+inline Theorem equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
+  return equation(l, r, rules + nonzero);
+}
+inline Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules,
+                      const Theorems& nonzero) {
+  return cancel(goal, factors, rules + nonzero);
+}
+inline Theorem matrix_equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
+  return matrix_equation(l, r, rules + nonzero);
+}
 }  // namespace algebra

@@ -2,8 +2,10 @@
 #include "algebra/linear.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "algebra/equations.hpp"
+#include "algebra/signs.hpp"
 #include "kernel/polynomial.hpp"
 #include "kernel/print.hpp"
 
@@ -95,7 +97,9 @@ Theorem from_contradiction(const Row& row, Expr goal, const Theorems& facts) {
   if (!absurd) return arithmetic(goal, certificate);
   return tautology(goal, {arithmetic(lt(0, 0), certificate), never()});
 }
-Theorem inequality(Expr goal, const Theorems& facts) {
+using Proof = std::optional<Theorem>;
+
+Proof combination(Expr goal, const Theorems& facts) {
   const std::size_t count = facts.size() + 1;
   std::vector<Row> rows;
   std::vector<Row> equations;
@@ -108,8 +112,6 @@ Theorem inequality(Expr goal, const Theorems& facts) {
   for (std::size_t i = 1; i < count; ++i) {
     const Theorem& fact = facts[i - 1];
     const Op op = fact.conclusion().op();
-    if (op != Op::Eq && op != Op::Lt && op != Op::Le)
-      refuse("linear: neither an equation nor an inequality: " + text(fact.conclusion()));
     (op == Op::Eq ? equations : rows).push_back({polynomial(gap(fact)), unit(i), op == Op::Lt});
   }
   eliminate_equations(equations, rows);
@@ -121,26 +123,174 @@ Theorem inequality(Expr goal, const Theorems& facts) {
       if (c < 0 || (c == 0 && row.strict)) return from_contradiction(row, goal, facts);
     }
   } while (rows.size() < most_rows && eliminate_unknown(rows));
-  refuse("no linear combination of the facts gives " + text(goal));
+  return {};
+}
+bool is_integer(Expr t) { return t.sort() == Sort::Int; }
+bool of_integers(Expr relation) {
+  return is_integer(relation.arg(0)) && is_integer(relation.arg(1));
+}
+/// Integers i <= j also from i - 1 < j.
+Proof inequality(Expr goal, const Theorems& facts) {
+  if (const Proof p = combination(goal, facts)) return p;
+  if (goal.op() != Op::Le || !of_integers(goal)) return {};
+  const Proof less = combination(lt(goal.arg(0) - 1, goal.arg(1)), facts);
+  if (!less) return {};
+  return restate(goal, next_integer(*less));
+}
+Proof equality(Expr goal, const Theorems& facts) {
+  const Expr l = goal.arg(0), r = goal.arg(1);
+  const Proof above = inequality(le(l, r), facts);
+  if (!above) return {};
+  const auto certificate = above->step().certificate;
+  if (certificate && certificate->products.empty() && above->step().rule == "arithmetic")
+    return arithmetic(goal, *certificate);
+  const Proof below = inequality(le(r, l), facts);
+  if (!below) return {};
+  return follows(goal, {*above, *below});
+}
+Proof relation(Expr goal, const Theorems& facts) {
+  if (goal.op() == Op::Eq) return equality(goal, facts);
+  if (goal.op() != Op::Not) return inequality(goal, facts);
+  const Expr equal = goal.arg(0);
+  for (const Expr& less : {lt(equal.arg(0), equal.arg(1)), lt(equal.arg(1), equal.arg(0))})
+    if (const Proof p = inequality(less, facts))
+      return refute(equal, *combination(lt(0, 0), {*p, assume(equal)}));
+  return {};
+}
+
+/// What is true of the monomials that occur: d/d = 1, squares of roots, axioms.
+class Occurring {
+public:
+  void add(const Theorem& fact) {
+    facts.push_back(fact);
+    if (fact.conclusion().op() == Op::Lt && of_integers(fact.conclusion()))
+      facts.push_back(next_integer(fact));
+    look_at(gap(fact));
+  }
+  void look_at(Expr term) {
+    for (const auto& [monomial, q] : polynomial(term)) {
+      if (!seen.insert(monomial).second) continue;
+      for (const auto& [a, k] : monomial)
+        if (a.op() == Op::Fun) of_atom(monomial, a, k);
+    }
+  }
+  bool shares_an_atom(Expr term) const {
+    for (const auto& [monomial, q] : polynomial(term))
+      for (const auto& [a, k] : monomial)
+        if (atoms.count(a)) return true;
+    return false;
+  }
+  Theorems facts;
+
+private:
+  void of_atom(const Monomial& monomial, Expr a, int k) {
+    const std::string f = a.name();
+    if (f == "inv") quotient(monomial, a);
+    if (f == "sqrt" && k > 1) square(monomial, a);
+    if (!atoms.insert(a).second) return;
+    if (f == "pi") facts.push_back(axiom("pi positive"));
+    if (f == "ceil" || f == "atan")
+      for (const Theorem& t :
+           parts({use(f == "ceil" ? "ceiling" : "atan range", {{real("x"), a.arg(0)}})}))
+        add(t);
+    for (const auto& [name, angle] : {std::pair{" 0", Expr(0)}, {" pi", pi()}, {" pi/2", pi() / 2}})
+      if ((f == "cos" || f == "sin") && canonical(a.arg(0)) == canonical(angle))
+        facts.push_back(axiom(f + name));
+  }
+  static Expr rest(const Monomial& monomial, Expr a, int less) {
+    Expr out = 1;
+    for (const auto& [b, k] : monomial)
+      if (const int left = b == a ? k - less : k; left > 0) out = out * power(b, left);
+    return out;
+  }
+  void quotient(const Monomial& monomial, Expr inverse) {
+    const Expr d = inverse.arg(0);
+    const Polynomial divisor = polynomial(d);
+    const auto divides = [&](const auto& term) {
+      return !term.first.empty() &&
+             std::all_of(term.first.begin(), term.first.end(), [&](const auto& factor) {
+               return std::any_of(monomial.begin(), monomial.end(), [&](const auto& b) {
+                 return b.first == factor.first && b.second >= factor.second;
+               });
+             });
+    };
+    const auto lead = std::find_if(divisor.rbegin(), divisor.rend(), divides);
+    if (lead == divisor.rend()) return;
+    const Proof d_positive = sign_of(d);
+    if (!d_positive) return;
+    Expr cofactor = 1;  // the monomial over the lead and over 1/d
+    for (const auto& [b, k] : monomial) {
+      int left = b == inverse ? k - 1 : k;
+      for (const auto& [c, l] : lead->first)
+        if (c == b) left -= l;
+      if (left > 0) cofactor = cofactor * power(b, left);
+    }
+    add(equation(cofactor * d * inverse, cofactor, {*d_positive}));
+  }
+  void square(const Monomial& monomial, Expr root) {
+    if (const Proof p = sign_of(root.arg(0))) {
+      Certificate c;
+      const Expr cofactor = rest(monomial, root, 2);
+      c.equations = {{cofactor, root_squared(*p)}};
+      add(arithmetic(eq(cofactor * power(root, 2), cofactor * root.arg(0)), c));
+    }
+  }
+  std::set<Monomial> seen;
+  std::set<Expr> atoms;
+};
+
+/// How deep `linear` has called itself by way of signs: what is known is used at the top only.
+int& depth() {
+  static int value = 0;
+  return value;
+}
+struct Deeper {
+  Deeper() { ++depth(); }
+  ~Deeper() { --depth(); }
+  Deeper(const Deeper&) = delete;
+  Deeper& operator=(const Deeper&) = delete;
+};
+bool is_relation(const Theorem& t) {
+  const Op op = t.conclusion().op();
+  return op == Op::Eq || op == Op::Lt || op == Op::Le;
+}
+Expr difference(Expr goal) {
+  const Expr f = goal.op() == Op::Not ? goal.arg(0) : goal;
+  return f.arg(0) - f.arg(1);
 }
 }  // namespace
 
+Proof linear_if(Expr goal, const Theorems& given_facts) {
+  Theorems facts;
+  for (const Theorem& t : parts(given_facts))
+    if (is_relation(t)) facts.push_back(t);
+  if (const Proof p = relation(goal, facts)) return p;
+  constexpr int deepest = 3;
+  if (depth() >= deepest) return {};
+  const Deeper deeper;
+  Occurring occurring;
+  occurring.look_at(difference(goal));
+  for (const Theorem& t : facts) occurring.add(t);
+  if (const Proof p = relation(goal, occurring.facts)) return p;
+  std::vector<bool> taken(known().size(), false);
+  for (int round = 0; round < 2; ++round) {
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      const Theorem& t = known()[i];
+      if (taken[i] || !is_relation(t) || !occurring.shares_an_atom(gap(t))) continue;
+      taken[i] = true;
+      occurring.add(t);
+    }
+    if (const Proof p = relation(goal, occurring.facts)) return p;
+  }
+  return {};
+}
 Theorem linear(Expr goal, const Theorems& facts) {
-  if (goal.op() == Op::Eq) {
-    const Expr l = goal.arg(0);
-    const Expr r = goal.arg(1);
-    const Theorem above = inequality(le(l, r), facts);
-    const auto certificate = above.step().certificate;
-    if (certificate && certificate->products.empty()) return arithmetic(goal, *certificate);
-    return tautology(goal, {above, inequality(le(r, l), facts),
-                            use("equal or less or greater", {{real("x"), l}, {real("y"), r}})});
+  if (goal.op() == Op::And) {
+    Theorems all;
+    for (const Expr& g : goal.args()) all.push_back(linear(g, facts));
+    return both(all);
   }
-  if (goal.op() == Op::Not && goal.arg(0).op() == Op::Eq) {
-    const Expr l = goal.arg(0).arg(0);
-    const Expr r = goal.arg(0).arg(1);
-    return tautology(goal, {inequality(lt(l, r), facts),
-                            use("less is not equal", {{real("x"), l}, {real("y"), r}})});
-  }
-  return inequality(goal, facts);
+  if (const Proof p = linear_if(goal, facts)) return *p;
+  refuse("no linear combination of the facts gives " + text(goal));
 }
 }  // namespace algebra

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Inequalities by linear combination.
 #pragma once
+#include <optional>
+
 #include "algebra/logic.hpp"
 
 namespace algebra {
-/// `goal` (=, <, <= or not =) as a linear combination of `facts` (=, <, <=), each monomial an
-/// unknown; the combination is found by Fourier's and Motzkin's elimination. Throws Refused where
-/// there is none.
-Theorem linear(Expr goal, const Theorems& facts);
+/// `goal` (=, <, <=, not =, or several of them) as a linear combination of `facts` (=, <, <=), each
+/// monomial an unknown; the combination is found by Fourier's and Motzkin's elimination. Where they
+/// do not suffice: with what is known, with d/d = 1, squares of roots, the axioms of pi, ceilings
+/// and arctangents, and i < j as i + 1 <= j for integers. Throws Refused where there is none.
+Theorem linear(Expr goal, const Theorems& facts = {});
+/// The same, or nothing.
+std::optional<Theorem> linear_if(Expr goal, const Theorems& facts);
 }  // namespace algebra

@@ -1,11 +1,89 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebra/logic.hpp"
 
+#include <algorithm>
+
+#include "algebra/equations.hpp"
+#include "algebra/linear.hpp"
+
 namespace algebra {
+namespace {
+Theorems& all_known() {
+  static Theorems facts;
+  return facts;
+}
+Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
+bool is_among(Expr f, const Exprs& formulas) {
+  return std::find(formulas.begin(), formulas.end(), f) != formulas.end();
+}
+/// x and y of x = y, wherever it stands in f.
+void sides_of_equations(Expr f, std::set<std::pair<Expr, Expr>>& out) {
+  if (f.op() == Op::Eq && !is_matrix(f.arg(0)))
+    out.emplace(f.arg(0), f.arg(1));
+  else if (f.op() == Op::Not || f.op() == Op::And || f.op() == Op::Or || f.op() == Op::Imp ||
+           f.op() == Op::Iff)
+    for (const Expr& a : f.args()) sides_of_equations(a, out);
+}
+}  // namespace
+
+Known::Known(const Theorems& facts) : before(all_known().size()) {
+  for (const Theorem& t : facts) know(t);
+}
+Known::~Known() {
+  all_known().erase(all_known().begin() + std::ptrdiff_t(before), all_known().end());
+}
+void know(const Theorem& fact) {
+  for (const Theorem& t : parts({fact})) all_known().push_back(t);
+}
+const Theorems& known() { return all_known(); }
+Theorems parts(const Theorems& theorems) {
+  Theorems out;
+  for (const Theorem& t : theorems) {
+    const Expr f = t.conclusion();
+    if (f.op() == Op::And)
+      for (std::size_t i = 0; i < f.size(); ++i) out = out + parts({part(t, i)});
+    else if (f.op() == Op::Eq && is_matrix(f.arg(0)))
+      out = out + entries(t);
+    else
+      out.push_back(t);
+  }
+  return out;
+}
 Theorem use(const Theorem& rule, const Substitution& terms, const Theorems& premises) {
   const Theorem t = terms.empty() ? rule : instantiate(rule, terms);
   if (t.conclusion().op() != Op::Imp || premises.empty()) return t;
-  return tautology(t.conclusion().arg(1), premises + Theorems{t});
+  const Theorems given = parts(premises);
+  Theorems from = premises;
+  for (const Expr& f : conjuncts(t.conclusion().arg(0)))
+    if (std::none_of(given.begin(), given.end(),
+                     [&](const Theorem& g) { return g.conclusion() == f; }) &&
+        (f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq))
+      from.push_back(linear(f, premises));
+  return tautology(t.conclusion().arg(1), from + Theorems{t});
+}
+Theorem at(const Theorem& t, const Substitution& terms, const Theorems& facts) {
+  Theorem out = instantiate(t, terms);
+  const Exprs before = t.hypotheses();
+  for (const Expr& h : out.hypotheses())
+    if (!is_among(h, before) && (h.op() == Op::Lt || h.op() == Op::Le || h.op() == Op::Eq))
+      out = cut(linear(h, facts), out);
+  return out;
+}
+Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body) {
+  return discharge(f, body(assume(f)));
+}
+Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>& forth,
+                   const std::function<Theorem(const Theorem&)>& back) {
+  return tautology(iff(f, g), {given(f, forth), given(g, back)});
+}
+Theorem follows(Expr goal, const Theorems& from) {
+  std::set<std::pair<Expr, Expr>> sides;
+  sides_of_equations(goal, sides);
+  for (const Theorem& t : from) sides_of_equations(t.conclusion(), sides);
+  Theorems all = from;
+  for (const auto& [l, r] : sides)
+    all.push_back(use("equal or less or greater", {{real("x"), l}, {real("y"), r}}));
+  return tautology(goal, all);
 }
 Theorem use(const std::string& axiom_name, const Substitution& terms, const Theorems& premises) {
   return use(axiom(axiom_name), terms, premises);

@@ -11,16 +11,40 @@ namespace algebra {
 using namespace kernel;
 
 /// `rule` with terms for its variables; where it is an implication, its conclusion, from
-/// `premises` that say its premise.
+/// `premises` that say its premise, or from which `linear` gives each part of it.
 Theorem use(const Theorem& rule, const Substitution& terms, const Theorems& premises = {});
 /// The same for an axiom, by its name.
 Theorem use(const std::string& axiom_name, const Substitution& terms,
             const Theorems& premises = {});
+/// `t` with terms for its variables; each hypothesis that changes is proved by `linear`.
+Theorem at(const Theorem& t, const Substitution& terms, const Theorems& facts = {});
+/// f implies what `body` proves from f |- f.
+Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body);
+/// |- f if and only if g
+Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>& forth,
+                   const std::function<Theorem(const Theorem&)>& back);
+/// As `tautology`, where of two terms that are said to be equal one is less, or they are equal.
+Theorem follows(Expr goal, const Theorems& from);
 /// The i-th part of a conjunction, from 0.
 Theorem part(const Theorem& conjunction, std::size_t i);
 /// The conjunction of all.
 Theorem both(const Theorems& theorems);
 Theorems operator+(Theorems a, const Theorems& b);
+/// Conjunctions and equations of matrices in parts.
+Theorems parts(const Theorems& theorems);
+/// What all tactics may use, besides what they are given, until `Known` ends; `know` for good.
+class Known {
+public:
+  explicit Known(const Theorems& facts);
+  ~Known();
+  Known(const Known&) = delete;
+  Known& operator=(const Known&) = delete;
+
+private:
+  std::size_t before;
+};
+void know(const Theorem& fact);
+const Theorems& known();
 /// |- not 0 < 0
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f

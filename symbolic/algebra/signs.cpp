@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "algebra/angles.hpp"
 #include "algebra/equations.hpp"
 #include "algebra/linear.hpp"
 #include "kernel/polynomial.hpp"
@@ -54,6 +55,16 @@ std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool stri
     const auto s = sign(t.arg(0), facts, true);
     if (!s) return {};
     return use("atan positive", at, {*s});
+  }
+  if (t.name() == "sin" || t.name() == "cos") {
+    const Expr y = t.arg(0);
+    const auto from = linear_if(lt(0, y), facts);
+    if (!from) return {};
+    const auto below = linear_if(lt(y, t.name() == "sin" ? pi() : pi() / 2), facts);
+    if (!below) return {};
+    const Theorem above = t.name() == "sin" ? use("sin positive", at, {*from, *below})
+                                            : cosine_positive(*from, *below);
+    return strict ? above : linear(le(0, t), {above});
   }
   return {};
 }
@@ -110,23 +121,29 @@ std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
   }
 }
 std::optional<Theorem> sign(Expr t, const Theorems& facts, bool strict) {
-  for (const Theorem& f : facts) {
-    const Op op = f.conclusion().op();
-    if (op != Op::Lt && (strict || op != Op::Le)) continue;
-    if (canonical(gap(f)) == canonical(t))
-      return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, {f}, {}}}));
-  }
-  return by_shape(t, facts, strict);
+  for (const Theorems* some : {&facts, &known()})
+    for (const Theorem& f : *some) {
+      const Op op = f.conclusion().op();
+      if (op != Op::Lt && (strict || op != Op::Le)) continue;
+      if (canonical(gap(f)) == canonical(t))
+        return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, {f}, {}}}));
+    }
+  if (auto s = by_shape(t, facts, strict)) return s;
+  if (t.op() == Op::Num) return {};
+  return linear_if(strict ? lt(0, t) : le(0, t), facts);
 }
 }  // namespace
 
+std::optional<Theorem> sign_of(Expr t, const Theorems& facts, bool strict) {
+  return sign(t, parts(facts), strict);
+}
 Theorem positive(Expr t, const Theorems& facts) {
-  if (const auto s = sign(t, facts, true)) return *s;
+  if (const auto s = sign_of(t, facts)) return *s;
   refuse("cannot see that 0 < " + text(t));
 }
 Theorem not_negative(Expr t, const Theorems& facts) {
-  if (const auto s = sign(t, facts, true)) return linear(le(0, t), {*s});
-  if (const auto s = sign(t, facts, false)) return linear(le(0, t), {*s});
+  if (const auto s = sign_of(t, facts)) return linear(le(0, t), {*s});
+  if (const auto s = sign_of(t, facts, false)) return linear(le(0, t), {*s});
   refuse("cannot see that 0 <= " + text(t));
 }
 Theorem not_zero(const Theorem& less) {
@@ -135,9 +152,15 @@ Theorem not_zero(const Theorem& less) {
   return tautology(neq(d, 0), {use("less is not equal", {{real("x"), 0}, {real("y"), d}}, {above}),
                                discharge(eq(d, 0), turned(assume(eq(d, 0))))});
 }
-Theorem times(const Theorem& a, const Theorem& b) {
-  const bool strict = a.conclusion().op() == Op::Lt && b.conclusion().op() == Op::Lt;
-  const Expr t = gap(a) * gap(b);
-  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, {a, b}, {}}}));
+Theorem product_of(const Theorems& factors) {
+  Expr t = 1;
+  bool strict = true;
+  for (const Theorem& f : factors) {
+    t = t * gap(f);
+    strict = strict && f.conclusion().op() == Op::Lt;
+  }
+  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, factors, {}}}));
 }
+Theorem times(const Theorem& a, const Theorem& b) { return product_of({a, b}); }
+Theorem times(const Theorem& a, Expr positive_term) { return times(a, positive(positive_term)); }
 }  // namespace algebra

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "algebra/logic.hpp"
+#include "kernel/defined.hpp"
 #include "kernel/print.hpp"
 
 namespace derivation {
@@ -22,10 +23,35 @@ kernel::Theorem Book::show(const std::string& name, const std::string& label,
   for (const kernel::Expr& f : last.assumptions)
     if (std::find(hypotheses.begin(), hypotheses.end(), f) != hypotheses.end())
       read_first.push_back(f);
-  for (const kernel::Expr& need : unproved_needs(algebra::under(read_first, theorem), facts))
+  kernel::Theorem shown = theorem;
+  kernel::Exprs missing = unproved_needs(algebra::under(read_first, theorem));
+  for (const kernel::Expr& f : last.assumptions) {
+    if (missing.empty()) break;
+    const kernel::Theorem with_f = algebra::under({f}, shown);
+    const kernel::Exprs still_missing = unproved_needs(algebra::under(read_first, with_f));
+    if (still_missing.size() == missing.size()) continue;
+    shown = with_f;
+    missing = still_missing;
+  }
+  for (const kernel::Expr& need : missing)
     kernel::refuse(id + " makes sense only where " + kernel::text(need) + ", which is not proved");
-  last.statements.push_back({id, label, words, theorem});
-  return theorem;
+  last.statements.push_back({id, label, words, shown});
+  return shown;
+}
+kernel::Theorem Book::name(const std::string& symbol, const kernel::Exprs& params,
+                           kernel::Expr value, const kernel::Exprs& domain,
+                           const std::string& words, const std::string& label,
+                           const std::string& shown_as) {
+  const auto printed = std::find_if(params.begin(), params.end(), [](kernel::Expr p) {
+    return p.name() != "alpha" && p.name() != "V";
+  });
+  const kernel::Theorem definition =
+      kernel::define(symbol, params, value, int(printed - params.begin()));
+  if (!domain.empty())
+    kernel::restrict_domain(symbol, params,
+                            domain.size() == 1 ? domain[0] : kernel::logic_and(domain));
+  show(shown_as.empty() ? symbol : shown_as, label, words, algebra::under(domain, definition));
+  return definition;
 }
 const Statement* Book::find(const std::string& id) const {
   for (const Chapter& chapter : all)

@@ -28,13 +28,15 @@ public:
   /// taken or where a term of the statement is not proved to make sense under its hypotheses.
   kernel::Theorem show(const std::string& name, const std::string& label, const std::string& words,
                        const kernel::Theorem& theorem);
+  /// Defines symbol(params) = value, meant to be used where `domain` holds, and shows it there under
+  /// the id `shown_as`, or else the symbol. Parameters alpha and V that come first are not printed.
+  kernel::Theorem name(const std::string& symbol, const kernel::Exprs& params, kernel::Expr value,
+                       const kernel::Exprs& domain, const std::string& words,
+                       const std::string& label = "", const std::string& shown_as = "");
   /// The theorem of an id. Throws Refused where there is none.
   kernel::Theorem operator[](const std::string& id) const;
   bool has(const std::string& id) const { return find(id) != nullptr; }
   const std::vector<Chapter>& chapters() const { return all; }
-
-  /// What is not shown but tells that terms make sense, such as 0 < sin(psi/2).
-  kernel::Theorems facts;
 
 private:
   std::vector<Chapter> all;
@@ -42,8 +44,8 @@ private:
   const Statement* find(const std::string& id) const;
 };
 
-/// What terms of `theorem` need to make sense and `facts` and its own hypotheses do not prove.
-kernel::Exprs unproved_needs(const kernel::Theorem& theorem, const kernel::Theorems& facts);
+/// What terms of `theorem` need to make sense and its own hypotheses and what is known do not prove.
+kernel::Exprs unproved_needs(const kernel::Theorem& theorem);
 /// The whole derivation, proved again at each call; its definitions can be made once a process, so
 /// the second call throws Refused.
 Book derive();

@@ -5,6 +5,7 @@
 namespace derivation {
 Book derive() {
   Book book;
+  const Known while_deriving({assume(alpha_positive), assume(V_positive)});
   for (const auto chapter : {contact, cycle, cycle_matrix, rotation, powers, table, counting,
                              constraints, multiples, thresholds, ratios, terminal, minima,
                              small_alpha, orthogonal, evaluators, exact_forms, radicals})

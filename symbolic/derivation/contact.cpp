@@ -21,13 +21,10 @@ Theorem velocities_after(Book& book) {
                 "keeps momentum and energy, and something changes:",
                 define("contact", bodies, logic_and({momentum, energy, changed}), 0));
   const Theorem collision = assume(fun("contact", bodies));
-  const Theorem laws = tautology(law.conclusion().arg(1), {law, collision});
-  const Theorem P = part(laws, 0);
-  const Theorem E = part(laws, 1);
-  const Theorem changes = part(laws, 2);
-  const Theorem m_1 = assume(lt(0, M_1));
-  const Theorem m_2 = assume(lt(0, M_2));
-  const Theorem total = positive(M_1 + M_2, {m_1, m_2});
+  const Theorems laws = parts({tautology(law.conclusion().arg(1), {law, collision})});
+  const Theorem P = laws[0], E = laws[1], changes = laws[2];
+  const Theorem m_1 = assume(lt(0, M_1)), m_2 = assume(lt(0, M_2));
+  const Known masses({m_1, m_2});
 
   // M_1 (u_1 - v_1) ((u_1 + v_1) - (u_2 + v_2)) = 0, and the first two factors are not 0.
   Certificate c;
@@ -43,24 +40,27 @@ Theorem velocities_after(Book& book) {
       both({book.show("v_1", "",
                       "Together with momentum these are two linear equations, and the velocities "
                       "after the collision are",
-                      equation(v_1, after[0], rules, {total})),
-            book.show("v_2", "", "and", equation(v_2, after[1], rules, {total}))});
+                      equation(v_1, after[0], rules)),
+            book.show("v_2", "", "and", equation(v_2, after[1], rules))});
 
   // The converse.
   const Theorem w_1 = assume(eq(v_1, after[0]));
   const Theorem w_2 = assume(eq(v_2, after[1]));
   book.show("exists", "", "Conversely, these velocities keep momentum and energy,",
-            both({equation(momentum, {w_1, w_2}, {total}), equation(energy, {w_1, w_2}, {total})}));
-  const Theorem same_u = assume(eq(u_1, u_2));
-  const Theorem same_v = assume(eq(v_1, u_1));
-  Certificate back;
-  back.equations = {{-(M_1 + M_2) / 2, same_v}, {(M_1 + M_2) / 2, w_1}};
-  back.multipliers = {m_2};
-  back.nonzero = {total};
+            both({equation(momentum, {w_1, w_2}), equation(energy, {w_1, w_2})}));
+  const auto back = [&](const Theorem& same) {
+    Certificate e;
+    e.equations = {{-(M_1 + M_2) / 2, same}, {(M_1 + M_2) / 2, w_1}};
+    e.multipliers = {m_2};
+    e.nonzero = {positive(M_1 + M_2)};
+    return arithmetic(eq(u_1, u_2), e);
+  };
   book.show("changes", "", "and something changes if and only if the bodies approach or part.",
-            tautology(iff(changed, neq(u_1, u_2)),
-                      {discharge(same_u.conclusion(), equation(v_1, u_1, {w_1, same_u}, {total})),
-                       discharge(same_v.conclusion(), arithmetic(eq(u_1, u_2), back))}));
+            tautology(iff(changed, neq(u_1, u_2)), {given(eq(u_1, u_2),
+                                                          [&](const Theorem& same) {
+                                                            return equation(v_1, u_1, {w_1, same});
+                                                          }),
+                                                    given(eq(v_1, u_1), back)}));
   return velocities;
 }
 }  // namespace
@@ -70,84 +70,71 @@ void contact(Book& book) {
   const Theorem general = velocities_after(book);
 
   // A block of mass M and the ball of mass alpha M.
-  const Theorem mass_ratio = assume(alpha_positive);
-  const Theorem block = assume(lt(0, M));
-  const Theorem ball = positive(alpha * M, {mass_ratio, block});
-  const Theorem p1 = positive(1 + alpha, {mass_ratio});
-  const Theorem total = positive(M + alpha * M, {block, ball});
-  const Theorem special = cut(ball, instantiate(general, {{M_1, M}, {M_2, alpha * M}}));
+  const Known block({assume(lt(0, M))});
+  const Theorem special =
+      cut(positive(alpha * M), instantiate(general, {{M_1, M}, {M_2, alpha * M}}));
   book.chapter("ball", "A block and the ball", {alpha_positive, lt(0, M)});
   Exprs after;
   Theorems velocities;
   for (std::size_t i = 0; i < 2; ++i) {
     const Theorem v = part(special, i);
     after.push_back(simplified(v.conclusion().arg(1), {u_1, u_2}));
-    velocities.push_back(chain(v, equation(v.conclusion().arg(1), after[i], {}, {total, p1})));
+    velocities.push_back(chain(v, equation(v.conclusion().arg(1), after[i])));
   }
   book.show("velocities", "", "A block of mass M and the ball of mass alpha M:", both(velocities));
 
   // In terms of (u_1, sqrt(alpha) u_2): scaled coefficients of u_1 and u_2.
   const Expr s = sqrt(alpha);
-  const Theorem root = root_squared(mass_ratio);
   const auto coefficient = [&](std::size_t row, int in_u_1) {
     return substitute(after[row], {{u_1, in_u_1}, {u_2, 1 - in_u_1}});
   };
   const Expr scaled_matrix = simplified(matrix(
       2, {coefficient(0, 1), coefficient(0, 0) / s, s * coefficient(1, 1), coefficient(1, 0)}));
-  const Theorem gamma = define("Gamma", {alpha}, scaled_matrix);
-  restrict_domain("Gamma", {alpha}, alpha_positive);
-  book.show("Gamma", "",
-            "With the ball's velocities times sqrt(alpha), the coefficients form the matrix",
-            under({alpha_positive}, gamma));
-  const Theorems rules = Theorems{root} + entries(gamma);
+  const Theorem gamma =
+      book.name("Gamma", {alpha}, scaled_matrix, {alpha_positive},
+                "With the ball's velocities times sqrt(alpha), the coefficients form the matrix");
   book.show("collision", "", "so that a collision is a linear map:",
             matrix_equation(column({v_1, s * v_2}), times(Gamma(), column({u_1, s * u_2})),
-                            rules + velocities, {p1}));
+                            velocities + Theorems{gamma}));
   book.show("Gamma_paper", "eq:Gamma", "As the paper writes it:",
             matrix_equation(Gamma(),
                             matrix(2, {(1 - alpha) / (1 + alpha), 2 * s / (1 + alpha),
                                        2 * s / (1 + alpha), -(1 - alpha) / (1 + alpha)}),
-                            rules, {p1}));
+                            {gamma}));
   book.show("Gamma_orthogonal", "", "It is orthogonal,",
-            matrix_equation(times(Gamma(), transpose(Gamma())), identity(2), rules, {p1}));
-  book.show("Gamma_determinant", "",
-            "with determinant -1:", equation(det(Gamma()), -1, rules, {p1}));
+            matrix_equation(times(Gamma(), transpose(Gamma())), identity(2), {gamma}));
+  book.show("Gamma_determinant", "", "with determinant -1:", equation(det(Gamma()), -1, {gamma}));
 
   // theta
-  const Theorem angle = define("theta", {alpha}, 2 * atan(s));
-  restrict_domain("theta", {alpha}, alpha_positive);
-  book.show("theta", "def:theta theta-txt", "The angle theta:", under({alpha_positive}, angle));
+  const Theorem angle = book.name("theta", {alpha}, 2 * atan(s), {alpha_positive},
+                                  "The angle theta:", "def:theta theta-txt");
   const Theorem half = linear(eq(atan(s), theta() / 2), {angle});
-  const Theorem inside = equation(1 + power(s, 2), 1 + alpha, {root});
+  const Theorem inside = equation(1 + power(s, 2), 1 + alpha);
   const auto at_half = [&](const std::string& axiom_name) {
     return rewrite(inside, rewrite(half, use(axiom_name, {{x, s}})));
   };
   const Theorem cos_half =
       book.show("cos_half_theta", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
   const Theorem sin_half = book.show("sin_half_theta", "table:trig", "and", at_half("sin atan"));
-  const Theorem w = root_squared(p1);
-  const Theorems half_values{cos_half, sin_half, w, root};
-  const Theorems divisors{p1, positive(sqrt(1 + alpha), {p1})};
   const auto doubled = [&](Expr l, Expr r) {
-    return equation(l, r, angles({l}, {theta() / 2}, false) + half_values, divisors);
+    return equation(l, r, {cos_half, sin_half}, {theta() / 2});
   };
   const Theorem cos_theta =
       book.show("cos_theta", "table:trig",
                 "the double angle:", doubled(cos(theta()), (1 - alpha) / (1 + alpha)));
   const Theorem sin_theta =
       book.show("sin_theta", "table:trig", "and", doubled(sin(theta()), 2 * s / (1 + alpha)));
-  const Theorem plane = define("lambda", {x}, matrix(2, {cos(x), -sin(x), sin(x), cos(x)}), 0);
-  const Theorem mirror = define("P_2", {}, matrix(2, {1, 0, 0, -1}));
-  book.show("lambda", "", "A rotation of the plane", plane);
-  book.show("P_2", "", "and a reflection:", mirror);
-  const Theorems turned_rules = rules + Theorems{cos_theta, sin_theta} +
-                                entries(instantiate(plane, {{x, theta()}})) + entries(mirror);
+  const Theorem plane = book.name("lambda", {x}, matrix(2, {cos(x), -sin(x), sin(x), cos(x)}), {},
+                                  "A rotation of the plane");
+  const Theorem mirror = book.name("P_2", {}, matrix(2, {1, 0, 0, -1}), {}, "and a reflection:");
+  const Theorems turned_rules{gamma, cos_theta, sin_theta, instantiate(plane, {{x, theta()}}),
+                              mirror};
   book.show(
       "Gamma_theta", "def:gamma", "With it Gamma is",
       matrix_equation(Gamma(), matrix(2, {cos(theta()), sin(theta()), sin(theta()), -cos(theta())}),
-                      turned_rules, {p1}));
-  book.show("Gamma_rotation", "def:gamma", "a rotation after a reflection:",
-            matrix_equation(Gamma(), times(fun("lambda", {theta()}), fun("P_2", {})), turned_rules,
-                            {p1}));
+                      turned_rules));
+  book.show(
+      "Gamma_rotation", "def:gamma", "a rotation after a reflection:",
+      matrix_equation(Gamma(), times(fun("lambda", {theta()}), fun("P_2", {})), turned_rules));
 }
 }  // namespace derivation

@@ -122,7 +122,7 @@ void number_of_collisions(Book& book, const Theorem& speed) {
       tautology(substitute(none, {{j, K}}), {use(signs, {{j, K}}, {K_from_0}), sine_end});
   const Theorem found = use(least, {{j, K}}, {K_from_0, at_K});
   const Theorem N_from_0 = part(found, 0);
-  book.facts.push_back(N_from_0);
+  know(N_from_0);
   const auto before = [&](Expr i, const Theorem& i_from_0, const Theorem& below) {  // i < K
     const Theorem room = linear(lt(0, z - 1 - i), {next_integer(below), part(ceiling, 1)});
     const Theorem less = linear(lt(half_angle(i + 1), pi()), {times(room, psi_positive), per});
@@ -168,7 +168,7 @@ void shares(Book& book) {
   const Theorem N_B_from_1 = linear(le(1, N_B()), {next_integer(N_B_above)});
   book.show("shares", "", "A takes part in the first, the third, and so on, B in the others:",
             under({alpha_positive, V_positive}, both({def_A, def_B})));
-  book.facts = book.facts + Theorems{N_A_from_1, N_B_from_1};
+  know(both({N_A_from_1, N_B_from_1}));
   book.show("at_least", "", "each at least once:", both({N_A_from_1, N_B_from_1}));
   const Expr z = pi() / psi();
   const Theorem psi_positive = psi_from;

@@ -46,26 +46,18 @@ Sequence sequence(Book& book, const Collision& collide) {
             under({alpha_positive}, both({motion[3], motion[4], motion[5]})));
 
   const Expr even = eq(turn(2 * n), 1);
-  const Expr claim = logic_and({le(0, n), even});
-  const Theorem from_0 = part(assume(claim), 0);
-  const auto turn_after = [&](Expr i) {
-    return use(whose_turn[1], {{j, i}}, {linear(le(0, i), {from_0})});
-  };
-  const Theorem next_even = equation(
-      turn(2 * (n + 1)), 1, {turn_after(2 * n + 1), turn_after(2 * n), part(assume(claim), 1)});
-  const Theorem base = restate(eq(turn(Expr(2) * Expr(0)), 1), whose_turn[0]);
-  const Theorem evens = induction(n, 0, even, base, discharge(claim, next_even));
   const Theorem n_from_0 = assume(le(0, n));
-  const Theorem turn_0 = tautology(even, {evens, n_from_0});
-  const Theorem turn_1 =
-      equation(turn(2 * n + 1), -1,
-               {use(whose_turn[1], {{j, 2 * n}}, {linear(le(0, 2 * n), {n_from_0})}), turn_0});
+  const auto turn_after = [&](Expr i) { return use(whose_turn[1], {{j, i}}, {n_from_0}); };
+  const Theorem turn_0 = by_induction(
+      n, even, restate(eq(turn(Expr(2) * Expr(0)), 1), whose_turn[0]),
+      [&](const Theorem&, const Theorem& now) {
+        return equation(turn(2 * (n + 1)), 1, {turn_after(2 * n + 1), turn_after(2 * n), now});
+      });
+  const Theorem turn_1 = equation(turn(2 * n + 1), -1, {turn_after(2 * n), turn_0});
   const auto after = [&](Expr i, const Theorem& whose) {
     Theorems steps;
-    for (std::size_t body = 3; body < 6; ++body) {
-      const Theorem step = use(motion[body], {{j, i}}, {linear(le(0, i), {n_from_0})});
-      steps.push_back(rewrite(whose, step));
-    }
+    for (std::size_t body = 3; body < 6; ++body)
+      steps.push_back(rewrite(whose, use(motion[body], {{j, i}}, {n_from_0})));
     return steps;
   };
   book.show("turns", "", "So collision 2n is one with A, and collision 2n + 1 one with B:",
@@ -79,8 +71,6 @@ void cycle(Book& book) {
   const Collision collide{law.conclusion().arg(0).arg(1), law.conclusion().arg(1).arg(1)};
   book.chapter("cycle", "The motion, cycle by cycle", {alpha_positive, from_1});
   const Sequence s = sequence(book, collide);
-  const Theorem mass = assume(alpha_positive);
-  const Theorem p1 = positive(1 + alpha, {mass});
 
   // The paper's names: the n-th cycle is collisions 2n - 2 (P_n) and 2n - 1 (Q_n).
   const Theorem def_a = define("a", {alpha, V, n}, A(2 * n), 2);
@@ -93,28 +83,19 @@ void cycle(Book& book) {
   const Theorem n_from_1 = assume(from_1);
   book.show("names", "", "The paper's velocities: A's, B's and the ball's after n cycles,",
             under({alpha_positive, le(0, n)}, both({def_a, def_b, def_c_prime})));
-  const Theorem before_from_0 = linear(le(0, n - 1), {n_from_1});
   const auto in_cycle = [&](const Theorem& step) {  // the step of cycle n + 1 as that of cycle n
-    return use(discharge(le(0, n), step), {{n, n - 1}}, {before_from_0});
-  };
-  const auto at = [&](const Theorem& definition, Expr i) {
-    return instantiate(definition, {{n, i}});
+    return at(step, {{n, n - 1}}, {n_from_1});
   };
   Theorems all_steps;
-  for (const Theorems& steps : {s.first, s.second})
-    for (const Theorem& t : steps) all_steps.push_back(in_cycle(t));
+  for (const Theorem& t : s.first + s.second) all_steps.push_back(in_cycle(t));
   const Theorem def_c = equation(
       c(n), C(2 * n - 1), Theorems{in_cycle(use(within[1], {}, {assume(le(0, n))}))} + all_steps);
   book.show("c_start", "", "and the ball's within the n-th, 0 before the first:",
             under({alpha_positive}, within[0]));
   book.show("name_c", "", "so that", under({alpha_positive, from_1}, def_c));
-  const Theorems names{turned(def_a),
-                       turned(def_b),
-                       turned(def_c_prime),
-                       turned(def_c),
-                       turned(at(def_a, n - 1)),
-                       turned(at(def_b, n - 1)),
-                       turned(at(def_c_prime, n - 1))};
+  Theorems names{turned(def_c)};
+  for (const Theorem& t : {def_a, def_b, def_c_prime})
+    names = names + Theorems{turned(t), turned(instantiate(t, {{n, n - 1}}))};
   const auto step = [&](Expr l, const Theorem& definition, Expr r) {
     return equation(l, r, Theorems{definition} + all_steps + names);
   };
@@ -124,7 +105,7 @@ void cycle(Book& book) {
   const Theorem c_prime_n = step(c_prime(n), def_c_prime, collide.ball(b(n - 1), c(n)));
   const Theorem zero_n = equation(Expr(2) * Expr(0), 0);
   const auto at_0 = [&](const Theorem& definition, const Theorem& start) {
-    return chain(rewrite(zero_n, at(definition, 0)), start);
+    return chain(rewrite(zero_n, instantiate(definition, {{n, 0}})), start);
   };
   book.show("start_vector", "", "Before the first collision:",
             under({alpha_positive}, both({at_0(def_a, s.starts[0]), at_0(def_b, s.starts[1]),

@@ -3,6 +3,7 @@
 // or the statement is not shown.
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "algebra/linear.hpp"
 #include "algebra/signs.hpp"
@@ -15,32 +16,34 @@ namespace {
 bool is_among(Expr f, const Exprs& formulas) {
   return std::find(formulas.begin(), formulas.end(), f) != formulas.end();
 }
-bool holds(const std::function<Theorem()>& proof) {
-  try {
-    proof();
-    return true;
-  } catch (const Refused&) {
-    return false;
-  }
+/// Is there a proof, from nothing but what is given?
+bool holds(const Exprs& given, const std::function<std::optional<Theorem>()>& proof) {
+  const auto t = proof();
+  if (!t) return false;
+  const Exprs hypotheses = t->hypotheses();
+  return std::all_of(hypotheses.begin(), hypotheses.end(),
+                     [&](Expr h) { return is_among(h, given); });
 }
 Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
 
-bool proved(Expr condition, const Theorems& known) {
-  for (const Theorem& t : known)
+bool proved(Expr condition, const Theorems& facts, const Exprs& given) {
+  for (const Theorem& t : facts)
     if (t.conclusion() == condition) return true;
-  if (holds([&] { return linear(condition, known); })) return true;
-  if (condition.op() == Op::Lt)
-    return holds([&] { return positive(condition.arg(1) - condition.arg(0), known); });
-  if (condition.op() == Op::Le)
-    return holds([&] { return not_negative(condition.arg(1) - condition.arg(0), known); });
-  if (condition.op() != Op::Not || condition.arg(0).op() != Op::Eq) return false;
-  const Expr d = condition.arg(0).arg(0) - condition.arg(0).arg(1);
-  return holds([&] { return positive(d, known); }) || holds([&] { return positive(-d, known); }) ||
-         holds([&] { return linear(lt(0, d), known); });
+  if (holds(given, [&] { return linear_if(condition, facts); })) return true;
+  const bool negated = condition.op() == Op::Not && condition.arg(0).op() == Op::Eq;
+  const Expr f = negated ? condition.arg(0) : condition;
+  const auto has_sign = [&](Expr d, bool strict) {
+    return holds(given, [&] { return sign_of(d, facts, strict); });
+  };
+  if (negated) return has_sign(f.arg(0) - f.arg(1), true) || has_sign(f.arg(1) - f.arg(0), true);
+  if (f.op() == Op::Lt || f.op() == Op::Le)
+    return has_sign(f.arg(1) - f.arg(0), true) ||
+           (f.op() == Op::Le && has_sign(f.arg(1) - f.arg(0), false));
+  return false;
 }
 }  // namespace
 
-Exprs unproved_needs(const Theorem& theorem, const Theorems& facts) {
+Exprs unproved_needs(const Theorem& theorem) {
   Exprs out;
   for (const Expr& need : needs(theorem)) {
     const bool guarded = need.op() == Op::Imp;
@@ -48,17 +51,13 @@ Exprs unproved_needs(const Theorem& theorem, const Theorems& facts) {
     Exprs all_given;
     for (const Expr& g : given)
       for (const Expr& f : conjuncts(g)) all_given.push_back(f);
-    Theorems known;
+    Theorems facts;
     for (const Expr& f : all_given)
-      if (f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq) known.push_back(assume(f));
-    for (const Theorem& f : facts) {
-      const Exprs hypotheses = f.hypotheses();
-      const bool usable = std::all_of(hypotheses.begin(), hypotheses.end(),
-                                      [&](Expr h) { return is_among(h, all_given); });
-      if (usable) known.push_back(f);
-    }
+      if (f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq) facts.push_back(assume(f));
+    for (const Theorem& f : known())
+      if (holds(all_given, [&] { return f; })) facts.push_back(f);
     for (const Expr& condition : conjuncts(guarded ? need.arg(1) : need))
-      if (!is_among(condition, all_given) && !proved(condition, known)) {
+      if (!is_among(condition, all_given) && !proved(condition, facts, all_given)) {
         out.push_back(need);
         break;
       }

@@ -11,7 +11,7 @@ Angle angle(Names& names) {
   const Theorem mass = assume(alpha_positive);
   const Theorem p1 = positive(1 + alpha, {mass}), p2 = positive(2 + alpha, {mass});
   const Theorem above = names.name("above", {alpha}, 2 + alpha, "With");
-  book.facts.push_back(linear(lt(0, of_alpha("above")), {above, p2}));
+  know(linear(lt(0, of_alpha("above")), {above, p2}));
   const Theorem w = names.name("w", {alpha}, 1 / sqrt(alpha * of_alpha("above")));
   const Theorem z = rewrite(above, names.name("z", {alpha}, alpha / of_alpha("above")));
   const Theorem t = names.name("t", {alpha}, alpha * of_alpha("w"));

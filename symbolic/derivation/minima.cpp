@@ -158,7 +158,7 @@ AtDeficient at_deficient(Book& book) {
   const Theorem quotient =
       positive((1 - cos(x_k)) / cos(x_k), {versed, book["ratios.beta_k_cosine"]});
   const Theorem ratio_positive = linear(lt(0, ratio), {book["ratios.beta_k"], quotient});
-  book.facts.push_back(ratio_positive);
+  know(ratio_positive);
   const auto velocity = [&](const std::string& id) {
     const Theorem at_ratio = instantiate(book[id], {{alpha, ratio}});
     return part(cut(ratio_positive, cut(equation(ratio, ratio), at_ratio)), 1);

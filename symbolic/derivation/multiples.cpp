@@ -216,7 +216,7 @@ void multiples(Book& book) {
       linear(le(0, half), {next_integer(linear(lt(-1, half), {above_half, assume(le(0, n))}))});
   const Theorem half_reaches =
       linear(le(n, 2 * half + 1), {next_integer(linear(lt(n, 2 * half + 2), {above_half}))});
-  book.facts.push_back(half_from_0);
+  know(half_from_0);
   book.show("cos", "sec:nx", "The cosine of n x is the first sum, up to n/2,",
             part(up_to(half, half_from_0, half_reaches), 0));
   const auto [less, above_less] = floor_of((n - 1) / 2);
@@ -231,7 +231,7 @@ void multiples(Book& book) {
   const Theorem zero = use(cut(n_from_0, vanishes), {{j, 2 * less + 3}},
                            {linear(le(n + 1, 2 * less + 3), {reaches})});
   const Theorem last = use(s.sums[3], {{j, less}}, {less_from_0});
-  book.facts.push_back(less_from_0);
+  know(less_from_0);
   book.show("sin", "sec:nx", "and its sine the second one, up to (n - 1)/2:",
             equation(sin(n * x), sin_sum(n, less), {cut(n_from_0, longer), last, zero}));
 }

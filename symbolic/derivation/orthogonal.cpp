@@ -86,7 +86,7 @@ void in_the_plane(Book& book, const Theorem& is) {
   const Theorem one_more = positive(1 + power(t, 2));
   const Theorem p_more = tautology(
       neq(1 + p, 0), {other, discharge(eq(1 + p, 0), linear(eq(p, -1), {assume(eq(1 + p, 0))}))});
-  book.facts.push_back(p_more);
+  know(p_more);
   const Theorems half{use("cos atan", {{x, t}}), use("sin atan", {{x, t}}), root_squared(one_more)};
   const auto of_angle = [&](Expr l, Expr value) {
     return equation(l, value, angles({l}, {angle}, false) + half + Theorems{unit},
@@ -315,10 +315,9 @@ void about_an_axis(Book& book, const Theorem& is) {
   };
   const Expr first = entry(matrix_of_names(2), 0, 0);
   const Theorem none = assume(eq(1 + entry(m, 0, 0), 0));
-  book.facts.push_back(
-      tautology(logic_not(none.conclusion()),
-                {assume(neq(entry(m, 0, 0), -1)),
-                 discharge(none.conclusion(), linear(eq(entry(m, 0, 0), -1), {none}))}));
+  know(tautology(logic_not(none.conclusion()),
+                 {assume(neq(entry(m, 0, 0), -1)),
+                  discharge(none.conclusion(), linear(eq(entry(m, 0, 0), -1), {none}))}));
   const Expr angle = 2 * atan(s_(1, 0) / (1 + s_(0, 0)));
   const Exprs read{is.conclusion(), eq(det(o), 1), eq(gram(r), one), eq(times(o, third), third),
                    eq(s, m)};

@@ -94,7 +94,7 @@ public:
     const Theorem product = linear(eq(cos(quarter()) * sin(quarter()), t / 2),
                                    {angles({sin(half())}, {quarter()}, false)[0], sin_half[0]});
     book.show("quarter", "", "The quarter of psi:", both({sine_q, cos_q2, product}));
-    book.facts.push_back(sine_q);
+    know(sine_q);
     quarter_rules = {cos_q2, product};
     divisors_of_c = {sine_q, roots.divisors[2]};
     const Theorem signs = book["rotation.half_signs"];

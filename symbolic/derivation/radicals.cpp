@@ -16,20 +16,19 @@ Theorem halving(Book& book) {
   const Theorem cos_positive =
       cosine_positive(linear(lt(0, x / 2), {above}), linear(lt(x / 2, pi() / 2), {below}));
   const Theorem is = root_is((1 + cos(x)) / 2, cos(x / 2), cos_positive, angles({cos(x)}, {x / 2}));
-  book.facts.push_back(
-      linear(le(0, (1 + cos(x)) / 2),
-             {equation((1 + cos(x)) / 2, power(cos(x / 2), 2), angles({cos(x)}, {x / 2})),
-              not_negative(power(cos(x / 2), 2))}));
+  know(linear(le(0, (1 + cos(x)) / 2),
+              {equation((1 + cos(x)) / 2, power(cos(x / 2), 2), angles({cos(x)}, {x / 2})),
+               not_negative(power(cos(x / 2), 2))}));
   return book.show("halving", "", "Half of an angle between 0 and pi:", turned(is));
 }
 /// u and v from u + v = s, (u - v)^2 = d and v < u.
 struct Quadratic {
-  Quadratic(Book& book, const Theorem& sum, const Theorem& square, const Theorem& less)
+  Quadratic(const Theorem& sum, const Theorem& square, const Theorem& less)
       : root(root_of(square, linear(lt(0, square.conclusion().arg(0).arg(0)), {less}))),
         greater(solved(sum, less.conclusion().arg(1), root.conclusion().arg(0) / 2)),
         smaller(solved(sum, less.conclusion().arg(0), -root.conclusion().arg(0) / 2)) {
-    book.facts.push_back(linear(le(0, square.conclusion().arg(1)),
-                                {square, not_negative(square.conclusion().arg(0))}));
+    know(linear(le(0, square.conclusion().arg(1)),
+                {square, not_negative(square.conclusion().arg(0))}));
   }
   Theorem solved(const Theorem& sum, Expr which, Expr half_gap) const {
     return linear(eq(which, sum.conclusion().arg(1) / 2 + half_gap), {sum, root});
@@ -114,7 +113,7 @@ struct Fifth {
 Fifth fifth(Book& book) {
   const Periods of(5);
   const Expr u = of.period({1}), v = of.period({2});
-  const Quadratic q(book, of.known(eq(u + v, -1)), of.known(eq(power(u - v, 2), 5)),
+  const Quadratic q(of.known(eq(u + v, -1)), of.known(eq(power(u - v, 2), 5)),
                     linear(lt(v, u), {of.falls(1, 2)}));
   const Expr s = sqrt(Expr(5));
   return {book.show("fifth", "", "The cosine of a fifth of pi:",
@@ -152,14 +151,14 @@ Theorem seventeenth(Book& book) {
                         of.falls(of.angle(4), pi() / 2), axiom("cos pi/2"),
                         of.falls(of.angle(8), pi()), axiom("cos pi")});
   const Theorem whole = of.known(eq(E + F, -1));
-  const Quadratic first(book, whole, of.known(eq(power(E - F, 2), 17)),
+  const Quadratic first(whole, of.known(eq(power(E - F, 2), 17)),
                         linear(lt(F, E), {E_positive, whole}));
   const Theorem root_17 = root_squared(positive(17));
   const auto halves = [&](Expr u, Expr v, const Theorem& sum, const Theorem& less) {
     const Expr s = sum.conclusion().arg(0);  // (u - v)^2 = s^2 + 4
     const Theorem square = rewrite(sum, of.known(eq(power(u - v, 2), power(s, 2) + 4)));
     const Expr value = square.conclusion().arg(1), simple = simplified(value);
-    return Quadratic(book, linear(eq(u + v, sum.conclusion().arg(1)), {sum}),
+    return Quadratic(linear(eq(u + v, sum.conclusion().arg(1)), {sum}),
                      rewrite(equation(value, simple, {root_17}), square), less);
   };
   const Quadratic of_E =
@@ -168,7 +167,7 @@ Theorem seventeenth(Book& book) {
       halves(c, d, first.smaller, linear(lt(d, c), {of.falls(3, 6), of.falls(5, 7)}));
   const Expr u = period({2}), v = period({8});
   const Theorem square = of.known(eq(power(u - v, 2), power(b, 2) - 4 * d));
-  const Quadratic last(book, linear(eq(u + v, of_E.smaller.conclusion().arg(1)), {of_E.smaller}),
+  const Quadratic last(linear(eq(u + v, of_E.smaller.conclusion().arg(1)), {of_E.smaller}),
                        rewrite(of_F.smaller, rewrite(of_E.smaller, square)),
                        linear(lt(v, u), {of.falls(2, 8)}));
   const Theorem is = opposite(of);
@@ -205,8 +204,8 @@ void radicals(Book& book) {
     const Expr angle = definition.conclusion().arg(1).arg(1).arg(0).arg(0);
     const Theorem cosine =
         restate(eq(cos(angle), cosines.at(d).conclusion().arg(1)), cosines.at(d));
-    book.facts.push_back(linear(lt(0, cosine.conclusion().arg(1)),
-                                {cosine, Periods::falls(angle, pi() / 2), axiom("cos pi/2")}));
+    know(linear(lt(0, cosine.conclusion().arg(1)),
+                {cosine, Periods::falls(angle, pi() / 2), axiom("cos pi/2")}));
     Theorem value = rewrite(cosine, definition);
     if (d == 5) {  // the root out of the denominator
       const Expr r = value.conclusion().arg(1);

@@ -25,8 +25,7 @@ void ratio_forms(Names& names) {
                   positive(k + 1, {k_from_0})});
     const Theorem is =
         equation(f("cosine"), whole, {cosine, versed, sine, rewrite(angle_is, twice)});
-    book.facts.push_back(
-        linear(lt(0, f("cosine")), {is, book[std::string("ratios.") + name + "k_cosine"]}));
+    know(linear(lt(0, f("cosine")), {is, book[std::string("ratios.") + name + "k_cosine"]}));
     book.show(kind, "", "the ratio is",
               rewrite(turned(is),
                       equation(fun(name, {k}), f("versed") / whole,
@@ -53,8 +52,7 @@ void heavy_ball(Names& names) {
   book.show("N_A", "", "Both blocks have one collision each, A", part(counts, 0));
   book.show("N_B", "", "and B:", part(counts, 1));
   const Theorem sum = names.name("masses", {alpha}, 1 + alpha, "With");
-  book.facts.push_back(
-      linear(lt(0, of_alpha("masses")), {sum, positive(1 + alpha, {assume(alpha_positive)})}));
+  know(linear(lt(0, of_alpha("masses")), {sum, positive(1 + alpha, {assume(alpha_positive)})}));
   const Theorem part_of = names.name("per_mass", {alpha}, 1 / of_alpha("masses"));
   const Theorem share = names.name("share", {alpha}, alpha * of_alpha("per_mass"));
   const Theorem less = names.name("lead", {alpha}, 1 - alpha);

@@ -61,7 +61,8 @@ void angle(Book& book, Expr lambda) {
                           {linear(lt(0, psi() / 2), {part(range, 0)}),
                            linear(lt(psi() / 2, pi()), {part(range, 0), part(range, 1)})}),
                       linear(lt(0, cos(psi() / 2)), {cos_half, positive(1 / (1 + alpha), {p1})})}));
-  book.facts = book.facts + Theorems{part(range, 0), part(signs, 0), part(signs, 1)};
+  know(range);
+  know(signs);
   const auto doubled = [&](Expr l, Expr r) {
     return equation(l, r, angles({l}, {psi() / 2}, false) + Theorems{cos_half, sin_half, root_t},
                     {p1});
@@ -134,7 +135,7 @@ void rotation(Book& book) {
               roots.squares, roots.divisors);
   const Expr r2 = sqrt(2);
   const Expr q = sqrt(alpha / (2 * (2 + alpha)));
-  book.facts.push_back(a2);
+  know(a2);
   book.show("R_paper", "eq:R-app", "As the paper writes it:",
             matrix_equation(R(),
                             matrix(3, {-1 / r2, -q, 1 / w, 1 / r2, -q, 1 / w, 0,

@@ -76,7 +76,7 @@ void counts(Book& book, const Theorem& bounds) {
   const Expr share = 1 - rational(5, 12) * alpha;
   const Theorem small = assume(lt(alpha, rational(12, 5)));
   const Theorem share_positive = linear(lt(0, share), {small});
-  book.facts.push_back(share_positive);
+  know(share_positive);
   const Expr fewest = pi() / (2 * p), most = pi() / (2 * p * share);
   const auto quotients = [&](Expr l, Expr r, const Theorems& divisors, const Theorem& difference) {
     Certificate c;

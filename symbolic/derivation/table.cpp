@@ -25,7 +25,7 @@ Theorems quarter(Book& book, const Theorem& p1, const Theorem& p2) {
   const Theorem from = linear(lt(0, q), {part(book["rotation.psi_range"], 0)});
   const Theorem below = linear(lt(q, pi() / 2), {from, part(book["rotation.psi_range"], 1)});
   const Theorem positive_cosine = cosine_positive(from, below);
-  book.facts.push_back(positive_cosine);
+  know(positive_cosine);
   book.show("quarter_cosine", "", "A quarter of psi has a positive cosine,", positive_cosine);
   const Theorem sine_squared =
       linear(eq(power(sin(q), 2), 1 - power(cos(q), 2)), {use("circle", {{x, q}})});
@@ -72,7 +72,7 @@ void table(Book& book) {
   book.show("tan", "", "The tangent:", under({neq(cos(x), 0)}, definition));
   const auto show = [&](const std::string& name, Expr angle, Expr value, const Theorem& not_0,
                         const Theorems& rules, const Theorems& divisors) {
-    book.facts.push_back(not_0);
+    know(not_0);
     book.show("tan_" + name, "table:trig", name == "half_theta" ? "Their tangents:" : "and",
               equation(tan(angle), value, Theorems{instantiate(definition, {{x, angle}})} + rules,
                        Theorems{not_0} + divisors));

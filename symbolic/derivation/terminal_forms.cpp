@@ -39,7 +39,7 @@ void terminal_forms(Names& names, const Angle& a) {
   const Theorem psi_is = linear(eq(psi(), 2 * of_alpha("h")), {h, a.quarter});
   const Theorem h_positive =
       linear(lt(0, of_alpha("h")), {psi_is, part(book["rotation.psi_range"], 0)});
-  book.facts.push_back(h_positive);
+  know(h_positive);
   const auto count = [&](const std::string& name, Expr shift) {
     const Theorem quotient = equation(pi() / psi(), pi() / (2 * of_alpha("h")),
                                       {linear(eq(of_alpha("h"), psi() / 2), {psi_is})},

@@ -30,7 +30,7 @@ void ratio_of_angle(Book& book) {
   const Theorem value = book["rotation.cos_half_psi"];
   const Expr ratio = solve({eq(value.conclusion().arg(1), cos(x))}, {alpha})[0];
   const Theorem cx = cosine_positive(above_0, below_edge);
-  book.facts.push_back(cx);
+  know(cx);
   const Theorem solved = assume(eq(alpha, ratio));
   Certificate back;
   back.multipliers = {p1};
@@ -78,7 +78,7 @@ void ratio_of_angle(Book& book) {
   const Theorem cosines =
       cosine_falls(above_0, x_less, linear(le(y, pi()), {y_below, pi_positive()}));
   const Theorem cx_too = cosine_positive(above_0, linear(lt(x, edge), {x_less, y_below}));
-  book.facts = book.facts + Theorems{cy, cx_too};
+  know(both({cy, cx_too}));
   book.show("rises", "", "A larger angle is that of a larger ratio:",
             multiplied(lt(ratio, substitute(ratio, {{x, y}})), {cx_too, cy}, {cosines}));
 }
@@ -101,7 +101,7 @@ void threshold(Book& book, const Threshold& which) {
   const AngleRange here = range_of(d, linear(lt(2, d), {k_from_1}));
   const AngleRange before = range_of(d_before, linear(lt(2, d_before), {k_from_2}));
   const Theorem cosine = cosine_positive(here.positive, here.below_edge);
-  book.facts.push_back(cosine);
+  know(cosine);
   book.show(which.name + "k_cosine", "", "The cosine of pi/(" + text(d) + ") is positive:", cosine);
   const Theorem definition = define(which.name, {k}, substitute(ratio, {{x, pi() / d}}), 0);
   restrict_domain(which.name, {k}, le(1, k));
