@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebra/angles.hpp"
 
+#include <optional>
+
 #include "algebra/equations.hpp"
 #include "algebra/linear.hpp"
 #include "kernel/polynomial.hpp"
-#include "kernel/print.hpp"
 
 namespace algebra {
 namespace {
@@ -16,7 +17,7 @@ public:
   explicit AngleSums(const Exprs& angle_bases) : bases(angle_bases) {}
 
   /// angle = sum of z b over the bases b, by elimination.
-  Multiples multiples_of(Polynomial angle) const {
+  std::optional<Multiples> multiples_of(Polynomial angle) const {
     std::vector<Polynomial> rows;
     std::vector<Multiples> of(bases.size(), Multiples(bases.size(), 0));
     for (std::size_t i = 0; i < bases.size(); ++i) {
@@ -40,10 +41,9 @@ public:
         for (std::size_t l = 0; l < result.size(); ++l) result[l] = result[l] + q * of[i][l];
       }
     }
-    if (!angle.empty())
-      refuse("an angle outside of its bases: left over " + text(expression(angle)));
+    if (!angle.empty()) return {};
     for (const cl_RA& q : result)
-      if (cln::denominator(q) != 1) refuse("an angle is no integer combination of its bases");
+      if (cln::denominator(q) != 1) return {};
     return result;
   }
   struct Pair {
@@ -107,7 +107,9 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   Theorems rules;
   for (const Expr& a : atoms) {
     if (sums.is_base(a.arg(0))) continue;
-    const auto pair = sums.pair(sums.multiples_of(polynomial(a.arg(0))));
+    const auto multiples = sums.multiples_of(polynomial(a.arg(0)));
+    if (!multiples) continue;
+    const auto pair = sums.pair(*multiples);
     const Theorem& t = a.name() == "cos" ? pair.cosine : pair.sine;
     rules.push_back(restate(eq(a, t.conclusion().arg(1)), t));
   }
@@ -119,38 +121,36 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   }
   return rules;
 }
-Theorem same_angle(const Theorem& cosines, const Theorem& p_from, const Theorem& p_to,
-                   const Theorem& q_from, const Theorem& q_to) {
-  const Expr p = p_to.conclusion().arg(0), q = q_to.conclusion().arg(0);
-  const auto not_less = [&](Expr l, Expr r, const Theorem& from, const Theorem& to) {
-    const Theorem less = assume(lt(l, r));
-    const Theorem falls = use("cos falls", {{real("x"), l}, {real("y"), r}},
-                              {linear(le(0, l), {from}), less, linear(le(r, pi()), {to})});
-    return refute(less.conclusion(), linear(lt(0, 0), {falls, cosines}));
+Theorem same_angle(const Theorem& cosines, const Theorems& facts) {
+  const Expr p = cosines.conclusion().arg(0).arg(0), q = cosines.conclusion().arg(1).arg(0);
+  const auto not_less = [&](Expr l, Expr r) {
+    return given(lt(l, r), [&](const Theorem& less) {
+      return linear(lt(0, 0), {cosine_falls(less, facts), cosines});
+    });
   };
-  return tautology(eq(p, q), {not_less(p, q, p_from, q_to), not_less(q, p, q_from, p_to),
-                              use("equal or less or greater", {{real("x"), p}, {real("y"), q}})});
+  return follows(eq(p, q), {not_less(p, q), not_less(q, p), never()});
 }
 
-Theorem cosine_falls(const Theorem& from, const Theorem& less, const Theorem& to) {
+Theorem cosine_falls(const Theorem& less, const Theorems& facts) {
   const Expr p = less.conclusion().arg(0), q = less.conclusion().arg(1);
-  const auto falls = [&](const Theorem& strictly_less) {
-    return use("cos falls", {{real("x"), p}, {real("y"), q}},
-               {linear(le(0, p), {from}), strictly_less, linear(le(q, pi()), {to})});
+  const Theorem from = linear(le(0, p), facts), to = linear(le(q, pi()), facts);
+  const auto falls = [&](const Theorem& below) {
+    return use("cos falls", {{real("x"), p}, {real("y"), q}}, {from, below, to});
   };
   if (less.conclusion().op() == Op::Lt) return falls(less);
   const Expr goal = le(cos(q), cos(p));
-  const Theorem below = assume(lt(p, q)), same = assume(eq(p, q));
-  const Theorem equal =
-      otherwise(goal, linear(lt(0, 0), {rewrite(same, assume(lt(cos(p), cos(q))))}));
-  return tautology(goal, {discharge(below.conclusion(), linear(goal, {falls(below)})),
-                          discharge(same.conclusion(), equal), less,
-                          use("equal or less or greater", {{real("x"), p}, {real("y"), q}})});
+  return follows(goal, {given(lt(p, q), [&](const Theorem& t) { return linear(goal, {falls(t)}); }),
+                        given(eq(p, q),
+                              [&](const Theorem& same) {
+                                const Theorem more = rewrite(same, assume(lt(cos(p), cos(q))));
+                                return otherwise(goal, linear(lt(0, 0), {more}));
+                              }),
+                        less});
 }
 Theorem cosine_positive(const Theorem& from, const Theorem& below) {
   const Theorem edge = linear(le(pi() / 2, pi()), {axiom("pi positive")});
   return linear(lt(0, cos(below.conclusion().arg(0))),
-                {cosine_falls(from, below, edge), axiom("cos pi/2")});
+                {cosine_falls(below, {from, edge}), axiom("cos pi/2")});
 }
 Theorem sine_not_negative(const Theorem& from, const Theorem& to) {
   const Expr t = to.conclusion().arg(0), x = real("x"), y = real("y");

@@ -5,14 +5,13 @@
 
 namespace algebra {
 /// Rules for `equation`: each sine and cosine in `terms` in those of `bases`, by the addition
-/// theorems; where `circle` is true, also sin^2 = 1 - cos^2 of each base. Throws Refused where an
-/// angle is no combination of the bases with integer coefficients.
+/// theorems, if its angle is a combination of them with integer coefficients; where `circle` is
+/// true, also sin^2 = 1 - cos^2 of each base.
 Theorems angles(const Exprs& terms, const Exprs& bases, bool circle = true);
-/// p = q from cos(p) = cos(q), 0 <= p <= pi and 0 <= q <= pi (or <), as the cosine falls there.
-Theorem same_angle(const Theorem& cosines, const Theorem& p_from, const Theorem& p_to,
-                   const Theorem& q_from, const Theorem& q_to);
-/// cos(q) < cos(p) from 0 <= p, p < q and q <= pi; <= from p <= q.
-Theorem cosine_falls(const Theorem& from, const Theorem& less, const Theorem& to);
+/// p = q from cos(p) = cos(q), as the cosine falls from 0 to pi: `linear` finds p and q there.
+Theorem same_angle(const Theorem& cosines, const Theorems& facts = {});
+/// cos(q) < cos(p) from p < q, <= from p <= q: `linear` finds 0 <= p and q <= pi.
+Theorem cosine_falls(const Theorem& less, const Theorems& facts = {});
 /// 0 <= sin(t) from 0 <= t and t <= pi.
 Theorem sine_not_negative(const Theorem& from, const Theorem& to);
 /// 0 < t and t < pi/2 give 0 < cos(t).

@@ -104,6 +104,7 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
   for (const Theorem& t : factors) search.remainder = search.remainder * polynomial(gap(t));
   std::map<Expr, const Theorem*> divisors;
   for (const Theorem& t : nonzero) {
+    if (t.conclusion().op() == Op::Le) continue;
     divisors.emplace(canonical(gap(t)), &t);
     divisors.emplace(canonical(-gap(t)), &t);
   }
@@ -118,8 +119,8 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
   left_over = search.remainder;
   if (!search.remainder.empty()) return {};
   Certificate certificate;
-  certificate.nonzero = nonzero;
   certificate.multipliers = search.multipliers;
+  certificate.nonzero = search.multipliers;
   for (std::size_t i = 0; i < rules.size(); ++i)
     if (!search.cofactors[i].empty())
       certificate.equations.emplace_back(expression(search.cofactors[i]), rules[i]);
@@ -129,24 +130,25 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
 Given found_in(Expr goal, const Given& given) {
   Given out = given;
   std::set<Expr> seen;
-  const auto look_at = [&](Expr e) {
-    for (const auto& [monomial, q] : polynomial(e))
+  std::vector<Expr> to_see{goal.arg(0), goal.arg(1)};
+  for (const Theorem& t : given.rules) to_see.push_back(gap(t));
+  for (const Theorem& t : given.divisors) to_see.push_back(gap(t));
+  while (!to_see.empty()) {
+    const Polynomial next = polynomial(to_see.back());
+    to_see.pop_back();
+    for (const auto& [monomial, q] : next)
       for (const auto& [a, k] : monomial) {
-        if (a.op() != Op::Fun || !seen.insert(a).second) continue;
-        if (a.name() == "sqrt")
-          if (const auto s = sign_of(a.arg(0), given.divisors, false))
+        const bool root = a.op() == Op::Fun && a.name() == "sqrt";
+        if (a.op() != Op::Fun || !(root || a.name() == "inv") || !seen.insert(a).second) continue;
+        to_see.push_back(a.arg(0));
+        if (const auto s = sign_of(a.arg(0), given.divisors, !root)) {
+          if (root)
             out.rules.push_back(root_squared(*s));
-        if (a.name() != "inv") continue;
-        if (const auto s = sign_of(a.arg(0), given.divisors)) out.divisors.push_back(*s);
+          else
+            out.divisors.push_back(*s);
+        }
       }
-  };
-  look_at(goal.arg(0));
-  look_at(goal.arg(1));
-  for (const Theorem& t : given.rules) {
-    look_at(t.conclusion().arg(0));
-    look_at(t.conclusion().arg(1));
   }
-  for (std::size_t i = 0; i < out.divisors.size(); ++i) look_at(gap(out.divisors[i]));
   return out;
 }
 }  // namespace
@@ -219,8 +221,7 @@ Theorem root_of(const Theorem& square, const Theorem& t_positive) {
   c.equations = {{-1, square}, {1, root_squared(not_negative)}};
   return arithmetic(eq(sqrt(x), t), c);
 }
-Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules,
-                const Theorems& nonzero) {
-  return root_of(equation(power(t, 2), x, rules + nonzero), t_positive);
+Theorem root_is(Expr x, Expr t, const Theorems& facts) {
+  return root_of(equation(power(t, 2), x, facts), positive(t, facts));
 }
 }  // namespace algebra

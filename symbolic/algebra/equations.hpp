@@ -27,9 +27,8 @@ Theorem matrix_equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs&
 Theorem root_squared(const Theorem& not_negative);
 /// |- sqrt(x) = t from t^2 = x and 0 < t.
 Theorem root_of(const Theorem& square, const Theorem& t_positive);
-/// The same where `equation` shows t^2 = x.
-Theorem root_is(Expr x, Expr t, const Theorem& t_positive, const Theorems& rules = {},
-                const Theorems& nonzero = {});
+/// The same where `equation` and `positive` show both.
+Theorem root_is(Expr x, Expr t, const Theorems& facts = {});
 inline Theorem equation(Expr goal, const Theorems& rules, const Theorems& nonzero) {
   return equation(goal, rules + nonzero);
 }

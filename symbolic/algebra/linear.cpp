@@ -161,8 +161,12 @@ Proof relation(Expr goal, const Theorems& facts) {
 /// What is true of the monomials that occur: d/d = 1, squares of roots, axioms.
 class Occurring {
 public:
-  void add(const Theorem& fact) {
-    facts.push_back(fact);
+  Occurring(Expr goal, const Theorems& given) : facts(given) {
+    look_at(goal);
+    for (const Theorem& t : given) add(t, false);
+  }
+  void add(const Theorem& fact, bool is_new = true) {
+    if (is_new) facts.push_back(fact);
     if (fact.conclusion().op() == Op::Lt && of_integers(fact.conclusion()))
       facts.push_back(next_integer(fact));
     look_at(gap(fact));
@@ -170,8 +174,7 @@ public:
   void look_at(Expr term) {
     for (const auto& [monomial, q] : polynomial(term)) {
       if (!seen.insert(monomial).second) continue;
-      for (const auto& [a, k] : monomial)
-        if (a.op() == Op::Fun) of_atom(monomial, a, k);
+      for (const auto& [a, k] : monomial) of_atom(monomial, a, k);
     }
   }
   bool shares_an_atom(Expr term) const {
@@ -184,7 +187,7 @@ public:
 
 private:
   void of_atom(const Monomial& monomial, Expr a, int k) {
-    const std::string f = a.name();
+    const std::string f = a.op() == Op::Fun ? a.name() : "";
     if (f == "inv") quotient(monomial, a);
     if (f == "sqrt" && k > 1) square(monomial, a);
     if (!atoms.insert(a).second) return;
@@ -216,7 +219,7 @@ private:
     };
     const auto lead = std::find_if(divisor.rbegin(), divisor.rend(), divides);
     if (lead == divisor.rend()) return;
-    const Proof d_positive = sign_of(d);
+    const Proof d_positive = sign_of(d, facts);
     if (!d_positive) return;
     Expr cofactor = 1;  // the monomial over the lead and over 1/d
     for (const auto& [b, k] : monomial) {
@@ -228,7 +231,7 @@ private:
     add(equation(cofactor * d * inverse, cofactor, {*d_positive}));
   }
   void square(const Monomial& monomial, Expr root) {
-    if (const Proof p = sign_of(root.arg(0))) {
+    if (const Proof p = sign_of(root.arg(0), facts)) {
       Certificate c;
       const Expr cofactor = rest(monomial, root, 2);
       c.equations = {{cofactor, root_squared(*p)}};
@@ -268,9 +271,7 @@ Proof linear_if(Expr goal, const Theorems& given_facts) {
   constexpr int deepest = 3;
   if (depth() >= deepest) return {};
   const Deeper deeper;
-  Occurring occurring;
-  occurring.look_at(difference(goal));
-  for (const Theorem& t : facts) occurring.add(t);
+  Occurring occurring(difference(goal), facts);
   if (const Proof p = relation(goal, occurring.facts)) return p;
   std::vector<bool> taken(known().size(), false);
   for (int round = 0; round < 2; ++round) {

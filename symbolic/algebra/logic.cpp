@@ -16,13 +16,15 @@ Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
 bool is_among(Expr f, const Exprs& formulas) {
   return std::find(formulas.begin(), formulas.end(), f) != formulas.end();
 }
-/// x and y of x = y, wherever it stands in f.
-void sides_of_equations(Expr f, std::set<std::pair<Expr, Expr>>& out) {
-  if (f.op() == Op::Eq && !is_matrix(f.arg(0)))
+using Sides = std::set<std::pair<Expr, Expr>>;
+/// The sides of each equation of terms in f, or else of each inequality.
+void sides_in(Expr f, bool of_equations, Sides& out) {
+  const Op op = f.op();
+  const bool relation = of_equations ? op == Op::Eq : op == Op::Lt || op == Op::Le;
+  if (relation && !is_matrix(f.arg(0)) && out.count({f.arg(1), f.arg(0)}) == 0)
     out.emplace(f.arg(0), f.arg(1));
-  else if (f.op() == Op::Not || f.op() == Op::And || f.op() == Op::Or || f.op() == Op::Imp ||
-           f.op() == Op::Iff)
-    for (const Expr& a : f.args()) sides_of_equations(a, out);
+  if (op == Op::Not || op == Op::And || op == Op::Or || op == Op::Imp || op == Op::Iff)
+    for (const Expr& a : f.args()) sides_in(a, of_equations, out);
 }
 }  // namespace
 
@@ -77,12 +79,21 @@ Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>&
   return tautology(iff(f, g), {given(f, forth), given(g, back)});
 }
 Theorem follows(Expr goal, const Theorems& from) {
-  std::set<std::pair<Expr, Expr>> sides;
-  sides_of_equations(goal, sides);
-  for (const Theorem& t : from) sides_of_equations(t.conclusion(), sides);
+  Sides sides;
+  for (const bool of_equations : {true, false}) {
+    sides_in(goal, of_equations, sides);
+    for (const Theorem& t : from) sides_in(t.conclusion(), of_equations, sides);
+  }
   Theorems all = from;
-  for (const auto& [l, r] : sides)
+  for (const auto& [l, r] : sides) {
     all.push_back(use("equal or less or greater", {{real("x"), l}, {real("y"), r}}));
+    const auto weaker = [&, l = l, r = r](Expr f) {
+      const Expr up = le(l, r), down = le(r, l);
+      const Expr goal_of_f = f.op() == Op::Eq ? logic_and({up, down}) : f == lt(l, r) ? up : down;
+      all.push_back(given(f, [&](const Theorem& t) { return linear(goal_of_f, {t}); }));
+    };
+    for (const Expr& f : {lt(l, r), eq(l, r), lt(r, l)}) weaker(f);
+  }
   return tautology(goal, all);
 }
 Theorem use(const std::string& axiom_name, const Substitution& terms, const Theorems& premises) {

@@ -23,7 +23,7 @@ Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body);
 /// |- f if and only if g
 Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>& forth,
                    const std::function<Theorem(const Theorem&)>& back);
-/// As `tautology`, where of two terms that are said to be equal one is less, or they are equal.
+/// As `tautology`, where two terms that are compared are equal or one is less than the other.
 Theorem follows(Expr goal, const Theorems& from);
 /// The i-th part of a conjunction, from 0.
 Theorem part(const Theorem& conjunction, std::size_t i);

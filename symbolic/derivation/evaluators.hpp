@@ -17,53 +17,32 @@ public:
     Exprs domain;
     for (const Expr& p : params)
       domain.push_back(p == alpha ? alpha_positive : p == V ? V_positive : le(p == k ? 1 : 0, p));
-    const bool indexed = params.back() == n || params.back() == k;
-    const Theorem definition = define(name, params, value, indexed ? int(params.size()) - 1 : -1);
-    restrict_domain(name, params, logic_and(domain));
-    book.show("def_" + name, "", words, under(domain, definition));
-    return definition;
+    return book.name(name, params, value, domain, words, "", "def_" + name);
   }
   Book& book;
 };
-/// half_h = psi/4, t = sin(psi/4)/cos(psi/4), w = t/alpha, and their signs.
+/// half_h = psi/4, t = sin(psi/4)/cos(psi/4), w = t/alpha, t <= w.
 struct Angle {
-  Theorem quarter, tangent, t_is, w_is, w_positive, cos_positive, t_small;
+  Theorem quarter, tangent, t_is, w_is, t_small;
 };
 
 /// Proves that a velocity is a form in t, w and a sine and cosine.
 struct Prover {
-  const Angle& a;
-  Theorem sine_positive;
-  Theorems rules, divisors;
+  Theorems rules;
 
-  Prover(Book& book, const Angle& the_angle)
-      : a(the_angle), sine_positive(part(book["power.quarter"], 0)) {
-    const Theorem mass = assume(alpha_positive);
-    rules = {a.w_is,
-             a.tangent,
-             part(book["power.quarter"], 1),
-             part(book["power.quarter"], 2),
-             book["power.V_CM"],
-             root_squared(positive(alpha * (2 + alpha), {mass}))};
-    divisors = {positive(1 + alpha, {mass}),
-                positive(2 + alpha, {mass}),
-                mass,
-                a.cos_positive,
-                sine_positive,
-                positive(sqrt(alpha * (2 + alpha)), {mass})};
+  Prover(Book& book, const Angle& a) {
     const Expr root = sqrt(alpha * (2 + alpha)), q = psi() / 4;
-    const Theorem circle = angles({}, {q})[0];
+    rules = {a.w_is, a.tangent, part(book["power.quarter"], 1), part(book["power.quarter"], 2),
+             book["power.V_CM"]};
     const auto rationalised = [&](Expr l, Expr r) {
-      return cancel(eq(l, r), {a.cos_positive}, rules + Theorems{circle}, divisors);
+      return cancel(eq(l, r), {positive(cos(q))}, rules + angles({}, {q}));
     };
     rules = rules + Theorems{rationalised(root * sin(q), alpha * cos(q)),
                              rationalised(root * cos(q), (2 + alpha) * sin(q))};
   }
-  Theorem equal(Expr l, Expr r, const Theorems& more, const Exprs& bases,
-                const Theorems& factors) const {
-    Exprs terms{l, r};
-    for (const Theorem& t : more) terms.push_back(t.conclusion().arg(1));
-    return cancel(eq(l, r), factors, more + angles(terms, bases) + rules, divisors);
+  Theorem equal(Expr l, Expr r, const Theorems& more, const Exprs& bases) const {
+    const Theorem cosine = positive(cos(psi() / 4));
+    return cancel(eq(l, r), {cosine, cosine}, more + rules, bases);
   }
 };
 

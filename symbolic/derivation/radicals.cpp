@@ -11,15 +11,12 @@ Expr angle_of(int d) { return pi() / d; }
 
 /// 0 < x, x < pi |- cos(x/2) = sqrt((1 + cos(x))/2)
 Theorem halving(Book& book) {
-  const Theorem above = assume(lt(0, x));
-  const Theorem below = assume(lt(x, pi()));
-  const Theorem cos_positive =
-      cosine_positive(linear(lt(0, x / 2), {above}), linear(lt(x / 2, pi() / 2), {below}));
-  const Theorem is = root_is((1 + cos(x)) / 2, cos(x / 2), cos_positive, angles({cos(x)}, {x / 2}));
-  know(linear(le(0, (1 + cos(x)) / 2),
-              {equation((1 + cos(x)) / 2, power(cos(x / 2), 2), angles({cos(x)}, {x / 2})),
-               not_negative(power(cos(x / 2), 2))}));
-  return book.show("halving", "", "Half of an angle between 0 and pi:", turned(is));
+  const Known range({assume(lt(0, x)), assume(lt(x, pi()))});
+  const Expr half = (1 + cos(x)) / 2;
+  const Theorem square = equation(power(cos(x / 2), 2), half, angles({cos(x)}, {x / 2}));
+  know(linear(le(0, half), {square, not_negative(power(cos(x / 2), 2))}));
+  return book.show("halving", "", "Half of an angle between 0 and pi:",
+                   turned(root_of(square, positive(cos(x / 2)))));
 }
 /// u and v from u + v = s, (u - v)^2 = d and v < u.
 struct Quadratic {
@@ -40,14 +37,11 @@ struct Quadratic {
 class Periods {
 public:
   explicit Periods(int prime) : p(prime) {
-    const Theorem product = equation(cos(x) * cos(y), (cos(x + y) + cos(x - y)) / 2,
-                                     angles({cos(x + y), cos(x - y)}, {x, y}, false));
-    const Theorem step = equation(2 * cos(x) * sin(y), sin(x + y) - sin(x - y),
-                                  angles({sin(x + y), sin(x - y)}, {x, y}, false));
+    const Theorem product = equation(cos(x) * cos(y), (cos(x + y) + cos(x - y)) / 2, {}, {x, y});
+    const Theorem step = equation(2 * cos(x) * sin(y), sin(x + y) - sin(x - y), {}, {x, y});
     const Expr unit = pi() / p;
     Certificate c;  // sin(unit) (1 + 2 sum of cosines) = sin(pi), as a telescope
-    c.multipliers = {use("sin positive", {{x, unit}},
-                         {positive(unit), linear(lt(unit, pi()), {positive(pi())})})};
+    c.multipliers = {positive(sin(unit))};
     c.equations = {{1, restate(eq(sin(Expr(p) * unit), 0), axiom("sin pi"))}};
     Expr sum = 0;
     for (int i = 1; 2 * i < p; ++i) {
@@ -78,9 +72,7 @@ public:
   /// |- cos(2 l pi/p) < cos(2 i pi/p)
   Theorem falls(int i, int l) const { return falls(angle(i), angle(l)); }
   static Theorem falls(Expr smaller, Expr larger) {
-    const Theorem circle = positive(pi());
-    return cosine_falls(linear(le(0, smaller), {circle}), linear(lt(smaller, larger), {circle}),
-                        linear(le(larger, pi()), {circle}));
+    return cosine_falls(linear(lt(smaller, larger)));
   }
   /// A linear relation of periods of the second degree.
   Theorem known(Expr goal) const { return linear(goal, rules); }
@@ -89,22 +81,16 @@ public:
 
 private:
   Theorem fold(int i) const {
-    const Theorem back = equation(
-        cos(2 * pi() - x), cos(x),
-        angles({cos(2 * pi() - x)}, {pi(), x}, false) + Theorems{axiom("cos pi"), axiom("sin pi")});
+    const Theorem back = equation(cos(2 * pi() - x), cos(x), {}, {pi(), x});
     return restate(eq(cos(angle(i)), cos(angle(p - i))), instantiate(back, {{x, angle(p - i)}}));
   }
 };
 /// |- cos(pi/p) = -cos(2 h pi/p), h = (p - 1)/2
 Theorem opposite(const Periods& of) {
   const Expr t = pi() / of.p;
-  const Theorem turned_back = equation(
-      cos(pi() - x), -cos(x),
-      angles({cos(pi() - x)}, {pi(), x}, false) + Theorems{axiom("cos pi"), axiom("sin pi")});
-  const Theorem at =
-      restate(eq(cos(Expr(of.p - 1) * t), -cos(t)), instantiate(turned_back, {{x, t}}));
-  return restate(eq(cos(t), -of.cosine(of.p / 2)),
-                 linear(eq(cos(t), -cos(Expr(of.p - 1) * t)), {at}));
+  const Theorem turned_back = equation(cos(pi() - x), -cos(x), {}, {pi(), x});
+  const Theorem back = instantiate(turned_back, {{x, t}});
+  return linear(eq(cos(t), -of.cosine(of.p / 2)), {back});
 }
 /// |- cos(pi/5) = (1 + sqrt(5))/4, and what the cosine of 2 pi/5 is
 struct Fifth {
@@ -123,21 +109,16 @@ Fifth fifth(Book& book) {
 /// |- cos(pi/15), from 2 pi/5 - pi/3
 Theorem fifteenth(const Theorem& cos_fifth, const Theorem& cos_third) {
   const Expr twice = 2 * pi() / 5, third = pi() / 3, s = sqrt(Expr(5));
-  const auto sine = [&](Expr t, Expr squared, const Theorem& cosine, const Theorems& roots) {
-    const Theorem above =
-        use("sin positive", {{x, t}}, {positive(t), linear(lt(t, pi()), {positive(pi())})});
-    return turned(root_is(squared, sin(t), above, angles({}, {t}) + Theorems{cosine} + roots));
+  const auto sine = [&](Expr t, Expr squared, const Theorem& cosine) {
+    return turned(root_is(squared, sin(t), angles({}, {t}) + Theorems{cosine}));
   };
-  const Theorem five = root_squared(positive(5));
   const Theorem cosine = restate(eq(cos(twice), (s - 1) / 4), cos_fifth);
-  const Theorem difference =
-      equation(cos(x - y), cos(x) * cos(y) + sin(x) * sin(y), angles({cos(x - y)}, {x, y}, false));
+  const Theorem difference = equation(cos(x - y), cos(x) * cos(y) + sin(x) * sin(y), {}, {x, y});
   const Expr value = (s - 1) / 8 + sqrt((5 + s) / 8) * sqrt(rational(3, 4));
   const Theorem is = instantiate(difference, {{x, twice}, {y, third}});
-  return equation(
-      cos(pi() / 15), value,
-      {restate(eq(cos(pi() / 15), is.conclusion().arg(1)), is), cosine, cos_third,
-       sine(twice, (5 + s) / 8, cosine, {five}), sine(third, rational(3, 4), cos_third, {})});
+  return equation(cos(pi() / 15), value,
+                  {restate(eq(cos(pi() / 15), is.conclusion().arg(1)), is), cosine, cos_third,
+                   sine(twice, (5 + s) / 8, cosine), sine(third, rational(3, 4), cos_third)});
 }
 /// |- cos(pi/17), by four quadratic equations
 Theorem seventeenth(Book& book) {
@@ -153,13 +134,12 @@ Theorem seventeenth(Book& book) {
   const Theorem whole = of.known(eq(E + F, -1));
   const Quadratic first(whole, of.known(eq(power(E - F, 2), 17)),
                         linear(lt(F, E), {E_positive, whole}));
-  const Theorem root_17 = root_squared(positive(17));
   const auto halves = [&](Expr u, Expr v, const Theorem& sum, const Theorem& less) {
     const Expr s = sum.conclusion().arg(0);  // (u - v)^2 = s^2 + 4
     const Theorem square = rewrite(sum, of.known(eq(power(u - v, 2), power(s, 2) + 4)));
     const Expr value = square.conclusion().arg(1), simple = simplified(value);
     return Quadratic(linear(eq(u + v, sum.conclusion().arg(1)), {sum}),
-                     rewrite(equation(value, simple, {root_17}), square), less);
+                     rewrite(equation(value, simple), square), less);
   };
   const Quadratic of_E =
       halves(a, b, first.greater, linear(lt(b, a), {of.falls(1, 2), of.falls(4, 8)}));
@@ -188,8 +168,7 @@ void radicals(Book& book) {
   cosines.emplace(17, seventeenth(book));
   for (const int d : {4, 6, 8, 10, 12, 16, 20}) {
     const Expr whole = angle_of(d / 2);
-    const Theorem half = cut(positive(whole), cut(linear(lt(whole, pi()), {positive(pi())}),
-                                                  instantiate(half_of, {{x, whole}})));
+    const Theorem half = at(half_of, {{x, whole}}, {positive(whole)});
     const Theorem value = rewrite(cosines.at(d / 2), half);
     const Expr under_root = simplified(value.conclusion().arg(1).arg(0));
     const Theorem simpler = rewrite(equation(value.conclusion().arg(1).arg(0), under_root), value);
@@ -199,8 +178,7 @@ void radicals(Book& book) {
     const bool magic = d % 2 == 1;
     const int index = magic ? (d - 1) / 2 : d / 2 - 1;
     const std::string name = magic ? "alpha_" : "beta_";
-    const Theorem definition = use(discharge(le(1, k), book["ratios." + name + "k_paper"]),
-                                   {{k, index}}, {linear(le(1, index), {})});
+    const Theorem definition = at(book["ratios." + name + "k_paper"], {{k, index}});
     const Expr angle = definition.conclusion().arg(1).arg(1).arg(0).arg(0);
     const Theorem cosine =
         restate(eq(cos(angle), cosines.at(d).conclusion().arg(1)), cosines.at(d));
@@ -209,8 +187,7 @@ void radicals(Book& book) {
     Theorem value = rewrite(cosine, definition);
     if (d == 5) {  // the root out of the denominator
       const Expr r = value.conclusion().arg(1);
-      value = chain(value, equation(r, simplified(r), {root_squared(positive(5))},
-                                    {positive((1 + sqrt(Expr(5))) / 4)}));
+      value = chain(value, equation(r, simplified(r)));
     }
     book.show(name + std::to_string(index), "", "The ratio of pi/" + std::to_string(d) + ":",
               value);

@@ -8,44 +8,32 @@ namespace {
 const Expr light = lt(alpha, 1);
 const Expr p = sqrt(2 * alpha), q = sqrt(alpha / (2 + alpha));
 
-/// Of atan(x) for 0 < x: x - x^3/3 <= atan(x) and atan(x) <= x
-Theorem atan_bounds(const Theorem& positive_x) {
-  const Expr t = positive_x.conclusion().arg(1);
-  return use("atan bounds", {{x, t}}, {linear(le(0, t), {positive_x})});
-}
+/// x - x^3/3 <= atan(x) and atan(x) <= x for a positive x
+Theorem atan_bounds(Expr t) { return use("atan bounds", {{x, t}}, {positive(t)}); }
 
 void theta_bounds(Book& book) {
-  const Theorem mass = assume(alpha_positive);
   const Expr s = sqrt(alpha);
-  const Theorem s_positive = positive(s, {mass});
   const Theorem definition = book["ball.theta"];
-  const Theorem above = linear(lt(0, theta()), {definition, positive(atan(s), {s_positive})});
-  const Theorem below =
-      linear(lt(theta(), pi()), {definition, part(use("atan range", {{x, s}}), 1)});
-  book.show("theta_range", "", "The range of theta:", both({above, below}));
+  know(book.show("theta_range", "", "The range of theta:",
+                 both({linear(lt(0, theta()), {definition, positive(atan(s))}),
+                       linear(lt(theta(), pi()), {definition})})));
   const Theorem cosine =
       linear(lt(0, cos(theta())),
-             {book["ball.cos_theta"], positive((1 - alpha) / (1 + alpha), {mass, assume(light)})});
-  const Theorem beyond = assume(le(pi() / 2, theta()));
-  const Theorem falls = cosine_falls(linear(le(0, pi() / 2), {positive(pi())}), beyond, below);
+             {book["ball.cos_theta"], positive((1 - alpha) / (1 + alpha), {assume(light)})});
+  const Theorem falls = cosine_falls(assume(le(pi() / 2, theta())));
   book.show("theta_light", "", "for a ball lighter than a block:",
             otherwise(lt(theta(), pi() / 2), linear(lt(0, 0), {cosine, falls, axiom("cos pi/2")})));
-  const Theorem bounds = atan_bounds(s_positive);
-  const Theorem cube = equation(power(s, 3), alpha * s, {root_squared(mass)});
+  const Theorems bounds{definition, atan_bounds(s), equation(power(s, 3), alpha * s)};
   book.show("theta_bounds", "", "theta is about 2 sqrt(alpha):",
-            both({linear(le(2 * s * (1 - alpha / 3), theta()), {definition, part(bounds, 0), cube}),
-                  linear(le(theta(), 2 * s), {definition, part(bounds, 1)})}));
+            linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));
 }
 
 /// 2 p (1 - 5 alpha/12) <= psi and psi < 2 p, as psi = 4 atan(q), q^2 = alpha/(2 + alpha).
-Theorem psi_bounds(Book& book) {
-  const Theorem mass = assume(alpha_positive);
-  const Theorem p2 = positive(2 + alpha, {mass});
-  const Theorem q_positive = positive(q, {mass});
-  const Theorem p_squared = root_squared(positive(2 * alpha, {mass}));
-  const Theorem q_squared = equation((2 + alpha) * power(q, 2), alpha,
-                                     {root_squared(positive(alpha / (2 + alpha), {mass}))}, {p2});
-  const Theorems sum{positive(p + 2 * q, {mass})};
+void psi_bounds(Book& book) {
+  const Theorem mass = assume(alpha_positive), q_positive = positive(q);
+  const Theorem p_squared = root_squared(positive(2 * alpha));
+  const Theorem q_squared = equation((2 + alpha) * power(q, 2), alpha);
+  const Theorems sum{positive(p + 2 * q)};
   Certificate upper;  // (p + 2q)(p - 2q) = 2 alpha q^2
   upper.multipliers = sum;
   upper.equations = {{-1, p_squared}, {2, q_squared}};
@@ -58,48 +46,33 @@ Theorem psi_bounds(Book& book) {
   lower.products = {{half, {mass, mass}, {q}}, {half, {mass, q_positive, q_below}, {}}};
   const Theorem q_above = arithmetic(le(p - alpha * p / 4, 2 * q), lower);
   const Theorem q_squared_below =
-      linear(le(0, alpha / 2 - power(q, 2)),
-             {q_squared, positive(alpha * power(q, 2), {mass, q_positive})});
-  const Theorem bounds = atan_bounds(q_positive);
-  const Theorem quarter = book["table.quarter_psi"];
-  return book.show("psi_bounds", "eq:NA-approx", "psi is about 2 sqrt(2 alpha):",
-                   both({linear(le(2 * p * (1 - rational(5, 12) * alpha), psi()),
-                                {quarter, part(bounds, 0), q_above,
-                                 times(q_positive, q_squared_below), times(mass, q_below)}),
-                         linear(lt(psi(), 2 * p), {quarter, part(bounds, 1), q_below})}));
+      linear(le(0, alpha / 2 - power(q, 2)), {q_squared, positive(alpha * power(q, 2))});
+  const Theorems facts{book["table.quarter_psi"],          atan_bounds(q),      q_above, q_below,
+                       times(q_positive, q_squared_below), times(mass, q_below)};
+  book.show("psi_bounds", "eq:NA-approx", "psi is about 2 sqrt(2 alpha):",
+            linear(logic_and({le(2 * p * (1 - rational(5, 12) * alpha), psi()), lt(psi(), 2 * p)}),
+                   facts));
 }
 
-void counts(Book& book, const Theorem& bounds) {
-  const Theorem mass = assume(alpha_positive);
-  const Theorem psi_positive = part(book["rotation.psi_range"], 0);
-  const Theorem p_positive = positive(p, {mass});
+void counts(Book& book) {
+  const Theorem bounds = book["small_alpha.psi_bounds"];
   const Expr share = 1 - rational(5, 12) * alpha;
-  const Theorem small = assume(lt(alpha, rational(12, 5)));
-  const Theorem share_positive = linear(lt(0, share), {small});
-  know(share_positive);
+  const Known small({linear(lt(0, share), {assume(lt(alpha, rational(12, 5)))})});
   const Expr fewest = pi() / (2 * p), most = pi() / (2 * p * share);
-  const auto quotients = [&](Expr l, Expr r, const Theorems& divisors, const Theorem& difference) {
-    Certificate c;
-    c.multipliers = divisors;
-    c.nonzero = divisors;
-    c.products = {{rational(1, 2).value(), {positive(pi()), difference}, {}}};
-    return arithmetic(le(l, r), c);
+  const auto quotients = [&](Expr l, Expr r, Expr divisors, std::size_t which) {
+    const Theorem difference = times(part(bounds, which), pi() / 2 / divisors);
+    return linear(le(l, r), {equation(r - l, gap(difference)), difference});
   };
-  const Theorem at_least =
-      quotients(fewest, pi() / psi(), {psi_positive, p_positive}, part(bounds, 1));
-  const Theorem at_most =
-      quotients(pi() / psi(), most, {psi_positive, p_positive, share_positive}, part(bounds, 0));
+  const Theorem at_least = quotients(fewest, pi() / psi(), psi() * p, 1);
+  const Theorem at_most = quotients(pi() / psi(), most, psi() * p * share, 0);
   for (const auto& [name, count, shift, below] :
        {std::tuple{"N_A", N_A(), rational(1, 2), most + rational(1, 2)},
-        std::tuple{"N_B", N_B(), Expr(1), most}}) {
-    const Theorem number = book["counting." + std::string(name)];
-    const Theorem rounded = use("ceiling", {{x, pi() / psi() - shift}});
+        std::tuple{"N_B", N_B(), Expr(1), most}})
     book.show(name, "eq:NA-approx",
               std::string(name) == "N_A" ? "So A has about pi/(2 sqrt(2 alpha)) collisions,"
                                          : "and so has B:",
-              both({linear(le(fewest - shift, count), {at_least, number, part(rounded, 0)}),
-                    linear(lt(count, below), {at_most, number, part(rounded, 1)})}));
-  }
+              linear(logic_and({le(fewest - shift, count), lt(count, below)}),
+                     {at_least, at_most, book["counting." + std::string(name)]}));
 }
 }  // namespace
 
@@ -107,19 +80,16 @@ void small_alpha(Book& book) {
   book.chapter("small_alpha", "Small mass ratios", {alpha_positive, V_positive});
   theta_bounds(book);
   const Expr third = pi() / 3;
-  const Theorem from = positive(third);
-  const Theorem below = linear(lt(third, pi() / 2), {positive(pi())});
-  const Theorem reached = cut(from, cut(below, instantiate(book["ratios.reached"], {{x, third}})));
-  const Theorem first =
-      use(discharge(le(1, k), book["ratios.alpha_k"]), {{k, 1}}, {linear(le(1, 1), {})});
+  const Theorem reached = at(book["ratios.reached"], {{x, third}}, {positive(third)});
+  const Theorem first = at(book["ratios.alpha_k"], {{k, 1}});
   const Theorem is_1 = linear(eq(first.conclusion().arg(1), 1), {first, book["ratios.alpha_1"]});
   const Theorem angle = assume(le(third, psi() / 2));
-  const Expr ratio = reached.conclusion().arg(0).arg(0);
-  const Theorem heavy = tautology(le(ratio, alpha), {reached, angle});
+  const Theorem heavy = tautology(reached.conclusion().arg(0), {reached, angle});
   const Theorem less =
       otherwise(lt(psi() / 2, third), linear(lt(0, 0), {heavy, assume(light), is_1}));
   book.show("psi_light", "",
             "The range of psi for such a ball:", linear(lt(psi(), 2 * pi() / 3), {less}));
-  counts(book, psi_bounds(book));
+  psi_bounds(book);
+  counts(book);
 }
 }  // namespace derivation

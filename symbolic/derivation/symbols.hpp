@@ -50,21 +50,12 @@ Expr N_B();
 Expr identity(int size);
 Expr column(const Exprs& entries);
 
-/// Squares of sqrt(alpha), sqrt(2 + alpha), sqrt(2) and sqrt(alpha (2 + alpha)) as rules; what
-/// they divide by, proved positive.
-struct Roots {
-  Theorems squares, divisors;
-};
-Roots roots_of(Book& book);
+/// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
+Theorem root_split(Book& book);
 /// |- ceil(x) = k if and only if k - 1 < x and x <= k
 Theorem ceiling_is();
-/// 0 < pi/d and pi/d < pi/2 for a denominator d above 2.
-struct AngleRange {
-  Theorem positive, below_edge;
-};
-AngleRange range_of(Expr d, const Theorem& above_2);
-/// A theorem about 0 < x < pi/2 at x = pi/d.
-Theorem at_angle(const Theorem& t, Expr d, const AngleRange& range);
+/// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.
+Theorems range_of(Expr d, const Theorems& facts);
 
 // The chapters, one file each, in the order of the book.
 void contact(Book& book);

@@ -82,11 +82,15 @@ TEST_CASE("wrong formulas are not proved, and what is left over is said") {
 TEST_CASE("tactics for angles refuse what does not follow") {
   const auto le_0 = assume(le(0, x)), less = assume(lt(x, y)), same = assume(le(x, y));
   const Theorem to_pi = assume(le(y, pi())), beyond = assume(le(y, 2 * pi()));
-  CHECK(text(cosine_falls(le_0, less, to_pi).conclusion()) == "cos(y) < cos(x)");
-  CHECK(text(cosine_falls(le_0, same, to_pi).conclusion()) == "cos(y) <= cos(x)");
-  CHECK_THAT(refusal([&] { cosine_falls(le_0, less, beyond); }),
+  CHECK(text(cosine_falls(less, {le_0, to_pi}).conclusion()) == "cos(y) < cos(x)");
+  CHECK(text(cosine_falls(same, {le_0, to_pi}).conclusion()) == "cos(y) <= cos(x)");
+  CHECK_THAT(refusal([&] {
+               cosine_falls(less, {le_0, beyond});
+             }),
              ContainsSubstring("no linear combination of the facts gives y <= pi"));
-  CHECK_THAT(refusal([&] { cosine_falls(assume(le(-1, x)), less, to_pi); }),
+  CHECK_THAT(refusal([&] {
+               cosine_falls(less, {assume(le(-1, x)), to_pi});
+             }),
              ContainsSubstring("gives 0 <= x"));
   const Theorem y_from_0 = assume(le(0, y));
   CHECK(text(sine_not_negative(y_from_0, to_pi).conclusion()) == "0 <= sin(y)");
