@@ -29,17 +29,4 @@ Theorem root_squared(const Theorem& not_negative);
 Theorem root_of(const Theorem& square, const Theorem& t_positive);
 /// The same where `equation` and `positive` show both.
 Theorem root_is(Expr x, Expr t, const Theorems& facts = {});
-inline Theorem equation(Expr goal, const Theorems& rules, const Theorems& nonzero) {
-  return equation(goal, rules + nonzero);
-}
-inline Theorem equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
-  return equation(l, r, rules + nonzero);
-}
-inline Theorem cancel(Expr goal, const Theorems& factors, const Theorems& rules,
-                      const Theorems& nonzero) {
-  return cancel(goal, factors, rules + nonzero);
-}
-inline Theorem matrix_equation(Expr l, Expr r, const Theorems& rules, const Theorems& nonzero) {
-  return matrix_equation(l, r, rules + nonzero);
-}
 }  // namespace algebra

@@ -51,11 +51,8 @@ public:
     const Theorem base = equation(
         claim(0), {choose_next(n + 1, 0, zero), choose_next(n, 0, zero), at_0(n + 1), at_0(n)});
     return by_induction(j, claim(j), base, [&](const Theorem& from, const Theorem& known) {
-      const Theorem next = linear(le(0, j + 1), {from});
-      return equation(claim(j + 1),
-                      {choose_next(n + 1, j + 1, next), choose_next(n, j + 1, next), known,
-                       choose_next(n, j, from)},
-                      {positive(j + 1, {from}), positive(j + 2, {from})});
+      return equation(claim(j + 1), {choose_next(n + 1, j + 1, from), choose_next(n, j + 1, from),
+                                     known, choose_next(n, j, from), from});
     });
   }
   /// 0 <= n |- n + 1 <= j implies choose(n, j) = 0
@@ -92,12 +89,10 @@ public:
 /// 0 <= n, 0 <= j |- the sums for n + 1 from those for n, as the sum of two angles has it.
 Theorem one_more_angle(const Sums& s, const Theorem& pascal, const Theorem& vanishes) {
   const Theorem from = assume(le(0, j)), n_from_0 = assume(le(0, n));
-  const Theorem one_more = discharge(le(0, i), s.one_more_cosine(vanishes));
-  const auto coefficient = [&](Expr e) {
-    return use(discharge(le(0, j), pascal), {{j, e}}, {linear(le(0, e), {from})});
-  };
-  const auto cosine = [&](Expr e) { return use(one_more, {{i, e}}, {linear(le(0, e), {from})}); };
-  const auto sine = [&](Expr e) { return s.pow_next(s_x, e, linear(le(0, e), {from})); };
+  const Theorem one_more = s.one_more_cosine(vanishes);
+  const auto coefficient = [&](Expr e) { return at(pascal, {{j, e}}, {from}); };
+  const auto cosine = [&](Expr e) { return at(one_more, {{i, e}}, {from}); };
+  const auto sine = [&](Expr e) { return s.pow_next(s_x, e, from); };
   const Theorem even_term = equation(
       even(n + 1, j + 1), c_x * even(n, j + 1) - s_x * odd(n, j),
       {s.pow_next(-1, j, from), sine(2 * j + 1), coefficient(2 * j + 1), cosine(2 * j + 2)});
@@ -114,32 +109,27 @@ Theorem one_more_angle(const Sums& s, const Theorem& pascal, const Theorem& vani
   const auto next = [&](std::size_t which, Expr of) {
     return use(s.sums[which + 2], {{n, of}}, {from});
   };
-  const auto at_0 = [&](const Theorem& t) {
-    return use(discharge(le(0, j), t), {{j, 0}}, {linear(le(0, 0), {})});
-  };
   const Theorems starts{start(0, n + 1), start(0, n), start(1, n + 1), start(1, n)};
-  const auto each = [&](Expr f, const Theorems& of_cosine, const Theorems& of_sine) {
-    return both({equation(f.arg(0), of_cosine), equation(f.arg(1), of_sine)});
+  const auto each = [&](Expr f, const Theorems& rules) {
+    return both({equation(f.arg(0), rules), equation(f.arg(1), rules)});
   };
   const Theorem even_0 =
       equation(even(n + 1, 0), c_x * even(n, 0),
                {s.pow_next(c_x, n, n_from_0), instantiate(s.coefficients[0], {{n, n + 1}}),
                 s.coefficients[0]});
-  const Theorem base = each(claim(0), starts + Theorems{even_0}, starts + Theorems{at_0(odd_term)});
+  const Theorem base = each(claim(0), starts + Theorems{even_0, at(odd_term, {{j, 0}})});
   return by_induction(j, claim(j), base, [&](const Theorem&, const Theorem& known) {
-    const Theorem odd_next =
-        use(discharge(le(0, j), odd_term), {{j, j + 1}}, {linear(le(0, j + 1), {from})});
+    const Theorem odd_next = at(odd_term, {{j, j + 1}}, {from});
     const Theorems rules{next(0, n + 1), next(1, n + 1), next(0, n), next(1, n),
-                         part(known, 0), part(known, 1), even_term,  odd_next};
-    return each(claim(j + 1), rules, rules);
+                         known,          even_term,      odd_next};
+    return each(claim(j + 1), rules);
   });
 }
 
 /// 0 <= n, 0 <= m |- n <= 2m + 1 implies cos(n x) and sin(n x) are the sums up to m.
 Theorem sums_are(const Sums& s, const Theorem& one_more, const Theorem& vanishes) {
   const auto none = [&](Expr of, Expr e, const Theorems& facts, const Theorem& of_from_0) {
-    return use(use(discharge(le(0, n), vanishes), {{n, of}, {j, e}}, {of_from_0}), {},
-               {linear(le(of + 1, e), facts)});
+    return use(at(vanishes, {{n, of}, {j, e}}, {of_from_0}), {}, facts + Theorems{of_from_0});
   };
   const Theorem zero = linear(le(0, 0), {});
   const auto at_none = [](Expr e) {
@@ -163,24 +153,20 @@ Theorem sums_are(const Sums& s, const Theorem& one_more, const Theorem& vanishes
                                          return each(at_none(j + 1), rules);
                                        });
   const Theorem m_from_0 = assume(le(0, m));
-  const auto at_m = [&](const Theorem& t) {
-    return use(discharge(le(0, j), t), {{j, m}}, {m_from_0});
-  };
+  const auto at_m = [&](const Theorem& t) { return at(t, {{j, m}}, {m_from_0}); };
   const auto equal = [](Expr e) {
     return logic_and({eq(cos(e * x), cos_sum(e, m)), eq(sin(e * x), sin_sum(e, m))});
   };
   const auto claim = [&](Expr e) { return imp(le(e, 2 * m + 1), equal(e)); };
   const Theorem none_at_m = at_m(nothing);
-  const Theorem base = tautology(
-      claim(0),
-      {each(equal(0), {part(none_at_m, 0), part(none_at_m, 1), axiom("cos 0"), axiom("sin 0")})});
+  const Theorem base =
+      tautology(claim(0), {each(equal(0), {none_at_m, axiom("cos 0"), axiom("sin 0")})});
   return by_induction(n, claim(n), base, [&](const Theorem& from, const Theorem& known) {
     const Theorem room = assume(le(n + 1, 2 * m + 1));
     const Theorem now = tautology(equal(n), {known, linear(le(n, 2 * m + 1), {room})});
     const Theorem next = at_m(one_more);
     const Theorems rules = angles({cos((n + 1) * x), sin((n + 1) * x)}, {n * x, x}, false) +
-                           Theorems{part(now, 0), part(now, 1), part(next, 0), part(next, 1),
-                                    none(n, 2 * m + 1, {room}, from)};
+                           Theorems{now, next, none(n, 2 * m + 1, {room}, from)};
     return discharge(room.conclusion(), each(equal(n + 1), rules));
   });
 }
@@ -190,46 +176,33 @@ void multiples(Book& book) {
   book.chapter("multiples", "Multiples of an angle", {le(0, n), le(0, j)});
   const Expr r = real("r");
   book.show("cos_more", "sec:nhx", "Sum of two angles:",
-            equation(cos((n + r) * x), cos(n * x) * cos(r * x) - sin(n * x) * sin(r * x),
-                     angles({cos((n + r) * x)}, {n * x, r * x}, false)));
+            equation(cos((n + r) * x), cos(n * x) * cos(r * x) - sin(n * x) * sin(r * x), {},
+                     {n * x, r * x}));
   book.show("sin_more", "sec:nhx", "and",
-            equation(sin((n + r) * x), sin(n * x) * cos(r * x) + cos(n * x) * sin(r * x),
-                     angles({sin((n + r) * x)}, {n * x, r * x}, false)));
+            equation(sin((n + r) * x), sin(n * x) * cos(r * x) + cos(n * x) * sin(r * x), {},
+                     {n * x, r * x}));
   Sums s(book);
   s.show_definitions();
   const Theorem pascal = book.show("pascal", "", "Pascal's rule:", s.pascal());
   const Theorem vanishes = s.none();
   const Theorem are = sums_are(s, one_more_angle(s, pascal, vanishes), vanishes);
   // With floor(n/2) for the cosine, and floor((n - 1)/2) for the sine, as one more term is 0.
-  const Theorem from_1 = assume(le(1, n));
-  const auto floor_of = [&](Expr t) {
-    const Theorem is = instantiate(book["constraints.floor"], {{x, t}});
-    const Theorem rounded = use("ceiling", {{x, -t}});
-    return std::pair{is.conclusion().arg(0),
-                     linear(lt(t - 1, is.conclusion().arg(0)), {is, part(rounded, 1)})};
+  const auto up_to = [&](Expr last, const Theorem& last_from_0, const Theorems& facts) {
+    return use(at(are, {{m, last}}, {last_from_0}), {}, facts);
   };
-  const auto up_to = [&](Expr last, const Theorem& last_from_0, const Theorem& reaches) {
-    return use(use(discharge(le(0, m), are), {{m, last}}, {last_from_0}), {}, {reaches});
-  };
-  const auto [half, above_half] = floor_of(n / 2);
-  const Theorem half_from_0 =
-      linear(le(0, half), {next_integer(linear(lt(-1, half), {above_half, assume(le(0, n))}))});
-  const Theorem half_reaches =
-      linear(le(n, 2 * half + 1), {next_integer(linear(lt(n, 2 * half + 2), {above_half}))});
+  const auto floor_of = [&](Expr t) { return instantiate(book["constraints.floor"], {{x, t}}); };
+  const Theorem half_is = floor_of(n / 2), less_is = floor_of((n - 1) / 2);
+  const Theorem from_0 = assume(le(0, n)), from_1 = assume(le(1, n));
+  const Expr half = half_is.conclusion().arg(0), less = less_is.conclusion().arg(0);
+  const Theorem half_from_0 = linear(le(0, half), {half_is, from_0});
   know(half_from_0);
   book.show("cos", "sec:nx", "The cosine of n x is the first sum, up to n/2,",
-            part(up_to(half, half_from_0, half_reaches), 0));
-  const auto [less, above_less] = floor_of((n - 1) / 2);
-  const Theorem less_from_0 =
-      linear(le(0, less), {next_integer(linear(lt(-1, less), {above_less, from_1}))});
-  const Theorem reaches =
-      linear(le(n, 2 * less + 2), {next_integer(linear(lt(n, 2 * less + 3), {above_less}))});
-  const Theorem longer = part(up_to(less + 1, linear(le(0, less + 1), {less_from_0}),
-                                    linear(le(n, 2 * (less + 1) + 1), {reaches})),
-                              1);
+            part(up_to(half, half_from_0, {half_is}), 0));
+  const Theorem less_from_0 = linear(le(0, less), {less_is, from_1});
+  const Theorem reaches = linear(le(n, 2 * less + 2), {less_is});
   const Theorem n_from_0 = linear(le(0, n), {from_1});
-  const Theorem zero = use(cut(n_from_0, vanishes), {{j, 2 * less + 3}},
-                           {linear(le(n + 1, 2 * less + 3), {reaches})});
+  const Theorem longer = part(up_to(less + 1, less_from_0, {reaches}), 1);
+  const Theorem zero = use(cut(n_from_0, vanishes), {{j, 2 * less + 3}}, {reaches});
   const Theorem last = use(s.sums[3], {{j, less}}, {less_from_0});
   know(less_from_0);
   book.show("sin", "sec:nx", "and its sine the second one, up to (n - 1)/2:",
