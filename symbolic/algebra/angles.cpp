@@ -5,6 +5,7 @@
 
 #include "algebra/equations.hpp"
 #include "algebra/linear.hpp"
+#include "algebra/signs.hpp"
 #include "kernel/polynomial.hpp"
 
 namespace algebra {
@@ -153,19 +154,14 @@ Theorem cosine_positive(const Theorem& from, const Theorem& below) {
                 {cosine_falls(below, {from, edge}), axiom("cos pi/2")});
 }
 Theorem sine_not_negative(const Theorem& from, const Theorem& to) {
-  const Expr t = to.conclusion().arg(0), x = real("x"), y = real("y");
-  const Theorem negative = assume(lt(sin(t), 0)), above = assume(lt(0, t)),
-                below = assume(lt(t, pi()));
-  const auto not_at = [&](Expr end, const Theorem& sine) {
-    return refute(eq(t, end), linear(lt(0, 0), {rewrite(assume(eq(t, end)), negative), sine}));
+  const Expr t = to.conclusion().arg(0), goal = le(0, sin(t));
+  const auto at_end = [&](Expr end) {
+    return given(eq(t, end), [&](const Theorem& same) {
+      return otherwise(goal, linear(lt(0, 0), {rewrite(same, assume(lt(sin(t), 0)))}));
+    });
   };
-  const Theorem inside =
-      linear(lt(0, 0), {use("sin positive", {{x, t}}, {above, below}), negative});
-  return otherwise(
-      le(0, sin(t)),
-      tautology(lt(0, 0), {not_at(0, axiom("sin 0")), not_at(pi(), axiom("sin pi")), from, to,
-                           discharge(lt(0, t), discharge(lt(t, pi()), inside)),
-                           use("equal or less or greater", {{x, t}, {y, 0}}),
-                           use("equal or less or greater", {{x, t}, {y, pi()}})}));
+  const Theorem inside = given(logic_and({lt(0, t), lt(t, pi())}),
+                               [&](const Theorem& where) { return not_negative(sin(t), {where}); });
+  return follows(goal, {from, to, at_end(0), at_end(pi()), inside});
 }
 }  // namespace algebra

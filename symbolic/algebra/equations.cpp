@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebra/equations.hpp"
 
-#include <optional>
-
 #include "algebra/angles.hpp"
 #include "algebra/linear.hpp"
 #include "algebra/signs.hpp"
@@ -15,18 +13,6 @@ int degree(const Monomial& monomial, Expr atom) {
   for (const auto& [a, k] : monomial)
     if (a == atom) return k;
   return 0;
-}
-std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by) {
-  Monomial quotient;
-  std::size_t used = 0;
-  for (const auto& [a, k] : monomial) {
-    const int j = degree(by, a);
-    if (j > 0) ++used;
-    if (k < j) return {};
-    if (k > j) quotient.emplace_back(a, k - j);
-  }
-  if (used != by.size()) return {};
-  return quotient;
 }
 Polynomial constant(int value) { return scaled(polynomial(Expr(1)), value); }
 
@@ -86,6 +72,18 @@ struct Search {
 };
 }  // namespace
 
+std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by) {
+  Monomial quotient;
+  std::size_t used = 0;
+  for (const auto& [a, k] : monomial) {
+    const int j = degree(by, a);
+    if (j > 0) ++used;
+    if (k < j) return {};
+    if (k > j) quotient.emplace_back(a, k - j);
+  }
+  if (used != by.size()) return {};
+  return quotient;
+}
 Expr gap(const Theorem& relation) {
   Expr c = relation.conclusion();
   if (c.op() == Op::Not) c = c.arg(0);

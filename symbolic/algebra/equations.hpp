@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Equations of terms and of matrices: cofactors are found here and checked by the kernel.
 #pragma once
+#include <optional>
+
 #include "algebra/logic.hpp"
+#include "kernel/polynomial.hpp"
 
 namespace algebra {
+/// The quotient of two monomials, if it is one.
+std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by);
 /// q - p of p = q, p < q, p <= q or not p = q.
 Expr gap(const Theorem& relation);
 /// `goal` (l = r): each equation of `facts` (monomial = term) rewrites a monomial; denominators are

@@ -125,9 +125,8 @@ Proof combination(Expr goal, const Theorems& facts) {
   } while (rows.size() < most_rows && eliminate_unknown(rows));
   return {};
 }
-bool is_integer(Expr t) { return t.sort() == Sort::Int; }
 bool of_integers(Expr relation) {
-  return is_integer(relation.arg(0)) && is_integer(relation.arg(1));
+  return relation.arg(0).sort() == Sort::Int && relation.arg(1).sort() == Sort::Int;
 }
 /// Integers i <= j also from i - 1 < j.
 Proof inequality(Expr goal, const Theorems& facts) {
@@ -200,58 +199,32 @@ private:
       if ((f == "cos" || f == "sin") && canonical(a.arg(0)) == canonical(angle))
         facts.push_back(axiom(f + name));
   }
-  static Expr rest(const Monomial& monomial, Expr a, int less) {
-    Expr out = 1;
-    for (const auto& [b, k] : monomial)
-      if (const int left = b == a ? k - less : k; left > 0) out = out * power(b, left);
-    return out;
-  }
+  /// d/d = 1, times what is left of the monomial
   void quotient(const Monomial& monomial, Expr inverse) {
-    const Expr d = inverse.arg(0);
-    const Polynomial divisor = polynomial(d);
-    const auto divides = [&](const auto& term) {
-      return !term.first.empty() &&
-             std::all_of(term.first.begin(), term.first.end(), [&](const auto& factor) {
-               return std::any_of(monomial.begin(), monomial.end(), [&](const auto& b) {
-                 return b.first == factor.first && b.second >= factor.second;
-               });
-             });
-    };
-    const auto lead = std::find_if(divisor.rbegin(), divisor.rend(), divides);
-    if (lead == divisor.rend()) return;
-    const Proof d_positive = sign_of(d, facts);
-    if (!d_positive) return;
-    Expr cofactor = 1;  // the monomial over the lead and over 1/d
-    for (const auto& [b, k] : monomial) {
-      int left = b == inverse ? k - 1 : k;
-      for (const auto& [c, l] : lead->first)
-        if (c == b) left -= l;
-      if (left > 0) cofactor = cofactor * power(b, left);
+    const Polynomial divisor = polynomial(inverse.arg(0));
+    for (auto lead = divisor.rbegin(); lead != divisor.rend(); ++lead) {
+      const auto rest = divided(monomial, polynomial(expression({*lead}) * inverse).begin()->first);
+      if (lead->first.empty() || !rest) continue;
+      const Expr cofactor = expression({{*rest, 1}});
+      if (const Proof d = sign_of(inverse.arg(0), facts))
+        add(equation(cofactor * inverse.arg(0) * inverse, cofactor, {*d}));
+      return;
     }
-    add(equation(cofactor * d * inverse, cofactor, {*d_positive}));
   }
   void square(const Monomial& monomial, Expr root) {
-    if (const Proof p = sign_of(root.arg(0), facts)) {
-      Certificate c;
-      const Expr cofactor = rest(monomial, root, 2);
-      c.equations = {{cofactor, root_squared(*p)}};
-      add(arithmetic(eq(cofactor * power(root, 2), cofactor * root.arg(0)), c));
-    }
+    const Expr cofactor = expression({{*divided(monomial, {{root, 2}}), 1}});
+    if (const Proof p = sign_of(root.arg(0), facts))
+      add(equation(cofactor * power(root, 2), cofactor * root.arg(0), {root_squared(*p)}));
   }
   std::set<Monomial> seen;
   std::set<Expr> atoms;
 };
 
-/// How deep `linear` has called itself by way of signs: what is known is used at the top only.
-int& depth() {
-  static int value = 0;
-  return value;
-}
+/// How deep `linear` has called itself by way of signs.
 struct Deeper {
-  Deeper() { ++depth(); }
-  ~Deeper() { --depth(); }
-  Deeper(const Deeper&) = delete;
-  Deeper& operator=(const Deeper&) = delete;
+  static inline int depth = 0;
+  Deeper() { ++depth; }
+  ~Deeper() { --depth; }
 };
 bool is_relation(const Theorem& t) {
   const Op op = t.conclusion().op();
@@ -269,7 +242,7 @@ Proof linear_if(Expr goal, const Theorems& given_facts) {
     if (is_relation(t)) facts.push_back(t);
   if (const Proof p = relation(goal, facts)) return p;
   constexpr int deepest = 3;
-  if (depth() >= deepest) return {};
+  if (Deeper::depth >= deepest) return {};
   const Deeper deeper;
   Occurring occurring(difference(goal), facts);
   if (const Proof p = relation(goal, occurring.facts)) return p;

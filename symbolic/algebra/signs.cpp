@@ -19,15 +19,12 @@ Certificate of_products(const std::vector<Certificate::Product>& products) {
 const Theorem& root_positive() {  // |- 0 < x implies 0 < sqrt(x)
   static const Theorem result = [] {
     const Expr x = real("x");
-    const Theorem x_positive = assume(lt(0, x));
-    const Theorem root_not_positive = assume(le(sqrt(x), 0));
+    const Theorem x_positive = assume(lt(0, x)), none = assume(le(sqrt(x), 0));
     const Theorem weak = linear(le(0, x), {x_positive});
-    const Theorem root_sign = use("root not negative", {}, {weak});
-    Certificate c = of_products({{1, {x_positive}, {}}, {1, {root_sign, root_not_positive}, {}}});
-    c.equations = {{-1, use("root squared", {}, {weak})}};
-    const Theorem absurd = arithmetic(lt(0, 0), c);
-    return discharge(lt(0, x),
-                     tautology(lt(0, sqrt(x)), {refute(root_not_positive.conclusion(), absurd)}));
+    const Theorem square = times(use("root not negative", {}, {weak}), none);
+    return discharge(
+        lt(0, x),
+        otherwise(lt(0, sqrt(x)), linear(lt(0, 0), {square, x_positive, root_squared(weak)})));
   }();
   return result;
 }

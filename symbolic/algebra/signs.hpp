@@ -7,8 +7,8 @@
 
 namespace algebra {
 /// |- 0 < t: numbers, sums, products, powers, quotients, roots, pi and arctangents of positive
-/// terms, sines of angles below pi, cosines of those below pi/2; `facts`, what is known and `linear`
-/// say the rest. Throws Refused where nothing shows it.
+/// terms, sines of angles below pi, cosines of those below pi/2; `facts`, what is known and
+/// `linear` say the rest. Throws Refused where nothing shows it.
 Theorem positive(Expr t, const Theorems& facts = {});
 /// |- 0 <= t
 Theorem not_negative(Expr t, const Theorems& facts = {});

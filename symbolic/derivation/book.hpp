@@ -28,8 +28,8 @@ public:
   /// taken or where a term of the statement is not proved to make sense under its hypotheses.
   kernel::Theorem show(const std::string& name, const std::string& label, const std::string& words,
                        const kernel::Theorem& theorem);
-  /// Defines symbol(params) = value, meant to be used where `domain` holds, and shows it there under
-  /// the id `shown_as`, or else the symbol. Parameters alpha and V that come first are not printed.
+  /// Defines symbol(params) = value, meant to be used where `domain` holds, and shows it there
+  /// under the id `shown_as`, or else the symbol. Leading parameters alpha and V are not printed.
   kernel::Theorem name(const std::string& symbol, const kernel::Exprs& params, kernel::Expr value,
                        const kernel::Exprs& domain, const std::string& words,
                        const std::string& label = "", const std::string& shown_as = "");
@@ -44,7 +44,7 @@ private:
   const Statement* find(const std::string& id) const;
 };
 
-/// What terms of `theorem` need to make sense and its own hypotheses and what is known do not prove.
+/// What terms of `theorem` need to make sense and neither its hypotheses nor what is known prove.
 kernel::Exprs unproved_needs(const kernel::Theorem& theorem);
 /// The whole derivation, proved again at each call; its definitions can be made once a process, so
 /// the second call throws Refused.
