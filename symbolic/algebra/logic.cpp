@@ -12,10 +12,6 @@ Theorems& all_known() {
   static Theorems facts;
   return facts;
 }
-Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
-bool is_among(Expr f, const Exprs& formulas) {
-  return std::find(formulas.begin(), formulas.end(), f) != formulas.end();
-}
 using Sides = std::set<std::pair<Expr, Expr>>;
 /// The sides of each equation of terms in f, or else of each inequality.
 void sides_in(Expr f, bool of_equations, Sides& out) {
@@ -28,6 +24,10 @@ void sides_in(Expr f, bool of_equations, Sides& out) {
 }
 }  // namespace
 
+Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
+bool is_among(Expr f, const Exprs& formulas) {
+  return std::find(formulas.begin(), formulas.end(), f) != formulas.end();
+}
 Known::Known(const Theorems& facts) : before(all_known().size()) {
   for (const Theorem& t : facts) know(t);
 }

@@ -45,6 +45,9 @@ private:
 };
 void know(const Theorem& fact);
 const Theorems& known();
+/// What f says, conjunct by conjunct.
+Exprs conjuncts(Expr f);
+bool is_among(Expr f, const Exprs& formulas);
 /// |- not 0 < 0
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f

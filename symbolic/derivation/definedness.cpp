@@ -13,9 +13,6 @@
 namespace derivation {
 using namespace algebra;
 namespace {
-bool is_among(Expr f, const Exprs& formulas) {
-  return std::find(formulas.begin(), formulas.end(), f) != formulas.end();
-}
 /// Is there a proof, from nothing but what is given?
 bool holds(const Exprs& given, const std::function<std::optional<Theorem>()>& proof) {
   const auto t = proof();
@@ -24,7 +21,6 @@ bool holds(const Exprs& given, const std::function<std::optional<Theorem>()>& pr
   return std::all_of(hypotheses.begin(), hypotheses.end(),
                      [&](Expr h) { return is_among(h, given); });
 }
-Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
 
 bool proved(Expr condition, const Theorems& facts, const Exprs& given) {
   for (const Theorem& t : facts)

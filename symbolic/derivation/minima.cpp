@@ -4,9 +4,6 @@
 
 namespace derivation {
 namespace {
-Expr a_t() { return fun("a_t", {alpha, V}); }
-Expr b_t() { return fun("b_t", {alpha, V}); }
-Expr c_t() { return fun("c_t", {alpha, V}); }
 Expr half() { return psi() / 2; }
 Expr angle() { return (N_B() + rational(1, 2)) * psi(); }
 

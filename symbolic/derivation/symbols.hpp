@@ -22,33 +22,41 @@ inline const Expr y = real("y");
 inline const Expr alpha_positive = lt(0, alpha);
 inline const Expr V_positive = lt(0, V);
 
-Expr rational(int p, int q);
+inline Expr rational(int p, int q) { return Expr(cln::cl_RA(p) / q); }
 /// After j collisions: the velocities of A, B and C; whose turn it is, 1 for P and -1 for Q.
-Expr A(Expr j);
-Expr B(Expr j);
-Expr C(Expr j);
-Expr turn(Expr j);
+inline Expr A(Expr i) { return fun("A", {alpha, V, i}); }
+inline Expr B(Expr i) { return fun("B", {alpha, V, i}); }
+inline Expr C(Expr i) { return fun("C", {alpha, V, i}); }
+inline Expr turn(Expr i) { return fun("turn", {i}); }
 /// The paper's velocities, just after P_n and Q_n.
-Expr a(Expr n);
-Expr b(Expr n);
-Expr c(Expr n);
-Expr c_prime(Expr n);
-Expr V_vector(Expr n);  ///< (a_n, b_n, sqrt(alpha) c'_n)
-Expr theta();
-Expr psi();
-Expr V_CM();
-Expr Gamma();
-Expr Gamma_A();
-Expr Gamma_B();
-Expr Lambda();
-Expr R();
-Expr lambda_3(Expr angle);
-Expr approach(Expr j);  ///< the speed with which the two bodies of collision j approach before it
-Expr N();
-Expr N_A();
-Expr N_B();
-Expr identity(int size);
-Expr column(const Exprs& entries);
+inline Expr a(Expr i) { return fun("a", {alpha, V, i}); }
+inline Expr b(Expr i) { return fun("b", {alpha, V, i}); }
+inline Expr c(Expr i) { return fun("c", {alpha, V, i}); }
+inline Expr c_prime(Expr i) { return fun("c'", {alpha, V, i}); }
+inline Expr V_vector(Expr i) { return fun("V_", {alpha, V, i}); }  ///< (a_n, b_n, sqrt(alpha) c'_n)
+inline Expr theta() { return fun("theta", {alpha}); }
+inline Expr psi() { return fun("psi", {alpha}); }
+inline Expr V_CM() { return fun("V_CM", {alpha, V}); }
+inline Expr Gamma() { return fun("Gamma", {alpha}); }
+inline Expr Gamma_A() { return fun("Gamma_A", {alpha}); }
+inline Expr Gamma_B() { return fun("Gamma_B", {alpha}); }
+inline Expr Lambda() { return fun("Lambda", {alpha}); }
+inline Expr R() { return fun("R", {alpha}); }
+inline Expr lambda_3(Expr angle) { return fun("lambda_3", {angle}); }
+/// The speed with which the two bodies of collision j approach before it.
+inline Expr approach(Expr i) { return fun("approach", {alpha, V, i}); }
+inline Expr a_t() { return fun("a_t", {alpha, V}); }
+inline Expr b_t() { return fun("b_t", {alpha, V}); }
+inline Expr c_t() { return fun("c_t", {alpha, V}); }
+inline Expr N() { return fun("N", {alpha, V}); }
+inline Expr N_A() { return fun("N_A", {alpha, V}); }
+inline Expr N_B() { return fun("N_B", {alpha, V}); }
+inline Expr identity(int size) {
+  Exprs entries;
+  for (int i = 0; i < size * size; ++i) entries.push_back(i % (size + 1) == 0 ? 1 : 0);
+  return matrix(size, entries);
+}
+inline Expr column(const Exprs& entries) { return matrix(1, entries); }
 
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);

@@ -5,9 +5,6 @@
 namespace derivation {
 namespace {
 const Expr from_0 = le(0, n), from_1 = le(1, n);
-Expr a_t() { return fun("a_t", {alpha, V}); }
-Expr b_t() { return fun("b_t", {alpha, V}); }
-Expr c_t() { return fun("c_t", {alpha, V}); }
 
 /// A theorem under 0 <= n, a cycle earlier.
 Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}, {assume(from_1)}); }

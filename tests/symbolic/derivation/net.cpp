@@ -238,23 +238,20 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   if (!variables.count(kernel::real("o_33")) && o[2][2] < 0)
     o = product(o, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
   // A frame whose third axis it may leave as it is, and the matrix in that frame.
-  const Matrix turn = matrix_function("lambda_3", {angle});
   Matrix r = matrix_function(any_of(2) ? "P_3" : "lambda_3", {between(-3, 3)});
   for (const char* axis : {"lambda_1", "lambda_2"})
     r = product(r, matrix_function(axis, {between(-3, 3)}));
-  if (variables.count(kernel::real("r_33"))) o = product(product(r, turn), transposed(r));
-  const Matrix m = product(product(transposed(r), o), r);
-  const auto named = [](const std::string& name, const Matrix& values) {
-    return values[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
-  };
+  if (variables.count(kernel::real("r_33")))
+    o = product(product(r, matrix_function("lambda_3", {angle})), transposed(r));
+  const std::map<char, Matrix> of{{'o', o}, {'r', r}, {'m', product(product(transposed(r), o), r)}};
   cl_R last = exact(1);
   for (const Expr& v : variables) {
     const std::string name = v.name();
     const int kind = any_of(8);
     if (v.sort() == kernel::Sort::Int)
       point[v] = any_of(12) - (name == "k" ? 0 : 1);
-    else if (name.starts_with("o_") || name.starts_with("r_") || name.starts_with("m_"))
-      point[v] = named(name, name[0] == 'o' ? o : name[0] == 'r' ? r : m);
+    else if (name.size() == 4 && of.count(name[0]))
+      point[v] = of.at(name[0])[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
     else if (name == "alpha" && kind < 2)
       point[v] = function(kind == 0 ? "alpha_" : "beta_", {1 + any_of(8)});
     else if (name == "alpha")
