@@ -185,6 +185,10 @@ void radicals(Book& book) {
     know(linear(lt(0, cosine.conclusion().arg(1)),
                 {cosine, Periods::falls(angle, pi() / 2), axiom("cos pi/2")}));
     Theorem value = rewrite(cosine, definition);
+    if (const Expr w = cosine.conclusion().arg(1); d == 17) {  // w = (...)/4
+      know(linear(lt(0, w.arg(1)), known()));
+      value = chain(value, equation(value.conclusion().arg(1), 4 / w.arg(1) - 1));
+    }
     if (d == 5) {  // the root out of the denominator
       const Expr r = value.conclusion().arg(1);
       value = chain(value, equation(r, simplified(r)));
