@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one place where chapters are put in order.
 #include "derivation/symbols.hpp"
+#include "derivation/wedge.hpp"
 
 namespace derivation {
 Book derive() {
   Book book;
   const Known while_deriving({assume(alpha_positive), assume(V_positive)});
-  for (const auto chapter : {contact, cycle, cycle_matrix, rotation, powers, table, counting,
-                             constraints, multiples, thresholds, ratios, terminal, minima,
-                             small_alpha, orthogonal, evaluators, exact_forms, radicals})
+  for (const auto chapter :
+       {contact,     cycle,       cycle_matrix, rotation,      powers,      table,
+        counting,    constraints, multiples,    thresholds,    ratios,      terminal,
+        minima,      small_alpha, orthogonal,   evaluators,    exact_forms, radicals,
+        restitution, chebyshev,   wedge,        when_and_where})
     chapter(book);
   return book;
 }

@@ -25,6 +25,7 @@ bool holds(const Exprs& given, const std::function<std::optional<Theorem>()>& pr
 bool proved(Expr condition, const Theorems& facts, const Exprs& given) {
   for (const Theorem& t : facts)
     if (t.conclusion() == condition) return true;
+  if (condition.op() == Op::All) return false;
   if (holds(given, [&] { return linear_if(condition, facts); })) return true;
   const bool negated = condition.op() == Op::Not && condition.arg(0).op() == Op::Eq;
   const Expr f = negated ? condition.arg(0) : condition;

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Chebyshev's polynomials of the second kind, U_j: sines where their argument is a cosine, never
+// falling where it is 1 or more.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Expr from_0 = le(0, j);
+Expr U(Expr i, Expr at = x) { return chebyshev(i, at); }
+Expr last(Expr i) { return fun("U_last", {x, i}); }
+}  // namespace
+
+void chebyshev(Book& book) {
+  book.chapter("chebyshev", "Chebyshev's polynomials", {from_0});
+  const Theorem from = assume(from_0), zero = linear(le(0, 0));
+  const Expr U_before = real("U_before"), last_before = real("last_before");
+  const Theorems def = define_recursive({"U", "U_last"}, {x}, j, {U_before, last_before}, {1, 0},
+                                        {2 * x * U_before - last_before, U_before});
+  for (const char* name : {"U", "U_last"}) restrict_domain(name, {x, j}, from_0);
+  const Theorem first = restate(eq(U(0), 1), def[0]);
+  const Theorem second = equation(
+      U(1), 2 * x,
+      {restate(eq(U(1), 2 * x * U(0) - last(0)), use(def[2], {{j, 0}}, {zero})), def[0], def[1]});
+  book.show("start", "", "The polynomials U_j are", under({from_0}, both({first, second})));
+  const Theorem next =
+      book.show("next", "", "and on by the rule",
+                equation(U(j + 2), 2 * x * U(j + 1) - U(j),
+                         {use(def[2], {{j, j + 1}}, {from}), use(def[3], {}, {from})}));
+
+  const auto sine = [](Expr i) { return eq(U(i, cos(y)) * sin(y), sin((i + 1) * y)); };
+  const auto at_cosine = [](const Theorem& t) { return instantiate(t, {{x, cos(y)}}); };
+  book.show(
+      "sine", "", "Of a cosine they are quotients of sines,",
+      by_two(sine, equation(U(0, cos(y)) * sin(y), sin((Expr(0) + 1) * y), {at_cosine(first)}),
+             equation(U(1, cos(y)) * sin(y), sin((Expr(1) + 1) * y), {at_cosine(second)}, {y}),
+             [&](const Theorem&, const Theorem& now, const Theorem& later) {
+               return equation(U(j + 2, cos(y)) * sin(y), sin((j + 2 + 1) * y),
+                               {at_cosine(next), now, later}, {j * y, y});
+             }));
+
+  const Theorem above_1 = assume(le(1, x));
+  const Expr rises = logic_and({le(j + 1, U(j)), le(U(j) + 1, U(j + 1))});
+  book.show(
+      "rise", "", "and from 1 on they rise with j by 1 or more,",
+      by_induction(j, rises,
+                   both({linear(le(Expr(0) + 1, U(0)), {first}),
+                         restate(le(U(0) + 1, U(Expr(0) + Expr(1))),
+                                 linear(le(U(0) + 1, U(1)), {first, second, above_1}))}),
+                   [&](const Theorem& i_from_0, const Theorem& known) {
+                     const Theorem more = linear(le(j + 1 + 1, U(j + 1)), {known});
+                     const Theorem up = linear(
+                         le(U(j + 1) + 1, U(j + 2)),
+                         {next, known, times(above_1, linear(lt(0, U(j + 1)), {more, i_from_0}))});
+                     return both({more, restate(le(U(j + 1) + 1, U(j + 1 + 1)), up)});
+                   }));
+  const Theorem after = use(def[2], {}, {from}), last_after = use(def[3], {}, {from});
+  const auto invariant = [&](Expr i) {
+    return eq(power(U(i), 2), 1 - power(last(i), 2) + 2 * x * U(i) * last(i));
+  };
+  const Theorem kept = by_induction(j, invariant(j), equation(invariant(0), {first, def[1]}),
+                                    [&](const Theorem&, const Theorem& known) {
+                                      return equation(invariant(j + 1), {after, last_after, known});
+                                    });
+  book.show("last", "", "With U_last for the one before, 0 at first,",
+            under({from_0}, both({def[1], last_after})));
+  book.show("neighbours", "", "three neighbours keep, whatever x is,",
+            equation(power(U(j), 2) - U(j + 1) * last(j), 1, {after, kept}));
+  const Theorem root = assume(eq(power(y, 2), 2 * x * y - 1));
+  const auto pow = [](Expr i) { return fun("pow", {y, i}); };
+  const Theorems powers = parts({book["multiples.pow"]});
+  const auto more = [&](Expr i, const Theorem& i_from_0) {
+    return restate(eq(pow(i + 1), y * pow(i)), use(powers[1], {{j, i}}, {i_from_0}));
+  };
+  const auto distance = [&](Expr i) { return eq(y * U(i) - last(i), pow(i + 1)); };
+  const Theorem one = restate(eq(pow(1), y * pow(0)), more(0, zero));
+  book.show(
+      "distance", "",
+      "and where y^2 = 2 x y - 1 quotients of neighbours differ from y by its powers:",
+      by_induction(j, distance(j),
+                   restate(distance(0),
+                           equation(y * U(0) - last(0), pow(1), {first, def[1], one, powers[0]})),
+                   [&](const Theorem& i_from_0, const Theorem& known) {
+                     return restate(
+                         distance(j + 1),
+                         equation(y * U(j + 1) - last(j + 1), pow(j + 2),
+                                  {after, last_after, root, more(j + 1, i_from_0), turned(known)}));
+                   }));
+}
+}  // namespace derivation

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Collisions that lose energy, and the motion of three bodies of any masses: how fast the two of
+// each collision approach before it.
+#include "derivation/symbols.hpp"
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Expr M_1 = real("M_1"), M_2 = real("M_2");
+const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
+const Expr from_0 = le(0, j);
+
+/// The velocities after a collision with restitution e, solved for.
+Exprs one_collision(Book& book) {
+  const Expr momentum = eq(M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2);
+  const Expr relative = eq(v_2 - v_1, e * (u_1 - u_2));
+  const Exprs bodies{e, M_1, M_2, u_1, u_2, v_1, v_2};
+  const Theorem law = book.show(
+      "law", "",
+      "A collision with restitution e keeps momentum, and the bodies part e times as fast "
+      "as they approached:",
+      define("impact", bodies, logic_and({momentum, relative}), 0));
+  const Theorems laws =
+      parts({tautology(law.conclusion().arg(1), {law, assume(fun("impact", bodies))})});
+  const Theorem m_1 = assume(lt(0, M_1)), m_2 = assume(lt(0, M_2));
+  const Known masses({m_1, m_2});
+  const Exprs after = solve({momentum, relative}, {v_1, v_2}, {u_1, u_2});
+  const Theorem v_2_is = linear(eq(v_2, v_1 + e * (u_1 - u_2)), {laws[1]});
+  const Theorem v_1_is = linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {laws[0]});
+  book.show("v_1", "", "The velocities after it are", equation(v_1, after[0], {v_2_is, v_1_is}));
+  book.show("v_2", "", "and", equation(v_2, after[1], {v_2_is, v_1_is}));
+  const Expr lost =
+      M_1 * power(u_1, 2) + M_2 * power(u_2, 2) - M_1 * power(v_1, 2) - M_2 * power(v_2, 2);
+  book.show("energy", "", "Twice the kinetic energy that is lost:",
+            equation(lost, (1 - power(e, 2)) * M_1 * M_2 / (M_1 + M_2) * power(u_1 - u_2, 2),
+                     {v_2_is, v_1_is}));
+  return after;
+}
+/// The approach speed before collision j, and its recurrence.
+void recurrence(Book& book, const Theorems& motion) {
+  const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
+  const auto v = [](const char* body, Expr i) {
+    return fun(std::string("v_") + body, {M_A, M_B, M_C, e, V, i});
+  };
+  const Theorem from = assume(from_0);
+  const Known signs({assume(lt(0, M_A)), assume(lt(0, M_B)), assume(lt(0, M_C)), from});
+  const Theorems turns = parts({book["cycle.turn"]});
+  const Theorem definition = define("closing", {M_A, M_B, M_C, e, V, j},
+                                    P * (v("A", j) - v("C", j)) + Q * (v("C", j) - v("B", j)), 5);
+  restrict_domain("closing", {M_A, M_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
+  show(book, "closing", "Before collision j its two bodies approach with the speed", definition);
+  const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
+  show(book, "first", "At first that is",
+       (equation(closing(0), V, {at_0(definition), turns[0], motion[0], motion[2]})));
+  const Theorem turn_next = use(turns[1], {}, {from});
+  const Theorem square = by_induction(
+      j, eq(power(turn(j), 2), 1), equation(power(turn(0), 2), 1, {turns[0]}),
+      [&](const Theorem& i_from_0, const Theorem& known) {
+        return equation(power(turn(j + 1), 2), 1, {use(turns[1], {}, {i_from_0}), known});
+      });
+  const Expr next = closing(j + 1), last = closing(j + 2);
+  show(book, "turn_squared", "As a turn is 1 or -1,", square);
+  Theorems rules{
+      definition, instantiate(definition, {{j, j + 1}}), instantiate(definition, {{j, j + 2}}),
+      turn_next,  use(turns[1], {{j, j + 1}}, {from}),   square};
+  const Theorem zero = linear(le(0, 0));
+  Theorems at_start{motion[0],
+                    motion[1],
+                    motion[2],
+                    turns[0],
+                    use(turns[1], {{j, 0}}, {zero}),
+                    instantiate(definition, {{j, Expr(0) + Expr(1)}})};
+  for (std::size_t i = 3; i < 6; ++i) {
+    rules.push_back(use(motion[i], {{j, j + 1}}, {from}));
+    rules.push_back(use(motion[i], {}, {from}));
+    at_start.push_back(use(motion[i], {{j, 0}}, {zero}));
+  }
+  Theorems parted{turn_next, square};
+  for (std::size_t i = 3; i < 6; ++i) parted.push_back(use(motion[i], {}, {from}));
+  show(book, "parting", "They part e times as fast as they approached:",
+       equation(P * (v("A", j + 1) - v("C", j + 1)) + Q * (v("C", j + 1) - v("B", j + 1)),
+                -e * closing(j), parted + Theorems{definition}));
+  const Expr second = (1 + e) * M_A / (M_A + M_C) * V;
+  show(book, "second", "The next ones approach with",
+       restate(eq(closing(1), second), equation(closing(Expr(0) + Expr(1)), second, at_start)));
+  const Expr share =
+      (1 + turn(j + 1)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(j + 1)) / 2 * (M_B / (M_B + M_C));
+  show(book, "recurrence", "and from then on each speed follows from two before:",
+       equation(last, (1 + e) * share * next - e * closing(j), rules));
+}
+}  // namespace
+
+void restitution(Book& book) {
+  book.chapter("restitution", "Any masses, and collisions that lose energy",
+               {lt(0, M_1), lt(0, M_2)});
+  const Exprs after = one_collision(book);
+  const auto collide = [&](std::size_t body, Expr M, Expr u, Expr w) {
+    return substitute(after[body], {{M_1, M}, {M_2, M_C}, {u_1, u}, {u_2, w}});
+  };
+
+  book.chapter("motion", "Three bodies of any masses", wedge_assumptions());
+  const Expr A_before = real("A_before"), B_before = real("B_before"), C_before = real("C_before");
+  const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
+  const Theorems motion = define_recursive(
+      {"v_A", "v_B", "v_C"}, {M_A, M_B, M_C, e, V}, j, {A_before, B_before, C_before}, {V, 0, 0},
+      {P * collide(0, M_A, A_before, C_before) + Q * A_before,
+       P * B_before + Q * collide(0, M_B, B_before, C_before),
+       P * collide(1, M_A, A_before, C_before) + Q * collide(1, M_B, B_before, C_before)});
+  for (const char* name : {"v_A", "v_B", "v_C"})
+    restrict_domain(name, {M_A, M_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
+  show(book, "start", "At the start A, of mass M_A, moves with V; the ball C and B are at rest:",
+       (both({motion[0], motion[1], motion[2]})));
+  show(book, "next", "Collision j is one of A and C, or of B and C, by turns:",
+       (both({motion[3], motion[4], motion[5]})));
+  recurrence(book, motion);
+}
+}  // namespace derivation

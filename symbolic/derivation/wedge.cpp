@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Three bodies of any masses with restitution are a ray in a wedge: how fast they approach, how
+// often they collide, and that they never stop where the wedge is no angle.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Expr from_0 = le(0, j);
+const Exprs masses{lt(0, M_A), lt(0, M_B), lt(0, M_C), lt(0, e)};
+Expr pow(Expr i) { return fun("pow", {sqrt(e), i}); }
+
+/// The roots of the shares of mass, and kappa.
+Theorems shares(Book& book) {
+  Theorems rules;
+  for (const auto& [name, M] : {std::pair{"r_A", M_A}, std::pair{"r_B", M_B}}) {
+    const Expr share = M / (M + M_C);
+    const Theorem is = define(name, {M, M_C}, sqrt(share), -1);
+    restrict_domain(name, {M, M_C}, logic_and({lt(0, M), lt(0, M_C)}));
+    show(book, name, name[2] == 'A' ? "With the roots of the shares of mass" : "and", is);
+    const Expr r = is.conclusion().arg(0);
+    know(linear(lt(0, r), {is, positive(sqrt(share))}));
+    rules.push_back(equation(power(r, 2), share, {is, root_squared(positive(share))}));
+  }
+  const Theorem is =
+      define("kappa", {M_A, M_B, M_C, e}, (1 + e) * r_A() * r_B() / (2 * sqrt(e)), -1);
+  restrict_domain("kappa", {M_A, M_B, M_C, e}, logic_and(masses));
+  show(book, "kappa", "the shape of the motion is one number:", is, {lt(0, e)});
+  return rules + Theorems{is, root_squared(assume(lt(0, e)))};
+}
+/// closing_j = V e^(j/2) U_j(kappa), times r_A/r_B for Q.
+Theorem speeds(Book& book, const Theorems& rules) {
+  const Theorem zero = linear(le(0, 0));
+  const Theorems pow_is = parts({instantiate(book["multiples.pow"], {{y, sqrt(e)}})});
+  const Theorems turns = parts({book["cycle.turn"]});
+  const auto value = [&](Expr i) { return V * pow(i) * side(i) * chebyshev(i, kappa()); };
+  const auto claim = [&](Expr i) { return eq(closing(i), value(i)); };
+  const auto U = [&](const char* id, Expr i) {
+    return at(book[std::string("chebyshev.") + id], {{x, kappa()}, {j, i}}, {zero});
+  };
+  const Theorems start = parts({U("start", 0)});
+  const Theorem first = equation(
+      closing(0), value(0), {at(book["motion.first"], {{j, 0}}), turns[0], pow_is[0], start[0]});
+  const Theorem second =
+      equation(closing(1), value(1),
+               Theorems{at(book["motion.second"], {{j, 0}}), start[1], turns[0], pow_is[0],
+                        restate(eq(turn(1), -turn(0)), use(turns[1], {{j, 0}}, {zero})),
+                        restate(eq(pow(1), sqrt(e) * pow(0)), use(pow_is[1], {{j, 0}}, {zero}))} +
+                   rules);
+  const auto third = [&](const Theorem& from, const Theorem& now, const Theorem& later) {
+    const auto next = [&](const Theorem& t, Expr i) { return use(t, {{j, i}}, {from}); };
+    return equation(closing(j + 2), value(j + 2),
+                    Theorems{book["motion.recurrence"], now, later, next(turns[1], j + 1),
+                             next(turns[1], j), next(pow_is[1], j + 1), next(pow_is[1], j),
+                             U("next", j), book["motion.turn_squared"]} +
+                        rules);
+  };
+  return show(book, "speed", "So collision j has the approach speed",
+              by_two(claim, first, second, third), {lt(0, e)});
+}
+void signs_of_factors(Book& book) {
+  const Theorem zero = linear(le(0, 0));
+  const Theorems turns = parts({book["cycle.turn"]});
+  const auto turn_next = [&](Expr i, const Theorem& from) {
+    return use(turns[1], {{j, i}}, {from});
+  };
+  const auto above_0 = [](Expr i) { return lt(0, side(i)); };
+  const Theorem turn_1 = restate(eq(turn(1), -turn(0)), turn_next(0, zero));
+  const Theorem sides = (by_two(
+      above_0, linear(lt(0, side(0)), {equation(side(0), 1, {turns[0]})}),
+      linear(lt(0, side(1)),
+             {equation(side(1), r_A() / r_B(), {turn_1, turns[0]}), positive(r_A() / r_B())}),
+      [&](const Theorem& from, const Theorem& now, const Theorem&) {
+        return linear(
+            above_0(j + 2),
+            {now, equation(side(j + 2), side(j), {turn_next(j + 1, from), turn_next(j, from)})});
+      }));
+  const Theorems pow_is = parts({instantiate(book["multiples.pow"], {{y, sqrt(e)}})});
+  const Theorem powers = (by_induction(
+      j, lt(0, pow(j)), linear(lt(0, pow(0)), {pow_is[0]}),
+      [&](const Theorem& from, const Theorem& now) {
+        return linear(lt(0, pow(j + 1)), {use(pow_is[1], {}, {from}), times(now, sqrt(e))});
+      }));
+  know(sides);
+  know(powers);
+  show(book, "signs",
+       "Its factors are positive:", both({positive(r_A()), positive(r_B()), sides, powers}),
+       {lt(0, e)});
+}
+}  // namespace
+
+void wedge(Book& book) {
+  book.chapter("wedge", "The wedge", wedge_assumptions());
+  const Known signs({assume(lt(0, M_A)), assume(lt(0, M_B)), assume(lt(0, M_C)), assume(lt(0, e)),
+                     assume(from_0)});
+  const Theorems rules = shares(book);
+  const Theorem speed = speeds(book, rules);
+  signs_of_factors(book);
+  const Theorem factor = positive(V * pow(j) * side(j));
+  const Expr U_j = chebyshev(j, kappa());
+  show(book, "takes_place", "and takes place if and only if U_j is positive:",
+       tautology(iff(lt(0, closing(j)), lt(0, U_j)),
+                 {given(lt(0, U_j),
+                        [&](const Theorem& c) {
+                          return linear(lt(0, closing(j)), {speed, times(factor, c)});
+                        }),
+                  given(le(U_j, 0),
+                        [&](const Theorem& c) {
+                          return linear(le(closing(j), 0), {speed, times(factor, c)});
+                        })}),
+       {lt(0, e), V_positive});
+}
+}  // namespace derivation

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Symbols of the motion of three bodies of any masses with restitution.
+#pragma once
+#include "derivation/symbols.hpp"
+
+namespace derivation {
+inline const Expr M_A = real("M_A");
+inline const Expr M_B = real("M_B");
+inline const Expr M_C = real("M_C");
+inline const Expr e = real("e");
+inline const Expr L = real("L");
+/// Positive masses, and 0 <= j.
+inline Exprs wedge_assumptions() { return {lt(0, M_A), lt(0, M_B), lt(0, M_C), le(0, j)}; }
+/// The speed with which the two bodies of collision j approach before it.
+inline Expr closing(Expr i) { return fun("closing", {M_A, M_B, M_C, e, V, i}); }
+inline Expr chebyshev(Expr i, Expr at) { return fun("U", {at, i}); }
+inline Expr kappa() { return fun("kappa", {M_A, M_B, M_C, e}); }
+inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
+inline Expr r_B() { return fun("r_B", {M_B, M_C}); }
+/// 1 for P, r_A/r_B for Q.
+inline Expr side(Expr i) { return (1 + turn(i)) / 2 + (1 - turn(i)) / 2 * (r_A() / r_B()); }
+/// 0 <= j |- claim(j) from claim(0), claim(1), and a proof of claim(j + 2) that may use 0 <= j,
+/// claim(j) and claim(j + 1).
+template <class Claim, class Step>
+Theorem by_two(const Claim& claim, const Theorem& at_0, const Theorem& at_1, const Step& step) {
+  return part(by_induction(j, logic_and({claim(j), claim(j + 1)}),
+                           both({at_0, restate(claim(Expr(0) + Expr(1)), at_1)}),
+                           [&](const Theorem& from, const Theorem& known) {
+                             const Theorem third = step(from, part(known, 0), part(known, 1));
+                             return both({part(known, 1), restate(claim(j + 1 + 1), third)});
+                           }),
+              0);
+}
+/// Shown under the chapter's assumptions.
+inline Theorem show(Book& book, const std::string& name, const std::string& words,
+                    const Theorem& theorem, const Exprs& more = {}) {
+  Exprs all = wedge_assumptions();
+  all.insert(all.end(), more.begin(), more.end());
+  return book.show(name, "", words, under(all, theorem));
+}
+void restitution(Book& book);
+void chebyshev(Book& book);
+void wedge(Book& book);
+void when_and_where(Book& book);
+}  // namespace derivation
