@@ -8,6 +8,13 @@
 #include "kernel/print.hpp"
 
 namespace derivation {
+namespace {
+bool is_part(kernel::Expr part, kernel::Expr of) {
+  const kernel::Exprs args = of.args();
+  return part == of ||
+         std::any_of(args.begin(), args.end(), [&](kernel::Expr a) { return is_part(part, a); });
+}
+}  // namespace
 void Book::chapter(const std::string& name, const std::string& title,
                    const kernel::Exprs& assumptions) {
   all.push_back({name, title, assumptions, {}});
@@ -23,18 +30,17 @@ kernel::Theorem Book::show(const std::string& name, const std::string& label,
   for (const kernel::Expr& f : last.assumptions)
     if (std::find(hypotheses.begin(), hypotheses.end(), f) != hypotheses.end())
       read_first.push_back(f);
-  kernel::Theorem shown = theorem;
-  kernel::Exprs missing = unproved_needs(algebra::under(read_first, theorem));
-  for (const kernel::Expr& f : last.assumptions) {
-    if (missing.empty()) break;
-    const kernel::Theorem with_f = algebra::under({f}, shown);
-    const kernel::Exprs still_missing = unproved_needs(algebra::under(read_first, with_f));
-    if (still_missing.size() == missing.size()) continue;
-    shown = with_f;
-    missing = still_missing;
-  }
-  for (const kernel::Expr& need : missing)
+  const auto missing = [&](const kernel::Exprs& added) {
+    return unproved_needs(algebra::under(read_first, algebra::under(added, theorem)));
+  };
+  kernel::Exprs added;  // what the terms need, or else all that the chapter assumes
+  for (const kernel::Expr& need : missing({}))
+    for (const kernel::Expr& f : last.assumptions)
+      if (is_part(f, need)) added.push_back(f);
+  if (!added.empty() && !missing(added).empty()) added = last.assumptions;
+  for (const kernel::Expr& need : missing(added))
     kernel::refuse(id + " makes sense only where " + kernel::text(need) + ", which is not proved");
+  const kernel::Theorem shown = algebra::under(added, theorem);
   last.statements.push_back({id, label, words, shown});
   return shown;
 }

@@ -65,7 +65,9 @@ void chebyshev(Book& book) {
             under({from_0}, both({def[1], last_after})));
   book.show("neighbours", "", "three neighbours keep, whatever x is,",
             equation(power(U(j), 2) - U(j + 1) * last(j), 1, {after, kept}));
-  const Theorem root = assume(eq(power(y, 2), 2 * x * y - 1));
+  const Theorem above_0 = assume(lt(0, y)), mean = assume(eq(x, (y + 1 / y) / 2));
+  const Known y_is_positive({above_0});
+  const Theorem root = equation(power(y, 2), 2 * x * y - 1, {mean});
   const auto pow = [](Expr i) { return fun("pow", {y, i}); };
   const Theorems powers = parts({book["multiples.pow"]});
   const auto more = [&](Expr i, const Theorem& i_from_0) {
@@ -75,7 +77,7 @@ void chebyshev(Book& book) {
   const Theorem one = restate(eq(pow(1), y * pow(0)), more(0, zero));
   book.show(
       "distance", "",
-      "and where y^2 = 2 x y - 1 quotients of neighbours differ from y by its powers:",
+      "and where x is the mean of y and 1/y, quotients of neighbours differ from y by its powers:",
       by_induction(j, distance(j),
                    restate(distance(0),
                            equation(y * U(0) - last(0), pow(1), {first, def[1], one, powers[0]})),

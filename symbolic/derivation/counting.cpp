@@ -60,7 +60,6 @@ Theorem approach_speed(Book& book) {
                here(chain(odd, book["power.before_Q"]), 2 * m + 1), last, linear(le(2 * m, j))}));
 }
 
-/// |- N = ceil(2 pi/psi) - 1, the least number of collisions after which there is no approach.
 void number_of_collisions(Book& book, const Theorem& speed) {
   const Expr sine = sin(half_angle(j + 1));
   const Theorem factor = positive(V / sin(psi() / 2));
@@ -76,43 +75,14 @@ void number_of_collisions(Book& book, const Theorem& speed) {
                 tautology(iff(lt(0, approach(j)), lt(0, sine)),
                           {with_sign(lt(0, approach(j)), lt(0, sine), lt(0, sine)),
                            with_sign(le(approach(j), 0), le(sine, 0), le(0, -sine))}));
-  const Exprs domain{alpha_positive, V_positive};
-  const Expr none = le(approach(j), 0);
-  const Theorem least = define_least("N", {alpha, V}, j, 0, none);
-  restrict_domain("N", {alpha, V}, logic_and(domain));
-  book.show("N_least", "", "N is the least number of collisions after which there is no approach:",
-            under(domain, least));
-
-  const Expr z = 2 * pi() / psi(), K = ceil(z) - 1, end = half_angle(K + 1);
-  const Theorem reached = linear(le(pi(), end), {times(linear(le(0, ceil(z) - z)), psi())});
-  const Theorem within = linear(le(end, 2 * pi()), {times(linear(lt(0, z + 1 - ceil(z))), psi())});
-  const Theorem K_from_0 = linear(le(0, K), {positive(z)});
-  const Theorem sine_end = tautology(
-      le(sin(end), 0), {use(sine_not_positive(), {{x, end}}, {reached}), reached, within});
-  const Theorem at_K =
-      tautology(substitute(none, {{j, K}}), {at(sign, {{j, K}}, {K_from_0}), sine_end});
-  const Theorem found = use(least, {{j, K}}, {K_from_0, at_K});
-  know(part(found, 0));
-  const auto before = [&](Expr i, const Theorem& i_from_0, const Theorem& below) {  // i < K
-    const Theorem room = times(linear(lt(0, z - 1 - i), {below}), psi());
-    const Theorem more = positive(half_angle(i + 1), {positive(i + 1, {i_from_0})});
-    return tautology(lt(0, approach(i)), {at(sign, {{j, i}}, {i_from_0}),
-                                          positive(sin(half_angle(i + 1)), {room, more})});
-  };
-  const Theorem lower = tautology(
-      le(K, N()),
-      {given(lt(N(), K), [&](const Theorem& early) { return before(N(), part(found, 0), early); }),
-       part(found, 1)});
-  const Theorem number = book.show("N", "", "So the number of all collisions is",
-                                   linear(eq(N(), K), {lower, part(found, 2)}));
-  book.show("happens", "",
-            "They are collisions 0 to N - 1, and no body approaches another after the "
-            "last:",
-            both({given(lt(j, N()),
-                        [&](const Theorem& below) {
-                          return before(j, assume(le(0, j)), linear(lt(j, K), {below, number}));
-                        }),
-                  part(found, 1)}));
+  count(book, {"N",
+               {alpha, V},
+               {alpha_positive, V_positive},
+               approach,
+               half_angle,
+               psi(),
+               2 * pi() / psi(),
+               sign});
 }
 
 /// N_A = ceil(pi/psi - 1/2), N_B = ceil(pi/psi - 1) from N_A = ceil(N/2), N_B = N - N_A.
@@ -153,6 +123,44 @@ void shares(Book& book) {
 }
 }  // namespace
 
+void count(Book& book, const Count& c) {
+  const Expr none = le(c.speed(j), 0);
+  const Theorem least = define_least(c.name, c.params, j, 0, none);
+  restrict_domain(c.name, c.params, logic_and(c.domain));
+  book.show("N_least", "", "N is the least number of collisions after which there is no approach:",
+            under(c.domain, least));
+  const Expr N = fun(c.name, c.params), K = ceil(c.turns) - 1, end = c.angle(K + 1);
+  const auto per_turn = [&](Expr relation) { return times(linear(relation), c.step); };
+  const Theorem reached = linear(le(pi(), end), {per_turn(le(0, ceil(c.turns) - c.turns))});
+  const Theorem within = linear(le(end, 2 * pi()), {per_turn(lt(0, c.turns + 1 - ceil(c.turns)))});
+  const Theorem K_from_0 = linear(le(0, K), {positive(c.turns)});
+  const Theorem sine_end = tautology(
+      le(sin(end), 0), {use(sine_not_positive(), {{x, end}}, {reached}), reached, within});
+  const Theorem at_K =
+      tautology(substitute(none, {{j, K}}), {at(c.sign, {{j, K}}, {K_from_0}), sine_end});
+  const Theorem found = use(least, {{j, K}}, {K_from_0, at_K});
+  know(part(found, 0));
+  const auto before = [&](Expr i, const Theorem& i_from_0, const Theorem& below) {  // i < K
+    const Theorem room = times(linear(lt(0, c.turns - 1 - i), {below}), c.step);
+    const Theorem more = positive(c.angle(i + 1), {positive(i + 1, {i_from_0})});
+    return tautology(lt(0, c.speed(i)), {at(c.sign, {{j, i}}, {i_from_0}),
+                                         positive(sin(c.angle(i + 1)), {room, more})});
+  };
+  const Theorem lower = tautology(
+      le(K, N),
+      {given(lt(N, K), [&](const Theorem& early) { return before(N, part(found, 0), early); }),
+       part(found, 1)});
+  const Theorem number = book.show("N", "", "So the number of all collisions is",
+                                   linear(eq(N, K), {lower, part(found, 2)}));
+  book.show("happens", "",
+            "They are collisions 0 to N - 1, and no body approaches another after the "
+            "last:",
+            both({given(lt(j, N),
+                        [&](const Theorem& below) {
+                          return before(j, assume(le(0, j)), linear(lt(j, K), {below, number}));
+                        }),
+                  part(found, 1)}));
+}
 Theorem ceiling_is() {
   static const Theorem result = [] {
     const Expr is = eq(ceil(x), k), bounds = logic_and({lt(k - 1, x), le(x, k)});

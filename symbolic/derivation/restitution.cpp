@@ -42,51 +42,78 @@ void recurrence(Book& book, const Theorems& motion) {
   const auto v = [](const char* body, Expr i) {
     return fun(std::string("v_") + body, {M_A, M_B, M_C, e, V, i});
   };
-  const Theorem from = assume(from_0);
+  const Theorem from = assume(from_0), zero = linear(le(0, 0));
   const Known signs({assume(lt(0, M_A)), assume(lt(0, M_B)), assume(lt(0, M_C)), from});
   const Theorems turns = parts({book["cycle.turn"]});
   const Theorem definition = define("closing", {M_A, M_B, M_C, e, V, j},
                                     P * (v("A", j) - v("C", j)) + Q * (v("C", j) - v("B", j)), 5);
   restrict_domain("closing", {M_A, M_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
-  show(book, "closing", "Before collision j its two bodies approach with the speed", definition);
+  book.show("closing", "", "Before collision j its two bodies approach with the speed", definition);
   const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
-  show(book, "first", "At first that is",
-       (equation(closing(0), V, {at_0(definition), turns[0], motion[0], motion[2]})));
-  const Theorem turn_next = use(turns[1], {}, {from});
-  const Theorem square = by_induction(
-      j, eq(power(turn(j), 2), 1), equation(power(turn(0), 2), 1, {turns[0]}),
-      [&](const Theorem& i_from_0, const Theorem& known) {
-        return equation(power(turn(j + 1), 2), 1, {use(turns[1], {}, {i_from_0}), known});
-      });
-  const Expr next = closing(j + 1), last = closing(j + 2);
-  show(book, "turn_squared", "As a turn is 1 or -1,", square);
-  Theorems rules{
-      definition, instantiate(definition, {{j, j + 1}}), instantiate(definition, {{j, j + 2}}),
-      turn_next,  use(turns[1], {{j, j + 1}}, {from}),   square};
-  const Theorem zero = linear(le(0, 0));
-  Theorems at_start{motion[0],
-                    motion[1],
-                    motion[2],
-                    turns[0],
-                    use(turns[1], {{j, 0}}, {zero}),
-                    instantiate(definition, {{j, Expr(0) + Expr(1)}})};
-  for (std::size_t i = 3; i < 6; ++i) {
-    rules.push_back(use(motion[i], {{j, j + 1}}, {from}));
-    rules.push_back(use(motion[i], {}, {from}));
-    at_start.push_back(use(motion[i], {{j, 0}}, {zero}));
-  }
-  Theorems parted{turn_next, square};
-  for (std::size_t i = 3; i < 6; ++i) parted.push_back(use(motion[i], {}, {from}));
-  show(book, "parting", "They part e times as fast as they approached:",
-       equation(P * (v("A", j + 1) - v("C", j + 1)) + Q * (v("C", j + 1) - v("B", j + 1)),
-                -e * closing(j), parted + Theorems{definition}));
-  const Expr second = (1 + e) * M_A / (M_A + M_C) * V;
-  show(book, "second", "The next ones approach with",
-       restate(eq(closing(1), second), equation(closing(Expr(0) + Expr(1)), second, at_start)));
-  const Expr share =
-      (1 + turn(j + 1)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(j + 1)) / 2 * (M_B / (M_B + M_C));
-  show(book, "recurrence", "and from then on each speed follows from two before:",
-       equation(last, (1 + e) * share * next - e * closing(j), rules));
+  const Theorem first =
+      book.show("first", "", "at first",
+                equation(closing(0), V, {at_0(definition), turns[0], motion[0], motion[2]}));
+  const auto turn_after = [&](const Theorem& now) { return use(turns[1], {}, {now}); };
+  const Theorem square = book.show(
+      "turn_squared", "", "As a turn is 1 or -1,",
+      by_induction(j, eq(power(turn(j), 2), 1), equation(power(turn(0), 2), 1, {turns[0]}),
+                   [&](const Theorem& now, const Theorem& known) {
+                     return equation(power(turn(j + 1), 2), 1, {turn_after(now), known});
+                   }));
+  Theorems step{definition, turn_after(from), square};
+  for (std::size_t i = 3; i < 6; ++i) step.push_back(use(motion[i], {}, {from}));
+  const auto other = [&](Expr i) {  // of the two that collide next
+    return (1 - turn(i)) / 2 * (v("A", i) - v("C", i)) +
+           (1 + turn(i)) / 2 * (v("C", i) - v("B", i));
+  };
+  const auto share = [](Expr i) {
+    return (1 + turn(i)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(i)) / 2 * (M_B / (M_B + M_C));
+  };
+  const Theorem parting = book.show("parting", "", "they part e times as fast as they approached:",
+                                    equation(other(j + 1), -e * closing(j), step));
+  const Theorem gain =
+      book.show("gain", "", "and the ball approaches the third body faster by the rest:",
+                equation(closing(j + 1), other(j) + (1 + e) * share(j) * closing(j),
+                         step + Theorems{instantiate(definition, {{j, j + 1}})}));
+  const Theorem start = at(gain, {{j, 0}}, {zero});
+  const Expr second = (1 + e) * (M_A / (M_A + M_C)) * V;
+  book.show(
+      "second", "", "The second speed is",
+      restate(eq(closing(1), second), equation(closing(Expr(0) + Expr(1)), second,
+                                               {start, first, turns[0], motion[1], motion[2]})));
+  const Expr after = j + 1;
+  const Theorem momentum =
+      book.show("momentum", "", "Momentum is kept:",
+                by_induction(j, eq(M_A * v("A", j) + M_B * v("B", j) + M_C * v("C", j), M_A * V),
+                             equation(M_A * v("A", 0) + M_B * v("B", 0) + M_C * v("C", 0), M_A * V,
+                                      {motion[0], motion[1], motion[2]}),
+                             [&](const Theorem&, const Theorem& known) {
+                               const Theorem change = equation(
+                                   M_A * v("A", after) + M_B * v("B", after) + M_C * v("C", after),
+                                   M_A * v("A", j) + M_B * v("B", j) + M_C * v("C", j), step);
+                               return chain(change, known);
+                             }));
+  // The two speeds after collision j, by the one before it and the one before the next.
+  const Theorem closes = instantiate(definition, {{j, after}});
+  const Theorem parts_with = linear(eq(e * closing(j), -other(after)), {parting});
+  const Expr A = v("A", after), B = v("B", after), ball = v("C", after), t = turn(after);
+  const Expr of_B = (1 - t) / 2 * closing(after) - (1 + t) / 2 * (e * closing(j));
+  const Theorem A_B =
+      book.show("A_B", "", "After collision j the velocities of A and B differ by",
+                linear(eq(A - B, closing(after) - e * closing(j)), {closes, parting}));
+  const Theorem C_B =
+      book.show("C_B", "", "those of C and B by",
+                equation(ball - B, of_B, {closes, parts_with, at(square, {{j, after}}, {from})}));
+  book.show(
+      "B_velocity", "", "and B has",
+      equation(B, (M_A * (V - closing(after) + e * closing(j)) - M_C * of_B) / (M_A + M_B + M_C),
+               {linear(eq(M_B * B, M_A * V - M_A * A - M_C * ball),
+                       {at(momentum, {{j, after}}, {from})}),
+                linear(eq(A, B + closing(after) - e * closing(j)), {A_B}),
+                linear(eq(ball, B + of_B), {C_B})}));
+  book.show("recurrence", "", "and each one follows from two before:",
+            linear(eq(closing(j + 2), (1 + e) * share(j + 1) * closing(j + 1) - e * closing(j)),
+                   {at(gain, {{j, j + 1}}, {from}), parting}));
 }
 }  // namespace
 
@@ -108,10 +135,10 @@ void restitution(Book& book) {
        P * collide(1, M_A, A_before, C_before) + Q * collide(1, M_B, B_before, C_before)});
   for (const char* name : {"v_A", "v_B", "v_C"})
     restrict_domain(name, {M_A, M_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
-  show(book, "start", "At the start A, of mass M_A, moves with V; the ball C and B are at rest:",
-       (both({motion[0], motion[1], motion[2]})));
-  show(book, "next", "Collision j is one of A and C, or of B and C, by turns:",
-       (both({motion[3], motion[4], motion[5]})));
+  book.show("start", "", "At the start A, of mass M_A, moves with V; the ball C and B are at rest:",
+            (both({motion[0], motion[1], motion[2]})));
+  book.show("next", "", "Collision j is one of A and C, or of B and C, by turns:",
+            (both({motion[3], motion[4], motion[5]})));
   recurrence(book, motion);
 }
 }  // namespace derivation

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The paper's symbols as terms, and what every chapter includes.
 #pragma once
+#include <functional>
+#include <string>
+
 #include "algebra/angles.hpp"
 #include "algebra/equations.hpp"
 #include "algebra/ginac.hpp"
@@ -60,6 +63,18 @@ inline Expr column(const Exprs& entries) { return matrix(1, entries); }
 
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);
+/// Collisions with the approach speeds `speed`, as long as these are positive: 0 < speed(j) if and
+/// only if 0 < sin(angle(j + 1)) is `sign`; angle(i) is i steps (or half steps) of a positive term,
+/// angle(turns) = pi, angle(1) < pi. Shows that name(params), the least j with speed(j) <= 0, is
+/// ceil(turns) - 1: statements N_least, N and happens.
+struct Count {
+  std::string name;
+  Exprs params, domain;
+  std::function<Expr(Expr)> speed, angle;
+  Expr step, turns;
+  Theorem sign;
+};
+void count(Book& book, const Count& c);
 /// |- ceil(x) = k if and only if k - 1 < x and x <= k
 Theorem ceiling_is();
 /// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.

@@ -16,7 +16,7 @@ Theorems shares(Book& book) {
     const Expr share = M / (M + M_C);
     const Theorem is = define(name, {M, M_C}, sqrt(share), -1);
     restrict_domain(name, {M, M_C}, logic_and({lt(0, M), lt(0, M_C)}));
-    show(book, name, name[2] == 'A' ? "With the roots of the shares of mass" : "and", is);
+    book.show(name, "", name[2] == 'A' ? "With the roots of the shares of mass" : "and", is);
     const Expr r = is.conclusion().arg(0);
     know(linear(lt(0, r), {is, positive(sqrt(share))}));
     rules.push_back(equation(power(r, 2), share, {is, root_squared(positive(share))}));
@@ -24,7 +24,7 @@ Theorems shares(Book& book) {
   const Theorem is =
       define("kappa", {M_A, M_B, M_C, e}, (1 + e) * r_A() * r_B() / (2 * sqrt(e)), -1);
   restrict_domain("kappa", {M_A, M_B, M_C, e}, logic_and(masses));
-  show(book, "kappa", "the shape of the motion is one number:", is, {lt(0, e)});
+  book.show("kappa", "", "the shape of the motion is one number:", is);
   return rules + Theorems{is, root_squared(assume(lt(0, e)))};
 }
 /// closing_j = V e^(j/2) U_j(kappa), times r_A/r_B for Q.
@@ -54,8 +54,8 @@ Theorem speeds(Book& book, const Theorems& rules) {
                              U("next", j), book["motion.turn_squared"]} +
                         rules);
   };
-  return show(book, "speed", "So collision j has the approach speed",
-              by_two(claim, first, second, third), {lt(0, e)});
+  return book.show("speed", "", "So collision j has the approach speed",
+                   by_two(claim, first, second, third));
 }
 void signs_of_factors(Book& book) {
   const Theorem zero = linear(le(0, 0));
@@ -82,14 +82,64 @@ void signs_of_factors(Book& book) {
       }));
   know(sides);
   know(powers);
-  show(book, "signs",
-       "Its factors are positive:", both({positive(r_A()), positive(r_B()), sides, powers}),
-       {lt(0, e)});
+  book.show("signs", "",
+            "Its factors are positive:", both({positive(r_A()), positive(r_B()), sides, powers}));
+}
+/// Where kappa is the cosine of an angle h_e: pi/h_e collisions, rounded up, less one.
+void angle_of_the_wedge(Book& book) {
+  const Theorem below_1 = assume(lt(kappa(), 1)),
+                above_0 = linear(
+                    lt(0, kappa()),
+                    {book["wedge.kappa"], positive((1 + e) * r_A() * r_B() / (2 * sqrt(e)))});
+  know(above_0);
+  const Known in_an_angle(
+      {below_1, linear(lt(0, 1 - power(kappa(), 2)), {times(below_1, above_0), below_1})});
+  const Expr rest = 1 - power(kappa(), 2), t = sqrt(rest) / kappa();
+  const Theorem is = define("h_e", masses_and_e(), atan(t), -1);
+  const Expr h = is.conclusion().arg(0);
+  Exprs domain{lt(0, M_A), lt(0, M_B), lt(0, M_C), lt(0, e), lt(kappa(), 1)};
+  restrict_domain("h_e", masses_and_e(), logic_and(domain));
+  book.show("h_e", "", "Where kappa is below 1 it is the cosine of an angle,", under(domain, is));
+  const Theorem square =
+      equation(power(1 / kappa(), 2), 1 + power(t, 2), {root_squared(positive(rest))});
+  const Theorem cosine = book.show(
+      "cosine", "", "as",
+      under(domain, equation(cos(h), kappa(),
+                             {chain(rewrite(turned(is), use("cos atan", {{x, t}})),
+                                    equation(1 / sqrt(1 + power(t, 2)), kappa(),
+                                             {root_of(square, positive(1 / kappa()))}))})));
+  know(linear(lt(0, h), {is, positive(atan(t))}));
+  know(linear(lt(h, pi() / 2), {is, use("atan range", {{x, t}})}));
+  const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, kappa());
+  const Theorem quotient = rewrite(cosine, instantiate(book["chebyshev.sine"], {{y, h}}));
+  const Theorem sin_h = positive(sin(h));
+  const auto with_sign = [&](Expr goal, Expr premise, Expr difference) {
+    return given(premise, [&](const Theorem& p) {
+      return linear(goal, {quotient, times(linear(difference, {p}), sin(h))});
+    });
+  };
+  const Theorem sign =
+      tautology(iff(lt(0, closing(j)), lt(0, sine)),
+                {book["wedge.takes_place"], with_sign(lt(0, sine), lt(0, U_j), lt(0, U_j)),
+                 with_sign(le(sine, 0), le(U_j, 0), le(0, -U_j))});
+  book.show("in_the_angle", "",
+            "and collision j takes place if and only if a sine is positive:", sign);
+  domain.push_back(V_positive);
+  count(book, {"N_e",
+               {M_A, M_B, M_C, e, V},
+               domain,
+               closing,
+               [&](Expr i) { return i * h; },
+               h,
+               pi() / h,
+               sign});
 }
 }  // namespace
 
 void wedge(Book& book) {
-  book.chapter("wedge", "The wedge", wedge_assumptions());
+  Exprs assumptions = wedge_assumptions();
+  assumptions.push_back(lt(0, e));
+  book.chapter("wedge", "The wedge", assumptions);
   const Known signs({assume(lt(0, M_A)), assume(lt(0, M_B)), assume(lt(0, M_C)), assume(lt(0, e)),
                      assume(from_0)});
   const Theorems rules = shares(book);
@@ -97,16 +147,21 @@ void wedge(Book& book) {
   signs_of_factors(book);
   const Theorem factor = positive(V * pow(j) * side(j));
   const Expr U_j = chebyshev(j, kappa());
-  show(book, "takes_place", "and takes place if and only if U_j is positive:",
-       tautology(iff(lt(0, closing(j)), lt(0, U_j)),
-                 {given(lt(0, U_j),
-                        [&](const Theorem& c) {
-                          return linear(lt(0, closing(j)), {speed, times(factor, c)});
-                        }),
-                  given(le(U_j, 0),
-                        [&](const Theorem& c) {
-                          return linear(le(closing(j), 0), {speed, times(factor, c)});
-                        })}),
-       {lt(0, e), V_positive});
+  book.show("takes_place", "", "and takes place if and only if U_j is positive:",
+            tautology(iff(lt(0, closing(j)), lt(0, U_j)),
+                      {given(lt(0, U_j),
+                             [&](const Theorem& c) {
+                               return linear(lt(0, closing(j)), {speed, times(factor, c)});
+                             }),
+                       given(le(U_j, 0), [&](const Theorem& c) {
+                         return linear(le(closing(j), 0), {speed, times(factor, c)});
+                       })}));
+  angle_of_the_wedge(book);
+  know(assume(le(1, kappa())));
+  book.show("never_ends", "", "Where kappa is 1 or more, the collisions never end:",
+            under({V_positive},
+                  tautology(lt(0, closing(j)),
+                            {book["wedge.takes_place"],
+                             linear(lt(0, U_j), {at(book["chebyshev.rise"], {{x, kappa()}})})})));
 }
 }  // namespace derivation

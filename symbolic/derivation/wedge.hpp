@@ -14,6 +14,7 @@ inline Exprs wedge_assumptions() { return {lt(0, M_A), lt(0, M_B), lt(0, M_C), l
 /// The speed with which the two bodies of collision j approach before it.
 inline Expr closing(Expr i) { return fun("closing", {M_A, M_B, M_C, e, V, i}); }
 inline Expr chebyshev(Expr i, Expr at) { return fun("U", {at, i}); }
+inline Exprs masses_and_e() { return {M_A, M_B, M_C, e}; }
 inline Expr kappa() { return fun("kappa", {M_A, M_B, M_C, e}); }
 inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
 inline Expr r_B() { return fun("r_B", {M_B, M_C}); }
@@ -31,15 +32,9 @@ Theorem by_two(const Claim& claim, const Theorem& at_0, const Theorem& at_1, con
                            }),
               0);
 }
-/// Shown under the chapter's assumptions.
-inline Theorem show(Book& book, const std::string& name, const std::string& words,
-                    const Theorem& theorem, const Exprs& more = {}) {
-  Exprs all = wedge_assumptions();
-  all.insert(all.end(), more.begin(), more.end());
-  return book.show(name, "", words, under(all, theorem));
-}
 void restitution(Book& book);
 void chebyshev(Book& book);
 void wedge(Book& book);
 void when_and_where(Book& book);
+void collapse(Book& book);
 }  // namespace derivation

@@ -106,12 +106,11 @@ void when_and_where(Book& book) {
     const Theorem turn_next = next(turns[1], j);
     const Theorem ball =
         linear(eq(t * x_of("x_C", j), (t * x_A + t * x_B + x_A - x_B) / 2), {part(now, 0)});
+    const Theorem speed_after = at(book["motion.closing"], {{j, j + 1}}, {from_here});
     const Theorem parting =
         linear(eq(v("B", j + 1), v("A", j + 1) + e * closing(j) - closing(j + 1)),
-               {book["motion.parting"],
-                rewrite(turn_next, at(book["motion.closing"], {{j, j + 1}}, {from_here}))});
-    const Theorem speeds =
-        rewrite(turn_next, at(book["motion.closing"], {{j, j + 1}}, {from_here}));
+               {book["motion.parting"], speed_after});
+    const Theorem speeds = rewrite(turn_next, speed_after);
     Theorems moved{turn_next};
     for (std::size_t which = 4; which < 8; ++which) moved.push_back(next(motion[which], j));
     const Theorem meets = equation(met(j + 1), moved + Theorems{speeds});

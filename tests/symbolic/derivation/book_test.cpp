@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The book is proved; a wrong formula, law or shape in its place is not.
+#include <algorithm>
 #include <set>
 
 #include "catch.hpp"
@@ -28,7 +29,10 @@ TEST_CASE("the book is proved, and says each thing once") {
       CHECK(ids.insert(s.id).second);
       CHECK(s.words.size() > 1);
       // What a statement assumes beyond its chapter is little enough to be read in one line.
-      CHECK(s.theorem.hypotheses().size() <= 5);
+      const Exprs hypotheses = s.theorem.hypotheses();
+      CHECK(std::count_if(hypotheses.begin(), hypotheses.end(), [&](const Expr& h) {
+              return std::count(chapter.assumptions.begin(), chapter.assumptions.end(), h) == 0;
+            }) <= 5);
     }
   CHECK(ids.count("power.a") == 1);
   CHECK(ids.size() > 90);

@@ -10,8 +10,9 @@ namespace net {
 namespace {
 const cln::float_format_t digits = cln::float_format(80);
 
-cl_R after(const cl_R& u, const cl_R& other, const cl_R& m, const cl_R& m_other) {
-  return 2 * (m * u + m_other * other) / (m + m_other) - u;
+cl_R after(const cl_R& u, const cl_R& other, const cl_R& m, const cl_R& m_other,
+           const cl_R& e = 1) {
+  return (1 + e) * (m * u + m_other * other) / (m + m_other) - e * u;
 }
 
 /// A, B, C after some collisions, those with A and B by turns.
@@ -59,6 +60,68 @@ cl_R threshold(bool of_A, int k) {
     ((of_A ? e.N_A : e.N - e.N_A) <= k ? hi : lo) = middle;
   }
   return known[{of_A, k}] = hi;
+}
+/// Three bodies of any masses that lose energy, with their places: x holds M_A, M_B, M_C, e, V, and
+/// perhaps L.
+struct Trio {
+  explicit Trio(const std::vector<cl_R>& x)
+      : mass{x[0], x[1], x[2]},
+        e(x[3]),
+        v{exact(x[4]), exact(0), exact(0)},
+        place{0, x.size() > 5 ? x[5] : 1, 0} {
+    if (mass[0] <= 0 || mass[1] <= 0 || mass[2] <= 0) throw Undefined();
+  }
+  std::size_t block() const { return A_next ? 0 : 1; }
+  cl_R approach() const { return A_next ? v[0] - v[2] : v[2] - v[1]; }
+  void collide() {
+    const cl_R before = v[block()];
+    v[block()] = after(before, v[2], mass[block()], mass[2], e);
+    v[2] = after(v[2], before, mass[2], mass[block()], e);
+    A_next = !A_next;
+  }
+  void wait() {
+    if (cln::abs(approach()) < tiny()) throw Undefined();
+    const cl_R gap = A_next ? place[2] - place[0] : place[1] - place[2];
+    const cl_R t = gap / approach();
+    time = time + t;
+    for (std::size_t i = 0; i < 3; ++i) place[i] = place[i] + t * v[i];
+  }
+  std::vector<cl_R> mass;
+  cl_R e;
+  std::vector<cl_R> v, place;
+  cl_R time = 0;
+  bool A_next = true;
+};
+/// At collision j, before it.
+Trio trio_at(std::vector<cl_R> x, bool with_places) {
+  const int j = whole(x.back());
+  x.pop_back();
+  Trio t(x);
+  if (j < 0) throw Undefined();
+  for (int i = 0; i < j; ++i) {
+    t.collide();
+    if (with_places) t.wait();
+  }
+  return t;
+}
+/// How many collisions there are, where they end soon.
+int trio_count(const std::vector<cl_R>& x) {
+  Trio t(x);
+  for (int n = 0; n < 300; ++n) {
+    if (t.approach() <= tiny()) return n;
+    t.collide();
+  }
+  throw Undefined();
+}
+/// Chebyshev's U_j by its sum of powers.
+cl_R chebyshev(const cl_R& x, int j) {
+  cl_R sum = 0;
+  for (int k = 0; 2 * k <= j; ++k) {
+    cl_R term = cln::expt(exact(2 * x), j - 2 * k) * (k % 2 == 0 ? 1 : -1);
+    for (int i = 0; i < k; ++i) term = term * (j - k - i) / (i + 1);
+    sum = sum + term;
+  }
+  return sum;
 }
 /// The columns of a collision or of a whole cycle, of (A, B, sqrt(alpha) C).
 Matrix collisions(const cl_R& alpha, bool with_A, bool with_B) {
@@ -143,6 +206,26 @@ cl_R function(const std::string& f, const Vector& x) {
     const Matrix m = matrix_function("Lambda", x);
     return acos((m[0][0] + m[1][1] + m[2][2] - 1) / 2);
   }
+  const auto root = [](const cl_R& of) { return cln::realpart(cln::sqrt(exact(of))); };
+  if (f == "U") return chebyshev(x[0], whole(x[1]));
+  if (f == "U_last") return x[1] == 0 ? cl_R(0) : chebyshev(x[0], whole(x[1]) - 1);
+  if (f == "r_A" || f == "r_B") return root(x[0] / (x[0] + x[1]));
+  if (f == "kappa" || f == "h_e" || f == "y_e") {
+    // The second speed of a motion with V = 1 tells it.
+    Trio t({x[0], x[1], x[2], x[3], 1});
+    t.collide();
+    const cl_R share_A = x[0] / (x[0] + x[2]), share_B = x[1] / (x[1] + x[2]);
+    const cl_R kappa = t.approach() * root(share_B / share_A) / (2 * root(x[3]));
+    if (f == "kappa") return kappa;
+    if (f == "h_e" ? kappa >= 1 : kappa < 1) throw Undefined();
+    return f == "h_e" ? acos(kappa) : kappa - root(kappa * kappa - 1);
+  }
+  if (f == "N_e") return trio_count(x);
+  if (f == "v_A" || f == "v_B" || f == "v_C") return trio_at(x, false).v[std::size_t(f[2] - 'A')];
+  if (f == "x_A" || f == "x_B" || f == "x_C")
+    return trio_at(x, true).place[std::size_t(f[2] - 'A')];
+  if (f == "time") return trio_at(x, true).time;
+  if (f == "closing") return trio_at(x, false).approach();
   if (f == "turn") return whole(x[0]) % 2 == 0 ? 1 : -1;
   if (f == "alpha_") return threshold(true, whole(x[0]));
   if (f == "beta_") return threshold(false, whole(x[0]));

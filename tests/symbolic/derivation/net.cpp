@@ -165,6 +165,11 @@ bool collides(const std::vector<cl_R>& x) {
          kept(x[0] * x[2] * x[2] + x[1] * x[3] * x[3], x[0] * x[4] * x[4] + x[1] * x[5] * x[5]) &&
          sign(x[2], x[4]) != 0;
 }
+/// The same with restitution, which comes first.
+bool hits(const std::vector<cl_R>& x) {
+  return sign(x[1] * x[3] + x[2] * x[4], x[1] * x[5] + x[2] * x[6]) == 0 &&
+         sign(x[6] - x[5], x[0] * (x[3] - x[4])) == 0;
+}
 }  // namespace
 
 cl_R value(Expr e, const Point& point) {
@@ -215,11 +220,12 @@ bool truth(Expr f, const Point& point) {
       return !truth(f.arg(0), point) || truth(f.arg(1), point);
     case Op::Iff:
       return truth(f.arg(0), point) == truth(f.arg(1), point);
-    case Op::All:  // at some values
-      for (const int x : {-2, 0, 1, 3})
+    case Op::All:  // at some values, those of an index among them
+      for (int x = -2; x <= 12; ++x)
         if (!truth(kernel::open(f, x), point)) return false;
       return true;
     default:
+      if (f.name() == "impact") return hits(values(f, point));
       return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
   }
 }
@@ -258,6 +264,8 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
       point[v] = cln::exp(between(-4, 2.5));
     else if (name[0] == 'M')
       point[v] = between(0.1, 4);
+    else if (name == "e")
+      point[v] = kind < 4 ? between(0.01, 0.1) : between(0.1, 1.2);
     else if (kind == 0)
       point[v] = circle() * (any_of(9) - 2) / 2;
     else if (kind == 1)
@@ -272,6 +280,12 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
       const cl_R centre = 2 * (x[0] * x[2] + x[1] * x[3]) / (x[0] + x[1]);
       point[h.arg(4)] = centre - x[2];
       point[h.arg(5)] = centre - x[3];
+    }
+    if (h.op() == Op::Fun && h.name() == "impact") {
+      const auto x = values(h, point);
+      const cl_R centre = (x[1] * x[3] + x[2] * x[4]) / (x[1] + x[2]);
+      point[h.arg(5)] = (1 + x[0]) * centre - x[0] * x[3];
+      point[h.arg(6)] = (1 + x[0]) * centre - x[0] * x[4];
     }
     if (h.op() == Op::Eq && h.arg(0).op() == Op::Var && !free_variables(h.arg(1)).count(h.arg(0)))
       point[h.arg(0)] =

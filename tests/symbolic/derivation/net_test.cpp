@@ -64,6 +64,18 @@ TEST_CASE("false statements are seen") {
       {"radicals.fifth", "1 + sqrt(5)", "1 - sqrt(5)"},
       {"radicals.alpha_7", "5 + sqrt(5)", "5 - sqrt(5)"},
       {"radicals.alpha_8", "17 - sqrt(17)", "17 + sqrt(17)"},
+      {"restitution.v_1", "1 + e", "1 - e"},
+      {"restitution.energy", "1 - e^2", "1 - e"},
+      {"motion.recurrence", "- e*closing_j", "+ e*closing_j"},
+      {"motion.B_velocity", "M_A + M_B + M_C", "M_A + M_B"},
+      {"chebyshev.neighbours", " = 1", " = 0"},
+      {"chebyshev.rise", "j + 1", "j + 2"},
+      {"wedge.kappa", "2*sqrt(e)", "2*e"},
+      {"wedge.N", " - 1", ""},
+      {"places.time", "L*r_B", "L*r_A"},
+      {"places.distance", "sqrt(e)", "e"},
+      {"collapse.threshold", "4*e", "3*e"},
+      {"collapse.in_time", "(j + 1)*(", "(j + 2)*("},
   };
   for (const Mutant& m : mutants) {
     std::string words = kernel::text(the_book()[m.id].conclusion());

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Collisions that never end come to an end in time: inelastic collapse, and where it begins.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Expr i = integer("i");
+Expr U(Expr index) { return chebyshev(index, kappa()); }
+
+/// kappa < 1 as an inequality of masses and e without roots.
+void threshold(Book& book) {
+  const Expr sum = (M_A + M_C) * (M_B + M_C);
+  const Theorem is = book["wedge.kappa"];
+  const Expr over = power(1 + e, 2) * M_A * M_B, under_it = 4 * e * sum;
+  Theorems squares;
+  for (const char* name : {"wedge.r_A", "wedge.r_B"}) {
+    const Theorem r = book[name];
+    const Expr share = r.conclusion().arg(1).arg(0);
+    squares.push_back(
+        equation(power(r.conclusion().arg(0), 2), share, {r, root_squared(positive(share))}));
+  }
+  squares.push_back(root_squared(assume(lt(0, e))));
+  const Theorem square =
+      book.show("square", "", "The square of kappa has no roots:",
+                equation(power(kappa(), 2), over / under_it, squares + Theorems{is}));
+  const Theorem whole = equation(power(kappa(), 2) * under_it, over, {square});
+  const Theorem positive_kappa = linear(lt(0, kappa()), {is, positive(is.conclusion().arg(1))});
+  know(positive_kappa);
+  const auto compare = [&](Expr goal, const Theorem& of_kappa, int sign) {
+    Certificate c;  // over - under_it = under_it (kappa - 1)(kappa + 1)
+    c.equations = {{sign, whole}};
+    c.products = {{1, {of_kappa, positive(kappa() + 1), positive(under_it)}, {}}};
+    return arithmetic(goal, c);
+  };
+  book.show("threshold", "", "so kappa is below 1, and the collisions end, if and only if",
+            tautology(iff(lt(kappa(), 1), lt(over, under_it)),
+                      {given(lt(kappa(), 1),
+                             [&](const Theorem& t) { return compare(lt(over, under_it), t, -1); }),
+                       given(le(1, kappa()), [&](const Theorem& t) {
+                         return compare(le(under_it, over), t, 1);
+                       })}));
+}
+/// Where they never end, all times are below one that they come arbitrarily close to.
+void in_time(Book& book) {
+  const Theorem from_1 = assume(le(1, kappa())), from_0 = assume(le(0, j));
+  const Expr inside = power(kappa(), 2) - 1, root = sqrt(inside), sum = kappa() + root;
+  const Theorem not_negative_inside =
+      linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1})), from_1});
+  know(not_negative_inside);
+  Exprs domain = {lt(0, M_A), lt(0, M_B), lt(0, M_C), lt(0, e)};
+  domain.push_back(le(1, kappa()));
+  const Theorem definition = define("y_e", masses_and_e(), kappa() - root, -1);
+  restrict_domain("y_e", masses_and_e(), logic_and(domain));
+  book.show("y_e", "", "Where they never end, with", under(domain, definition));
+  const Expr y_e = definition.conclusion().arg(0);
+  const Theorem square = root_squared(not_negative_inside);
+  const Theorem root_sign = use("root not negative", {{x, inside}}, {not_negative_inside});
+  know(linear(lt(0, sum), {from_1, root_sign}));
+  const Theorem inverse = equation(y_e, 1 / sum, {definition, square});
+  const Theorem quadratic = equation(power(y_e, 2), 2 * kappa() * y_e - 1, {definition, square});
+  know(linear(lt(0, y_e), {inverse, positive(1 / sum)}));
+  const Theorem at_most_1 = linear(
+      le(y_e, 1),
+      {equation(y_e * sum, 1, {inverse}), times(linear(le(0, sum - 1), {from_1, root_sign}), y_e)});
+  book.show("root", "", "which solves a quadratic equation and is 1 at most,",
+            both({quadratic, at_most_1}));
+
+  const auto power_of = [&](Expr index) { return fun("pow", {y_e, index}); };
+  const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, y_e}})});
+  const Theorem powers_from_0_to_1 =
+      by_induction(j, logic_and({lt(0, power_of(j)), le(power_of(j), 1)}),
+                   linear(logic_and({lt(0, power_of(0)), le(power_of(0), 1)}), {powers[0]}),
+                   [&](const Theorem& from, const Theorem& now) {
+                     return linear(logic_and({lt(0, power_of(j + 1)), le(power_of(j + 1), 1)}),
+                                   {use(powers[1], {}, {from}), times(part(now, 0), y_e),
+                                    times(part(now, 1), y_e), at_most_1});
+                   });
+  const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
+  know(linear(lt(0, U(j)), {rise, from_0}));
+  const Expr unit = L * r_B() / (V * r_A() * sqrt(e)), end = unit * y_e;
+  const Theorem time_is = book["places.time"];
+  const Theorem all_of_them =
+      generalize(i, given(logic_and({le(0, i), le(i, j)}), [&](const Theorem& range) {
+                   return at(book["wedge.never_ends"], {{j, i}}, {range});
+                 }));
+  const Theorem time = cut(all_of_them, time_is);
+  const Theorem distance = at(book["chebyshev.distance"], {{x, kappa()}, {y, y_e}},
+                              {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});
+  const Expr rest = unit * power_of(j + 1) / U(j);
+  know(all_of_them);
+  book.show("time_left", "", "all collisions take place before one time,",
+            equation(end - time.conclusion().arg(0), rest, {time, turned(distance)}));
+  const Theorem powers_next = at(powers_from_0_to_1, {{j, j + 1}}, {from_0});
+  know(part(powers_next, 0));
+  const Expr per = unit / U(j);
+  book.show(
+      "in_time", "", "and come as close to it as you like:",
+      both({positive(rest),
+            linear(le((j + 1) * rest, unit),
+                   {times(part(rise, 0), per),
+                    times(times(part(powers_next, 1), linear(lt(0, j + 1), {from_0})), per)})}));
+}
+/// Blocks of one mass M, a ball of mass alpha M.
+void equal_blocks(Book& book) {
+  const Expr M = real("M");
+  const Theorem block = assume(lt(0, M)), mass = assume(alpha_positive);
+  const Known here({block, mass});
+  const Substitution equal{{M_A, M}, {M_B, M}, {M_C, alpha * M}};
+  const Theorem ball = positive(alpha * M);
+  const Expr share = M / (M + alpha * M), s = sqrt(e);
+  const Theorem r = at(book["wedge.r_A"], equal, {ball}),
+                r_B = at(book["wedge.r_B"], equal, {ball});
+  const Theorem root = root_squared(positive(share));
+  const Theorem of_blocks =
+      book.show("equal_blocks", "", "For blocks of one mass and a ball of alpha times that,",
+                equation(substitute(kappa(), equal), (1 + e) / (2 * s * (1 + alpha)),
+                         {at(book["wedge.kappa"], equal, {ball}), r, r_B, root}));
+  const Substitution elastic{{e, 1}};
+  book.show(
+      "elastic", "",
+      "and without losses that is the cosine of psi/2, below 1: the paper's collisions always end.",
+      both({equation(substitute(substitute(kappa(), equal), elastic), cos(psi() / 2),
+                     {at(of_blocks, elastic, {linear(lt(0, 1))}), book["rotation.cos_half_psi"],
+                      root_is(1, 1)}),
+            linear(lt(1 / (1 + alpha), 1), {times(mass, 1 / (1 + alpha))})}));
+}
+}  // namespace
+
+void collapse(Book& book) {
+  Exprs assumptions = wedge_assumptions();
+  assumptions.insert(assumptions.end(), {lt(0, e), V_positive, lt(0, L)});
+  book.chapter("collapse", "Collapse", assumptions);
+  Theorems facts{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})};
+  for (const Expr& a : assumptions)
+    if (!(a == le(0, j))) facts.push_back(assume(a));
+  const Known signs(facts);
+  threshold(book);
+  in_time(book);
+  equal_blocks(book);
+}
+}  // namespace derivation
