@@ -89,14 +89,17 @@ Numbers asked_for(const Request& request, const Index& index) {
   std::vector<std::string> words = request.words;
   if (request.has("from")) words.push_back(request.text("from"));
   for (const std::string& word : words) {
-    const std::size_t before = wanted.size();
+    bool is_found = false;
     std::vector<std::string> chapters;
     for (std::size_t k = 0; k < index.all.size(); ++k) {
       const auto& [chapter, statement] = index.all[k];
-      if (statement.id == word || chapter.name == word) wanted.insert(k);
+      if (statement.id == word || chapter.name == word) {
+        wanted.insert(k);
+        is_found = true;
+      }
       if (chapters.empty() || chapters.back() != chapter.name) chapters.push_back(chapter.name);
     }
-    if (wanted.size() == before) {
+    if (!is_found) {
       throw InvalidInput("derive: no chapter or step " + shown_text(word) +
                          "; chapters: " + joined(chapters) + "; steps: derive --list");
     }

@@ -135,7 +135,8 @@ Theorem otherwise(Expr goal, const Theorem& absurd) {
 Theorem under(const Exprs& hypotheses, const Theorem& theorem) {
   Theorems from;
   for (const Expr& h : hypotheses) from.push_back(assume(h));
-  return tautology(theorem.conclusion(), from + Theorems{theorem});
+  const Theorem shown = tautology(theorem.conclusion(), from + Theorems{theorem});
+  return shown.hypotheses() == theorem.hypotheses() ? theorem : shown;
 }
 Theorem cut(const Theorem& proof, const Theorem& theorem) {
   return tautology(theorem.conclusion(), {discharge(proof.conclusion(), theorem), proof});

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What theorems are made from, as verify counts it and derive shows it.
+#include "answers/derivation.hpp"
+
+#include "catch.hpp"
+
+using namespace answers;
+
+TEST_CASE("verify goes through all steps of every proof") {
+  const Table table = verify({}).table;
+  const double proved = std::stod(table.rows[0][0].text), steps = std::stod(table.rows[0][2].text);
+  CHECK(proved > 300);
+  CHECK(steps > 10 * proved);
+}
+TEST_CASE("a step names the shown theorems that it was made from, --from adds theirs") {
+  Request request;
+  request.format = "json";
+  request.words = {"wedge.takes_place"};
+  const Table one = derive(request).table;
+  REQUIRE(one.rows.size() == 1);
+  CHECK_THAT(one.rows[0][5].text, ContainsSubstring("wedge.speed"));
+  CHECK(one.rows[0][4].text == "tautology");
+  request.options["from"] = "wedge.takes_place";
+  const Table all = derive(request).table;
+  CHECK(all.rows.size() > 10);
+  CHECK(all.rows[0][0].text == "cycle.turn");
+}
