@@ -38,6 +38,14 @@ void chebyshev(Book& book) {
                                {at_cosine(next), now, later}, {j * y, y});
              }));
 
+  const auto sine_last = [](Expr i) { return eq(fun("U_last", {cos(y), i}) * sin(y), sin(i * y)); };
+  book.show(
+      "sine_last", "", "and so is the one before, U_last, which is 0 at first,",
+      by_induction(j, sine_last(j), equation(sine_last(0), {at_cosine(def[1]), axiom("sin 0")}),
+                   [&](const Theorem& i_from_0, const Theorem&) {
+                     return equation(sine_last(j + 1), {at_cosine(use(def[3], {}, {i_from_0})),
+                                                        book["chebyshev.sine"]});
+                   }));
   const Theorem above_1 = assume(le(1, x));
   const Expr rises = logic_and({le(j + 1, U(j)), le(U(j) + 1, U(j + 1))});
   book.show(

@@ -4,7 +4,6 @@
 
 namespace derivation {
 namespace {
-const Expr i = integer("i");
 Expr U(Expr index) { return chebyshev(index, kappa()); }
 
 /// kappa < 1 as an inequality of masses and e without roots.
@@ -79,10 +78,9 @@ void in_time(Book& book) {
   know(linear(lt(0, U(j)), {rise, from_0}));
   const Expr unit = L * r_B() / (V * r_A() * sqrt(e)), end = unit * y_e;
   const Theorem time_is = book["places.time"];
-  const Theorem all_of_them =
-      generalize(i, given(logic_and({le(0, i), le(i, j)}), [&](const Theorem& range) {
-                   return at(book["wedge.never_ends"], {{j, i}}, {range});
-                 }));
+  const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
+    return at(book["wedge.never_ends"], {{j, i}}, {range});
+  });
   const Theorem time = cut(all_of_them, time_is);
   const Theorem distance = at(book["chebyshev.distance"], {{x, kappa()}, {y, y_e}},
                               {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});

@@ -20,6 +20,17 @@ inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
 inline Expr r_B() { return fun("r_B", {M_B, M_C}); }
 /// 1 for P, r_A/r_B for Q.
 inline Expr side(Expr i) { return (1 + turn(i)) / 2 + (1 - turn(i)) / 2 * (r_A() / r_B()); }
+/// time, x_A, x_B, x_C at collision i.
+inline Expr at_collision(const char* name, Expr i) {
+  return fun(name, {M_A, M_B, M_C, e, V, L, i});
+}
+inline Expr apart(Expr i) { return at_collision("x_B", i) - at_collision("x_A", i); }
+/// Collisions 0 to `last` take place: for every i of them 0 < closing_i.
+Expr all_take_place(Expr last);
+/// It, from a proof of 0 < closing_i that may use 0 <= i and i <= last.
+Theorem all_of(Expr last, const std::function<Theorem(Expr, const Theorem&)>& each);
+/// l = r from a theorem that says it times `factors`, which are positive.
+Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors);
 /// 0 <= j |- claim(j) from claim(0), claim(1), and a proof of claim(j + 2) that may use 0 <= j,
 /// claim(j) and claim(j + 1).
 template <class Claim, class Step>
@@ -37,4 +48,5 @@ void chebyshev(Book& book);
 void wedge(Book& book);
 void when_and_where(Book& book);
 void collapse(Book& book);
+void encounters(Book& book);
 }  // namespace derivation

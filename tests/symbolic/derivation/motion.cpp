@@ -225,6 +225,10 @@ cl_R function(const std::string& f, const Vector& x) {
   if (f == "x_A" || f == "x_B" || f == "x_C")
     return trio_at(x, true).place[std::size_t(f[2] - 'A')];
   if (f == "time") return trio_at(x, true).time;
+  if (f == "when" || f == "apart") {
+    const Trio t = trio_at({1, 1, x[0], 1, x[1], x[2], x[3]}, true);
+    return f == "when" ? t.time : t.place[1] - t.place[0];
+  }
   if (f == "closing") return trio_at(x, false).approach();
   if (f == "turn") return whole(x[0]) % 2 == 0 ? 1 : -1;
   if (f == "alpha_") return threshold(true, whole(x[0]));

@@ -74,6 +74,8 @@ TEST_CASE("false statements are seen") {
       {"wedge.N", " - 1", ""},
       {"places.time", "L*r_B", "L*r_A"},
       {"places.distance", "sqrt(e)", "e"},
+      {"encounters.when", "L/V", "V/L"},
+      {"encounters.apart", "j + 1", "j + 2"},
       {"collapse.threshold", "4*e", "3*e"},
       {"collapse.in_time", "(j + 1)*(", "(j + 2)*("},
   };

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// When and where the paper's collisions take place: blocks of mass 1, a ball of mass alpha, nothing
+// lost.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Substitution paper{{M_A, 1}, {M_B, 1}, {M_C, alpha}, {e, 1}};
+Expr in_paper(Expr t) { return substitute(t, paper); }
+Expr half() { return psi() / 2; }
+Expr sine(Expr times) { return sin(times * half()); }
+
+/// In the paper's case kappa is a cosine, powers of e and the ratio of the sides are 1: rules for
+/// the equations of any motion.
+Theorems rules_of_paper(Book& book, const Theorem& one) {
+  const Theorem elastic = at(book["collapse.elastic"], {{real("M"), 1}}, {one});
+  const Theorem kappa_is = restate(eq(in_paper(kappa()), cos(half())), part(elastic, 0));
+  const Theorem root = root_is(1, 1);
+  const Expr power = in_paper(fun("pow", {sqrt(e), j}));
+  const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, sqrt(Expr(1))}})});
+  const Theorem power_is =
+      by_induction(j, eq(power, 1), powers[0], [&](const Theorem& from, const Theorem& now) {
+        return equation(substitute(power, {{j, j + 1}}), 1,
+                        {use(powers[1], {}, {from}), now, root});
+      });
+  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
+    const Theorem product = rewrite(turned(kappa_is), instantiate(book[id], {{y, half()}}));
+    return divided(fun(name, {in_paper(kappa()), j}), over / sin(half()), {sin(half())},
+                   restate(eq(product.conclusion().arg(0), over), product));
+  };
+  const auto share = [&](const char* id) { return at(book[id], paper, {one}); };
+  return {power_is, root, chain(share("wedge.r_A"), turned(share("wedge.r_B"))),
+          quotient("U", "chebyshev.sine", sine(j + 1)),
+          quotient("U_last", "chebyshev.sine_last", sine(j))};
+}
+}  // namespace
+
+void encounters(Book& book) {
+  const Exprs assumptions{alpha_positive, V_positive, lt(0, L), le(0, j), lt(j, N())};
+  book.chapter("encounters", "When and where, in the paper's case", assumptions);
+  const Theorem one = linear(lt(0, 1)), takes_place = assume(lt(j, N()));
+  Theorems facts{at(book["wedge.signs"], paper, {one})};
+  for (const Expr& a : assumptions)
+    if (!(a == takes_place.conclusion())) facts.push_back(assume(a));
+  const Known signs(facts);
+  const Theorems rules = rules_of_paper(book, one);
+  const Theorem approach_is =
+      linear(eq(approach(j), V * sine(j + 1) / sin(half())), {book["counting.speed"]});
+  const Theorem speed =
+      book.show("speed", "", "In the paper's case the approach speeds are those that we know,",
+                equation(in_paper(closing(j)), approach(j),
+                         rules + Theorems{at(book["wedge.speed"], paper, {one}), approach_is}));
+
+  const auto going = [&](Expr i, const Theorem& range) {
+    return use(part(at(book["counting.happens"], {{j, i}}, {range}), 0), {}, {takes_place, range});
+  };
+  const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
+    return linear(lt(0, in_paper(closing(i))), {going(i, range), at(speed, {{j, i}}, {range})});
+  });
+  know(all_of_them);
+  const auto name = [&](const char* symbol, Expr value) {
+    const Theorem is = define(symbol, {alpha, V, L, j}, value, 3);
+    restrict_domain(symbol, {alpha, V, L, j}, logic_and(assumptions));
+    return is;
+  };
+  const Theorem when = name("when", in_paper(at_collision("time", j)));
+  const Theorem distance = name("apart", in_paper(apart(j)));
+  book.show("definitions", "",
+            "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
+            under(assumptions, both({when, distance})));
+  const auto of_motion = [&](const char* id) {
+    return cut(one, cut(all_of_them, instantiate(book[id], paper)));
+  };
+  const Theorem positive_sine = tautology(
+      lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going(j, assume(le(0, j)))});
+  know(restate(lt(0, sine(j + 1)), positive_sine));
+  know(linear(lt(0, fun("U", {in_paper(kappa()), j})),
+              {rules[3], positive(sine(j + 1) / sin(half()))}));
+  book.show("when", "", "For a collision that takes place that is",
+            equation(when.conclusion().arg(0), L / V * (sine(j) / sine(j + 1)),
+                     rules + Theorems{when, of_motion("places.time")}));
+  const Theorem blocks = of_motion("places.distance");
+  const Expr B = in_paper(at_collision("x_B", j)), A = in_paper(at_collision("x_A", j));
+  book.show("apart", "", "and",
+            equation(distance.conclusion().arg(0), L * (sin(half()) / sine(j + 1)),
+                     rules + Theorems{distance,
+                                      linear(eq(B, A + blocks.conclusion().arg(1)), {blocks})}));
+}
+}  // namespace derivation
