@@ -8,6 +8,7 @@
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
 #include "answers/motion.hpp"
+#include "answers/restitution.hpp"
 #include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
@@ -25,6 +26,11 @@ constexpr std::int64_t most_digits = 10000;
 Cell alpha_cell(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return real_cell(*value);
   return exact_cell(notation::text(alpha));
+}
+/// A number or a fraction.
+cln::cl_RA exact_of(const Alpha& number) {
+  const auto* value = std::get_if<double>(&number);
+  return value != nullptr ? exact(*value) : std::get<cln::cl_RA>(number);
 }
 std::string digits_of(const cln::cl_I& n) { return kernel::digits(n); }
 /// The digits that are asked for. Throws Undecided for more than are given at once.
@@ -156,7 +162,54 @@ std::vector<Column> terminal_columns() {
   return columns;
 }
 
+std::vector<Column> inelastic_columns() {
+  std::vector<Column> columns = terminal_columns();
+  columns.insert(columns.begin() + 1, {"restitution", Type::exact, "1", "e"});
+  columns.push_back({"collapse_time", Type::real, "L/V", "where the collisions never end"});
+  return columns;
+}
+
+/// The restitution of a request, written as a mass ratio is.
+Alpha restitution_of(const Request& request) {
+  const std::string text = request.text("restitution");
+  try {
+    const Alpha e = alpha_of(text);
+    const bool is_number = std::holds_alternative<double>(e);
+    if (is_number ? std::get<double>(e) <= 1
+                  : std::holds_alternative<cln::cl_RA>(e) && std::get<cln::cl_RA>(e) <= 1)
+      return e;
+  } catch (const InvalidInput&) {
+  }
+  throw InvalidInput("restitution must be a number or a fraction above 0 and at most 1, got " +
+                     shown_text(text));
+}
+
+/// With restitution below 1; as nearest doubles, or with digits.
+Answer inelastic_terminal(const Request& request, const Alpha& e) {
+  if (tier_of(request) == "fast")
+    throw InvalidInput("--tier fast has no restitution in this version; allowed: accurate, exact");
+  const Inelastic motion{alpha_of(request.text("alpha")), exact_of(e)};
+  const auto digits = digits_wanted(request);
+  Row row{alpha_cell(motion.alpha), alpha_cell(e)};
+  if (const auto N = count_collisions(motion)) {
+    const cln::cl_I of_A = cln::ceiling1(*N, 2);
+    row.push_back(whole_cell(digits_of(of_A)));
+    row.push_back(whole_cell(digits_of(*N - of_A)));
+    Answer all = answer(inelastic_columns(), row,
+                        rounded([&] { return answers::terminal(motion, *N); }, digits));
+    all.table.rows[0].push_back(missing_cell());
+    return all;
+  }
+  row.resize(8, missing_cell());
+  return answer(inelastic_columns(), row,
+                rounded([&] { return Balls{collapse_time(motion)}; }, digits));
+}
+
 Answer terminal(const Request& request) {
+  if (request.has("restitution")) {
+    const Alpha e = restitution_of(request);
+    if (exact_of(e) != 1) return inelastic_terminal(request, e);
+  }
   const Asked in(request);
   const auto& [N_A, N_B] = in.counts;
   // Counts that do not fit 64 bits are for balls.

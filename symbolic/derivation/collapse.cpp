@@ -76,7 +76,12 @@ void in_time(Book& book) {
                    });
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
   know(linear(lt(0, U(j)), {rise, from_0}));
-  const Expr unit = L * r_B() / (V * r_A() * sqrt(e)), end = unit * y_e;
+  const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
+  const Exprs params{M_A, M_B, M_C, e, V, L};
+  const Theorem end_is = define("t_end", params, unit * y_e, -1);
+  domain.insert(domain.end(), {V_positive, lt(0, L)});
+  restrict_domain("t_end", params, logic_and(domain));
+  book.show("t_end", "", "there is a time", under(domain, end_is));
   const Theorem time_is = book["places.time"];
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
     return at(book["wedge.never_ends"], {{j, i}}, {range});
@@ -86,8 +91,9 @@ void in_time(Book& book) {
                               {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});
   const Expr rest = unit * power_of(j + 1) / U(j);
   know(all_of_them);
-  book.show("time_left", "", "all collisions take place before one time,",
-            equation(end - time.conclusion().arg(0), rest, {time, turned(distance)}));
+  book.show("time_left", "", "before which all collisions take place,",
+            equation(end_is.conclusion().arg(0) - time.conclusion().arg(0), rest,
+                     {end_is, time, turned(distance)}));
   const Theorem powers_next = at(powers_from_0_to_1, {{j, j + 1}}, {from_0});
   know(part(powers_next, 0));
   const Expr per = unit / U(j);

@@ -113,6 +113,10 @@ void angle_of_the_wedge(Book& book) {
   const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, kappa());
   const Theorem quotient = rewrite(cosine, instantiate(book["chebyshev.sine"], {{y, h}}));
   const Theorem sin_h = positive(sin(h));
+  know(sin_h);
+  book.show("speed_sine", "", "so that the approach speeds are sines, too,",
+            equation(closing(j), V * pow(j) * side(j) * (sine / sin(h)),
+                     {book["wedge.speed"], divided(U_j, sine / sin(h), {sin(h)}, quotient)}));
   const auto with_sign = [&](Expr goal, Expr premise, Expr difference) {
     return given(premise, [&](const Theorem& p) {
       return linear(goal, {quotient, times(linear(difference, {p}), sin(h))});

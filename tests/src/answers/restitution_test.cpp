@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Terminal velocities with restitution against exact steps by the law of one collision.
+#include "answers/restitution.hpp"
+
+#include <random>
+
+#include "answers/errors.hpp"
+#include "answers/velocities.hpp"
+#include "catch.hpp"
+
+using namespace answers;
+using cln::cl_RA;
+
+namespace {
+/// Blocks of mass 1, a ball of mass alpha, restitution e, B at 1 from A and C.
+struct Steps {
+  cl_RA alpha, e, a = 1, b = 0, c = 0, time = 0, x_a = 0, x_b = 1, x_c = 0;
+  int N = 0;
+  bool goes_on() const { return N % 2 == 0 ? a > c : c > b; }
+  void collide() {
+    cl_RA& block = N % 2 == 0 ? a : b;
+    const cl_RA centre = (block + alpha * c) / (1 + alpha);
+    block = (1 + e) * centre - e * block;
+    c = (1 + e) * centre - e * c;
+    ++N;
+  }
+  void wait() {
+    const cl_RA t = N % 2 == 0 ? (x_c - x_a) / (a - c) : (x_b - x_c) / (c - b);
+    time = time + t;
+    x_a = x_a + t * a;
+    x_b = x_b + t * b;
+    x_c = x_c + t * c;
+  }
+};
+std::string shown(const cl_RA& exact) { return real_cell(cln::double_approx(exact)).text; }
+Answer asked(const char* alpha, const char* e) {
+  Request request;
+  request.options = {{"alpha", alpha}, {"restitution", e}};
+  return answers::terminal(request);
+}
+}  // namespace
+
+TEST_CASE("counts and terminal velocities are those of exact steps") {
+  std::mt19937 random(7);
+  int ended = 0;
+  for (int row = 0; row < 60; ++row) {
+    const cl_RA alpha = cl_RA(int(random() % 20 + 1)) / int(random() % 20 + 1);
+    const cl_RA e = cl_RA(int(random() % 18 + 1)) / 20;
+    Steps steps{alpha, e};
+    while (steps.goes_on() && steps.N < 300) steps.collide();
+    const Inelastic motion{alpha, e};
+    const auto N = count_collisions(motion);
+    INFO("alpha = " << cln::double_approx(alpha) << ", e = " << cln::double_approx(e));
+    if (!N) {
+      CHECK(steps.N == 300);
+      continue;
+    }
+    ++ended;
+    REQUIRE(*N == steps.N);
+    const auto got = rounded([&] { return answers::terminal(motion, *N); });
+    const std::string exact[]{shown(steps.a), shown(steps.b), shown(steps.c),
+                              shown(steps.b * steps.b)};
+    for (std::size_t i = 0; i < 4; ++i) CHECK(got[i].text == exact[i]);
+  }
+  CHECK(ended > 20);
+}
+TEST_CASE("at whole angles and at the edge of collapse counts are exact") {
+  CHECK(count_collisions(Inelastic{cl_RA(3) / 2, cl_RA(1) / 4}) == cln::cl_I(2));
+  CHECK(count_collisions(Inelastic{cl_RA(1) / 4, cl_RA(1) / 4}) == std::nullopt);
+  CHECK(count_collisions(Inelastic{cl_RA(251) / 1000, cl_RA(1) / 4}).has_value());
+  CHECK(count_collisions(Inelastic{cl_RA(249) / 1000, cl_RA(1) / 4}) == std::nullopt);
+  CHECK(count_collisions(Inelastic{cl_RA(1), cl_RA(7) / 100}) == std::nullopt);
+  CHECK(count_collisions(Inelastic{cl_RA(1), cl_RA(72) / 1000}) == cln::cl_I(63));
+}
+TEST_CASE("collisions that never end come to an end in time") {
+  for (const auto& [alpha, e] : {std::pair{"1/10", "1/20"}, {"2/2", "1/20"}, {"1/4", "1/4"}}) {
+    const Row row = asked(alpha, e).table.rows[0];
+    CHECK(row[2].json == "null");
+    const double end = std::stod(row[8].text);
+    Steps steps{std::get<cl_RA>(alpha_of(alpha)), std::get<cl_RA>(alpha_of(e))};
+    for (int i = 0; i < 60; ++i) {
+      steps.collide();
+      steps.wait();
+    }
+    INFO(alpha << " " << e);
+    CHECK(cln::double_approx(steps.time) <= end);
+    CHECK(cln::double_approx(steps.time) > end * 0.95);
+  }
+}
+TEST_CASE("restitution 1 is the paper's, and what is no restitution is refused") {
+  CHECK(asked("0.1", "1").table.rows[0].size() == 7);
+  CHECK_THROWS_AS(asked("0.1", "1.5"), InvalidInput);
+  CHECK_THROWS_AS(asked("0.1", "magic:2"), InvalidInput);
+  CHECK_THROWS_AS(asked("0.1", "0"), InvalidInput);
+}
