@@ -20,9 +20,9 @@ struct Definition {
 const std::map<std::string, Definition>& definitions() {
   static const auto all = [] {
     std::map<std::string, Definition> found;
-    for (const char* id :
-         {"rotation.psi", "power.V_CM", "ratios.alpha_k", "ratios.beta_k", "evaluators_end.def_rho",
-          "wedge.r_A", "wedge.r_B", "wedge.kappa", "wedge.h_e", "collapse.y_e", "collapse.t_end"}) {
+    for (const char* id : {"rotation.psi", "power.V_CM", "ratios.alpha_k", "ratios.beta_k",
+                           "evaluators_end.def_rho", "wedge.r_A", "wedge.r_B", "wedge.kappa",
+                           "wedge.h_e", "collapse.y_e", "collapse.def_t_end"}) {
       const Expr equation = derivation::the_book()[id].conclusion();
       found.emplace(equation.arg(0).name(), Definition{equation.arg(0).args(), equation.arg(1)});
     }

@@ -96,7 +96,7 @@ Ball collapse_time(const Inelastic& motion) {
     const kernel::Exprs params{symbol("M_A"), symbol("M_B"), symbol("M_C"), symbol("e")};
     values.emplace(kernel::fun("y_e", params), 1);
   }
-  return evaluate(right_side("collapse.t_end"), values);
+  return evaluate(right_side("collapse.def_t_end"), values);
 }
 
 }  // namespace answers

@@ -65,9 +65,10 @@ private:
       for (double x : constants) printed.push_back(hex(is_wide ? x / t.u : x));
       const std::string size = "[" + std::to_string(printed.size()) + "] = {";
       if (specialised.empty())
-        specialised = "template <class Tier> constexpr double " + name + "Bounds" + size + "};\n";
-      specialised += "template <> constexpr double " + name + "Bounds<" + t.name() + ">" + size +
-                     codegen::joined(printed, ", ") + "};\n";
+        specialised =
+            "template <class Tier> inline constexpr double " + name + "Bounds" + size + "};\n";
+      specialised += "template <> inline constexpr double " + name + "Bounds<" + t.name() + ">" +
+                     size + codegen::joined(printed, ", ") + "};\n";
     }
     if (has_bounds) result.code += specialised;
   }

@@ -81,7 +81,7 @@ void in_time(Book& book) {
   const Theorem end_is = define("t_end", params, unit * y_e, -1);
   domain.insert(domain.end(), {V_positive, lt(0, L)});
   restrict_domain("t_end", params, logic_and(domain));
-  book.show("t_end", "", "there is a time", under(domain, end_is));
+  book.show("def_t_end", "", "there is a time", under(domain, end_is));
   const Theorem time_is = book["places.time"];
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
     return at(book["wedge.never_ends"], {{j, i}}, {range});

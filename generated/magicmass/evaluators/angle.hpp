@@ -27,11 +27,11 @@ struct AngleColumns {
     psi[row] = out.psi;
   }
 };
-template <class Tier> constexpr double AngleSmallBounds[1] = {};
-template <> constexpr double AngleSmallBounds<Accurate>[1] = {0x1.a6579133da022p-75};
-template <> constexpr double AngleSmallBounds<Fast>[1] = {0x1.7d05c96b952a8p-53};
-template <> constexpr double AngleSmallBounds<Slow>[1] = {0x1.7cf075a34d8ffp-98};
-template <> constexpr double AngleSmallBounds<Ziv>[1] = {0x1.40002800018p+4};
+template <class Tier> inline constexpr double AngleSmallBounds[1] = {};
+template <> inline constexpr double AngleSmallBounds<Accurate>[1] = {0x1.a6579133da022p-75};
+template <> inline constexpr double AngleSmallBounds<Fast>[1] = {0x1.7d05c96b952a8p-53};
+template <> inline constexpr double AngleSmallBounds<Slow>[1] = {0x1.7cf075a34d8ffp-98};
+template <> inline constexpr double AngleSmallBounds<Ziv>[1] = {0x1.40002800018p+4};
 /// angle, small: alpha from 0x1p-300 to 0x1p+0.
 /// Theorem: psi = 4*half_h
 /// z <= 1/3: a theorem

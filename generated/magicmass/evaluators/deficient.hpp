@@ -27,11 +27,11 @@ struct DeficientColumns {
     beta_[row] = out.beta_;
   }
 };
-template <class Tier> constexpr double DeficientGeneralBounds[1] = {};
-template <> constexpr double DeficientGeneralBounds<Accurate>[1] = {0x1.cdf32347af378p-76};
-template <> constexpr double DeficientGeneralBounds<Fast>[1] = {0x1.493663ce8b869p-54};
-template <> constexpr double DeficientGeneralBounds<Slow>[1] = {0x1.83a9006ad1b85p-98};
-template <> constexpr double DeficientGeneralBounds<Ziv>[1] = {0x1.b74b8ee9a3cadp+3};
+template <class Tier> inline constexpr double DeficientGeneralBounds[1] = {};
+template <> inline constexpr double DeficientGeneralBounds<Accurate>[1] = {0x1.cdf32347af378p-76};
+template <> inline constexpr double DeficientGeneralBounds<Fast>[1] = {0x1.493663ce8b869p-54};
+template <> inline constexpr double DeficientGeneralBounds<Slow>[1] = {0x1.83a9006ad1b85p-98};
+template <> inline constexpr double DeficientGeneralBounds<Ziv>[1] = {0x1.b74b8ee9a3cadp+3};
 /// deficient, general: k from 1 to 1125899906842624.
 /// Theorem: beta_k = deficient_versed_k/deficient_cosine_k
 /// Accurate is off by at most beta_: 2^-75.1 |of_beta_|

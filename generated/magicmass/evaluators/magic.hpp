@@ -27,11 +27,11 @@ struct MagicColumns {
     alpha_[row] = out.alpha_;
   }
 };
-template <class Tier> constexpr double MagicGeneralBounds[1] = {};
-template <> constexpr double MagicGeneralBounds<Accurate>[1] = {0x1.949fed1e6b7c1p-76};
-template <> constexpr double MagicGeneralBounds<Fast>[1] = {0x1.231952ba29691p-54};
-template <> constexpr double MagicGeneralBounds<Slow>[1] = {0x1.ae349aa52156ep-98};
-template <> constexpr double MagicGeneralBounds<Ziv>[1] = {0x1.83fd28356a40cp+3};
+template <class Tier> inline constexpr double MagicGeneralBounds[1] = {};
+template <> inline constexpr double MagicGeneralBounds<Accurate>[1] = {0x1.949fed1e6b7c1p-76};
+template <> inline constexpr double MagicGeneralBounds<Fast>[1] = {0x1.231952ba29691p-54};
+template <> inline constexpr double MagicGeneralBounds<Slow>[1] = {0x1.ae349aa52156ep-98};
+template <> inline constexpr double MagicGeneralBounds<Ziv>[1] = {0x1.83fd28356a40cp+3};
 /// magic, general: k from 2 to 1125899906842624.
 /// Theorem: alpha_k = magic_versed_k/magic_cosine_k
 /// Accurate is off by at most alpha_: 2^-75.3 |of_alpha_|

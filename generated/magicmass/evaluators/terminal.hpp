@@ -43,20 +43,20 @@ struct TerminalColumns {
     rho[row] = out.rho;
   }
 };
-template <class Tier> constexpr double TerminalSmallBounds[12] = {};
-template <> constexpr double TerminalSmallBounds<Accurate>[12] = {0x1.515d8dd4b0daap-74,
+template <class Tier> inline constexpr double TerminalSmallBounds[12] = {};
+template <> inline constexpr double TerminalSmallBounds<Accurate>[12] = {0x1.515d8dd4b0daap-74,
     0x1.bc9739a1c81cap-150, 0x1.052dd62b1bf42p-74, 0x1.05f8277ef1587p-74, 0x1.9cc2dee23db35p-74,
     0x1.052de8753c275p-72, 0x1.05f837de73d06p-72, 0x1.0c13e0542624bp-148, 0x1.80003000018p-52,
     0x1.146c296c2d73bp-75, 0x1.80003000018p-52, 0x1.ba46a8bdc28d3p-76};
-template <> constexpr double TerminalSmallBounds<Fast>[12] = {0x1.29f44698986dbp-52,
+template <> inline constexpr double TerminalSmallBounds<Fast>[12] = {0x1.29f44698986dbp-52,
     0x1.5ac8898ba5248p-106, 0x1.e07c0c64dd44ep-53, 0x1.c934406a8de26p-53, 0x1.6f4e5a5ca614ep-52,
     0x1.e07c2a6c9e1aep-51, 0x1.c9345cfdd1e91p-51, 0x1.9845b2cef9dbcp-105, 0x1.80003000018p-52,
     0x1.f2c205ca703e4p-54, 0x1.80003000018p-52, 0x1.8f019e423eb6cp-54};
-template <> constexpr double TerminalSmallBounds<Slow>[12] = {0x1.e3f2ae4d8cbf9p-97,
+template <> inline constexpr double TerminalSmallBounds<Slow>[12] = {0x1.e3f2ae4d8cbf9p-97,
     0x1.a5afb3c87242cp-195, 0x1.53cd015724ff1p-96, 0x1.2a322deeb0073p-97, 0x1.4242eafc6055p-96,
     0x1.d19dcab52b38bp-94, 0x1.2a324091d2e62p-95, 0x1.5b58c7101eda4p-194, 0x1.80003000018p-52,
     0x1.5490c4b26cc94p-98, 0x1.80003000018p-52, 0x1.12c42e83a6642p-98};
-template <> constexpr double TerminalSmallBounds<Ziv>[12] = {0x1.a1329610fde23p+5,
+template <> inline constexpr double TerminalSmallBounds<Ziv>[12] = {0x1.a1329610fde23p+5,
     0x1.450f8239c29c5p-91, 0x1.e72925678268ap+5, 0x1.0b541a912d2ap+5, 0x1.124ba73e5718dp+6,
     0x1.e729445a14df2p+7, 0x1.0b542b466ed31p+7, 0x1.17287999bea37p-90, 0x1.00001p+0,
     0x1.2d97f82fdeeddp+4, 0x1.00001p+0, 0x1.f6a7f24d59f3bp+3};
@@ -174,15 +174,15 @@ struct TerminalSmall {
     doubt = doubt + doubt_of_sign(rest, N::magnitude_of(leading(t4)) * E[10] + E[11]);
   }
 };
-template <class Tier> constexpr double TerminalFirstBounds[4] = {};
-template <> constexpr double TerminalFirstBounds<Accurate>[4] = {0x1.0000270001f8p-101,
+template <class Tier> inline constexpr double TerminalFirstBounds[4] = {};
+template <> inline constexpr double TerminalFirstBounds<Accurate>[4] = {0x1.0000270001f8p-101,
     0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95};
-template <> constexpr double TerminalFirstBounds<Fast>[4] = {0x1.0000270001f8p-101,
+template <> inline constexpr double TerminalFirstBounds<Fast>[4] = {0x1.0000270001f8p-101,
     0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95};
-template <> constexpr double TerminalFirstBounds<Slow>[4] = {0x1.0000270001f8p-101,
+template <> inline constexpr double TerminalFirstBounds<Slow>[4] = {0x1.0000270001f8p-101,
     0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95};
-template <> constexpr double TerminalFirstBounds<Ziv>[4] = {0x1.4000200001p+2, 0x1.c000300001cp+4,
-    0x1.00001a0000ep+4, 0x1.c0002e0001ap+7};
+template <> inline constexpr double TerminalFirstBounds<Ziv>[4] = {0x1.4000200001p+2,
+    0x1.c000300001cp+4, 0x1.00001a0000ep+4, 0x1.c0002e0001ap+7};
 /// terminal, first: alpha from 0x1p+0 to 0x1p+300.
 /// Theorem: N_A = 1
 /// Theorem: N_B = 1

@@ -40,17 +40,17 @@ struct VelocitiesColumns {
     c_prime[row] = out.c_prime;
   }
 };
-template <class Tier> constexpr double VelocitiesSmallBounds[7] = {};
-template <> constexpr double VelocitiesSmallBounds<Accurate>[7] = {0x1.33dfd476dc981p-74,
+template <class Tier> inline constexpr double VelocitiesSmallBounds[7] = {};
+template <> inline constexpr double VelocitiesSmallBounds<Accurate>[7] = {0x1.33dfd476dc981p-74,
     0x1.33dfd459c5484p-74, 0x1.724283decb77ep-148, 0x1.4b21b65557d6ep-73, 0x1.79d9c98c0b9e1p-73,
     0x1.1c83d023bc906p-72, 0x1.e64309be4700bp-73};
-template <> constexpr double VelocitiesSmallBounds<Fast>[7] = {0x1.47f903cb250e4p-52,
+template <> inline constexpr double VelocitiesSmallBounds<Fast>[7] = {0x1.47f903cb250e4p-52,
     0x1.47f903cb250ddp-52, 0x1.a42dffa679eb5p-104, 0x1.6a692b62d0dedp-51, 0x1.948f25a315aeap-51,
     0x1.32e60c54a727p-50, 0x1.059b00e232829p-50};
-template <> constexpr double VelocitiesSmallBounds<Slow>[7] = {0x1.19695a2c2512p-95,
+template <> inline constexpr double VelocitiesSmallBounds<Slow>[7] = {0x1.19695a2c2512p-95,
     0x1.15c670312bf75p-95, 0x1.2d66f5c5b703ep-190, 0x1.472c053435e24p-94, 0x1.64f71237b7c4ep-94,
     0x1.0dfa3e42aa2cep-93, 0x1.c8dcc8771a2e3p-94};
-template <> constexpr double VelocitiesSmallBounds<Ziv>[7] = {0x1.5954eab56e94cp+4,
+template <> inline constexpr double VelocitiesSmallBounds<Ziv>[7] = {0x1.5954eab56e94cp+4,
     0x1.36da7d631261dp+4, 0x1.7975ca8e5e014p-92, 0x1.81878b6f82503p+5, 0x1.985356b27ec5dp+5,
     0x1.3374a0a566442p+6, 0x1.0345eb42d3711p+6};
 /// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0 to 1125899906842624,
@@ -149,15 +149,15 @@ struct VelocitiesSmall {
     doubt = doubt + doubt_of_range(phase, -0x1.0624dd2f1a9fcp-10, 0x1.0c189374bc6a8p+1);
   }
 };
-template <class Tier> constexpr double VelocitiesFirstBounds[4] = {};
-template <> constexpr double VelocitiesFirstBounds<Accurate>[4] = {0x1.0000270001f8p-101,
+template <class Tier> inline constexpr double VelocitiesFirstBounds[4] = {};
+template <> inline constexpr double VelocitiesFirstBounds<Accurate>[4] = {0x1.0000270001f8p-101,
     0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99};
-template <> constexpr double VelocitiesFirstBounds<Fast>[4] = {0x1.0000270001f8p-101,
+template <> inline constexpr double VelocitiesFirstBounds<Fast>[4] = {0x1.0000270001f8p-101,
     0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99};
-template <> constexpr double VelocitiesFirstBounds<Slow>[4] = {0x1.0000270001f8p-101,
+template <> inline constexpr double VelocitiesFirstBounds<Slow>[4] = {0x1.0000270001f8p-101,
     0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99};
-template <> constexpr double VelocitiesFirstBounds<Ziv>[4] = {0x1.4000200001p+2, 0x1.c000300001cp+4,
-    0x1.8000300002p+2, 0x1.00001a0000ep+4};
+template <> inline constexpr double VelocitiesFirstBounds<Ziv>[4] = {0x1.4000200001p+2,
+    0x1.c000300001cp+4, 0x1.8000300002p+2, 0x1.00001a0000ep+4};
 /// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 1 to 1.
 /// Theorem: a_1 = 1*(lead*per_mass)
 /// Theorem: b_1 = 1*(4*share*per_mass)

@@ -49,7 +49,7 @@ TEST_CASE("the tiers' bounds grow from Slow to Accurate to Fast") {
   }
 }
 TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
-  static const std::regex tier("constexpr double (\\w+)Bounds<(\\w+)>[^{]*\\{([^}]*)\\}");
+  static const std::regex tier("inline constexpr double (\\w+)Bounds<(\\w+)>[^{]*\\{([^}]*)\\}");
   static const std::regex constant("0x[0-9a-fp.+-]+"), power("2\\^\\S+");
   const auto all = [](const std::string& text, const std::regex& what) {
     return std::vector(std::sregex_iterator(text.begin(), text.end(), what), {});
