@@ -2,6 +2,7 @@
 // A command is a row of a table: it feeds the parser, help, and what runs it.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct Command {
   std::vector<std::string> formats;      ///< of --format, the first one unless told otherwise
   std::vector<answers::Column> columns;  ///< of the table that it answers with
   std::function<answers::Answer(const answers::Request&)> run;
+  std::int64_t seconds = 30;  ///< of --time-limit unless told otherwise
 };
 
 /// The program: all that differs between magicmass and a test's.

@@ -6,6 +6,7 @@
 #include "answers/velocities.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
+#include "report/report.hpp"
 
 namespace command {
 
@@ -97,8 +98,18 @@ Program magicmass() {
                {"text"},
                {},
                generate_files},
+              {"report",
+               "Speed against error of every implementation",
+               "magicmass report --quick",
+               {{"quick", "", "fewer inputs, shorter measurements"},
+                {"only", "NAME", "one quantity, family or evaluator"}},
+               "",
+               {"text", "markdown", "json", "csv"},
+               report::columns(),
+               report::report,
+               300},
           },
-      .absent = {"equal", "simulate", "plan", "reproduce", "report", "learn"},
+      .absent = {"equal", "simulate", "plan", "reproduce", "learn"},
       .absent_advice = "not in this version yet; until then use commit 77d7ebf",
   };
 }

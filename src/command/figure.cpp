@@ -8,6 +8,7 @@
 #include "answers/shown_text.hpp"
 #include "command/figure_scripts.hpp"
 #include "command/gnuplot.hpp"
+#include "report/report.hpp"
 
 namespace command {
 namespace {
@@ -45,7 +46,8 @@ std::string described(std::string svg, const Figure& figure) {
 }  // namespace
 
 answers::Answer figure(const answers::Request& request) {
-  const auto& all = answers::figures();
+  std::vector<Figure> all = answers::figures();
+  all.insert(all.end(), report::figures().begin(), report::figures().end());
   std::vector<std::string> names;
   std::string list;
   for (const Figure& f : all) {

@@ -31,7 +31,9 @@ std::vector<Option> options_of(const Command& command) {
     options.push_back({"input", "FILE", "CSV whose columns are options, a row each; - is stdin"});
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
-  options.push_back({"time-limit", "SECONDS", "give up after so long, 30 unless told otherwise"});
+  options.push_back(
+      {"time-limit", "SECONDS",
+       "give up after so long, " + std::to_string(command.seconds) + " unless told otherwise"});
   options.push_back({"memory-limit", "MIB", "at most so much memory, 1024 unless told otherwise"});
   return options;
 }
@@ -141,7 +143,7 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
   asked.request.options = values_of(app, command);
   asked.request.words = std::move(words);
   asked.request.format = command.formats.front();
-  asked.seconds = asked.request.whole("time-limit", 1, longest).value_or(asked.seconds);
+  asked.seconds = asked.request.whole("time-limit", 1, longest).value_or(command.seconds);
   asked.mebibytes = asked.request.whole("memory-limit", 16, longest).value_or(asked.mebibytes);
   asked.output = asked.request.text("output");
   if (asked.request.has("format")) asked.request.format = asked.request.text("format");

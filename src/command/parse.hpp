@@ -19,7 +19,7 @@ struct Asked {
   answers::Request request;
   std::string output;                ///< -o: a file's name, "" or "-" for stdout
   std::optional<std::string> input;  ///< --input: a file of CSV, "-" for stdin
-  std::int64_t seconds = 30;         ///< --time-limit
+  std::int64_t seconds = 0;          ///< --time-limit
   std::int64_t mebibytes = 1024;     ///< --memory-limit
 };
 

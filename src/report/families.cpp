@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/families.hpp"
+
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "magicmass/numbers/counts.hpp"
+#include "magicmass/oracle/certain.hpp"
+
+namespace report {
+namespace {
+
+namespace oracle = magicmass::oracle;
+using Random = PortableRandom;
+
+constexpr double largest = std::numeric_limits<double>::max();
+
+/// At most so many doubles away from x.
+double neighbour(Random& random, double x, std::int64_t most) {
+  const std::int64_t steps = random.whole(0, 2 * most) - most;
+  return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) + steps);
+}
+
+/// The double nearest to alpha_k or beta_k, for some k up to 2^bits.
+double threshold(Random& random, oracle::MassRatio (*of)(const cln::cl_I&), unsigned bits) {
+  const long long k = random.log_whole(std::int64_t{1} << bits);
+  return oracle::certain(of(k), oracle::Itself(), oracle::to_double())[0];
+}
+
+std::int64_t anywhere(Random& random, std::int64_t last) { return random.whole(0, last); }
+std::int64_t of_any_length(Random& random, std::int64_t last) { return random.log_whole(last); }
+std::int64_t ends(Random& random, std::int64_t last) {
+  const std::int64_t from_either = random.whole(0, 1);
+  return random.whole(0, 1) == 0 ? from_either : last - from_either;
+}
+/// a_n and c'_n all but vanish at the last cycle of a magic ratio.
+std::int64_t mostly_last(Random& random, std::int64_t last) {
+  return random.whole(0, 3) == 0 ? anywhere(random, last) : last - random.whole(0, 1);
+}
+
+}  // namespace
+
+const std::vector<Family>& families() {
+  static const std::vector<Family> all{
+      {"closest thresholds", "3 ulp around the two closest to a double", 1,
+       [](Random& r) {
+         const bool is_magic = r.whole(0, 1) == 0;  // alpha_539, else beta_19530
+         return neighbour(r, is_magic ? 0x1.1c7397cb68b7ep-18 : 0x1.bc7fb47556f22p-29, 3);
+       },
+       mostly_last},
+      {"magic neighbours", "alpha_k and 3 ulp around it, k to 2^50", 2,
+       [](Random& r) { return neighbour(r, threshold(r, oracle::magic, 50), 3); }, mostly_last},
+      {"deficient neighbours", "beta_k and 3 ulp around it, k to 2^20", 3,
+       [](Random& r) { return neighbour(r, threshold(r, oracle::deficient, 20), 3); }, mostly_last},
+      {"alpha = 1", "1 and 3 ulp around it", 4, [](Random& r) { return neighbour(r, 1, 3); }, ends},
+      {"first and last", "alpha from 1e-20 to 100, n = 0, 1, N - 1, N", 5,
+       [](Random& r) { return r.among(1e-20, 100); }, ends},
+      {"many collisions", "alpha from 5.9e-38 to 2e-19, N from 2^32 to 2^62", 6,
+       [](Random& r) { return r.among(5.9e-38, 2e-19); }, of_any_length},
+      {"tiny", "alpha from 1e-300 to 1e-30", 7, [](Random& r) { return r.among(1e-300, 1e-30); },
+       of_any_length},
+      // As many leading zeros as one likes, else nearly all would be next to the normal range.
+      {"subnormal", "alpha below 2.3e-308", 8,
+       [](Random& r) { return std::bit_cast<double>(r.log_whole((1LL << 52U) - 1)); },
+       of_any_length},
+      {"huge", "alpha from 1e3 to the largest double", 9,
+       [](Random& r) { return r.whole(0, 15) == 0 ? largest : r.among(1e3, largest); }, ends},
+      {"any double", "every positive double alike", 10,
+       [](Random& r) { return r.among(0x1p-1074, largest); }, of_any_length},
+      {"everyday", "alpha from 1e-6 to 10", 11, [](Random& r) { return r.among(1e-6, 10); },
+       anywhere},
+  };
+  return all;
+}
+
+std::vector<Input> inputs_of(const Family& family, Quantity quantity, std::size_t draws) {
+  PortableRandom random(family.seed);
+  std::vector<Input> inputs;
+  std::set<Input> seen;
+  for (std::size_t draw = 0; draw < draws; ++draw) {
+    const double alpha = family.alpha(random);
+    // The counts only choose what is asked: the oracle finds its own.
+    const std::optional<magicmass::Counts> counts = magicmass::count_collisions(alpha);
+    const std::int64_t n = family.n(random, counts ? counts->N_A : std::int64_t{1} << 62U);
+    if (!counts && quantity != Quantity::velocities) continue;
+    const Input input = quantity == Quantity::velocities ? Input{alpha, n}
+                        : quantity == Quantity::ratios   ? Input{0, counts->N_A}
+                                                         : Input{alpha, 0};
+    if (seen.insert(input).second) inputs.push_back(input);
+  }
+  return inputs;
+}
+
+}  // namespace report

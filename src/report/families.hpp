@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Kinds of difficult inputs, each measured by itself.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/portable_random.hpp"
+
+namespace report {
+
+enum class Quantity {
+  velocities,  ///< a, b, c, c' at alpha and n
+  terminal,    ///< N_A, N_B; a_t, b_t, c_t, rho at alpha
+  counts,      ///< N_A, N_B at alpha
+  ratios       ///< alpha_k and beta_k
+};
+inline const std::vector<std::pair<Quantity, std::string>> quantities{
+    {Quantity::velocities, "velocities"},
+    {Quantity::terminal, "terminal"},
+    {Quantity::counts, "counts"},
+    {Quantity::ratios, "ratios"}};
+inline std::string name_of(Quantity quantity) { return quantities[std::size_t(quantity)].second; }
+
+/// The index is n of velocities and k of ratios; what a quantity does not take is 0.
+struct Input {
+  double alpha = 0;
+  std::int64_t index = 0;
+  friend auto operator<=>(const Input&, const Input&) = default;
+};
+
+struct Family {
+  std::string name;
+  std::string description;
+  std::uint64_t seed;
+  double (*alpha)(PortableRandom&);
+  /// Some n for a motion whose last is N_A.
+  std::int64_t (*n)(PortableRandom&, std::int64_t last);
+};
+/// Hardest first.
+const std::vector<Family>& families();
+
+/// So many draws of the family for the quantity, each input once. For terminal velocities and
+/// counts those alpha whose counts fit 63 bits; for ratios the k = N_A of these.
+std::vector<Input> inputs_of(const Family& family, Quantity quantity, std::size_t draws);
+
+}  // namespace report

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/oracle/rational.hpp"
+#include "report/report.hpp"
+
+namespace report {
+namespace {
+
+using answers::Table;
+using answers::Type;
+
+answers::Column real_column(const std::string& name) { return {name, Type::real, "", ""}; }
+
+Table speed_data() {
+  Plan plan = quick_plan();
+  plan.only = "everyday";
+  std::vector<Measurement> all = measure(plan);
+  std::erase_if(all, [](const Measurement& one) { return one.quantity != Quantity::velocities; });
+  return table_of(all, {"evaluator", "max_ulp", "ns"});
+}
+
+/// a_t from below alpha_5 up to 1, denser around the thresholds.
+Table error_data() {
+  constexpr std::size_t a_t = 0;
+  std::set<double> alphas;
+  std::set<double> thresholds;
+  for (int i = 0; i <= 400; ++i) alphas.insert(0.03 * std::pow(1.1 / 0.03, i / 400.0));
+  for (std::int64_t k = 1; k <= 5; ++k) {
+    const magicmass::Ratios ratios = magicmass::accurate::ratios(k);
+    thresholds.insert({ratios.magic, ratios.deficient});
+  }
+  for (const double threshold : thresholds)
+    for (double distance = 1e-2; distance > 1e-15; distance /= 4)
+      alphas.insert({threshold * (1 - distance), threshold, threshold * (1 + distance)});
+  std::vector<Input> inputs;
+  std::vector<Truth> truths;
+  Table table{{real_column("alpha"), real_column("threshold"), real_column("envelope")}, {}};
+  for (const double alpha : alphas) {
+    inputs.push_back({alpha, 0});
+    truths.push_back(truth(Quantity::terminal, inputs.back()));
+    const bool is_threshold = thresholds.count(alpha) != 0;
+    table.rows.push_back({answers::real_cell(alpha),
+                          is_threshold ? answers::real_cell(alpha) : answers::missing_cell(),
+                          answers::real_cell(truths.back().envelopes[a_t])});
+  }
+  for (const std::string name : {"naive", "tangent", "fast", "accurate"}) {
+    table.columns.push_back(real_column(name));
+    Columns results(inputs);
+    for (const Implementation& one : implementations())
+      if (one.name == name && one.quantity == Quantity::terminal) one.run(results);
+    for (std::size_t i = 0; i < inputs.size(); ++i)
+      table.rows[i].push_back(answers::real_cell(
+          magicmass::oracle::ulp_error(results.values[a_t][i], truths[i].values[a_t])));
+  }
+  return table;
+}
+
+}  // namespace
+
+const std::vector<answers::Figure>& figures() {
+  static const std::vector<answers::Figure> all{
+      {"speed", "Time of one evaluation against its largest error",
+       "A point for each implementation of the velocities on everyday inputs, both axes "
+       "logarithmic: slower ones are to the right, less accurate ones above.",
+       speed_data},
+      {"error", "Error of a_t against the mass ratio",
+       "Errors in ulp over alpha from 0.03 to 1.1, both axes logarithmic: what rounding alpha "
+       "alone would cost (line) rises to a peak at every magic ratio; accurate (dots) stays below "
+       "half an ulp, fast (crosses) below four times the line; naive and tangent are above. "
+       "Vertical lines are thresholds.",
+       error_data},
+  };
+  return all;
+}
+
+}  // namespace report

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/implementations.hpp"
+
+#include <stdexcept>
+
+#include "magicmass/exact/exact.hpp"
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/numbers/counts.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/oracle/certain.hpp"
+#include "magicmass/plain/closed.hpp"
+#include "magicmass/plain/product.hpp"
+#include "magicmass/plain/tangent.hpp"
+#include "magicmass/simulator/three_bodies.hpp"
+#include "report/naive.hpp"
+
+namespace report {
+namespace {
+
+using namespace magicmass;
+
+Velocities stepped(double alpha, std::int64_t n) {
+  if (n > 1000) throw std::domain_error("stepping: allowed: n to 1000");
+  simulator::Body<double> A{1, 0, 1};
+  simulator::Body<double> C{alpha, 0, 0};
+  simulator::Body<double> B{1, 1, 0};
+  double c = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    collide(A, C);
+    c = C.velocity;
+    collide(C, B);
+  }
+  return {A.velocity, B.velocity, c, C.velocity};
+}
+
+Terminal stepped_to_the_end(double alpha) {
+  if (alpha < 1e-6) throw std::domain_error("stepping: allowed: alpha from 1e-6");
+  simulator::ThreeBodies<double> motion(alpha);
+  Counts counts;
+  while (const auto event = motion.step()) ++(event->left == 0 ? counts.N_A : counts.N_B);
+  const auto& [A, C, B] = motion.bodies();
+  return {counts, A.velocity, B.velocity, C.velocity, B.velocity * B.velocity};
+}
+
+/// alpha, where the rational numbers after n cycles are short.
+cln::cl_RA short_rational(double alpha, std::int64_t n) {
+  constexpr long most_bits = 1L << 13;
+  const cln::cl_RA ratio = oracle::exact(alpha);
+  if (oracle::exact_length(ratio, 2 * cln::cl_I(static_cast<long long>(n))) > most_bits)
+    throw std::domain_error("exact rational: allowed: numbers of 8192 bits");
+  return ratio;
+}
+auto rational_velocities(double alpha, std::int64_t n) {
+  return generated::velocities_exact(short_rational(alpha, n), n);
+}
+auto rational_terminal(double alpha) {
+  const Counts counts = count_collisions(alpha).value();
+  const auto t =
+      generated::terminal_exact(short_rational(alpha, counts.N_A), counts.N_A, counts.N_B);
+  const auto nearest = oracle::nearest;
+  return Terminal{counts, nearest(t.a_t), nearest(t.b_t), nearest(t.c_t), nearest(t.rho)};
+}
+
+double rounded(double x) { return x; }
+double rounded(const cln::cl_RA& x) { return oracle::nearest(x); }
+
+/// Our results and the generated ones have the same fields, some of them.
+template <class Result>
+void store(Columns& to, std::size_t i, const Result& r) {
+  const auto values = [&](const auto&... x) {
+    std::size_t column = 0;
+    ((to.values[column++][i] = rounded(x)), ...);
+  };
+  const auto counts = [&](auto N_A, auto N_B) {
+    to.counts[0][i] = std::int64_t(N_A);
+    to.counts[1][i] = std::int64_t(N_B);
+  };
+  if constexpr (requires { r.value(); }) store(to, i, r.value());
+  if constexpr (requires { r.c_prime; }) values(r.a, r.b, r.c, r.c_prime);
+  if constexpr (requires { r.rho; }) values(r.a_t, r.b_t, r.c_t, r.rho);
+  if constexpr (requires { r.magic; }) values(r.magic, r.deficient);
+  if constexpr (requires { r.counts; }) counts(r.counts.N_A, r.counts.N_B);
+  if constexpr (requires { r.N_A; }) counts(r.N_A, r.N_B);
+}
+
+/// One call after the other, each result stored: nothing else is in the loop.
+template <class Of>
+std::function<void(Columns&)> each(Of of) {
+  return [of](Columns& columns) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if constexpr (requires { of(0.5, std::int64_t{1}); })
+        store(columns, i, of(columns.alpha[i], columns.index[i]));
+      else if constexpr (requires { of(std::int64_t{1}).magic; })
+        store(columns, i, of(columns.index[i]));
+      else
+        store(columns, i, of(columns.alpha[i]));
+    }
+  };
+}
+
+VelocityColumns velocity_columns(Columns& c) {
+  return {c.values[0], c.values[1], c.values[2], c.values[3]};
+}
+TerminalColumns terminal_columns(Columns& c) {
+  return {c.counts[0], c.counts[1], c.values[0], c.values[1], c.values[2], c.values[3]};
+}
+
+}  // namespace
+
+Columns::Columns(std::span<const Input> inputs) {
+  for (const Input& input : inputs) {
+    alpha.push_back(input.alpha);
+    index.push_back(input.index);
+  }
+  for (auto& column : values) column.resize(inputs.size());
+  for (auto& column : counts) column.resize(inputs.size());
+}
+
+const std::vector<Implementation>& implementations() {
+  using enum Quantity;
+  using At = Velocities (*)(double, std::int64_t);
+  using End = std::optional<Terminal> (*)(double);
+  using Count = std::optional<Counts> (*)(double);
+  constexpr std::size_t few = 50;
+  const auto closed_ratios = [](std::int64_t k) {
+    return Ratios{generated::magic_closed<double>(k).alpha_,
+                  generated::deficient_closed<double>(k).beta_};
+  };
+  static const std::vector<Implementation> all{
+      {"naive", velocities, each(naive::velocities)},
+      {"closed", velocities, each(generated::velocities_closed<double>)},
+      {"product", velocities, each(generated::velocities_product<double>)},
+      {"tangent", velocities, each(generated::velocities_tangent<double>)},
+      {"stepping", velocities, each(stepped), few},
+      {"exact rational", velocities, each(rational_velocities), few},
+      {"fast", velocities, each(At(fast::velocities))},
+      {"accurate", velocities, each(At(accurate::velocities))},
+      {"fast arrays", velocities,
+       [](Columns& c) { fast::velocities(c.alpha, c.index, velocity_columns(c)); }},
+      {"accurate arrays", velocities,
+       [](Columns& c) { accurate::velocities(c.alpha, c.index, velocity_columns(c)); }},
+      {"naive", terminal, each(naive::terminal)},
+      {"closed", terminal, each(generated::terminal_closed<double>)},
+      {"tangent", terminal, each(generated::terminal_tangent<double>)},
+      {"stepping", terminal, each(stepped_to_the_end), few},
+      {"exact rational", terminal, each(rational_terminal), few},
+      {"fast", terminal, each(End(fast::terminal))},
+      {"accurate", terminal, each(End(accurate::terminal))},
+      {"fast arrays", terminal, [](Columns& c) { fast::terminal(c.alpha, terminal_columns(c)); }},
+      {"accurate arrays", terminal,
+       [](Columns& c) { accurate::terminal(c.alpha, terminal_columns(c)); }},
+      {"naive", counts, each(naive::counts)},
+      {"count_collisions", counts, each(Count(count_collisions))},
+      {"count arrays", counts,
+       [](Columns& c) { count_collisions(c.alpha, c.counts[0], c.counts[1]); }},
+      {"naive", ratios, each(naive::ratios)},
+      {"closed", ratios, each(closed_ratios)},
+      {"fast", ratios, each(fast::ratios)},
+      {"accurate", ratios, each(accurate::ratios)},
+  };
+  return all;
+}
+
+}  // namespace report

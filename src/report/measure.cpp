@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "report/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "magicmass/oracle/certain.hpp"
+
+namespace report {
+namespace {
+
+namespace oracle = magicmass::oracle;
+
+template <class Asked>
+void add(Truth& truth, const oracle::MassRatio& alpha, const Asked& quantity) {
+  const auto add_all = [](auto& to, const auto& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  constexpr long bits = 120;
+  add_all(truth.values, oracle::certain(alpha, quantity, oracle::to_within(bits)));
+  add_all(truth.rounded, oracle::certain(alpha, quantity, oracle::to_double()));
+  add_all(truth.envelopes, oracle::envelopes(alpha, quantity));
+}
+
+void note(Errors& errors, const Input& input, double ulp, bool is_wrong) {
+  const bool is_first = errors.max_ulp == 0 && errors.wrong == 0 && is_wrong;
+  if (ulp > errors.max_ulp || is_first) errors.worst = input;
+  errors.max_ulp = std::max(errors.max_ulp, ulp);
+  errors.wrong += is_wrong ? 1 : 0;
+}
+
+bool same_sign(double x, double y) { return (x > 0) == (y > 0) && (x < 0) == (y < 0); }
+
+struct Sample {
+  Input input;
+  Truth truth;
+};
+
+bool takes(const Implementation& implementation, const Input& input) {
+  Columns one({&input, 1});
+  try {
+    implementation.run(one);
+  } catch (const std::domain_error&) {
+    return false;
+  }
+  return true;
+}
+
+/// The same rows for both, the inputs again and again until there are enough.
+Pair paired(const Implementation& baseline, const Implementation& ours,
+            const std::vector<Input>& inputs) {
+  std::vector<Input> rows;
+  for (std::size_t i = 0; i < ours.most_timed; ++i) rows.push_back(inputs[i % inputs.size()]);
+  const auto work = [&rows](const Implementation& one) {
+    return [&one, columns = std::make_shared<Columns>(rows)] { one.run(*columns); };
+  };
+  return {work(baseline), work(ours), rows.size()};
+}
+
+}  // namespace
+
+Truth truth(Quantity quantity, const Input& input) {
+  Truth found;
+  const cln::cl_I index = static_cast<long long>(input.index);
+  const cln::cl_RA alpha = oracle::exact(input.alpha);
+  if (quantity == Quantity::ratios) {
+    add(found, oracle::magic(index), oracle::Itself());
+    add(found, oracle::deficient(index), oracle::Itself());
+  } else if (quantity == Quantity::velocities) {
+    add(found, oracle::ratio(alpha), oracle::OfCycle(index));
+  } else {
+    const oracle::Counts counts = oracle::count_collisions(alpha);
+    found.counts = {cln::cl_I_to_long(counts.N_A), cln::cl_I_to_long(counts.N_B)};
+    if (quantity == Quantity::terminal) add(found, oracle::ratio(alpha), oracle::AtEnd(counts));
+  }
+  return found;
+}
+
+Errors errors_of(const Columns& results, std::span<const Truth* const> truths) {
+  Errors errors;
+  errors.samples = truths.size();
+  for (std::size_t row = 0; row < truths.size(); ++row) {
+    const Input input{results.alpha[row], results.index[row]};
+    const Truth& truth = *truths[row];
+    for (std::size_t i = 0; i < truth.values.size(); ++i) {
+      const double got = results.values[i][row];
+      const double nearest = truth.rounded[i];
+      const bool is_zero = cln::zerop(truth.values[i]);
+      const double ulp = is_zero ? 0 : oracle::ulp_error(got, truth.values[i]);
+      errors.over_envelope = std::max(errors.over_envelope, ulp / truth.envelopes[i]);
+      errors.misrounded += got != nearest ? 1 : 0;
+      note(errors, input, ulp, std::isnan(got) || !same_sign(got, nearest));
+    }
+    if (!truth.counts) continue;
+    const std::int64_t exact[] = {truth.counts->N_A, truth.counts->N_B};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double off = std::abs(double(results.counts[i][row] - exact[i]));
+      note(errors, input, truth.values.empty() ? off : 0, off != 0);
+    }
+  }
+  return errors;
+}
+
+std::vector<Measurement> measure(const Plan& plan) {
+  std::vector<Measurement> all;
+  std::vector<Pair> pairs;
+  for (const auto& [quantity, name] : quantities) {
+    for (const Family& family : families()) {
+      std::vector<Sample> samples;  // made when the first implementation asks for them
+      const Implementation* naive = nullptr;
+      for (const Implementation& one : plan.implementations) {
+        if (one.quantity != quantity) continue;
+        if (one.name == "naive") naive = &one;
+        const std::set<std::string> names{"", one.name, name, family.name};
+        if (names.count(plan.only) == 0) continue;
+        if (samples.empty())
+          for (const Input& input : inputs_of(family, quantity, plan.draws))
+            samples.push_back({input, truth(quantity, input)});
+        std::vector<Input> inputs;
+        std::vector<const Truth*> truths;
+        for (const Sample& sample : samples) {
+          if (!takes(one, sample.input)) continue;
+          inputs.push_back(sample.input);
+          truths.push_back(&sample.truth);
+        }
+        if (inputs.empty()) continue;
+        Columns results(inputs);
+        one.run(results);
+        all.push_back({one.name, quantity, family.name, errors_of(results, truths), {}});
+        if (plan.rounds.count > 0) pairs.push_back(paired(*naive, one, inputs));
+      }
+    }
+  }
+  const std::vector<Times> times = timed(pairs, plan.rounds);
+  for (std::size_t i = 0; i < times.size(); ++i) all[i].times = times[i];
+  return all;
+}
+
+}  // namespace report

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Speed against error, as an answer; METHOD.md says how it is measured.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "answers/figures.hpp"
+#include "answers/request.hpp"
+#include "report/measure.hpp"
+
+namespace report {
+
+/// What --quick asks for: fewer inputs and shorter measurements.
+Plan quick_plan();
+
+std::vector<answers::Column> columns();
+/// The columns of these names, all where there are none.
+answers::Table table_of(const std::vector<Measurement>& measurements,
+                        const std::vector<std::string>& names);
+/// Headings and narrow tables: the worst family of each evaluator, then each family. Fits 80
+/// columns, or is Markdown.
+std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown);
+
+/// --quick, --only NAME; formats text, markdown, json, csv.
+answers::Answer report(const answers::Request& request);
+
+/// speed and error.
+const std::vector<answers::Figure>& figures();
+
+}  // namespace report

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Times beside naive, and the report as an answer.
+#include "report/report.hpp"
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "answers/errors.hpp"
+#include "catch.hpp"
+
+namespace {
+
+using namespace report;
+
+const std::vector<Measurement>& measured() {
+  static const std::vector<Measurement> all = [] {
+    Plan plan = quick_plan();
+    plan.draws = 10;
+    plan.rounds.shortest_ns = 1e3;
+    plan.only = "everyday";
+    return measure(plan);
+  }();
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("Every pair is called in every round, naive as often as ours", "[check]") {
+  std::map<std::string, int> calls;
+  const auto work = [&](const std::string& name) { return [&calls, name] { ++calls[name]; }; };
+  const std::vector<Pair> pairs{{work("a"), work("b"), 1}, {work("c"), work("d"), 1}};
+  const std::vector<Times> times = timed(pairs, {.count = 9, .shortest_ns = 0});
+  CHECK(calls == std::map<std::string, int>{{"a", 19}, {"b", 19}, {"c", 19}, {"d", 19}});
+  REQUIRE(times.size() == 2);
+  for (const Times& one : times) CHECK((one.ratio_low <= one.ratio && one.ratio <= one.ratio_high));
+}
+
+TEST_CASE("A table of 14 columns, a row for each implementation", "[check]") {
+  const answers::Table table = table_of(measured(), {});
+  CHECK(table.columns.size() == 14);
+  CHECK(table.rows.size() == implementations().size());
+  for (const answers::Row& row : table.rows) {
+    CHECK(row.size() == 14);
+    CHECK(row[10].json != "null");
+  }
+}
+
+TEST_CASE("The text fits 80 columns, and Markdown has its tables", "[check]") {
+  std::istringstream text(document_of(measured(), false));
+  int lines = 0;
+  for (std::string line; std::getline(text, line); ++lines) CHECK(line.size() <= 80);
+  CHECK(lines > 50);
+  const std::string markdown = document_of(measured(), true);
+  CHECK(markdown.find("\n| evaluator | family | max_ulp |") != std::string::npos);
+  CHECK(markdown.find("\n## velocities, everyday: alpha from 1e-6 to 10\n") != std::string::npos);
+}
+
+TEST_CASE("What is asked for alone must be there", "[exam]") {
+  answers::Request request;
+  request.options["only"] = "nothing";
+  CHECK_THROWS_WITH(report::report(request),
+                    Catch::Matchers::StartsWith("report: no quantity, family or evaluator nothing; "
+                                                "allowed: velocities, terminal, counts, ratios, "));
+}
+
+TEST_CASE("The figure of errors: accurate below half an ulp, and every threshold", "[check]") {
+  REQUIRE(figures().size() == 2);
+  const answers::Table table = figures()[1].data();
+  REQUIRE(table.columns.back().name == "accurate");
+  int thresholds = 0;
+  for (const answers::Row& row : table.rows) {
+    thresholds += row[1].text.empty() ? 0 : 1;
+    CHECK(std::stod(row.back().text) <= 0.5);
+  }
+  CHECK(thresholds == 10);
+}
