@@ -77,7 +77,7 @@ const std::vector<Family>& families() {
 std::vector<Input> inputs_of(const Family& family, Quantity quantity, std::size_t draws) {
   PortableRandom random(family.seed);
   std::vector<Input> inputs;
-  std::set<Input> seen;
+  std::set<std::pair<double, std::int64_t>> seen;
   for (std::size_t draw = 0; draw < draws; ++draw) {
     const double alpha = family.alpha(random);
     // The counts only choose what is asked: the oracle finds its own.
@@ -87,7 +87,7 @@ std::vector<Input> inputs_of(const Family& family, Quantity quantity, std::size_
     const Input input = quantity == Quantity::velocities ? Input{alpha, n}
                         : quantity == Quantity::ratios   ? Input{0, counts->N_A}
                                                          : Input{alpha, 0};
-    if (seen.insert(input).second) inputs.push_back(input);
+    if (seen.insert({input.alpha, input.index}).second) inputs.push_back(input);
   }
   return inputs;
 }

@@ -29,7 +29,7 @@ inline std::string name_of(Quantity quantity) { return quantities[std::size_t(qu
 struct Input {
   double alpha = 0;
   std::int64_t index = 0;
-  friend auto operator<=>(const Input&, const Input&) = default;
+  friend bool operator==(const Input&, const Input&) = default;
 };
 
 struct Family {

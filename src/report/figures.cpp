@@ -26,23 +26,23 @@ Table speed_data() {
 /// a_t from below alpha_5 up to 1, denser around the thresholds.
 Table error_data() {
   constexpr std::size_t a_t = 0;
-  std::set<double> alphas;
   std::set<double> thresholds;
-  for (int i = 0; i <= 400; ++i) alphas.insert(0.03 * std::pow(1.1 / 0.03, i / 400.0));
   for (std::int64_t k = 1; k <= 5; ++k) {
     const magicmass::Ratios ratios = magicmass::accurate::ratios(k);
     thresholds.insert({ratios.magic, ratios.deficient});
   }
+  std::set<double> alphas = thresholds;
+  for (int i = 0; i <= 400; ++i) alphas.insert(0.03 * std::pow(1.1 / 0.03, i / 400.0));
   for (const double threshold : thresholds)
-    for (double distance = 1e-2; distance > 1e-15; distance /= 4)
-      alphas.insert({threshold * (1 - distance), threshold, threshold * (1 + distance)});
+    for (const double side : {-1, 1})
+      for (int i = 7; i <= 49; i += 2) alphas.insert(threshold * (1 + std::ldexp(side, -i)));
   std::vector<Input> inputs;
   std::vector<Truth> truths;
   Table table{{real_column("alpha"), real_column("threshold"), real_column("envelope")}, {}};
   for (const double alpha : alphas) {
     inputs.push_back({alpha, 0});
     truths.push_back(truth(Quantity::terminal, inputs.back()));
-    const bool is_threshold = thresholds.count(alpha) != 0;
+    const bool is_threshold = thresholds.contains(alpha);
     table.rows.push_back({answers::real_cell(alpha),
                           is_threshold ? answers::real_cell(alpha) : answers::missing_cell(),
                           answers::real_cell(truths.back().envelopes[a_t])});

@@ -80,8 +80,7 @@ Truth truth(Quantity quantity, const Input& input) {
 }
 
 Errors errors_of(const Columns& results, std::span<const Truth* const> truths) {
-  Errors errors;
-  errors.samples = truths.size();
+  Errors errors{.samples = truths.size()};
   for (std::size_t row = 0; row < truths.size(); ++row) {
     const Input input{results.alpha[row], results.index[row]};
     const Truth& truth = *truths[row];
@@ -114,8 +113,7 @@ std::vector<Measurement> measure(const Plan& plan) {
       for (const Implementation& one : plan.implementations) {
         if (one.quantity != quantity) continue;
         if (one.name == "naive") naive = &one;
-        const std::set<std::string> names{"", one.name, name, family.name};
-        if (names.count(plan.only) == 0) continue;
+        if (!std::set{std::string(), one.name, name, family.name}.contains(plan.only)) continue;
         if (samples.empty())
           for (const Input& input : inputs_of(family, quantity, plan.draws))
             samples.push_back({input, truth(quantity, input)});

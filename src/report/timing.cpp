@@ -32,6 +32,7 @@ std::vector<Times> timed(const std::vector<Pair>& pairs, const Rounds& rounds) {
     std::vector<double> ns, ratios;
   };
   std::vector<Seen> seen;
+  seen.reserve(pairs.size());
   for (const Pair& pair : pairs) {
     seen.push_back(
         {{long_enough(pair.naive, rounds.shortest_ns), long_enough(pair.ours, rounds.shortest_ns)},
