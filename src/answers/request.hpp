@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "answers/table.hpp"
@@ -31,6 +33,8 @@ struct Answer {
   Table table;
   std::string document;       ///< instead of the table where it is not empty
   bool check_failed = false;  ///< not proved, stale: exit code 1
+  /// Instead of both: hands on what is printed, piece by piece.
+  std::function<void(const std::function<void(std::string_view)>&)> stream = {};
 };
 
 }  // namespace answers

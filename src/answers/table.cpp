@@ -117,7 +117,7 @@ std::string Writer::rows(std::span<const Row> block) {
   std::string text;
   if (is_first_ && format_ == Format::csv)
     text = joined(names, ",") + "\n";
-  else if (is_first_ && is_list_)
+  else if (is_first_ && is_list_ && format_ == Format::json)
     text = "[";
   for (const Row& row : block) {
     std::vector<std::string> fields;
@@ -128,6 +128,8 @@ std::string Writer::rows(std::span<const Row> block) {
     }
     if (format_ == Format::csv) {
       text += joined(fields, ",") + "\n";
+    } else if (format_ == Format::json_lines) {
+      text += "{" + joined(fields) + "}\n";
     } else {
       text += (!is_list_ ? "" : is_first_ ? "\n" : ",\n") + ("{" + joined(fields) + "}");
       is_first_ = false;

@@ -49,7 +49,7 @@ struct Table {
   bool is_list = true;  ///< else the one row is the answer: a JSON object, a block of text
 };
 
-enum class Format { text, json, csv };
+enum class Format { text, json, json_lines, csv };  // JSON Lines: an object a line
 
 /// Writes rows as they come, a block at a time. Text has 80 columns: a table that the first block
 /// shows to be wider becomes a block of lines a row, and later blocks keep the first one's widths.

@@ -3,6 +3,7 @@
 #include "command/commands.hpp"
 
 #include "answers/derivation.hpp"
+#include "answers/scene.hpp"
 #include "answers/velocities.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
@@ -76,6 +77,24 @@ Program magicmass() {
                {"text", "json", "csv"},
                answers::ratios_columns(),
                answers::ratios},
+              {"simulate",
+               "The motion of a scene",
+               "magicmass simulate tutorials/scenes/trajectory_b.toml",
+               {{"exact", "", "in exact numbers"},
+                {"max-events", "N", "at most so many collisions"}},
+               "SCENE.toml",
+               {"text", "json", "csv", "jsonl"},
+               answers::simulate_columns(),
+               answers::simulate},
+              {"plan",
+               "Which model a scene needs, and why",
+               "magicmass plan tutorials/scenes/wall.toml",
+               {{"exact", "", "in exact numbers"},
+                {"max-events", "N", "at most so many collisions"}},
+               "SCENE.toml",
+               {"text", "json", "csv"},
+               answers::plan_columns(),
+               answers::plan},
               {"figure",
                "A figure of the paper",
                "magicmass figure terminal -o terminal.svg",

@@ -95,9 +95,12 @@ ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
     answer_rows(asked, output);
   } else {
     const answers::Answer given = asked.command->run(asked.request);
-    output.write(given.document.empty()
-                     ? answers::written(given.table, table_format(asked.request.format))
-                     : given.document);
+    if (given.stream)
+      given.stream([&](std::string_view text) { output.write(text); });
+    else if (given.document.empty())
+      output.write(answers::written(given.table, table_format(asked.request.format)));
+    else
+      output.write(given.document);
     code = given.check_failed ? ExitCode::check_failed : ExitCode::done;
   }
   output.finish();

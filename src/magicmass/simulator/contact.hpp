@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <utility>
 
 namespace magicmass::simulator {
 
@@ -26,23 +27,22 @@ struct Body {
   Scalar velocity;
 };
 
-/// Elastic collision of two bodies: each velocity is reflected in that of their centre of mass,
-/// which keeps momentum and kinetic energy. Exact for exact fields. In floating point the weights
-/// m/(m1+m2) come first, so that nothing overflows while m1 + m2 and 2 max(|u1|, |u2|) are finite;
-/// each result is then within 6 eps max(|u1|, |u2|). Equal masses swap velocities, unrounded.
+/// Collision of two bodies with restitution e, 0 < e <= 1: of each velocity relative to the centre
+/// of mass, e times is turned round. Momentum is kept and, with e = 1, kinetic energy. Exact for
+/// exact fields. In floating point the weights m/(m1+m2) come first, so that nothing overflows
+/// while m1 + m2 and 2 max(|u1|, |u2|) are finite; each result is within 8 eps max(|u1|, |u2|).
+/// Equal masses with e = 1 swap velocities, unrounded.
 template <Field Scalar>
-void collide(Body<Scalar>& first, Body<Scalar>& second) {
-  const Scalar u1 = first.velocity;
-  const Scalar u2 = second.velocity;
-  if (first.mass == second.mass) {
-    first.velocity = u2;
-    second.velocity = u1;
-    return;
-  }
+void collide(Body<Scalar>& first, Body<Scalar>& second, const Scalar& e = Scalar(1)) {
+  const bool is_elastic = e == Scalar(1);
+  if (is_elastic && first.mass == second.mass) return std::swap(first.velocity, second.velocity);
   const Scalar mass = first.mass + second.mass;
-  const Scalar centre = (first.mass / mass) * u1 + (second.mass / mass) * u2;
-  first.velocity = centre + centre - u1;
-  second.velocity = centre + centre - u2;
+  const Scalar centre =
+      (first.mass / mass) * first.velocity + (second.mass / mass) * second.velocity;
+  for (Body<Scalar>* body : {&first, &second}) {
+    const Scalar u = body->velocity;
+    body->velocity = is_elastic ? centre + centre - u : centre + e * (centre - u);
+  }
 }
 
 }  // namespace magicmass::simulator

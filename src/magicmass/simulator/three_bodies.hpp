@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Block A, ball C and block B from left to right, stepped collision by collision.
+// Block A, ball C and block B from left to right: the paper's line, stepped by the engine.
 #pragma once
 
 #include <array>
-#include <cmath>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 
-#include "magicmass/simulator/contact.hpp"
+#include "magicmass/simulator/engine.hpp"
 
 namespace magicmass::simulator {
 
@@ -31,64 +28,33 @@ public:
   /// The paper's: at time 0, A moves with V = 1 and touches C; C rests at 0, B rests at L = 1; the
   /// blocks have mass 1 and the ball alpha. Throws std::invalid_argument unless alpha > 0 (and, in
   /// floating point, finite).
-  explicit ThreeBodies(const Scalar& alpha)
-      : bodies_{{{Scalar(1), Scalar(0), Scalar(1)},
-                 {alpha, Scalar(0), Scalar(0)},
-                 {Scalar(1), Scalar(1), Scalar(0)}}} {
-    if (!(Scalar(0) < alpha) || !(Scalar(0) < Scalar(1) / alpha))
-      throw std::invalid_argument("alpha must be a positive finite number");
-  }
+  explicit ThreeBodies(const Scalar& alpha) : engine_(line(alpha)) {}
 
-  /// Goes on to just after the next collision; returns nothing where none comes. What the ball met
-  /// last it cannot meet next: the two move apart.
+  /// Goes on to just after the next collision; returns nothing where none comes.
   std::optional<Event<Scalar>> step() {
-    const std::size_t left = next_;
-    const Scalar closing = bodies_[left].velocity - bodies_[left + 1].velocity;
-    note_near_tie(left, closing);
-    if (!(Scalar(0) < closing)) return std::nullopt;
-    const Scalar wait = (bodies_[left + 1].position - bodies_[left].position) / closing;
-    time_ = time_ + wait;
-    for (Body<Scalar>& body : bodies_) body.position = body.position + body.velocity * wait;
-    const Scalar place = bodies_[left == 0 ? 0 : 2].position;
-    bodies_[1].position = place;  // in floating point the ball may be beside the block
-    note_error(bodies_[left], bodies_[left + 1]);
-    collide(bodies_[left], bodies_[left + 1]);
-    next_ = 1 - left;
-    return Event<Scalar>{left, time_, place};
+    if (!engine_.next()) return std::nullopt;
+    const Collision<Scalar> met = engine_.step();
+    return Event<Scalar>{met.gap - 1, met.time, met.position};
   }
 
   /// A, C, B at the time of the last collision, just after it.
-  const std::array<Body<Scalar>, 3>& bodies() const { return bodies_; }
-
-  /// How often rounding may have decided whether two bodies approach; always 0 for exact fields.
-  std::int64_t near_ties() const { return near_ties_; }
-
-private:
-  std::array<Body<Scalar>, 3> bodies_;
-  std::size_t next_ = 0;  // the left one of the two that meet next, if they do
-  Scalar time_{0};
-  Scalar velocity_error_{0};
-  std::int64_t near_ties_ = 0;
-
-  // Velocities are measured as sqrt(sum m v^2). A collision is a reflection in that length, so
-  // errors only add up: masses and results together cost 8 eps (sqrt(m1) |u1| + sqrt(m2) |u2|),
-  // and 10 are taken. Equal masses only swap.
-  void note_error([[maybe_unused]] const Body<Scalar>& first,
-                  [[maybe_unused]] const Body<Scalar>& second) {
-    if constexpr (std::floating_point<Scalar>) {
-      const Scalar rounded = first.mass == second.mass ? 0 : 10;
-      const Scalar size = std::sqrt(first.mass) * std::abs(first.velocity) +
-                          std::sqrt(second.mass) * std::abs(second.velocity);
-      velocity_error_ += rounded * std::numeric_limits<Scalar>::epsilon() * size;
-    }
+  std::array<Body<Scalar>, 3> bodies() const {
+    std::array<Body<Scalar>, 3> all{engine_.bodies()[0], engine_.bodies()[1], engine_.bodies()[2]};
+    for (std::size_t i = 0; i < 3; ++i) all[i].position = engine_.position(i, engine_.now());
+    return all;
   }
 
-  // A difference of two velocities is within sqrt(1/m1 + 1/m2) of such a length.
-  void note_near_tie([[maybe_unused]] std::size_t left, [[maybe_unused]] const Scalar& closing) {
-    if constexpr (std::floating_point<Scalar>) {
-      const Scalar spread = std::sqrt(1 / bodies_[left].mass + 1 / bodies_[left + 1].mass);
-      if (std::abs(closing) <= velocity_error_ * spread && velocity_error_ > 0) ++near_ties_;
-    }
+  /// How often rounding may have decided whether two bodies approach; always 0 for exact fields.
+  std::int64_t near_ties() const { return engine_.ties().near; }
+
+private:
+  Engine<Scalar> engine_;
+
+  static Line<Scalar> line(const Scalar& alpha) {
+    const Scalar zero(0), one(1);
+    if (!(zero < alpha) || !(zero < one / alpha))
+      throw std::invalid_argument("alpha must be a positive finite number");
+    return {{one, alpha, one}, {zero, zero, one}, {one, zero, zero}, {}, {}};
   }
 };
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "answers/scene.hpp"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/run.hpp"
+
+namespace answers {
+namespace {
+
+using namespace magicmass::scenes;
+
+/// What was asked, and what came of it.
+struct Asked {
+  Scene scene;
+  Options options;
+  Result result;
+};
+
+Asked asked(const Request& request, const std::string& command) {
+  if (request.words.size() != 1)
+    throw InvalidInput(command + ": give one scene, a file; example: " + command + " wall.toml");
+  try {
+    Scene scene = read_scene(request.words.front());
+    const Options options{request.has("exact"), request.whole("max-events", 0, INT64_MAX)};
+    Result result = run(scene, options);
+    return {std::move(scene), options, std::move(result)};
+  } catch (const magicmass::InvalidInput& error) {
+    throw InvalidInput(error.what());
+  } catch (const magicmass::Undecided& error) {
+    throw Undecided(command + ": " + error.what());
+  }
+}
+
+/// A double, or an exact number where those are asked for.
+Cell number_cell(const Number& number, bool exact) {
+  if (const auto* value = std::get_if<double>(&number)) return real_cell(*value);
+  const Quadratic& value = std::get<Quadratic>(number);
+  if (exact) return exact_cell(value.text());
+  const auto rounded = value.to_double();
+  return rounded ? real_cell(*rounded) : missing_cell();
+}
+
+/// What fits a table of 80 columns: 8 digits.
+Cell short_cell(const Number& number, bool exact) {
+  const Cell cell = number_cell(number, exact);
+  if (exact || cell.text.size() < 11) return cell;
+  const auto* value = std::get_if<double>(&number);
+  std::array<char, 32> digits{};
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(),
+                                  value ? *value : *std::get<Quadratic>(number).to_double(),
+                                  std::chars_format::general, 8)
+                        .ptr;
+  return {std::string(digits.data(), end), cell.json};
+}
+
+/// Columns and their cells; together the one row of a table.
+using Fields = std::vector<std::pair<Column, Cell>>;
+
+Table table_of(const Fields& fields) {
+  Table table{{}, {{}}, false};
+  for (const auto& [column, cell] : fields) {
+    table.columns.push_back(column);
+    table.rows[0].push_back(cell);
+  }
+  return table;
+}
+
+/// "A 0, C 0.5" and {"A": 0, "C": 0.5}
+Cell object_cell(const std::vector<std::pair<std::string, Cell>>& members) {
+  std::vector<std::string> texts, pairs;
+  for (const auto& [name, cell] : members) {
+    texts.push_back(name + " " + cell.text);
+    pairs.push_back(text_cell(name).json + ": " + cell.json);
+  }
+  return {joined(texts), "{" + joined(pairs) + "}"};
+}
+
+Fields plan_fields(const Result& result) {
+  return {
+      {{"model", Type::text, "", "events: collision by collision"}, text_cell(result.plan.model)},
+      {{"reason", Type::text, "", "why that one"}, text_cell(result.plan.reason)},
+      {{"events", Type::whole, "", "collisions"}, whole_cell(result.events)}};
+}
+
+Cell counts_cell(const Scene& scene, const Result& result) {
+  std::vector<std::pair<std::string, Cell>> counts;
+  for (std::size_t gap = 0; gap < result.counts.size(); ++gap) {
+    const bool is_open =
+        (gap == 0 && !scene.left_wall) || (gap + 1 == result.counts.size() && !scene.right_wall);
+    if (!is_open) counts.emplace_back(gap_name(scene, gap), whole_cell(result.counts[gap]));
+  }
+  return object_cell(counts);
+}
+
+Cell terminal_cell(const Scene& scene, const Result& result, bool exact) {
+  std::vector<std::pair<std::string, Cell>> terminal;
+  for (std::size_t i = 0; i < result.terminal.size(); ++i)
+    terminal.emplace_back(body_name(scene, i), number_cell(result.terminal[i], exact));
+  if (scene.kind == Kind::three_body)
+    terminal.emplace_back("rho", number_cell(result.transmitted, exact));
+  return object_cell(terminal);
+}
+
+/// What stands before the collisions.
+Fields head_fields(const Asked& asked) {
+  const Result& result = asked.result;
+  const Scene& scene = asked.scene;
+  const bool exact = asked.options.exact;
+  const std::string words = result.plan.model + ": " + result.plan.reason;
+  const Cell plan{words, written(table_of(plan_fields(result)), Format::json)};
+  Fields fields{{{"status", Type::text, "", "complete, limited or collapse"},
+                 text_cell(status_name(result.status))}};
+  if (!result.why.empty())
+    fields.push_back({{"why", Type::text, "", "it is limited"}, text_cell(result.why)});
+  fields.push_back({{"plan", Type::text, "", "model, reason, number of collisions"}, plan});
+  fields.back().second.json.pop_back();  // a line feed
+  if (scene.wants("counts"))
+    fields.push_back({{"counts", Type::whole, "", "collisions"}, counts_cell(scene, result)});
+  if (scene.wants("terminal")) {
+    fields.push_back(
+        {{"terminal", Type::real, "", "velocities at the end; rho: B's part of energy"},
+         terminal_cell(scene, result, exact)});
+  }
+  if (scene.wants("energy")) {
+    const Cell energy = object_cell({{"before", number_cell(result.energy_before, exact)},
+                                     {"after", number_cell(result.energy, exact)}});
+    fields.push_back({{"energy", Type::real, "", "kinetic"}, energy});
+  }
+  return fields;
+}
+
+using Write = std::function<void(std::string_view)>;
+
+/// All collisions, some thousand at a time.
+void write_events(const Asked& asked, Writer writer, bool is_text, const Write& write) {
+  constexpr std::size_t rows_at_once = 4096;
+  const bool exact = asked.options.exact;
+  const auto shown = is_text ? short_cell : number_cell;
+  std::vector<Row> block;
+  bool is_first = true;
+  const auto flush = [&] {
+    write(writer.rows(block));
+    block.clear();
+    is_first = false;
+  };
+  stream(asked.scene, asked.options, asked.result.plan, [&](const auto& event) {
+    const auto name = [&](std::size_t body, bool is_there) {
+      return text_cell(is_there ? body_name(asked.scene, body) : "wall");
+    };
+    block.push_back({whole_cell(event.number), name(event.gap - 1, event.gap > 0),
+                     name(event.gap, event.gap < asked.scene.masses.size()),
+                     shown(event.time, exact), shown(event.position, exact),
+                     shown(event.v_left, exact), shown(event.v_right, exact)});
+    if (block.size() == rows_at_once) flush();
+  });
+  if (is_first || !block.empty()) flush();
+  write(writer.end());
+}
+
+void write_all(const Asked& asked, const std::string& format, const Write& write) {
+  const bool is_table = format == "csv" || format == "jsonl";
+  if (is_table) {
+    Writer writer(format == "csv" ? Format::csv : Format::json_lines, simulate_columns(), true);
+    return write_events(asked, writer, false, write);
+  }
+  const bool lists = asked.scene.wants("events");
+  const Format as = format == "json" ? Format::json : Format::text;
+  std::string head = written(table_of(head_fields(asked)), as);
+  if (!lists) return write(head);
+  Writer writer(as, simulate_columns(), true);
+  if (as == Format::text) {
+    write(head + "\n");
+    return write_events(asked, writer, true, write);
+  }
+  head.erase(head.size() - 2);  // "}\n"
+  write(head + ", \"events\": ");
+  write_events(asked, writer, false, [&](std::string_view text) {
+    write(text == "\n]\n" || text == "]\n" ? text.substr(0, text.size() - 1) : text);
+  });
+  write("}\n");
+}
+
+}  // namespace
+
+std::vector<Column> plan_columns() { return table_of(plan_fields({})).columns; }
+
+std::vector<Column> simulate_columns() {
+  return {{"number", Type::whole, "", "1 for the first collision"},
+          {"left", Type::text, "", "name of the left body, or wall"},
+          {"right", Type::text, "", "of the right one"},
+          {"time", Type::real, "", "of the collision"},
+          {"position", Type::real, "", "of the collision"},
+          {"v_left", Type::real, "", "velocity of the left body after it"},
+          {"v_right", Type::real, "", "of the right one"}};
+}
+
+Answer plan(const Request& request) {
+  return {table_of(plan_fields(asked(request, "plan").result)), ""};
+}
+
+Answer simulate(const Request& request) {
+  Answer answer;
+  answer.stream = [asked = asked(request, "simulate"), format = request.format](
+                      const Write& write) { write_all(asked, format, write); };
+  return answer;
+}
+
+}  // namespace answers

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/scenes/keys.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+
+#include "magicmass/numbers/errors.hpp"
+
+namespace magicmass::scenes {
+namespace {
+
+const std::vector<std::pair<std::string, Kind>> kinds{
+    {"three-body", Kind::three_body}, {"wall", Kind::wall}, {"chain", Kind::chain}};
+const std::vector<std::string> all_outputs{"counts", "terminal", "events", "energy"};
+
+std::string quoted_list(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "\"" : ", \"") + word + '"';
+  return text;
+}
+
+std::string type_of(const toml::node& node) {
+  std::ostringstream name;
+  name << node.type();
+  return "a TOML " + name.str();
+}
+
+std::string text_of(const toml::node& node, const Scene& scene, const std::string& key,
+                    const std::string& allowed) {
+  if (const auto* text = node.as_string()) return text->get();
+  refuse_key(scene, key, "got " + type_of(node), allowed);
+}
+
+Value value_at(const toml::node& node, const Scene& scene, const std::string& key) {
+  try {
+    if (const auto* text = node.as_string()) return read_value(text->get());
+    if (const auto* whole = node.as_integer()) return read_value(std::to_string(whole->get()));
+    if (const auto* number = node.as_floating_point()) return value_of(number->get());
+  } catch (const InvalidInput& error) {
+    const auto* text = node.as_string();
+    const std::string got = text == nullptr ? "" : '"' + text->get().substr(0, 40) + "\": ";
+    refuse_key(scene, key, got + error.what(), allowed_values);
+  }
+  refuse_key(scene, key, "got " + type_of(node), allowed_values);
+}
+
+const toml::array& array_at(const toml::node& node, const Scene& scene, const std::string& key,
+                            const std::string& allowed) {
+  if (const toml::array* elements = node.as_array()) return *elements;
+  refuse_key(scene, key, "got " + type_of(node), allowed);
+}
+
+void read_kind(const toml::node& node, Scene& scene, const std::string& key) {
+  std::vector<std::string> names;
+  for (const auto& kind : kinds) names.push_back(kind.first);
+  const std::string allowed = quoted_list(names);
+  const std::string name = text_of(node, scene, key, allowed);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    refuse_key(scene, key, "unknown kind \"" + name.substr(0, 40) + '"', allowed);
+  scene.kind = kinds[static_cast<std::size_t>(found - names.begin())].second;
+}
+
+void read_alpha(const toml::node& node, Scene& scene, const std::string& key) {
+  scene.masses = {value_of(1), value_at(node, scene, key)};
+  if (scene.kind == Kind::three_body) scene.masses.push_back(value_of(1));
+}
+
+void read_outputs(const toml::node& node, Scene& scene, const std::string& key) {
+  const std::string allowed = "an array of " + quoted_list(all_outputs);
+  scene.outputs.clear();
+  for (const toml::node& element : array_at(node, scene, key, allowed)) {
+    const std::string name = text_of(element, scene, key, allowed);
+    if (std::count(all_outputs.begin(), all_outputs.end(), name) == 0)
+      refuse_key(scene, key, "unknown output \"" + name.substr(0, 40) + '"', allowed);
+    scene.outputs.push_back(name);
+  }
+}
+
+void read_max_events(const toml::node& node, Scene& scene, const std::string& key) {
+  const std::string allowed = "a whole number, 0 or more";
+  const auto* number = node.as_integer();
+  if (number == nullptr) refuse_key(scene, key, "got " + type_of(node), allowed);
+  if (number->get() < 0) refuse_key(scene, key, "got " + std::to_string(number->get()), allowed);
+  scene.max_events = number->get();
+}
+
+template <auto member>
+void read(const toml::node& node, Scene& scene, const std::string& key) {
+  scene.*member = value_at(node, scene, key);
+}
+
+template <auto member>
+void read_list(const toml::node& node, Scene& scene, const std::string& key) {
+  for (const toml::node& element : array_at(node, scene, key, "an array of values"))
+    (scene.*member).push_back(value_at(element, scene, key));
+}
+
+}  // namespace
+
+const std::vector<Key>& keys() {
+  static const std::vector<Key> all{
+      {"kind", read_kind},
+      {"title", [](const toml::node& node, Scene& scene,
+                   const std::string& key) { scene.title = text_of(node, scene, key, "a text"); }},
+      {"alpha", read_alpha, {Kind::three_body, Kind::wall}},
+      {"mass_ratio",
+       [](const toml::node& node, Scene& scene, const std::string& key) {
+         scene.masses = {value_at(node, scene, key), value_of(1)};
+       },
+       {Kind::wall}},
+      {"masses", read_list<&Scene::masses>},
+      {"positions", read_list<&Scene::positions>},
+      {"velocities", read_list<&Scene::velocities>},
+      {"V", read<&Scene::V>},
+      {"L", read<&Scene::L>, {Kind::three_body, Kind::wall}},
+      {"left_wall", read<&Scene::left_wall>, {Kind::wall, Kind::chain}},
+      {"right_wall", read<&Scene::right_wall>, {Kind::wall, Kind::chain}},
+      {"restitution", read<&Scene::restitution>},
+      {"outputs", read_outputs},
+      {"until", read<&Scene::until>},
+      {"max_events", read_max_events},
+  };
+  return all;
+}
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& names) {
+  std::string nearest;
+  std::size_t least = name.size() / 2 + 1;
+  if (name.size() > 40) return nearest;
+  for (const std::string& other : names) {
+    std::vector<std::size_t> row(other.size() + 1);  // distances from a beginning of the name
+    std::iota(row.begin(), row.end(), 0U);
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      std::size_t diagonal = row[0]++;
+      for (std::size_t j = 0; j < other.size(); ++j) {
+        const std::size_t replaced = diagonal + (name[i] == other[j] ? 0 : 1);
+        diagonal = row[j + 1];
+        row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+      }
+    }
+    if (row.back() >= least) continue;
+    least = row.back();
+    nearest = other;
+  }
+  return nearest;
+}
+
+}  // namespace magicmass::scenes

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From a file to a scene.
+#include <algorithm>
+#include <fstream>
+
+#include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/keys.hpp"
+
+namespace magicmass::scenes {
+namespace {
+
+constexpr std::size_t longest_file = std::size_t{1} << 20U;
+
+/// A key of many parts, or values nested deep: the parser's recursion would not end well.
+bool is_too_deep(std::string_view text) {
+  int parts = 0;
+  int depth = 0;
+  for (const char c : text) {
+    if (c == '\n' || c == '=' || c == ',') parts = 0;
+    if (c == '.') ++parts;
+    if (c == '[' || c == '{') ++depth;
+    if ((c == ']' || c == '}') && depth > 0) --depth;
+    if (parts > 100 || depth > 100) return true;
+  }
+  return false;
+}
+
+[[noreturn]] void refuse(const std::string& source, std::size_t line, const std::string& what) {
+  throw InvalidInput(source + ":" + std::to_string(line) + ": " + what +
+                     "; allowed: a scene in TOML, lines like alpha = \"magic:3\"");
+}
+
+toml::table table_of(std::string_view text, const std::string& source) {
+  const std::size_t zero = text.find('\0');
+  if (zero != text.npos) {
+    const auto line = std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n') + 1;
+    refuse(source, static_cast<std::size_t>(line), "a zero byte");
+  }
+  if (is_too_deep(text)) refuse(source, 1, "a key of more than 100 parts, or so many brackets");
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    std::string what(error.description());
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    refuse(source, error.source().begin.line, what.substr(0, 200));
+  }
+}
+
+bool has_key(const Key& key, Kind kind) {
+  return key.kinds.empty() || std::count(key.kinds.begin(), key.kinds.end(), kind) != 0;
+}
+
+void check_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Key& key : keys())
+    if (has_key(key, scene.kind)) names.push_back(key.name);
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  for (const auto& [name, line] : scene.lines) {
+    if (std::count(names.begin(), names.end(), name) != 0) continue;
+    const std::string nearest = nearest_name(name, names);
+    const std::string meant = nearest.empty() ? "" : "; is " + nearest + " meant?";
+    refuse_key(scene, name.substr(0, 40), "no such key in this kind of scene" + meant, all);
+  }
+}
+
+/// What is there together, and how many.
+void check_together(const Scene& scene) {
+  const std::vector<std::pair<std::string, std::string>> excluded{
+      {"alpha", "masses"}, {"mass_ratio", "masses"}, {"alpha", "mass_ratio"}, {"L", "positions"},
+      {"V", "velocities"}, {"L", "left_wall"},       {"L", "right_wall"}};
+  for (const auto& [one, other] : excluded)
+    if (scene.lines.count(one) != 0 && scene.lines.count(other) != 0)
+      refuse_key(scene, one, "does not go with " + other, "one of the two");
+  const std::size_t bodies = scene.kind == Kind::three_body ? 3 : 2;
+  if (scene.masses.empty())
+    refuse_key(scene, "masses", "missing", scene.kind == Kind::chain ? "one or more" : "or alpha");
+  if (scene.kind != Kind::chain && scene.masses.size() != bodies)
+    refuse_key(scene, "masses", std::to_string(scene.masses.size()) + " masses",
+               std::to_string(bodies) + " in this kind of scene");
+}
+
+/// What the file leaves out: the first two bodies touch at 0, and the first one moves.
+void lay_out(Scene& scene) {
+  const auto has = [&](const std::string& key) { return scene.lines.count(key) != 0; };
+  if (scene.kind == Kind::wall && !has("left_wall") && !has("right_wall"))
+    scene.right_wall = scene.L;
+  if (!has("positions") && scene.kind != Kind::chain) {
+    scene.positions = {value_of(0), value_of(0)};
+    if (scene.kind == Kind::three_body) scene.positions.push_back(scene.L);
+  }
+  if (!has("velocities")) {
+    scene.velocities.assign(scene.masses.size(), value_of(0));
+    scene.velocities[0] = scene.V;
+  }
+}
+
+void check_meaning(const Scene& scene) {
+  if (scene.kind == Kind::wall && scene.left_wall && scene.right_wall)
+    refuse_key(scene, "left_wall", "two walls", "one wall; two in kind = \"chain\"");
+  const auto exact = exact_line(scene);
+  const auto found = exact ? simulator::fault(*exact) : simulator::fault(rounded_line(scene));
+  if (!found) return;
+  for (const auto& [key, member] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"alpha", "masses"}, {"mass_ratio", "masses"}, {"L", "positions"}})
+    if (found->key == member && scene.lines.count(key) != 0 && scene.lines.count(member) == 0)
+      refuse_key(scene, key, found->what, found->allowed);
+  refuse_key(scene, found->key, found->what, found->allowed);
+}
+
+}  // namespace
+
+Scene parse_scene(std::string_view text, const std::string& source) {
+  const toml::table table = table_of(text, source);
+  Scene scene;
+  scene.source = source;
+  for (const auto& [name, node] : table)
+    scene.lines.emplace(name.str(), static_cast<std::int64_t>(name.source().begin.line));
+  for (const Key& key : keys()) {
+    if (key.name == "title") check_names(scene);  // the kind is read
+    if (const toml::node* node = table.get(key.name)) key.read(*node, scene, key.name);
+  }
+  check_together(scene);
+  lay_out(scene);
+  check_meaning(scene);
+  return scene;
+}
+
+Scene read_scene(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(longest_file + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
+    throw InvalidInput("cannot read " + path + "; allowed: a scene file in TOML");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > longest_file)
+    refuse(path, 1, "more than " + std::to_string(longest_file) + " bytes");
+  return parse_scene(text, path);
+}
+
+}  // namespace magicmass::scenes

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/scenes/run.hpp"
+
+#include <algorithm>
+#include <concepts>
+#include <span>
+
+#include "magicmass/numbers/errors.hpp"
+
+namespace magicmass::scenes {
+namespace {
+
+using simulator::Collision;
+using simulator::Engine;
+using simulator::Line;
+
+constexpr std::int64_t events_unless_told = 1'000'000;
+constexpr std::size_t most_bits = 1U << 17U;
+constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for
+constexpr double some_work = 1e8;  // where they are only tried
+
+template <class Scalar>
+struct Start {
+  Line<Scalar> line;
+  std::optional<Scalar> until;
+};
+
+Start<double> rounded_start(const Scene& scene) {
+  return {rounded_line(scene),
+          scene.until ? std::optional(scene.until->to_double()) : std::nullopt};
+}
+
+std::optional<Start<Quadratic>> exact_start(const Scene& scene) {
+  const auto line = exact_line(scene);
+  const Quadratic* until = scene.until ? scene.until->exact() : nullptr;
+  if (!line || (scene.until && until == nullptr)) return std::nullopt;
+  return Start<Quadratic>{*line, until == nullptr ? std::nullopt : std::optional(*until)};
+}
+
+std::int64_t most_events(const Scene& scene, const Options& options) {
+  return options.max_events.value_or(scene.max_events.value_or(events_unless_told));
+}
+
+/// Refuses numbers that grow too long; multiplying takes more than the length.
+class Lengths {
+public:
+  explicit Lengths(double most) : most_(most) {}
+  void look([[maybe_unused]] const Collision<double>& event) {}
+  void look(const Collision<Quadratic>& event) {
+    const std::size_t bits = std::max(event.time.bits(), event.v_right.bits());
+    const auto length = static_cast<double>(bits);
+    work_ += 2000 + length * (1 + length / 2000);
+    if (bits <= most_bits && work_ <= most_) return;
+    throw Undecided("exact numbers have " + std::to_string(bits) + " bits after " +
+                    std::to_string(event.number) + " collisions, more than are taken; at most " +
+                    std::to_string(event.number - 1) + " collisions are possible exactly");
+  }
+
+private:
+  double most_;
+  double work_ = 0;
+};
+
+/// Why a motion ended where it did, and whether more is to come. The one place where that is
+/// decided: a model that knows collapse says so here.
+template <class Scalar>
+void decide_status(const Engine<Scalar>& engine, const std::string& stopped, Result& result) {
+  result.why = stopped;
+  if (stopped.empty() && std::floating_point<Scalar> && engine.has_lost())
+    result.why = "bodies have become too slow for doubles";
+  if (result.why.empty() && result.ties.near > 0) {
+    result.why = "decisions closer than doubles can tell: " + std::to_string(result.ties.near) +
+                 ", the first after collision " + std::to_string(result.ties.first_near);
+  }
+  result.status = result.why.empty() ? Status::complete : Status::limited;
+}
+
+template <class Scalar>
+Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
+              double work = most_work) {
+  Engine<Scalar> engine(start.line);
+  Lengths lengths(work);
+  Result result;
+  result.counts.resize(start.line.masses.size() + 1);
+  const Scalar before = simulator::kinetic_energy<Scalar>(engine.bodies());
+  std::string stopped;
+  while (engine.next()) {
+    if (start.until && !engine.is_due_by(*start.until)) {
+      stopped = "the scene ends at the time `until`";
+      break;
+    }
+    if (result.events == limit) {
+      stopped = "stopped after " + std::to_string(limit) + " collisions; more with --max-events";
+      break;
+    }
+    const Collision<Scalar> event = engine.step();
+    lengths.look(event);
+    ++result.events;
+    ++result.counts[event.gap];
+    if (sink) {
+      sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
+    }
+  }
+  for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
+  result.energy = simulator::kinetic_energy<Scalar>(engine.bodies());
+  result.energy_before = before;
+  const Scalar last = simulator::kinetic_energy<Scalar>(std::span(&engine.bodies().back(), 1));
+  result.transmitted = before == Scalar(0) ? before : Scalar(last / before);
+  result.ties = engine.ties();
+  decide_status(engine, stopped, result);
+  return result;
+}
+
+}  // namespace
+
+std::string status_name(Status status) {
+  return status == Status::complete  ? "complete"
+         : status == Status::limited ? "limited"
+                                     : "collapse";
+}
+
+Result run(const Scene& scene, const Options& options) {
+  const auto exact = exact_start(scene);
+  const std::int64_t limit = most_events(scene, options);
+  if (options.exact) {
+    if (!exact) {
+      throw InvalidInput(scene.source +
+                         ": --exact: values that are not of one quadratic field; "
+                         "allowed: fractions and one square root");
+    }
+    Result result = motion(*exact, limit, {});
+    result.plan = {"events", true, "exact numbers are asked for"};
+    return result;
+  }
+  Result result = motion(rounded_start(scene), limit, {});
+  result.plan = {"events", false, "no decision is closer than doubles can tell"};
+  const std::string close = "decisions are closer than doubles can tell";
+  if (result.ties.near == 0) return result;
+  result.plan.reason = close + "; the scene has no exact numbers";
+  if (!exact) return result;
+  try {
+    result = motion(*exact, limit, {}, some_work);
+    result.plan = {"events", true, close + ", exact numbers decide"};
+  } catch (const Undecided& error) {
+    result.plan.reason = close + "; " + error.what();
+  }
+  return result;
+}
+
+void stream(const Scene& scene, const Options& options, const Plan& plan, const Sink& sink) {
+  const std::int64_t limit = most_events(scene, options);
+  if (plan.is_exact)
+    motion(*exact_start(scene), limit, sink);
+  else
+    motion(rounded_start(scene), limit, sink);
+}
+
+}  // namespace magicmass::scenes

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What a scene needs, and its motion.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "magicmass/scenes/scene.hpp"
+#include "magicmass/simulator/engine.hpp"
+
+namespace magicmass::scenes {
+
+struct Options {
+  bool exact = false;                      ///< in exact numbers, whatever the plan would be
+  std::optional<std::int64_t> max_events;  ///< instead of the scene's
+};
+
+struct Plan {
+  std::string model;      ///< "events"
+  bool is_exact = false;  ///< in exact numbers, else in doubles
+  std::string reason;
+};
+
+/// complete: no two approach any more. collapse: infinitely many collisions in a finite time, for
+/// certain. limited: neither is known.
+enum class Status { complete, limited, collapse };
+
+std::string status_name(Status status);
+
+using Number = std::variant<double, Quadratic>;
+
+/// What a scene comes to.
+struct Result {
+  Plan plan;
+  Status status = Status::complete;
+  std::string why;                   ///< where limited
+  std::int64_t events = 0;           ///< collisions
+  std::vector<std::int64_t> counts;  ///< of them at each gap
+  std::vector<Number> terminal;      ///< velocity of each body
+  Number energy_before;              ///< kinetic
+  Number energy;                     ///< at the end
+  Number transmitted;  ///< the part of energy_before that the last body has at the end
+  simulator::Ties ties;
+};
+
+/// A collision.
+struct Row {
+  std::int64_t number;
+  std::size_t gap;
+  Number time;
+  Number position;
+  Number v_left;
+  Number v_right;
+};
+using Sink = std::function<void(const Row&)>;
+
+/// Runs in doubles, and again in exact numbers where a decision was closer than doubles can tell.
+/// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
+/// they become too long.
+Result run(const Scene& scene, const Options& options);
+/// The same run once more, collision by collision, in constant memory.
+void stream(const Scene& scene, const Options& options, const Plan& plan, const Sink& sink);
+
+}  // namespace magicmass::scenes

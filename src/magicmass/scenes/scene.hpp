@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A scene: bodies on a line and what is asked of them, read from a file of TOML.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "magicmass/scenes/value.hpp"
+#include "magicmass/simulator/line.hpp"
+
+namespace magicmass::scenes {
+
+/// Blocks A, B and a ball C between them; a block A, a ball C and a wall; any bodies.
+enum class Kind { three_body, wall, chain };
+
+struct Scene {
+  std::string title;
+  std::string source;  ///< the file, for messages
+  Kind kind = Kind::three_body;
+  std::vector<Value> masses;  ///< from left to right
+  std::vector<Value> positions;
+  std::vector<Value> velocities;
+  std::optional<Value> left_wall;
+  std::optional<Value> right_wall;
+  Value restitution = value_of(1);
+  Value V = value_of(1);  ///< velocity of the first body, where `velocities` does not say
+  Value L = value_of(1);  ///< place of B or of the wall, where `positions` does not say
+  std::vector<std::string> outputs = {"counts", "terminal"};
+  std::optional<Value> until;                 ///< the run stops after this time
+  std::optional<std::int64_t> max_events;     ///< and after so many collisions
+  std::map<std::string, std::int64_t> lines;  ///< of the keys that the file has
+
+  bool wants(const std::string& output) const;
+};
+
+/// Reads a file of at most a mebibyte. What is no scene, or has no meaning, is refused: throws
+/// InvalidInput, `file:line: key: what; allowed: ...` on one line.
+Scene read_scene(const std::string& path);
+/// The same from text.
+Scene parse_scene(std::string_view text, const std::string& source);
+
+/// A, C, B, where C is the ball; in a chain 1, 2, ...
+std::string body_name(const Scene& scene, std::size_t body);
+/// What the collisions at a gap are called: N_A, N_B for three bodies; by the names beside it else.
+std::string gap_name(const Scene& scene, std::size_t gap);
+
+/// The bodies, exactly; nothing where a value is a ratio of the paper or there are two roots.
+std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene);
+/// The bodies in doubles. Throws Undecided where a value does not fit one.
+simulator::Line<double> rounded_line(const Scene& scene);
+
+/// Throws InvalidInput with the place of a key.
+[[noreturn]] void refuse_key(const Scene& scene, const std::string& key, const std::string& what,
+                             std::string_view allowed);
+
+}  // namespace magicmass::scenes

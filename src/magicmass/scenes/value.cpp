@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/scenes/value.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include <cln/integer_io.h>
+
+#include "magicmass/numbers/accurate.hpp"
+#include "notation/read.hpp"
+
+namespace magicmass::scenes {
+namespace {
+
+using kernel::Expr;
+using kernel::Op;
+
+constexpr std::size_t longest_text = 4096;
+constexpr std::size_t most_bits = 1U << 17U;
+
+[[noreturn]] void refuse(const std::string& why) { throw InvalidInput(why); }
+
+Quadratic checked(Quadratic x) {
+  if (x.bits() > most_bits) refuse("a number of more than " + std::to_string(most_bits) + " bits");
+  return x;
+}
+
+/// The value of a term without variables. Throws std::domain_error, too.
+Quadratic evaluate(Expr e) {
+  switch (e.op()) {
+    case Op::Num:
+      return e.value();
+    case Op::Add:
+    case Op::Mul: {
+      Quadratic result = evaluate(e.arg(0));
+      for (std::size_t i = 1; i < e.size(); ++i) {
+        const Quadratic next = evaluate(e.arg(i));
+        result = checked(e.op() == Op::Add ? result + next : result * next);
+      }
+      return result;
+    }
+    case Op::Pow: {
+      const Quadratic base = evaluate(e.arg(0));
+      if (base.bits() * static_cast<std::size_t>(e.exponent()) > 2 * most_bits)
+        refuse("a power of more than " + std::to_string(most_bits) + " bits");
+      Quadratic result = 1;
+      for (int k = 0; k < e.exponent(); ++k) result = result * base;
+      return result;
+    }
+    case Op::Fun:
+      if (e.name() == "inv") return Quadratic(1) / evaluate(e.arg(0));
+      if (e.name() == "sqrt") return Quadratic::sqrt(evaluate(e.arg(0)));
+      [[fallthrough]];
+    default:
+      refuse("only whole numbers, + - * / ^ and square roots of whole numbers have a value here");
+  }
+}
+
+bool is_float(std::string_view text) {
+  return text.find_first_of(".eExX") != text.npos && text.find_first_of("()/*^") == text.npos;
+}
+
+double read_float(std::string_view text) {
+  const bool is_negative = text.starts_with('-');
+  std::string_view digits = text.substr(is_negative ? 1 : 0);
+  const bool is_hex = digits.starts_with("0x") || digits.starts_with("0X");
+  digits.remove_prefix(is_hex ? 2 : 0);
+  double value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
+  const auto [stop, error] = std::from_chars(digits.data(), end, value, format);
+  if (digits.starts_with('-') || stop != end || error == std::errc::invalid_argument)
+    refuse("not a number");
+  if (error != std::errc() || !std::isfinite(value))
+    refuse("it does not fit a double, write it as a fraction");
+  return is_negative ? -value : value;
+}
+
+std::int64_t k_of(const cln::cl_I& k) { return cln::cl_I_to_long(k); }
+
+}  // namespace
+
+double Value::to_double() const {
+  if (const auto* magic = std::get_if<notation::Magic>(&number))
+    return accurate::ratios(k_of(magic->k)).magic;
+  if (const auto* deficient = std::get_if<notation::Deficient>(&number))
+    return accurate::ratios(k_of(deficient->k)).deficient;
+  if (const auto value = exact()->to_double()) return *value;
+  throw Undecided(text.substr(0, 60) + " does not fit a double; --exact may do");
+}
+
+Value read_value(std::string_view text) {
+  if (text.size() > longest_text)
+    refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));
+  try {
+    if (text.starts_with("magic:") || text.starts_with("deficient:")) {
+      const notation::Alpha ratio = notation::read_alpha(text);
+      if (const auto* magic = std::get_if<notation::Magic>(&ratio))
+        return {std::string(text), *magic};
+      return {std::string(text), std::get<notation::Deficient>(ratio)};
+    }
+    if (is_float(text)) return {std::string(text), Quadratic(read_float(text))};
+    return {std::string(text), checked(evaluate(notation::read(text)))};
+  } catch (const std::domain_error& error) {
+    refuse(error.what());
+  } catch (const kernel::Refused& refused) {
+    refuse(refused.what());
+  }
+}
+
+Value value_of(double number) {
+  if (!std::isfinite(number)) refuse("not a finite number");
+  std::array<char, 32> digits{};
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+  return {std::string(digits.data(), end), Quadratic(number)};
+}
+
+}  // namespace magicmass::scenes

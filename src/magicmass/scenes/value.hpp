@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A number as a scene writes it, kept as what it is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "magicmass/scenes/quadratic.hpp"
+#include "notation/alpha.hpp"
+
+namespace magicmass::scenes {
+
+struct Value {
+  std::string text;  ///< as it was written
+  std::variant<Quadratic, notation::Magic, notation::Deficient> number;
+
+  /// Nothing for a ratio of the paper, which is no number of a quadratic field.
+  const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
+  /// The nearest double. Throws Undecided where none is near.
+  double to_double() const;
+};
+
+/// What read_value takes, for messages.
+inline constexpr std::string_view allowed_values =
+    "a number, or in quotes a fraction 1/7, whole numbers with + - * / ^ and one square root like "
+    "sqrt(5)-2, a hex float like 0x1.8p-3, magic:k, deficient:k";
+
+/// A decimal point, an exponent or 0x: the nearest double. Else whole numbers, exactly.
+/// Throws InvalidInput, one line that says what was wrong.
+Value read_value(std::string_view text);
+/// A number that TOML has read.
+Value value_of(double number);
+
+}  // namespace magicmass::scenes

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// Bodies on a line, between walls or none, and what makes them a line that can move.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "magicmass/simulator/contact.hpp"
+
+namespace magicmass::simulator {
+
+/// Bodies from left to right at time 0; they may touch. Gap g is to the left of body g, and the
+/// last gap to the right of the last body: there are as many gaps as bodies, and one more.
+template <Field Scalar>
+struct Line {
+  std::vector<Scalar> masses;        ///< > 0
+  std::vector<Scalar> positions;     ///< none less than the one before
+  std::vector<Scalar> velocities;    ///< > 0 to the right
+  std::optional<Scalar> left_wall;   ///< its place
+  std::optional<Scalar> right_wall;  ///< its place
+  Scalar restitution{1};             ///< e of every collision, walls' too: 0 < e <= 1
+  bool is_rounded = false;           ///< numbers are only the nearest to what they stand for
+};
+
+/// What is wrong with a line.
+struct Fault {
+  std::string key;  ///< the member
+  std::string what;
+  std::string allowed;
+};
+
+/// The first fault of a line, or nothing. NaN is none of what is allowed.
+template <Field Scalar>
+std::optional<Fault> fault(const Line<Scalar>& line) {
+  const Scalar zero(0), one(1);
+  const auto body = [](std::size_t i) { return "body " + std::to_string(i + 1); };
+  const std::size_t bodies = line.masses.size();
+  const std::string as_many = "as many as there are masses: " + std::to_string(bodies);
+  if (bodies == 0) return Fault{"masses", "no bodies", "one or more"};
+  if (line.positions.size() != bodies)
+    return Fault{"positions", std::to_string(line.positions.size()) + " positions", as_many};
+  if (line.velocities.size() != bodies)
+    return Fault{"velocities", std::to_string(line.velocities.size()) + " velocities", as_many};
+  for (std::size_t i = 0; i < bodies; ++i) {
+    if (!(zero < line.masses[i])) return Fault{"masses", body(i), "masses above 0"};
+    if (!(line.positions[i] == line.positions[i]) ||
+        (i > 0 && line.positions[i] < line.positions[i - 1]))
+      return Fault{"positions", body(i) + " is left of " + body(i - 1), "from left to right"};
+  }
+  if (line.left_wall && line.positions.front() < *line.left_wall)
+    return Fault{"left_wall", "right of " + body(0), "at the first body or left of it"};
+  if (line.right_wall && *line.right_wall < line.positions.back())
+    return Fault{"right_wall", "left of " + body(bodies - 1), "at the last body or right of it"};
+  if (!(zero < line.restitution) || one < line.restitution)
+    return Fault{"restitution", "not a coefficient of restitution", "above 0, at most 1"};
+  return std::nullopt;
+}
+
+/// sum m v^2 / 2
+template <Field Scalar, class Bodies>
+Scalar kinetic_energy(const Bodies& bodies) {
+  Scalar sum(0);
+  for (const auto& body : bodies) sum = sum + body.mass * body.velocity * body.velocity;
+  return sum / Scalar(2);
+}
+
+}  // namespace magicmass::simulator

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Scenes from text to what they come to.
+#include "magicmass/scenes/run.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include "catch.hpp"
+#include "magicmass/numbers/errors.hpp"
+
+using namespace magicmass::scenes;
+
+namespace {
+
+Result result_of(const std::string& text, const Options& options = {}) {
+  return run(parse_scene(text, "scene"), options);
+}
+
+double number(const Number& value) {
+  if (const auto* exact = std::get_if<Quadratic>(&value)) return exact->to_double().value();
+  return std::get<double>(value);
+}
+
+std::vector<Row> rows_of(const std::string& text, const Options& options = {}) {
+  const Scene scene = parse_scene(text, "scene");
+  std::vector<Row> rows;
+  stream(scene, options, run(scene, options).plan, [&](const Row& row) { rows.push_back(row); });
+  return rows;
+}
+
+/// A chain of fractions: where only_halves, with many ties.
+std::string random_chain(std::uint64_t seed, bool only_halves) {
+  std::mt19937_64 random(seed);
+  const std::uint64_t below = only_halves ? 2 : 89;
+  const std::size_t bodies = 2 + random() % 4;
+  std::string masses, velocities, positions;
+  std::uint64_t place = 0;
+  const auto fraction = [&](std::int64_t above) {
+    return '"' + std::to_string(above) + "/" + std::to_string(below) + "\",";
+  };
+  for (std::size_t i = 0; i < bodies; ++i) {
+    place += random() % (3 * below);
+    masses += fraction(static_cast<std::int64_t>(1 + random() % (2 * below)));
+    positions += fraction(static_cast<std::int64_t>(place));
+    velocities += fraction(static_cast<std::int64_t>(random() % (4 * below)) -
+                           static_cast<std::int64_t>(2 * below));
+  }
+  return "kind = 'chain'\nmasses = [" + masses + "]\npositions = [" + positions +
+         "]\nvelocities = [" + velocities + "]\n" + (random() % 2 == 0 ? "left_wall = -1\n" : "") +
+         "max_events = 12\n";
+}
+
+}  // namespace
+
+TEST_CASE("the paper's scenes", "[exam]") {
+  const Result b = result_of("alpha = 0.12");
+  CHECK(b.status == Status::complete);
+  CHECK(b.counts == std::vector<std::int64_t>{0, 3, 3, 0});
+  CHECK_FALSE(b.plan.is_exact);
+  CHECK_THAT(number(b.terminal[2]), WithinAbs(0.9956490014789751, 1e-14));
+  const Result a = result_of("alpha = 'magic:3'");
+  CHECK(a.events == 6);
+  CHECK(a.status == Status::limited);
+  CHECK_THAT(a.why,
+             ContainsSubstring("closer than doubles can tell: 1, the first after collision 6"));
+  const Result exact = result_of("alpha = 'sqrt(5)-2'");
+  CHECK(exact.status == Status::complete);
+  CHECK(exact.plan.is_exact);
+  CHECK_THAT(exact.plan.reason, ContainsSubstring("exact numbers decide"));
+  CHECK(std::get<Quadratic>(exact.terminal[0]) == Quadratic(0));
+  CHECK(std::get<Quadratic>(exact.transmitted) == Quadratic(1));
+}
+
+TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
+  int in_doubles = 0;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    INFO(seed);
+    const std::string text = random_chain(seed, seed % 4 == 0);
+    std::vector<Row> rows = rows_of(text);
+    std::vector<Row> expected = rows_of(text, {true, std::nullopt});
+    REQUIRE(rows.size() == expected.size());
+    const auto by_gap = [](const Row& x, const Row& y) { return x.gap < y.gap; };
+    std::stable_sort(rows.begin(), rows.end(), by_gap);  // what is far apart may be told in any
+    std::stable_sort(expected.begin(), expected.end(), by_gap);  // order, if it is at once
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      CHECK(rows[i].gap == expected[i].gap);
+      CHECK_THAT(number(rows[i].time), WithinAbs(number(expected[i].time), 1e-9));
+      CHECK_THAT(number(rows[i].v_left), WithinAbs(number(expected[i].v_left), 1e-9));
+      CHECK_THAT(number(rows[i].v_right), WithinAbs(number(expected[i].v_right), 1e-9));
+    }
+    in_doubles += !rows.empty() && std::holds_alternative<double>(rows[0].time) ? 1 : 0;
+  }
+  CHECK((in_doubles > 250 && in_doubles < 450));
+}
+
+TEST_CASE("a wall on either side", "[exam]") {
+  const Result left = result_of(
+      "kind = 'wall'\nleft_wall = 0\nmasses = [1, '100^2']\npositions = [1, 2]\n"
+      "velocities = [0, -1]\n");
+  const Result right = result_of(
+      "kind = 'wall'\nright_wall = 0\nmasses = ['100^2', 1]\npositions = [-2, -1]\n"
+      "velocities = [1, 0]\n");
+  CHECK(left.events == 314);
+  CHECK(right.events == 314);
+  CHECK(number(left.terminal[0]) == -number(right.terminal[1]));
+  CHECK(result_of("kind = 'wall'\nmass_ratio = '100^2'").events == 314);
+  CHECK(result_of("kind = 'wall'\nalpha = '1/10000'").events == 314);
+}
+
+TEST_CASE("where a run stops it says so", "[exam]") {
+  const Result few = result_of("alpha = 0.12\nmax_events = 2");
+  CHECK(few.status == Status::limited);
+  CHECK(few.events == 2);
+  CHECK(few.why == "stopped after 2 collisions; more with --max-events");
+  CHECK(result_of("alpha = 0.12\nmax_events = 2", {false, 4}).events == 4);
+  CHECK(result_of("alpha = 0.12\nmax_events = 6").status == Status::complete);
+  const Result early = result_of("alpha = 0.12\nuntil = 1");
+  CHECK((early.events == 3 && early.status == Status::limited));
+  const Result at_until = result_of("alpha = '1/3'\nuntil = '2/3'");
+  CHECK((at_until.events == 2 && at_until.plan.is_exact));
+  CHECK(result_of("alpha = '1/3'\nuntil = '1999999999/3000000000'").events == 1);
+}
+
+TEST_CASE("what cools below doubles is limited, not complete", "[exam]") {
+  const Result cold = result_of("alpha = 1\nrestitution = '7/100'");
+  CHECK(cold.status == Status::limited);
+  CHECK_THAT(cold.plan.reason, ContainsSubstring("exact numbers have"));
+  const Result close = result_of(
+      "kind = 'three-body'\nmasses = [1, 1, 1]\npositions = [0, 1, 1]\nvelocities = [1, 0, 0]\n"
+      "restitution = 0.05");
+  CHECK(close.status == Status::limited);
+}
+
+TEST_CASE("exact numbers that grow too long are no answer", "[exam]") {
+  const std::string e = std::string(1000, '1') + "/1" + std::string(1002, '0');
+  const std::string text = "alpha = 1\nrestitution = '" + e + "'";
+  CHECK_THROWS_WITH(result_of(text, {true, std::nullopt}),
+                    ContainsSubstring("more than are taken"));
+  CHECK(result_of(text, {true, 3}).events == 3);
+  CHECK_THROWS_WITH(result_of("alpha = 'magic:3'", {true, std::nullopt}),
+                    ContainsSubstring("--exact: values that are not of one quadratic field"));
+}
+
+TEST_CASE("every key's refusal has its line", "[exam]") {
+  CHECK_THROWS_WITH(parse_scene("# comment\n\nalpha = -1\n", "f.toml"),
+                    "f.toml:3: alpha: body 2; allowed: masses above 0");
+  CHECK_THROWS_WITH(parse_scene("alpha = 1\nkind = 'chian'\n", "f.toml"),
+                    ContainsSubstring("f.toml:2: kind: unknown kind \"chian\"; allowed: \"three"));
+  CHECK_THROWS_WITH(parse_scene("alpha = 1\nvelocites = []\n", "f.toml"),
+                    ContainsSubstring("f.toml:2: velocites: no such key in this kind of scene; "
+                                      "is velocities meant?; allowed: kind, title, alpha"));
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Numbers as scenes write them, and the arithmetic of a + b sqrt(d).
+#include <cmath>
+#include <random>
+
+#include "catch.hpp"
+#include "magicmass/scenes/value.hpp"
+
+using namespace magicmass::scenes;
+
+TEST_CASE("values are kept as what they are", "[exam]") {
+  struct Row {
+    const char* text;
+    const char* exact;
+    double value;
+  };
+  const Row rows[] = {
+      {"1/7", "1/7", 1.0 / 7},
+      {"-1/4", "-1/4", -0.25},
+      {"100^6", "1000000000000", 1e12},
+      {"sqrt(5)-2", "-2+sqrt(5)", 0.2360679774997897},
+      {"(sqrt(20)-4)/2", "-2+sqrt(5)", 0.2360679774997897},
+      {"sqrt(9)", "3", 3},
+      {"sqrt(1/2)", "1/2*sqrt(2)", 0.70710678118654757},
+      {"-sqrt(8)", "-2*sqrt(2)", -2.8284271247461903},
+      {"1/(1+sqrt(2))", "-1+sqrt(2)", 0.41421356237309503},
+      {"2*(3-1/3)^2", "128/9", 128.0 / 9},
+      {"0.5", "1/2", 0.5},
+      {"-0.0", "0", 0},
+      {"0x1.8p-3", "3/16", 0.1875},
+      {"0x1.8", "3/2", 1.5},
+      {"25e-2", "1/4", 0.25},
+      {"0", "0", 0},
+  };
+  for (const Row& row : rows) {
+    INFO(row.text);
+    const Value value = read_value(row.text);
+    CHECK(value.text == row.text);
+    REQUIRE(value.exact() != nullptr);
+    CHECK(value.exact()->text() == row.exact);
+    CHECK(value.to_double() == row.value);
+  }
+  CHECK(read_value("0.1").exact()->text() == "3602879701896397/36028797018963968");
+  CHECK(read_value("magic:3").exact() == nullptr);
+  CHECK_THAT(read_value("magic:2").to_double(), WithinULP(0.2360679774997897, 0));
+  CHECK_THAT(read_value("deficient:1").to_double(), WithinULP(0.41421356237309503, 0));
+  CHECK_THROWS_WITH(read_value("10^400").to_double(),
+                    "10^400 does not fit a double; --exact may do");
+  CHECK_THROWS_WITH(read_value("1/10^400").to_double(),
+                    "1/10^400 does not fit a double; --exact may do");
+}
+
+TEST_CASE("what is no value is refused", "[exam]") {
+  const std::pair<const char*, const char*> rows[] = {
+      {"", "expected"},
+      {"1/0", "division by 0"},
+      {"1/(2-2)", "division"},
+      {"sqrt(2)+sqrt(3)", "two different square roots"},
+      {"sqrt(1+sqrt(2))", "in a square root"},
+      {"sqrt(-2)", "of a negative"},
+      {"alpha", "not known"},
+      {"x", "not a number"},
+      {"pi", "only"},
+      {"1 = 1", "only"},
+      {"2^-1", "whole number"},
+      {"9^9^9", "not expected"},
+      {"9^999999", "bits"},
+      {"inf", "not known"},
+      {"1e999", "does not fit"},
+      {"1.5.2", "not a number"},
+      {"--1.5", "not a number"},
+      {"0x", "not a number"},
+      {"1/7 ", ""},
+      {"magic:0", "k must be"},
+      {"magic:x", "k must be"},
+      {"magic:9999999999999999999", "k must be"},
+  };
+  for (const auto& [text, part] : rows) {
+    INFO(text);
+    if (*part == '\0')
+      CHECK_NOTHROW(read_value(text));
+    else
+      CHECK_THROWS_WITH(read_value(text), ContainsSubstring(part));
+  }
+  CHECK_THROWS_WITH(read_value(std::string(5000, '1')), "5000 characters, at most 4096");
+  CHECK_THROWS_WITH(value_of(INFINITY), "not a finite number");
+}
+
+TEST_CASE("the quadratic field against doubles", "[check]") {
+  std::mt19937_64 random(8);
+  const Quadratic root = Quadratic::sqrt(5);
+  const auto number = [&] {
+    const auto part = [&] { return cln::cl_RA(static_cast<long>(random() % 41) - 20) / 7; };
+    return Quadratic(part()) + Quadratic(part()) * root;
+  };
+  const auto close = [](const Quadratic& x, double expected) {
+    CHECK_THAT(x.to_double().value(), WithinAbs(expected, 1e-11));
+  };
+  for (int i = 0; i < 300; ++i) {
+    const Quadratic x = number(), y = number();
+    const double a = *x.to_double(), b = *y.to_double();
+    close(x + y, a + b);
+    close(x - y, a - b);
+    close(x * y, a * b);
+    CHECK((x < y) == (a < b));
+    CHECK((x == y) == (a == b));
+    if (b == 0) continue;
+    close(x / y, a / b);
+    CHECK(x / y * y == x);
+  }
+}

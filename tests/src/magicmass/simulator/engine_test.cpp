@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The engine in doubles against itself in rationals, against conservation laws, and in a mirror.
+#include "magicmass/simulator/engine.hpp"
+
+#include <algorithm>
+#include <random>
+
+#include <cln/rational.h>
+
+#include "catch.hpp"
+
+using namespace magicmass::simulator;
+using cln::cl_RA;
+
+namespace {
+
+using Random = std::mt19937_64;
+
+/// A small fraction, so that collisions at one time are common.
+struct Fraction {
+  int above = 0;
+  int below = 1;
+  operator double() const { return static_cast<double>(above) / below; }
+  operator cl_RA() const { return cl_RA(above) / below; }
+};
+Fraction fraction(Random& random, int least, int most, int below) {
+  const auto range = static_cast<std::uint64_t>((most - least) * below + 1);
+  return {least * below + static_cast<int>(random() % range), below};
+}
+
+template <class Scalar>
+Line<Scalar> random_line(std::uint64_t seed, int below, Fraction e) {
+  Random random(seed);
+  Line<Scalar> line;
+  const std::size_t bodies = 1 + random() % 6;
+  std::vector<Fraction> places;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    line.masses.push_back(fraction(random, 1, 3, 1));
+    line.velocities.push_back(fraction(random, -2, 2, below));
+    places.push_back(fraction(random, 0, below == 1 ? 2 : 6, below));
+  }
+  std::sort(places.begin(), places.end());
+  for (const Fraction& place : places) line.positions.push_back(place);
+  if (random() % 2 == 0) line.left_wall = Scalar(-1);
+  if (random() % 2 == 0) line.right_wall = Scalar(7);
+  line.restitution = Scalar(e);
+  return line;
+}
+
+template <class Scalar>
+Line<Scalar> mirrored(Line<Scalar> line) {
+  const auto negated = [](const Scalar& x) { return Scalar(0) - x; };
+  for (auto* values : {&line.positions, &line.velocities})
+    std::transform(values->begin(), values->end(), values->begin(), negated);
+  for (auto* values : {&line.masses, &line.positions, &line.velocities})
+    std::reverse(values->begin(), values->end());
+  std::swap(line.left_wall, line.right_wall);
+  for (auto* wall : {&line.left_wall, &line.right_wall})
+    if (*wall) *wall = negated(**wall);
+  return line;
+}
+
+template <class Scalar>
+std::vector<Collision<Scalar>> run(Engine<Scalar>& engine, int most) {
+  std::vector<Collision<Scalar>> events;
+  while (most-- > 0 && engine.next()) events.push_back(engine.step());
+  while (engine.next() && *engine.next() == engine.now()) events.push_back(engine.step());
+  return events;
+}
+
+/// Which law a list of collisions breaks, from the velocities that it tells alone; "" for none.
+std::string broken_law(const Line<cl_RA>& line, const std::vector<Collision<cl_RA>>& events) {
+  std::vector<cl_RA> v = line.velocities;
+  const cl_RA e = line.restitution;
+  const auto sum = [&](bool squares) {
+    cl_RA total = 0;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      total = total + line.masses[i] * v[i] * (squares ? v[i] : cl_RA(1));
+    return total;
+  };
+  for (std::size_t i = 0; i < events.size();) {
+    const std::size_t first = i;
+    const cl_RA momentum = sum(false), energy = sum(true);
+    bool has_wall = false;
+    cl_RA closing = 0;
+    for (; i < events.size() && events[i].time == events[first].time; ++i) {
+      const std::size_t gap = events[i].gap;
+      const bool has_left = gap > 0, has_right = gap < v.size();
+      closing = (has_left ? v[gap - 1] : cl_RA(0)) - (has_right ? v[gap] : cl_RA(0));
+      if (has_left) v[gap - 1] = events[i].v_left;
+      if (has_right) v[gap] = events[i].v_right;
+      has_wall = has_wall || !has_left || !has_right;
+    }
+    const bool is_alone = i == first + 1;
+    if (first > 0 && events[first].time < events[first - 1].time) return "time";
+    if (!has_wall && sum(false) != momentum) return "momentum";
+    if (e == 1 ? sum(true) != energy : sum(true) > energy) return "energy";
+    if (is_alone && !(0 < closing)) return "approach";
+    if (is_alone && events[first].v_left - events[first].v_right != -e * closing)
+      return "restitution";
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("momentum is kept, and energy goes as the restitution says", "[check]") {
+  std::size_t all = 0;
+  for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    INFO(seed);
+    const auto line = random_line<cl_RA>(seed, 2, seed % 2 == 0 ? Fraction{1, 1} : Fraction{2, 3});
+    Engine<cl_RA> engine(line);
+    auto events = run(engine, 30);
+    all += events.size();
+    CHECK(broken_law(line, events).empty());
+    if (events.size() != 1) continue;
+    events[0].v_left = events[0].v_left + cl_RA(1) / 1000;
+    CHECK_FALSE(broken_law(line, events).empty());
+  }
+  CHECK(all > 2000);
+}
+
+TEST_CASE("a wrong law is seen", "[exam]") {
+  const Line<cl_RA> line{{1, 2}, {0, 1}, {1, 0}, std::nullopt, std::nullopt, cl_RA(1) / 2};
+  Engine<cl_RA> engine(line);
+  const auto events = run(engine, 9);
+  REQUIRE(events.size() == 1);
+  CHECK(broken_law(line, events).empty());
+  const auto spoiled = [&](cl_RA v_left, cl_RA v_right) {
+    auto other = events;
+    other[0].v_left = v_left;
+    other[0].v_right = v_right;
+    return broken_law(line, other);
+  };
+  CHECK(spoiled(events[0].v_left + 1, events[0].v_right) == "momentum");
+  CHECK(spoiled(-1, 1) == "energy");
+  CHECK(spoiled(1, 0) == "restitution");
+}
+
+TEST_CASE("doubles and fractions have the same collisions", "[check]") {
+  int compared = 0;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    INFO(seed);
+    const Fraction e{seed % 3 == 0 ? 9 : 1, seed % 3 == 0 ? 10 : 1};
+    auto rounded = random_line<double>(seed, 97, e);
+    rounded.is_rounded = true;
+    Engine<double> engine(rounded);
+    Engine<cl_RA> exact(random_line<cl_RA>(seed, 97, e));
+    const auto events = run(engine, 25);
+    const auto expected = run(exact, 25);
+    if (engine.ties().near > 0) continue;
+    ++compared;
+    REQUIRE(events.size() == expected.size());
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      CHECK(events[i].gap == expected[i].gap);
+      CHECK_THAT(events[i].time, WithinAbs(cln::double_approx(expected[i].time), 1e-9));
+      CHECK_THAT(events[i].v_left, WithinAbs(cln::double_approx(expected[i].v_left), 1e-9));
+      CHECK_THAT(events[i].v_right, WithinAbs(cln::double_approx(expected[i].v_right), 1e-9));
+    }
+  }
+  CHECK(compared > 400);
+}
+
+TEST_CASE("a mirror shows the mirrored motion, whatever happens at once", "[check]") {
+  std::int64_t simultaneous = 0;
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    INFO(seed);
+    const auto line = random_line<cl_RA>(seed, 1, seed % 4 == 0 ? Fraction{1, 2} : Fraction{1, 1});
+    Engine<cl_RA> engine(line);
+    Engine<cl_RA> mirror(mirrored(line));
+    auto events = run(engine, 20);
+    auto images = run(mirror, 20);
+    simultaneous += engine.ties().simultaneous;
+    CHECK(engine.ties().simultaneous == mirror.ties().simultaneous);
+    REQUIRE(events.size() == images.size());
+    const std::size_t bodies = line.masses.size();
+    for (std::size_t i = 0; i < bodies; ++i)
+      CHECK(engine.bodies()[i].velocity == -mirror.bodies()[bodies - 1 - i].velocity);
+    for (auto& image : images) image.gap = bodies - image.gap;
+    const auto by_place = [](const auto& x, const auto& y) {
+      return x.time != y.time ? x.time < y.time : x.gap < y.gap;
+    };
+    std::stable_sort(events.begin(), events.end(), by_place);
+    std::stable_sort(images.begin(), images.end(), by_place);
+    for (std::size_t i = 0; i < events.size(); ++i) {
+      CHECK((events[i].gap == images[i].gap && events[i].time == images[i].time));
+      CHECK((events[i].position == -images[i].position && events[i].v_left == -images[i].v_right));
+    }
+  }
+  CHECK(simultaneous > 60);
+}
+
+TEST_CASE("a row that is its own mirror image stays one", "[exam]") {
+  const auto velocities = [](const Line<cl_RA>& line) {
+    Engine<cl_RA> engine(line);
+    run(engine, 100);
+    std::vector<cl_RA> all;
+    for (const auto& body : engine.bodies()) all.push_back(body.velocity);
+    return all;
+  };
+  const Line<cl_RA> three{{1, 5, 1}, {-1, 0, 1}, {1, 0, -1}, {}, {}};
+  CHECK(velocities(three) == std::vector<cl_RA>{-1, 0, 1});
+  const Line<cl_RA> four{{1, 1, 1, 1}, {0, 0, 0, 0}, {3, 1, -1, -3}, {}, {}};
+  CHECK(velocities(four) == std::vector<cl_RA>{-3, -1, 1, 3});
+}
+
+TEST_CASE("walls, and a body between them that never stops", "[exam]") {
+  const Line<cl_RA> line{{2}, {1}, {3}, cl_RA(0), cl_RA(4), cl_RA(1) / 2};
+  Engine<cl_RA> engine(line);
+  const auto events = run(engine, 3);
+  REQUIRE(events.size() == 3);
+  CHECK((events[0].gap == 1 && events[0].time == 1 && events[0].position == 4));
+  CHECK((events[0].v_left == cl_RA(-3) / 2 && events[0].v_right == 0));
+  CHECK((events[1].gap == 0 && events[1].time == 1 + cl_RA(8) / 3));
+  CHECK((events[1].v_left == 0 && events[1].v_right == cl_RA(3) / 4));
+  CHECK(engine.next());
+}
+
+TEST_CASE("a wall and 100^k show the digits of pi", "[exam]") {
+  for (const auto& [ratio, count] : {std::pair{1, 3}, {100, 31}, {10000, 314}, {1000000, 3141}}) {
+    const Line<double> line{{double(ratio), 1}, {-1, 0}, {1, 0}, {}, 1.0};
+    for (const auto& one : {line, mirrored(line)}) {
+      Engine<double> engine(one);
+      CHECK(run(engine, 10000).size() == static_cast<std::size_t>(count));
+    }
+  }
+}
+
+TEST_CASE("100,000 equal masses hand the velocity on in order", "[exam]") {
+  constexpr std::size_t bodies = 100'000;
+  Line<double> line;
+  line.masses.assign(bodies, 1);
+  line.velocities.assign(bodies, 0);
+  line.velocities[0] = 1;
+  for (std::size_t i = 0; i < bodies; ++i) line.positions.push_back(static_cast<double>(i));
+  Engine<double> engine(line);
+  for (std::size_t gap = 1; gap < bodies; ++gap) {
+    const auto event = engine.step();
+    if (event.gap != gap || event.time != static_cast<double>(gap)) FAIL(gap);
+  }
+  CHECK_FALSE(engine.next());
+  CHECK(engine.ties().near == 0);
+  CHECK_FALSE(engine.has_lost());
+  CHECK(engine.bodies().back().velocity == 1);
+}
+
+TEST_CASE("what floating point cannot tell is counted", "[exam]") {
+  const double magic_2 = 0.2360679774997897;  // sqrt(5) - 2
+  for (const auto& [alpha, is_near] : {std::pair{magic_2, true}, {0.1, false}, {0.24, false}}) {
+    const Line<double> line{{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}};
+    Engine<double> engine(line);
+    run(engine, 100);
+    CHECK((engine.ties().near > 0) == is_near);
+  }
+  Engine<double> slow(Line<double>{{1, 1}, {0, 1e300}, {5e-324, 0}, {}, {}});
+  CHECK_FALSE(slow.next());
+  CHECK(slow.has_lost());
+  Engine<double> until(Line<double>{{1, 1}, {0, 0.3}, {0.1, 0}, {}, {}});
+  CHECK(until.is_due_by(4));
+  CHECK_FALSE(until.is_due_by(2));
+  CHECK(until.ties().near == 0);
+  until.is_due_by(3);
+  CHECK(until.ties().near == 1);
+  CHECK(until.ties().first_near == 0);
+}
+
+TEST_CASE("a line with a fault does not move", "[exam]") {
+  const Line<double> good{{1, 2}, {0, 1}, {1, 0}, {}, {}};
+  const auto refused = [&](auto spoil, const std::string& part) {
+    Line<double> line = good;
+    spoil(line);
+    CHECK_THROWS_WITH(Engine<double>(line), ContainsSubstring(part));
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK_NOTHROW(Engine<double>(good));
+  refused([](auto& line) { line = {}; }, "masses: no bodies; allowed: one or more");
+  refused([](auto& line) { line.masses[1] = 0; }, "masses: body 2; allowed: masses above 0");
+  refused([&](auto& line) { line.masses[0] = nan; }, "masses: body 1");
+  refused([](auto& line) { line.positions[1] = -1; }, "positions: body 2 is left of body 1");
+  refused([&](auto& line) { line.positions[1] = nan; }, "positions: body 2");
+  refused([](auto& line) { line.positions.pop_back(); }, "1 positions; allowed: as many");
+  refused([](auto& line) { line.velocities.push_back(0); }, "3 velocities; allowed: as many");
+  refused([](auto& line) { line.left_wall = 0.5; }, "left_wall: right of body 1");
+  refused([](auto& line) { line.right_wall = 0.5; }, "right_wall: left of body 2");
+  refused([](auto& line) { line.restitution = 0; }, "restitution: not a coefficient");
+  refused([](auto& line) { line.restitution = 1.5; }, "above 0, at most 1");
+}
