@@ -20,9 +20,7 @@ struct Due {
   Scalar closing;  ///< speed, > 0
   Scalar mass;     ///< of the bodies beside the gap
 
-  friend bool operator==(const Due& x, const Due& y) {
-    return x.time == y.time && x.closing == y.closing && x.mass == y.mass;
-  }
+  bool operator==(const Due&) const = default;
   friend bool operator<(const Due& x, const Due& y) {
     if (!(x.time == y.time)) return x.time < y.time;
     if (!(x.closing == y.closing)) return y.closing < x.closing;

@@ -2,14 +2,13 @@
 // The event engine: a collision costs O(log bodies), and a body is moved only when it is met.
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 #include "magicmass/simulator/due_times.hpp"
@@ -52,16 +51,20 @@ public:
   /// Throws std::invalid_argument for a line with a fault.
   explicit Engine(const Line<Scalar>& line)
       : e_(line.restitution),
-        walls_{line.left_wall, line.right_wall},
+        has_left_wall_(line.left_wall),
+        has_right_wall_(line.right_wall),
         is_rounded_(line.is_rounded),
         due_(line.masses.size() + 1),
         margin_(line) {
     if (const auto found = fault(line))
       throw std::invalid_argument(found->key + ": " + found->what + "; allowed: " + found->allowed);
-    bodies_.reserve(line.masses.size());
+    const Scalar zero(0);
+    all_.reserve(line.masses.size() + 2);
+    all_.push_back({{zero, line.left_wall.value_or(zero), zero}});
     for (std::size_t i = 0; i < line.masses.size(); ++i)
-      bodies_.push_back({{line.masses[i], line.positions[i], line.velocities[i]}});
-    for (std::size_t gap = 0; gap <= bodies_.size(); ++gap) schedule(gap);
+      all_.push_back({{line.masses[i], line.positions[i], line.velocities[i]}});
+    all_.push_back({{zero, line.right_wall.value_or(zero), zero}});
+    for (std::size_t gap = 0; gap <= line.masses.size(); ++gap) schedule(gap);
   }
 
   /// The time of the next collision, or nothing where none comes.
@@ -90,39 +93,33 @@ public:
     return collisions_[told_++];
   }
 
-  const std::vector<MovingBody<Scalar>>& bodies() const { return bodies_; }
-  /// Where a body is at a time, if it meets nothing until then.
-  Scalar position(std::size_t body, const Scalar& time) const {
-    const MovingBody<Scalar>& it = bodies_[body];
-    return it.position + it.velocity * (time - it.since);
+  std::span<const MovingBody<Scalar>> bodies() const {
+    return std::span(all_).subspan(1, all_.size() - 2);
   }
+  /// Where a body is at a time, if it meets nothing until then.
+  Scalar position(std::size_t body, const Scalar& time) const { return place(body + 1, time); }
   /// Of the last collision; 0 before the first.
   const Scalar& now() const { return now_; }
   const Ties& ties() const { return ties_; }
   /// Whether floating point lost a rebound (two met and, as rounded, did not separate), or holds no
   /// time at which two meet that approach. No next collision then says nothing about the motion.
   bool has_lost() const {
-    for (std::size_t gap = 0; gap <= bodies_.size(); ++gap)
+    for (std::size_t gap = 0; gap + 1 < all_.size(); ++gap)
       if (closes(gap) && Scalar(0) < closing(gap) && !due_[gap]) return true;
     return lost_rebound_;
   }
 
 private:
   static constexpr bool rounds = std::floating_point<Scalar>;
-  struct NoMargin {
-    explicit NoMargin(const Line<Scalar>& /*line*/) {}
-  };
-  template <class S>
-  struct Margin : std::type_identity<NoMargin> {};
-  template <std::floating_point S>
-  struct Margin<S> : std::type_identity<RoundingMargin<S>> {};
 
-  std::vector<MovingBody<Scalar>> bodies_;
+  std::vector<MovingBody<Scalar>> all_;  // gap g is between g and g + 1; first and last are walls,
+                                         // of mass 0, which are there or not
   Scalar e_;
-  std::array<std::optional<Scalar>, 2> walls_;  // left, right
+  bool has_left_wall_;
+  bool has_right_wall_;
   bool is_rounded_;
   DueTimes<Scalar> due_;
-  typename Margin<Scalar>::type margin_;
+  RoundingMargin<Scalar> margin_;
   Scalar now_{0};
   std::int64_t number_ = 0;
   Ties ties_;
@@ -131,49 +128,33 @@ private:
   std::vector<Collision<Scalar>> collisions_;  // of now, of which told_ were told
   std::size_t told_ = 0;
 
-  bool is_left_end(std::size_t gap) const { return gap == 0; }
-  bool is_right_end(std::size_t gap) const { return gap == bodies_.size(); }
-  bool is_end(std::size_t gap) const { return is_left_end(gap) || is_right_end(gap); }
-  const std::optional<Scalar>& wall(std::size_t gap) const { return walls_[gap == 0 ? 0 : 1]; }
   /// Are there two to meet?
-  bool closes(std::size_t gap) const { return !is_end(gap) || wall(gap); }
-
-  Scalar v_left(std::size_t gap) const {
-    return is_left_end(gap) ? Scalar(0) : bodies_[gap - 1].velocity;
+  bool closes(std::size_t gap) const {
+    return (gap > 0 || has_left_wall_) && (gap + 2 < all_.size() || has_right_wall_);
   }
-  Scalar v_right(std::size_t gap) const {
-    return is_right_end(gap) ? Scalar(0) : bodies_[gap].velocity;
+  bool has_wall(std::size_t gap) const { return gap == 0 || gap + 2 == all_.size(); }
+  Scalar place(std::size_t i, const Scalar& time) const {
+    return all_[i].position + all_[i].velocity * (time - all_[i].since);
   }
-  Scalar closing(std::size_t gap) const { return v_left(gap) - v_right(gap); }
-  Scalar width(std::size_t gap) const {
-    const Scalar right = is_right_end(gap) ? *wall(gap) : position(gap, now_);
-    return right - (is_left_end(gap) ? *wall(gap) : position(gap - 1, now_));
-  }
-  Scalar mass(std::size_t gap) const {
-    const Scalar left = is_left_end(gap) ? Scalar(0) : bodies_[gap - 1].mass;
-    return is_right_end(gap) ? left : left + bodies_[gap].mass;
-  }
+  Scalar closing(std::size_t gap) const { return all_[gap].velocity - all_[gap + 1].velocity; }
   Sides<Scalar> sides(std::size_t gap) const requires rounds {
-    const Scalar wall_mass = std::numeric_limits<Scalar>::infinity();
-    return {is_left_end(gap) ? wall_mass : bodies_[gap - 1].mass, v_left(gap),
-            is_right_end(gap) ? wall_mass : bodies_[gap].mass, v_right(gap)};
+    const auto mass = [&](std::size_t i) {
+      return all_[i].mass == 0 ? std::numeric_limits<Scalar>::infinity() : all_[i].mass;
+    };
+    return {mass(gap), all_[gap].velocity, mass(gap + 1), all_[gap + 1].velocity};
   }
 
   void schedule(std::size_t gap) {
-    if (!closes(gap)) return;
+    if (gap + 1 >= all_.size() || !closes(gap)) return;
     if constexpr (rounds) note_near_rest(gap);
     const Scalar speed = closing(gap);
-    typename DueTimes<Scalar>::Entry due;
-    if (Scalar(0) < speed) {
-      const Scalar rest = width(gap);
-      const Scalar time = Scalar(0) < rest ? Scalar(now_ + rest / speed) : now_;
-      if constexpr (rounds) {
-        if (time <= std::numeric_limits<Scalar>::max()) due = {time, speed, mass(gap)};
-      } else {
-        due = {time, speed, mass(gap)};
-      }
-    }
-    due_.set(gap, due);
+    due_.set(gap, std::nullopt);
+    if (!(Scalar(0) < speed)) return;
+    const Scalar width = place(gap + 1, now_) - place(gap, now_);
+    const Scalar time = Scalar(0) < width ? Scalar(now_ + width / speed) : now_;
+    if constexpr (rounds)
+      if (!(time <= std::numeric_limits<Scalar>::max())) return;
+    due_.set(gap, Due<Scalar>{time, speed, all_[gap].mass + all_[gap + 1].mass});
   }
 
   /// All gaps that are due first and alike, row by row of neighbours.
@@ -199,23 +180,22 @@ private:
     }
     for (const std::size_t gap : together_) schedule(gap);
     for (const Collision<Scalar>& met : collisions_) {
-      if (!is_left_end(met.gap)) schedule(met.gap - 1);
-      if (!is_right_end(met.gap)) schedule(met.gap + 1);
+      if (met.gap > 0) schedule(met.gap - 1);
+      schedule(met.gap + 1);
     }
   }
 
   void meet(std::size_t gap) {
     note_error(gap);
-    if (is_end(gap)) {
-      MovingBody<Scalar>& body = is_left_end(gap) ? bodies_.front() : bodies_.back();
-      put(body, *wall(gap));
-      body.velocity = Scalar(0) - e_ * body.velocity;
+    MovingBody<Scalar>& left = all_[gap];
+    MovingBody<Scalar>& right = all_[gap + 1];
+    const Scalar where = meeting_place(gap);
+    if (gap > 0) put(left, where);
+    if (gap + 2 < all_.size()) put(right, where);
+    if (has_wall(gap)) {
+      left.velocity = Scalar(0) - e_ * left.velocity;  // one of the two is 0 and stays 0
+      right.velocity = Scalar(0) - e_ * right.velocity;
     } else {
-      MovingBody<Scalar>& left = bodies_[gap - 1];
-      MovingBody<Scalar>& right = bodies_[gap];
-      const Scalar place = meeting_place(gap);
-      put(left, place);
-      put(right, place);
       collide(left, right, e_);
     }
     tell(gap);
@@ -224,41 +204,42 @@ private:
   void meet_both(std::size_t gap) {
     note_error(gap);
     note_error(gap + 1);
-    const Scalar place = position(gap, now_);
-    const Scalar centre = bodies_[gap].velocity;
-    for (std::size_t i = gap - 1; i <= gap + 1; ++i) {
-      put(bodies_[i], place);
-      if (i != gap) bodies_[i].velocity = centre - e_ * (bodies_[i].velocity - centre);
+    const Scalar where = place(gap + 1, now_);
+    const Scalar centre = all_[gap + 1].velocity;
+    for (std::size_t i = gap; i <= gap + 2; ++i) {
+      put(all_[i], where);
+      if (i != gap + 1) all_[i].velocity = centre - e_ * (all_[i].velocity - centre);
     }
     tell(gap);
     tell(gap + 1);
   }
-  /// The heavier body is where it is: the clock's rounding moves the lighter one.
+  /// A wall, or the heavier body, is where it is: the clock's rounding moves the lighter one.
   Scalar meeting_place(std::size_t gap) const {
-    const Scalar left = position(gap - 1, now_);
-    const Scalar right = position(gap, now_);
-    const Scalar& m1 = bodies_[gap - 1].mass;
-    const Scalar& m2 = bodies_[gap].mass;
+    if (has_wall(gap)) return all_[gap == 0 ? 0 : gap + 1].position;
+    const Scalar left = place(gap, now_);
+    const Scalar right = place(gap + 1, now_);
+    const Scalar& m1 = all_[gap].mass;
+    const Scalar& m2 = all_[gap + 1].mass;
     return m1 < m2 ? right : m2 < m1 ? left : Scalar((left + right) / Scalar(2));
   }
-  void put(MovingBody<Scalar>& body, const Scalar& place) {
-    body.position = place;
+  void put(MovingBody<Scalar>& body, const Scalar& where) {
+    body.position = where;
     body.since = now_;
     body.was_met = true;
-    if constexpr (rounds) margin_.look_at(place);
+    if constexpr (rounds) margin_.look_at(where);
   }
   void tell(std::size_t gap) {
     if constexpr (rounds)
       lost_rebound_ = lost_rebound_ || !(closing(gap) <= -std::numeric_limits<Scalar>::min());
-    const Scalar& place = bodies_[is_left_end(gap) ? 0 : gap - 1].position;
-    collisions_.push_back({++number_, gap, now_, place, v_left(gap), v_right(gap)});
+    collisions_.push_back(
+        {++number_, gap, now_, all_[gap].position, all_[gap].velocity, all_[gap + 1].velocity});
   }
 
   void note_error([[maybe_unused]] std::size_t gap) {
     if constexpr (rounds) {
-      const Sides<Scalar> beside = sides(gap);
-      const bool only_turns = e_ == Scalar(1) && (is_end(gap) || beside.m1 == beside.m2);
-      margin_.add_collision(now_, beside, !only_turns || (is_rounded_ && !is_end(gap)));
+      const bool is_swap = all_[gap].mass == all_[gap + 1].mass && !is_rounded_;
+      const bool only_turns = e_ == Scalar(1) && (has_wall(gap) || is_swap);
+      margin_.add_collision(now_, sides(gap), !only_turns);
     }
   }
   void note_near() {
@@ -266,14 +247,13 @@ private:
   }
   /// Do the two approach, or is that only rounding? What was never met moves as it was told to.
   void note_near_rest(std::size_t gap) requires rounds {
-    const bool is_told = (is_left_end(gap) || !bodies_[gap - 1].was_met) &&
-                         (is_right_end(gap) || !bodies_[gap].was_met);
-    if (!is_told && margin_.reaches_rest(sides(gap))) note_near();
+    if (!all_[gap].was_met && !all_[gap + 1].was_met) return;
+    if (margin_.reaches_rest(sides(gap))) note_near();
   }
   /// Of this gap and the next ones, where they are still due.
   void note_ties(std::size_t gap) {
     for (const std::size_t other : {gap - 1, gap + 1}) {
-      if (other > bodies_.size() || !due_[other]) continue;
+      if (other >= all_.size() - 1 || !due_[other]) continue;
       if constexpr (rounds) {
         if (margin_.reaches_time(due_[other]->time - now_, now_, sides(gap), sides(other)))
           note_near();

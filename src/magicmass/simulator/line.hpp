@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "magicmass/simulator/contact.hpp"
@@ -31,22 +32,25 @@ struct Fault {
   std::string allowed;
 };
 
-/// The first fault of a line, or nothing. NaN is none of what is allowed.
+/// The first fault of a line, or nothing.
 template <Field Scalar>
 std::optional<Fault> fault(const Line<Scalar>& line) {
   const Scalar zero(0), one(1);
   const auto body = [](std::size_t i) { return "body " + std::to_string(i + 1); };
   const std::size_t bodies = line.masses.size();
-  const std::string as_many = "as many as there are masses: " + std::to_string(bodies);
   if (bodies == 0) return Fault{"masses", "no bodies", "one or more"};
-  if (line.positions.size() != bodies)
-    return Fault{"positions", std::to_string(line.positions.size()) + " positions", as_many};
-  if (line.velocities.size() != bodies)
-    return Fault{"velocities", std::to_string(line.velocities.size()) + " velocities", as_many};
+  for (const auto& [key, values] : {std::pair{"masses", &line.masses},
+                                    {"positions", &line.positions},
+                                    {"velocities", &line.velocities}}) {
+    if (values->size() != bodies)
+      return Fault{key, std::to_string(values->size()) + " " + key,
+                   "as many as there are masses: " + std::to_string(bodies)};
+    for (std::size_t i = 0; i < bodies; ++i)
+      if (!((*values)[i] - (*values)[i] == zero)) return Fault{key, body(i), "finite numbers"};
+  }
   for (std::size_t i = 0; i < bodies; ++i) {
     if (!(zero < line.masses[i])) return Fault{"masses", body(i), "masses above 0"};
-    if (!(line.positions[i] == line.positions[i]) ||
-        (i > 0 && line.positions[i] < line.positions[i - 1]))
+    if (i > 0 && line.positions[i] < line.positions[i - 1])
       return Fault{"positions", body(i) + " is left of " + body(i - 1), "from left to right"};
   }
   if (line.left_wall && line.positions.front() < *line.left_wall)

@@ -33,22 +33,25 @@ struct Sides {
 ///   by up to 12 eps X + eps t c/2, and sqrt(m) c <= s of the lighter.
 ///   13 eps X (sqrt(m1) + sqrt(m2)) + eps t s is taken.
 /// A difference between two bodies is within sqrt(1/m1 + 1/m2) of such a length.
-template <std::floating_point Scalar>
+template <Field Scalar>
 class RoundingMargin {
+  static Scalar eps() { return std::numeric_limits<Scalar>::epsilon(); }
+
 public:
-  explicit RoundingMargin(const Line<Scalar>& line) {
-    Scalar root_mass = 0;
-    Scalar speeds = 0;
-    for (std::size_t i = 0; i < line.masses.size(); ++i) {
-      root_mass += std::sqrt(line.masses[i]);
-      speeds += std::sqrt(line.masses[i]) * std::abs(line.velocities[i]);
-      look_at(line.positions[i]);
+  /// Exact numbers have none, and ask for none.
+  explicit RoundingMargin([[maybe_unused]] const Line<Scalar>& line) {
+    if constexpr (std::floating_point<Scalar>) {
+      Scalar root_mass = 0;
+      Scalar speeds = 0;
+      for (std::size_t i = 0; i < line.masses.size(); ++i) {
+        root_mass += std::sqrt(line.masses[i]);
+        speeds += std::sqrt(line.masses[i]) * std::abs(line.velocities[i]);
+        look_at(line.positions[i]);
+      }
+      for (const auto& wall : {line.left_wall, line.right_wall}) look_at(wall.value_or(0));
+      positions_ = line.is_rounded ? eps() * size_ * root_mass : 0;
+      velocities_ = line.is_rounded ? eps() * speeds : 0;
     }
-    for (const auto& wall : {line.left_wall, line.right_wall})
-      if (wall) look_at(*wall);
-    if (!line.is_rounded) return;
-    positions_ = eps * size_ * root_mass;
-    velocities_ = eps * speeds;
   }
 
   /// Something is at this place.
@@ -58,9 +61,9 @@ public:
   void add_collision(Scalar time, const Sides<Scalar>& before, bool rounds) {
     const Scalar r1 = root(before.m1), r2 = root(before.m2);
     const Scalar s = r1 * std::abs(before.u1) + r2 * std::abs(before.u2);
-    positions_ += velocities_ * (time - last_) + eps * (13 * size_ * (r1 + r2) + time * s);
+    positions_ += velocities_ * (time - last_) + eps() * (13 * size_ * (r1 + r2) + time * s);
     last_ = time;
-    if (rounds) velocities_ += 10 * eps * s;
+    if (rounds) velocities_ += 10 * eps() * s;
   }
 
   /// May the sides of a gap in truth be at rest to each other, or go the other way?
@@ -78,17 +81,16 @@ public:
     const Scalar reach = size_ + apart * (std::abs(first.u1) + std::abs(first.u2) +
                                           std::abs(second.u1) + std::abs(second.u2));
     const auto error = [&](const Sides<Scalar>& gap) {
-      return positions * gap.spread() + eps * (12 * reach + 2 * later * gap.closing());
+      return positions * gap.spread() + eps() * (12 * reach + 2 * later * gap.closing());
     };
     return !(error(first) * c2 + error(second) * c1 < apart * c1 * c2);
   }
 
 private:
-  static constexpr Scalar eps = std::numeric_limits<Scalar>::epsilon();
-  Scalar size_ = 0;
-  Scalar positions_ = 0;  // error of all of them, at the time last_
-  Scalar velocities_ = 0;
-  Scalar last_ = 0;
+  Scalar size_{0};
+  Scalar positions_{0};  // error of all of them, at the time last_
+  Scalar velocities_{0};
+  Scalar last_{0};
 
   static Scalar root(Scalar mass) { return std::isinf(mass) ? 0 : std::sqrt(mass); }
 };

@@ -3,6 +3,7 @@
 #include "magicmass/scenes/run.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <random>
 
 #include "catch.hpp"
@@ -149,4 +150,39 @@ TEST_CASE("every key's refusal has its line", "[exam]") {
   CHECK_THROWS_WITH(parse_scene("alpha = 1\nvelocites = []\n", "f.toml"),
                     ContainsSubstring("f.toml:2: velocites: no such key in this kind of scene; "
                                       "is velocities meant?; allowed: kind, title, alpha"));
+}
+
+TEST_CASE("the tutorials' scenes", "[exam]") {
+  int scenes = 0;
+  for (const auto& file : std::filesystem::directory_iterator(SCENES)) {
+    INFO(file.path());
+    const Result result = run(read_scene(file.path()), {false, 1000});
+    CHECK((result.events > 0 && result.events <= 1000));
+    ++scenes;
+  }
+  CHECK(scenes >= 6);
+}
+
+TEST_CASE("a scene with a few wrong bytes is a scene or is refused", "[check]") {
+  const std::string good =
+      "kind = 'chain' # a comment\nmasses = [2, '1/3', 0x3, \"sqrt(5)-2\"]\npositions = [0, '1/2',"
+      " 1.25, 'sqrt(5)']\nvelocities = [1, 0, '-1/4', 0]\nright_wall = 4\nrestitution = 1\n"
+      "outputs = ['counts', 'events']\nuntil = 3\nmax_events = 5\n";
+  std::mt19937_64 random(9);
+  int refused = 0;
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = good;
+    for (std::uint64_t n = 1 + random() % 3; n > 0; --n)
+      text[random() % text.size()] =
+          random() % 2 == 0 ? good[random() % good.size()] : static_cast<char>(random() % 256);
+    try {
+      run(parse_scene(text, "scene"), {});
+    } catch (const magicmass::InvalidInput& error) {
+      ++refused;
+      CHECK(std::string(error.what()).find('\n') == std::string::npos);
+      CHECK_THAT(error.what(), ContainsSubstring("; allowed: "));
+    } catch (const magicmass::Undecided&) {
+    }
+  }
+  CHECK((refused > 1000 && refused < 3000));
 }

@@ -161,31 +161,47 @@ TEST_CASE("doubles and fractions have the same collisions", "[check]") {
   CHECK(compared > 400);
 }
 
+namespace {
+
+/// Runs a line and its mirror image, and compares all that is told; returns how many pairs of gaps
+/// closed at once.
+template <class Scalar>
+std::int64_t compared_with_mirror(const Line<Scalar>& line) {
+  const auto negated = [](const Scalar& x) { return Scalar(0) - x; };
+  Engine<Scalar> engine(line);
+  Engine<Scalar> mirror(mirrored(line));
+  auto events = run(engine, 20);
+  auto images = run(mirror, 20);
+  CHECK(engine.ties().simultaneous == mirror.ties().simultaneous);
+  CHECK(engine.ties().near == mirror.ties().near);
+  REQUIRE(events.size() == images.size());
+  const std::size_t bodies = line.masses.size();
+  for (std::size_t i = 0; i < bodies; ++i)
+    CHECK(engine.bodies()[i].velocity == negated(mirror.bodies()[bodies - 1 - i].velocity));
+  for (auto& image : images) image.gap = bodies - image.gap;
+  const auto by_place = [](const auto& x, const auto& y) {
+    return x.time == y.time ? x.gap < y.gap : x.time < y.time;
+  };
+  std::stable_sort(events.begin(), events.end(), by_place);
+  std::stable_sort(images.begin(), images.end(), by_place);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    CHECK((events[i].gap == images[i].gap && events[i].time == images[i].time));
+    CHECK(events[i].position == negated(images[i].position));
+    CHECK(events[i].v_left == negated(images[i].v_right));
+    CHECK(events[i].v_right == negated(images[i].v_left));
+  }
+  return engine.ties().simultaneous;
+}
+
+}  // namespace
+
 TEST_CASE("a mirror shows the mirrored motion, whatever happens at once", "[check]") {
   std::int64_t simultaneous = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     INFO(seed);
-    const auto line = random_line<cl_RA>(seed, 1, seed % 4 == 0 ? Fraction{1, 2} : Fraction{1, 1});
-    Engine<cl_RA> engine(line);
-    Engine<cl_RA> mirror(mirrored(line));
-    auto events = run(engine, 20);
-    auto images = run(mirror, 20);
-    simultaneous += engine.ties().simultaneous;
-    CHECK(engine.ties().simultaneous == mirror.ties().simultaneous);
-    REQUIRE(events.size() == images.size());
-    const std::size_t bodies = line.masses.size();
-    for (std::size_t i = 0; i < bodies; ++i)
-      CHECK(engine.bodies()[i].velocity == -mirror.bodies()[bodies - 1 - i].velocity);
-    for (auto& image : images) image.gap = bodies - image.gap;
-    const auto by_place = [](const auto& x, const auto& y) {
-      return x.time != y.time ? x.time < y.time : x.gap < y.gap;
-    };
-    std::stable_sort(events.begin(), events.end(), by_place);
-    std::stable_sort(images.begin(), images.end(), by_place);
-    for (std::size_t i = 0; i < events.size(); ++i) {
-      CHECK((events[i].gap == images[i].gap && events[i].time == images[i].time));
-      CHECK((events[i].position == -images[i].position && events[i].v_left == -images[i].v_right));
-    }
+    const Fraction e{1, seed % 4 == 0 ? 2 : 1};
+    simultaneous += compared_with_mirror(random_line<cl_RA>(seed, 1, e));
+    compared_with_mirror(random_line<double>(seed, seed % 2 == 0 ? 1 : 97, e));
   }
   CHECK(simultaneous > 60);
 }
@@ -277,7 +293,9 @@ TEST_CASE("a line with a fault does not move", "[exam]") {
   refused([](auto& line) { line.masses[1] = 0; }, "masses: body 2; allowed: masses above 0");
   refused([&](auto& line) { line.masses[0] = nan; }, "masses: body 1");
   refused([](auto& line) { line.positions[1] = -1; }, "positions: body 2 is left of body 1");
-  refused([&](auto& line) { line.positions[1] = nan; }, "positions: body 2");
+  refused([&](auto& line) { line.positions[1] = nan; }, "positions: body 2; allowed: finite");
+  refused([&](auto& line) { line.velocities[0] = -1 / 0.0; },
+          "velocities: body 1; allowed: finite");
   refused([](auto& line) { line.positions.pop_back(); }, "1 positions; allowed: as many");
   refused([](auto& line) { line.velocities.push_back(0); }, "3 velocities; allowed: as many");
   refused([](auto& line) { line.left_wall = 0.5; }, "left_wall: right of body 1");
