@@ -58,12 +58,16 @@ std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene) {
 
 simulator::Line<double> rounded_line(const Scene& scene) {
   bool is_rounded = false;
+  const auto rounds = [](const Value& value) {
+    return value.exact() == nullptr || !(Quadratic(value.to_double()) == *value.exact());
+  };
   auto line = converted<double>(scene, [&](const Value& value) {
-    const double number = value.to_double();
-    is_rounded = is_rounded || value.exact() == nullptr || !(Quadratic(number) == *value.exact());
-    return number;
+    is_rounded = is_rounded || rounds(value);
+    return value.to_double();
   });
   line.is_rounded = is_rounded;
+  line.has_rounded_velocities =
+      std::any_of(scene.velocities.begin(), scene.velocities.end(), rounds);
   return line;
 }
 

@@ -54,16 +54,18 @@ public:
         has_left_wall_(line.left_wall),
         has_right_wall_(line.right_wall),
         is_rounded_(line.is_rounded),
+        has_rounded_velocities_(line.has_rounded_velocities),
         due_(line.masses.size() + 1),
         margin_(line) {
     if (const auto found = fault(line))
       throw std::invalid_argument(found->key + ": " + found->what + "; allowed: " + found->allowed);
     const Scalar zero(0);
+    const Scalar wall = rounds ? std::numeric_limits<Scalar>::infinity() : zero;
     all_.reserve(line.masses.size() + 2);
-    all_.push_back({{zero, line.left_wall.value_or(zero), zero}});
+    all_.push_back({{wall, line.left_wall.value_or(zero), zero}});
     for (std::size_t i = 0; i < line.masses.size(); ++i)
       all_.push_back({{line.masses[i], line.positions[i], line.velocities[i]}});
-    all_.push_back({{zero, line.right_wall.value_or(zero), zero}});
+    all_.push_back({{wall, line.right_wall.value_or(zero), zero}});
     for (std::size_t gap = 0; gap <= line.masses.size(); ++gap) schedule(gap);
   }
 
@@ -112,12 +114,14 @@ public:
 private:
   static constexpr bool rounds = std::floating_point<Scalar>;
 
-  std::vector<MovingBody<Scalar>> all_;  // gap g is between g and g + 1; first and last are walls,
-                                         // of mass 0, which are there or not
+  // Gap g is between g and g + 1. First and last are walls, which are there or not; their mass is
+  // infinite in floating point and matters in no exact field.
+  std::vector<MovingBody<Scalar>> all_;
   Scalar e_;
   bool has_left_wall_;
   bool has_right_wall_;
   bool is_rounded_;
+  bool has_rounded_velocities_;
   DueTimes<Scalar> due_;
   RoundingMargin<Scalar> margin_;
   Scalar now_{0};
@@ -138,15 +142,12 @@ private:
   }
   Scalar closing(std::size_t gap) const { return all_[gap].velocity - all_[gap + 1].velocity; }
   Sides<Scalar> sides(std::size_t gap) const requires rounds {
-    const auto mass = [&](std::size_t i) {
-      return all_[i].mass == 0 ? std::numeric_limits<Scalar>::infinity() : all_[i].mass;
-    };
-    return {mass(gap), all_[gap].velocity, mass(gap + 1), all_[gap + 1].velocity};
+    return {all_[gap].mass, all_[gap].velocity, all_[gap + 1].mass, all_[gap + 1].velocity};
   }
 
   void schedule(std::size_t gap) {
     if (gap + 1 >= all_.size() || !closes(gap)) return;
-    if constexpr (rounds) note_near_rest(gap);
+    note_near_rest(gap);
     const Scalar speed = closing(gap);
     due_.set(gap, std::nullopt);
     if (!(Scalar(0) < speed)) return;
@@ -190,8 +191,8 @@ private:
     MovingBody<Scalar>& left = all_[gap];
     MovingBody<Scalar>& right = all_[gap + 1];
     const Scalar where = meeting_place(gap);
-    if (gap > 0) put(left, where);
-    if (gap + 2 < all_.size()) put(right, where);
+    put(left, where);
+    put(right, where);
     if (has_wall(gap)) {
       left.velocity = Scalar(0) - e_ * left.velocity;  // one of the two is 0 and stays 0
       right.velocity = Scalar(0) - e_ * right.velocity;
@@ -213,9 +214,8 @@ private:
     tell(gap);
     tell(gap + 1);
   }
-  /// A wall, or the heavier body, is where it is: the clock's rounding moves the lighter one.
+  /// The heavier one is where it is: the clock's rounding moves the lighter one.
   Scalar meeting_place(std::size_t gap) const {
-    if (has_wall(gap)) return all_[gap == 0 ? 0 : gap + 1].position;
     const Scalar left = place(gap, now_);
     const Scalar right = place(gap + 1, now_);
     const Scalar& m1 = all_[gap].mass;
@@ -246,9 +246,11 @@ private:
     if (ties_.near++ == 0) ties_.first_near = number_;
   }
   /// Do the two approach, or is that only rounding? What was never met moves as it was told to.
-  void note_near_rest(std::size_t gap) requires rounds {
-    if (!all_[gap].was_met && !all_[gap + 1].was_met) return;
-    if (margin_.reaches_rest(sides(gap))) note_near();
+  void note_near_rest([[maybe_unused]] std::size_t gap) {
+    if constexpr (rounds) {
+      const bool may_be_off = has_rounded_velocities_ || all_[gap].was_met || all_[gap + 1].was_met;
+      if (may_be_off && margin_.reaches_rest(sides(gap))) note_near();
+    }
   }
   /// Of this gap and the next ones, where they are still due.
   void note_ties(std::size_t gap) {

@@ -16,13 +16,14 @@ namespace magicmass::simulator {
 /// last gap to the right of the last body: there are as many gaps as bodies, and one more.
 template <Field Scalar>
 struct Line {
-  std::vector<Scalar> masses;        ///< > 0
-  std::vector<Scalar> positions;     ///< none less than the one before
-  std::vector<Scalar> velocities;    ///< > 0 to the right
-  std::optional<Scalar> left_wall;   ///< its place
-  std::optional<Scalar> right_wall;  ///< its place
-  Scalar restitution{1};             ///< e of every collision, walls' too: 0 < e <= 1
-  bool is_rounded = false;           ///< numbers are only the nearest to what they stand for
+  std::vector<Scalar> masses;           ///< > 0
+  std::vector<Scalar> positions;        ///< none less than the one before
+  std::vector<Scalar> velocities;       ///< > 0 to the right
+  std::optional<Scalar> left_wall;      ///< its place
+  std::optional<Scalar> right_wall;     ///< its place
+  Scalar restitution{1};                ///< e of every collision, walls' too: 0 < e <= 1
+  bool is_rounded = false;              ///< numbers are only the nearest to what they stand for
+  bool has_rounded_velocities = false;  ///< velocities are, too
 };
 
 /// What is wrong with a line.

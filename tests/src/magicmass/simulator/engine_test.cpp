@@ -144,6 +144,7 @@ TEST_CASE("doubles and fractions have the same collisions", "[check]") {
     const Fraction e{seed % 3 == 0 ? 9 : 1, seed % 3 == 0 ? 10 : 1};
     auto rounded = random_line<double>(seed, 97, e);
     rounded.is_rounded = true;
+    rounded.has_rounded_velocities = true;
     Engine<double> engine(rounded);
     Engine<cl_RA> exact(random_line<cl_RA>(seed, 97, e));
     const auto events = run(engine, 25);
