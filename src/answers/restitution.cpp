@@ -18,27 +18,23 @@ Expr index() { return kernel::integer("j"); }
 
 Values values_of(const Inelastic& motion) {
   return {{symbol("M_A"), 1},
-          {symbol("M_B"), 1},
+          {symbol("w_B"), 1},
           {symbol("M_C"), ball_of(motion.alpha)},
           {symbol("e"), Ball(motion.e)},
           {symbol("V"), 1},
           {symbol("L"), 1}};
 }
-/// The square of kappa, where alpha is rational: by collapse.threshold a quotient of two.
+/// The square of kappa, where alpha is rational: exactly.
 std::optional<cl_RA> exact_square(const Inelastic& motion) {
   const auto* rational = std::get_if<cl_RA>(&motion.alpha);
   const auto* value = std::get_if<double>(&motion.alpha);
   if (rational == nullptr && value == nullptr) return {};
-  const Expr bound = right_side("collapse.threshold");
   const kernel::Substitution at{
       {symbol("M_A"), 1},
-      {symbol("M_B"), 1},
+      {symbol("w_B"), 1},
       {symbol("M_C"), Expr(rational != nullptr ? *rational : exact(*value))},
       {symbol("e"), Expr(motion.e)}};
-  const auto side = [&](std::size_t i) {
-    return kernel::canonical(kernel::substitute(bound.arg(i), at)).value();
-  };
-  return side(0) / side(1);
+  return kernel::canonical(kernel::substitute(right_side("collapse.def_K"), at)).value();
 }
 /// The approach speed before collision number `at`.
 Ball approach(const Inelastic& motion, const cl_I& at) {
@@ -81,7 +77,7 @@ Balls terminal(const Inelastic& motion, const cl_I& N) {
   const Expr next = index() + 1;
   const auto closing = [](Expr at) {
     return kernel::fun("closing",
-                       {symbol("M_A"), symbol("M_B"), symbol("M_C"), symbol("e"), symbol("V"), at});
+                       {symbol("M_A"), symbol("w_B"), symbol("M_C"), symbol("e"), symbol("V"), at});
   };
   values.emplace(closing(index()), approach(motion, N - 1));
   values.emplace(closing(next), approach(motion, N));
@@ -93,7 +89,7 @@ Balls terminal(const Inelastic& motion, const cl_I& N) {
 Ball collapse_time(const Inelastic& motion) {
   Values values = values_of(motion);
   if (exact_square(motion) == cl_RA(1)) {  // a root of 0 in y_e, which no digits show
-    const kernel::Exprs params{symbol("M_A"), symbol("M_B"), symbol("M_C"), symbol("e")};
+    const kernel::Exprs params{symbol("M_A"), symbol("w_B"), symbol("M_C"), symbol("e")};
     values.emplace(kernel::fun("y_e", params), 1);
   }
   return evaluate(right_side("collapse.def_t_end"), values);

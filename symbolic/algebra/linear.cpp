@@ -153,7 +153,8 @@ Proof relation(Expr goal, const Theorems& facts) {
   const Expr equal = goal.arg(0);
   for (const Expr& less : {lt(equal.arg(0), equal.arg(1)), lt(equal.arg(1), equal.arg(0))})
     if (const Proof p = inequality(less, facts))
-      return refute(equal, *combination(lt(0, 0), {*p, assume(equal)}));
+      if (const Proof absurd = combination(lt(0, 0), {*p, assume(equal)}))
+        return refute(equal, *absurd);
   return {};
 }
 

@@ -29,6 +29,18 @@ std::string guard(const PlainForm& f, const Case& c) {
   }
   return parts.empty() ? "true" : joined(parts, " && ");
 }
+/// A line a guard: without it a named value is outside of what the formula is for.
+std::string guard_lines(const std::string& function, const Case& c) {
+  std::string lines;
+  for (const Condition& g : c.guards) {
+    const std::string name = identifier(g.name);
+    lines += "    if (!(" + name + " > Number(" + hex(g.range.low) + ") && " + name + " < Number(" +
+             hex(g.range.high) + "))) {\n      throw std::domain_error(\n          \"" + function +
+             ": " + name + " must be between " + hex(g.range.low) + " and " + hex(g.range.high) +
+             "\");\n    }\n";
+  }
+  return lines;
+}
 std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
 
 /// The outputs that are wanted (none named: all) and the definitions those need.
@@ -47,8 +59,14 @@ Quantity wanted_part(const Quantity& q, const std::set<std::string>& wanted) {
       c.outputs.push_back(t);
       visit(visit, t.conclusion().arg(1));
     }
+    if (!c.outputs.empty()) c.guards = whole.guards;
+    const auto is_guarded = [&](Expr head) {
+      return std::any_of(c.guards.begin(), c.guards.end(),
+                         [&](const Condition& g) { return g.name == head.name(); });
+    };
     for (auto t = whole.definitions.rbegin(); t != whole.definitions.rend(); ++t) {
-      if (live.count(t->conclusion().arg(0)) == 0) continue;
+      const Expr head = t->conclusion().arg(0);
+      if (live.count(head) == 0 && !is_guarded(head)) continue;
       visit(visit, t->conclusion().arg(1));
       c.definitions.insert(c.definitions.begin(), *t);
     }
@@ -62,6 +80,7 @@ std::string results(const Program& p, PlainText& text, Expr first) {
   std::vector<std::string> values;
   std::vector<std::string> rows;
   for (const Result& r : p.results) {
+    if (r.kind == Result::guard) continue;
     values.push_back(text.use(r.node));
     if (values.size() != columns) continue;
     rows.push_back("{" + joined(values, ", ") + "}");
@@ -96,13 +115,17 @@ private:
   std::vector<std::string> domains, theorems;
   std::set<std::string> functions;  // of <cmath>
 
+  std::string function_name() const {
+    return f.form == "matrices" ? q.name : q.name + "_" + f.form;
+  }
   void branch(const Case& c) {
     const bool is_exact = f.form == "exact";
     const Program p = lower_plain(q, c, is_exact);
     PlainText text(p);
     const Expr first = c.outputs[0].conclusion().arg(0);
-    branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() + "    return {" +
-                results(p, text, first) + "};\n  }\n";
+    branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() +
+                guard_lines(function_name(), c) + "    return {" + results(p, text, first) +
+                "};\n  }\n";
     for (const std::string& function : text.functions)
       functions.insert("  using std::" + function + ";");
     doublings = p.functions;
@@ -116,7 +139,7 @@ private:
   }
   void write() {
     const bool is_matrix = f.form == "matrices";
-    const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
+    const std::string name = function_name();
     std::vector<std::string> parameters;
     for (const Input& i : q.inputs) {
       parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
@@ -125,7 +148,8 @@ private:
       code += "template <class Number>\nstruct " + capital(q.name) + capital(f.form) +
               " {\n  Number " + joined(outputs, ", ") + ";\n};\n";
     }
-    code += "/// " + q.name + " (" + q.labels + "): " + joined(outputs, ", ") +
+    const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
+    code += "/// " + q.name + of_paper + ": " + joined(outputs, ", ") +
             ". Domain: " + joined(domains, "; or ") + ".\n";
     if (!theorems.empty()) code += "/// Theorems: " + joined(theorems, ", ") + ".\n";
     code +=

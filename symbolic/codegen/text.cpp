@@ -18,13 +18,14 @@ std::string broken_line(const std::string& code) {
     if (is_it && leader.size() == indent) leader += comment;
   }
   const bool is_comment = leader.size() > indent;
+  const bool is_literal = !is_comment && std::string_view(code).substr(indent).starts_with('"');
   std::string text;
   std::string rest = code;
   while (rest.size() > columns) {
-    const std::size_t at = rest.rfind(' ', columns);
+    const std::size_t at = rest.rfind(' ', columns - (is_literal ? 2 : 0));
     if (at == std::string::npos || at <= leader.size() + 4) break;
-    text += rest.substr(0, at) + "\n";
-    rest = leader + (is_comment ? "  " : "    ") + rest.substr(at + 1);
+    text += rest.substr(0, at) + (is_literal ? " \"\n" : "\n");
+    rest = leader + (is_comment ? "  " : is_literal ? "\"" : "    ") + rest.substr(at + 1);
   }
   return text + rest + "\n";
 }

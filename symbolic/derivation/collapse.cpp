@@ -8,9 +8,12 @@ Expr U(Expr index) { return chebyshev(index, kappa()); }
 
 /// kappa < 1 as an inequality of masses and e without roots.
 void threshold(Book& book) {
-  const Expr sum = (M_A + M_C) * (M_B + M_C);
-  const Theorem is = book["wedge.kappa"];
-  const Expr over = power(1 + e, 2) * M_A * M_B, under_it = 4 * e * sum;
+  const Theorem kappa_is = book["wedge.kappa"];
+  const Exprs domain{lt(0, M_A), le(0, w_B), lt(0, M_C), lt(0, e)};
+  const Theorem is = define("K", masses_and_e(),
+                            power(1 + e, 2) * M_A / (4 * e * (M_A + M_C) * (1 + w_B * M_C)), -1);
+  restrict_domain("K", masses_and_e(), logic_and(domain));
+  book.show("def_K", "", "Without roots, with", is);
   Theorems squares;
   for (const char* name : {"wedge.r_A", "wedge.r_B"}) {
     const Theorem r = book[name];
@@ -19,25 +22,32 @@ void threshold(Book& book) {
         equation(power(r.conclusion().arg(0), 2), share, {r, root_squared(positive(share))}));
   }
   squares.push_back(root_squared(assume(lt(0, e))));
+  const Expr K = is.conclusion().arg(0);
   const Theorem square =
-      book.show("square", "", "The square of kappa has no roots:",
-                equation(power(kappa(), 2), over / under_it, squares + Theorems{is}));
-  const Theorem whole = equation(power(kappa(), 2) * under_it, over, {square});
-  const Theorem positive_kappa = linear(lt(0, kappa()), {is, positive(is.conclusion().arg(1))});
-  know(positive_kappa);
-  const auto compare = [&](Expr goal, const Theorem& of_kappa, int sign) {
-    Certificate c;  // over - under_it = under_it (kappa - 1)(kappa + 1)
-    c.equations = {{sign, whole}};
-    c.products = {{1, {of_kappa, positive(kappa() + 1), positive(under_it)}, {}}};
-    return arithmetic(goal, c);
+      book.show("square", "", "the square of kappa is",
+                equation(power(kappa(), 2), K, squares + Theorems{kappa_is, is}));
+  know(linear(lt(0, kappa()), {kappa_is, positive(kappa_is.conclusion().arg(1))}));
+  const auto compare = [&](Expr goal, Expr premise) {  // K - 1 = (kappa - 1)(kappa + 1)
+    return given(premise, [&](const Theorem& t) {
+      return linear(goal, {square, times(t, kappa() + 1)});
+    });
   };
   book.show("threshold", "", "so kappa is below 1, and the collisions end, if and only if",
-            tautology(iff(lt(kappa(), 1), lt(over, under_it)),
-                      {given(lt(kappa(), 1),
-                             [&](const Theorem& t) { return compare(lt(over, under_it), t, -1); }),
-                       given(le(1, kappa()), [&](const Theorem& t) {
-                         return compare(le(under_it, over), t, 1);
-                       })}));
+            tautology(iff(lt(kappa(), 1), lt(K, 1)),
+                      {compare(lt(K, 1), lt(kappa(), 1)), compare(le(1, K), le(1, kappa()))}));
+}
+/// What K is for a block of mass M_B, and for a wall.
+void special_cases(Book& book) {
+  const Expr M_B = real("M_B");
+  const Known mass({assume(lt(0, M_B)), positive(1 / M_B, {assume(lt(0, M_B))})});
+  const auto instance = [&](const char* id, const char* words, Expr inverse, Expr value) {
+    const Theorem K = at(book["collapse.def_K"], {{w_B, inverse}}, {linear(le(0, inverse))});
+    book.show(id, "", words, equation(K.conclusion().arg(0), value, {K}));
+  };
+  const Expr over = power(1 + e, 2) * M_A, below = 4 * e * (M_A + M_C);
+  instance("masses", "For a block of mass M_B that is", 1 / M_B,
+           over * M_B / (below * (M_B + M_C)));
+  instance("wall", "and for a wall", 0, over / below);
 }
 /// Where they never end, all times are below one that they come arbitrarily close to.
 void in_time(Book& book) {
@@ -46,7 +56,7 @@ void in_time(Book& book) {
   const Theorem not_negative_inside =
       linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1})), from_1});
   know(not_negative_inside);
-  Exprs domain = {lt(0, M_A), lt(0, M_B), lt(0, M_C), lt(0, e)};
+  Exprs domain = {lt(0, M_A), le(0, w_B), lt(0, M_C), lt(0, e)};
   domain.push_back(le(1, kappa()));
   const Theorem definition = define("y_e", masses_and_e(), kappa() - root, -1);
   restrict_domain("y_e", masses_and_e(), logic_and(domain));
@@ -77,7 +87,7 @@ void in_time(Book& book) {
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
   know(linear(lt(0, U(j)), {rise, from_0}));
   const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
-  const Exprs params{M_A, M_B, M_C, e, V, L};
+  const Exprs params{M_A, w_B, M_C, e, V, L};
   const Theorem end_is = define("t_end", params, unit * y_e, -1);
   domain.insert(domain.end(), {V_positive, lt(0, L)});
   restrict_domain("t_end", params, logic_and(domain));
@@ -108,17 +118,20 @@ void in_time(Book& book) {
 void equal_blocks(Book& book) {
   const Expr M = real("M");
   const Theorem block = assume(lt(0, M)), mass = assume(alpha_positive);
-  const Known here({block, mass});
-  const Substitution equal{{M_A, M}, {M_B, M}, {M_C, alpha * M}};
+  const Known here({block, mass, positive(1 / M, {block})});
+  const Substitution equal{{M_A, M}, {w_B, 1 / M}, {M_C, alpha * M}};
   const Theorem ball = positive(alpha * M);
-  const Expr share = M / (M + alpha * M), s = sqrt(e);
-  const Theorem r = at(book["wedge.r_A"], equal, {ball}),
-                r_B = at(book["wedge.r_B"], equal, {ball});
+  const Expr share = 1 / (1 + alpha), s = sqrt(e);
+  const auto shared = [&](const char* id) {
+    const Theorem r = at(book[id], equal, {ball});
+    return rewrite(equation(r.conclusion().arg(1).arg(0), share), r);
+  };
   const Theorem root = root_squared(positive(share));
   const Theorem of_blocks =
       book.show("equal_blocks", "", "For blocks of one mass and a ball of alpha times that,",
                 equation(substitute(kappa(), equal), (1 + e) / (2 * s * (1 + alpha)),
-                         {at(book["wedge.kappa"], equal, {ball}), r, r_B, root}));
+                         {at(book["wedge.kappa"], equal, {ball}), shared("wedge.r_A"),
+                          shared("wedge.r_B"), root}));
   const Substitution elastic{{e, 1}};
   book.show(
       "elastic", "",
@@ -139,6 +152,7 @@ void collapse(Book& book) {
     if (!(a == le(0, j))) facts.push_back(assume(a));
   const Known signs(facts);
   threshold(book);
+  special_cases(book);
   in_time(book);
   equal_blocks(book);
 }

@@ -5,7 +5,7 @@
 
 namespace derivation {
 namespace {
-const Substitution paper{{M_A, 1}, {M_B, 1}, {M_C, alpha}, {e, 1}};
+const Substitution paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}, {e, 1}};
 Expr in_paper(Expr t) { return substitute(t, paper); }
 Expr half() { return psi() / 2; }
 Expr sine(Expr times) { return sin(times * half()); }

@@ -6,7 +6,7 @@
 
 namespace derivation {
 namespace {
-const Expr M_1 = real("M_1"), M_2 = real("M_2");
+const Expr M_1 = real("M_1"), M_2 = real("M_2"), w_2 = real("w_2");
 const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
 const Expr from_0 = le(0, j);
 
@@ -34,20 +34,41 @@ Exprs one_collision(Book& book) {
   book.show("energy", "", "Twice the kinetic energy that is lost:",
             equation(lost, (1 - power(e, 2)) * M_1 * M_2 / (M_1 + M_2) * power(u_1 - u_2, 2),
                      {v_2_is, v_1_is}));
-  return after;
+  // What divides by M_2 serves a wall, too.
+  const Theorem wall =
+      book.show("wall", "", "A wall stays as it is:",
+                define("rebound", {e, u_1, u_2, v_1, v_2}, logic_and({eq(v_2, u_2), relative}), 0));
+  const Theorems of_wall = parts({tautology(
+      wall.conclusion().arg(1), {wall, assume(fun("rebound", {e, u_1, u_2, v_1, v_2}))})});
+  const Expr shared = eq(w_2 * M_1 * u_1 + u_2, w_2 * M_1 * v_1 + v_2);
+  const Exprs of_both = solve({shared, relative}, {v_1, v_2}, {u_1, u_2});
+  const auto instance = [&](Expr value, const Theorems& rules, const auto& shape) {
+    const auto is = [&](Expr v, std::size_t i) {
+      return equation(v, shape(substitute(of_both[i], {{w_2, value}})), rules);
+    };
+    return both({is(v_1, 0), is(v_2, 1)});
+  };
+  book.show("inverse_mass", "", "With 1/M_2 for M_2 the velocities are",
+            instance(1 / M_2, {v_2_is, v_1_is}, [](Expr t) { return t; }));
+  const Theorem from_wall = linear(eq(v_1, v_2 - e * (u_1 - u_2)), {of_wall[1]});
+  book.show("at_wall", "", "and with 0 for 1/M_2 those of a wall:",
+            instance(0, {from_wall, of_wall[0]}, [](Expr t) {
+              return simplified(t, {u_1, u_2});
+            }));
+  return of_both;
 }
 /// The approach speed before collision j, and its recurrence.
 void recurrence(Book& book, const Theorems& motion) {
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   const auto v = [](const char* body, Expr i) {
-    return fun(std::string("v_") + body, {M_A, M_B, M_C, e, V, i});
+    return fun(std::string("v_") + body, {M_A, w_B, M_C, e, V, i});
   };
   const Theorem from = assume(from_0), zero = linear(le(0, 0));
-  const Known signs({assume(lt(0, M_A)), assume(lt(0, M_B)), assume(lt(0, M_C)), from});
+  const Known signs({assume(lt(0, M_A)), assume(le(0, w_B)), assume(lt(0, M_C)), from});
   const Theorems turns = parts({book["cycle.turn"]});
-  const Theorem definition = define("closing", {M_A, M_B, M_C, e, V, j},
+  const Theorem definition = define("closing", {M_A, w_B, M_C, e, V, j},
                                     P * (v("A", j) - v("C", j)) + Q * (v("C", j) - v("B", j)), 5);
-  restrict_domain("closing", {M_A, M_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
+  restrict_domain("closing", {M_A, w_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
   book.show("closing", "", "Before collision j its two bodies approach with the speed", definition);
   const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
   const Theorem first =
@@ -67,7 +88,7 @@ void recurrence(Book& book, const Theorems& motion) {
            (1 + turn(i)) / 2 * (v("C", i) - v("B", i));
   };
   const auto share = [](Expr i) {
-    return (1 + turn(i)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(i)) / 2 * (M_B / (M_B + M_C));
+    return (1 + turn(i)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(i)) / 2 * (1 / (1 + w_B * M_C));
   };
   const Theorem parting = book.show("parting", "", "they part e times as fast as they approached:",
                                     equation(other(j + 1), -e * closing(j), step));
@@ -82,16 +103,15 @@ void recurrence(Book& book, const Theorems& motion) {
       restate(eq(closing(1), second), equation(closing(Expr(0) + Expr(1)), second,
                                                {start, first, turns[0], motion[1], motion[2]})));
   const Expr after = j + 1;
+  const auto carried = [&](Expr i) {  // the momentum, times w_B
+    return w_B * (M_A * v("A", i) + M_C * v("C", i)) + v("B", i);
+  };
   const Theorem momentum =
-      book.show("momentum", "", "Momentum is kept:",
-                by_induction(j, eq(M_A * v("A", j) + M_B * v("B", j) + M_C * v("C", j), M_A * V),
-                             equation(M_A * v("A", 0) + M_B * v("B", 0) + M_C * v("C", 0), M_A * V,
-                                      {motion[0], motion[1], motion[2]}),
+      book.show("momentum", "", "Momentum is kept, if there is no wall:",
+                by_induction(j, eq(carried(j), w_B * M_A * V),
+                             equation(carried(0), w_B * M_A * V, {motion[0], motion[1], motion[2]}),
                              [&](const Theorem&, const Theorem& known) {
-                               const Theorem change = equation(
-                                   M_A * v("A", after) + M_B * v("B", after) + M_C * v("C", after),
-                                   M_A * v("A", j) + M_B * v("B", j) + M_C * v("C", j), step);
-                               return chain(change, known);
+                               return chain(equation(carried(after), carried(j), step), known);
                              }));
   // The two speeds after collision j, by the one before it and the one before the next.
   const Theorem closes = instantiate(definition, {{j, after}});
@@ -104,13 +124,16 @@ void recurrence(Book& book, const Theorems& motion) {
   const Theorem C_B =
       book.show("C_B", "", "those of C and B by",
                 equation(ball - B, of_B, {closes, parts_with, at(square, {{j, after}}, {from})}));
-  book.show(
-      "B_velocity", "", "and B has",
-      equation(B, (M_A * (V - closing(after) + e * closing(j)) - M_C * of_B) / (M_A + M_B + M_C),
-               {linear(eq(M_B * B, M_A * V - M_A * A - M_C * ball),
-                       {at(momentum, {{j, after}}, {from})}),
-                linear(eq(A, B + closing(after) - e * closing(j)), {A_B}),
-                linear(eq(ball, B + of_B), {C_B})}));
+  const auto share_of = [&](Expr M, Expr own, Expr difference, const Theorem& is) {
+    return equation(w_B * M * own, w_B * M * (B + difference),
+                    {linear(eq(own, B + difference), {is})});
+  };
+  const Expr of_A = closing(after) - e * closing(j), all = 1 + w_B * (M_A + M_C);
+  const Expr given_off = w_B * (M_A * (V - of_A) - M_C * of_B);
+  const Theorem whole =
+      linear(eq(B * all, given_off), {at(momentum, {{j, after}}, {from}),
+                                      share_of(M_A, A, of_A, A_B), share_of(M_C, ball, of_B, C_B)});
+  book.show("B_velocity", "", "and B has", divided(B, given_off / all, {all}, whole));
   book.show("recurrence", "", "and each one follows from two before:",
             linear(eq(closing(j + 2), (1 + e) * share(j + 1) * closing(j + 1) - e * closing(j)),
                    {at(gain, {{j, j + 1}}, {from}), parting}));
@@ -121,23 +144,26 @@ void restitution(Book& book) {
   book.chapter("restitution", "Any masses, and collisions that lose energy",
                {lt(0, M_1), lt(0, M_2)});
   const Exprs after = one_collision(book);
-  const auto collide = [&](std::size_t body, Expr M, Expr u, Expr w) {
-    return substitute(after[body], {{M_1, M}, {M_2, M_C}, {u_1, u}, {u_2, w}});
+  const auto collide = [&](std::size_t body, Expr M, Expr inverse, Expr u, Expr other) {
+    return substitute(after[body], {{M_1, M}, {w_2, inverse}, {u_1, u}, {u_2, other}});
   };
 
   book.chapter("motion", "Three bodies of any masses", wedge_assumptions());
   const Expr A_before = real("A_before"), B_before = real("B_before"), C_before = real("C_before");
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   const Theorems motion = define_recursive(
-      {"v_A", "v_B", "v_C"}, {M_A, M_B, M_C, e, V}, j, {A_before, B_before, C_before}, {V, 0, 0},
-      {P * collide(0, M_A, A_before, C_before) + Q * A_before,
-       P * B_before + Q * collide(0, M_B, B_before, C_before),
-       P * collide(1, M_A, A_before, C_before) + Q * collide(1, M_B, B_before, C_before)});
+      {"v_A", "v_B", "v_C"}, {M_A, w_B, M_C, e, V}, j, {A_before, B_before, C_before}, {V, 0, 0},
+      {P * collide(0, M_A, 1 / M_C, A_before, C_before) + Q * A_before,
+       P * B_before + Q * collide(1, M_C, w_B, C_before, B_before),
+       P * collide(1, M_A, 1 / M_C, A_before, C_before) +
+           Q * collide(0, M_C, w_B, C_before, B_before)});
   for (const char* name : {"v_A", "v_B", "v_C"})
-    restrict_domain(name, {M_A, M_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
-  book.show("start", "", "At the start A, of mass M_A, moves with V; the ball C and B are at rest:",
+    restrict_domain(name, {M_A, w_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
+  book.show("start", "",
+            "At the start A, of mass M_A, moves with V; the ball C and B, a block or a wall, are "
+            "at rest:",
             (both({motion[0], motion[1], motion[2]})));
-  book.show("next", "", "Collision j is one of A and C, or of B and C, by turns:",
+  book.show("next", "", "Collision j is one of A and C, or of C and B, by turns:",
             (both({motion[3], motion[4], motion[5]})));
   recurrence(book, motion);
 }

@@ -6,24 +6,28 @@
 namespace derivation {
 namespace {
 const Expr from_0 = le(0, j);
-const Exprs masses{lt(0, M_A), lt(0, M_B), lt(0, M_C), lt(0, e)};
+const Exprs masses{lt(0, M_A), le(0, w_B), lt(0, M_C), lt(0, e)};
 Expr pow(Expr i) { return fun("pow", {sqrt(e), i}); }
 
 /// The roots of the shares of mass, and kappa.
 Theorems shares(Book& book) {
   Theorems rules;
-  for (const auto& [name, M] : {std::pair{"r_A", M_A}, std::pair{"r_B", M_B}}) {
-    const Expr share = M / (M + M_C);
-    const Theorem is = define(name, {M, M_C}, sqrt(share), -1);
-    restrict_domain(name, {M, M_C}, logic_and({lt(0, M), lt(0, M_C)}));
-    book.show(name, "", name[2] == 'A' ? "With the roots of the shares of mass" : "and", is);
+  for (const char* name : {"r_A", "r_B"}) {
+    const bool is_of_A = name[2] == 'A';
+    const Expr share = is_of_A ? M_A / (M_A + M_C) : 1 / (1 + w_B * M_C);
+    const Exprs params{is_of_A ? M_A : w_B, M_C};
+    const Theorem is = define(name, params, sqrt(share), -1);
+    restrict_domain(name, params, logic_and({is_of_A ? lt(0, M_A) : le(0, w_B), lt(0, M_C)}));
+    book.show(
+        name, "",
+        is_of_A ? "With the roots of the shares of mass" : "and, for a block or with 1 for a wall,",
+        is);
     const Expr r = is.conclusion().arg(0);
     know(linear(lt(0, r), {is, positive(sqrt(share))}));
     rules.push_back(equation(power(r, 2), share, {is, root_squared(positive(share))}));
   }
-  const Theorem is =
-      define("kappa", {M_A, M_B, M_C, e}, (1 + e) * r_A() * r_B() / (2 * sqrt(e)), -1);
-  restrict_domain("kappa", {M_A, M_B, M_C, e}, logic_and(masses));
+  const Theorem is = define("kappa", masses_and_e(), (1 + e) * r_A() * r_B() / (2 * sqrt(e)), -1);
+  restrict_domain("kappa", masses_and_e(), logic_and(masses));
   book.show("kappa", "", "the shape of the motion is one number:", is);
   return rules + Theorems{is, root_squared(assume(lt(0, e)))};
 }
@@ -97,7 +101,8 @@ void angle_of_the_wedge(Book& book) {
   const Expr rest = 1 - power(kappa(), 2), t = sqrt(rest) / kappa();
   const Theorem is = define("h_e", masses_and_e(), atan(t), -1);
   const Expr h = is.conclusion().arg(0);
-  Exprs domain{lt(0, M_A), lt(0, M_B), lt(0, M_C), lt(0, e), lt(kappa(), 1)};
+  Exprs domain = masses;
+  domain.push_back(lt(kappa(), 1));
   restrict_domain("h_e", masses_and_e(), logic_and(domain));
   book.show("h_e", "", "Where kappa is below 1 it is the cosine of an angle,", under(domain, is));
   const Theorem square =
@@ -130,7 +135,7 @@ void angle_of_the_wedge(Book& book) {
             "and collision j takes place if and only if a sine is positive:", sign);
   domain.push_back(V_positive);
   count(book, {"N_e",
-               {M_A, M_B, M_C, e, V},
+               {M_A, w_B, M_C, e, V},
                domain,
                closing,
                [&](Expr i) { return i * h; },
@@ -161,7 +166,7 @@ void wedge(Book& book) {
   Exprs assumptions = wedge_assumptions();
   assumptions.push_back(lt(0, e));
   book.chapter("wedge", "The wedge", assumptions);
-  const Known signs({assume(lt(0, M_A)), assume(lt(0, M_B)), assume(lt(0, M_C)), assume(lt(0, e)),
+  const Known signs({assume(lt(0, M_A)), assume(le(0, w_B)), assume(lt(0, M_C)), assume(lt(0, e)),
                      assume(from_0)});
   const Theorems rules = shares(book);
   const Theorem speed = speeds(book, rules);

@@ -5,24 +5,25 @@
 
 namespace derivation {
 inline const Expr M_A = real("M_A");
-inline const Expr M_B = real("M_B");
+/// 1/M_B, 0 for a wall.
+inline const Expr w_B = real("w_B");
 inline const Expr M_C = real("M_C");
 inline const Expr e = real("e");
 inline const Expr L = real("L");
-/// Positive masses, and 0 <= j.
-inline Exprs wedge_assumptions() { return {lt(0, M_A), lt(0, M_B), lt(0, M_C), le(0, j)}; }
+/// Positive masses, that of B or a wall, and 0 <= j.
+inline Exprs wedge_assumptions() { return {lt(0, M_A), le(0, w_B), lt(0, M_C), le(0, j)}; }
 /// The speed with which the two bodies of collision j approach before it.
-inline Expr closing(Expr i) { return fun("closing", {M_A, M_B, M_C, e, V, i}); }
+inline Expr closing(Expr i) { return fun("closing", {M_A, w_B, M_C, e, V, i}); }
 inline Expr chebyshev(Expr i, Expr at) { return fun("U", {at, i}); }
-inline Exprs masses_and_e() { return {M_A, M_B, M_C, e}; }
-inline Expr kappa() { return fun("kappa", {M_A, M_B, M_C, e}); }
+inline Exprs masses_and_e() { return {M_A, w_B, M_C, e}; }
+inline Expr kappa() { return fun("kappa", masses_and_e()); }
 inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
-inline Expr r_B() { return fun("r_B", {M_B, M_C}); }
+inline Expr r_B() { return fun("r_B", {w_B, M_C}); }
 /// 1 for P, r_A/r_B for Q.
 inline Expr side(Expr i) { return (1 + turn(i)) / 2 + (1 - turn(i)) / 2 * (r_A() / r_B()); }
 /// time, x_A, x_B, x_C at collision i.
 inline Expr at_collision(const char* name, Expr i) {
-  return fun(name, {M_A, M_B, M_C, e, V, L, i});
+  return fun(name, {M_A, w_B, M_C, e, V, L, i});
 }
 inline Expr apart(Expr i) { return at_collision("x_B", i) - at_collision("x_A", i); }
 /// Collisions 0 to `last` take place: for every i of them 0 < closing_i.
@@ -49,4 +50,5 @@ void wedge(Book& book);
 void when_and_where(Book& book);
 void collapse(Book& book);
 void encounters(Book& book);
+void three_body_forms(Book& book);
 }  // namespace derivation

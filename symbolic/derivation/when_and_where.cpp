@@ -5,7 +5,7 @@
 namespace derivation {
 namespace {
 Expr v(const char* body, Expr index) {
-  return fun(std::string("v_") + body, {M_A, M_B, M_C, e, V, index});
+  return fun(std::string("v_") + body, {M_A, w_B, M_C, e, V, index});
 }
 Expr x_of(const char* body, Expr index) { return at_collision(body, index); }
 Expr time_of(Expr index) { return at_collision("time", index); }
@@ -14,7 +14,7 @@ Expr U(Expr index) { return chebyshev(index, kappa()); }
 Expr U_last(Expr index) { return fun("U_last", {kappa(), index}); }
 
 // What is proved of collision `at`, without quotients: its bodies are at one place; how far the
-// blocks are apart; when it takes place.
+// blocks are apart; when it takes place; how the centre of mass moves on, times w_B.
 Expr met(Expr at) {
   return eq((1 + turn(at)) / 2 * (x_of("x_C", at) - x_of("x_A", at)) +
                 (1 - turn(at)) / 2 * (x_of("x_B", at) - x_of("x_C", at)),
@@ -24,7 +24,11 @@ Expr distance(Expr at) { return eq(apart(at) * side(at) * U(at), L * pow(at)); }
 Expr when(Expr at) {
   return eq(time_of(at) * (V * r_A() * sqrt(e)) * U(at), L * r_B() * U_last(at));
 }
-Expr all_three(Expr at) { return logic_and({met(at), distance(at), when(at)}); }
+Expr carried(Expr at) {
+  return eq(w_B * (M_A * x_of("x_A", at) + M_C * x_of("x_C", at)) + x_of("x_B", at),
+            L + w_B * M_A * V * time_of(at));
+}
+Expr all_four(Expr at) { return logic_and({met(at), distance(at), when(at), carried(at)}); }
 
 /// Their solutions.
 Theorem distance_is(const Theorem& t) {
@@ -41,7 +45,7 @@ Theorems motion_in_space() {
                      real("x_C_before")};
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   const Expr wait = (P * (before[2] - before[3]) + Q * (before[3] - before[1])) / closing(j + 1);
-  const Exprs params{M_A, M_B, M_C, e, V, L};
+  const Exprs params{M_A, w_B, M_C, e, V, L};
   const Theorems motion =
       define_recursive({"time", "x_A", "x_B", "x_C"}, params, j, before, {0, 0, L, 0},
                        {before[0] + wait, before[1] + v("A", j + 1) * wait,
@@ -70,7 +74,38 @@ Theorem takes_place(const Book& book, const Theorem& all_of_them, Expr index,
                                  {at(book["wedge.takes_place"], {{j, index}}, range), closes})});
 }
 
-/// all_three(j + 1) from all_three(j).
+/// carried(j + 1) from carried(j): momentum is that of V alone.
+Theorem moves_on(const Book& book, const Theorems& moved, const Theorem& now) {
+  const Theorem momentum = at(book["motion.momentum"], {{j, j + 1}}, {assume(le(0, j))});
+  const auto solved = [](Expr of_B, Expr of_both, Expr whole, const Theorem& t) {
+    return linear(eq(of_B, whole - of_both), {t});
+  };
+  const auto both_of = [](Expr of_A, Expr of_C) { return w_B * (M_A * of_A + M_C * of_C); };
+  const Theorem v_B =
+      solved(v("B", j + 1), both_of(v("A", j + 1), v("C", j + 1)), w_B * M_A * V, momentum);
+  const Theorem x_B =
+      solved(x_of("x_B", j), both_of(x_of("x_A", j), x_of("x_C", j)), now.conclusion().arg(1), now);
+  return equation(carried(j + 1), moved + Theorems{v_B, x_B});
+}
+
+/// The place of collision j, from how far the blocks are apart.
+Theorem ball_is(const Book& book, const Theorem& meets, const Theorem& now) {
+  const Expr t = turn(j), x_C = x_of("x_C", j), x_B = x_of("x_B", j), D = apart(j);
+  const Theorem turned_round = linear(eq(t * x_C, t * x_B + (-t * D - D) / 2), {meets});
+  const Theorem square = book["motion.turn_squared"];
+  const Theorem of_B =
+      chain(equation(x_C, t * (t * x_C), {square}),
+            equation(t * (t * x_C), x_B - (1 + t) / 2 * D, {turned_round, square}));
+  const Expr all = 1 + w_B * (M_A + M_C);
+  const Expr whole =
+      L + w_B * M_A * V * time_of(j) - (1 + t) / 2 * D + (1 - t) / 2 * (w_B * M_A * D);
+  return divided(
+      x_C, whole / all, {all},
+      linear(eq(x_C * all, whole),
+             {now, of_B, equation(w_B * M_A * x_C, w_B * M_A * of_B.conclusion().arg(1), {of_B})}));
+}
+
+/// all_four(j + 1) from all_four(j).
 Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
                  const Theorem& all_of_them) {
   const Theorem from = assume(le(0, j));
@@ -114,7 +149,8 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
   const Theorem neighbours =
       linear(eq(kernel::power(U(j), 2), 1 + U(j + 1) * U_last(j)), {of_kappa("neighbours")});
   return both({meets, equation(distance(j + 1), Theorems{B_next} + known_now),
-               equation(when(j + 1), Theorems{later, neighbours, of_kappa("last")} + known_now)});
+               equation(when(j + 1), Theorems{later, neighbours, of_kappa("last")} + known_now),
+               moves_on(book, moved, part(now, 3))});
 }
 }  // namespace
 
@@ -139,13 +175,14 @@ void when_and_where(Book& book) {
                         start("multiples.pow", {{y, sqrt(e)}}),
                         start("chebyshev.start", {{x, kappa()}, {j, 0}}),
                         start("chebyshev.last", {{x, kappa()}, {j, 0}})};
-  const auto claim = [](Expr at) { return imp(all_take_place(at), all_three(at)); };
-  const Theorem base = tautology(claim(0), {equation(met(0), starts), equation(distance(0), starts),
-                                            equation(when(0), starts)});
+  const auto claim = [](Expr at) { return imp(all_take_place(at), all_four(at)); };
+  const Theorem base =
+      tautology(claim(0), {equation(met(0), starts), equation(distance(0), starts),
+                           equation(when(0), starts), equation(carried(0), starts)});
   const Theorem together =
       by_induction(j, claim(j), base, [&](const Theorem&, const Theorem& known) {
         return given(all_take_place(j + 1), [&](const Theorem& all_of_them) {
-          const Theorem now = tautology(all_three(j), {known, but_the_last(all_of_them)});
+          const Theorem now = tautology(all_four(j), {known, but_the_last(all_of_them)});
           return one_more(book, motion, now, all_of_them);
         });
       });
@@ -157,7 +194,7 @@ void when_and_where(Book& book) {
   }));
   know(but_the_last(one_further));
   know(takes_place(book, one_further, j + 1, {from, linear(le(j + 1, j + 1))}));
-  const Theorem now = tautology(all_three(j), {together, all_now});
+  const Theorem now = tautology(all_four(j), {together, all_now});
   const auto shown = [&](const char* id, const char* words, const Theorem& t,
                          const Theorem& where) {
     Exprs all = assumptions;
@@ -172,5 +209,8 @@ void when_and_where(Book& book) {
   shown("met", "There the two bodies of the collision are at one place:", part(now, 0), all_now);
   shown("distance", "The blocks are then so far apart,", distance_is(part(now, 1)), all_now);
   shown("time", "and the collision takes place at the time", time_is(part(now, 2)), all_now);
+  shown("carried", "The centre of mass, if there is no wall, moves on evenly:", part(now, 3),
+        all_now);
+  shown("place", "so the ball is at", ball_is(book, part(now, 0), part(now, 3)), all_now);
 }
 }  // namespace derivation

@@ -15,6 +15,12 @@ Input input(kernel::Expr variable, double least, double most) {
 }
 Input alpha(double least, double most) { return input(kernel::real("alpha"), least, most); }
 
+std::vector<Input> three_bodies() {
+  constexpr double most = 0x1p100;
+  return {input(kernel::real("M_A"), 1 / most, most), input(kernel::real("w_B"), 0, most),
+          input(kernel::real("M_C"), 1 / most, most), input(kernel::real("e"), 1 / most, 1)};
+}
+
 /// Of the counts and the velocities without error.
 std::vector<PlainForm> exact(Source& s) {
   const kernel::Theorems T = s("exact.T_0 T_1 T_even T_odd");
@@ -34,8 +40,49 @@ std::vector<PlainForm> exact(Source& s) {
                         const std::vector<Case>& cases) {
     return PlainForm{{name, labels(name), inputs, cases, s.units, {cosines}}, "exact"};
   };
+  const Case shape = s.of("all", {}, "-> collapse.def_K bodies.def_q_e");
   return {made("velocities", {any, input(kernel::integer("n"), 0, most)}, {start, later}),
-          made("terminal", {any, count("N_A"), count("N_B")}, {end})};
+          made("terminal", {any, count("N_A"), count("N_B")}, {end}),
+          {{"shape", "", three_bodies(), {shape}, s.units}, "exact"}};
+}
+/// Three bodies of any masses, or two and a wall, with restitution: q_e comes from the exact form,
+/// turn and pow are of the number of the collision.
+std::vector<PlainForm> restitution(Source& s) {
+  constexpr double most = 0x1p100;
+  std::vector<Input> inputs = three_bodies();
+  kernel::Exprs names;
+  for (const Input& i : inputs) names.push_back(i.variable);
+  const auto with = [&](const char* name, double least, double largest) {
+    std::vector<Input> more = inputs;
+    more.push_back(input(kernel::fun(name, names), least, largest));
+    return more;
+  };
+  const std::vector<Input> ends = with("q_e", 1 / most, 1), ends_not = with("q_e", -most, 0);
+  inputs = ends;
+  inputs = with("h_e", 1 / most, 4);
+  const std::vector<Input> of_angle = inputs;
+  const kernel::Expr j = kernel::integer("j"), e = kernel::real("e");
+  inputs.push_back(input(j, 0, 0x1p62));
+  inputs.push_back(input(kernel::fun("turn", {j}), -1, 1));
+  inputs.push_back(input(kernel::fun("pow", {kernel::sqrt(e), j}), 1 / most, 1));
+  const std::string roots = "wedge.r_A r_B ";
+  const std::string parts = roots + "bodies.def_step_sine def_now_side def_now_sine ";
+  Case after = s.of("all", {},
+                    parts +
+                        "def_later_side def_later_sine before after -> "
+                        "bodies.B_next A_next C_next");
+  after.guards = {{"step_sine", {1 / most, 2}}, {"now_side", {1 / most, most}}};
+  Case at = s.of("all", {}, parts + "def_rest_e -> bodies.moment blocks place");
+  at.guards = after.guards;
+  at.guards.push_back({"now_sine", {1 / most, 2}});
+  at.guards.push_back({"rest_e", {1 / most, 4}});
+  const auto made = [&](const char* name, const std::vector<Input>& of, const Case& c) {
+    return PlainForm{{name, "", of, {c}, s.units}, "restitution"};
+  };
+  return {made("angle", ends, s.of("all", {}, roots + "kappa -> bodies.h_e")),
+          made("count", of_angle, s.of("all", {}, "-> bodies.N_e")), made("after", inputs, after),
+          made("at", inputs, at),
+          made("collapse", ends_not, s.of("all", {}, roots + "kappa bodies.y_e -> bodies.t_end"))};
 }
 struct Inventory {
   Source source;
@@ -95,6 +142,7 @@ std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evalu
       {"matrices", "R", {mass}, "-> rotation.R"},
       {"matrices", "lambda_3", {x}, "-> rotation.lambda_3"}};
   std::vector<PlainForm> all = exact(s);
+  for (PlainForm& f : restitution(s)) all.push_back(std::move(f));
   // The evaluators' theorems where alpha < 1; they hold everywhere.
   for (Quantity q : evaluators) {
     if (q.name == "magic" || q.name == "deficient") continue;
@@ -121,7 +169,8 @@ std::string selected(const std::string& form, const std::set<std::string>& outpu
   for (const codegen::PlainForm& f : inventory().plain)
     if (f.form == form && form != "matrices") forms.push_back(f);
   if (forms.empty())
-    throw codegen::Refused("no form " + form + "; allowed: closed, product, tangent, exact");
+    throw codegen::Refused("no form " + form +
+                           "; allowed: closed, product, tangent, exact, restitution");
   return codegen::emit_plain(forms, inventory().source.ids, outputs).header;
 }
 }  // namespace generate

@@ -9,7 +9,7 @@
 #include "codegen/emit_plain.hpp"
 
 namespace generate {
-/// Theorems of the book in units of V, with their ids.
+/// Theorems of the book in units of V and L, with their ids.
 class Source {
 public:
   /// "evaluators.def_w def_t terminal.definitions/2": a word without a chapter is of the one before
@@ -19,7 +19,7 @@ public:
   codegen::Case of(const std::string& name, const std::vector<codegen::Condition>& where,
                    const std::string& words);
 
-  const kernel::Substitution units{{kernel::real("V"), 1}};
+  const kernel::Substitution units{{kernel::real("V"), 1}, {kernel::real("L"), 1}};
   codegen::Ids ids;
 };
 /// Evaluators in DoubleDouble.
@@ -30,7 +30,8 @@ std::vector<codegen::PlainForm> plain_forms(Source& source,
 std::string labels(const std::string& quantity);
 /// Texts by path below generated/. The same bytes from every run.
 std::map<std::string, std::string> generated();
-/// One header with the wanted outputs alone, in a plain form: closed, product, tangent, exact.
+/// One header with the wanted outputs alone, in a plain form: closed, product, tangent, exact,
+/// restitution.
 /// Throws codegen::Refused for a form or an output that there is none of.
 std::string selected(const std::string& form, const std::set<std::string>& outputs);
 }  // namespace generate

@@ -98,4 +98,24 @@ TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std:
   throw std::domain_error("terminal_exact: allowed: "
       "alpha > 0, N_A from 1 to 4611686018427387904, N_B from 1 to 4611686018427387904");
 }
+template <class Number>
+struct ShapeExact {
+  Number K, q_e;
+};
+/// shape: K, q_e. Domain: M_A > 0, w_B > 0, M_C > 0, e > 0.
+/// Theorems: collapse.def_K, bodies.def_q_e.
+template <class Number>
+ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
+    Number& e) {
+  if (true) {
+    const Number t1 = Number(1) + e;
+    // K = (1 + e)^2*M_A/(4*e*(M_A + M_C)*(1 + w_B*M_C))
+    const Number K = t1 * t1 * M_A / e / (M_A + M_C) / (Number(1) + w_B * M_C) / Number(4);
+    // q_e = 1 - K
+    const Number q_e = Number(1) - K;
+    return {K, q_e};
+  }
+  throw std::domain_error("shape_exact: allowed: "
+      "M_A > 0, w_B > 0, M_C > 0, e > 0");
+}
 }  // namespace magicmass::generated

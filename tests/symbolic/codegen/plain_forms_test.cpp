@@ -15,6 +15,7 @@
 #include "magicmass/plain/closed.hpp"
 #include "magicmass/plain/matrices.hpp"
 #include "magicmass/plain/product.hpp"
+#include "magicmass/plain/restitution.hpp"
 #include "magicmass/plain/tangent.hpp"
 
 namespace {
@@ -179,4 +180,71 @@ TEMPLATE_TEST_CASE("matrices turn the velocities, and Lambda is Gamma_B Gamma_A 
   check_edge(TestType(0x1p300), INFINITY, [](TestType x) { return R(x); });
   check_edge(TestType(0x1p50), INFINITY, [](TestType x) { return lambda_3(x); });
   check_edge(TestType(-0x1p50), -INFINITY, [](TestType x) { return lambda_3(x); });
+}
+
+namespace {
+/// Three bodies of any masses, or two and a wall, by their laws alone: V = L = 1.
+struct Bodies {
+  double A, per_B, C, e;
+  double v[3] = {1, 0, 0}, x[3] = {0, 1, 0}, time = 0;
+  bool A_next = true;
+  double approach() const { return A_next ? v[0] - v[2] : v[2] - v[1]; }
+  void collide() {
+    const double share = per_B * C, centre = A_next ? (A * v[0] + C * v[2]) / (A + C)
+                                                    : (share * v[2] + v[1]) / (share + 1);
+    for (double* u : {A_next ? &v[0] : &v[1], &v[2]}) *u = (1 + e) * centre - e * *u;
+    A_next = !A_next;
+  }
+  void wait() {
+    const double t = (A_next ? x[2] - x[0] : x[1] - x[2]) / approach();
+    time += t;
+    for (int i = 0; i < 3; ++i) x[i] += t * v[i];
+  }
+};
+}  // namespace
+
+TEST_CASE("three bodies with restitution, and a wall, move as their laws say") {
+  constexpr double near_enough = 1e-11;
+  for (const Bodies& start :
+       {Bodies{1, 1, 0.1, 1}, Bodies{2, 0.3, 0.25, 0.9}, Bodies{1, 0, 0.01, 1},
+        Bodies{3, 0, 0.2, 0.95}, Bodies{0.5, 4, 0.02, 0.98}}) {
+    Bodies m = start;
+    const double q_e = shape_exact(m.A, m.per_B, m.C, m.e).q_e;
+    const double h_e = angle_restitution(m.A, m.per_B, m.C, m.e, q_e).h_e;
+    const double N_e = count_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e).N_e;
+    double power = 1;
+    int j = 0;
+    for (; m.approach() > 0; ++j, power *= std::sqrt(m.e)) {
+      INFO("collision " << j << ", wall: " << (m.per_B == 0));
+      if (j > 0) m.wait();
+      const double turn = j % 2 == 0 ? 1 : -1;
+      const auto at = at_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e, j, turn, power);
+      CHECK(std::fabs(at.moment - m.time) <= near_enough * (1 + m.time));
+      CHECK(std::fabs(at.blocks - (m.x[1] - m.x[0])) <= near_enough * (1 + m.time));
+      CHECK(std::fabs(at.place - m.x[2]) <= near_enough * (1 + m.time));
+      m.collide();
+      const auto after = after_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e, j, turn, power);
+      CHECK(std::fabs(after.A_next - m.v[0]) <= near_enough);
+      CHECK(std::fabs(after.B_next - m.v[1]) <= near_enough);
+      CHECK(std::fabs(after.C_next - m.v[2]) <= 10 * near_enough);
+    }
+    CHECK(N_e == j);
+    CHECK(throws([&] {
+      at_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e, j, j % 2 == 0 ? 1.0 : -1.0, power);
+    }));
+    CHECK(throws([&] { angle_restitution(m.A, m.per_B, m.C, m.e, 0.0); }));
+  }
+}
+
+TEST_CASE("the time of a collapse is what the times of collisions come to") {
+  for (const Bodies& start : {Bodies{1, 1, 1, 0.05}, Bodies{2, 0, 0.5, 0.04}}) {
+    Bodies m = start;
+    const double q_e = shape_exact(m.A, m.per_B, m.C, m.e).q_e;
+    for (int j = 0; j < 30; ++j) {
+      m.collide();
+      m.wait();
+    }
+    CHECK(std::fabs(collapse_restitution(m.A, m.per_B, m.C, m.e, q_e).t_end - m.time) <= 1e-8);
+    CHECK(throws([&] { collapse_restitution(m.A, m.per_B, m.C, m.e, 0.1); }));
+  }
 }

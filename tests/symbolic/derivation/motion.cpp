@@ -61,22 +61,24 @@ cl_R threshold(bool of_A, int k) {
   }
   return known[{of_A, k}] = hi;
 }
-/// Three bodies of any masses that lose energy, with their places: x holds M_A, M_B, M_C, e, V, and
-/// perhaps L.
+/// Three bodies of any masses that lose energy, with their places: x holds M_A, 1/M_B or 0 for a
+/// wall, M_C, e, V, and perhaps L.
 struct Trio {
   explicit Trio(const std::vector<cl_R>& x)
-      : mass{x[0], x[1], x[2]},
+      : A_mass(x[0]),
+        per_B(x[1]),
+        ball(x[2]),
         e(x[3]),
         v{exact(x[4]), exact(0), exact(0)},
         place{0, x.size() > 5 ? x[5] : 1, 0} {
-    if (mass[0] <= 0 || mass[1] <= 0 || mass[2] <= 0) throw Undefined();
+    if (A_mass <= 0 || per_B < 0 || ball <= 0) throw Undefined();
   }
   std::size_t block() const { return A_next ? 0 : 1; }
   cl_R approach() const { return A_next ? v[0] - v[2] : v[2] - v[1]; }
   void collide() {
-    const cl_R before = v[block()];
-    v[block()] = after(before, v[2], mass[block()], mass[2], e);
-    v[2] = after(v[2], before, mass[2], mass[block()], e);
+    const cl_R centre = A_next ? (A_mass * v[0] + ball * v[2]) / (A_mass + ball)
+                               : (per_B * ball * v[2] + v[1]) / (per_B * ball + 1);
+    for (std::size_t i : {block(), std::size_t(2)}) v[i] = (1 + e) * centre - e * v[i];
     A_next = !A_next;
   }
   void wait() {
@@ -86,8 +88,7 @@ struct Trio {
     time = time + t;
     for (std::size_t i = 0; i < 3; ++i) place[i] = place[i] + t * v[i];
   }
-  std::vector<cl_R> mass;
-  cl_R e;
+  cl_R A_mass, per_B, ball, e;
   std::vector<cl_R> v, place;
   cl_R time = 0;
   bool A_next = true;
@@ -209,12 +210,13 @@ cl_R function(const std::string& f, const Vector& x) {
   const auto root = [](const cl_R& of) { return cln::realpart(cln::sqrt(exact(of))); };
   if (f == "U") return chebyshev(x[0], whole(x[1]));
   if (f == "U_last") return x[1] == 0 ? cl_R(0) : chebyshev(x[0], whole(x[1]) - 1);
-  if (f == "r_A" || f == "r_B") return root(x[0] / (x[0] + x[1]));
+  if (f == "r_A") return root(x[0] / (x[0] + x[1]));
+  if (f == "r_B") return root(1 / (1 + x[0] * x[1]));
   if (f == "kappa" || f == "h_e" || f == "y_e") {
     // The second speed of a motion with V = 1 tells it.
     Trio t({x[0], x[1], x[2], x[3], 1});
     t.collide();
-    const cl_R share_A = x[0] / (x[0] + x[2]), share_B = x[1] / (x[1] + x[2]);
+    const cl_R share_A = x[0] / (x[0] + x[2]), share_B = 1 / (1 + x[1] * x[2]);
     const cl_R kappa = t.approach() * root(share_B / share_A) / (2 * root(x[3]));
     if (f == "kappa") return kappa;
     if (f == "h_e" ? kappa >= 1 : kappa < 1) throw Undefined();
@@ -230,6 +232,16 @@ cl_R function(const std::string& f, const Vector& x) {
     return f == "when" ? t.time : t.place[1] - t.place[0];
   }
   if (f == "closing") return trio_at(x, false).approach();
+  if (f == "before" || f == "after" || f.ends_with("_next")) {
+    Trio t = trio_at({x[0], x[1], x[2], x[3], x[4], x[6]}, false);
+    if (f == "before") return t.approach();
+    t.collide();
+    return f == "after" ? t.approach() : t.v[std::size_t(f[0] - 'A')];
+  }
+  if (f == "moment" || f == "place" || f == "blocks") {
+    const Trio t = trio_at(x, true);
+    return f == "moment" ? t.time : f == "place" ? t.place[2] : t.place[1] - t.place[0];
+  }
   if (f == "turn") return whole(x[0]) % 2 == 0 ? 1 : -1;
   if (f == "alpha_") return threshold(true, whole(x[0]));
   if (f == "beta_") return threshold(false, whole(x[0]));

@@ -165,6 +165,10 @@ bool collides(const std::vector<cl_R>& x) {
          kept(x[0] * x[2] * x[2] + x[1] * x[3] * x[3], x[0] * x[4] * x[4] + x[1] * x[5] * x[5]) &&
          sign(x[2], x[4]) != 0;
 }
+/// At a wall.
+bool rebounds(const std::vector<cl_R>& x) {
+  return sign(x[4], x[2]) == 0 && sign(x[4] - x[3], x[0] * (x[1] - x[2])) == 0;
+}
 /// The same with restitution, which comes first.
 bool hits(const std::vector<cl_R>& x) {
   return sign(x[1] * x[3] + x[2] * x[4], x[1] * x[5] + x[2] * x[6]) == 0 &&
@@ -226,6 +230,7 @@ bool truth(Expr f, const Point& point) {
       return true;
     default:
       if (f.name() == "impact") return hits(values(f, point));
+      if (f.name() == "rebound") return rebounds(values(f, point));
       return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
   }
 }
@@ -262,7 +267,9 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
       point[v] = function(kind == 0 ? "alpha_" : "beta_", {1 + any_of(8)});
     else if (name == "alpha")
       point[v] = cln::exp(between(-4, 2.5));
-    else if (name[0] == 'M')
+    else if (name == "w_B" && kind < 2)
+      point[v] = 0;
+    else if (name[0] == 'M' || name == "w_B")
       point[v] = between(0.1, 4);
     else if (name == "e")
       point[v] = kind < 4 ? between(0.01, 0.1) : between(0.1, 1.2);
@@ -286,6 +293,11 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
       const cl_R centre = (x[1] * x[3] + x[2] * x[4]) / (x[1] + x[2]);
       point[h.arg(5)] = (1 + x[0]) * centre - x[0] * x[3];
       point[h.arg(6)] = (1 + x[0]) * centre - x[0] * x[4];
+    }
+    if (h.op() == Op::Fun && h.name() == "rebound") {
+      const auto x = values(h, point);
+      point[h.arg(3)] = x[2] - x[0] * (x[1] - x[2]);
+      point[h.arg(4)] = x[2];
     }
     if (h.op() == Op::Eq && h.arg(0).op() == Op::Var && !free_variables(h.arg(1)).count(h.arg(0)))
       point[h.arg(0)] =

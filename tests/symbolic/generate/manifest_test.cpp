@@ -40,8 +40,8 @@ void check_says(const std::string& header, const std::string& what) {
 
 TEST_CASE("each entry's header is there and makes the claims of the entry") {
   const json manifest = json::parse(read(fs::path(GENERATED) / "manifest.json"));
-  const std::set<std::string> forms{"evaluator", "closed", "product",
-                                    "tangent",   "exact",  "matrices"};
+  const std::set<std::string> forms{"evaluator", "closed",   "product",    "tangent",
+                                    "exact",     "matrices", "restitution"};
   std::set<std::string> headers, seen;
   for (const json& entry : manifest) {
     const std::string path = entry.at("header");

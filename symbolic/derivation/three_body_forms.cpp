@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Forms for evaluation: three bodies of any masses, or two and a wall, with restitution.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+Expr P() { return (1 + turn(j)) / 2; }
+Expr Q() { return (1 - turn(j)) / 2; }
+Expr h_e() { return fun("h_e", masses_and_e()); }
+Expr sine(Expr times) { return sin(times * h_e()); }
+Expr pow() { return fun("pow", {sqrt(e), j}); }
+
+Expr K() { return fun("K", masses_and_e()); }
+Expr q_e() { return fun("q_e", masses_and_e()); }
+
+/// Names of quantities of collision j, and the forms that are shown for them.
+class Forms {
+public:
+  Forms(Book& the_book, const Exprs& assumptions, const Theorem& below_one)
+      : book(the_book), domain(assumptions), below(below_one) {}
+
+  /// A theorem of the wedge, as kappa is below 1.
+  Theorem in_angle(const std::string& id, const Substitution& terms = {}) const {
+    return cut(below, at(book["wedge." + id], terms, {assume(le(0, j))}));
+  }
+
+  /// |- symbol_j = value
+  Theorem name(const std::string& symbol, Expr value) const {
+    const Exprs params{M_A, w_B, M_C, e, V, L, j};
+    const Theorem is = define(symbol, params, value, 6);
+    restrict_domain(symbol, params, logic_and(domain));
+    return is;
+  }
+  /// Shows that what is so named has a form.
+  Theorem show(const Theorem& is, const std::string& words, Expr form,
+               const Theorems& rules) const {
+    const Expr named = is.conclusion().arg(0);
+    return book.show(named.name(), "", words, equation(named, form, Theorems{is} + rules + shared));
+  }
+  /// What the forms share, a positive number where `is_positive`.
+  void share(const std::string& symbol, const std::string& words, Expr value, bool is_positive) {
+    shared.push_back(name(symbol, value));
+    book.show("def_" + symbol, "", words, under({lt(0, q_e())}, shared.back()));
+    if (is_positive) know(linear(lt(0, (*this)(symbol)), {shared.back(), positive(value)}));
+  }
+  Expr operator()(const std::string& symbol) const {
+    return fun(symbol, {M_A, w_B, M_C, e, V, L, j});
+  }
+  Book& book;
+
+private:
+  Theorems shared;
+  Exprs domain;
+  Theorem below;  ///< |- kappa < 1
+};
+
+/// q_e = 1 - K, above 0 where collisions end; the time of the collapse where they do not.
+Theorem definition_of_q_e(Book& book) {
+  const Theorem q_is = define("q_e", masses_and_e(), 1 - K(), -1);
+  restrict_domain("q_e", masses_and_e(), logic_and({lt(0, M_A), le(0, w_B), lt(0, M_C), lt(0, e)}));
+  book.show("def_q_e", "", "Collisions end where this is positive:", q_is);
+  const Theorem none = assume(le(q_e(), 0));
+  const Theorem inside = equation(power(kappa(), 2) - 1, -q_e(), {q_is, book["collapse.square"]});
+  const Theorem from_1 =
+      tautology(le(1, kappa()), {book["collapse.threshold"], linear(le(1, K()), {q_is, none})});
+  const Known here({none, from_1});
+  book.show("y_e", "", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
+  book.show("t_end", "", "and the time of the collapse is",
+            cut(from_1, book["collapse.def_t_end"]));
+  return q_is;
+}
+/// Where q_e is above 0 the angle; |- kappa < 1.
+Theorem angle(Book& book, const Theorem& q_is) {
+  const Theorem end = assume(lt(0, q_e()));
+  know(end);
+  const Theorem below =
+      tautology(lt(kappa(), 1), {book["collapse.threshold"], linear(lt(K(), 1), {q_is, end})});
+  know(below);
+  know(linear(lt(0, kappa()),
+              {book["wedge.kappa"], positive(book["wedge.kappa"].conclusion().arg(1))}));
+  const Theorem inside = equation(1 - power(kappa(), 2), q_e(), {q_is, book["collapse.square"]});
+  const Theorem h_is =
+      book.show("h_e", "", "the angle is then", rewrite(inside, cut(below, book["wedge.h_e"])));
+  know(linear(lt(0, h_e()), {h_is, positive(h_is.conclusion().arg(1))}));
+  know(linear(lt(h_e(), pi()), {h_is, use("atan range", {{x, h_is.conclusion().arg(1).arg(0)}})}));
+  know(positive(sin(h_e())));
+  book.show("N_e", "", "and the number of all collisions", cut(below, book["wedge.N"]));
+  return below;
+}
+void velocities(const Forms& forms) {
+  Book& book = forms.book;
+  const Theorem from = assume(le(0, j));
+  const Theorem turn_next =
+      restate(eq(turn(j + 1), -turn(j)), use(part(book["cycle.turn"], 1), {}, {from}));
+  const Theorem pow_next =
+      use(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1), {}, {from});
+  const Theorem before = forms.name("before", closing(j)),
+                after = forms.name("after", closing(j + 1));
+  const Expr per = V * pow() / forms("step_sine");
+  forms.show(before, "Before collision j its bodies approach with the speed",
+             per * forms("now_side") * forms("now_sine"), {forms.in_angle("speed_sine")});
+  forms.show(after, "those of the next one with",
+             sqrt(e) * per * forms("later_side") * forms("later_sine"),
+             {forms.in_angle("speed_sine", {{j, j + 1}}), turn_next, pow_next});
+
+  const Expr v = after.conclusion().arg(0), u = e * before.conclusion().arg(0);
+  const auto named = [&](const char* id) {
+    return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, book[id])));
+  };
+  const auto next = [&](const char* symbol, const char* body) {
+    return forms.name(symbol, fun(body, {M_A, w_B, M_C, e, V, j + 1}));
+  };
+  const Theorem B = next("B_next", "v_B"), A = next("A_next", "v_A"), C = next("C_next", "v_C");
+  const Expr of_C = P() * v - Q() * u;
+  forms.show(B, "so that B then has the velocity",
+             w_B * (M_A * (V - v + u) - M_C * of_C) / (1 + w_B * (M_A + M_C)),
+             {named("motion.B_velocity")});
+  const auto against_B = [&](const Theorem& is, const char* words, Expr difference,
+                             const char* id) {
+    const Expr value = is.conclusion().arg(0), of_B = B.conclusion().arg(0);
+    book.show(value.name(), "", words, linear(eq(value, of_B + difference), {is, B, named(id)}));
+  };
+  against_B(A, "that of A is", v - u, "motion.A_B");
+  against_B(C, "and that of C", of_C, "motion.C_B");
+}
+void times_and_places(const Forms& forms) {
+  Book& book = forms.book;
+  const Theorem rest = forms.name("rest_e", pi() - (j + 1) * h_e());
+  book.show("def_rest_e", "",
+            "Collision j takes place where this is positive:", under({lt(0, q_e())}, rest));
+  know(assume(lt(0, rest.conclusion().arg(0))));
+  const auto in_half_a_turn = [&](Expr i, const Theorem& range) {
+    const Theorem less = times(linear(le(0, j - i), {range}), h_e());
+    know(times(linear(lt(0, i + 1), {range}), h_e()));
+    know(linear(lt((i + 1) * h_e(), pi()), {less, rest, known().back()}));
+    return positive(sine(i + 1));
+  };
+  const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
+    const Known here({});
+    return tautology(lt(0, closing(i)), {at(forms.in_angle("in_the_angle"), {{j, i}}, {range}),
+                                         in_half_a_turn(i, range)});
+  });
+  know(in_half_a_turn(j, both({assume(le(0, j)), linear(le(j, j))})));
+  know(linear(lt(0, forms("now_sine")), {book["bodies.def_now_sine"], positive(sine(j + 1))}));
+  know(all_of_them);
+  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
+    const Theorem product = rewrite(forms.in_angle("cosine"), instantiate(book[id], {{y, h_e()}}));
+    return divided(fun(name, {kappa(), j}), over / sin(h_e()), {sin(h_e())},
+                   restate(eq(product.conclusion().arg(0), over), product));
+  };
+  const Theorem U = quotient("U", "chebyshev.sine", sine(j + 1)),
+                U_last = quotient("U_last", "chebyshev.sine_last", sine(j));
+  know(linear(lt(0, U.conclusion().arg(0)), {U, positive(U.conclusion().arg(1))}));
+  const auto of_motion = [&](const char* id) { return cut(all_of_them, book[id]); };
+  const Theorem moment = forms.name("moment", at_collision("time", j));
+  forms.show(moment, "The time is",
+             L / V * (r_B() / r_A()) / sqrt(e) * (sine(j) / forms("now_sine")),
+             {of_motion("places.time"), U, U_last});
+  const Theorem blocks = forms.name("blocks", apart(j)),
+                place = forms.name("place", at_collision("x_C", j));
+  forms.show(chain(blocks, of_motion("places.distance")), "the distance of A and B",
+             L * pow() / forms("now_side") * (forms("step_sine") / forms("now_sine")), {U});
+  const Expr D = blocks.conclusion().arg(0);
+  forms.show(place, "and the place",
+             (L + w_B * M_A * V * moment.conclusion().arg(0) - P() * D + Q() * (w_B * M_A * D)) /
+                 (1 + w_B * (M_A + M_C)),
+             {rewrite(turned(moment), rewrite(turned(blocks), of_motion("places.place")))});
+}
+}  // namespace
+
+void three_body_forms(Book& book) {
+  Exprs assumptions = wedge_assumptions();
+  assumptions.insert(assumptions.end(), {lt(0, e), V_positive, lt(0, L)});
+  book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
+  Theorems facts{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})};
+  for (const Expr& a : assumptions)
+    if (!(a == le(0, j))) facts.push_back(assume(a));
+  const Known signs(facts);
+  Forms forms(book, assumptions, angle(book, definition_of_q_e(book)));
+  know(book["wedge.signs"]);
+  know(assume(le(0, j)));
+  const Expr ratio = r_A() / r_B();
+  forms.share("step_sine", "With", sin(h_e()), true);
+  forms.share("now_side", "and", P() + Q() * ratio, true);
+  forms.share("later_side", "and", Q() + P() * ratio, false);
+  forms.share("now_sine", "and", sine(j + 1), false);
+  forms.share("later_sine", "and", sine(j + 2), false);
+  velocities(forms);
+  times_and_places(forms);
+}
+}  // namespace derivation
