@@ -2,20 +2,11 @@
 // What an answer throws instead; what() is one line, fit to be shown.
 #pragma once
 
-#include <stdexcept>
+#include "magicmass/numbers/errors.hpp"
 
 namespace answers {
 
-/// The request has no meaning: what, where, and what is allowed. Exit code 2.
-class InvalidInput : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/// There is an answer, but not at the precision, size or range offered. Exit code 3.
-class Undecided : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
+using magicmass::InvalidInput;  ///< exit code 2
+using magicmass::Undecided;     ///< exit code 3
 
 }  // namespace answers

@@ -21,8 +21,7 @@ const std::map<std::string, Definition>& definitions() {
   static const auto all = [] {
     std::map<std::string, Definition> found;
     for (const char* id : {"rotation.psi", "power.V_CM", "ratios.alpha_k", "ratios.beta_k",
-                           "evaluators_end.def_rho", "wedge.r_A", "wedge.r_B", "wedge.kappa",
-                           "wedge.h_e", "collapse.y_e", "collapse.def_t_end"}) {
+                           "evaluators_end.def_rho"}) {
       const Expr equation = derivation::the_book()[id].conclusion();
       found.emplace(equation.arg(0).name(), Definition{equation.arg(0).args(), equation.arg(1)});
     }
@@ -89,7 +88,7 @@ private:
         {"sin", [](const Ball& x) { return sin(x); }},
         {"cos", [](const Ball& x) { return cos(x); }},
         {"atan", [](const Ball& x) { return atan(x); }},
-        {"ceil", [](const Ball& x) { return Ball(cln::cl_RA(ceil(x))); }},
+        {"ceil", [](const Ball& x) { return ceil(x); }},
     };
     const auto function = functions.find(name);
     if (function == functions.end()) throw std::logic_error("the book does not define " + name);
@@ -102,19 +101,5 @@ private:
 Ball evaluate(Expr term, Values values) { return Evaluation(std::move(values))(term); }
 
 Expr right_side(const std::string& id) { return derivation::the_book()[id].conclusion().arg(1); }
-
-void with_bits(int digits, const std::function<bool()>& is_certain, const std::string& otherwise) {
-  const int wanted = 4 * digits;
-  const int least = 128 + wanted;
-  const int most = 8192 + 4 * wanted;  // a double near 2^-1074 with its count takes some 3,000
-  for (int bits = least; bits <= most; bits *= 2) {
-    Ball::set_bits(bits);
-    try {
-      if (is_certain()) return;
-    } catch (const Undecided&) {
-    }
-  }
-  throw Undecided(otherwise);
-}
 
 }  // namespace answers

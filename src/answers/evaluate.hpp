@@ -7,10 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "answers/ball.hpp"
 #include "kernel/expr.hpp"
+#include "magicmass/scenes/ball.hpp"
 
 namespace answers {
+
+using magicmass::scenes::Ball;
 
 /// Values of variables and of whole terms, such as N_A.
 using Values = std::map<kernel::Expr, Ball>;
@@ -20,9 +22,5 @@ using Values = std::map<kernel::Expr, Ball>;
 Ball evaluate(kernel::Expr term, Values values);
 /// The right side of the equation that a theorem of the book is, or of its part.
 kernel::Expr right_side(const std::string& id);
-
-/// Calls with more and more bits until it says that all is certain; throws Undecided with this
-/// message where that is not so with many times the bits of `digits` decimal digits.
-void with_bits(int digits, const std::function<bool()>& is_certain, const std::string& otherwise);
 
 }  // namespace answers

@@ -59,15 +59,6 @@ Alpha alpha_of(const std::string& text) {
     throw InvalidInput(refused.what());
   }
 }
-cl_RA exact(double value) {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
-  const cl_RA q = cl_I(static_cast<long long>(whole));
-  const int shift = exponent - 53;
-  return shift >= 0 ? q * cln::ash(cl_I(1), shift) : q / cln::ash(cl_I(1), -shift);
-}
-
 LargeCounts count_collisions(const Alpha& alpha) {
   if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};  // magic.counts
   if (const auto* deficient = std::get_if<Deficient>(&alpha))

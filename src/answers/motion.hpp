@@ -7,18 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "answers/ball.hpp"
 #include "answers/table.hpp"
+#include "magicmass/scenes/ball.hpp"
 #include "notation/alpha.hpp"
 
 namespace answers {
+
+using magicmass::scenes::Ball;
+using magicmass::scenes::decimal;
+using magicmass::scenes::exact;
+using magicmass::scenes::nearest_double;
+using magicmass::scenes::with_bits;
 
 /// The mass ratio of a request. Throws InvalidInput.
 notation::Alpha alpha_of(const std::string& text);
 /// It, with the bits that are set now.
 Ball ball_of(const notation::Alpha& alpha);
-/// A double, exactly.
-cln::cl_RA exact(double value);
 
 struct LargeCounts {
   cln::cl_I N_A, N_B;

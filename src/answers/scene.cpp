@@ -30,9 +30,7 @@ Asked asked(const Request& request, const std::string& command) {
     const Options options{request.has("exact"), request.whole("max-events", 0, INT64_MAX)};
     Result result = run(scene, options);
     return {std::move(scene), options, std::move(result)};
-  } catch (const magicmass::InvalidInput& error) {
-    throw InvalidInput(error.what());
-  } catch (const magicmass::Undecided& error) {
+  } catch (const Undecided& error) {
     throw Undecided(command + ": " + error.what());
   }
 }
@@ -82,10 +80,11 @@ Cell object_cell(const std::vector<std::pair<std::string, Cell>>& members) {
 }
 
 Fields plan_fields(const Result& result) {
-  return {
-      {{"model", Type::text, "", "events: collision by collision"}, text_cell(result.plan.model)},
-      {{"reason", Type::text, "", "why that one"}, text_cell(result.plan.reason)},
-      {{"events", Type::whole, "", "collisions"}, whole_cell(result.events)}};
+  return {{{"model", Type::text, "", "theorem: counted; events: collision by collision"},
+           text_cell(result.plan.model)},
+          {{"reason", Type::text, "", "why that one"}, text_cell(result.plan.reason)},
+          {{"events", Type::whole, "", "collisions; none where they never end"},
+           result.status == Status::collapse ? missing_cell() : whole_cell(result.events)}};
 }
 
 Cell counts_cell(const Scene& scene, const Result& result) {
@@ -120,7 +119,12 @@ Fields head_fields(const Asked& asked) {
     fields.push_back({{"why", Type::text, "", "it is limited"}, text_cell(result.why)});
   fields.push_back({{"plan", Type::text, "", "model, reason, number of collisions"}, plan});
   fields.back().second.json.pop_back();  // a line feed
-  if (scene.wants("counts"))
+  if (result.collapse_time) {
+    fields.push_back({{"collapse", Type::real, "", "when and where collisions come to an end"},
+                      object_cell({{"time", number_cell(*result.collapse_time, exact)},
+                                   {"position", number_cell(*result.collapse_position, exact)}})});
+  }
+  if (scene.wants("counts") && result.status != Status::collapse)
     fields.push_back({{"counts", Type::whole, "", "collisions"}, counts_cell(scene, result)});
   if (scene.wants("terminal")) {
     fields.push_back(

@@ -8,17 +8,18 @@
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
 #include "answers/motion.hpp"
-#include "answers/restitution.hpp"
 #include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
+#include "magicmass/scenes/trio.hpp"
 
 namespace answers {
 namespace {
 
+using magicmass::scenes::Trio;
 using notation::Alpha;
 
 constexpr std::int64_t most_digits = 10000;
@@ -188,21 +189,28 @@ Alpha restitution_of(const Request& request) {
 Answer inelastic_terminal(const Request& request, const Alpha& e) {
   if (tier_of(request) == "fast")
     throw InvalidInput("--tier fast has no restitution in this version; allowed: accurate, exact");
-  const Inelastic motion{alpha_of(request.text("alpha")), exact_of(e)};
+  const Alpha alpha = alpha_of(request.text("alpha"));
   const auto digits = digits_wanted(request);
-  Row row{alpha_cell(motion.alpha), alpha_cell(e)};
-  if (const auto N = count_collisions(motion)) {
-    const cln::cl_I of_A = cln::ceiling1(*N, 2);
-    row.push_back(whole_cell(digits_of(of_A)));
-    row.push_back(whole_cell(digits_of(*N - of_A)));
-    Answer all = answer(inelastic_columns(), row,
-                        rounded([&] { return answers::terminal(motion, *N); }, digits));
-    all.table.rows[0].push_back(missing_cell());
-    return all;
+  const auto trio = Trio::equal_blocks(magicmass::scenes::value_of(alpha), exact_of(e));
+  Row row{alpha_cell(alpha), alpha_cell(e)};
+  try {
+    if (const auto N = trio.count()) {
+      row.push_back(whole_cell((*N + 1) / 2));
+      row.push_back(whole_cell(*N / 2));
+      const auto at_end = [&] {
+        const Balls v = trio.velocities(trio.shape(), *N);
+        return Balls{v[0], v[2], v[1], v[2] * v[2]};
+      };
+      Answer all = answer(inelastic_columns(), row, rounded(at_end, digits));
+      all.table.rows[0].push_back(missing_cell());
+      return all;
+    }
+    row.resize(8, missing_cell());
+    return answer(inelastic_columns(), row,
+                  rounded([&] { return Balls{trio.collapse(trio.shape()).time}; }, digits));
+  } catch (const std::domain_error&) {
+    throw Undecided("terminal: the mass ratio or the restitution is too small for this version");
   }
-  row.resize(8, missing_cell());
-  return answer(inelastic_columns(), row,
-                rounded([&] { return Balls{collapse_time(motion)}; }, digits));
 }
 
 Answer terminal(const Request& request) {

@@ -67,6 +67,22 @@ Theorem definition_of_q_e(Book& book) {
   book.show("y_e", "", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
   book.show("t_end", "", "and the time of the collapse is",
             cut(from_1, book["collapse.def_t_end"]));
+  const auto at_end = [&](const char* symbol, const char* words, Expr value) {
+    const Exprs params{M_A, w_B, M_C, e, V, L};
+    const Theorem is = define(symbol, params, value / (1 + w_B * (M_A + M_C)), -1);
+    book.show(std::string("def_") + symbol, "", words, under({le(q_e(), 0)}, is));
+    return is;
+  };
+  at_end("x_end", "Then all are at one place: the centre of mass is there, or the wall,",
+         L + w_B * M_A * V * fun("t_end", {M_A, w_B, M_C, e, V, L}));
+  const Theorem v_end = at_end("v_end", "and go on together with", w_B * M_A * V);
+  const auto body = [](const char* name) { return fun(name, {M_A, w_B, M_C, e, V, j}); };
+  const auto as_B = [&](const char* name) { return assume(eq(body(name), body("v_B"))); };
+  const Expr v_B = body("v_B"), all = 1 + w_B * (M_A + M_C);
+  const Theorem kept = rewrite(as_B("v_C"), rewrite(as_B("v_A"), book["motion.momentum"]));
+  const Theorem whole = linear(eq(v_B * all, w_B * M_A * V), {kept});
+  book.show("together", "", "as momentum is kept:",
+            chain(divided(v_B, v_end.conclusion().arg(1), {all}, whole), turned(v_end)));
   return q_is;
 }
 /// Where q_e is above 0 the angle; |- kappa < 1.

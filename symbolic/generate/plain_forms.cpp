@@ -82,7 +82,8 @@ std::vector<PlainForm> restitution(Source& s) {
   return {made("angle", ends, s.of("all", {}, roots + "kappa -> bodies.h_e")),
           made("count", of_angle, s.of("all", {}, "-> bodies.N_e")), made("after", inputs, after),
           made("at", inputs, at),
-          made("collapse", ends_not, s.of("all", {}, roots + "kappa bodies.y_e -> bodies.t_end"))};
+          made("collapse", ends_not,
+               s.of("all", {}, roots + "kappa bodies.y_e -> bodies.t_end def_x_end def_v_end"))};
 }
 struct Inventory {
   Source source;

@@ -213,11 +213,13 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
 }
 template <class Number>
 struct CollapseRestitution {
-  Number t_end;
+  Number t_end, x_end, v_end;
 };
-/// collapse: t_end. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from
-///   0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from -0x1p+100 to 0x0p+0.
-/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.y_e, bodies.t_end.
+/// collapse: t_end, x_end, v_end. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to
+///   0x1p+100, M_C from 0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from -0x1p+100 to
+///   0x0p+0.
+/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.y_e, bodies.t_end, bodies.def_x_end,
+///   bodies.def_v_end.
 template <class Number>
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
     M_C, const Number& e, const Number& q_e) {
@@ -226,8 +228,9 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
       Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
       Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+100) && q_e <= Number(0x0p+0))
       {
+    const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
-    const Number r_A = sqrt(M_A / (M_A + M_C));
+    const Number r_A = sqrt(M_A / t1);
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
     const Number t9 = sqrt(e);
@@ -237,7 +240,13 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
     const Number y_e = kappa - sqrt(-q_e);
     // t_end = 1*r_B*inv(1)/r_A/sqrt(e)*y_e
     const Number t_end = r_B * y_e / r_A / t9;
-    return {t_end};
+    const Number t16 = w_B * M_A;
+    const Number t20 = Number(1) + w_B * t1;
+    // x_end = (1 + w_B*M_A*1*t_end)/(1 + w_B*(M_A + M_C))
+    const Number x_end = (Number(1) + t16 * t_end) / t20;
+    // v_end = w_B*M_A*1/(1 + w_B*(M_A + M_C))
+    const Number v_end = t16 / t20;
+    return {t_end, x_end, v_end};
   }
   throw std::domain_error("collapse_restitution: allowed: "
       "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "

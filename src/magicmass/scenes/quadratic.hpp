@@ -26,6 +26,9 @@ public:
   friend bool operator<(const Quadratic& x, const Quadratic& y) { return (x - y).sign() < 0; }
   friend bool operator==(const Quadratic& x, const Quadratic& y) { return (x - y).sign() == 0; }
 
+  /// a and b.
+  const cln::cl_RA& rational_part() const { return a_; }
+  const cln::cl_RA& root_part() const { return b_; }
   /// d; 1 for a rational.
   const cln::cl_I& radicand() const { return d_; }
   /// Bits of the numerators and denominators.

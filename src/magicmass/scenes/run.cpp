@@ -6,6 +6,7 @@
 #include <span>
 
 #include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/theorem.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -111,6 +112,26 @@ Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
   return result;
 }
 
+/// Few collisions are also had exactly, sooner than their theorem's balls.
+constexpr std::int64_t few = 64;
+
+/// The model of theorems; nothing where it does not serve.
+std::optional<Result> theorem(const Scene& scene, const Options& options,
+                              const std::optional<Start<Quadratic>>& exact) {
+  const auto trio = Trio::of(scene);
+  if (!trio || scene.until) return {};
+  try {
+    const auto N = trio->count();
+    const auto most = options.max_events ? options.max_events : scene.max_events;
+    if (N && (options.exact || (most && *most < *N))) return {};
+    const bool is_exact = N && exact && *N <= few;
+    Result result = is_exact ? motion(*exact, few, {}) : by_theorem(*trio, N);
+    result.plan = {"theorem", is_exact, "one body meets a ball at rest before a block or a wall"};
+    return result;
+  } catch (const std::domain_error&) {
+    return {};
+  }
+}
 }  // namespace
 
 std::string status_name(Status status) {
@@ -122,6 +143,7 @@ std::string status_name(Status status) {
 Result run(const Scene& scene, const Options& options) {
   const auto exact = exact_start(scene);
   const std::int64_t limit = most_events(scene, options);
+  if (auto result = theorem(scene, options, exact)) return *result;
   if (options.exact) {
     if (!exact) {
       throw InvalidInput(scene.source +
@@ -149,10 +171,15 @@ Result run(const Scene& scene, const Options& options) {
 
 void stream(const Scene& scene, const Options& options, const Plan& plan, const Sink& sink) {
   const std::int64_t limit = most_events(scene, options);
-  if (plan.is_exact)
+  const auto trio = plan.model == "theorem" ? Trio::of(scene) : std::nullopt;
+  const auto N = trio ? trio->count() : std::nullopt;
+  constexpr std::int64_t many = 100'000;  // from here on stepping in doubles is worth its error
+  if (N && !plan.is_exact && *N <= many)
+    stream_by_theorem(*trio, *N, sink);
+  else if (plan.is_exact)
     motion(*exact_start(scene), limit, sink);
   else
-    motion(rounded_start(scene), limit, sink);
+    motion(rounded_start(scene), N.value_or(limit), sink);
 }
 
 }  // namespace magicmass::scenes

@@ -20,7 +20,7 @@ struct Options {
 };
 
 struct Plan {
-  std::string model;      ///< "events"
+  std::string model;      ///< "theorem" or "events"
   bool is_exact = false;  ///< in exact numbers, else in doubles
   std::string reason;
 };
@@ -38,12 +38,13 @@ struct Result {
   Plan plan;
   Status status = Status::complete;
   std::string why;                   ///< where limited
-  std::int64_t events = 0;           ///< collisions
+  std::int64_t events = 0;           ///< collisions; nothing is said of them in a collapse
   std::vector<std::int64_t> counts;  ///< of them at each gap
   std::vector<Number> terminal;      ///< velocity of each body
   Number energy_before;              ///< kinetic
   Number energy;                     ///< at the end
   Number transmitted;  ///< the part of energy_before that the last body has at the end
+  std::optional<Number> collapse_time, collapse_position;
   simulator::Ties ties;
 };
 
@@ -58,7 +59,8 @@ struct Row {
 };
 using Sink = std::function<void(const Row&)>;
 
-/// Runs in doubles, and again in exact numbers where a decision was closer than doubles can tell.
+/// By theorem where the scene is a Trio and nothing cuts it off. Else it is stepped, in doubles,
+/// and again in exact numbers where a decision was closer than doubles can tell.
 /// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
 /// they become too long.
 Result run(const Scene& scene, const Options& options);

@@ -110,6 +110,16 @@ Value read_value(std::string_view text) {
   }
 }
 
+Value value_of(const notation::Alpha& ratio) {
+  if (const auto* magic = std::get_if<notation::Magic>(&ratio))
+    return {notation::text(ratio), *magic};
+  if (const auto* deficient = std::get_if<notation::Deficient>(&ratio))
+    return {notation::text(ratio), *deficient};
+  const auto* rational = std::get_if<cln::cl_RA>(&ratio);
+  return {notation::text(ratio),
+          rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
+}
+
 Value value_of(double number) {
   if (!std::isfinite(number)) refuse("not a finite number");
   std::array<char, 32> digits{};

@@ -32,5 +32,6 @@ inline constexpr std::string_view allowed_values =
 Value read_value(std::string_view text);
 /// A number that TOML has read.
 Value value_of(double number);
+Value value_of(const notation::Alpha& ratio);
 
 }  // namespace magicmass::scenes

@@ -57,17 +57,22 @@ TEST_CASE("the paper's scenes", "[exam]") {
   const Result b = result_of("alpha = 0.12");
   CHECK(b.status == Status::complete);
   CHECK(b.counts == std::vector<std::int64_t>{0, 3, 3, 0});
-  CHECK_FALSE(b.plan.is_exact);
+  CHECK(b.plan.model == "theorem");
   CHECK_THAT(number(b.terminal[2]), WithinAbs(0.9956490014789751, 1e-14));
   const Result a = result_of("alpha = 'magic:3'");
   CHECK(a.events == 6);
-  CHECK(a.status == Status::limited);
-  CHECK_THAT(a.why,
+  CHECK(a.status == Status::complete);
+  CHECK((number(a.terminal[0]) == 0 && number(a.terminal[1]) == 0 && number(a.terminal[2]) == 1));
+  // Cut off, it is stepped, and doubles cannot tell whether more would come.
+  const Result near = result_of("alpha = 'magic:3'\nuntil = 9");
+  CHECK(near.plan.model == "events");
+  CHECK(near.status == Status::limited);
+  CHECK_THAT(near.why,
              ContainsSubstring("closer than doubles can tell: 1, the first after collision 6"));
   const Result exact = result_of("alpha = 'sqrt(5)-2'");
   CHECK(exact.status == Status::complete);
   CHECK(exact.plan.is_exact);
-  CHECK_THAT(exact.plan.reason, ContainsSubstring("exact numbers decide"));
+  CHECK(exact.plan.model == "theorem");
   CHECK(std::get<Quadratic>(exact.terminal[0]) == Quadratic(0));
   CHECK(std::get<Quadratic>(exact.transmitted) == Quadratic(1));
 }
@@ -132,18 +137,19 @@ TEST_CASE("where a run stops it says so", "[exam]") {
 }
 
 TEST_CASE("what cools below doubles is limited, not complete", "[exam]") {
-  const Result cold = result_of("alpha = 1\nrestitution = '7/100'");
+  const Result cold = result_of(
+      "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
+      "velocities = [1, 0, 0, 0]\nrestitution = '7/100'");
   CHECK(cold.status == Status::limited);
   CHECK_THAT(cold.plan.reason, ContainsSubstring("exact numbers have"));
-  const Result close = result_of(
-      "kind = 'three-body'\nmasses = [1, 1, 1]\npositions = [0, 1, 1]\nvelocities = [1, 0, 0]\n"
-      "restitution = 0.05");
-  CHECK(close.status == Status::limited);
 }
 
 TEST_CASE("exact numbers that grow too long are no answer", "[exam]") {
   const std::string e = std::string(1000, '1') + "/1" + std::string(1002, '0');
-  const std::string text = "alpha = 1\nrestitution = '" + e + "'";
+  const std::string text =
+      "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
+      "velocities = [1, 0, 0, 0]\nrestitution = '" +
+      e + "'";
   CHECK_THROWS_WITH(result_of(text, {true, std::nullopt}),
                     ContainsSubstring("more than are taken"));
   CHECK(result_of(text, {true, 3}).events == 3);
@@ -167,7 +173,7 @@ TEST_CASE("the tutorials' scenes", "[exam]") {
     if (file.path().extension() != ".toml") continue;
     INFO(file.path());
     const Result result = run(read_scene(file.path()), {false, 1000});
-    CHECK((result.events > 0 && result.events <= 1000));
+    CHECK(((result.events > 0 && result.events <= 1000) || result.status == Status::collapse));
     ++scenes;
   }
   CHECK(scenes >= 6);

@@ -3,19 +3,23 @@
 // within; for mass ratios that are no rationals.
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
 #include <cln/integer.h>
 #include <cln/rational.h>
 
-namespace answers {
+namespace magicmass::scenes {
 
 class Ball {
 public:
   /// Contains q; the bits of what follows. One thread at a time.
   Ball(const cln::cl_RA& q = 0);
   Ball(int n) : Ball(cln::cl_RA(n)) {}
+  Ball(std::int64_t n) : Ball(cln::cl_RA(static_cast<long long>(n))) {}
+  explicit Ball(double finite);
 
   static void set_bits(int bits);  ///< of all balls from now on; no older one may be used again
   static Ball pi();
@@ -25,7 +29,12 @@ public:
   /// Throws Undecided where x may be negative.
   friend Ball sqrt(const Ball& x);
   /// Throws Undecided where there is a whole number within.
-  friend cln::cl_I ceil(const Ball& x);
+  friend Ball ceil(const Ball& x);
+  /// Throw Undecided where neither is certain.
+  friend bool operator<=(const Ball& a, const Ball& b);
+  friend bool operator>=(const Ball& a, const Ball& b) { return b <= a; }
+  friend bool operator<(const Ball& a, const Ball& b) { return !(b <= a); }
+  friend bool operator>(const Ball& a, const Ball& b) { return !(a <= b); }
   friend Ball operator+(const Ball& a, const Ball& b);
   friend Ball operator-(const Ball& a, const Ball& b);
   friend Ball operator*(const Ball& a, const Ball& b);
@@ -44,10 +53,17 @@ private:
   cln::cl_I radius;
 };
 
+/// Calls with more and more bits until it says that all is certain; throws Undecided with this
+/// message where that is not so with many times the bits of `digits` decimal digits.
+void with_bits(int digits, const std::function<bool()>& is_certain, const std::string& otherwise);
+
 /// The double nearest to every number from low to high, ties to even; nothing where they differ.
 std::optional<double> nearest_double(const cln::cl_RA& low, const cln::cl_RA& high);
 /// "0.2360679775": so many significant digits, rounded to nearest; nothing where they differ
 /// between low and high, or where 0 is between them and they are not both 0.
 std::optional<std::string> decimal(const cln::cl_RA& low, const cln::cl_RA& high, int digits);
 
-}  // namespace answers
+/// A finite double, exactly.
+cln::cl_RA exact(double value);
+
+}  // namespace magicmass::scenes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "answers/ball.hpp"
+#include "magicmass/scenes/ball.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -7,9 +7,9 @@
 #include <cln/integer_io.h>
 #include <cln/io.h>
 
-#include "answers/errors.hpp"
+#include "magicmass/numbers/errors.hpp"
 
-namespace answers {
+namespace magicmass::scenes {
 namespace {
 
 using cln::cl_I;
@@ -45,6 +45,8 @@ std::string digits_of(const cl_I& n) {
 }  // namespace
 
 int Ball::bits_ = 128;
+
+Ball::Ball(double finite) : Ball(exact(finite)) {}
 
 void Ball::set_bits(int bits) { bits_ = bits; }
 
@@ -112,10 +114,15 @@ Ball atan(const Ball& x) {
 Ball Ball::pi() {  // Machin
   return Ball(16) * atan(Ball(cl_RA(1) / 5)) - Ball(4) * atan(Ball(cl_RA(1) / 239));
 }
-cl_I ceil(const Ball& x) {
-  const cl_I low = cln::ceiling1(x.low());
+Ball ceil(const Ball& x) {
+  const cl_RA low = cln::ceiling1(x.low());
   if (low != cln::ceiling1(x.high())) throw Undecided("a whole number is too close");
   return low;
+}
+bool operator<=(const Ball& a, const Ball& b) {
+  if (a.middle + a.radius <= b.middle - b.radius) return true;
+  if (a.middle - a.radius > b.middle + b.radius) return false;
+  throw Undecided("two numbers are too close");
 }
 
 std::optional<double> nearest_double(const cl_RA& low, const cl_RA& high) {
@@ -152,4 +159,27 @@ std::optional<std::string> decimal(const cl_RA& low, const cl_RA& high, int digi
   return out;
 }
 
-}  // namespace answers
+void with_bits(int digits, const std::function<bool()>& is_certain, const std::string& otherwise) {
+  const int wanted = 4 * digits;
+  const int least = 128 + wanted;
+  const int most = 8192 + 4 * wanted;  // a double near 2^-1074 with its count takes some 3,000
+  for (int bits = least; bits <= most; bits *= 2) {
+    Ball::set_bits(bits);
+    try {
+      if (is_certain()) return;
+    } catch (const Undecided&) {
+    }
+  }
+  throw Undecided(otherwise);
+}
+
+cl_RA exact(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
+  const cl_RA q = cl_I(static_cast<long long>(whole));
+  const int shift = exponent - 53;
+  return shift >= 0 ? q * cln::ash(cl_I(1), shift) : q / cln::ash(cl_I(1), -shift);
+}
+
+}  // namespace magicmass::scenes

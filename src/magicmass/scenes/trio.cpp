@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/scenes/trio.hpp"
+
+#include <algorithm>
+
+#include "magicmass/exact/exact.hpp"
+#include "magicmass/numbers/errors.hpp"
+#include "magicmass/plain/closed.hpp"
+#include "magicmass/plain/restitution.hpp"
+#include "magicmass/simulator/engine.hpp"
+
+namespace magicmass::scenes {
+namespace {
+using cln::cl_I;
+using cln::cl_RA;
+
+constexpr std::int64_t most_collisions = std::int64_t(1) << 62;
+/// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
+/// for larger m.
+constexpr std::int64_t largest_tie = 12;
+
+Ball ball_of(const Quadratic& x) {
+  const Ball a(x.rational_part());
+  return x.radicand() == 1 ? a : a + Ball(x.root_part()) * sqrt(Ball(cl_RA(x.radicand())));
+}
+Ball ball_of(const Value& value) {
+  const auto number = [](const cl_I& k) -> std::int64_t { return cln::cl_I_to_long(k); };
+  if (const auto* magic = std::get_if<notation::Magic>(&value.number))
+    return generated::magic_closed<Ball>(number(magic->k)).alpha_;
+  if (const auto* deficient = std::get_if<notation::Deficient>(&value.number))
+    return generated::deficient_closed<Ball>(number(deficient->k)).beta_;
+  return ball_of(*value.exact());
+}
+Ball power(const Ball& base, std::int64_t exponent) {
+  Ball result = 1;
+  Ball square = base;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) result = result * square;
+    square = square * square;
+  }
+  return result;
+}
+[[noreturn]] void too_many() {
+  throw Undecided("there are more than 2^62 collisions; possible: masses that are less far apart");
+}
+Ball turn(std::int64_t j) { return j % 2 == 0 ? 1 : -1; }
+/// sqrt(e)^j
+Ball power_of(const Trio::Shape& s, std::int64_t j) {
+  if (s.e.low() == 1) return 1;
+  if (j < 2) return j == 0 ? Ball(1) : sqrt(s.e);
+  return j % 2 == 0 ? power(s.e, j / 2) : power(s.e, j / 2) * sqrt(s.e);
+}
+}  // namespace
+
+std::optional<Trio> Trio::of(const Scene& scene) {
+  const std::size_t bodies = scene.masses.size();
+  const bool is_walled = scene.left_wall || scene.right_wall;
+  if (bodies + (is_walled ? 1 : 0) != 3 || (scene.left_wall && scene.right_wall)) return {};
+  std::vector<Quadratic> x, v;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    if (!scene.positions[i].exact() || !scene.velocities[i].exact()) return {};
+    x.push_back(*scene.positions[i].exact());
+    v.push_back(*scene.velocities[i].exact());
+  }
+  const std::optional<Value>& wall = scene.left_wall ? scene.left_wall : scene.right_wall;
+  if (!scene.restitution.exact() || (wall && !wall->exact())) return {};
+  Trio t;
+  const Quadratic minus(-1);
+  try {
+    if (wall) {  // where it is, and that it stays there
+      const auto at = [&](auto& of) { return scene.left_wall ? of.begin() : of.end(); };
+      x.insert(at(x), *wall->exact());
+      v.insert(at(v), Quadratic(0));
+    }
+    t.is_mirrored_ = wall ? scene.left_wall.has_value() : v[0] == v[1];
+    const std::size_t A = t.is_mirrored_ ? 2 : 0, B = 2 - A, first = scene.left_wall ? 1 : 0;
+    if (!(v[1] == v[B])) return {};
+    const Quadratic sign = t.is_mirrored_ ? minus : Quadratic(1);
+    t.V_ = sign * (v[A] - v[1]);
+    t.L_ = sign * (x[B] - x[1]);
+    if (!(Quadratic(0) < t.V_)) return {};
+    t.drift_ = v[1];
+    t.start_ = sign * (x[1] - x[A]) / t.V_;
+    t.place_ = x[1];
+    t.e_ = *scene.restitution.exact();
+    t.A_ = scene.masses[A - first];
+    t.C_ = scene.masses[1 - first];
+    if (!wall) t.B_ = scene.masses[B];
+  } catch (const std::domain_error&) {
+    return {};  // two square roots
+  }
+  const Quadratic one(1);
+  const auto is_one = [&](const Value& m) { return m.exact() && *m.exact() == one; };
+  t.is_paper_ = t.B_ && is_one(t.A_) && is_one(*t.B_) && t.e_ == one;
+  return t;
+}
+
+Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
+  Trio t;
+  t.A_ = value_of(1);
+  t.B_ = t.A_;
+  t.C_ = alpha;
+  t.e_ = e;
+  t.V_ = 1;
+  t.L_ = 1;
+  t.is_paper_ = e == t.V_;
+  return t;
+}
+
+std::optional<Quadratic> Trio::exact_K() const {
+  if (!A_.exact() || !C_.exact() || (B_ && !B_->exact())) return {};
+  try {
+    const Quadratic per_B = B_ ? Quadratic(1) / *B_->exact() : Quadratic(0);
+    return generated::shape_exact(*A_.exact(), per_B, *C_.exact(), e_).K;
+  } catch (const std::domain_error&) {
+    return {};
+  }
+}
+Trio::Shape Trio::shape() const {
+  const Ball C = ball_of(C_);
+  Shape s{ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), 1, ball_of(e_), 0};
+  const auto K = exact_K();
+  s.q_e = K ? ball_of(Quadratic(1) - *K) : generated::shape_exact(s.A, s.per_B, s.C, s.e).q_e;
+  if (s.q_e > 0) s.h_e = generated::angle_restitution(s.A, s.per_B, s.C, s.e, s.q_e).h_e;
+  return s;
+}
+/// At the paper's thresholds (magic.counts, deficient.counts).
+std::optional<std::int64_t> Trio::by_theorem() const {
+  if (!is_paper_) return {};
+  const auto* magic = std::get_if<notation::Magic>(&C_.number);
+  const auto* deficient = std::get_if<notation::Deficient>(&C_.number);
+  if (magic != nullptr) return 2 * cln::cl_I_to_long(magic->k);
+  if (deficient != nullptr) return 2 * cln::cl_I_to_long(deficient->k) + 1;
+  return {};
+}
+std::optional<std::int64_t> Trio::count() const {
+  if (const auto known = by_theorem()) return known;
+  const auto K = exact_K();
+  if (K && !(*K < Quadratic(1))) return {};
+  // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
+  const Quadratic least(cl_RA(1) / cln::square(cl_I(static_cast<long long>(most_collisions))));
+  if (K && Quadratic(1) - *K < least) too_many();
+  if (K) {  // a tie of pi/h_e with a whole number is decided collision by collision
+    const Quadratic zero(0), one(1);
+    simulator::Line<Quadratic> line;
+    line.masses = {*A_.exact(), *C_.exact()};
+    line.positions = {zero, zero};
+    line.velocities = {one, zero};
+    line.restitution = e_;
+    if (B_) {
+      line.masses.push_back(*B_->exact());
+      line.positions.push_back(one);
+      line.velocities.push_back(zero);
+    } else {
+      line.right_wall = one;
+    }
+    simulator::Engine<Quadratic> engine(line);
+    std::int64_t N = 0;
+    for (; N <= largest_tie && engine.next(); ++N) engine.step();
+    if (N <= largest_tie) return N;
+  }
+  std::optional<cl_I> N;
+  with_bits(
+      17,
+      [&] {
+        const Shape s = shape();
+        if (s.q_e <= 0) return true;
+        N = cln::numerator(
+            generated::count_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e).N_e.low());
+        return true;
+      },
+      "more digits would be needed than are allowed to tell how many collisions there are");
+  if (!N) return {};
+  if (*N > cl_I(static_cast<long long>(most_collisions))) too_many();
+  return cln::cl_I_to_long(*N);
+}
+
+template <class Values>
+Values Trio::in_scene(Values from_A) const {
+  if (!B_) from_A.pop_back();
+  if (is_mirrored_) std::reverse(from_A.begin(), from_A.end());
+  return from_A;
+}
+std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
+  const std::int64_t j = collisions - 1;
+  const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
+                                              power_of(s, j));
+  std::vector<Ball> all{v.A_next, v.C_next, v.B_next};
+  const auto N = by_theorem();
+  if (N && *N % 2 == 0) {  // magic.velocities
+    if (collisions >= *N - 1) all[0] = 0;
+    if (collisions == *N) all = {0, 0, 1};
+  }
+  const Ball unit = ball_of(V_) * (is_mirrored_ ? Ball(-1) : Ball(1));
+  for (Ball& u : all) u = ball_of(drift_) + unit * u;
+  return in_scene(all);
+}
+std::size_t Trio::gap(std::int64_t j) const {
+  const std::size_t from_A = j % 2 == 0 ? 1 : 2;
+  const std::size_t bodies = B_ ? 3 : 2;
+  return is_mirrored_ ? bodies - from_A : from_A;
+}
+Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
+  const std::vector<Ball> v = velocities(s, j + 1);
+  const std::size_t right = gap(j);
+  const Ball v_left = right == 0 ? Ball(0) : v[right - 1];
+  const Ball v_right = right == v.size() ? Ball(0) : v[right];
+  if (j == 0) return {ball_of(start_), ball_of(place_ + drift_ * start_), v_left, v_right};
+  const auto at =
+      generated::at_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j), power_of(s, j));
+  const Quadratic to_B = is_mirrored_ ? Quadratic(0) - L_ : L_;
+  const Ball time = ball_of(start_) + ball_of(L_ / V_) * at.moment;
+  const bool is_at_wall = !B_ && j % 2 == 1;
+  const Ball place = is_at_wall
+                         ? ball_of(place_ + to_B)
+                         : ball_of(place_) + ball_of(drift_) * time + ball_of(to_B) * at.place;
+  return {time, place, v_left, v_right};
+}
+Trio::Collapse Trio::collapse(const Shape& s) const {
+  const auto end = generated::collapse_restitution(s.A, s.per_B, s.C, s.e, s.q_e);
+  const Ball sign = is_mirrored_ ? -1 : 1;
+  const Ball time = ball_of(start_) + ball_of(L_ / V_) * end.t_end;
+  if (!B_) return {time, ball_of(place_) + sign * ball_of(L_), 0};
+  return {time, ball_of(place_) + ball_of(drift_) * time + sign * ball_of(L_) * end.x_end,
+          ball_of(drift_) + sign * ball_of(V_) * end.v_end};
+}
+std::vector<Ball> Trio::masses() const {
+  return in_scene(std::vector<Ball>{ball_of(A_), ball_of(C_), B_ ? ball_of(*B_) : Ball(0)});
+}
+std::vector<Ball> Trio::first_velocities() const {
+  const Quadratic of_A = is_mirrored_ ? drift_ - V_ : drift_ + V_;
+  return in_scene(std::vector<Ball>{ball_of(of_A), ball_of(drift_), ball_of(drift_)});
+}
+
+}  // namespace magicmass::scenes

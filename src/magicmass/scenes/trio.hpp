@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A body that moves towards a ball at rest before a block at rest, or before a wall: the motion
+// that the theorems are about, with any masses and restitution.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <cln/integer.h>
+
+#include "magicmass/scenes/ball.hpp"
+#include "magicmass/scenes/scene.hpp"
+
+namespace magicmass::scenes {
+
+class Trio {
+public:
+  /// Nothing for a scene that moves otherwise.
+  static std::optional<Trio> of(const Scene& scene);
+  /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
+  static Trio equal_blocks(const Value& alpha, const Quadratic& e);
+
+  /// How many collisions; nothing where they never end. Throws Undecided where more bits than are
+  /// allowed would be needed, or 2^62 collisions are not enough.
+  std::optional<std::int64_t> count() const;
+
+  /// What all of the motion depends on, with the bits that are set now; in units of V, L and the
+  /// mass of C. Throws std::domain_error where the masses are too far apart.
+  struct Shape {
+    Ball A, per_B, C, e, q_e;
+    Ball h_e = 0;  ///< where q_e is above 0
+  };
+  Shape shape() const;
+
+  struct Collision {
+    Ball time, position, v_left, v_right;
+  };
+  /// Collision j, from 0 on.
+  Collision collision(const Shape& s, std::int64_t j) const;
+  /// The gap of the scene that closes there.
+  std::size_t gap(std::int64_t j) const;
+  /// Velocities of all bodies of the scene after so many collisions, 1 or more.
+  std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
+
+  struct Collapse {
+    Ball time, position, velocity;
+  };
+  /// Where and when infinitely many collisions come to an end.
+  Collapse collapse(const Shape& s) const;
+  /// Masses and velocities of all bodies of the scene before the first collision.
+  std::vector<Ball> masses() const;
+  std::vector<Ball> first_velocities() const;
+
+private:
+  Value A_, C_;
+  std::optional<Value> B_;  ///< nothing: a wall
+  Quadratic e_, V_, L_;
+  Quadratic start_;           ///< when A meets C
+  Quadratic place_;           ///< where C is at time 0
+  Quadratic drift_;           ///< velocity of C and B before that
+  bool is_mirrored_ = false;  ///< A comes from the right
+  bool is_paper_ = false;     ///< equal blocks of mass 1, nothing lost
+
+  template <class Values>
+  Values in_scene(Values from_A) const;
+  std::optional<Quadratic> exact_K() const;
+  std::optional<std::int64_t> by_theorem() const;
+};
+
+}  // namespace magicmass::scenes

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What theorems say of a scene, against its motion collision by collision in rationals, by the laws
+// of one collision alone; and against the motion in a mirror.
+#include <random>
+
+#include "catch.hpp"
+#include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/run.hpp"
+
+using namespace magicmass::scenes;
+using cln::cl_RA;
+
+namespace {
+struct Body {
+  cl_RA mass, x, v;
+};
+struct Line {
+  std::vector<Body> bodies;
+  bool has_wall = false;  // the last body is one
+  cl_RA e = 1;
+};
+struct Step {
+  std::size_t left;
+  cl_RA time, x, v_left, v_right;
+};
+/// The first collisions, at most so many; the line is then as after them.
+std::vector<Step> stepped(Line& line, int most) {
+  std::vector<Step> rows;
+  cl_RA time = 0;
+  std::vector<Body>& b = line.bodies;
+  while (int(rows.size()) < most) {
+    std::optional<std::pair<cl_RA, std::size_t>> next;
+    for (std::size_t i = 0; i + 1 < b.size(); ++i) {
+      const cl_RA closing = b[i].v - b[i + 1].v;
+      if (closing <= 0) continue;
+      const cl_RA wait = (b[i + 1].x - b[i].x) / closing;
+      if (!next || wait < next->first) next = {wait, i};
+    }
+    if (!next) break;
+    const auto [wait, i] = *next;
+    for (Body& body : b) body.x = body.x + body.v * wait;
+    time = time + wait;
+    Body &l = b[i], &r = b[i + 1];
+    const bool is_wall = line.has_wall && i + 2 == b.size();
+    const cl_RA centre = is_wall ? r.v : (l.mass * l.v + r.mass * r.v) / (l.mass + r.mass);
+    for (Body* body : {&l, &r}) body->v = (1 + line.e) * centre - line.e * body->v;
+    rows.push_back({i, time, l.x, l.v, r.v});
+  }
+  return rows;
+}
+std::string quoted(const cl_RA& q) { return '"' + Quadratic(q).text() + '"'; }
+/// The scene, as it is or in a mirror.
+std::string scene_of(const Line& line, bool is_mirrored) {
+  std::vector<Body> bodies = line.bodies;
+  std::string wall;
+  const int sign = is_mirrored ? -1 : 1;
+  if (line.has_wall) {
+    wall =
+        std::string(is_mirrored ? "left" : "right") + "_wall = " + quoted(sign * bodies.back().x);
+    bodies.pop_back();
+  }
+  if (is_mirrored) std::reverse(bodies.begin(), bodies.end());
+  std::string masses, positions, velocities;
+  for (const Body& b : bodies) {
+    masses += quoted(b.mass) + ",";
+    positions += quoted(sign * b.x) + ",";
+    velocities += quoted(sign * b.v) + ",";
+  }
+  return std::string("kind = '") + (line.has_wall ? "wall" : "three-body") + "'\nmasses = [" +
+         masses + "]\npositions = [" + positions + "]\nvelocities = [" + velocities +
+         "]\nrestitution = " + quoted(line.e) + "\n" + wall + "\n";
+}
+Line random_line(std::mt19937_64& random) {
+  const auto fraction = [&](int from, int to, int below) {
+    return cl_RA(from + int(random() % std::uint64_t(to - from + 1))) / below;
+  };
+  Line line;
+  line.has_wall = random() % 3 == 0;
+  line.e = random() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
+  const cl_RA drift = line.has_wall ? cl_RA(0) : fraction(-6, 6, 4);
+  const cl_RA start = fraction(-8, 8, 4), free = fraction(0, 4, 3), L = fraction(0, 9, 7);
+  const int below = random() % 4 == 0 ? 400 : 12;
+  line.bodies = {{fraction(1, 40, 6), start, drift + fraction(1, 12, 4)},
+                 {fraction(1, 24, below), start + free, drift},
+                 {fraction(1, 40, 6), start + free + L, drift}};
+  return line;
+}
+double number(const Number& value) {
+  if (const auto* exact = std::get_if<Quadratic>(&value)) return exact->to_double().value();
+  return std::get<double>(value);
+}
+double near(const cl_RA& x) { return Quadratic(x).to_double().value_or(0.0); }
+}  // namespace
+
+TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "[check]") {
+  std::mt19937_64 random(41);
+  int ended = 0, collapsed = 0;
+  for (int i = 0; i < 5000; ++i) {
+    Line line = random_line(random);
+    const std::string text = scene_of(line, false);
+    const std::string mirrored_text = scene_of(line, true);
+    INFO(text);
+    const Result result = run(parse_scene(text, "scene"), {});
+    const Result mirrored = run(parse_scene(mirrored_text, "scene"), {});
+    REQUIRE(result.plan.model == "theorem");
+    REQUIRE(mirrored.plan.model == "theorem");
+    const std::vector<Step> rows = stepped(line, 120);
+    REQUIRE(mirrored.status == result.status);
+    REQUIRE(mirrored.events == result.events);
+    const std::size_t bodies = result.terminal.size();
+    for (std::size_t k = 0; k < bodies; ++k)
+      REQUIRE(number(result.terminal[k]) == -number(mirrored.terminal[bodies - 1 - k]));
+    if (result.status == Status::collapse) {
+      ++collapsed;
+      REQUIRE(rows.size() == 120);
+      REQUIRE(near(rows.back().time) <= number(*result.collapse_time) * (1 + 1e-12));
+      continue;
+    }
+    REQUIRE(result.status == Status::complete);
+    if (result.events > 110) continue;
+    ++ended;
+    REQUIRE(result.events == std::int64_t(rows.size()));
+    for (std::size_t k = 0; k < bodies; ++k)
+      REQUIRE(number(result.terminal[k]) == near(line.bodies[k].v));
+  }
+  CHECK(ended > 3000);
+  CHECK(collapsed > 100);
+}
+
+TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[check]") {
+  for (const bool has_wall : {false, true}) {
+    Line line{{{2, cl_RA(-1) / 3, 1}, {cl_RA(1) / 900, cl_RA(1) / 5, 0}, {3, cl_RA(5) / 7, 0}},
+              has_wall,
+              cl_RA(999) / 1000};
+    const Scene scene = parse_scene(scene_of(line, false), "scene");
+    const Result result = run(scene, {});
+    REQUIRE_FALSE(result.plan.is_exact);
+    const std::vector<Step> rows = stepped(line, 500);
+    REQUIRE(result.events == std::int64_t(rows.size()));
+    std::size_t i = 0;
+    stream(scene, {}, result.plan, [&](const Row& row) {
+      const Step& exact = rows[i++];
+      INFO(row.number);
+      REQUIRE(row.gap == exact.left + 1);
+      REQUIRE(number(row.time) == near(exact.time));
+      REQUIRE(number(row.position) == near(exact.x));
+      REQUIRE(number(row.v_left) == near(exact.v_left));
+      REQUIRE(number(row.v_right) == near(exact.v_right));
+    });
+    CHECK(i == rows.size());
+  }
+}
+
+TEST_CASE("at the paper's ratios nothing is left over", "[exam]") {
+  const auto result_of = [](const std::string& text) { return run(parse_scene(text, "s"), {}); };
+  for (const int k : {1, 2, 30, 2000}) {
+    const Result magic = result_of("alpha = 'magic:" + std::to_string(k) + "'");
+    CHECK(magic.events == 2 * k);
+    CHECK((number(magic.terminal[0]) == 0 && number(magic.terminal[1]) == 0));
+    CHECK((number(magic.terminal[2]) == 1 && number(magic.transmitted) == 1));
+    CHECK(result_of("alpha = 'deficient:" + std::to_string(k) + "'").events == 2 * k + 1);
+  }
+}
+
+TEST_CASE("a wall gives digits of pi, however many", "[exam]") {
+  const std::string text = "kind = 'wall'\nmass_ratio = '100^";
+  const std::int64_t counts[]{3, 31, 314, 3141, 31415, 314159, 3141592, 31415926};
+  for (std::size_t d = 1; d < 8; ++d) {
+    const Result result = run(parse_scene(text + std::to_string(d) + "'", "s"), {});
+    CHECK(result.events == counts[d]);
+  }
+  CHECK_THROWS_AS(run(parse_scene(text + "2000'", "s"), {}), magicmass::Undecided);
+}
+
+TEST_CASE("a collapse has its time and place, for touching bodies as for near ones", "[exam]") {
+  const std::string text =
+      "kind = 'three-body'\nmasses = [1, 1, 1]\nvelocities = [1, 0, 0]\n"
+      "restitution = 0.05\npositions = [0, 1, ";
+  const Result touching = run(parse_scene(text + "1]", "s"), {});
+  CHECK(touching.status == Status::collapse);
+  CHECK((number(*touching.collapse_time) == 1 && number(*touching.collapse_position) == 1));
+  const Result near_ones = run(parse_scene(text + "1.000001]", "s"), {});
+  CHECK(near_ones.status == Status::collapse);
+  CHECK((number(*near_ones.collapse_time) > 1 && number(*near_ones.collapse_time) < 1.00001));
+}
