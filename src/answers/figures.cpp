@@ -17,10 +17,6 @@ using notation::Magic;
 
 Column real_column(const std::string& name) { return {name, Type::real, "", ""}; }
 
-double nearest(const Alpha& alpha) {
-  return std::stod(rounded([alpha] { return Balls{ball_of(alpha)}; })[0].text);
-}
-
 /// alpha_k and beta_k down to a mass ratio, from the largest.
 std::vector<Alpha> thresholds_above(double least) {
   std::vector<Alpha> all;

@@ -170,4 +170,18 @@ std::string written(const Table& table, Format format) {
   return text + writer.end();
 }
 
+std::string markdown(const Table& table) {
+  std::string names = "|";
+  std::string text = "\n|";
+  for (const Column& column : table.columns) {
+    names.append(" ").append(column.name).append(" |");
+    text += "---|";
+  }
+  for (const Row& row : table.rows) {
+    text += "\n|";
+    for (const Cell& cell : row) text += " " + (cell.text.empty() ? "-" : cell.text) + " |";
+  }
+  return names + text + "\n";
+}
+
 }  // namespace answers

@@ -73,5 +73,7 @@ private:
 
 /// The whole table.
 std::string written(const Table& table, Format format);
+/// It as a table of Markdown.
+std::string markdown(const Table& table);
 
 }  // namespace answers

@@ -7,6 +7,7 @@
 #include "answers/velocities.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
+#include "command/reproduce.hpp"
 #include "report/report.hpp"
 
 namespace command {
@@ -103,6 +104,14 @@ Program magicmass() {
                {"svg", "png", "csv"},
                {},
                figure},
+              {"reproduce",
+               "Every number of the paper beside ours",
+               "magicmass reproduce",
+               {},
+               "",
+               {"text", "markdown", "json", "csv"},
+               reproduce_columns(),
+               reproduce},
               {"generate",
                "Emits C++ evaluators from the proved theorems",
                "magicmass generate --check",
@@ -128,7 +137,7 @@ Program magicmass() {
                report::report,
                300},
           },
-      .absent = {"equal", "reproduce", "learn"},
+      .absent = {"equal", "learn"},
       .absent_advice = "not in this version yet; until then use commit 77d7ebf",
   };
 }

@@ -6,7 +6,7 @@
 #include "answers/errors.hpp"
 #include "answers/figures.hpp"
 #include "answers/shown_text.hpp"
-#include "command/figure_scripts.hpp"
+#include "command/embedded.hpp"
 #include "command/gnuplot.hpp"
 #include "report/report.hpp"
 
@@ -27,7 +27,7 @@ std::string script_of(const Figure& figure, const std::string& format) {
   return "set encoding utf8\nset terminal " + terminal +
          "\nset datafile separator ','\nset datafile columnheaders\n$data << END\n" +
          answers::written(figure.data(), answers::Format::csv) + "END\n" +
-         figure_script(figure.name);
+         embedded("figures/" + figure.name + ".gp");
 }
 /// gnuplot's own title and description, which name its version, give way to the figure's.
 std::string described(std::string svg, const Figure& figure) {

@@ -49,20 +49,6 @@ Row row_of(const Measurement& one) {
           short_cell(one.times.ratio_high)};
 }
 
-std::string in_markdown(const Table& table) {
-  std::string names = "|";
-  std::string text = "\n|";
-  for (const Column& column : table.columns) {
-    names.append(" ").append(column.name).append(" |");
-    text += "---|";
-  }
-  for (const Row& row : table.rows) {
-    text += "\n|";
-    for (const Cell& cell : row) text += " " + (cell.text.empty() ? "-" : cell.text) + " |";
-  }
-  return names + text + "\n";
-}
-
 /// Its worst family, sums over all, and its times on everyday inputs; nothing where there are none.
 std::optional<Measurement> over_families(const std::vector<Measurement>& measurements,
                                          const Implementation& implementation) {
@@ -121,7 +107,7 @@ Table table_of(const std::vector<Measurement>& measurements,
 std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown) {
   const auto section = [&](const std::string& heading, const Table& table) {
     return table.rows.empty() ? std::string()
-           : is_markdown      ? "\n## " + heading + "\n\n" + in_markdown(table)
+           : is_markdown      ? "\n## " + heading + "\n\n" + markdown(table)
                               : "\n" + heading + "\n\n" + written(table, Format::text);
   };
   std::string summary =

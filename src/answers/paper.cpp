@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "answers/paper.hpp"
+
+#include <cmath>
+
+#include "answers/errors.hpp"
+#include "answers/evaluate.hpp"
+#include "answers/motion.hpp"
+#include "answers/restitution.hpp"
+#include "magicmass/scenes/value.hpp"
+
+namespace answers {
+namespace {
+
+using cln::cl_I;
+using notation::Alpha;
+using notation::Deficient;
+using notation::Magic;
+
+/// Between two neighbours on a logarithmic axis.
+double between(const Alpha& one, const Alpha& other) {
+  return std::sqrt(nearest(one) * nearest(other));
+}
+
+/// A maximum or a minimum, and a range about it that has no other.
+struct Range {
+  bool is_maximum;
+  double low, high;
+};
+
+Range range_of(const Alpha& near) {
+  if (const auto* magic = std::get_if<Magic>(&near)) {
+    const double low = between(Deficient{magic->k}, near);
+    return {true, low, magic->k == 1 ? 1 / low : between(near, Deficient{magic->k - 1})};
+  }
+  if (const auto* deficient = std::get_if<Deficient>(&near))
+    return {false, between(Magic{deficient->k + 1}, near), between(near, Magic{deficient->k})};
+  throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
+}
+
+double rho(double alpha, const cln::cl_RA& e) {
+  const Inelastic motion{alpha, e};
+  const auto N = count_collisions(motion);
+  if (!N) throw InvalidInput("extremum: the collisions never end there");
+  return std::stod(rounded([&] { return Balls{terminal(motion, *N)[3]}; })[0].text);
+}
+
+}  // namespace
+
+Answer angle(const Request& request) {
+  const Alpha alpha = alpha_of(request.text("alpha"));
+  const auto turns = [&] {
+    const Values at{{kernel::real("alpha"), ball_of(alpha)}};
+    return Balls{evaluate(right_side("rotation.psi"), at) / Ball::pi()};
+  };
+  return {{{{"psi_over_pi", Type::real, "1", "angle of a cycle"}}, {rounded(turns)}, false}, ""};
+}
+
+Answer extremum(const Request& request) {
+  const Alpha near = alpha_of(request.text("near"));
+  const Alpha e = alpha_of(request.text("restitution"));
+  if (!std::holds_alternative<cln::cl_RA>(e) || std::get<cln::cl_RA>(e) >= 1)
+    throw InvalidInput("restitution: allowed: a fraction below 1");
+  const double scale = std::pow(10, double(request.whole("decimals", 0, 7).value_or(7)));
+  auto [is_maximum, low, high] = range_of(near);
+  while (high - low > 1e-9) {  // rho is flat at a maximum: nearer, its last bits decide
+    const double third = (high - low) / 3;
+    const bool rises =
+        rho(low + third, std::get<cln::cl_RA>(e)) < rho(high - third, std::get<cln::cl_RA>(e));
+    (rises == is_maximum ? low : high) = rises == is_maximum ? low + third : high - third;
+  }
+  const double elastic = nearest(near);
+  const double place = std::round((low + high) / 2 * scale) / scale;
+  const double percent = std::round(1e5 * (place - elastic) / elastic) / 1e3;
+  return {{{{"alpha", Type::real, "1", "place of the extremum"},
+            {"elastic", Type::real, "1", "its place for e = 1"},
+            {"shift", Type::real, "%", "of the place"}},
+           {{real_cell(place), real_cell(elastic), real_cell(percent)}},
+           false},
+          ""};
+}
+
+bool are_equal(const std::string& one, const std::string& other) {
+  const auto left = magicmass::scenes::read_value(one);
+  const auto right = magicmass::scenes::read_value(other);
+  if (other.find('.') != std::string::npos) return left.to_double() == right.to_double();
+  return left.exact() != nullptr && right.exact() != nullptr && *left.exact() == *right.exact();
+}
+
+}  // namespace answers

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/comparison.hpp"
+
+#include <array>
+#include <charconv>
+#include <functional>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "answers/paper.hpp"
+#include "answers/velocities.hpp"
+
+namespace command {
+namespace {
+
+using answers::Request;
+
+struct PaperNumber {
+  std::string label, number, printed, question, column, reason;
+};
+
+PaperNumber paper_number(const std::string& line) {
+  std::istringstream fields(line);
+  PaperNumber row;
+  for (std::string* field : {&row.label, &row.number, &row.printed, &row.question, &row.column})
+    std::getline(fields, *field, ',');
+  if (!fields) throw std::runtime_error("six fields are allowed");
+  std::getline(fields, row.reason);
+  return row;
+}
+
+/// "count --alpha 0.12": the columns of the last row that it answers.
+std::map<std::string, std::string> answer_to(const std::string& question) {
+  static const std::map<std::string, std::function<answers::Answer(const Request&)>> all{
+      {"angle", answers::angle},   {"count", answers::count},       {"extremum", answers::extremum},
+      {"ratios", answers::ratios}, {"terminal", answers::terminal},
+  };
+  std::istringstream words(question);
+  std::string name, option, value;
+  words >> name;
+  Request request;
+  while (words >> option >> value) request.options[option.substr(2)] = value;
+  const auto found = all.find(name);
+  if (found == all.end()) throw std::runtime_error("nobody answers " + question);
+  const answers::Table table = found->second(request).table;
+  std::map<std::string, std::string> cells;
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    cells[table.columns[i].name] = table.rows.back()[i].text;
+  return cells;
+}
+
+std::size_t decimals(const std::string& number) {
+  const std::size_t point = number.find('.');
+  return point == std::string::npos ? 0 : number.size() - point - 1;
+}
+std::string with_decimals(const std::string& number, std::size_t digits) {
+  std::array<char, 64> text{};
+  char* const end = std::to_chars(text.data(), text.data() + text.size(), std::stod(number),
+                                  std::chars_format::fixed, static_cast<int>(digits))
+                        .ptr;
+  return {text.data(), end};
+}
+
+bool agree(const std::string& printed, const std::string& ours) {
+  if (decimals(printed) != 0) return with_decimals(ours, decimals(printed)) == printed;
+  return answers::are_equal(printed, ours);
+}
+
+/// Why a number of the paper differs, and whether that is so.
+struct Reason {
+  std::string words;
+  bool (*holds)(const PaperNumber& row, const std::string& ours);
+};
+const Reason* reason_of(const std::string& name) {
+  static const std::map<std::string, Reason> all{
+      {"cut off",
+       {"The digits printed are cut off; those of the other rows are rounded.",
+        [](const PaperNumber& row, const std::string& ours) {
+          return with_decimals(ours, decimals(row.printed) + 6).starts_with(row.printed);
+        }}},
+      {"rounded extremum",
+       {"The paper's shift is that of the extremum rounded to three decimals from the elastic mass "
+        "ratio, which is not rounded.",
+        [](const PaperNumber& row, const std::string&) {
+          return agree(row.printed, answer_to(row.question + " --decimals 3").at(row.column));
+        }}},
+  };
+  const auto found = all.find(name);
+  return found == all.end() ? nullptr : &found->second;
+}
+
+Comparison compared(const PaperNumber& row) {
+  const auto cells = answer_to(row.question);
+  const auto ours = cells.find(row.column);
+  if (ours == cells.end()) throw std::runtime_error("no column " + row.column);
+  const auto other = cells.find(row.printed);  // b_t, which is c_t
+  Comparison result{row.label, row.number, row.printed, ours->second, false, ""};
+  result.agrees =
+      other != cells.end() ? other->second == ours->second : agree(row.printed, ours->second);
+  if (result.agrees && row.reason.empty()) return result;
+  const Reason* const reason = reason_of(row.reason);
+  result.is_fine = !result.agrees && reason != nullptr && reason->holds(row, ours->second);
+  result.reason = result.agrees        ? "It agrees: no reason is needed."
+                  : row.reason.empty() ? "Nobody knows why: one of the two is wrong."
+                  : result.is_fine     ? reason->words
+                                       : "The reason given does not hold: " + row.reason + ".";
+  return result;
+}
+
+}  // namespace
+
+std::vector<Comparison> comparisons(std::string_view paper_numbers) {
+  std::istringstream lines{std::string(paper_numbers)};
+  std::vector<Comparison> all;
+  bool is_header = true;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line.front() == '#') continue;
+    try {
+      if (!is_header) all.push_back(compared(paper_number(line)));
+    } catch (const std::exception& error) {
+      throw std::runtime_error("paper_numbers.csv: " + line + ": " + error.what());
+    }
+    is_header = false;
+  }
+  return all;
+}
+
+}  // namespace command
