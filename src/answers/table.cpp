@@ -86,6 +86,12 @@ std::string block_of(const std::vector<Column>& columns, const Row& row) {
 
 }  // namespace
 
+std::vector<Column> real_columns(const std::vector<std::string>& names) {
+  std::vector<Column> columns;
+  for (const std::string& name : names) columns.push_back({name, Type::real, "", ""});
+  return columns;
+}
+
 Cell text_cell(std::string_view text) { return {std::string(text), json_string(text)}; }
 
 Cell real_cell(double value) {

@@ -20,6 +20,9 @@ struct Column {
   std::string words;  ///< what it is, in a few words
 };
 
+/// Columns of numbers that no table of a command has: the data of a figure.
+std::vector<Column> real_columns(const std::vector<std::string>& names);
+
 /// A value as text and CSV write it, and as JSON does.
 struct Cell {
   std::string text;

@@ -2,6 +2,7 @@
 #include "command/figure.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "answers/errors.hpp"
 #include "answers/figures.hpp"
@@ -15,19 +16,41 @@ namespace {
 
 using answers::Figure;
 
-constexpr int width = 800;
-constexpr int height = 560;
+/// In the units of SVG, from the script's line "# size WIDTH HEIGHT".
+std::pair<int, int> size_of(const std::string& script) {
+  std::pair<int, int> size{600, 440};
+  const std::string begin = "\n# size ";
+  const std::size_t line = script.find(begin);
+  if (line != std::string::npos)
+    std::istringstream(script.substr(line + begin.size())) >> size.first >> size.second;
+  return size;
+}
 
-std::string script_of(const Figure& figure, const std::string& format) {
-  const std::string size = std::to_string(width) + "," + std::to_string(height);
-  const std::string large = std::to_string(2 * width) + "," + std::to_string(2 * height);
+std::string script_of(const std::string& name, const std::string& data, const std::string& format) {
+  const std::string script = embedded("figures/" + name + ".gp");
+  const auto [width, height] = size_of(script);
+  const auto size = [&, w = width, h = height](double scale, const std::string& unit) {
+    std::ostringstream text;
+    text << " size " << scale * w << unit << "," << scale * h << unit << " ";
+    return text.str();
+  };
   const std::string terminal =
-      format == "png" ? "pngcairo size " + large + " font 'sans,14' fontscale 1.6 linewidth 1.6"
-                      : "svg size " + size + " font 'sans,14' background 'white'";
+      format == "png"
+          ? "pngcairo" + size(2, "") + "font 'sans,17' fontscale 1.5 linewidth 2 pointscale 2"
+      : format == "pdf" ? "pdfcairo" + size(0.01, "in") +
+                              "font 'sans,12' fontscale 1 linewidth 1.5 pointscale 0.6"
+                        : "svg" + size(1, "") + "font 'sans,17' background 'white'";
   return "set encoding utf8\nset terminal " + terminal +
-         "\nset datafile separator ','\nset datafile columnheaders\n$data << END\n" +
-         answers::written(figure.data(), answers::Format::csv) + "END\n" +
-         embedded("figures/" + figure.name + ".gp");
+         "\nset datafile separator ','\nset datafile columnheaders\n$data << END\n" + data +
+         "END\n" + script;
+}
+/// No date: two runs give the same bytes. Of the same length, since a PDF counts its bytes.
+std::string dateless(std::string pdf) {
+  const std::size_t begin = pdf.find("/CreationDate (");
+  const std::size_t end = pdf.find(')', begin);
+  if (end == std::string::npos)
+    throw std::runtime_error("figure: gnuplot wrote a PDF without a date");
+  return pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
 }
 /// gnuplot's own title and description, which name its version, give way to the figure's.
 std::string described(std::string svg, const Figure& figure) {
@@ -44,6 +67,15 @@ std::string described(std::string svg, const Figure& figure) {
 }
 
 }  // namespace
+
+std::string picture(const Figure& figure, const answers::Table& data, const std::string& format) {
+  const std::string rows = answers::written(data, answers::Format::csv);
+  if (format == "csv") return rows;
+  const std::string drawing = drawn(script_of(figure.name, rows, format));
+  return format == "svg"   ? described(drawing, figure)
+         : format == "pdf" ? dateless(drawing)
+                           : drawing;
+}
 
 answers::Answer figure(const answers::Request& request) {
   std::vector<Figure> all = answers::figures();
@@ -63,9 +95,7 @@ answers::Answer figure(const answers::Request& request) {
     throw answers::InvalidInput("figure: no figure " + answers::shown_text(request.words[0]) +
                                 "; allowed: " + answers::joined(names));
   }
-  if (request.format == "csv") return {{}, answers::written(found->data(), answers::Format::csv)};
-  const std::string picture = drawn(script_of(*found, request.format));
-  return {{}, request.format == "svg" ? described(picture, *found) : picture};
+  return {{}, picture(*found, found->data(), request.format)};
 }
 
 }  // namespace command

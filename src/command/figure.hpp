@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// figure: pictures by gnuplot of data from answers.
+// figure.
 #pragma once
 
+#include "answers/figures.hpp"
 #include "answers/request.hpp"
 
 namespace command {
 
-/// One figure by its name; formats svg, png, csv; "list": their names and titles.
+/// A figure of its data in svg, png, pdf or csv: the same bytes from every run.
+std::string picture(const answers::Figure& figure, const answers::Table& data,
+                    const std::string& format);
+
+/// By its name; list: all names.
 answers::Answer figure(const answers::Request& request);
 
 }  // namespace command

@@ -2,9 +2,18 @@
 #include "command/reproduce.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
 
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "answers/velocities.hpp"
 #include "command/comparison.hpp"
 #include "command/embedded.hpp"
+#include "command/figure.hpp"
+#include "generate/tree.hpp"
+#include "report/report.hpp"
 
 namespace command {
 namespace {
@@ -59,6 +68,37 @@ std::string document_of(const std::vector<Comparison>& all, bool is_markdown) {
   return text;
 }
 
+/// The figures of the paper and of errors in four formats, and the tables.
+std::map<std::string, std::string> files_of(const std::vector<Comparison>& all) {
+  std::map<std::string, std::string> files{{"reproduce.md", document_of(all, true)},
+                                           {"reproduce.csv", written(table_of(all), Format::csv)},
+                                           {"ratios.csv", written(ratios({}).table, Format::csv)}};
+  std::vector<Figure> wanted = figures();
+  std::copy_if(report::figures().begin(), report::figures().end(), std::back_inserter(wanted),
+               [](const Figure& figure) { return figure.name != "speed"; });  // it is measured
+  for (const Figure& figure : wanted) {
+    const Table data = figure.data();
+    for (const std::string format : {"svg", "png", "pdf", "csv"})
+      files[figure.name + "." + format] = picture(figure, data, format);
+  }
+  return files;
+}
+
+/// All files or none; a folder that was not there either.
+void write(const std::string& folder, const std::vector<Comparison>& all) {
+  std::error_code error;
+  const bool is_new = std::filesystem::create_directories(folder, error);
+  if (error)
+    throw InvalidInput("reproduce: --out " + shown_text(folder) + ": " + error.message() +
+                       "; allowed: a folder to write to");
+  try {
+    generate::write(folder, files_of(all));
+  } catch (...) {
+    if (is_new) std::filesystem::remove(folder, error);
+    throw;
+  }
+}
+
 }  // namespace
 
 std::vector<Column> reproduce_columns() {
@@ -75,6 +115,7 @@ Answer reproduce(const Request& request) {
   Answer answer{table_of(all), ""};
   if (request.format == "text" || request.format == "markdown")
     answer.document = document_of(all, request.format == "markdown");
+  if (request.has("out")) write(request.text("out"), all);
   answer.check_failed =
       !std::all_of(all.begin(), all.end(), [](const Comparison& one) { return one.is_fine; });
   return answer;

@@ -11,9 +11,6 @@ namespace report {
 namespace {
 
 using answers::Table;
-using answers::Type;
-
-answers::Column real_column(const std::string& name) { return {name, Type::real, "", ""}; }
 
 Table speed_data() {
   Plan plan = quick_plan();
@@ -38,7 +35,9 @@ Table error_data() {
       for (int i = 7; i <= 49; i += 2) alphas.insert(threshold * (1 + std::ldexp(side, -i)));
   std::vector<Input> inputs;
   std::vector<Truth> truths;
-  Table table{{real_column("alpha"), real_column("threshold"), real_column("envelope")}, {}};
+  Table table{answers::real_columns(
+                  {"alpha", "threshold", "envelope", "naive", "tangent", "fast", "accurate"}),
+              {}};
   for (const double alpha : alphas) {
     inputs.push_back({alpha, 0});
     truths.push_back(truth(Quantity::terminal, inputs.back()));
@@ -48,7 +47,6 @@ Table error_data() {
                           answers::real_cell(truths.back().envelopes[a_t])});
   }
   for (const std::string name : {"naive", "tangent", "fast", "accurate"}) {
-    table.columns.push_back(real_column(name));
     Columns results(inputs);
     for (const Implementation& one : implementations())
       if (one.name == name && one.quantity == Quantity::terminal) one.run(results);

@@ -1,4 +1,5 @@
 # Time against largest error; columns evaluator, max_ulp, ns: a point each, its name beside it.
+# size 800 560
 set logscale xy
 set xlabel 'time of one evaluation on everyday inputs / ns'
 set ylabel 'largest error of a velocity / ulp'
