@@ -5,6 +5,7 @@
 #include "answers/derivation.hpp"
 #include "answers/scene.hpp"
 #include "answers/velocities.hpp"
+#include "command/comparison.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
 #include "command/reproduce.hpp"
@@ -110,7 +111,7 @@ Program magicmass() {
                {{"out", "FOLDER", "where the figures of the paper and the tables go, too"}},
                "",
                {"text", "markdown", "json", "csv"},
-               reproduce_columns(),
+               comparison_columns(),
                reproduce},
               {"generate",
                "Emits C++ evaluators from the proved theorems",

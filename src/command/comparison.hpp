@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "answers/request.hpp"
+
 namespace command {
 
 struct Comparison {
@@ -21,5 +23,10 @@ struct Comparison {
 /// The rows of paper_numbers.csv, each with the answer to its question. Throws std::runtime_error,
 /// naming the row, for one that has no meaning.
 std::vector<Comparison> comparisons(std::string_view paper_numbers);
+
+std::vector<answers::Column> comparison_columns();
+/// For text and markdown a page with a table for each label. The check has failed where one is not
+/// fine.
+answers::Answer page_of(const std::vector<Comparison>& all, const std::string& format);
 
 }  // namespace command

@@ -37,9 +37,9 @@ std::string script_of(const std::string& name, const std::string& data, const st
   const std::string terminal =
       format == "png"
           ? "pngcairo" + size(2, "") + "font 'sans,17' fontscale 1.5 linewidth 2 pointscale 2"
-      : format == "pdf" ? "pdfcairo" + size(0.01, "in") +
-                              "font 'sans,12' fontscale 1 linewidth 1.5 pointscale 0.6"
-                        : "svg" + size(1, "") + "font 'sans,17' background 'white'";
+      : format == "pdf"
+          ? "pdfcairo" + size(0.01, "in") + "font 'sans,12' fontscale 0.9 linewidth 1.5"
+          : "svg" + size(1, "") + "font 'sans,17' background 'white'";
   return "set encoding utf8\nset terminal " + terminal +
          "\nset datafile separator ','\nset datafile columnheaders\n$data << END\n" + data +
          "END\n" + script;

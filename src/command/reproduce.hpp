@@ -9,6 +9,5 @@ namespace command {
 /// Every number of the paper beside ours; formats text, markdown, json, csv. With out: the figures
 /// of the paper and the tables in a folder, too.
 answers::Answer reproduce(const answers::Request& request);
-std::vector<answers::Column> reproduce_columns();
 
 }  // namespace command

@@ -7,15 +7,18 @@ set xtics 1 nomirror
 set ylabel 'x / L' offset 1
 set grid lc rgb '#dddddd'
 set lmargin 7
+unset key
+set label 2 'A' at -0.5,-0.95
+set label 3 'C' at -0.85,0.4
+set label 4 'B' at -0.85,1.45
 set multiplot layout 3,1
 panels = 'a b c'
 names = "'(a) α = α_3' '(b) α = 0.12' '(c) α = 0.10'"
 do for [i=1:3] {
   set label 1 word(names, i) at graph 0.03,0.9
-  if (i == 1) { set key right bottom samplen 3 horizontal } else { unset key }
   if (i == 3) { set xlabel 't / τ' } else { unset xlabel }
-  plot $data using 2:(strcol(1) eq word(panels, i) ? $5 : NaN) with lines lw 3 lc rgb '#0072b2' title 'B', \
-       $data using 2:(strcol(1) eq word(panels, i) ? $4 : NaN) with lines lw 3 dt (6,4) lc rgb '#d55e00' title 'C', \
-       $data using 2:(strcol(1) eq word(panels, i) ? $3 : NaN) with lines lw 3 lc rgb 'black' title 'A'
+  plot $data using 2:(strcol(1) eq word(panels, i) ? $5 : NaN) with lines lw 3 lc rgb '#0072b2', \
+       $data using 2:(strcol(1) eq word(panels, i) ? $4 : NaN) with lines lw 3 dt (6,4) lc rgb '#d55e00', \
+       $data using 2:(strcol(1) eq word(panels, i) ? $3 : NaN) with lines lw 3 lc rgb 'black'
 }
 unset multiplot

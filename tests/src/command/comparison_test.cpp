@@ -56,6 +56,17 @@ TEST_CASE("A spoiled number or reason is named, and nothing else", "[check]") {
         Names{"shift of alpha_1 in %: It agrees: no reason is needed."});
 }
 
+TEST_CASE("A page names what is spoiled, and the check has failed", "[check]") {
+  const auto page = [](const std::vector<Comparison>& all) { return page_of(all, "text"); };
+  CHECK_FALSE(page(comparisons(command::embedded("paper_numbers.csv"))).check_failed);
+  const answers::Answer spoiled = page(with("0.064178", "0.064187"));
+  CHECK(spoiled.check_failed);
+  CHECK_THAT(spoiled.document, ContainsSubstring("89 agree, 4 differ for the reason given, 1"));
+  CHECK_THAT(spoiled.document,
+             ContainsSubstring("alpha_4   0.064187  0.06417777247591214   differs"));
+  CHECK_THAT(spoiled.document, ContainsSubstring("Nobody knows why: one of the two is wrong.\n"));
+}
+
 TEST_CASE("Decimals agree to the digits printed, all else exactly") {
   CHECK(one("x,x,0.4142,ratios --count 1,deficient,").agrees);
   CHECK_FALSE(one("x,x,0.4143,ratios --count 1,deficient,").agrees);
