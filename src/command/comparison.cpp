@@ -81,8 +81,7 @@ const Reason* reason_of(const std::string& name) {
           return with_decimals(ours, decimals(row.printed) + 6).starts_with(row.printed);
         }}},
       {"rounded extremum",
-       {"The paper's shift is that of the extremum rounded to three decimals from the elastic mass "
-        "ratio, which is not rounded.",
+       {"The paper's shift is that of the extremum rounded to three decimals.",
         [](const PaperNumber& row, const std::string&) {
           return agree(row.printed, answer_to(row.question + " --decimals 3").at(row.column));
         }}},

@@ -69,7 +69,7 @@ std::string described(std::string svg, const Figure& figure) {
 }  // namespace
 
 std::string picture(const Figure& figure, const answers::Table& data, const std::string& format) {
-  const std::string rows = answers::written(data, answers::Format::csv);
+  std::string rows = answers::written(data, answers::Format::csv);
   if (format == "csv") return rows;
   const std::string drawing = drawn(script_of(figure.name, rows, format));
   return format == "svg"   ? described(drawing, figure)
