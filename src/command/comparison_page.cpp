@@ -30,7 +30,7 @@ std::string summary_of(const std::vector<Comparison>& all) {
   };
   return std::to_string(all.size()) + " numbers of the paper: " + count("agrees") + " agree, " +
          count("explained") + " differ for the reason given, " + count("differs") +
-         " differ without one\n";
+         " without one\n";
 }
 
 /// A heading and a narrow table for each label, and under it why numbers differ.
