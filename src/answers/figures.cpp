@@ -6,7 +6,6 @@
 
 #include "answers/drawings.hpp"
 #include "answers/motion.hpp"
-#include "answers/restitution.hpp"
 #include "kernel/print.hpp"
 
 namespace answers {
@@ -59,10 +58,9 @@ Table transmission_data() {
     Row row{real_cell(nearest(alpha)),
             rounded([&] { return Balls{terminal(alpha, counts)[3]}; })[0]};
     for (const cln::cl_RA& e : restitutions) {
-      const Inelastic motion{alpha, e};
-      const auto N = count_collisions(motion);
-      row.push_back(N ? rounded([&] { return Balls{terminal(motion, *N)[3]}; })[0]
-                      : missing_cell());
+      const Trio trio = with_restitution(alpha, e);
+      const auto N = trio.count();
+      row.push_back(N ? rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0] : missing_cell());
     }
     table.rows.push_back(row);
   }

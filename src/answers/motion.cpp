@@ -59,6 +59,10 @@ Alpha alpha_of(const std::string& text) {
     throw InvalidInput(refused.what());
   }
 }
+double nearest(const Alpha& alpha) {
+  return std::stod(rounded([alpha] { return Balls{ball_of(alpha)}; })[0].text);
+}
+
 LargeCounts count_collisions(const Alpha& alpha) {
   if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};  // magic.counts
   if (const auto* deficient = std::get_if<Deficient>(&alpha))
@@ -93,6 +97,14 @@ Balls terminal(const Alpha& alpha, const LargeCounts& counts) {
   const Balls after_P = velocities(alpha, counts.N_A), after_Q = velocities(alpha, counts.N_B);
   const bool Q_is_last = counts.N_A == counts.N_B;  // terminal.after_Q, terminal.after_P
   return {after_P[0], after_Q[1], Q_is_last ? after_Q[3] : after_P[2], after_Q[1] * after_Q[1]};
+}
+
+Trio with_restitution(const Alpha& alpha, const cl_RA& e) {
+  return Trio::equal_blocks(magicmass::scenes::value_of(alpha), e);
+}
+Balls terminal(const Trio& trio, std::int64_t N) {
+  const Balls v = trio.velocities(trio.shape(), N);
+  return {v[0], v[2], v[1], v[2] * v[2]};
 }
 
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {

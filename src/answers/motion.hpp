@@ -9,6 +9,7 @@
 
 #include "answers/table.hpp"
 #include "magicmass/scenes/ball.hpp"
+#include "magicmass/scenes/trio.hpp"
 #include "notation/alpha.hpp"
 
 namespace answers {
@@ -17,10 +18,13 @@ using magicmass::scenes::Ball;
 using magicmass::scenes::decimal;
 using magicmass::scenes::exact;
 using magicmass::scenes::nearest_double;
+using magicmass::scenes::Trio;
 using magicmass::scenes::with_bits;
 
 /// The mass ratio of a request. Throws InvalidInput.
 notation::Alpha alpha_of(const std::string& text);
+/// The nearest double.
+double nearest(const notation::Alpha& alpha);
 /// It, with the bits that are set now.
 Ball ball_of(const notation::Alpha& alpha);
 
@@ -36,6 +40,11 @@ LargeCounts count_collisions(const notation::Alpha& alpha);
 using Balls = std::vector<Ball>;
 Balls velocities(const notation::Alpha& alpha, const cln::cl_I& n);
 Balls terminal(const notation::Alpha& alpha, const LargeCounts& counts);
+
+/// Blocks of mass 1, a ball of mass alpha, restitution e.
+Trio with_restitution(const notation::Alpha& alpha, const cln::cl_RA& e);
+/// Its terminal a, b, c and rho after all of N collisions.
+Balls terminal(const Trio& trio, std::int64_t N);
 
 /// Cells with the nearest doubles of what is computed, or with so many significant digits. Throws
 /// Undecided where more bits would be needed than are allowed.

@@ -6,7 +6,6 @@
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
 #include "answers/motion.hpp"
-#include "answers/restitution.hpp"
 #include "magicmass/scenes/value.hpp"
 
 namespace answers {
@@ -39,10 +38,10 @@ Range range_of(const Alpha& near) {
 }
 
 double rho(double alpha, const cln::cl_RA& e) {
-  const Inelastic motion{alpha, e};
-  const auto N = count_collisions(motion);
+  const Trio trio = with_restitution(alpha, e);
+  const auto N = trio.count();
   if (!N) throw InvalidInput("extremum: the collisions never end there");
-  return std::stod(rounded([&] { return Balls{terminal(motion, *N)[3]}; })[0].text);
+  return std::stod(rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0].text);
 }
 
 }  // namespace

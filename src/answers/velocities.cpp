@@ -14,12 +14,10 @@
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
-#include "magicmass/scenes/trio.hpp"
 
 namespace answers {
 namespace {
 
-using magicmass::scenes::Trio;
 using notation::Alpha;
 
 constexpr std::int64_t most_digits = 10000;
@@ -191,17 +189,14 @@ Answer inelastic_terminal(const Request& request, const Alpha& e) {
     throw InvalidInput("--tier fast has no restitution in this version; allowed: accurate, exact");
   const Alpha alpha = alpha_of(request.text("alpha"));
   const auto digits = digits_wanted(request);
-  const auto trio = Trio::equal_blocks(magicmass::scenes::value_of(alpha), exact_of(e));
+  const Trio trio = with_restitution(alpha, exact_of(e));
   Row row{alpha_cell(alpha), alpha_cell(e)};
   try {
     if (const auto N = trio.count()) {
       row.push_back(whole_cell((*N + 1) / 2));
       row.push_back(whole_cell(*N / 2));
-      const auto at_end = [&] {
-        const Balls v = trio.velocities(trio.shape(), *N);
-        return Balls{v[0], v[2], v[1], v[2] * v[2]};
-      };
-      Answer all = answer(inelastic_columns(), row, rounded(at_end, digits));
+      Answer all = answer(inelastic_columns(), row,
+                          rounded([&] { return answers::terminal(trio, *N); }, digits));
       all.table.rows[0].push_back(missing_cell());
       return all;
     }

@@ -64,7 +64,7 @@ std::vector<PlainForm> restitution(Source& s) {
   const kernel::Expr j = kernel::integer("j"), e = kernel::real("e");
   inputs.push_back(input(j, 0, 0x1p62));
   inputs.push_back(input(kernel::fun("turn", {j}), -1, 1));
-  inputs.push_back(input(kernel::fun("pow", {kernel::sqrt(e), j}), 1 / most, 1));
+  inputs.push_back(input(kernel::fun("pow", {kernel::sqrt(e), j}), 0, 1));
   const std::string roots = "wedge.r_A r_B ";
   const std::string parts = roots + "bodies.def_step_sine def_now_side def_now_sine ";
   Case after = s.of("all", {},

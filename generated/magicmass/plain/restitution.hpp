@@ -72,7 +72,7 @@ struct AfterRestitution {
 /// after: B_next, A_next, C_next. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to
 ///   0x1p+100, M_C from 0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to
 ///   0x1p+0, h_e from 0x1p-100 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to
-///   0x1p+0, pow from 0x1p-100 to 0x1p+0, step_sine between 0x1p-100 and 0x1p+1, now_side between
+///   0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-100 and 0x1p+1, now_side between
 ///   0x1p-100 and 0x1p+100.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side, bodies.def_now_sine,
 ///   bodies.def_later_side, bodies.def_later_sine, bodies.before, bodies.after, bodies.B_next,
@@ -87,7 +87,7 @@ AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B,
       Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
       Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(0x1p-100) && q_e <= Number(0x1p+0) &&
       h_e >= Number(0x1p-100) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
-      >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x1p-100) && pow <=
+      >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <=
       Number(0x1p+0)) {
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
@@ -134,8 +134,8 @@ AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B,
   throw std::domain_error("after_restitution: allowed: "
       "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "
       "e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e from 0x1p-100 to 0x1p+2, j from "
-      "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x1p-100 to 0x1p+0, "
-      "step_sine between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and 0x1p+100");
+      "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine "
+      "between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and 0x1p+100");
 }
 template <class Number>
 struct AtRestitution {
@@ -144,7 +144,7 @@ struct AtRestitution {
 /// at: moment, blocks, place. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100,
 ///   M_C from 0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e
 ///   from 0x1p-100 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow
-///   from 0x1p-100 to 0x1p+0, step_sine between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and
+///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and
 ///   0x1p+100, now_sine between 0x1p-100 and 0x1p+1, rest_e between 0x1p-100 and 0x1p+2.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side, bodies.def_now_sine,
 ///   bodies.def_rest_e, bodies.moment, bodies.blocks, bodies.place.
@@ -159,7 +159,7 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
       Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
       Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(0x1p-100) && q_e <= Number(0x1p+0) &&
       h_e >= Number(0x1p-100) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
-      >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x1p-100) && pow <=
+      >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <=
       Number(0x1p+0)) {
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
@@ -207,9 +207,9 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
   throw std::domain_error("at_restitution: allowed: "
       "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "
       "e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e from 0x1p-100 to 0x1p+2, j from "
-      "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x1p-100 to 0x1p+0, "
-      "step_sine between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and 0x1p+100, now_sine "
-      "between 0x1p-100 and 0x1p+1, rest_e between 0x1p-100 and 0x1p+2");
+      "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine "
+      "between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and 0x1p+100, now_sine between "
+      "0x1p-100 and 0x1p+1, rest_e between 0x1p-100 and 0x1p+2");
 }
 template <class Number>
 struct CollapseRestitution {
