@@ -33,7 +33,9 @@ struct Command {
   std::vector<std::string> formats;      ///< of --format, the first one unless told otherwise
   std::vector<answers::Column> columns;  ///< of the table that it answers with
   std::function<answers::Answer(const answers::Request&)> run;
-  std::int64_t seconds = 30;  ///< of --time-limit unless told otherwise
+  std::int64_t seconds = 30;       ///< of --time-limit unless told otherwise
+  std::int64_t mebibytes = 1024;   ///< of --memory-limit unless told otherwise
+  std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
 };
 
 /// The program: all that differs between magicmass and a test's.

@@ -34,7 +34,9 @@ std::vector<Option> options_of(const Command& command) {
   options.push_back(
       {"time-limit", "SECONDS",
        "give up after so long, " + std::to_string(command.seconds) + " unless told otherwise"});
-  options.push_back({"memory-limit", "MIB", "at most so much memory, 1024 unless told otherwise"});
+  options.push_back(
+      {"memory-limit", "MIB",
+       "at most so much memory, " + std::to_string(command.mebibytes) + " unless told otherwise"});
   return options;
 }
 
@@ -144,7 +146,7 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
   asked.request.words = std::move(words);
   asked.request.format = command.formats.front();
   asked.seconds = asked.request.whole("time-limit", 1, longest).value_or(command.seconds);
-  asked.mebibytes = asked.request.whole("memory-limit", 16, longest).value_or(asked.mebibytes);
+  asked.mebibytes = asked.request.whole("memory-limit", 16, longest).value_or(command.mebibytes);
   asked.output = asked.request.text("output");
   if (asked.request.has("format")) asked.request.format = asked.request.text("format");
   if (asked.request.has("input")) asked.input = asked.request.text("input");

@@ -89,7 +89,8 @@ void answer_rows(const Asked& asked, Destination& output) {
 }
 
 ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
-  Destination output(asked.output, hide_progress);
+  const bool is_folder = asked.request.format == asked.command->folder_format;
+  Destination output(is_folder ? "" : asked.output, hide_progress);
   ExitCode code = ExitCode::done;
   if (asked.input) {
     answer_rows(asked, output);

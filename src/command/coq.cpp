@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/coq.hpp"
+
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+#include <unistd.h>
+
+#include "answers/derivation.hpp"
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "command/child.hpp"
+#include "coq/files.hpp"
+#include "derivation/book.hpp"
+#include "generate/tree.hpp"
+
+namespace command {
+namespace {
+
+namespace fs = std::filesystem;
+using answers::InvalidInput;
+
+coq::Files all_files() {
+  std::vector<coq::Chapter> chapters;
+  for (const derivation::Chapter& chapter : derivation::the_book().chapters()) {
+    chapters.push_back({chapter.name, {}});
+    for (const derivation::Statement& s : chapter.statements)
+      chapters.back().shown.emplace_back(s.id, s.theorem);
+  }
+  return coq::files(chapters);
+}
+
+/// A folder that goes with all that is in it.
+class TemporaryFolder {
+public:
+  TemporaryFolder() : path((fs::temp_directory_path() / "magicmass-XXXXXX").string()) {
+    if (::mkdtemp(path.data()) == nullptr)
+      throw std::runtime_error("verify: no folder can be made in " +
+                               fs::temp_directory_path().string());
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  std::string path;
+};
+
+}  // namespace
+
+answers::Answer derive(const answers::Request& request) {
+  if (request.format != "coq") return answers::derive(request);
+  if (!request.words.empty() || request.has("from") || request.has("list"))
+    throw InvalidInput("derive: --format coq is the whole derivation, without names or --from");
+  const std::string folder = request.text("output");
+  if (folder.empty() || folder == "-")
+    throw InvalidInput("derive: --format coq is a folder of files; allowed: -o FOLDER");
+  const coq::Files files = all_files();
+  generate::write(folder, {files.texts.begin(), files.texts.end()});
+  return {{}, std::to_string(files.texts.size()) + " files written to " + folder + "\n"};
+}
+
+std::vector<answers::Column> verify_columns() {
+  std::vector<answers::Column> columns = answers::verify_columns();
+  columns.push_back({"checked_by_coq", answers::Type::whole, "1", "steps that coqc proved again"});
+  columns.push_back({"kernel_only", answers::Type::whole, "1", "steps that Coq takes for granted"});
+  return columns;
+}
+
+answers::Answer verify(const answers::Request& request) {
+  answers::Answer answer = answers::verify(request);
+  if (!request.has("with") || answer.check_failed) return answer;
+  const coq::Files files = all_files();
+  const TemporaryFolder folder;
+  generate::write(folder.path, {files.texts.begin(), files.texts.end()});
+  std::string problem;
+  std::string last;
+  for (const auto& [name, text] : files.texts) {
+    const auto said = said_by(
+        {"coqc", "-q", "-w", "none", "-R", folder.path, "Magicmass", folder.path + "/" + name});
+    if (!said)
+      throw InvalidInput("verify: --with coq needs coqc (Debian: coq); allowed: no --with");
+    last = said->output;
+    if (said->is_done) continue;
+    problem = name + ": " + said->errors;
+    break;
+  }
+  if (problem.empty()) problem = coq::foreign_assumption(last);
+  if (!problem.empty())
+    return {{}, "not checked by Coq: " + answers::shown_text(problem, 400) + "\n", true};
+  answer.table.columns = verify_columns();
+  answer.table.rows[0].push_back(answers::whole_cell(files.steps));
+  answer.table.rows[0].push_back(answers::whole_cell(0));
+  return answer;
+}
+
+}  // namespace command

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Definitions of Coq for those of the kernel, each before its first use.
+#include "coq/script.hpp"
+#include "kernel/names.hpp"
+
+namespace coq {
+using kernel::Expr;
+using kernel::Exprs;
+using kernel::Sort;
+using kernel::Theorem;
+
+void Script::define_all(Expr e) {
+  visit_functions(e, [this](const std::string& function) { define(function); });
+}
+void Script::define(const std::string& function) {
+  static const std::set<std::string> of_coq = {"inv", "sqrt", "sin", "cos", "atan", "ceil", "pi"};
+  if (of_coq.count(function) || is_defined[function]) return;
+  is_defined[function] = true;
+  const auto it = definitions.find(function);
+  if (it == definitions.end()) kernel::refuse("no definition of " + function);
+  written += definition(it->second);
+}
+
+namespace {
+std::string parameters(const Exprs& variables) {
+  return variables.empty() ? "" : " (" + spaced(names_of(variables)).substr(1) + " : R)";
+}
+/// For integer values: isint (name params).
+std::string integer_lemma(const std::string& function, const Exprs& params,
+                          const std::string& proof) {
+  const std::string binders = spaced(names_of(params));
+  std::string premises;
+  std::string intros;
+  for (Expr p : params) {
+    if (p.sort() != Sort::Int) continue;
+    premises += "isint " + name(p.name()) + " -> ";
+    intros += " i'" + p.name();
+  }
+  const std::string head = "(" + name(function) + binders + ")";
+  return "Lemma int'" + function + " : " + (binders.empty() ? "" : "forall" + binders + " : R, ") +
+         premises + "isint " + head + ".\nProof. intros" + binders + intros + ". exact " + proof +
+         ". Qed.\n";
+}
+}  // namespace
+
+std::string Script::definition(const Theorem& t) {
+  const kernel::Step s = t.step();
+  if (s.rule == "start" || s.rule == "next") return recursion(s);
+  const Expr call = s.extras[0];
+  const std::string head = "Definition " + name(call.name()) + parameters(call.args());
+  const bool is_least = s.rule == "least";
+  for (Expr e : s.extras)
+    if (!(e == call)) define_all(e);
+  const std::string value = is_least
+                                ? "least " + text(s.extras[1]) + " (fun " +
+                                      name(s.extras[2].name()) + " => " + text(s.extras[3]) + ")"
+                                : text(s.extras[1]);
+  static const std::map<Sort, std::string> types = {
+      {Sort::Real, "R"}, {Sort::Int, "R"}, {Sort::Bool, "Prop"}, {Sort::Matrix, "list R"}};
+  const std::string made = head + " : " + types.at(call.sort()) + " := " + value + ".\n";
+  if (call.sort() != Sort::Int) return made;
+  const std::string why = integer(s.extras[1]);
+  return made +
+         integer_lemma(call.name(), call.args(), is_least ? "(int_least _ _ " + why + ")" : why);
+}
+
+namespace {
+/// A recursion: n, then for each sequence its value at n, the variable for the value before, the
+/// start, the step. In Coq one function of a natural number has all values as a tuple.
+class Recursion {
+public:
+  explicit Recursion(const kernel::Step& s) : n(s.extras[0]) {
+    for (std::size_t k = 1; k + 3 < s.extras.size(); k += 4) {
+      values.push_back(s.extras[k]);
+      before.push_back(s.extras[k + 1]);
+      start.push_back(s.extras[k + 2]);
+      next.push_back(s.extras[k + 3]);
+    }
+    params = values[0].args();
+    params.pop_back();
+    tuple = "all'" + values[0].name();
+  }
+  std::string value(std::size_t i, const std::string& at) const {
+    std::string of = "(" + tuple + spaced(names_of(params)) + " " + at + ")";
+    for (std::size_t k = i + 1; k < values.size(); ++k) of = "(fst " + of + ")";
+    return i == 0 ? of : "(snd " + of + ")";
+  }
+  Expr n;
+  Exprs values = {}, before = {}, start = {}, next = {}, params = {};
+  std::string tuple;
+};
+}  // namespace
+
+std::string Script::recursion(const kernel::Step& s) {
+  const Recursion r(s);
+  Atoms before{{r.n, "(fromN m')"}};
+  std::string starts;
+  std::string nexts;
+  std::string types;
+  std::string values;
+  for (std::size_t i = 0; i < r.values.size(); ++i) {
+    is_defined[r.values[i].name()] = true;
+    before[r.before[i]] = r.value(i, "m'");
+    define_all(r.start[i]);
+    define_all(r.next[i]);
+  }
+  for (std::size_t i = 0; i < r.values.size(); ++i) {
+    const std::string comma = i == 0 ? "" : ", ";
+    types += i == 0 ? "R" : " * R";
+    starts += comma + text(r.start[i]);
+    nexts += comma + text(r.next[i], {}, before);
+    values += "Definition " + name(r.values[i].name()) + parameters(r.values[i].args()) +
+              " : R := " + r.value(i, "(toN " + name(r.n.name()) + ")") + ".\n";
+  }
+  return "Fixpoint " + r.tuple + parameters(r.params) + " (k' : nat) : " + types +
+         " :=\n  match k' with O => (" + starts + ") | S m' => (" + nexts + ") end.\n" + values;
+}
+std::string Script::recursive(const Theorem& t) {
+  const kernel::Step s = t.step();
+  const Recursion r(s);
+  const bool is_start = s.rule == "start";
+  const std::string function = (is_start ? t.conclusion() : t.conclusion().arg(1)).arg(0).name();
+  std::size_t i = 0;
+  while (r.values[i].name() != function) ++i;
+  const std::string jump = "(f_equal (fun k' => " + r.value(i, "k'") + ") ";
+  if (is_start) return "exact " + jump + "toN_0).";
+  Atoms now{{r.n, "z'"}};
+  for (std::size_t k = 0; k < r.values.size(); ++k) now[r.before[k]] = text(r.values[k]);
+  const std::string from_0 = " " + name(r.n.name()) + " i'" + r.n.name() + " h'0)";
+  return "intro h'0. exact (eq_trans " + jump + "(toN_next" + from_0 + ") (f_equal (fun z' => " +
+         text(r.next[i], {}, now) + ") (fromN_toN" + from_0 + ")).";
+}
+}  // namespace coq

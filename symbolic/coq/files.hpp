@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The derivation as files of Coq.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "kernel/theorem.hpp"
+
+namespace coq {
+struct Chapter {
+  std::string name;
+  std::vector<std::pair<std::string, kernel::Theorem>> shown;  ///< by id
+};
+struct Files {
+  std::vector<std::pair<std::string, std::string>> texts;  ///< by name, in the order of compiling
+  int steps = 0;                                           ///< different ones, each a lemma
+  int shown = 0;
+};
+/// prelude.v, a file for each chapter, and assumptions.v, which prints the axioms that all theorems
+/// rest on.
+Files files(const std::vector<Chapter>& chapters);
+/// The first axiom in what coqc says of assumptions.v that is not of Coq's library of real numbers
+/// and of classical logic; "" where there is none.
+std::string foreign_assumption(const std::string& said);
+}  // namespace coq

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Lemmas of Coq, one a step of the kernel, each proved from its premises by what the step records.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "coq/terms.hpp"
+#include "kernel/theorem.hpp"
+
+namespace coq {
+/// Terms with their atoms as variables: x' for a canonical atom, y' for one that is equal to a
+/// polynomial of those.
+class Abstraction {
+public:
+  /// Adds e, a part that polynomials do not look into, and what it is equal to.
+  void add(kernel::Expr e);
+  void add_atoms_of(kernel::Expr term);
+  /// For the statement, and for its proof, where each y' is replaced.
+  std::string print(kernel::Expr e) const { return text(e, {}, names); }
+  std::string replaced(kernel::Expr e) const { return text(e, {}, inside); }
+
+  Atoms names = {};
+  Atoms inside = {};
+  kernel::Exprs canonical = {};
+  kernel::Exprs equal = {};
+};
+
+class Script {
+public:
+  using Definitions = std::map<std::string, kernel::Theorem>;  ///< by the name that is defined
+  explicit Script(Definitions of) : definitions(std::move(of)) {}
+
+  /// The lemma's name; writes it, and before it all that it rests on, where that is new.
+  std::string lemma(const kernel::Theorem& t);
+  /// The lemma's statement, all variables and hypotheses in it.
+  static std::string statement(const kernel::Theorem& t);
+  /// What was written since the last call.
+  std::string take() { return std::exchange(written, ""); }
+  int size() const { return int(lemmas.size()); }
+
+private:
+  struct Context {
+    kernel::Exprs variables;
+    kernel::Exprs hypotheses;
+  };
+  /// Variables of Coq, or of a core, and what they stand for.
+  struct Core {
+    std::string statement;  ///< "forall ..., y' = x' -> "
+    std::string intros;     ///< " x'0 y'0 ->"
+    std::string arguments;  ///< " (a + b) (e'3 a b)"
+  };
+  using Content = std::pair<kernel::Exprs, kernel::Expr>;
+
+  // steps.cpp
+  std::string with_lost_variables(const kernel::Theorem& t, Context c);
+  std::string proof(const kernel::Theorem& t, const Context& c);
+  std::string logic(const kernel::Theorem& t, const Context& c);
+  std::string defined(const kernel::Theorem& t);
+  std::string rewritten(const kernel::Theorem& t, const Context& c);
+  std::string induction(const kernel::Theorem& t, const Context& c);
+  std::string applied(const kernel::Theorem& premise, const Context& c,
+                      const kernel::Substitution& s = {});
+  std::string integer(kernel::Expr e);  ///< a proof that e is one
+  // tautology.cpp
+  std::string tautology(const kernel::Theorem& t, const Context& c);
+  // arithmetic.cpp
+  std::string arithmetic(const kernel::Theorem& t, const Context& c);
+  // equal.cpp: proofs of l = r and f <-> g, which have one canonical form
+  std::string equal(kernel::Expr l, kernel::Expr r, const Names& bound);
+  std::string to_canonical(kernel::Expr e, const Names& bound);
+  std::string prove_canonical(kernel::Expr e);
+  std::string congruence(kernel::Expr e);
+  std::string same(kernel::Expr f, kernel::Expr g, const Names& bound);
+  std::string same_parts(kernel::Expr f, kernel::Expr g, const Names& bound);
+  std::string same_entries(kernel::Expr f, const Names& bound);
+  Core core(const Abstraction& a, const Names& bound);
+  // definitions.cpp
+  void define_all(kernel::Expr e);
+  void define(const std::string& function);
+  std::string definition(const kernel::Theorem& t);
+  std::string recursion(const kernel::Step& s);
+  std::string recursive(const kernel::Theorem& t);  ///< proves a start or a step
+
+  std::string add_lemma(const std::string& kind, const std::string& statement,
+                        const std::string& proof);
+
+  Definitions definitions;
+  std::map<std::string, bool> is_defined = {};
+  std::map<Content, std::string> lemmas = {};
+  std::map<kernel::Expr, std::string> equalities = {};
+  std::map<kernel::Expr, std::string> entrywise = {};
+  std::string written = {};
+  int serial = 0;
+};
+
+/// The equations of the entries of a matrix equation.
+kernel::Expr by_entries(kernel::Expr equation);
+}  // namespace coq
