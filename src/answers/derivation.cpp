@@ -6,6 +6,7 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
+#include "coq/files.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
 #include "render/pages.hpp"
@@ -187,8 +188,7 @@ Answer verify(const Request&) {
   }
   kernel::Theorems shown;
   for (const auto& entry : Index(*book).all) shown.push_back(entry.statement.theorem);
-  std::int64_t steps = 0;
-  walk(shown, [&](const Theorem&) { return ++steps > 0; });
+  const auto steps = static_cast<std::int64_t>(coq::proofs_of(shown).size());
   const auto proved = static_cast<std::int64_t>(shown.size());
   return {{verify_columns(), {{whole_cell(proved), whole_cell(0), whole_cell(steps)}}, false}, ""};
 }

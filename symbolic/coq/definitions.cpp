@@ -9,6 +9,15 @@ using kernel::Exprs;
 using kernel::Sort;
 using kernel::Theorem;
 
+Script::Script(Proofs of) : chosen(std::move(of)) {
+  for (const auto& [content, t] : chosen) {
+    const kernel::Step s = t.step();
+    if (s.rule == "define" || s.rule == "least") definitions.emplace(s.extras[0].name(), t);
+    if (s.rule == "start" || s.rule == "next")
+      for (std::size_t k = 1; k < s.extras.size(); k += 4)
+        definitions.emplace(s.extras[k].name(), t);
+  }
+}
 void Script::define_all(Expr e) {
   visit_functions(e, [this](const std::string& function) { define(function); });
 }
@@ -25,21 +34,15 @@ namespace {
 std::string parameters(const Exprs& variables) {
   return variables.empty() ? "" : " (" + spaced(names_of(variables)).substr(1) + " : R)";
 }
-/// For integer values: isint (name params).
-std::string integer_lemma(const std::string& function, const Exprs& params,
-                          const std::string& proof) {
-  const std::string binders = spaced(names_of(params));
+/// That the value is an integer, for the prelude's int.
+std::string integer_lemma(Expr call, const std::string& proof) {
   std::string premises;
-  std::string intros;
-  for (Expr p : params) {
-    if (p.sort() != Sort::Int) continue;
-    premises += "isint " + name(p.name()) + " -> ";
-    intros += " i'" + p.name();
-  }
-  const std::string head = "(" + name(function) + binders + ")";
-  return "Lemma int'" + function + " : " + (binders.empty() ? "" : "forall" + binders + " : R, ") +
-         premises + "isint " + head + ".\nProof. intros" + binders + intros + ". exact " + proof +
-         ". Qed.\n";
+  for (Expr p : call.args())
+    if (p.sort() == Sort::Int) premises += "isint " + name(p.name()) + " -> ";
+  const std::string binders = spaced(names_of(call.args()));
+  return "Lemma int'" + call.name() + " : " + (binders.empty() ? "" : "forall" + binders + ", ") +
+         premises + "isint " + text(call) + ".\nProof. intros. " + proof +
+         " Qed.\nGlobal Hint Resolve int'" + call.name() + " : int.\n";
 }
 }  // namespace
 
@@ -59,9 +62,8 @@ std::string Script::definition(const Theorem& t) {
       {Sort::Real, "R"}, {Sort::Int, "R"}, {Sort::Bool, "Prop"}, {Sort::Matrix, "list R"}};
   const std::string made = head + " : " + types.at(call.sort()) + " := " + value + ".\n";
   if (call.sort() != Sort::Int) return made;
-  const std::string why = integer(s.extras[1]);
-  return made +
-         integer_lemma(call.name(), call.args(), is_least ? "(int_least _ _ " + why + ")" : why);
+  return made + integer_lemma(call, is_least ? "apply int_least; int."
+                                             : "unfold " + name(call.name()) + "; int.");
 }
 
 namespace {

@@ -87,22 +87,28 @@ std::string Script::equal(Expr l, Expr r, const Names& bound) {
   if (l == r) return "eq_refl";
   return "(eq_trans " + to_canonical(l, bound) + " (eq_sym " + to_canonical(r, bound) + "))";
 }
+std::string Script::shared(const std::string& kind, Expr e, const Names& bound,
+                           const std::function<std::string(const Names&)>& statement,
+                           const std::function<std::string()>& proof) {
+  const Names own = loose_names(e);
+  Names variables = names_of(variables_of({e}));
+  std::string& known = shared_lemmas[{kind, e}];
+  if (known.empty()) {
+    define_all(e);
+    const std::string binders = spaced(variables) + spaced(own);
+    const std::string why = proof();
+    known = add_lemma(kind, (binders.empty() ? "" : "forall" + binders + " : R, ") + statement(own),
+                      "intros" + binders + ". " + why);
+  }
+  variables.insert(variables.end(), bound.end() - std::ptrdiff_t(own.size()), bound.end());
+  return "(" + known + spaced(variables) + ")";
+}
 std::string Script::to_canonical(Expr e, const Names& bound) {
   const Expr form = kernel::canonical(e);
   if (form == e) return "eq_refl";
-  const auto known = equalities.find(e);
-  const Names own = loose_names(e);
-  Names variables = names_of(variables_of({e}));
-  if (known == equalities.end()) {
-    define_all(e);
-    const std::string proof = prove_canonical(e);
-    const std::string binders = spaced(variables) + spaced(own);
-    const std::string all = binders.empty() ? "" : "forall" + binders + " : R, ";
-    equalities[e] = add_lemma("e'", all + text(e, own) + " = " + text(form, own),
-                              (binders.empty() ? "" : "intros" + binders + ". ") + proof);
-  }
-  variables.insert(variables.end(), bound.end() - std::ptrdiff_t(own.size()), bound.end());
-  return "(" + equalities.at(e) + spaced(variables) + ")";
+  return shared(
+      "e'", e, bound, [&](const Names& own) { return text(e, own) + " = " + text(form, own); },
+      [&] { return prove_canonical(e); });
 }
 std::string Script::prove_canonical(Expr e) {
   const Expr form = kernel::canonical(e);
@@ -118,11 +124,10 @@ std::string Script::prove_canonical(Expr e) {
   if (!is_sum_or_product(e) && !is_number(e)) {
     Exprs args;
     for (Expr part : e.args()) args.push_back(kernel::canonical(part));
-    const std::string folded = to_canonical(kernel::with_args(e, args), own);  // inv(1 + 1)
-    return "exact " +
-           (folded == "eq_refl" ? congruence(e)
-                                : "(eq_trans " + congruence(e) + " " + folded + ")") +
-           ".";
+    const Expr applied = kernel::with_args(e, args);
+    if (applied == form) return congruence(e) + ".";
+    return "transitivity " + text(applied, own) + "; [" + congruence(e) + "|exact " +
+           to_canonical(applied, own) + "].";  // inv(1 + 1)
   }
   Abstraction a;
   a.add_atoms_of(e);
@@ -133,22 +138,12 @@ std::string Script::prove_canonical(Expr e) {
          "lra" + ". } exact (core" + c.arguments + ").";
 }
 
-/// One argument after the other, each by its own equation.
+/// Equal arguments of one function.
 std::string Script::congruence(Expr e) {
-  const Names own = loose_names(e);
-  Atoms now;
-  for (Expr a : e.args()) now[a] = text(a, own);
-  std::string out = "eq_refl";
-  for (const auto& [a, words] : Atoms(now)) {
-    const Expr form = kernel::canonical(a);
-    if (form == a) continue;
-    now[a] = "z'";
-    const std::string step =
-        "(f_equal (fun z' => " + text(e, own, now) + ") " + to_canonical(a, own) + ")";
-    now[a] = text(form, own);
-    out = out == "eq_refl" ? step : "(eq_trans " + out + " " + step + ")";
-  }
-  return out;
+  std::string out = "repeat first [reflexivity";
+  for (Expr a : e.args())
+    if (!(kernel::canonical(a) == a)) out += "|exact " + to_canonical(a, loose_names(e));
+  return out + "|f_equal]";
 }
 
 Expr by_entries(Expr equation) {
@@ -159,41 +154,11 @@ Expr by_entries(Expr equation) {
   return kernel::logic_and(out);
 }
 std::string Script::same_entries(Expr f, const Names& bound) {
-  const Names own = loose_names(f);
-  Names variables = names_of(variables_of({f}));
-  if (!entrywise.count(f)) {
-    define_all(f);
-    const std::string binders = spaced(variables) + spaced(own);
-    const std::size_t count = kernel::entries(f.arg(0)).size();
-    std::string there = "_";
-    std::string cases;
-    std::string pattern;
-    std::string back = "eq_refl";
-    for (std::size_t k = count; k-- > 0;) {
-      const std::string e = "E" + std::to_string(k);
-      pattern = pattern.empty() ? e : "[" + e + " " + pattern + "]";
-      if (k > 0) there = "(conj _ " + there + ")";
-      cases = "exact (f_equal (fun z' => entry z' " + std::to_string(k) + ") H)" +
-              (cases.empty() ? "" : " | ") + cases;
-      back = "(same_cons _ _ _ _ " + e + " " + back + ")";
-    }
-    std::string proof = (binders.empty() ? "" : "intros" + binders + ". ") +
-                        "split. { intro H. refine " + there + "; [" + cases + "]. } intros " +
-                        pattern + ". ";
-    for (Expr side : f.args()) {
-      std::string entries;
-      for (Expr x : kernel::entries(side)) entries += (entries.empty() ? "" : "; ") + text(x, own);
-      proof += "assert (" + std::string(side == f.arg(0) ? "L" : "K") + " : " + text(side, own) +
-               " = [" + entries + "]) by matrix_entries. ";
-    }
-    proof += "exact (eq_trans L (eq_trans " + back + " (eq_sym K))).";
-    entrywise[f] = add_lemma("m'",
-                             (binders.empty() ? "" : "forall" + binders + " : R, ") + text(f, own) +
-                                 " <-> " + text(by_entries(f), own),
-                             proof);
-  }
-  variables.insert(variables.end(), bound.end() - std::ptrdiff_t(own.size()), bound.end());
-  return "(" + entrywise.at(f) + spaced(variables) + ")";
+  const std::string count = std::to_string(kernel::entries(f.arg(0)).size());
+  return shared(
+      "m'", f, bound,
+      [&](const Names& own) { return text(f, own) + " <-> " + text(by_entries(f), own); },
+      [&] { return "entrywise " + count + "%nat."; });
 }
 
 std::string Script::same(Expr f, Expr g, const Names& bound) {

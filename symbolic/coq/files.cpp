@@ -10,25 +10,33 @@
 namespace coq {
 using kernel::Theorem;
 
+Content content_of(const Theorem& t) { return {t.hypotheses(), t.conclusion()}; }
 namespace {
-/// All definitions that a theorem rests on.
-void collect(const Theorem& t, std::set<std::pair<kernel::Exprs, kernel::Expr>>& seen,
-             Script::Definitions& out) {
-  if (!seen.emplace(t.hypotheses(), t.conclusion()).second) return;
-  const kernel::Step s = t.step();
-  for (const Theorem& p : s.premises) collect(p, seen, out);
-  if (s.rule == "define" || s.rule == "least") out.emplace(s.extras[0].name(), t);
-  if (s.rule == "start" || s.rule == "next")
-    for (std::size_t k = 1; k < s.extras.size(); k += 4) out.emplace(s.extras[k].name(), t);
+/// The first proof of each that is at its end: what it rests on was so before it.
+void choose(const Theorem& t, Proofs& chosen) {
+  if (chosen.count(content_of(t))) return;
+  for (const Theorem& p : t.step().premises) choose(p, chosen);
+  chosen.emplace(content_of(t), t);
+}
+void keep(const Theorem& t, const Proofs& chosen, Proofs& kept) {
+  const auto [it, is_new] = kept.emplace(content_of(t), chosen.at(content_of(t)));
+  if (!is_new) return;
+  for (const Theorem& p : it->second.step().premises) keep(p, chosen, kept);
 }
 }  // namespace
+Proofs proofs_of(const kernel::Theorems& shown) {
+  Proofs chosen;
+  Proofs kept;
+  for (const Theorem& t : shown) choose(t, chosen);
+  for (const Theorem& t : shown) keep(t, chosen, kept);
+  return kept;
+}
 
 Files files(const std::vector<Chapter>& chapters) {
-  std::set<std::pair<kernel::Exprs, kernel::Expr>> seen;
-  Script::Definitions definitions;
+  kernel::Theorems all_shown;
   for (const Chapter& chapter : chapters)
-    for (const auto& [id, t] : chapter.shown) collect(t, seen, definitions);
-  Script script(definitions);
+    for (const auto& [id, t] : chapter.shown) all_shown.push_back(t);
+  Script script(proofs_of(all_shown));
   Files out{{{"prelude.v", prelude}}};
   std::string last = "prelude";
   for (const Chapter& chapter : chapters) {

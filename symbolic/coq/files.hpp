@@ -10,6 +10,14 @@
 #include "kernel/theorem.hpp"
 
 namespace coq {
+/// What a theorem says.
+using Content = std::pair<kernel::Exprs, kernel::Expr>;
+Content content_of(const kernel::Theorem& t);
+/// All different theorems that `shown` rest on, themselves too, each with one proof, and none
+/// rests on itself.
+using Proofs = std::map<Content, kernel::Theorem>;
+Proofs proofs_of(const kernel::Theorems& shown);
+
 struct Chapter {
   std::string name;
   std::vector<std::pair<std::string, kernel::Theorem>> shown;  ///< by id

@@ -16,6 +16,9 @@ Lemma int_pow x k : isint x -> isint (x ^ k).
 Proof. intro I. induction k; [now exists 1%Z|now apply int_mul]. Qed.
 Definition ceil (x : R) : R := IZR (1 - up (- x)).
 Lemma int_ceil x : isint (ceil x). Proof. apply int_num. Qed.
+Create HintDb int.
+Global Hint Resolve int_num int_add int_mul int_pow int_ceil : int.
+Ltac int := auto 20 with int.
 Definition toN (x : R) : nat := Z.to_nat (Int_part x).
 Definition fromN (k : nat) : R := IZR (Z.of_nat k).
 Lemma Int_part_IZR z : Int_part (IZR z) = z.
@@ -119,6 +122,29 @@ Proof.
   intros E M H. rewrite <- E in H. enough (0 <= r - l) by lra. apply (Rmult_le_reg_l m); lra.
 Qed.
 
+(* The signs of a sum of products, from the facts at hand. *)
+Ltac number := clear; first [lra|solve [discrR]].
+Ltac sign :=
+  lazymatch goal with
+  | |- _ + _ = 0 => apply zero_sum; sign
+  | |- _ = 0 =>
+      first [apply zero_equation; assumption | apply zero_inverse; assumption | reflexivity]
+  | |- 0 <= _ + _ => apply Rplus_le_le_0_compat; sign
+  | |- 0 < _ + _ =>
+      first [apply Rplus_lt_le_0_compat; [sign|sign] | apply Rplus_le_lt_0_compat; [sign|sign]]
+  | |- 0 < _ * (_ - _) => apply Rmult_lt_0_compat; [sign|apply gap_pos; assumption]
+  | |- 0 <= _ * (_ - _) =>
+      first [apply zero_nonneg; sign
+            |apply Rmult_le_pos; [sign|apply gap_nonneg; first [assumption|left; assumption]]]
+  | |- 0 <= _ * (_ * _) => apply Rmult_le_pos; [sign|apply square]
+  | |- _ - _ <> 0 => first [apply gap_nonzero; assumption | apply pos_nonzero, gap_pos; assumption]
+  | |- _ * _ <> 0 => apply Rmult_integral_contrapositive_currified; sign
+  | _ => number
+  end.
+(* That d is not 0, where d or -d is the gap of a fact. *)
+Ltac divisor gap :=
+  first [apply (same_nonzero gap); [number|sign] | apply (opp_nonzero gap); [number|sign]].
+
 (* The same formula of equal terms. *)
 Lemma same_eq (T : Type) (a b c d : T) : a = c -> b = d -> (a = b <-> c = d).
 Proof. intros -> ->. tauto. Qed.
@@ -147,6 +173,8 @@ Qed.
 Lemma ax_ceil x : x <= ceil x /\ ceil x < x + 1.
 Proof. unfold ceil. rewrite minus_IZR. destruct (archimed (- x)). lra. Qed.
 Lemma minus x : -1 * x = - x. Proof. ring. Qed.
+Lemma atan_bound_half x : -1 / 2 * PI < atan x /\ atan x < PI / 2.
+Proof. destruct (atan_bound x). lra. Qed.
 Lemma half : 1 / 2 * PI = PI / 2. Proof. field. Qed.
 Lemma ax_atan_bounds x : 0 <= x -> x + -1 / 3 * x ^ 3 <= atan x /\ atan x <= x.
 Proof.
@@ -174,7 +202,33 @@ Proof.
 Qed.
 Lemma ax_sin_at_most x : 0 <= x -> sin x <= x.
 Proof. intros [H|<-]; [left; now apply sin_lt_x|rewrite sin_0; lra]. Qed.
-Lemma same_cons (a b : R) s t : a = b -> s = t -> a :: s = b :: t. Proof. now intros -> ->. Qed.
-(* That a matrix is the list of its entries. *)
-Ltac matrix_entries := first [reflexivity | match goal with
-  |- mpow ?r ?A (toN ?n) = _ => destruct (toN n); reflexivity end].
+(* Matrices of n entries are equal where all entries are. *)
+Lemma same_matrix n A B : length A = n -> length B = n ->
+  (forall k, (k < n)%nat -> entry A k = entry B k) -> A = B.
+Proof. intros <- L H. now apply (nth_ext A B 0 0). Qed.
+Ltac entries_of H k :=
+  lazymatch goal with
+  | |- _ /\ _ => split; [exact (f_equal (fun z => entry z k) H)|entries_of H constr:(S k)]
+  | _ => exact (f_equal (fun z => entry z k) H)
+  end.
+Ltac from_entries k E :=
+  lazymatch type of E with
+  | _ /\ _ => destruct k; [exact (proj1 E)|apply proj2 in E; from_entries k E]
+  | _ => destruct k; [exact E|lia]
+  end.
+Ltac size := first [reflexivity | match goal with |- context [toN ?n] => now destruct (toN n) end].
+Ltac entrywise n :=
+  let H := fresh in
+  let k := fresh in
+  split; intro H;
+  [entries_of H O|apply (same_matrix n); [size|size|intros k ?; from_entries k H]].
+(* Each axiom of the kernel is one of these. *)
+Ltac axiom :=
+  intros; rewrite ?minus, ?half, <- ?Rsqr_pow2;
+  first [apply ax_order | lra | now apply ax_discrete | now apply Rsqr_sqrt | apply sqrt_pos
+  |apply ax_ceil | apply sin_0 | apply cos_0 | apply sin_plus | rewrite cos_plus; ring
+  |apply sin_neg | apply cos_neg | apply sin2_cos2 | apply sin_PI | apply cos_PI | apply sin_PI2
+  |apply cos_PI2 | now apply sin_gt_0 | now apply ax_sin_at_most | apply cos_decreasing_1; lra
+  |apply PI_RGT_0 | now apply atan_increasing | rewrite <- atan_0; now apply atan_increasing
+  |apply atan_bound_half | rewrite cos_atan; unfold Rdiv; ring | apply sin_atan
+  |now apply ax_atan_bounds].

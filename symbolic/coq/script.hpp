@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "coq/files.hpp"
 #include "coq/terms.hpp"
 #include "kernel/theorem.hpp"
 
@@ -30,8 +31,7 @@ public:
 
 class Script {
 public:
-  using Definitions = std::map<std::string, kernel::Theorem>;  ///< by the name that is defined
-  explicit Script(Definitions of) : definitions(std::move(of)) {}
+  explicit Script(Proofs of);
 
   /// The lemma's name; writes it, and before it all that it rests on, where that is new.
   std::string lemma(const kernel::Theorem& t);
@@ -52,7 +52,6 @@ private:
     std::string intros;     ///< " x'0 y'0 ->"
     std::string arguments;  ///< " (a + b) (e'3 a b)"
   };
-  using Content = std::pair<kernel::Exprs, kernel::Expr>;
 
   // steps.cpp
   std::string with_lost_variables(const kernel::Theorem& t, Context c);
@@ -63,12 +62,15 @@ private:
   std::string induction(const kernel::Theorem& t, const Context& c);
   std::string applied(const kernel::Theorem& premise, const Context& c,
                       const kernel::Substitution& s = {});
-  std::string integer(kernel::Expr e);  ///< a proof that e is one
   // tautology.cpp
   std::string tautology(const kernel::Theorem& t, const Context& c);
   // arithmetic.cpp
   std::string arithmetic(const kernel::Theorem& t, const Context& c);
   // equal.cpp: proofs of l = r and f <-> g, which have one canonical form
+  /// A lemma about e for all values of its variables and loose indices, applied to those here.
+  std::string shared(const std::string& kind, kernel::Expr e, const Names& bound,
+                     const std::function<std::string(const Names&)>& statement,
+                     const std::function<std::string()>& proof);
   std::string equal(kernel::Expr l, kernel::Expr r, const Names& bound);
   std::string to_canonical(kernel::Expr e, const Names& bound);
   std::string prove_canonical(kernel::Expr e);
@@ -87,11 +89,11 @@ private:
   std::string add_lemma(const std::string& kind, const std::string& statement,
                         const std::string& proof);
 
-  Definitions definitions;
+  Proofs chosen;
+  std::map<std::string, kernel::Theorem> definitions = {};  ///< by the name that is defined
   std::map<std::string, bool> is_defined = {};
   std::map<Content, std::string> lemmas = {};
-  std::map<kernel::Expr, std::string> equalities = {};
-  std::map<kernel::Expr, std::string> entrywise = {};
+  std::map<std::pair<std::string, kernel::Expr>, std::string> shared_lemmas = {};
   std::string written = {};
   int serial = 0;
 };
