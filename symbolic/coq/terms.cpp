@@ -14,16 +14,14 @@ using kernel::Op;
 std::string name(const std::string& kernel_name) {
   static const std::map<std::string, std::string> own = {{"inv", "/"}, {"pi", "PI"}};
   static const std::set<std::string> taken = {
-      "R",     "PI",    "isint",  "ceil",       "toN",    "fromN", "least",  "entry",  "dot",
-      "table", "munit", "mtimes", "mtranspose", "mpow",   "det",   "as",     "at",     "cofix",
-      "else",  "end",   "exists", "exists2",    "fix",    "for",   "forall", "fun",    "if",
-      "in",    "let",   "match",  "mod",        "nat",    "O",     "Prop",   "return", "S",
-      "Set",   "then",  "Type",   "using",      "where",  "with",  "Z",      "list",   "fst",
-      "snd",   "and",   "or",     "not",        "square", "minus", "half"};
+      "R",     "PI",     "isint",      "toN",    "fromN", "least",  "entry",  "dot",   "table",
+      "munit", "mtimes", "mtranspose", "mpow",   "det",   "as",     "at",     "cofix", "else",
+      "end",   "exists", "exists2",    "fix",    "for",   "forall", "fun",    "if",    "in",
+      "let",   "match",  "mod",        "nat",    "O",     "Prop",   "return", "S",     "Set",
+      "then",  "Type",   "using",      "where",  "with",  "Z",      "list",   "fst",   "snd",
+      "and",   "or",     "not",        "square", "minus", "half"};
   if (const auto it = own.find(kernel_name); it != own.end()) return it->second;
-  static const std::set<std::string> of_kernel = {"ceil"};
-  const bool marked = taken.count(kernel_name) != 0 && of_kernel.count(kernel_name) == 0;
-  return kernel_name + (marked ? "'k" : "");
+  return kernel_name + (taken.count(kernel_name) != 0 ? "'k" : "");
 }
 std::string spaced(const Names& names) {
   std::string out;

@@ -20,7 +20,12 @@ public:
       tokens.push_back(it->str());
     tokens.push_back("");
   }
-  std::pair<Exprs, Expr> statement() {
+  struct Statement {
+    Exprs hypotheses;
+    Expr conclusion;
+    bool has_sorts;  ///< the integer variables, and no others, are said to be integers
+  };
+  Statement statement() {
     if (takes("forall")) {
       while (next() != ",") {
       }
@@ -36,11 +41,12 @@ public:
     REQUIRE(peek() == "");
     const Expr conclusion = parts.back();
     parts.pop_back();
-    for (Expr v : integers) CHECK(v.sort() == Sort::Int);
     std::set<Expr> variables = free_variables(conclusion);
     for (Expr h : parts) variables.merge(free_variables(h));
-    for (Expr v : variables) CHECK((v.sort() == Sort::Int) == (integers.count(v) == 1));
-    return {parts, conclusion};
+    std::set<Expr> expected;
+    for (Expr v : variables)
+      if (v.sort() == Sort::Int) expected.insert(v);
+    return {parts, conclusion, integers == expected};
   }
 
 private:
@@ -181,12 +187,27 @@ TEST_CASE("each shown theorem is read back from its file as the kernel's terms")
       INFO(id);
       const std::size_t title = text.find("(* " + id + " *)");
       const std::size_t begin = text.find(" : ", title) + 3;
-      const auto [hypotheses, conclusion] =
+      const auto [hypotheses, conclusion, has_sorts] =
           Reader(text.substr(begin, text.find(".\nProof", begin) - begin)).statement();
       CHECK((hypotheses == theorem.hypotheses()));
       CHECK((conclusion == theorem.conclusion()));
+      CHECK(has_sorts);
     }
     for (const char* word : {"Axiom", "Admitted", "admit", "Parameter", "Hypothesis", "Variable"})
       CHECK_THAT(text, !ContainsSubstring(word));
   }
+}
+TEST_CASE("a weaker statement is read as another one") {
+  const Expr x = real("x");
+  const Expr n = integer("n");
+  const auto is = [](const std::string& statement, const Exprs& hypotheses, Expr conclusion) {
+    const auto read = Reader(statement).statement();
+    return read.hypotheses == hypotheses && read.conclusion == conclusion && read.has_sorts;
+  };
+  const Expr positive = lt(0, x + n);
+  CHECK(is("forall n x : R, isint n -> (0 < x) -> (0 < (x + n))", {lt(0, x)}, positive));
+  CHECK_FALSE(is("forall n x : R, isint n -> (0 <= x) -> (0 < (x + n))", {lt(0, x)}, positive));
+  CHECK_FALSE(is("forall n x : R, isint n -> (0 < x) -> (0 <= (x + n))", {lt(0, x)}, positive));
+  CHECK_FALSE(is("forall n x : R, (0 < x) -> (0 < (x + n))", {lt(0, x)}, positive));
+  CHECK_FALSE(is("forall n x : R, isint n -> (0 < (x + n))", {lt(0, x)}, positive));
 }
