@@ -40,7 +40,6 @@ Expr laplace(Expr a) {
   std::iota(columns.begin(), columns.end(), 0);
   return laplace(a, 0, columns);
 }
-std::string type_of(Expr e) { return e.sort() == Sort::Matrix ? "list R" : "R"; }
 }  // namespace
 
 void Abstraction::add(Expr e) {
@@ -62,22 +61,20 @@ void Abstraction::add_atoms_of(Expr term) {
 Script::Core Script::core(const Abstraction& a, const Names& bound) {
   Core out;
   std::string premises;
-  std::string proofs;
   std::string arrows;
-  for (const Exprs* list : {&a.canonical, &a.equal}) {
-    for (Expr e : *list) {
-      const std::string& variable = a.names.at(e);
-      out.statement += " (" + variable + " : " + type_of(e) + ")";
-      out.intros += " " + variable;
-      out.arguments += " " + text(e, bound);
-      if (list == &a.canonical) continue;
-      premises += variable + " = " + a.print(kernel::canonical(e)) + " -> ";
-      arrows += " ->";
-      proofs += " " + to_canonical(e, bound);
-    }
+  std::string proofs;
+  for (Expr e : a.canonical) {
+    out.intros += " " + a.print(e);
+    out.arguments += " " + text(e, bound);
   }
-  if (!out.statement.empty()) out.statement = "forall" + out.statement + ", ";
-  out.statement += premises;
+  for (Expr e : a.equal) {
+    out.intros += " " + a.print(e);
+    out.arguments += " " + text(e, bound);
+    premises += a.print(e) + " = " + a.print(kernel::canonical(e)) + " -> ";
+    arrows += " ->";
+    proofs += " " + to_canonical(e, bound);
+  }
+  if (!out.intros.empty()) out.statement = "forall" + out.intros + " : R, " + premises;
   out.intros += arrows;
   out.arguments += proofs;
   return out;
@@ -113,9 +110,7 @@ std::string Script::to_canonical(Expr e, const Names& bound) {
 std::string Script::prove_canonical(Expr e) {
   const Expr form = kernel::canonical(e);
   const Names own = loose_names(e);
-  const bool is_computed_matrix =
-      e.op() == Op::Matrix || e.op() == Op::Times || e.op() == Op::Transpose;
-  if (e.op() == Op::Det || (is_computed_matrix && e.op() != Op::Matrix)) {
+  if (e.op() == Op::Det || e.op() == Op::Times || e.op() == Op::Transpose) {
     const Expr computed =
         e.op() == Op::Det ? laplace(e.arg(0)) : kernel::matrix(e.cols(), kernel::entries(e));
     return "change (" + text(computed, own) + " = " + text(form, own) + "). exact " +
@@ -134,8 +129,8 @@ std::string Script::prove_canonical(Expr e) {
   a.add_atoms_of(form);
   const Core c = core(a, own);
   const std::string equation = a.print(e) + " = " + a.print(form);
-  return "assert (core : " + c.statement + equation + "). { clear. intros" + c.intros + ". " +
-         "lra" + ". } exact (core" + c.arguments + ").";
+  return "assert (core : " + c.statement + equation + "). { clear. intros" + c.intros +
+         ". lra. } exact (core" + c.arguments + ").";
 }
 
 /// Equal arguments of one function.
