@@ -2,6 +2,7 @@
 // Lemmas of Coq, one a step of the kernel, each proved from its premises by what the step records.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -46,7 +47,8 @@ private:
     kernel::Exprs variables;
     kernel::Exprs hypotheses;
   };
-  /// Variables of Coq, or of a core, and what they stand for.
+  /// How a statement about an abstraction's variables begins and is proved, and for what terms it
+  /// is used then.
   struct Core {
     std::string statement;  ///< "forall ..., y' = x' -> "
     std::string intros;     ///< " x'0 y'0 ->"
