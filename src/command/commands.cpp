@@ -6,6 +6,7 @@
 #include "answers/scene.hpp"
 #include "answers/velocities.hpp"
 #include "command/comparison.hpp"
+#include "command/coq.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
 #include "command/reproduce.hpp"
