@@ -2,6 +2,7 @@
 #include "derivation/book.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "algebra/logic.hpp"
 #include "kernel/defined.hpp"
@@ -48,9 +49,9 @@ kernel::Theorem Book::name(const std::string& symbol, const kernel::Exprs& param
                            kernel::Expr value, const kernel::Exprs& domain,
                            const std::string& words, const std::string& label,
                            const std::string& shown_as) {
-  const auto printed = std::find_if(params.begin(), params.end(), [](kernel::Expr p) {
-    return p.name() != "alpha" && p.name() != "V";
-  });
+  const std::set<std::string> hidden{"alpha", "V", "M_A", "w_B", "M_C", "e", "L"};
+  const auto printed = std::find_if(params.begin(), params.end(),
+                                    [&](kernel::Expr p) { return hidden.count(p.name()) == 0; });
   const kernel::Theorem definition =
       kernel::define(symbol, params, value, int(printed - params.begin()));
   if (!domain.empty())

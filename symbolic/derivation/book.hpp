@@ -29,7 +29,8 @@ public:
   kernel::Theorem show(const std::string& name, const std::string& label, const std::string& words,
                        const kernel::Theorem& theorem);
   /// Defines symbol(params) = value, meant to be used where `domain` holds, and shows it there
-  /// under the id `shown_as`, or else the symbol. Leading parameters alpha and V are not printed.
+  /// under the id `shown_as`, or else the symbol. Leading parameters that name masses, V, e or L
+  /// are not printed.
   kernel::Theorem name(const std::string& symbol, const kernel::Exprs& params, kernel::Expr value,
                        const kernel::Exprs& domain, const std::string& words,
                        const std::string& label = "", const std::string& shown_as = "");

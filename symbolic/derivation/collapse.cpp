@@ -144,8 +144,7 @@ void equal_blocks(Book& book) {
 }  // namespace
 
 void collapse(Book& book) {
-  Exprs assumptions = wedge_assumptions();
-  assumptions.insert(assumptions.end(), {lt(0, e), V_positive, lt(0, L)});
+  const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("collapse", "Collapse", assumptions);
   Theorems facts{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})};
   for (const Expr& a : assumptions)

@@ -63,18 +63,11 @@ Theorem approach_speed(Book& book) {
 void number_of_collisions(Book& book, const Theorem& speed) {
   const Expr sine = sin(half_angle(j + 1));
   const Theorem factor = positive(V / sin(psi() / 2));
-  const auto with_sign = [&](Expr goal, Expr premise, Expr side) {
-    return given(premise, [&](const Theorem& t) {
-      return linear(goal, {speed, times(factor, linear(side, {t}))});
-    });
-  };
   const Theorem sign =
       book.show("takes_place", "",
                 "Collision j takes place if and only if its bodies approach before it, so if "
                 "and only if the sine is positive:",
-                tautology(iff(lt(0, approach(j)), lt(0, sine)),
-                          {with_sign(lt(0, approach(j)), lt(0, sine), lt(0, sine)),
-                           with_sign(le(approach(j), 0), le(sine, 0), le(0, -sine))}));
+                same_sign(approach(j), sine, speed, factor));
   count(book, {"N",
                {alpha, V},
                {alpha_positive, V_positive},
@@ -160,6 +153,16 @@ void count(Book& book, const Count& c) {
                           return before(j, assume(le(0, j)), linear(lt(j, K), {below, number}));
                         }),
                   part(found, 1)}));
+}
+Theorem same_sign(Expr l, Expr r, const Theorem& l_is, const Theorem& factor) {
+  const auto carried = [&](Expr premise, Expr goal) {
+    return given(premise, [&](const Theorem& t) {
+      const Theorem of_factor = times(factor, premise.op() == Op::Lt ? t : linear(le(0, -r), {t}));
+      return linear(goal, {l_is, of_factor});
+    });
+  };
+  return tautology(iff(lt(0, l), lt(0, r)),
+                   {carried(lt(0, r), lt(0, l)), carried(le(r, 0), le(l, 0))});
 }
 Theorem ceiling_is() {
   static const Theorem result = [] {

@@ -10,39 +10,40 @@ Expr in_paper(Expr t) { return substitute(t, paper); }
 Expr half() { return psi() / 2; }
 Expr sine(Expr times) { return sin(times * half()); }
 
-/// In the paper's case kappa is a cosine, powers of e and the ratio of the sides are 1: rules for
-/// the equations of any motion.
+/// In the paper's case kappa is a cosine and the ratio of the sides is 1.
 Theorems rules_of_paper(Book& book, const Theorem& one) {
   const Theorem elastic = at(book["collapse.elastic"], {{real("M"), 1}}, {one});
   const Theorem kappa_is = restate(eq(in_paper(kappa()), cos(half())), part(elastic, 0));
-  const Theorem root = root_is(1, 1);
-  const Expr power = in_paper(fun("pow", {sqrt(e), j}));
-  const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, sqrt(Expr(1))}})});
-  const Theorem power_is =
-      by_induction(j, eq(power, 1), powers[0], [&](const Theorem& from, const Theorem& now) {
-        return equation(substitute(power, {{j, j + 1}}), 1,
-                        {use(powers[1], {}, {from}), now, root});
-      });
-  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
-    const Theorem product = rewrite(turned(kappa_is), instantiate(book[id], {{y, half()}}));
-    return divided(fun(name, {in_paper(kappa()), j}), over / sin(half()), {sin(half())},
-                   restate(eq(product.conclusion().arg(0), over), product));
-  };
   const auto share = [&](const char* id) { return at(book[id], paper, {one}); };
-  return {power_is, root, chain(share("wedge.r_A"), turned(share("wedge.r_B"))),
-          quotient("U", "chebyshev.sine", sine(j + 1)),
-          quotient("U_last", "chebyshev.sine_last", sine(j))};
+  return without_losses(book, kappa_is) +
+         Theorems{chain(share("wedge.r_A"), turned(share("wedge.r_B")))};
 }
 }  // namespace
+
+Theorems without_losses(const Book& book, const Theorem& kappa_is) {
+  const Expr x_is = kappa_is.conclusion().arg(0), angle = kappa_is.conclusion().arg(1).arg(0);
+  const Theorem root = root_is(1, 1);
+  const auto power = [](Expr i) { return fun("pow", {sqrt(Expr(1)), i}); };
+  const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, sqrt(Expr(1))}})});
+  const Theorem power_is =
+      by_induction(j, eq(power(j), 1), powers[0], [&](const Theorem& from, const Theorem& now) {
+        return equation(power(j + 1), 1, {use(powers[1], {}, {from}), now, root});
+      });
+  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
+    const Theorem product = rewrite(turned(kappa_is), instantiate(book[id], {{y, angle}}));
+    return divided(fun(name, {x_is, j}), over / sin(angle), {sin(angle)},
+                   restate(eq(product.conclusion().arg(0), over), product));
+  };
+  return {power_is, root, quotient("U", "chebyshev.sine", sin((j + 1) * angle)),
+          quotient("U_last", "chebyshev.sine_last", sin(j * angle))};
+}
 
 void encounters(Book& book) {
   const Exprs assumptions{alpha_positive, V_positive, lt(0, L), le(0, j), lt(j, N())};
   book.chapter("encounters", "When and where, in the paper's case", assumptions);
   const Theorem one = linear(lt(0, 1)), takes_place = assume(lt(j, N()));
-  Theorems facts{at(book["wedge.signs"], paper, {one})};
-  for (const Expr& a : assumptions)
-    if (!(a == takes_place.conclusion())) facts.push_back(assume(a));
-  const Known signs(facts);
+  const Known signs(assumed({alpha_positive, V_positive, lt(0, L), le(0, j)}) +
+                    Theorems{at(book["wedge.signs"], paper, {one})});
   const Theorems rules = rules_of_paper(book, one);
   const Theorem approach_is =
       linear(eq(approach(j), V * sine(j + 1) / sin(half())), {book["counting.speed"]});
@@ -57,7 +58,7 @@ void encounters(Book& book) {
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
     return linear(lt(0, in_paper(closing(i))), {going(i, range), at(speed, {{j, i}}, {range})});
   });
-  know(all_of_them);
+  know(book.show("all", "", "and those until collision j are positive:", all_of_them));
   const auto name = [&](const char* symbol, Expr value) {
     const Theorem is = define(symbol, {alpha, V, L, j}, value, 3);
     restrict_domain(symbol, {alpha, V, L, j}, logic_and(assumptions));
@@ -69,13 +70,13 @@ void encounters(Book& book) {
             "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
             under(assumptions, both({when, distance})));
   const auto of_motion = [&](const char* id) {
-    return cut(one, cut(all_of_them, instantiate(book[id], paper)));
+    return cut(one, cut(linear(le(0, 1)), cut(all_of_them, instantiate(book[id], paper))));
   };
   const Theorem positive_sine = tautology(
       lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going(j, assume(le(0, j)))});
   know(restate(lt(0, sine(j + 1)), positive_sine));
   know(linear(lt(0, fun("U", {in_paper(kappa()), j})),
-              {rules[3], positive(sine(j + 1) / sin(half()))}));
+              {rules[2], positive(sine(j + 1) / sin(half()))}));
   book.show("when", "", "For a collision that takes place that is",
             equation(when.conclusion().arg(0), L / V * (sine(j) / sine(j + 1)),
                      rules + Theorems{when, of_motion("places.time")}));

@@ -116,12 +116,8 @@ Theorem at_least(Book& book) {
 
 /// b_t at beta_k = 2V/(2 + beta_k)
 Theorem at_deficient(Book& book) {
-  const Expr ratio = fun("beta_", {k}), x_k = pi() / (2 * k + 2);
+  const Expr ratio = fun("beta_", {k});
   for (const Theorem& t : range_of(2 * k + 2, {})) know(t);
-  const Theorem versed =
-      linear(lt(0, 1 - cos(x_k)), {cosine_falls(linear(lt(0, x_k))), axiom("cos 0")});
-  const Theorem definition = book["ratios.beta_k"];
-  know(linear(lt(0, ratio), {definition, positive((1 - cos(x_k)) / cos(x_k), {versed})}));
   const auto velocity = [&](const std::string& id) {
     return part(at(book[id], {{alpha, ratio}}), 1);
   };

@@ -18,6 +18,10 @@ Expr term(Expr of, Expr index, Expr sign_of) {
 Expr even(Expr of, Expr e) { return term(of, 2 * e, e); }
 Expr odd(Expr of, Expr e) { return term(of, 2 * e + 1, e); }
 
+/// Both equations of a conjunction.
+Theorem each(Expr f, const Theorems& rules) {
+  return both({equation(f.arg(0), rules), equation(f.arg(1), rules)});
+}
 class Sums {
 public:
   explicit Sums(Book& the_book) : book(the_book) {
@@ -110,9 +114,6 @@ Theorem one_more_angle(const Sums& s, const Theorem& pascal, const Theorem& vani
     return use(s.sums[which + 2], {{n, of}}, {from});
   };
   const Theorems starts{start(0, n + 1), start(0, n), start(1, n + 1), start(1, n)};
-  const auto each = [&](Expr f, const Theorems& rules) {
-    return both({equation(f.arg(0), rules), equation(f.arg(1), rules)});
-  };
   const Theorem even_0 =
       equation(even(n + 1, 0), c_x * even(n, 0),
                {s.pow_next(c_x, n, n_from_0), instantiate(s.coefficients[0], {{n, n + 1}}),
@@ -139,9 +140,6 @@ Theorem sums_are(const Sums& s, const Theorem& one_more, const Theorem& vanishes
                  instantiate(s.coefficients[0], {{n, 0}}), none(0, 1, {}, zero)};
   for (const Expr& base : {Expr(-1), s_x, c_x})
     first.push_back(instantiate(s.powers[0], {{y, base}}));
-  const auto each = [](Expr f, const Theorems& rules) {
-    return both({equation(f.arg(0), rules), equation(f.arg(1), rules)});
-  };
   const Theorem nothing = by_induction(j, at_none(j), each(at_none(0), first),
                                        [&](const Theorem& from, const Theorem& known) {
                                          const Theorems rules{use(s.sums[2], {{n, 0}}, {from}),

@@ -12,61 +12,60 @@ Expr matrix_of_names(int size, const std::string& name = "o") {
       names.push_back(real(name + "_" + std::to_string(i) + std::to_string(l)));
   return matrix(size, names);
 }
-Expr determinant(const Exprs& m) {
-  if (m.size() == 4) return m[0] * m[3] - m[1] * m[2];
-  return m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
-         m[2] * (m[3] * m[7] - m[4] * m[6]);
-}
 Expr cofactor(Expr m, int i, int l) {
   const auto at = [&](int row, int col) { return entry(m, (i + row) % 3, (l + col) % 3); };
   return at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1);
+}
+Expr determinant(Expr m) {
+  if (m.rows() == 2) return entry(m, 0, 0) * entry(m, 1, 1) - entry(m, 0, 1) * entry(m, 1, 0);
+  Expr sum = entry(m, 0, 0) * cofactor(m, 0, 0);
+  for (int l = 1; l < 3; ++l) sum = sum + entry(m, 0, l) * cofactor(m, 0, l);
+  return sum;
 }
 Expr gram(Expr o) { return times(transpose(o), o); }
 Theorem rewritten(const Theorems& equations, Theorem t) {
   for (const Theorem& e : equations) t = rewrite(e, t);
   return t;
 }
+/// l = r, each entry as `each` proves it.
+Theorem entrywise(Expr l, Expr r, const std::function<Theorem(Expr, int, int)>& each) {
+  Theorems out;
+  for (int i = 0; i < l.rows(); ++i)
+    for (int j = 0; j < l.cols(); ++j)
+      out.push_back(each(eq(entry(l, i, j), entry(r, i, j)), i, j));
+  return restate(eq(l, r), both(out));
+}
 /// X A Y = X B Y from A = B
 Theorem within(Expr left, const Theorem& e, Expr right) {
   const Expr l = e.conclusion().arg(0), r = e.conclusion().arg(1);
   const Theorems of_e = entries(e);
-  Theorems out;
-  for (int i = 0; i < left.rows(); ++i)
-    for (int j = 0; j < right.cols(); ++j) {
-      Certificate c;
-      for (int k = 0; k < l.rows(); ++k)
-        for (int m = 0; m < l.cols(); ++m)
-          c.equations.push_back(
-              {entry(left, i, k) * entry(right, m, j), of_e[std::size_t(k * l.cols() + m)]});
-      out.push_back(arithmetic(
-          eq(entry(times(times(left, l), right), i, j), entry(times(times(left, r), right), i, j)),
-          c));
-    }
-  return restate(eq(times(times(left, l), right), times(times(left, r), right)), both(out));
+  return entrywise(
+      times(times(left, l), right), times(times(left, r), right), [&](Expr goal, int i, int j) {
+        Certificate c;
+        for (int k = 0; k < l.rows(); ++k)
+          for (int m = 0; m < l.cols(); ++m)
+            c.equations.push_back(
+                {entry(left, i, k) * entry(right, m, j), of_e[std::size_t(k * l.cols() + m)]});
+        return arithmetic(goal, c);
+      });
 }
 /// l = r, the sum of `forward` less the sum of `back`, entry by entry.
 Theorem joined(Expr l, Expr r, const Theorems& forward, const Theorems& back = {}) {
-  Theorems out;
-  for (int i = 0; i < l.rows() * l.cols(); ++i) {
+  return entrywise(l, r, [&](Expr goal, int i, int j) {
     Certificate c;
-    for (const Theorem& t : forward) c.equations.push_back({1, entries(t)[std::size_t(i)]});
-    for (const Theorem& t : back) c.equations.push_back({-1, entries(t)[std::size_t(i)]});
-    out.push_back(arithmetic(
-        eq(entry(l, i / l.cols(), i % l.cols()), entry(r, i / l.cols(), i % l.cols())), c));
-  }
-  return restate(eq(l, r), both(out));
+    const auto place = std::size_t(i * l.cols() + j);
+    for (const Theorem& t : forward) c.equations.push_back({1, entries(t)[place]});
+    for (const Theorem& t : back) c.equations.push_back({-1, entries(t)[place]});
+    return arithmetic(goal, c);
+  });
 }
 /// l = r, each entry a linear combination of `facts`.
 Theorem by_entries(Expr l, Expr r, const Theorems& facts) {
-  Theorems out;
-  for (int i = 0; i < l.rows(); ++i)
-    for (int j = 0; j < l.cols(); ++j)
-      out.push_back(linear(eq(entry(l, i, j), entry(r, i, j)), facts));
-  return restate(eq(l, r), both(out));
+  return entrywise(l, r, [&](Expr goal, int, int) { return linear(goal, facts); });
 }
 /// |- det(O)^2 = 1 from O^T O = 1
 Theorem squared_determinant(Expr o, const Theorem& is) {
-  const Theorem product = equation(power(det(o), 2), determinant(kernel::entries(gram(o))));
+  const Theorem product = equation(power(det(o), 2), determinant(gram(o)));
   return linear(eq(power(det(o), 2), 1), {rewritten(entries(is), product)});
 }
 /// t != -1 |- 1 + t != 0
@@ -176,21 +175,21 @@ void in_space(Book& book, const Theorem& is) {
   const Expr fixed = det(matrix(3, less_1));
   const Theorem product =
       rewritten(entries(is) + Theorems{d_is_1},
-                equation(d * fixed, determinant(without)));  // det(O^T) det(O - 1)
+                equation(d * fixed, determinant(matrix(3, without))));  // det(O^T) det(O - 1)
   book.show("axis", "",
             "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
             linear(eq(fixed, 0), {product}));
   // O is the matrix of its own cofactors, so O - O^T turns with it.
   const Theorems times_d = entries(within(cofactors_of(o), is, one));  // d O = cofactors
-  Theorems own_cofactors;
-  for (std::size_t i = 0; i < 9; ++i) {
+  const Theorems own_cofactors{entrywise(o, cofactors_of(o), [&](Expr goal, int i, int j) {
+    const auto place = std::size_t(3 * i + j);
     Certificate c;
-    c.equations = {{-names[i], d_is_1}, {1, times_d[i]}};
-    own_cofactors.push_back(arithmetic(eq(names[i], cofactor(o, int(i) / 3, int(i) % 3)), c));
-  }
+    c.equations = {{-names[place], d_is_1}, {1, times_d[place]}};
+    return arithmetic(goal, c);
+  })};
   const Expr along = column({names[7] - names[5], names[2] - names[6], names[3] - names[1]});
   book.show("axis_along", "", "which is this one, unless all three differences are 0:",
-            by_entries(times(o, along), along, own_cofactors));
+            by_entries(times(o, along), along, parts(own_cofactors)));
   const Theorem mirror = book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
                                    "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
@@ -233,16 +232,13 @@ void about_an_axis(Book& book, const Theorem& is) {
   // d R = cofactors, and d^2 = 1, so R R^T = 1.
   const Theorem squared = squared_determinant(r, of_r);
   const Theorems times_d = entries(within(cofactors_of(r), of_r, one));
-  Theorems frame_entries;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      Certificate c;
-      c.equations = {{entry(one, i, j) - entry(frame, i, j), squared}};
-      for (int k = 0; k < 3; ++k)
-        c.equations.push_back({d * entry(r, i, k), times_d[std::size_t(3 * j + k)]});
-      frame_entries.push_back(arithmetic(eq(entry(frame, i, j), entry(one, i, j)), c));
-    }
-  const Theorem of_frame = restate(eq(frame, one), both(frame_entries));
+  const Theorem of_frame = entrywise(frame, one, [&](Expr goal, int i, int j) {
+    Certificate c;
+    c.equations = {{entry(one, i, j) - entry(frame, i, j), squared}};
+    for (int k = 0; k < 3; ++k)
+      c.equations.push_back({d * entry(r, i, k), times_d[std::size_t(3 * j + k)]});
+    return arithmetic(goal, c);
+  });
   // S = R^T O R is orthogonal; its third column and third row are those of 1.
   const Theorem in_frame = within(back, is, r);
   const Theorem of_s =
@@ -258,19 +254,17 @@ void about_an_axis(Book& book, const Theorem& is) {
   // So the rest of S is orthogonal with determinant 1: a rotation of the plane.
   const auto s_ = [&](int i, int l) { return entry(s, i, l); };
   const Expr block = matrix(2, {s_(0, 0), s_(0, 1), s_(1, 0), s_(1, 1)});
-  Theorems products;
   Substitution terms;
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 2; ++j) {
-      Certificate c;
-      c.equations = {{1, gram_s[std::size_t(3 * i + j)]}, {-s_(2, j), row[std::size_t(i)]}};
-      products.push_back(arithmetic(eq(entry(gram(block), i, j), entry(identity(2), i, j)), c));
-      terms[entry(matrix_of_names(2), i, j)] = s_(i, j);
-    }
+  const Theorem orthogonal_block =
+      entrywise(gram(block), identity(2), [&](Expr goal, int i, int j) {
+        Certificate c;
+        c.equations = {{1, gram_s[std::size_t(3 * i + j)]}, {-s_(2, j), row[std::size_t(i)]}};
+        terms[entry(matrix_of_names(2), i, j)] = s_(i, j);
+        return arithmetic(goal, c);
+      });
   Certificate c;
   c.equations = {{1, squared}, {power(d, 2), assume(eq(det(o), 1))}};
   for (int i = 0; i < 3; ++i) c.equations.push_back({-cofactor(s, 2, i), row[std::size_t(i)]});
-  const Theorem orthogonal_block = restate(eq(gram(block), identity(2)), both(products));
   const Theorem determinant_1 = arithmetic(eq(det(block), 1), c);
   const Expr m = matrix_of_names(3, "m");
   const Theorem named = assume(eq(s, m));

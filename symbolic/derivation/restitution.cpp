@@ -10,7 +10,8 @@ const Expr M_1 = real("M_1"), M_2 = real("M_2"), w_2 = real("w_2");
 const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
 const Expr from_0 = le(0, j);
 
-/// The velocities after a collision with restitution e, solved for.
+/// The velocities after a collision with restitution e, solved for: with masses, and with the
+/// inverse mass of the second body.
 Exprs one_collision(Book& book) {
   const Expr momentum = eq(M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2);
   const Expr relative = eq(v_2 - v_1, e * (u_1 - u_2));
@@ -55,7 +56,7 @@ Exprs one_collision(Book& book) {
             instance(0, {from_wall, of_wall[0]}, [](Expr t) {
               return simplified(t, {u_1, u_2});
             }));
-  return of_both;
+  return {after[0], after[1], of_both[0], of_both[1]};
 }
 /// The approach speed before collision j, and its recurrence.
 void recurrence(Book& book, const Theorems& motion) {
@@ -68,7 +69,7 @@ void recurrence(Book& book, const Theorems& motion) {
   const Theorems turns = parts({book["cycle.turn"]});
   const Theorem definition = define("closing", {M_A, w_B, M_C, e, V, j},
                                     P * (v("A", j) - v("C", j)) + Q * (v("C", j) - v("B", j)), 5);
-  restrict_domain("closing", {M_A, w_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
+  restrict_domain("closing", {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
   book.show("closing", "", "Before collision j its two bodies approach with the speed", definition);
   const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
   const Theorem first =
@@ -144,21 +145,23 @@ void restitution(Book& book) {
   book.chapter("restitution", "Any masses, and collisions that lose energy",
                {lt(0, M_1), lt(0, M_2)});
   const Exprs after = one_collision(book);
-  const auto collide = [&](std::size_t body, Expr M, Expr inverse, Expr u, Expr other) {
-    return substitute(after[body], {{M_1, M}, {w_2, inverse}, {u_1, u}, {u_2, other}});
+  const auto of_A = [&](std::size_t body, Expr u, Expr other) {
+    return substitute(after[body], {{M_1, M_A}, {M_2, M_C}, {u_1, u}, {u_2, other}});
+  };
+  const auto of_B = [&](std::size_t body, Expr u, Expr other) {
+    return substitute(after[2 + body], {{M_1, M_C}, {w_2, w_B}, {u_1, u}, {u_2, other}});
   };
 
-  book.chapter("motion", "Three bodies of any masses", wedge_assumptions());
+  book.chapter("motion", "Three bodies of any masses", of_wedge({le(0, j)}));
   const Expr A_before = real("A_before"), B_before = real("B_before"), C_before = real("C_before");
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   const Theorems motion = define_recursive(
       {"v_A", "v_B", "v_C"}, {M_A, w_B, M_C, e, V}, j, {A_before, B_before, C_before}, {V, 0, 0},
-      {P * collide(0, M_A, 1 / M_C, A_before, C_before) + Q * A_before,
-       P * B_before + Q * collide(1, M_C, w_B, C_before, B_before),
-       P * collide(1, M_A, 1 / M_C, A_before, C_before) +
-           Q * collide(0, M_C, w_B, C_before, B_before)});
+      {P * of_A(0, A_before, C_before) + Q * A_before,
+       P * B_before + Q * of_B(1, C_before, B_before),
+       P * of_A(1, A_before, C_before) + Q * of_B(0, C_before, B_before)});
   for (const char* name : {"v_A", "v_B", "v_C"})
-    restrict_domain(name, {M_A, w_B, M_C, e, V, j}, logic_and(wedge_assumptions()));
+    restrict_domain(name, {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
   book.show("start", "",
             "At the start A, of mass M_A, moves with V; the ball C and B, a block or a wall, are "
             "at rest:",

@@ -61,6 +61,14 @@ inline Expr identity(int size) {
 }
 inline Expr column(const Exprs& entries) { return matrix(1, entries); }
 
+/// f |- f for each.
+inline Theorems assumed(const Exprs& formulas) {
+  Theorems out;
+  for (const Expr& f : formulas) out.push_back(assume(f));
+  return out;
+}
+/// 0 < l if and only if 0 < r, from l = t with t = factor r as polynomials and 0 < factor.
+Theorem same_sign(Expr l, Expr r, const Theorem& l_is, const Theorem& factor);
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);
 /// Collisions with the approach speeds `speed`, as long as these are positive: 0 < speed(j) if and

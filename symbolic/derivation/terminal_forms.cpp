@@ -9,18 +9,14 @@ std::pair<Theorem, Theorem> root_of_square() {
   const Expr s = sqrt(power(x, 2));
   const Theorem square = not_negative(power(x, 2));
   const Theorem s_from_0 = use("root not negative", {{x, power(x, 2)}}, {square});
-  const auto with_sign = [&](Expr value, Expr premise) {  // s = value, value^2 = x^2
+  const auto with_sign = [&](Expr value, Expr premise) {  // s^2 = value^2, neither negative
     return given(premise, [&](const Theorem& value_from_0) {
-      const Theorem differ = given(neq(s + value, 0), [&](const Theorem& t) {
-        Certificate c;  // (s + value)(value - s) = x^2 - s^2
-        c.multipliers = {t};
-        c.equations = {{-1, root_squared(square)}};
-        return arithmetic(eq(s, value), c);
-      });
-      const Theorem none = given(eq(s + value, 0), [&](const Theorem& t) {
-        return linear(eq(s, value), {t, s_from_0, value_from_0});
-      });
-      return tautology(eq(s, value), {differ, none});
+      const auto not_above = [&](Expr l, Expr r) {
+        const Theorem above = assume(lt(r, l));
+        const Theorem sum = linear(lt(0, l + r), {above, s_from_0, value_from_0});
+        return otherwise(le(l, r), linear(lt(0, 0), {times(above, sum), root_squared(square)}));
+      };
+      return linear(eq(s, value), {not_above(s, value), not_above(value, s)});
     });
   };
   return {with_sign(x, le(0, x)), with_sign(-x, le(x, 0))};

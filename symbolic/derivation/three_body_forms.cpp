@@ -185,8 +185,7 @@ void times_and_places(const Forms& forms) {
 }  // namespace
 
 void three_body_forms(Book& book) {
-  Exprs assumptions = wedge_assumptions();
-  assumptions.insert(assumptions.end(), {lt(0, e), V_positive, lt(0, L)});
+  const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
   Theorems facts{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})};
   for (const Expr& a : assumptions)

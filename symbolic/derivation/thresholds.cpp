@@ -58,13 +58,20 @@ void threshold(Book& book, const Threshold& which) {
   const Theorem number = book["counting." + which.count];
   const Expr count = number.conclusion().arg(0), d = which.denominator(k);
   const Expr ratio = book["ratios.reached"].conclusion().arg(0).arg(0);
+  const Theorems range = range_of(d, {from_1});
   know(book.show(which.name + "k_cosine", "", "The cosine of pi/(" + text(d) + ") is positive:",
-                 positive(cos(pi() / d), range_of(d, {from_1}))));
+                 positive(cos(pi() / d), range)));
   const Theorem definition =
       book.name(which.name, {k}, substitute(ratio, {{x, pi() / d}}), {le(1, k)},
                 "The ratio at which psi/2 = pi/(" +
                     std::string(which.count == "N_A" ? "2k + 1" : "2k + 2") + "):",
                 "", which.name + "k");
+  const Theorem versed =
+      linear(lt(0, 1 - cos(pi() / d)),
+             {cosine_falls(linear(lt(0, pi() / d), range), range), axiom("cos 0")});
+  const Theorem above_0 = positive(definition.conclusion().arg(1), {versed});
+  know(book.show(which.name + "k_positive", "", "a positive one;",
+                 linear(lt(0, fun(which.name, {k})), {definition, above_0})));
   book.show(which.name + "k_paper", which.label, "as the paper writes it:",
             equation(fun(which.name, {k}), Expr(-1) + 1 / cos(pi() / d), {definition}));
 

@@ -2,6 +2,7 @@
 // Symbols of the motion of three bodies of any masses with restitution.
 #pragma once
 #include "derivation/symbols.hpp"
+#include "kernel/polynomial.hpp"
 
 namespace derivation {
 inline const Expr M_A = real("M_A");
@@ -10,8 +11,18 @@ inline const Expr w_B = real("w_B");
 inline const Expr M_C = real("M_C");
 inline const Expr e = real("e");
 inline const Expr L = real("L");
-/// Positive masses, that of B or a wall, and 0 <= j.
-inline Exprs wedge_assumptions() { return {lt(0, M_A), le(0, w_B), lt(0, M_C), le(0, j)}; }
+/// Positive masses, B perhaps a wall, and more.
+inline Exprs of_wedge(const Exprs& more) {
+  Exprs out{lt(0, M_A), le(0, w_B), lt(0, M_C)};
+  out.insert(out.end(), more.begin(), more.end());
+  return out;
+}
+/// The velocity of "A", "B" or "C" after i collisions.
+inline Expr velocity(const std::string& body, Expr i) {
+  return fun("v_" + body, {M_A, w_B, M_C, e, V, i});
+}
+/// sqrt(e)^i
+inline Expr root_power(Expr i) { return fun("pow", {sqrt(e), i}); }
 /// The speed with which the two bodies of collision j approach before it.
 inline Expr closing(Expr i) { return fun("closing", {M_A, w_B, M_C, e, V, i}); }
 inline Expr chebyshev(Expr i, Expr at) { return fun("U", {at, i}); }
@@ -32,6 +43,15 @@ Expr all_take_place(Expr last);
 Theorem all_of(Expr last, const std::function<Theorem(Expr, const Theorem&)>& each);
 /// l = r from a theorem that says it times `factors`, which are positive.
 Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors);
+/// The same statement with arguments such as n - 1 + 1 computed.
+inline Theorem canonical_form(const Theorem& t) {
+  return restate(kernel::canonical(t.conclusion()), t);
+}
+/// The squares of r_A and r_B.
+Theorems squared_shares(const Book& book);
+/// Where nothing is lost and kappa is cos(h): powers of e are 1, U_j and U_last are sines of
+/// multiples of h over sin(h).
+Theorems without_losses(const Book& book, const Theorem& kappa_is);
 /// 0 <= j |- claim(j) from claim(0), claim(1), and a proof of claim(j + 2) that may use 0 <= j,
 /// claim(j) and claim(j + 1).
 template <class Claim, class Step>
@@ -45,10 +65,15 @@ Theorem by_two(const Claim& claim, const Theorem& at_0, const Theorem& at_1, con
               0);
 }
 void restitution(Book& book);
+void transmission(Book& book);
+void ends(Book& book);
 void chebyshev(Book& book);
 void wedge(Book& book);
 void when_and_where(Book& book);
 void collapse(Book& book);
 void encounters(Book& book);
+void digits_of_pi(Book& book);
+void cradle(Book& book);
+void billiard(Book& book);
 void three_body_forms(Book& book);
 }  // namespace derivation

@@ -4,12 +4,8 @@
 
 namespace derivation {
 namespace {
-Expr v(const char* body, Expr index) {
-  return fun(std::string("v_") + body, {M_A, w_B, M_C, e, V, index});
-}
 Expr x_of(const char* body, Expr index) { return at_collision(body, index); }
 Expr time_of(Expr index) { return at_collision("time", index); }
-Expr pow(Expr index) { return fun("pow", {sqrt(e), index}); }
 Expr U(Expr index) { return chebyshev(index, kappa()); }
 Expr U_last(Expr index) { return fun("U_last", {kappa(), index}); }
 
@@ -20,7 +16,7 @@ Expr met(Expr at) {
                 (1 - turn(at)) / 2 * (x_of("x_B", at) - x_of("x_C", at)),
             0);
 }
-Expr distance(Expr at) { return eq(apart(at) * side(at) * U(at), L * pow(at)); }
+Expr distance(Expr at) { return eq(apart(at) * side(at) * U(at), L * root_power(at)); }
 Expr when(Expr at) {
   return eq(time_of(at) * (V * r_A() * sqrt(e)) * U(at), L * r_B() * U_last(at));
 }
@@ -32,7 +28,7 @@ Expr all_four(Expr at) { return logic_and({met(at), distance(at), when(at), carr
 
 /// Their solutions.
 Theorem distance_is(const Theorem& t) {
-  return divided(apart(j), L * pow(j) / (side(j) * U(j)), {side(j), U(j)}, t);
+  return divided(apart(j), L * root_power(j) / (side(j) * U(j)), {side(j), U(j)}, t);
 }
 Theorem time_is(const Theorem& t) {
   return divided(time_of(j), L * r_B() * U_last(j) / (V * r_A() * sqrt(e) * U(j)),
@@ -46,11 +42,11 @@ Theorems motion_in_space() {
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   const Expr wait = (P * (before[2] - before[3]) + Q * (before[3] - before[1])) / closing(j + 1);
   const Exprs params{M_A, w_B, M_C, e, V, L};
-  const Theorems motion =
-      define_recursive({"time", "x_A", "x_B", "x_C"}, params, j, before, {0, 0, L, 0},
-                       {before[0] + wait, before[1] + v("A", j + 1) * wait,
-                        before[2] + v("B", j + 1) * wait, before[3] + v("C", j + 1) * wait});
-  Exprs domain = wedge_assumptions();
+  const Theorems motion = define_recursive(
+      {"time", "x_A", "x_B", "x_C"}, params, j, before, {0, 0, L, 0},
+      {before[0] + wait, before[1] + velocity("A", j + 1) * wait,
+       before[2] + velocity("B", j + 1) * wait, before[3] + velocity("C", j + 1) * wait});
+  Exprs domain = of_wedge({le(0, j)});
   domain.push_back(all_take_place(j));
   Exprs with_j = params;
   with_j.push_back(j);
@@ -82,7 +78,8 @@ Theorem moves_on(const Book& book, const Theorems& moved, const Theorem& now) {
   };
   const auto both_of = [](Expr of_A, Expr of_C) { return w_B * (M_A * of_A + M_C * of_C); };
   const Theorem v_B =
-      solved(v("B", j + 1), both_of(v("A", j + 1), v("C", j + 1)), w_B * M_A * V, momentum);
+      solved(velocity("B", j + 1), both_of(velocity("A", j + 1), velocity("C", j + 1)),
+             w_B * M_A * V, momentum);
   const Theorem x_B =
       solved(x_of("x_B", j), both_of(x_of("x_A", j), x_of("x_C", j)), now.conclusion().arg(1), now);
   return equation(carried(j + 1), moved + Theorems{v_B, x_B});
@@ -127,8 +124,9 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
   const Expr t = turn(j), x_A = x_of("x_A", j), x_B = x_of("x_B", j);
   const Theorem ball =
       linear(eq(t * x_of("x_C", j), (t * x_A + t * x_B + x_A - x_B) / 2), {part(now, 0)});
-  const Theorem parting = linear(eq(v("B", j + 1), v("A", j + 1) + e * closing(j) - closing(j + 1)),
-                                 {book["motion.parting"], speed_after});
+  const Theorem parting =
+      linear(eq(velocity("B", j + 1), velocity("A", j + 1) + e * closing(j) - closing(j + 1)),
+             {book["motion.parting"], speed_after});
   const Theorem square = book["motion.turn_squared"];
   const Theorem further = equation(apart(j + 1), e * closing(j) * apart(j) / closing(j + 1),
                                    moved + Theorems{parting, ball, square});
@@ -155,8 +153,7 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
 }  // namespace
 
 void when_and_where(Book& book) {
-  Exprs assumptions = wedge_assumptions();
-  assumptions.insert(assumptions.end(), {lt(0, e), V_positive, lt(0, L)});
+  const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("places", "When and where", assumptions);
   Theorems facts{book["wedge.signs"]};
   for (const Expr& a : assumptions) facts.push_back(assume(a));

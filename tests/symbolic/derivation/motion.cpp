@@ -111,6 +111,10 @@ int trio_count(const std::vector<cl_R>& x) {
   for (int n = 0; n < 300; ++n) {
     if (t.approach() <= tiny()) return n;
     t.collide();
+    // Seen from the ball, unless there is a wall, and by a unit that shrinks as speeds do.
+    const cl_R centre = t.per_B == 0 ? cl_R(0) : t.v[2];
+    const cl_R unit = cln::realpart(cln::sqrt(exact(t.e)));
+    for (cl_R& v : t.v) v = (v - centre) / unit;
   }
   throw Undefined();
 }
@@ -193,6 +197,12 @@ Matrix matrix_function(const std::string& f, const Vector& x) {
   if (f == "lambda_3") return rotation(x[0], 0, 1, 3);
   if (f == "P_2") return {{1, 0}, {0, -1}};
   if (f == "P_3") return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  if (f == "mirror") {  // columns: a body of unit scaled speed and one at rest
+    const cl_R s_1 = cln::realpart(cln::sqrt(exact(x[0]))),
+               s_2 = cln::realpart(cln::sqrt(exact(x[1])));
+    return {{after(1, 0, x[0], x[1]), s_1 * after(0, 1 / s_2, x[0], x[1])},
+            {s_2 * after(0, 1 / s_1, x[1], x[0]), after(1, 0, x[1], x[0])}};
+  }
   if (f == "Gamma") {
     const Matrix m = collisions(x[0], true, false);
     return {{m[0][0], m[0][2]}, {m[2][0], m[2][2]}};
@@ -230,6 +240,29 @@ cl_R function(const std::string& f, const Vector& x) {
   if (f == "when" || f == "apart") {
     const Trio t = trio_at({1, 1, x[0], 1, x[1], x[2], x[3]}, true);
     return f == "when" ? t.time : t.place[1] - t.place[0];
+  }
+  if (f == "a_e" || f == "b_e" || f == "c_e" || f == "c_e'") {
+    const cl_R collisions = 2 * x[3] - (f == "c_e" ? 1 : 0);
+    const std::size_t body = std::size_t(f[0] - 'a');
+    return trio_at({1, 1, x[0], x[2], x[1], collisions}, false).v[body];
+  }
+  if (f == "cradle_speed" || f == "cradle_count") {
+    cl_R speed = x[0], count = 0;
+    for (int i = 1; i <= x[1]; ++i) {
+      const End end = end_of(threshold(true, i), speed, tiny());
+      speed = end.last.b;
+      count = count + end.N;
+    }
+    return f == "cradle_speed" ? speed : count;
+  }
+  if (f == "squares") {
+    const cl_R kappa = function("kappa", {x[0], x[1], x[2], x[3]});
+    cl_R sum = 0;
+    for (int i = 0; i < x[4]; ++i) {
+      const cl_R u = chebyshev(kappa, i);
+      sum = sum + cln::expt(exact(x[3]), i) * u * u;
+    }
+    return sum;
   }
   if (f == "closing") return trio_at(x, false).approach();
   if (f == "before" || f == "after" || f.ends_with("_next")) {

@@ -271,7 +271,7 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
       point[v] = 0;
     else if (name[0] == 'M' || name == "w_B")
       point[v] = between(0.1, 4);
-    else if (name == "e")
+    else if (name[0] == 'e')
       point[v] = kind < 4 ? between(0.01, 0.1) : between(0.1, 1.2);
     else if (kind == 0)
       point[v] = circle() * (any_of(9) - 2) / 2;

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Redner's billiard: with each place times the root of the mass a collision is a mirror, and the
+// path, unfolded in the wedge, is a straight line.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+/// A collision of two bodies of masses M_1 and M_2 in the plane of the scaled velocities.
+void mirror(Book& book) {
+  const Expr M_1 = real("M_1"), M_2 = real("M_2"), s_1 = sqrt(M_1), s_2 = sqrt(M_2);
+  const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
+  const Theorem one = linear(lt(0, M_1), {assume(lt(0, M_1))}), two = assume(lt(0, M_2));
+  const Known masses({one, two});
+  book.chapter("billiard", "Redner's billiard", {lt(0, M_1), lt(0, M_2)});
+  const Expr sum = M_1 + M_2, across = 2 * s_1 * s_2 / sum;
+  const Theorem is = book.name("mirror", {M_1, M_2},
+                               matrix(2, {(M_1 - M_2) / sum, across, across, (M_2 - M_1) / sum}),
+                               {lt(0, M_1), lt(0, M_2)}, "For two bodies, the matrix");
+  const Expr m = is.conclusion().arg(0);
+  const auto elastic = [&](const char* id) { return at(book[id], {{e, 1}}); };
+  const Theorems after{elastic("restitution.v_1"), elastic("restitution.v_2")};
+  const Expr along = column({s_1, s_2}), normal = column({s_2, -s_1});
+  book.show("line", "", "leaves the line on which both are at one place,",
+            matrix_equation(times(m, along), along, {is}));
+  book.show("normal", "", "and turns what is across it: it is a mirror.",
+            matrix_equation(times(m, normal), column({-s_2, s_1}), {is}));
+  const Expr image = column({s_1 * v_1, s_2 * v_2}), before = column({s_1 * u_1, s_2 * u_2});
+  book.show("collision", "", "Velocities times the roots of the masses are reflected by it,",
+            matrix_equation(image, times(m, before), Theorems{is} + after));
+  book.show("speed", "", "and the speed in that plane is kept:",
+            equation(M_1 * power(v_1, 2) + M_2 * power(v_2, 2),
+                     M_1 * power(u_1, 2) + M_2 * power(u_2, 2), after));
+}
+/// The angle of the wedge where nothing is lost: it always is one.
+Theorem kappa_is_cosine(Book& book) {
+  const Substitution elastic{{e, 1}};
+  const Theorem one = linear(lt(0, 1));
+  const Theorem threshold = at(book["collapse.threshold"], elastic, {one});
+  const Theorem K_is = at(book["collapse.def_K"], elastic, {one});
+  const Expr K = K_is.conclusion().arg(0);
+  const Expr rest = M_C * (1 + w_B * (M_A + M_C)) / ((M_A + M_C) * (1 + w_B * M_C));
+  const Theorem below =
+      tautology(lt(substitute(kappa(), elastic), 1),
+                {threshold, linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});
+  know(below);
+  know(at(book["wedge.acute"], elastic, {one, below}));
+  return turned(at(book["wedge.cosine"], elastic, {one, below}));
+}
+void unfolded(Book& book) {
+  const Substitution elastic{{e, 1}};
+  const Expr going = substitute(all_take_place(j), elastic);
+  const Exprs assumptions = of_wedge({le(0, j), V_positive, lt(0, L), going});
+  book.chapter("unfolded", "The unfolded wedge", assumptions);
+  const Theorem one = linear(lt(0, 1)), all_now = assume(going), from = assume(le(0, j));
+  const Known signs(assumed(assumptions) + Theorems{at(book["wedge.signs"], elastic, {one})});
+  const Theorem cosine = kappa_is_cosine(book);
+  const Expr h = cosine.conclusion().arg(1).arg(0);
+  know(positive(sin(h)));
+  const Theorems lossless = without_losses(book, cosine);
+  const auto here = [&](Expr t) { return substitute(t, elastic); };
+  const auto of_motion = [&](const char* id) { return cut(one, instantiate(book[id], elastic)); };
+  const Expr all = 1 + w_B * (M_A + M_C), unit = sqrt((M_A + M_C) / all);
+  const Theorem radius_is = book.name(
+      "radius", {M_A, w_B, M_C, V, L, j}, unit * side(j) * here(apart(j)), assumptions,
+      "At collision j the scaled places have, from where all three would meet, the distance", "",
+      "def_radius");
+  const auto radius = [&](Expr i) { return substitute(radius_is.conclusion().arg(0), {{j, i}}); };
+
+  const Expr t = turn(j), A = here(at_collision("x_A", j)), B = here(at_collision("x_B", j)),
+             C = here(at_collision("x_C", j));
+  const Theorem square = book["motion.turn_squared"];
+  const Theorem ball = linear(eq(t * C, (t * A + t * B + A - B) / 2), {of_motion("places.met")});
+  Certificate with_a_block;
+  with_a_block.equations = {{t, ball}, {(A + B) / 2 - C, square}};
+  const Theorem C_is = arithmetic(eq(C, (A + B + t * A - t * B) / 2), with_a_block);
+  book.show(
+      "radius", "", "whose square, with the masses, is a sum over the pairs of bodies:",
+      equation(all * power(radius(j), 2),
+               M_A * power(A - B, 2) + w_B * M_A * M_C * power(A - C, 2) + M_C * power(B - C, 2),
+               squared_shares(book) + Theorems{radius_is, C_is, square}));
+
+  const Theorem takes_place = tautology(
+      lt(0, chebyshev(j, here(kappa()))),
+      {of_motion("wedge.takes_place"), use(specialize(all_now, j), {}, {from, linear(le(j, j))})});
+  const Expr sine = sin((j + 1) * h);
+  know(takes_place);
+  know(linear(lt(0, sine), {equation(sine, chebyshev(j, here(kappa())) * sin(h), {lossless[2]}),
+                            times(takes_place, sin(h))}));
+  const Theorem blocks = of_motion("places.distance");
+  const Exprs by_masses = of_wedge({});
+  const auto named = [&](const char* name, Expr of, Expr value, const char* words) {
+    return book.name(name, {M_A, w_B, M_C, of}, value, by_masses, words, "",
+                     std::string("def_") + name);
+  };
+  const Theorem L_is = named("scaled_L", L, unit * L, "With the distance at first");
+  const Theorem V_is = named("scaled_V", V, unit * V * (r_A() / r_B()), "and the speed");
+  const Expr first = L_is.conclusion().arg(0), speed = V_is.conclusion().arg(0);
+  book.show("speed", "", "which is that of the energy without that of the centre of mass,",
+            equation(power(speed, 2), M_A * power(V, 2) - w_B * power(M_A * V, 2) / all,
+                     squared_shares(book) + Theorems{V_is}));
+  const Theorems rules =
+      lossless + Theorems{radius_is, linear(eq(B, A + blocks.conclusion().arg(1)), {blocks}), L_is,
+                          V_is, of_motion("places.time")};
+  const Expr moved = speed * here(at_collision("time", j));
+  const Theorem sum = equation(sine, sin(j * h) * cos(h) + cos(j * h) * sin(h), {}, {j * h, h});
+  book.show("line", "",
+            "the path from there, unfolded so that collision j is at the angle j h, is a straight "
+            "line:",
+            both({equation(radius(j) * cos(j * h), first - moved * cos(h), rules + Theorems{sum}),
+                  equation(radius(j) * sin(j * h), moved * sin(h), rules)}));
+}
+}  // namespace
+
+void billiard(Book& book) {
+  mirror(book);
+  unfolded(book);
+}
+}  // namespace derivation

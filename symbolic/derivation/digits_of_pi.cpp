@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A wall in place of B, and masses T^2 and 1: they collide nearly pi T times, which for a power of
+// ten are digits of pi.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+Theorem pi_at_most_4() {  // pi/4 is the angle whose tangent is 1
+  const Expr quarter = atan(1);
+  const Theorem range = use("atan range", {{x, 1}}), from = positive(quarter);
+  const Theorem cosines =
+      equation(cos(2 * quarter), cos(pi() / 2), {use("cos atan", {{x, 1}})}, {quarter, pi() / 2});
+  const Theorem is = same_angle(cosines, {range, from});
+  return linear(le(pi(), 4), {is, use("atan bounds", {{x, 1}}, {linear(le(0, 1))})});
+}
+}  // namespace
+
+void digits_of_pi(Book& book) {
+  book.chapter("wall", "A wall, and digits of pi", {V_positive});
+  const Expr T = real("T");
+  const Theorem from_1 = assume(le(1, T)), one = linear(lt(0, 1));
+  const Known large({from_1});
+  const auto here = [&](const char* id) {
+    const Substitution masses{{M_A, power(T, 2)}, {w_B, 0}, {M_C, 1}, {e, 1}};
+    return at(book[id], masses, {one, positive(power(T, 2))});
+  };
+  const Theorem kappa_is = here("wedge.kappa"), r = here("wedge.r_A");
+  const Expr kappa = kappa_is.conclusion().arg(0), share = r.conclusion().arg(1).arg(0);
+  const Theorem no_share = here("wedge.r_B");
+  const Theorem unit = rewrite(equation(no_share.conclusion().arg(1).arg(0), 1), no_share);
+  const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit, root_is(1, 1)});
+  const Theorem square = equation(power(kappa, 2), share, {root, root_squared(positive(share))});
+  know(linear(lt(0, kappa), {root, positive(sqrt(share))}));
+  Certificate below;  // 1 - kappa^2 = 1/(1 + T^2) is positive
+  const Theorem rest = equation(1 - power(kappa, 2), 1 / (power(T, 2) + 1), {square});
+  below.multipliers = {positive(1 + kappa)};
+  below.equations = {{-1, rest}};
+  below.products = {{1, {positive(1 / (power(T, 2) + 1))}, {}}};
+  know(arithmetic(lt(kappa, 1), below));
+  const Theorem sine =
+      root_of(equation(power(kappa / T, 2), 1 - power(kappa, 2), {square}), positive(kappa / T));
+  const Theorem tangent = equation(sine.conclusion().arg(0) / kappa, 1 / T, {sine});
+  const Theorem angle = rewrite(tangent, here("wedge.h_e"));
+  book.show("angle_T", "",
+            "With masses T^2 and 1, and nothing lost, the angle has the tangent 1/T,", angle);
+  const Theorem number = here("wedge.N");
+  const Expr h = angle.conclusion().arg(0), N = number.conclusion().arg(0);
+  know(linear(lt(0, h), {angle, positive(atan(1 / T))}));
+  const Theorem at_most_4 = pi_at_most_4(),
+                near = use("atan bounds", {{x, 1 / T}}, {not_negative(1 / T)});
+  const Theorem from = times(linear(le(0, 1 / T - h), {angle, near}), pi() * T / h);
+  const Theorem many =
+      linear(le(pi() * T - 1, N),
+             {number, equation((1 / T - h) * (pi() * T / h), pi() / h - pi() * T), from});
+  const Expr u = 1 / T;
+  const Theorem product =
+      times(linear(le(0, h - u + power(u, 3) / 3), {angle, near}), pi() * T + 2 * u);
+  const Expr expanded = (pi() * T + 2 * u) * h - pi() - 2 * power(u, 2) + pi() * power(u, 2) / 3 +
+                        2 * power(u, 4) / 3;
+  const Theorem below_1 =
+      linear(le(0, 1 - u), {times(linear(le(0, T - 1)), u), equation(u * T, 1)});
+  const Theorem to = linear(le(pi(), (pi() * T + 2 * u) * h),
+                            {product, equation(product.conclusion().arg(1), expanded),
+                             times(at_most_4, power(u, 2)), times(below_1, (1 + u) * power(u, 2))});
+  know(book.show("number_T", "", "so that the number of collisions is near pi T:",
+                 both({many, linear(lt(N, pi() * T + 2 * u), {number, times(to, 1 / h)})})));
+  const Expr room = logic_and({lt(k, pi() * T), le(pi() * T + 2 * u, k + 1)});
+  book.show("digits", "",
+            "It is pi T rounded down, unless pi T is less than 2/T below the next integer: for T a "
+            "power of ten the first digits of pi, unless about as many nines follow them.",
+            given(room, [&](const Theorem& t) { return linear(eq(N, k), {t}); }));
+}
+}  // namespace derivation

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What collisions that lose energy let through: the energy of any motion, the paper's four
+// equations, and the share that B has after one cycle and after two.
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Substitution equal_blocks{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
+const Expr from_1 = le(1, n), e_more = real("e'");
+
+/// Positive masses, B no wall, and more.
+Exprs of_block(const Exprs& more) {
+  Exprs out = of_wedge(more);
+  out[1] = lt(0, w_B);
+  return out;
+}
+/// What each collision takes from the energy, and all of them together.
+void energy(Book& book) {
+  const Theorem from = assume(le(0, j));
+  const auto of_motion = [&](const std::string& id) { return cut(linear(le(0, w_B)), book[id]); };
+  const Exprs with_j{M_A, w_B, M_C, e, V, j};
+  const Theorem is = book.name("energy", with_j,
+                               M_A * power(velocity("A", j), 2) + power(velocity("B", j), 2) / w_B +
+                                   M_C * power(velocity("C", j), 2),
+                               of_block({le(0, j)}),
+                               "Twice the kinetic energy after j collisions:", "", "def_energy");
+  const auto energy = [&](Expr i) { return substitute(is.conclusion().arg(0), {{j, i}}); };
+  Theorems step{is, instantiate(is, {{j, j + 1}}), of_motion("motion.closing"),
+                book["motion.turn_squared"]};
+  for (const Theorem& next : parts({of_motion("motion.next")}))
+    step.push_back(use(next, {}, {from}));
+  const Expr gone = energy(j) - energy(j + 1);
+  const Expr mass =
+      (1 + turn(j)) / 2 * (M_A * M_C / (M_A + M_C)) + (1 - turn(j)) / 2 * (M_C / (1 + w_B * M_C));
+  const Theorem lost = book.show(
+      "collision", "", "Collision j takes from it, by the reduced mass of its two bodies,",
+      equation(gone, (1 - power(e, 2)) * mass * power(closing(j), 2), step));
+
+  const Known signs({of_motion("wedge.signs")});
+  const Expr square = power(root_power(j), 2) * power(chebyshev(j, kappa()), 2);
+  const Expr unit = (1 - power(e, 2)) * (M_C * power(r_A(), 2) * power(V, 2));
+  Theorems shares = squared_shares(book);
+  for (Theorem& t : shares) t = cut(linear(le(0, w_B)), t);
+  const Theorems rules = shares + Theorems{of_motion("wedge.speed"), book["motion.turn_squared"]};
+  const Theorem alike =
+      book.show("alike", "", "which is alike for both kinds:",
+                chain(lost, equation(lost.conclusion().arg(1), unit * square, rules)));
+  const Expr before = real("squares_before");
+  const Theorems sum =
+      define_recursive({"squares"}, masses_and_e(), j, {before}, {0}, {before + square});
+  const Exprs domain = of_block({le(0, j), lt(0, e)});
+  restrict_domain("squares", {M_A, w_B, M_C, e, j}, logic_and(domain));
+  book.show("squares", "", "So with a sum of squares,", under(domain, both(sum)));
+  const auto left = [&](Expr i) {
+    return eq(energy(i), M_A * power(V, 2) - unit * fun("squares", {M_A, w_B, M_C, e, i}));
+  };
+  const Theorem next = use(sum[1], {}, {from}),
+                change = linear(eq(energy(j + 1), energy(j) - unit * square), {alike});
+  book.show("left", "", "after j collisions there is left",
+            by_induction(
+                j, left(j),
+                equation(left(0), {instantiate(is, {{j, 0}}), sum[0], of_motion("motion.start")}),
+                [&](const Theorem&, const Theorem& known) {
+                  return equation(left(j + 1), {change, known, next});
+                }));
+  const Theorem at_most_1 = assume(le(e, 1));
+  book.show(
+      "falls", "", "and energy never rises:",
+      linear(le(energy(j + 1), energy(j)),
+             {alike, product_of({at_most_1, positive(1 + e),
+                                 not_negative(M_C * power(r_A(), 2) * power(V, 2) * square)})}));
+}
+
+/// The paper's velocities with restitution: of A, B and the ball after Q_n, of the ball after P_n.
+Expr with_e(const char* name, Expr i) { return fun(name, {alpha, V, e, i}); }
+Theorems names_of_paper(Book& book) {
+  const auto named = [&](const char* name, const char* body, Expr i, Expr from, const char* words) {
+    return book.name(name, {alpha, V, e, n}, substitute(velocity(body, i), equal_blocks),
+                     {alpha_positive, from}, words);
+  };
+  const Expr from_0 = le(0, n);
+  return {named("a_e", "A", 2 * n, from_0,
+                "For blocks of mass 1 and a ball of mass alpha: the velocities of A,"),
+          named("b_e", "B", 2 * n, from_0, "of B"),
+          named("c_e'", "C", 2 * n, from_0, "and of the ball after n cycles,"),
+          named("c_e", "C", 2 * n - 1, from_1, "and the ball's within the n-th.")};
+}
+/// The laws of P_n and Q_n in these names.
+void equations_of_paper(Book& book, const Theorems& names) {
+  const Theorem one = linear(lt(0, 1)), from = assume(from_1);
+  const auto earlier = [&](const Theorem& t) { return at(t, {{n, n - 1}}, {from}); };
+  Theorems rules = names + parts({earlier(book["cycle.turns"])});
+  for (std::size_t i = 0; i < 3; ++i) rules.push_back(earlier(names[i]));
+  for (const Theorem& law : parts({book["motion.next"]}))
+    for (const Expr i : {2 * n - 2, 2 * n - 1})
+      rules.push_back(use(at(at(law, equal_blocks, {one}), {{j, i}}, {from}), {}, {from}));
+  for (Theorem& rule : rules) rule = canonical_form(rule);
+  const Expr a_0 = with_e("a_e", n - 1), a_1 = with_e("a_e", n), b_0 = with_e("b_e", n - 1),
+             b_1 = with_e("b_e", n), c_0 = with_e("c_e'", n - 1), c_1 = with_e("c_e", n),
+             c_2 = with_e("c_e'", n);
+  book.show("paper", "eq:inelastic", "These are the paper's equations of P_n and Q_n:",
+            both({equation(a_0 + alpha * c_0, a_1 + alpha * c_1, rules),
+                  equation(e * (a_0 - c_0), c_1 - a_1, rules),
+                  equation(b_0 + alpha * c_1, b_1 + alpha * c_2, rules),
+                  equation(e * (c_1 - b_0), b_1 - c_2, rules)}));
+}
+/// b_n(e) < b_n(e') |- the same of rho, where they differ by `factor`, a positive term.
+void rises(Book& book, const std::string& name, const std::string& words, const Theorem& is,
+           Expr factor) {
+  const Substitution more{{e, e_more}};
+  const Theorem is_more = instantiate(is, more);
+  const Expr b_n = is.conclusion().arg(0), b_more = is_more.conclusion().arg(0);
+  const Expr difference = V * alpha / power(1 + alpha, 2) * (e_more - e) * factor;
+  const Theorem larger =
+      linear(lt(0, b_more - b_n),
+             {equation(b_more - b_n, difference, {is, is_more}), positive(difference)});
+  const Theorem sum = linear(lt(0, b_more + b_n), {is, is_more, positive(is.conclusion().arg(1)),
+                                                   positive(is_more.conclusion().arg(1))});
+  const Expr rho = power(b_n / V, 2), rho_more = power(b_more / V, 2);
+  const Theorem product = times(times(larger, sum), 1 / power(V, 2));
+  book.show(
+      name, "", words,
+      linear(lt(rho, rho_more), {product, equation(rho_more - rho, product.conclusion().arg(1))}));
+}
+/// The velocities of B after one cycle and after two, and that they rise with e.
+void first_cycles(Book& book, const Theorems& names) {
+  const Theorem one = linear(lt(0, 1)), zero = linear(le(0, 0));
+  Theorems rules = parts({book["cycle.turn"], at(book["motion.start"], equal_blocks, {one})});
+  const Theorems laws = parts({rules[1], at(book["motion.next"], equal_blocks, {one})});
+  rules.erase(rules.begin() + 1);
+  for (int i = 0; i < 4; ++i)
+    for (const Theorem& law : laws)
+      rules.push_back(canonical_form(use(at(law, {{j, i}}, {zero}), {}, {zero})));
+  const Expr s = (1 + e) / (1 + alpha);
+  const auto at_cycle = [&](const Theorem& name, int i) {
+    return canonical_form(at(name, {{n, i}}, {zero, one}));
+  };
+  const auto B_has = [&](int i, Expr value) {
+    return equation(with_e("b_e", i), value, rules + Theorems{at_cycle(names[1], i)});
+  };
+  const Theorem after_1 =
+      book.show("cycle_1", "", "After one cycle B has", B_has(1, V * alpha * power(s, 2)));
+  const Expr room = power(s, 2) - 2 * e;
+  const Theorem after_2 = book.show("cycle_2", "", "and after two, the last of them",
+                                    B_has(2, V * alpha * power(s, 2) * (1 + room)));
+  book.show("last_approach", "", "with the approach speed",
+            equation(with_e("c_e", 2) - with_e("b_e", 1), V * s * room,
+                     rules + Theorems{after_1, at_cycle(names[3], 2)}));
+  const Expr room_more = substitute(room, {{e, e_more}});
+  const Known more({assume(lt(0, e)), assume(lt(e, e_more))});
+  know(linear(lt(0, e_more)));
+  rises(book, "rises_1", "With the first of these B's share of the energy, rho, rises with e,",
+        after_1, 2 + e + e_more);
+  know(assume(lt(0, room)));
+  know(assume(lt(0, room_more)));
+  rises(book, "rises_2",
+        "and with the second, where that collision takes place (for more, nothing is claimed):",
+        after_2, (2 + e + e_more) * (room + room_more) + (1 + e) * e_more + (1 + e_more) * e);
+}
+}  // namespace
+
+void transmission(Book& book) {
+  const Exprs assumptions = of_block({le(0, j), lt(0, e)});
+  book.chapter("losses", "The energy of any motion", assumptions);
+  {
+    const Known signs(assumed(assumptions));
+    energy(book);
+  }
+  book.chapter("transmission", "What losses let through", {alpha_positive, V_positive});
+  const Theorems names = names_of_paper(book);
+  equations_of_paper(book, names);
+  first_cycles(book, names);
+}
+}  // namespace derivation
