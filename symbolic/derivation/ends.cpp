@@ -61,6 +61,7 @@ void ends(Book& book) {
   const Theorem A_is = beyond_B(A, "motion.A_B", -(opening + parting));
   const Theorem C_is = beyond_B(C, "motion.C_B", -C_B);
   const Expr mass = 1 + w_B * (M_A + M_C);
+  know(positive(mass));
   const Theorem B_is = equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass,
                                 {after("motion.B_velocity"), last, next});
   book.show("B", "", "So B has at the end", B_is);
