@@ -4,6 +4,10 @@
 Require Export Reals Lra Lia Psatz ZArith Classical ClassicalEpsilon List.
 Export ListNotations.
 Open Scope R_scope.
+(* No files of caches beside the files that are checked. *)
+#[export] Unset Lia Cache.
+#[export] Unset Nia Cache.
+#[export] Unset Nra Cache.
 
 (* Integers among the real numbers. *)
 Definition isint (x : R) := exists z : Z, x = IZR z.

@@ -9,18 +9,10 @@ Expr U(Expr index) { return chebyshev(index, kappa()); }
 /// kappa < 1 as an inequality of masses and e without roots.
 void threshold(Book& book) {
   const Theorem kappa_is = book["wedge.kappa"];
-  const Exprs domain{lt(0, M_A), le(0, w_B), lt(0, M_C), lt(0, e)};
-  const Theorem is = define("K", masses_and_e(),
-                            power(1 + e, 2) * M_A / (4 * e * (M_A + M_C) * (1 + w_B * M_C)), -1);
-  restrict_domain("K", masses_and_e(), logic_and(domain));
-  book.show("def_K", "", "Without roots, with", is);
-  Theorems squares;
-  for (const char* name : {"wedge.r_A", "wedge.r_B"}) {
-    const Theorem r = book[name];
-    const Expr share = r.conclusion().arg(1).arg(0);
-    squares.push_back(
-        equation(power(r.conclusion().arg(0), 2), share, {r, root_squared(positive(share))}));
-  }
+  const Theorem is = book.name("K", masses_and_e(),
+                               power(1 + e, 2) * M_A / (4 * e * (M_A + M_C) * (1 + w_B * M_C)),
+                               of_wedge({lt(0, e)}), "Without roots, with", "", "def_K");
+  Theorems squares = squared_shares(book);
   squares.push_back(root_squared(assume(lt(0, e))));
   const Expr K = is.conclusion().arg(0);
   const Theorem square =
@@ -56,11 +48,9 @@ void in_time(Book& book) {
   const Theorem not_negative_inside =
       linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1})), from_1});
   know(not_negative_inside);
-  Exprs domain = {lt(0, M_A), le(0, w_B), lt(0, M_C), lt(0, e)};
-  domain.push_back(le(1, kappa()));
-  const Theorem definition = define("y_e", masses_and_e(), kappa() - root, -1);
-  restrict_domain("y_e", masses_and_e(), logic_and(domain));
-  book.show("y_e", "", "Where they never end, with", under(domain, definition));
+  const Theorem definition =
+      book.name("y_e", masses_and_e(), kappa() - root, of_wedge({lt(0, e), le(1, kappa())}),
+                "Where they never end, with");
   const Expr y_e = definition.conclusion().arg(0);
   const Theorem square = root_squared(not_negative_inside);
   const Theorem root_sign = use("root not negative", {{x, inside}}, {not_negative_inside});
@@ -87,11 +77,9 @@ void in_time(Book& book) {
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
   know(linear(lt(0, U(j)), {rise, from_0}));
   const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
-  const Exprs params{M_A, w_B, M_C, e, V, L};
-  const Theorem end_is = define("t_end", params, unit * y_e, -1);
-  domain.insert(domain.end(), {V_positive, lt(0, L)});
-  restrict_domain("t_end", params, logic_and(domain));
-  book.show("def_t_end", "", "there is a time", under(domain, end_is));
+  const Theorem end_is = book.name("t_end", {M_A, w_B, M_C, e, V, L}, unit * y_e,
+                                   of_wedge({lt(0, e), le(1, kappa()), V_positive, lt(0, L)}),
+                                   "there is a time", "", "def_t_end");
   const Theorem time_is = book["places.time"];
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
     return at(book["wedge.never_ends"], {{j, i}}, {range});
@@ -146,10 +134,8 @@ void equal_blocks(Book& book) {
 void collapse(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("collapse", "Collapse", assumptions);
-  Theorems facts{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})};
-  for (const Expr& a : assumptions)
-    if (!(a == le(0, j))) facts.push_back(assume(a));
-  const Known signs(facts);
+  const Known signs(assumed(of_wedge({lt(0, e), V_positive, lt(0, L)})) +
+                    Theorems{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})});
   threshold(book);
   special_cases(book);
   in_time(book);

@@ -61,14 +61,12 @@ Exprs one_collision(Book& book) {
 /// The approach speed before collision j, and its recurrence.
 void recurrence(Book& book, const Theorems& motion) {
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
-  const auto v = [](const char* body, Expr i) {
-    return fun(std::string("v_") + body, {M_A, w_B, M_C, e, V, i});
-  };
   const Theorem from = assume(from_0), zero = linear(le(0, 0));
   const Known signs({assume(lt(0, M_A)), assume(le(0, w_B)), assume(lt(0, M_C)), from});
   const Theorems turns = parts({book["cycle.turn"]});
-  const Theorem definition = define("closing", {M_A, w_B, M_C, e, V, j},
-                                    P * (v("A", j) - v("C", j)) + Q * (v("C", j) - v("B", j)), 5);
+  const Theorem definition = define(
+      "closing", {M_A, w_B, M_C, e, V, j},
+      P * (velocity("A", j) - velocity("C", j)) + Q * (velocity("C", j) - velocity("B", j)), 5);
   restrict_domain("closing", {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
   book.show("closing", "", "Before collision j its two bodies approach with the speed", definition);
   const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
@@ -85,8 +83,8 @@ void recurrence(Book& book, const Theorems& motion) {
   Theorems step{definition, turn_after(from), square};
   for (std::size_t i = 3; i < 6; ++i) step.push_back(use(motion[i], {}, {from}));
   const auto other = [&](Expr i) {  // of the two that collide next
-    return (1 - turn(i)) / 2 * (v("A", i) - v("C", i)) +
-           (1 + turn(i)) / 2 * (v("C", i) - v("B", i));
+    return (1 - turn(i)) / 2 * (velocity("A", i) - velocity("C", i)) +
+           (1 + turn(i)) / 2 * (velocity("C", i) - velocity("B", i));
   };
   const auto share = [](Expr i) {
     return (1 + turn(i)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(i)) / 2 * (1 / (1 + w_B * M_C));
@@ -105,7 +103,7 @@ void recurrence(Book& book, const Theorems& motion) {
                                                {start, first, turns[0], motion[1], motion[2]})));
   const Expr after = j + 1;
   const auto carried = [&](Expr i) {  // the momentum, times w_B
-    return w_B * (M_A * v("A", i) + M_C * v("C", i)) + v("B", i);
+    return w_B * (M_A * velocity("A", i) + M_C * velocity("C", i)) + velocity("B", i);
   };
   const Theorem momentum =
       book.show("momentum", "", "Momentum is kept, if there is no wall:",
@@ -117,7 +115,8 @@ void recurrence(Book& book, const Theorems& motion) {
   // The two speeds after collision j, by the one before it and the one before the next.
   const Theorem closes = instantiate(definition, {{j, after}});
   const Theorem parts_with = linear(eq(e * closing(j), -other(after)), {parting});
-  const Expr A = v("A", after), B = v("B", after), ball = v("C", after), t = turn(after);
+  const Expr A = velocity("A", after), B = velocity("B", after), ball = velocity("C", after),
+             t = turn(after);
   const Expr of_B = (1 - t) / 2 * closing(after) - (1 + t) / 2 * (e * closing(j));
   const Theorem A_B =
       book.show("A_B", "", "After collision j the velocities of A and B differ by",

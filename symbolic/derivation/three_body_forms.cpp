@@ -8,7 +8,6 @@ Expr P() { return (1 + turn(j)) / 2; }
 Expr Q() { return (1 - turn(j)) / 2; }
 Expr h_e() { return fun("h_e", masses_and_e()); }
 Expr sine(Expr times) { return sin(times * h_e()); }
-Expr pow() { return fun("pow", {sqrt(e), j}); }
 
 Expr K() { return fun("K", masses_and_e()); }
 Expr q_e() { return fun("q_e", masses_and_e()); }
@@ -56,9 +55,8 @@ private:
 
 /// q_e = 1 - K, above 0 where collisions end; the time of the collapse where they do not.
 Theorem definition_of_q_e(Book& book) {
-  const Theorem q_is = define("q_e", masses_and_e(), 1 - K(), -1);
-  restrict_domain("q_e", masses_and_e(), logic_and({lt(0, M_A), le(0, w_B), lt(0, M_C), lt(0, e)}));
-  book.show("def_q_e", "", "Collisions end where this is positive:", q_is);
+  const Theorem q_is = book.name("q_e", masses_and_e(), 1 - K(), of_wedge({lt(0, e)}),
+                                 "Collisions end where this is positive:", "", "def_q_e");
   const Theorem none = assume(le(q_e(), 0));
   const Theorem inside = equation(power(kappa(), 2) - 1, -q_e(), {q_is, book["collapse.square"]});
   const Theorem from_1 =
@@ -68,21 +66,22 @@ Theorem definition_of_q_e(Book& book) {
   book.show("t_end", "", "and the time of the collapse is",
             cut(from_1, book["collapse.def_t_end"]));
   const auto at_end = [&](const char* symbol, const char* words, Expr value) {
-    const Exprs params{M_A, w_B, M_C, e, V, L};
-    const Theorem is = define(symbol, params, value / (1 + w_B * (M_A + M_C)), -1);
-    book.show(std::string("def_") + symbol, "", words, under({le(q_e(), 0)}, is));
-    return is;
+    return book.name(symbol, {M_A, w_B, M_C, e, V, L}, value / (1 + w_B * (M_A + M_C)),
+                     of_wedge({lt(0, e), V_positive, lt(0, L), none.conclusion()}), words, "",
+                     std::string("def_") + symbol);
   };
   at_end("x_end", "Then all are at one place: the centre of mass is there, or the wall,",
          L + w_B * M_A * V * fun("t_end", {M_A, w_B, M_C, e, V, L}));
   const Theorem v_end = at_end("v_end", "and go on together with", w_B * M_A * V);
-  const auto body = [](const char* name) { return fun(name, {M_A, w_B, M_C, e, V, j}); };
-  const auto as_B = [&](const char* name) { return assume(eq(body(name), body("v_B"))); };
-  const Expr v_B = body("v_B"), all = 1 + w_B * (M_A + M_C);
-  const Theorem kept = rewrite(as_B("v_C"), rewrite(as_B("v_A"), book["motion.momentum"]));
+  const auto as_B = [](const char* name) {
+    return assume(eq(velocity(name, j), velocity("B", j)));
+  };
+  const Expr v_B = velocity("B", j), all = 1 + w_B * (M_A + M_C);
+  const Theorem kept = rewrite(as_B("C"), rewrite(as_B("A"), book["motion.momentum"]));
   const Theorem whole = linear(eq(v_B * all, w_B * M_A * V), {kept});
   book.show("together", "", "as momentum is kept:",
-            chain(divided(v_B, v_end.conclusion().arg(1), {all}, whole), turned(v_end)));
+            under({none.conclusion()},
+                  chain(divided(v_B, v_end.conclusion().arg(1), {all}, whole), turned(v_end))));
   return q_is;
 }
 /// Where q_e is above 0 the angle; |- kappa < 1.
@@ -112,7 +111,7 @@ void velocities(const Forms& forms) {
       use(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1), {}, {from});
   const Theorem before = forms.name("before", closing(j)),
                 after = forms.name("after", closing(j + 1));
-  const Expr per = V * pow() / forms("step_sine");
+  const Expr per = V * root_power(j) / forms("step_sine");
   forms.show(before, "Before collision j its bodies approach with the speed",
              per * forms("now_side") * forms("now_sine"), {forms.in_angle("speed_sine")});
   forms.show(after, "those of the next one with",
@@ -124,9 +123,9 @@ void velocities(const Forms& forms) {
     return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, book[id])));
   };
   const auto next = [&](const char* symbol, const char* body) {
-    return forms.name(symbol, fun(body, {M_A, w_B, M_C, e, V, j + 1}));
+    return forms.name(symbol, velocity(body, j + 1));
   };
-  const Theorem B = next("B_next", "v_B"), A = next("A_next", "v_A"), C = next("C_next", "v_C");
+  const Theorem B = next("B_next", "B"), A = next("A_next", "A"), C = next("C_next", "C");
   const Expr of_C = P() * v - Q() * u;
   forms.show(B, "so that B then has the velocity",
              w_B * (M_A * (V - v + u) - M_C * of_C) / (1 + w_B * (M_A + M_C)),
@@ -175,7 +174,7 @@ void times_and_places(const Forms& forms) {
   const Theorem blocks = forms.name("blocks", apart(j)),
                 place = forms.name("place", at_collision("x_C", j));
   forms.show(chain(blocks, of_motion("places.distance")), "the distance of A and B",
-             L * pow() / forms("now_side") * (forms("step_sine") / forms("now_sine")), {U});
+             L * root_power(j) / forms("now_side") * (forms("step_sine") / forms("now_sine")), {U});
   const Expr D = blocks.conclusion().arg(0);
   forms.show(place, "and the place",
              (L + w_B * M_A * V * moment.conclusion().arg(0) - P() * D + Q() * (w_B * M_A * D)) /
@@ -187,10 +186,8 @@ void times_and_places(const Forms& forms) {
 void three_body_forms(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
-  Theorems facts{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})};
-  for (const Expr& a : assumptions)
-    if (!(a == le(0, j))) facts.push_back(assume(a));
-  const Known signs(facts);
+  const Known signs(assumed(of_wedge({lt(0, e), V_positive, lt(0, L)})) +
+                    Theorems{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})});
   Forms forms(book, assumptions, angle(book, definition_of_q_e(book)));
   know(book["wedge.signs"]);
   know(assume(le(0, j)));

@@ -155,9 +155,7 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
 void when_and_where(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("places", "When and where", assumptions);
-  Theorems facts{book["wedge.signs"]};
-  for (const Expr& a : assumptions) facts.push_back(assume(a));
-  const Known signs(facts);
+  const Known signs(assumed(assumptions) + Theorems{book["wedge.signs"]});
   const Theorem from = assume(le(0, j)), zero = linear(le(0, 0));
   const Theorems motion = motion_in_space();
 
