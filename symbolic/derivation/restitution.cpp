@@ -162,8 +162,8 @@ void restitution(Book& book) {
   for (const char* name : {"v_A", "v_B", "v_C"})
     restrict_domain(name, {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
   book.show("start", "",
-            "At the start A, of mass M_A, moves with V; the ball C and B, a block or a wall, are "
-            "at rest:",
+            "At the start A moves with V, the ball C and B are at rest; w_B is 1/M_B for a block "
+            "and 0 for a wall:",
             (both({motion[0], motion[1], motion[2]})));
   book.show("next", "", "Collision j is one of A and C, or of C and B, by turns:",
             (both({motion[3], motion[4], motion[5]})));

@@ -94,8 +94,8 @@ Theorem angle(Book& book, const Theorem& q_is) {
   know(linear(lt(0, kappa()),
               {book["wedge.kappa"], positive(book["wedge.kappa"].conclusion().arg(1))}));
   const Theorem inside = equation(1 - power(kappa(), 2), q_e(), {q_is, book["collapse.square"]});
-  const Theorem h_is =
-      book.show("h_e", "", "the angle is then", rewrite(inside, cut(below, book["wedge.h_e"])));
+  const Theorem h_is = book.show("h_e", "", "Where they end the angle is",
+                                 rewrite(inside, cut(below, book["wedge.h_e"])));
   know(linear(lt(0, h_e()), {h_is, positive(h_is.conclusion().arg(1))}));
   know(linear(lt(h_e(), pi()), {h_is, use("atan range", {{x, h_is.conclusion().arg(1).arg(0)}})}));
   know(positive(sin(h_e())));
