@@ -75,12 +75,26 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns, std::span
   return all > widest_text + between_columns ? std::vector<std::size_t>() : widths;
 }
 
+/// Broken at blanks where it would be too wide, the lines below the first one indented.
+std::string wrapped(const std::string& text, std::size_t indent) {
+  std::string lines;
+  std::string rest = text;
+  while (width(rest) + indent > widest_text) {
+    const std::size_t blank = rest.rfind(' ', widest_text - indent);
+    if (blank == std::string::npos) break;
+    lines += rest.substr(0, blank) + "\n" + std::string(indent, ' ');
+    rest.erase(0, blank + 1);
+  }
+  return lines + rest;
+}
+
 std::string block_of(const std::vector<Column>& columns, const Row& row) {
   std::size_t widest = 0;
   for (const Column& column : columns) widest = std::max(widest, width(column.name));
   std::string text;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    text += padded(columns[i].name, widest + between_columns) + shown(row.at(i)) + "\n";
+    text += padded(columns[i].name, widest + between_columns) +
+            wrapped(shown(row.at(i)), widest + between_columns) + "\n";
   return text;
 }
 
