@@ -87,5 +87,6 @@ void evaluators(Book& book) {
   terminal_forms(names, a);
   ratio_forms(names);
   heavy_ball(names);
+  collision_forms(names, a);
 }
 }  // namespace derivation

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Evaluated forms of the time and distance of a collision, from a sine and a cosine of j psi/4.
+#include "derivation/evaluators.hpp"
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Exprs inputs{alpha, j};
+Expr of_j(const std::string& name) { return fun(name, inputs); }
+Expr sine_of(Expr times) { return sin(times * (psi() / 2)); }
+
+/// (1 + alpha)/2 = sin(psi/2)/sin(psi), for both.
+void first_of_B(Book& book) {
+  const Theorem exists = linear(lt(1, N()), {book["counting.at_least"], book["counting.shares"]});
+  const Known second({exists});
+  const Theorem one = linear(le(0, 1));
+  const Theorem twice =
+      equation(sine_of(Expr(1) + 1), 2 * sin(psi() / 2) * cos(psi() / 2), {}, {psi() / 2});
+  const Theorem once = equation(sine_of(1), sin(psi() / 2));
+  for (const char* id : {"when", "apart"}) {
+    const bool is_time = id == std::string("when");
+    const Theorem t =
+        cut(exists, cut(one, instantiate(book["encounters." + std::string(id)], {{j, 1}})));
+    const Theorem is = rewrite(once, rewrite(twice, t));
+    book.show(
+        std::string(id) + "_1", "", is_time ? "That of B's first is" : "and",
+        equation(is.conclusion().arg(0), (is_time ? L / V : L) * (rational(1, 2) * (1 + alpha)),
+                 {is, book["rotation.cos_half_psi"], positive(sin(psi() / 2))}));
+  }
+}
+}  // namespace
+
+void collision_forms(Names& names, const Angle& a) {
+  Book& book = names.book;
+  book.chapter("evaluators_collision", "Forms for evaluation: a collision",
+               {alpha_positive, V_positive, lt(0, L), le(0, j)});
+  const Theorem from_0 = assume(le(0, j));
+  const Known lengths({assume(lt(0, L)), from_0});
+  first_of_B(book);
+
+  const Expr T = of_alpha("t"), q = of_alpha("half_h"), quarter = psi() / 4;
+  const Theorem phase = names.name("half_phase", inputs, q * j, "With");
+  const Theorem phase_is = rewrite(a.quarter, phase);
+  const Expr angle = phase_is.conclusion().arg(1);
+  const auto name = [&](const std::string& symbol, Expr value) {
+    return rewrite(phase_is, names.name(symbol, inputs, value));
+  };
+  const Theorem S_is = name("half_sine", sin(of_j("half_phase")));
+  const Expr S = of_j("half_sine");
+  const Theorem tS_is = name("t_half_sine", T * S);
+  const Expr tS = of_j("t_half_sine");
+  const Theorem cosine_is = name("next_cosine", cos(of_j("half_phase")) - tS);
+  const Expr cosine = of_j("next_cosine");
+  const Theorem C_is = name("half_cosine", cosine + tS);
+  const Expr C = of_j("half_cosine");
+  const Theorem sine_is = name("next_sine", S + T * C);
+  const Expr sine = of_j("next_sine");
+
+  // cos(psi/4) next_cosine = cos(next) > 0 where next = (j + 1) psi/4 < pi: it is below pi/2, then.
+  const Expr next = angle + quarter;
+  const Theorem c = positive(cos(quarter));
+  const Theorem is_positive = assume(lt(0, cosine));
+  const Theorem is_near = assume(le(of_j("half_phase"), pi() - 2 * q));
+  const Theorem near = linear(le(next, pi() - quarter), {is_near, phase_is, a.quarter});
+  const Exprs bases{angle, quarter};
+  const Theorems parts{S_is, tS_is, cosine_is, C_is, sine_is, a.tangent};
+  const auto times_c = [&](Expr l, Expr r) { return cancel(eq(l, r), {c}, parts, bases); };
+  const Theorem next_cosine = times_c(cos(next), cos(quarter) * cosine);
+  const Theorem falls = cosine_falls(assume(le(pi() / 2, next)), {near});
+  const Theorem below =
+      otherwise(lt(next, pi() / 2),
+                linear(lt(0, 0), {falls, axiom("cos pi/2"), next_cosine, times(c, is_positive)}));
+  const Theorem room = times(linear(lt(0, 2 * pi() - (j + 1) * psi()), {below}), 1 / psi());
+  const Theorem takes_place =
+      book.show("takes_place", "", "Collision j takes place where that is positive:",
+                linear(lt(j, N()), {room, book["counting.N"]}));
+
+  const Theorem from_turn = linear(le(0, angle), {times(from_0, psi())});
+  const Theorem S_from_0 =
+      linear(le(0, S), {S_is, sine_not_negative(from_turn, linear(le(angle, pi()), {near}))});
+  const Theorem C_positive = linear(lt(0, C), {C_is, tS_is, is_positive, times(S_from_0, T)});
+  const Theorem sine_positive = linear(lt(0, sine), {sine_is, S_from_0, times(C_positive, T)});
+  const Known divisors({sine_positive, is_positive, takes_place});
+  const auto divided = [&](const char* symbol, Expr value, const char* words) {
+    return book.name(symbol, inputs, value,
+                     {alpha_positive, le(0, j), lt(0, cosine), is_near.conclusion()}, words, "",
+                     "def_" + std::string(symbol));
+  };
+  const Theorem per_next = divided("per_next", 1 / cosine, "and");
+  const Theorem ratio = divided("sine_ratio", S / sine, "and");
+  const Theorem t_ratio = divided("t_ratio", T / sine, "and");
+  // cos(psi/4)^2 (1 + t^2) = 1
+  const Theorem square =
+      cancel(eq(power(cos(quarter), 2) * of_alpha("z"), 1 - power(cos(quarter), 2)), {c},
+             {turned(book["evaluators.t_squared"]), a.tangent}, {quarter});
+  const Theorem after = times_c(sine_of(j + 1), 2 * power(cos(quarter), 2) * sine * cosine);
+  const Theorem before = times_c(sine_of(j), 2 * S * C);
+  const Theorem step = times_c(sin(psi() / 2), 2 * power(cos(quarter), 2) * T);
+  const auto show = [&](const char* id, const char* words, const Theorem& above, Expr form) {
+    const Theorem t =
+        cut(takes_place, cut(linear(le(0, 1)), book["encounters." + std::string(id)]));
+    const Theorem is = rewrite(above, rewrite(after, t));
+    book.show(
+        id, "", words,
+        cancel(eq(is.conclusion().arg(0), form), {c, c}, {is, square, per_next, ratio, t_ratio}));
+  };
+  show("when", "In these terms", before,
+       L / V * ((1 + of_alpha("z")) * of_j("sine_ratio") * C * of_j("per_next")));
+  show("apart", "and", step, L * (of_j("t_ratio") * of_j("per_next")));
+
+  // From the second collision of A on, sin(angle) >= sin(psi/2) = t (1 + cos(psi/2)).
+  const Expr middle = angle / 2 + quarter, off = angle / 2 - quarter;
+  const Theorem late = assume(le(2, j));
+  const Theorem off_from_0 = linear(le(0, off), {times(late, psi())});
+  const Theorem rises =
+      equation(sin(angle), sin(psi() / 2) + 2 * cos(middle) * sin(off), {}, {middle, off});
+  const Theorem product =
+      times(linear(le(0, cos(middle)),
+                   {cosine_falls(linear(le(middle, pi() / 2), {near}), {near, from_turn}),
+                    axiom("cos pi/2")}),
+            sine_not_negative(off_from_0, linear(le(off, pi()), {near})));
+  const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
+  book.show("t_at_most", "", "where from the second collision of A on",
+            linear(le(T, S), {S_is, rises, product, double_t, times(positive(cos(psi() / 2)), T)}));
+}
+}  // namespace derivation
