@@ -80,7 +80,7 @@ private:
       const Result& r = p.results[i];
       const std::string bound = r.name + ": " + in_words(program, a.outputs[i]) + "\n";
       if (r.kind == Result::real) e += "  OUTPUT " + bound;
-      if (r.kind == Result::sign) e += "  SIGN " + bound;
+      if (r.kind == Result::sign || r.kind == Result::divisor) e += "  SIGN " + bound;
       const bool is_said = r.kind == Result::real && t.name() == "Accurate";
       if (is_said) result.bounds.push_back(bound.substr(0, bound.size() - 1));
     }
@@ -214,7 +214,7 @@ private:
       const std::string test = "    doubt = doubt + doubt_of_";
       if (r.kind == Result::real) {
         line("    " + r.name + " = arithmetic::rounded_by<Tier>(" + x + bound_of(i) + ", doubt);");
-      } else if (r.kind == Result::sign) {
+      } else if (r.kind != Result::guard) {
         line(test + "sign(" + x + bound_of(i) + ");");
       } else {
         line(test + "range(" + x + hex(r.range.low) + ", " + hex(r.range.high) + ");");
@@ -224,7 +224,7 @@ private:
   std::string bound_of(std::size_t i) const {
     const std::string& code = bounds_of[i];
     if (code.empty()) return "T{}";
-    return code.find(' ') == std::string::npos ? "N::all(" + code + ")" : code;
+    return code.find(' ') == std::string::npos ? "N::magnitude_of(N::all(" + code + "))" : code;
   }
 };
 }  // namespace

@@ -13,13 +13,20 @@ namespace {
 /// Ranges and facts are of exact values; computed ones are within this of them, relatively, and
 /// `and_more` allows for that.
 constexpr double close = 0x1p-22;
+/// What has no relative bound but is tested to be above this many times its error may divide: its
+/// error is below `close` of it, then, with half of that to spare for the test's own roundings.
+constexpr double clear = 2 / close;
 
 class Analyst {
 public:
   Analysis a;
 
   Analyst(const Program& program, const NumberType& type, Plan& plan)
-      : p(program), t(type), absorber(program, plan), is_spread(program.nodes.size(), false) {}
+      : p(program),
+        t(type),
+        absorber(program, plan),
+        is_spread(program.nodes.size(), false),
+        is_tested(program.nodes.size(), false) {}
 
   void node(int k) {
     const Node& n = p[k];
@@ -47,6 +54,14 @@ public:
     if (r.kind == Result::whole || r.kind == Result::guard) return a.outputs.push_back({});
     check_no_spill(k);
     Form f = error(k);
+    if (r.kind == Result::divisor) {
+      for (auto& [sizes, c] : f) c *= clear * and_more;
+      const auto least = f.find({});
+      if (least == f.end() || least->second < p[k].range.low) {
+        throw Refused(p[k].name + " may be below its range and pass the test of a divisor");
+      }
+      return a.outputs.push_back(absorber.absorbed(f));
+    }
     const bool is_exact = f.empty() && t.is_pair() && low(k) <= t.u;
     if (r.kind == Result::sign) {
       // The sign is that of the high part; of one part, a unit is allowed for the comparison.
@@ -67,6 +82,7 @@ private:
   const NumberType& t;
   Absorber absorber;
   std::vector<bool> is_spread;  // products without a relative bound: sized as their factors are
+  std::vector<bool> is_tested;  // close to exact values by the test of a divisor, not by a bound
 
   const Form& error(int k) const { return a.error[std::size_t(k)]; }
   double low(int k) const { return a.loose[std::size_t(k)]; }
@@ -81,12 +97,22 @@ private:
   }
   void add_loss(Form& f, double loss, int node) const { add_sized(f, {{{}, loss}}, node); }
 
+  /// The error of k against the size of a value that is known to be as large as all its terms'.
+  std::optional<double> of_parts(int k, int whole) const {
+    double sum = 0;
+    for (const auto& [sizes, c] : error(k)) {
+      if (sizes.size() != 1 || !absorber.is_below(sizes[0], whole)) return {};
+      sum += c;
+    }
+    return sum;
+  }
   /// |computed - exact| / |computed|, where that is bounded.
   std::optional<double> relative(int k) const {
     const Form& f = error(k);
     if (f.empty()) return 0.0;
     const auto [sizes, by] = size_of(p, k, is_spread);
     if (f.size() == 1 && f.begin()->first == sizes && by > 0) return f.begin()->second / by;
+    if (const std::optional<double> r = of_parts(k, k)) return *r * and_more;
     const double least = p[k].range.least();
     if (least <= 0) return {};
     const Form c = absorber.constant(f);
@@ -102,7 +128,7 @@ private:
   }
   void check_close(int k) const {
     const Form& f = error(k);
-    if (f.empty()) return;
+    if (f.empty() || is_tested[std::size_t(k)]) return;
     const std::optional<double> r = relative(k);
     const double off = r ? *r : absorber.bounded(f) / p[k].range.size();
     if (!(off <= close)) throw Refused(p[k].name + " is too far off for its range to be used");
@@ -111,15 +137,11 @@ private:
   void use_fact(const SizeFact& fact) {
     for (int k : {fact.small, fact.large}) {
       if (fact.is_of_computed) break;
-      const std::optional<double> r = relative(k);
-      double off = r ? *r : 0;
-      for (const auto& [sizes, c] : error(k)) {
-        if (r) break;
-        const bool is_part = sizes.size() == 1 && absorber.is_below(sizes[0], fact.large);
-        if (!is_part) throw Refused("a fact is not known of computed values of " + p[k].name);
-        off += c;
+      std::optional<double> off = relative(k);
+      if (!off) off = of_parts(k, fact.large);
+      if (!off || !(*off <= close)) {
+        throw Refused("a fact is not known of computed values of " + p[k].name);
       }
-      if (!(off <= close)) throw Refused("a fact is not known of computed values of " + p[k].name);
     }
     absorber.know(fact.small, fact.large);
   }
@@ -187,6 +209,11 @@ private:
         take(t.product(low(x)));
         break;
       case Op::quotient: {
+        if (is_divisor(y)) {
+          per_divisor(f, k, x, y);
+          take(t.quotient(low(x), low(y)));
+          break;
+        }
         const double of_y = needed(y) * and_more;
         if (const std::optional<double> r = relative(x)) {
           add_loss(f, (*r + of_y) * and_more, k);
@@ -249,9 +276,24 @@ private:
       return;
     }
     is_spread[std::size_t(k)] = true;
+    // No larger than the ranges of both say, then.
+    is_tested[std::size_t(k)] = is_tested[std::size_t(x)] || is_tested[std::size_t(y)];
     add_sized(f, error(x), y);
     add_sized(f, error(y), x);
     for (const auto& [sizes, c] : error(x)) add(f, error(y), c, sizes);
+  }
+  bool is_divisor(int k) const {
+    return std::any_of(p.results.begin(), p.results.end(),
+                       [&](const Result& r) { return r.kind == Result::divisor && r.node == k; });
+  }
+  /// q = c/y, c a constant, y off by E < |y| 2^-23, which is tested: |c/(y + E) - c/y| is
+  /// |q| E/|y|, y exact, so at most E |q|^2/|c| and a bit, q computed.
+  void per_divisor(Form& f, int k, int x, int y) {
+    if (p[x].op != Op::constant || !p[x].is_exact) {
+      throw Refused("a quotient of no constant by " + p[y].name + ", which is tested");
+    }
+    add(f, error(y), and_more / p[x].range.size(), {k, k});
+    is_tested[std::size_t(k)] = true;
   }
   void sine_or_cosine(Form& f, int k, int x, const Form& angle, double of_turn) {
     const double top = absorber.most(x);

@@ -76,6 +76,7 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
   for (const Condition& g : c.guards) {
     parts.push_back(g.name + " between " + hex(g.range.low) + " and " + hex(g.range.high));
   }
+  for (const std::string& d : c.divisors) parts.push_back(d + " above 2^23 times its error");
   return joined(parts, ", ");
 }
 std::vector<Output> outputs_of(const Case& c) {

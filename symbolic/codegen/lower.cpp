@@ -50,6 +50,12 @@ public:
       builder.narrow(k, g.range);
       builder.program.results.push_back({Result::guard, g.name, k, g.range});
     }
+    for (const std::string& d : c.divisors) {
+      if (d != name.name()) continue;
+      // What is above 2^23 times the errors of pairs is above that: the analysis sees to it.
+      builder.narrow(k, {domain.is_wide ? 0x1p-500 : 0x1p-100, builder[k].range.high});
+      builder.program.results.push_back({Result::divisor, d, k});
+    }
     for (const Fact& f : c.facts) use_fact(f);
   }
   void output(const Theorem& t) {
@@ -75,6 +81,9 @@ public:
     for (const Condition& g : c.guards) {
       if (named.count(g.name) == 0)
         throw Refused("a guard on " + g.name + ", which has no definition");
+    }
+    for (const std::string& d : c.divisors) {
+      if (named.count(d) == 0) throw Refused("a divisor " + d + ", which has no definition");
     }
     for (const Fact& f : c.facts) {
       if (used.count(f.formula) == 0) {

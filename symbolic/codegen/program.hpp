@@ -52,8 +52,9 @@ struct Result {
   enum Kind {
     whole,
     real,
-    sign,  ///< positive, or the row is left in doubt
-    guard  ///< within its open range, or the row is left in doubt
+    sign,    ///< positive, or the row is left in doubt
+    guard,   ///< within its open range, or the row is left in doubt
+    divisor  ///< above 2^23 times its error, or the row is left in doubt
   } kind;
   std::string name;
   int node;

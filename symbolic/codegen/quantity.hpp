@@ -54,6 +54,9 @@ struct Case {
   std::vector<Fact> facts;
   /// Named nodes that must be within their open intervals; else the row is left in doubt.
   std::vector<Condition> guards;
+  /// Named nodes that must be above 2^23 times the bound of their errors; else as above. They
+  /// are the divisors without a relative bound.
+  std::vector<std::string> divisors = {};
 };
 /// |- f(params, 0) = .., f(params, 1) = .., f(params, 2*m) by f(params, m), and f(params, 2*m + 1)
 /// by f(params, m), f(params, m + 1) and f(params, 1), for every integer m.

@@ -80,6 +80,7 @@ void collision_forms(Names& names, const Angle& a) {
       linear(le(0, S), {S_is, sine_not_negative(from_turn, linear(le(angle, pi()), {near}))});
   const Theorem C_positive = linear(lt(0, C), {C_is, tS_is, is_positive, times(S_from_0, T)});
   const Theorem sine_positive = linear(lt(0, sine), {sine_is, S_from_0, times(C_positive, T)});
+  book.show("sine_positive", "", "and so is", sine_positive);
   const Known divisors({sine_positive, is_positive, takes_place});
   const auto divided = [&](const char* symbol, Expr value, const char* words) {
     return book.name(symbol, inputs, value,
@@ -89,6 +90,9 @@ void collision_forms(Names& names, const Angle& a) {
   const Theorem per_next = divided("per_next", 1 / cosine, "and");
   const Theorem ratio = divided("sine_ratio", S / sine, "and");
   const Theorem t_ratio = divided("t_ratio", T / sine, "and");
+  const Theorem more = linear(lt(0, sine - S), {sine_is, times(C_positive, T)});
+  book.show("ratio_at_most", "", "where",
+            linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));
   // cos(psi/4)^2 (1 + t^2) = 1
   const Theorem square =
       cancel(eq(power(cos(quarter), 2) * of_alpha("z"), 1 - power(cos(quarter), 2)), {c},

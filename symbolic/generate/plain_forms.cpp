@@ -103,6 +103,7 @@ std::string labels(const std::string& quantity) {
       {"magic", "exact:ak"},
       {"deficient", "exact:bk"},
       {"angle", "def:psi"},
+      {"collision", "table:trig"},
       {"Gamma_A", "eq:Gamma"},
       {"Gamma_B", "eq:Gamma"},
       {"Lambda", "eq:Lambda"},
@@ -146,7 +147,7 @@ std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evalu
   for (PlainForm& f : restitution(s)) all.push_back(std::move(f));
   // The evaluators' theorems where alpha < 1; they hold everywhere.
   for (Quantity q : evaluators) {
-    if (q.name == "magic" || q.name == "deficient") continue;
+    if (q.name == "magic" || q.name == "deficient" || q.name == "collision") continue;
     q.inputs = {q.name == "terminal" ? alpha(0x1p-100, 0x1p100) : mass};
     if (q.name == "velocities") q.inputs.push_back(n);
     q.cases = {{"all", {}, q.cases[0].definitions, q.cases[0].outputs, {}, {}}};

@@ -79,6 +79,15 @@ std::vector<Quantity> evaluators(Source& source) {
           "def_w_cosine def_t_plus def_t_minus def_w_plus def_b_form "
           "-> evaluators_end.N_A N_B terminal/0 terminal/1 terminal/2 rho" +
           about + "evaluators_end.sine_at_most t_cosine_at_most");
+  Case collision = source.of(
+      "small", {light, {"j", {2, 0x1p63}}},
+      angle +
+          "evaluators_collision.def_half_phase def_half_sine def_t_half_sine def_next_cosine "
+          "def_half_cosine def_next_sine def_per_next def_sine_ratio def_t_ratio "
+          "-> evaluators_collision.when apart" +
+          about + "evaluators_collision.t_at_most sine_positive ratio_at_most");
+  collision.guards = {{"half_phase", {-0.001, 1.5708}}};
+  collision.divisors = {"next_cosine"};
   return {
       made("velocities",
            {{alpha, {0x1p-300, 0x1p300}, {smallest, largest}},
@@ -86,7 +95,13 @@ std::vector<Quantity> evaluators(Source& source) {
            {velocities, source.of("first", {heavy, {"n", {1, 1}}}, share + "heavy.a b c c_prime")}),
       made("terminal", {{alpha, {0x1p-100, 0x1p300}, {smallest, largest}}},
            {terminal, source.of("first", {heavy}, share + "heavy.N_A N_B a_t b_t c_t rho")}),
-      ratio("magic", 2), ratio("deficient", 1),
+      ratio("magic", 2),
+      ratio("deficient", 1),
+      made("collision",
+           {{alpha, {0x1p-300, 0x1p300}, {smallest, largest}},
+            {kernel::integer("j"), {1, 0x1p50}, {1, 0x1p63}}},
+           {collision,
+            source.of("first", {{"j", {1, 1}}}, "-> evaluators_collision.when_1 apart_1")}),
       made("angle", {{alpha, {0x1p-300, 1}, {smallest, 1}}},
            {source.of("small", {}, angle + "-> evaluators.psi" + about)})};
 }

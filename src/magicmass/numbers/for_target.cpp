@@ -2,6 +2,7 @@
 // Compiled once for each instruction set. No function of the standard library here: the linker
 // might keep this target's copy of an inline one for all.
 #include "magicmass/evaluators/angle.hpp"
+#include "magicmass/evaluators/collision.hpp"
 #include "magicmass/evaluators/deficient.hpp"
 #include "magicmass/evaluators/magic.hpp"
 #include "magicmass/evaluators/terminal.hpp"
@@ -65,6 +66,13 @@ bool counts(Counts& result, double alpha) {
   generated::TerminalOutputs v{};  // what is not returned is not computed: nothing else is tested
   const double doubt = attempt<generated::Terminal, generated::Fast>({alpha}, v);
   result = {v.N_A, v.N_B};
+  return doubt == 0.0;
+}
+template <class Tier>
+bool collision(Collision& result, double alpha, std::int64_t j) {
+  generated::CollisionOutputs v{};
+  const double doubt = attempt<generated::Collision, Tier>({alpha, j}, v);
+  result = {v.when, v.apart};
   return doubt == 0.0;
 }
 /// A quantity of one input and one output.
@@ -145,6 +153,7 @@ const Kernels table{lanes == 8   ? "avx512"
                     {velocities<Fast>, velocities<Accurate>, velocities<Slow>},
                     {terminal<Fast>, terminal<Accurate>, terminal<Slow>},
                     counts,
+                    {collision<Fast>, collision<Accurate>, collision<Slow>},
                     {angle<Fast>, angle<Accurate>, angle<Slow>},
                     {magic<Fast>, magic<Accurate>, magic<Slow>},
                     {deficient<Fast>, deficient<Accurate>, deficient<Slow>},

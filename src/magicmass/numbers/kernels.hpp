@@ -33,6 +33,7 @@ struct Kernels {
   bool (*velocities[3])(Velocities& result, double alpha, std::int64_t n);
   bool (*terminal[3])(Terminal& result, double alpha);
   bool (*counts)(Counts& result, double alpha);
+  bool (*collision[3])(Collision& result, double alpha, std::int64_t j);
   bool (*angle[3])(double& result, double alpha);
   bool (*magic[3])(double& result, std::int64_t k);
   bool (*deficient[3])(double& result, std::int64_t k);

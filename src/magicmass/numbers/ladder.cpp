@@ -39,13 +39,15 @@ std::optional<Terminal> open_terminal(Tier tier, double alpha) {
   constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
   return t && t->counts.N_A <= most - t->counts.N_B ? t : std::nullopt;
 }
-/// N_A, or the largest integer there is.
-std::int64_t last_cycle(double alpha) {
+/// Each is the largest integer there is where it is that or more.
+Counts counts_or_most(double alpha) {
   Counts c;
-  if (kernels().counts(c, alpha)) return c.N_A;
+  if (kernels().counts(c, alpha)) return c;
   const std::optional<Terminal> t = settled_terminal(fast, alpha);
-  return t ? t->counts.N_A : std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+  return t ? t->counts : Counts{most, most};
 }
+std::int64_t last_cycle(double alpha) { return counts_or_most(alpha).N_A; }
 [[gnu::noinline]] std::optional<Velocities> open_velocities(Tier tier, double alpha,
                                                             std::int64_t n) {
   if (!is_mass_ratio(alpha) || n < 0) return std::nullopt;
@@ -64,6 +66,18 @@ void check(double alpha) {
   check(alpha);
   throw InvalidInput("n must be from 0 to N_A = " + std::to_string(last_cycle(alpha)) + ", got " +
                      std::to_string(n));
+}
+Collision collision(Tier tier, double alpha, std::int64_t j) {
+  if (const auto c = certain(kernels().collision, tier, alpha, j)) return *c;
+  check(alpha);
+  if (j == 0) return {0, 1};
+  const Counts counts = counts_or_most(alpha);
+  const std::uint64_t last = std::uint64_t(counts.N_A) + std::uint64_t(counts.N_B) - 1;
+  if (j < 0 || std::uint64_t(j) > last) {
+    throw InvalidInput("j must be from 0 to N_A + N_B - 1 = " + std::to_string(last) + ", got " +
+                       std::to_string(j));
+  }
+  return collision_by_mpfr(alpha, j);
 }
 double angle(Tier tier, double alpha) {
   check(alpha);
@@ -126,6 +140,12 @@ std::optional<Terminal> accurate::terminal(double alpha) {
 }
 std::optional<Terminal> fast::terminal(double alpha) {
   return numbers::terminal_or_throw(numbers::fast, alpha);
+}
+Collision accurate::collision(double alpha, std::int64_t j) {
+  return numbers::collision(numbers::accurate, alpha, j);
+}
+Collision fast::collision(double alpha, std::int64_t j) {
+  return numbers::collision(numbers::fast, alpha, j);
 }
 double accurate::angle(double alpha) { return numbers::angle(numbers::accurate, alpha); }
 double fast::angle(double alpha) { return numbers::angle(numbers::fast, alpha); }

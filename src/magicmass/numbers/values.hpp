@@ -30,6 +30,13 @@ struct Terminal {
   double rho = 0;
   friend bool operator==(const Terminal&, const Terminal&) = default;
 };
+/// When collision j takes place, and how far apart A and B are then, in units of L/V and L: their
+/// distance L at the first collision, A's and the ball's, which is number 0 at time 0.
+struct Collision {
+  double t = 0;
+  double s = 0;
+  friend bool operator==(const Collision&, const Collision&) = default;
+};
 /// alpha_k and beta_k.
 struct Ratios {
   double magic = 0;

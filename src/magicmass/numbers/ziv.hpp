@@ -12,6 +12,8 @@ namespace magicmass::numbers {
 Velocities velocities_by_mpfr(double alpha, std::int64_t n);
 /// alpha > 0 with N_A, N_B < 2^63.
 Terminal terminal_by_mpfr(double alpha);
+/// alpha > 0, 1 <= j < N_A + N_B.
+Collision collision_by_mpfr(double alpha, std::int64_t j);
 /// alpha > 0.
 double angle_by_mpfr(double alpha);
 /// k >= 2.
