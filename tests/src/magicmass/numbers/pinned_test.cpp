@@ -54,6 +54,10 @@ void check_terminal(double alpha) {
   CHECK(near.counts == *counts);
   CHECK(envelopes_of(near, alpha) <= 4);
 }
+void check_collision(double alpha, std::int64_t j) {
+  CHECK(accurate::collision(alpha, j) == collision_by_oracle(alpha, j));
+  CHECK(envelopes_of(fast::collision(alpha, j), alpha, j) <= 4);
+}
 void check_ratios(std::int64_t k) {
   const Ratios exact = ratios_by_oracle(k);
   CHECK(accurate::ratios(k) == exact);
@@ -69,13 +73,15 @@ void check_angle(double alpha) {
 
 TEST_CASE("pinned inputs") {
   const std::vector<Pin> all = pins();
-  CHECK(all.size() == 74);
+  CHECK(all.size() == 114);
   for (const Pin& pin : all) {
     INFO(pin.quantity << " at " << in_hex(pin.alpha) << ", " << pin.index);
     if (pin.quantity == "velocities") {
       check_velocities(pin.alpha, pin.index);
     } else if (pin.quantity == "terminal") {
       check_terminal(pin.alpha);
+    } else if (pin.quantity == "collision") {
+      check_collision(pin.alpha, pin.index);
     } else if (pin.quantity == "ratios") {
       check_ratios(pin.index);
     } else {
