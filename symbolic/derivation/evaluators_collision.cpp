@@ -90,6 +90,7 @@ void collision_forms(Names& names, const Angle& a) {
   const Theorem per_next = divided("per_next", 1 / cosine, "and");
   const Theorem ratio = divided("sine_ratio", S / sine, "and");
   const Theorem t_ratio = divided("t_ratio", T / sine, "and");
+  const Theorem of_time = divided("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"), "and");
   const Theorem more = linear(lt(0, sine - S), {sine_is, times(C_positive, T)});
   book.show("ratio_at_most", "", "where",
             linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));
@@ -104,12 +105,11 @@ void collision_forms(Names& names, const Angle& a) {
     const Theorem t =
         cut(takes_place, cut(linear(le(0, 1)), book["encounters." + std::string(id)]));
     const Theorem is = rewrite(above, rewrite(after, t));
-    book.show(
-        id, "", words,
-        cancel(eq(is.conclusion().arg(0), form), {c, c}, {is, square, per_next, ratio, t_ratio}));
+    book.show(id, "", words,
+              cancel(eq(is.conclusion().arg(0), form), {c, c},
+                     {is, square, per_next, ratio, of_time, t_ratio}));
   };
-  show("when", "In these terms", before,
-       L / V * ((1 + of_alpha("z")) * of_j("sine_ratio") * C * of_j("per_next")));
+  show("when", "In these terms", before, L / V * (of_j("time_ratio") * C * of_j("per_next")));
   show("apart", "and", step, L * (of_j("t_ratio") * of_j("per_next")));
 
   // From the second collision of A on, sin(angle) >= sin(psi/2) = t (1 + cos(psi/2)).

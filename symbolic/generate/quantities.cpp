@@ -83,7 +83,7 @@ std::vector<Quantity> evaluators(Source& source) {
       "small", {light, {"j", {2, 0x1p63}}},
       angle +
           "evaluators_collision.def_half_phase def_half_sine def_t_half_sine def_next_cosine "
-          "def_half_cosine def_next_sine def_per_next def_sine_ratio def_t_ratio "
+          "def_half_cosine def_next_sine def_per_next def_sine_ratio def_time_ratio def_t_ratio "
           "-> evaluators_collision.when apart" +
           about + "evaluators_collision.t_at_most sine_positive ratio_at_most");
   collision.guards = {{"half_phase", {-0.001, 1.5708}}};

@@ -48,15 +48,15 @@ template <> inline constexpr double CollisionSmallBounds<Ziv>[6] = {0x1.034768a0
 /// collision, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, j from 2 to 1125899906842624,
 ///   half_phase between -0x1.0624dd2f1a9fcp-10 and 0x1.921ff2e48e8a7p+0, next_cosine above 2^23
 ///   times its error.
-/// Theorem: when_j = 1*inv(1)*((1 + z)*sine_ratio_j*half_cosine_j*per_next_j)
+/// Theorem: when_j = 1*inv(1)*(time_ratio_j*half_cosine_j*per_next_j)
 /// Theorem: apart_j = 1*(t_ratio_j*per_next_j)
 /// z <= 1/3: a theorem
 /// t^2 = z: a theorem
 /// t <= half_sine_j: a theorem
 /// 0 < next_sine_j: a theorem
 /// sine_ratio_j <= 1: a theorem
-/// Accurate is off by at most when: 2^-73.9 |half_cosine| |per_next| |per_next| |t6| + 2^-145.4
-///   |per_next| |per_next| |t6| + 2^-71.5 |per_next| |t6|
+/// Accurate is off by at most when: 2^-73.9 |half_cosine| |per_next| |per_next| |time_ratio| +
+///   2^-145.4 |per_next| |per_next| |time_ratio| + 2^-71.5 |per_next| |time_ratio|
 /// Accurate is off by at most apart: 2^-73.9 |per_next| |per_next| |t_ratio| + 2^-72.9 |per_next|
 ///   |t_ratio|
 /// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 4,
@@ -125,14 +125,15 @@ struct CollisionSmall {
     const N per_next = quotient(N::all(0x1p+0), next_cosine);
     // sine_ratio_j = half_sine_j/next_sine_j
     const N sine_ratio = quotient(half_sine, next_sine);
+    // time_ratio_j = (1 + z)*sine_ratio_j
+    const N time_ratio = t5 * sine_ratio;
     // t_ratio_j = t/next_sine_j
     const N t_ratio = quotient(t, next_sine);
-    const N t6 = t5 * sine_ratio;
-    const N t7 = t6 * half_cosine;
-    const N of_when = t7 * per_next;
+    const N t6 = time_ratio * half_cosine;
+    const N of_when = t6 * per_next;
     const N of_apart = t_ratio * per_next;
     when = arithmetic::rounded_by<Tier>(of_when, N::magnitude_of(leading(per_next)) *
-        (N::magnitude_of(leading(t6)) * (N::magnitude_of(leading(per_next)) *
+        (N::magnitude_of(leading(time_ratio)) * (N::magnitude_of(leading(per_next)) *
         (N::magnitude_of(leading(half_cosine)) * E[0] + E[1]) + E[2])), doubt);
     apart = arithmetic::rounded_by<Tier>(of_apart, N::magnitude_of(leading(per_next)) *
         (N::magnitude_of(leading(t_ratio)) * (N::magnitude_of(leading(per_next)) * E[3] + E[4])),

@@ -22,8 +22,8 @@ Velocities velocities(double alpha, std::int64_t n);
 /// Counts, a_t, b_t, c_t, unit V, and rho. nullopt: N_A + N_B is 2^63 or more, alpha below about
 /// 5.8e-38.
 std::optional<Terminal> terminal(double alpha);
-/// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1, else throws
-/// InvalidInput; j = 0: 0, 1.
+/// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1 (j = 0: 0
+/// and 1), else throws InvalidInput.
 Collision collision(double alpha, std::int64_t j);
 /// psi, the angle of one cycle, in radians, below pi.
 double angle(double alpha);

@@ -14,16 +14,16 @@
 //   rational for alpha_1 = 1 alone (2 cos is one of 0, +-1, +-2), and alpha >= 1 is not counted.
 //   For the same reason no ratio but alpha_1, and no distance to another, is rational.
 //  Collisions: t_j = U_(j-1)/U_j and s_j = 1/U_j at u, with U_j = sin((j + 1) h)/sin(h), h = psi/2.
-//   For j = 1 both are (1 + alpha)/2, which two doubles hold; beyond them alpha is below 2^-300 or
-//   above 2^300, and the sum no tie. For j >= 2, alpha < 1 and 1 + alpha = p/2^m with p odd, p >= 3,
-//   m >= 1. U_j is a polynomial in 2u = Y/p, Y = 2^(m+1), with whole coefficients, the first is 1:
-//   N_j = p^j U_j is an integer that shares no factor with p, and s_j = p^j/N_j, t_j = p N_(j-1)/
-//   N_j. As N_j^2 - N_(j-1) N_(j+1) = p^(2j), N_j and N_(j-1) have no factor in common. So where one
-//   of t_j, s_j is dyadic, N_j is +-2^i. Let j + 1 = 2^a r, r odd; by U_(2k-1) = 2 T_k U_(k-1), N_j
-//   is N_(r-1) times p^k 2 T_k(u) for k = r, 2r, ..., 2^(a-1) r, all of them integers.
-//   r = 2k + 1 >= 3: N_2k = (N_k + p N_(k-1)) (N_k - p N_(k-1)) is odd, as U_2k ends in +-1 and Y is
-//   even, so both factors are +-1, and p >= 3 leaves N_(k-1) = 0; but 0 < k h < pi for k <= j.
-//   r = 1, a >= 2: 2 T_2 p^2 = Y^2 - 2 p^2 = 2 (2^(2m+1) - p^2) is +- a power of 2, and 2^(2m+1) -
+//   For j = 1 both are (1 + alpha)/2, which two doubles hold; MPFR has alpha below 2^-300 or above
+//   2^300 there, and no tie. For j >= 2, alpha < 1 and 1 + alpha = p/2^m, p odd, p >= 3, m >= 1.
+//   U_j is a polynomial in 2u = Y/p, Y = 2^(m+1), with whole coefficients, the first is 1: N_j =
+//   p^j U_j is an integer that shares no factor with p; s_j = p^j/N_j, t_j = p N_(j-1)/N_j. As
+//   N_j^2 - N_(j-1) N_(j+1) = p^(2j), N_j and N_(j-1) share none. So where t_j or s_j is dyadic,
+//   N_j is +-2^i. Let j + 1 = 2^a r, r odd; by U_(2k-1) = 2 T_k U_(k-1), N_j is N_(r-1) times
+//   p^k 2 T_k(u) for k = r, 2r, ..., 2^(a-1) r, all of them integers.
+//   r = 2k + 1 >= 3: N_2k = (N_k + p N_(k-1)) (N_k - p N_(k-1)) is odd, as U_2k ends in +-1 and Y
+//   is even; so both factors are +-1, and p >= 3 leaves N_(k-1) = 0; but 0 < k h < pi for k <= j.
+//   r = 1, a >= 2: p^2 2 T_2 = Y^2 - 2 p^2 = 2 (2^(2m+1) - p^2) is +- a power of 2, and 2^(2m+1) -
 //   p^2 is odd, so 2^(2m+1) = p^2 +- 1: p^2 + 1 is 2 mod 8, and (p - 1)(p + 1) such a power for
 //   p = 3 alone: alpha = 1/2, where only j <= 2 take place.
 //  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).

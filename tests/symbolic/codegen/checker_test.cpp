@@ -26,6 +26,7 @@ using kernel::Op;
 using test::Enclosure;
 using test::Printed;
 constexpr double u = 0x1p-53;
+constexpr double clear = 0x1p23;      // a divisor is tested to be so many times its error
 constexpr double printed_up = 0.933;  // exponents are printed up to the next 0.1
 
 struct Value {
@@ -42,7 +43,8 @@ public:
   std::map<Expr, Value> known;
   std::map<std::string, double> sizes;  // of named values
   std::map<std::string, Value> signs;
-  std::map<Expr, Expr> squares;  // what an arctangent's argument squared is
+  std::map<std::string, Value> named;  // as far off as is printed
+  std::map<Expr, Expr> squares;        // what an arctangent's argument squared is
 
   explicit Point(const NumberType& type) : t(type) {}
   Value of(Expr e) {
@@ -59,6 +61,7 @@ public:
     if (const auto step = steps.find("STEP " + name.name()); step != steps.end()) {
       v.off = std::max(v.off, test::evaluated(step->second, sizes, v.size()) * printed_up);
     }
+    named[name.name()] = v;
     return found;
   }
 
@@ -210,6 +213,10 @@ Point draw(const codegen::Quantity& q, const codegen::Case& c, const NumberType&
           for (const codegen::Condition& g : c.guards) {
             if (g.name == name && !(found.size() < g.range.high)) return false;
           }
+          for (const std::string& d : c.divisors) {
+            if (d == name && !(found.x.low > codegen::exact(clear * p.named.at(d).off)))
+              return false;
+          }
           seen("STEP " + name, found, p);
           return true;
         });
@@ -232,15 +239,20 @@ std::map<std::string, double> margins(const codegen::Quantity& q, const codegen:
     double& least = r.insert({name, margin}).first->second;
     least = std::min(least, margin);
   };
-  for (int row = 0; row < 150; ++row) {
+  for (int row = 0; row < (c.divisors.empty() ? 150 : 1000); ++row) {
     Point p = draw(q, c, {u, &tier}, random, bounds, seen);
     for (const kernel::Theorem& t : c.outputs) {
       const Expr output = t.conclusion().arg(0);
       const std::string name = output.name() == "c'" ? "c_prime" : output.name();
       Value v = p.of(t.conclusion().arg(1));
       if (output.sort() == kernel::Sort::Int) continue;
-      v.off += u * v.loose * v.size();
+      if (v.off > 0 || v.loose > u) v.off += u * v.loose * v.size();
       seen("OUTPUT " + name, v, p);
+    }
+    for (const std::string& name : c.divisors) {
+      Value v = p.named.at(name);
+      v.off *= clear;
+      seen("SIGN " + name, v, p);
     }
     for (auto [name, v] : p.signs) {
       v.off += v.loose * v.size();
@@ -248,7 +260,7 @@ std::map<std::string, double> margins(const codegen::Quantity& q, const codegen:
     }
   }
   for (const auto& [name, bound] : bounds) {
-    if (!name.starts_with("STEP ")) CHECK(r.count(name) == 1);
+    if (!name.starts_with("STEP ") && !bound.starts_with("0 ")) CHECK(r.count(name) == 1);
   }
   return r;
 }

@@ -62,7 +62,8 @@ TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
       const std::string list = t[3];
       const double unit = t[2] == "Ziv" ? 0x1p-100 : 1;  // the text is of numbers of 100 bits
       for (const std::smatch& c : all(list, constant))
-        in_code.insert(codegen::as_power_of_2(std::stod(c[0]) * unit));
+        if (std::stod(c[0]) > 0)  // other types have an error there
+          in_code.insert(codegen::as_power_of_2(std::stod(c[0]) * unit));
       const std::size_t from = e.errors.find(t.str(1) + ", " + t.str(2) + "\n");
       std::istringstream lines(e.errors.substr(from, e.errors.find("\n\n", from) - from));
       for (std::string line; std::getline(lines, line);) {

@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "codegen/emit_evaluator.hpp"
 #include "codegen/errors.hpp"
+#include "codegen/exact.hpp"
 #include "codegen/lower.hpp"
 #include "kernel/theorem.hpp"
 
@@ -53,6 +54,31 @@ TEST_CASE("H1: an arctangent of what has no relative bound is refused, not calle
   refuses(q, "no relative error bound");
   q.inputs[0].range = {1, 1.5};  // the difference is at least 1/28 there
   CHECK(analysis(q).outputs.size() == 1);
+}
+TEST_CASE("what has no relative bound divides only where it is tested") {
+  const Theorem y = definition(1 / (2 + alpha) - Expr(1) / Expr(4));
+  const Expr of_y = y.conclusion().arg(0);
+  const auto over = [&](Expr above, double least = 0x1p-90) {
+    Quantity q = quantity(definition(above / of_y), {1, 2});
+    q.cases[0].definitions = {y};
+    q.cases[0].facts = {{le(Expr(codegen::exact(least)), of_y), "a test"}};
+    return q;
+  };
+  Quantity q = over(1);
+  refuses(q, "no relative error bound");
+  q.cases[0].divisors = {of_y.name()};
+  const codegen::Analysis a = analysis(q);
+  CHECK(a.outputs.at(1).begin()->second > 0x1p23 * 0x1p-110);
+  CHECK_THAT(codegen::emit_evaluator(q).header,
+             ContainsSubstring("doubt_of_sign(" + of_y.name() + ", "));
+  q.cases[0].divisors.push_back("nobody");
+  refuses(q, "a divisor nobody, which has no definition");
+  Quantity other = over(alpha);
+  other.cases[0].divisors = {of_y.name()};
+  refuses(other, "a quotient of no constant");
+  other = over(1, 0x1p-60);
+  other.cases[0].divisors = {of_y.name()};
+  refuses(other, "may be below its range and pass the test");
 }
 TEST_CASE("H2: a rational that is no double has its error") {
   CHECK(bound(quantity(definition(alpha / 4))) == 0);

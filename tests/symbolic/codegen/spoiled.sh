@@ -54,6 +54,12 @@ errors.cpp|s/add(f, plain, and_more);/;/
 errors.cpp|s/add_sized(f, error(x), y);$/;/
 errors.cpp|s/add_sized(f, error(y), x);/;/
 errors.cpp|s/take(n.op == Op::sine ? of.sine : of.cosine);/loose = 0x1p-50;/
+errors.cpp|s/add(f, error(y), and_more \/ p/add(f, error(y), 0.5 * and_more \/ p/
+errors.cpp|s/add(f, error(y), and_more \/ p.*$/;/
+errors.cpp|s/{k, k});$/{k});/
+errors.cpp|s/clear = 2 \/ close/clear = 1 \/ close/
+errors.cpp|s/least->second < p\[k\].range.low/least->second < 0/
+errors.cpp|s/if (is_divisor(y)) {/if (p[x].op == Op::constant) {/
 errors.cpp|s/add_loss(f, t.is_pair() ? low(k) : t.u, k);/;/
 form.cpp|s/f\[into\] += \*of_part/f[into] += 0.01 * *of_part/
 form.cpp|s/by \*= most(v);$/by *= 0.25 * most(v);/

@@ -57,6 +57,8 @@ TEST_CASE("false statements are seen") {
       {"minima.minimum", "b_t(beta_k, V) < b_t", "b_t < b_t(beta_k, V)"},
       {"minima.at_least", "<=", "<"},
       {"small_alpha.psi_bounds", "5*alpha/12", "4*alpha/12"},
+      {"evaluators_collision.takes_place", "j < N", "j + 1 < N"},
+      {"evaluators_collision.apart", "L*", "2*L*"},
       {"orthogonal.rotation", "o_21/(1 + o_11)", "o_12/(1 + o_11)"},
       {"orthogonal.lambda_n", "m_21/(1 + m_11)", "m_12/(1 + m_11)"},
       {"orthogonal.lambda_n", "lambda_3(pi)", "lambda_3(0)"},
