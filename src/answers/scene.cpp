@@ -8,7 +8,7 @@
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "magicmass/numbers/errors.hpp"
-#include "magicmass/scenes/run.hpp"
+#include "magicmass/scenes/trajectory.hpp"
 
 namespace answers {
 namespace {
@@ -80,7 +80,7 @@ Cell object_cell(const std::vector<std::pair<std::string, Cell>>& members) {
 }
 
 Fields plan_fields(const Result& result) {
-  return {{{"model", Type::text, "", "theorem: counted; events: collision by collision"},
+  return {{{"model", Type::text, "", "theorem, transfers: counted; events: collision by collision"},
            text_cell(result.plan.model)},
           {{"reason", Type::text, "", "why that one"}, text_cell(result.plan.reason)},
           {{"events", Type::whole, "", "collisions; none where they never end"},
@@ -141,53 +141,90 @@ Fields head_fields(const Asked& asked) {
 
 using Write = std::function<void(std::string_view)>;
 
-/// All collisions, some thousand at a time.
-void write_events(const Asked& asked, Writer writer, bool is_text, const Write& write) {
-  constexpr std::size_t rows_at_once = 4096;
-  const bool exact = asked.options.exact;
-  const auto shown = is_text ? short_cell : number_cell;
-  std::vector<Row> block;
-  bool is_first = true;
-  const auto flush = [&] {
-    write(writer.rows(block));
-    block.clear();
-    is_first = false;
-  };
-  stream(asked.scene, asked.options, asked.result.plan, [&](const auto& event) {
+/// Rows as they come, written some thousand at a time.
+class Rows {
+public:
+  Rows(Format format, const std::vector<Column>& columns, Write write)
+      : writer_(format, columns, true),
+        write_(std::move(write)),
+        cell_(format == Format::text ? short_cell : number_cell) {}
+  Cell number(const Number& value, bool exact) const { return cell_(value, exact); }
+  void add(Row row) {
+    constexpr std::size_t rows_at_once = 4096;
+    block_.push_back(std::move(row));
+    if (block_.size() == rows_at_once) flush();
+  }
+  void end() {
+    if (is_first_ || !block_.empty()) flush();
+    write_(writer_.end());
+  }
+
+private:
+  Writer writer_;
+  Write write_;
+  Cell (*cell_)(const Number&, bool exact);
+  std::vector<Row> block_;
+  bool is_first_ = true;
+
+  void flush() {
+    write_(writer_.rows(block_));
+    block_.clear();
+    is_first_ = false;
+  }
+};
+
+/// Of all collisions those that the scene wants to see.
+void write_events(const Asked& asked, Rows rows) {
+  const Scene& scene = asked.scene;
+  const auto shown = [&](const Number& value) { return rows.number(value, asked.options.exact); };
+  stream(scene, asked.options, asked.result.plan, [&](const auto& event) {
+    if (event.number % scene.every != 0) return;
     const auto name = [&](std::size_t body, bool is_there) {
-      return text_cell(is_there ? body_name(asked.scene, body) : "wall");
+      return text_cell(is_there ? body_name(scene, body) : "wall");
     };
-    block.push_back({whole_cell(event.number), name(event.gap - 1, event.gap > 0),
-                     name(event.gap, event.gap < asked.scene.masses.size()),
-                     shown(event.time, exact), shown(event.position, exact),
-                     shown(event.v_left, exact), shown(event.v_right, exact)});
-    if (block.size() == rows_at_once) flush();
+    rows.add({whole_cell(event.number), name(event.gap - 1, event.gap > 0),
+              name(event.gap, event.gap < scene.masses.size()), shown(event.time),
+              shown(event.position), shown(event.v_left), shown(event.v_right)});
   });
-  if (is_first || !block.empty()) flush();
-  write(writer.end());
+  rows.end();
+}
+
+void write_trajectory(const Asked& asked, Rows rows) {
+  const auto shown = [&](const Number& value) { return rows.number(value, asked.options.exact); };
+  trajectory(asked.scene, asked.options, asked.result, [&](const Point& point) {
+    rows.add(
+        {shown(point.time), text_cell(body_name(asked.scene, point.body)), shown(point.position)});
+  });
+  rows.end();
 }
 
 void write_all(const Asked& asked, const std::string& format, const Write& write) {
-  const bool is_table = format == "csv" || format == "jsonl";
-  if (is_table) {
-    Writer writer(format == "csv" ? Format::csv : Format::json_lines, simulate_columns(), true);
-    return write_events(asked, writer, false, write);
+  struct List {
+    const char* name;
+    std::vector<Column> columns;
+    void (*write)(const Asked&, Rows);
+  };
+  const List events{"events", simulate_columns(), write_events};
+  const List points{"trajectory", trajectory_columns(), write_trajectory};
+  if (format == "csv" || format == "jsonl") {
+    const bool is_points = asked.scene.wants("trajectory") && !asked.scene.wants("events");
+    const List& list = is_points ? points : events;
+    const Format as = format == "csv" ? Format::csv : Format::json_lines;
+    return list.write(asked, Rows(as, list.columns, write));
   }
-  const bool lists = asked.scene.wants("events");
   const Format as = format == "json" ? Format::json : Format::text;
   std::string head = written(table_of(head_fields(asked)), as);
-  if (!lists) return write(head);
-  Writer writer(as, simulate_columns(), true);
-  if (as == Format::text) {
-    write(head + "\n");
-    return write_events(asked, writer, true, write);
+  if (as == Format::json) head.erase(head.size() - 2);  // "}\n"
+  write(head);
+  for (const List& list : {events, points}) {
+    if (!asked.scene.wants(list.name)) continue;
+    write(as == Format::text ? "\n" : ", \"" + std::string(list.name) + "\": ");
+    const auto without_end = [&](std::string_view text) {
+      write(text == "\n]\n" || text == "]\n" ? text.substr(0, text.size() - 1) : text);
+    };
+    list.write(asked, Rows(as, list.columns, as == Format::text ? write : without_end));
   }
-  head.erase(head.size() - 2);  // "}\n"
-  write(head + ", \"events\": ");
-  write_events(asked, writer, false, [&](std::string_view text) {
-    write(text == "\n]\n" || text == "]\n" ? text.substr(0, text.size() - 1) : text);
-  });
-  write("}\n");
+  if (as == Format::json) write("}\n");
 }
 
 }  // namespace
@@ -202,6 +239,12 @@ std::vector<Column> simulate_columns() {
           {"position", Type::real, "", "of the collision"},
           {"v_left", Type::real, "", "velocity of the left body after it"},
           {"v_right", Type::real, "", "of the right one"}};
+}
+
+std::vector<Column> trajectory_columns() {
+  return {{"time", Type::real, "", ""},
+          {"body", Type::text, "", "its name"},
+          {"position", Type::real, "", "where it is then"}};
 }
 
 Answer plan(const Request& request) {

@@ -12,7 +12,8 @@ namespace {
 
 const std::vector<std::pair<std::string, Kind>> kinds{
     {"three-body", Kind::three_body}, {"wall", Kind::wall}, {"chain", Kind::chain}};
-const std::vector<std::string> all_outputs{"counts", "terminal", "events", "energy"};
+const std::vector<std::string> all_outputs{"counts", "terminal", "events", "trajectory", "energy"};
+constexpr std::int64_t most_blocks = 500'000;
 
 std::string quoted_list(const std::vector<std::string>& words) {
   std::string text;
@@ -78,12 +79,41 @@ void read_outputs(const toml::node& node, Scene& scene, const std::string& key) 
   }
 }
 
-void read_max_events(const toml::node& node, Scene& scene, const std::string& key) {
-  const std::string allowed = "a whole number, 0 or more";
+std::int64_t whole_at(const toml::node& node, const Scene& scene, const std::string& key,
+                      std::int64_t least, std::int64_t most = INT64_MAX) {
+  const std::string to = most == INT64_MAX ? " or more" : " to " + std::to_string(most);
+  const std::string allowed = "a whole number, " + std::to_string(least) + to;
   const auto* number = node.as_integer();
   if (number == nullptr) refuse_key(scene, key, "got " + type_of(node), allowed);
-  if (number->get() < 0) refuse_key(scene, key, "got " + std::to_string(number->get()), allowed);
-  scene.max_events = number->get();
+  if (number->get() < least || number->get() > most)
+    refuse_key(scene, key, "got " + std::to_string(number->get()), allowed);
+  return number->get();
+}
+
+void read_blocks(const toml::node& node, Scene& scene, const std::string& key) {
+  const std::int64_t blocks = whole_at(node, scene, key, 1, most_blocks);
+  scene.masses.assign(2 * static_cast<std::size_t>(blocks) - 1, value_of(1));
+}
+
+void read_balls(const toml::node& node, Scene& scene, const std::string& key) {
+  const std::size_t balls = scene.masses.size() / 2;
+  std::vector<Value> masses;
+  if (const toml::array* elements = node.as_array()) {
+    for (const toml::node& element : *elements) masses.push_back(value_at(element, scene, key));
+  } else {
+    masses.assign(balls, value_at(node, scene, key));
+  }
+  if (masses.size() != balls)
+    refuse_key(scene, key, std::to_string(masses.size()) + " balls",
+               "one value, or as many as there are gaps between blocks: " + std::to_string(balls));
+  for (std::size_t i = 0; i < balls; ++i) scene.masses[2 * i + 1] = masses[i];
+}
+
+void read_walls(const toml::node& node, Scene& scene, const std::string& key) {
+  const std::vector<std::string> names{"none", "left", "right", "both"};
+  scene.walls = text_of(node, scene, key, quoted_list(names));
+  if (std::count(names.begin(), names.end(), scene.walls) == 0)
+    refuse_key(scene, key, "got \"" + scene.walls.substr(0, 40) + '"', quoted_list(names));
 }
 
 template <auto member>
@@ -111,16 +141,26 @@ const std::vector<Key>& keys() {
        },
        {Kind::wall}},
       {"masses", read_list<&Scene::masses>},
+      {"blocks", read_blocks, {Kind::chain}},
+      {"balls", read_balls, {Kind::chain}},
       {"positions", read_list<&Scene::positions>},
       {"velocities", read_list<&Scene::velocities>},
       {"V", read<&Scene::V>},
-      {"L", read<&Scene::L>, {Kind::three_body, Kind::wall}},
+      {"L", read<&Scene::L>},
+      {"gap", read<&Scene::gap>, {Kind::chain}},
+      {"walls", read_walls, {Kind::chain}},
       {"left_wall", read<&Scene::left_wall>, {Kind::wall, Kind::chain}},
       {"right_wall", read<&Scene::right_wall>, {Kind::wall, Kind::chain}},
       {"restitution", read<&Scene::restitution>},
       {"outputs", read_outputs},
+      {"every", [](const toml::node& node, Scene& scene,
+                   const std::string& key) { scene.every = whole_at(node, scene, key, 1); }},
+      {"times", read_list<&Scene::times>},
       {"until", read<&Scene::until>},
-      {"max_events", read_max_events},
+      {"max_events",
+       [](const toml::node& node, Scene& scene, const std::string& key) {
+         scene.max_events = whole_at(node, scene, key, 0);
+       }},
   };
   return all;
 }

@@ -67,17 +67,56 @@ void check_names(const Scene& scene) {
 /// What is there together, and how many.
 void check_together(const Scene& scene) {
   const std::vector<std::pair<std::string, std::string>> excluded{
-      {"alpha", "masses"}, {"mass_ratio", "masses"}, {"alpha", "mass_ratio"}, {"L", "positions"},
-      {"V", "velocities"}, {"L", "left_wall"},       {"L", "right_wall"}};
-  for (const auto& [one, other] : excluded)
-    if (scene.lines.count(one) != 0 && scene.lines.count(other) != 0)
+      {"alpha", "masses"},    {"mass_ratio", "masses"}, {"alpha", "mass_ratio"},
+      {"L", "positions"},     {"V", "velocities"},      {"blocks", "masses"},
+      {"gap", "positions"},   {"walls", "positions"},   {"walls", "left_wall"},
+      {"walls", "right_wall"}};
+  const auto has = [&](const std::string& key) { return scene.lines.count(key) != 0; };
+  const auto exclude = [&](const std::string& one, const std::string& other) {
+    if (has(one) && has(other))
       refuse_key(scene, one, "does not go with " + other, "one of the two");
+  };
+  for (const auto& [one, other] : excluded) exclude(one, other);
+  if (scene.kind != Kind::chain)
+    for (const char* const wall : {"left_wall", "right_wall"}) exclude("L", wall);
+  for (const auto& [one, other] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"balls", "blocks"}, {"times", "trajectory"}})
+    if (has(one) && !has(other) && !scene.wants(other))
+      refuse_key(scene, one, "there is no " + std::string(other), "both");
+  if (has("blocks") && !has("balls") && scene.masses.size() > 1)
+    refuse_key(scene, "blocks", "there are no balls", "both");
+  if (has("every") && (has("times") || !(scene.wants("events") || scene.wants("trajectory"))))
+    refuse_key(scene, "every", "there is nothing to leave out",
+               "with the output events, or with trajectory but no times");
   const std::size_t bodies = scene.kind == Kind::three_body ? 3 : 2;
   if (scene.masses.empty())
-    refuse_key(scene, "masses", "missing", scene.kind == Kind::chain ? "one or more" : "or alpha");
+    refuse_key(scene, "masses", "missing",
+               scene.kind == Kind::chain ? "one or more, or blocks" : "or alpha");
   if (scene.kind != Kind::chain && scene.masses.size() != bodies)
     refuse_key(scene, "masses", std::to_string(scene.masses.size()) + " masses",
                std::to_string(bodies) + " in this kind of scene");
+}
+
+/// A chain's bodies one after the other, and walls as far from them.
+void lay_out_chain(Scene& scene) {
+  const auto exactly = [&](const char* key, const Value& value) {
+    if (value.exact() == nullptr)
+      refuse_key(scene, key, "a ratio of the paper", "where places are sums, a number");
+    return *value.exact();
+  };
+  const Quadratic L = exactly("L", scene.L), gap = exactly("gap", scene.gap);
+  const auto wall = [&](const char* side) { return scene.walls == side || scene.walls == "both"; };
+  Quadratic place = 0;
+  try {
+    for (std::size_t i = 0; i < scene.masses.size(); ++i) {
+      scene.positions.push_back({"", place});
+      place = place + (i % 2 == 0 ? gap : L);
+    }
+  } catch (const std::domain_error& error) {
+    refuse_key(scene, "gap", error.what(), "with L in one field");
+  }
+  if (wall("left")) scene.left_wall = Value{"", Quadratic(0) - gap};
+  if (wall("right")) scene.right_wall = Value{"", place};
 }
 
 /// What the file leaves out: the first two bodies touch at 0, and the first one moves.
@@ -85,6 +124,7 @@ void lay_out(Scene& scene) {
   const auto has = [&](const std::string& key) { return scene.lines.count(key) != 0; };
   if (scene.kind == Kind::wall && !has("left_wall") && !has("right_wall"))
     scene.right_wall = scene.L;
+  if (!has("positions") && scene.kind == Kind::chain) lay_out_chain(scene);
   if (!has("positions") && scene.kind != Kind::chain) {
     scene.positions = {value_of(0), value_of(0)};
     if (scene.kind == Kind::three_body) scene.positions.push_back(scene.L);
@@ -98,6 +138,9 @@ void lay_out(Scene& scene) {
 void check_meaning(const Scene& scene) {
   if (scene.kind == Kind::wall && scene.left_wall && scene.right_wall)
     refuse_key(scene, "left_wall", "two walls", "one wall; two in kind = \"chain\"");
+  for (const Value& time : scene.times)
+    if (time.exact() != nullptr && *time.exact() < 0)
+      refuse_key(scene, "times", "got " + time.text.substr(0, 40), "0 or later");
   const auto exact = exact_line(scene);
   const auto found = exact ? simulator::fault(*exact) : simulator::fault(rounded_line(scene));
   if (!found) return;

@@ -42,6 +42,11 @@ std::int64_t most_events(const Scene& scene, const Options& options) {
   return options.max_events.value_or(scene.max_events.value_or(events_unless_told));
 }
 
+const char* const at_until = "the scene ends at the time `until`";
+std::string at_limit(std::int64_t limit) {
+  return "stopped after " + std::to_string(limit) + " collisions; more with --max-events";
+}
+
 /// Refuses numbers that grow too long; multiplying takes more than the length.
 class Lengths {
 public:
@@ -87,11 +92,13 @@ Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
   std::string stopped;
   while (engine.next()) {
     if (start.until && !engine.is_due_by(*start.until)) {
-      stopped = "the scene ends at the time `until`";
+      stopped = at_until;
+      result.known_until = *start.until;
       break;
     }
     if (result.events == limit) {
-      stopped = "stopped after " + std::to_string(limit) + " collisions; more with --max-events";
+      stopped = at_limit(limit);
+      result.known_until = *engine.next();
       break;
     }
     const Collision<Scalar> event = engine.step();
@@ -115,23 +122,58 @@ Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
 /// Few collisions are also had exactly, sooner than their theorem's balls.
 constexpr std::int64_t few = 64;
 
-/// The model of theorems; nothing where it does not serve.
+/// One triple; nothing where it is cut off or stepped exactly.
 std::optional<Result> theorem(const Scene& scene, const Options& options,
                               const std::optional<Start<Quadratic>>& exact) {
   const auto trio = Trio::of(scene);
   if (!trio || scene.until) return {};
+  const auto N = trio->count();
+  const auto most = options.max_events ? options.max_events : scene.max_events;
+  if (N && (options.exact || (most && *most < *N))) return {};
+  const bool is_exact = N && exact && *N <= few;
+  Result result = is_exact ? motion(*exact, few, {}) : by_theorem(*trio, N);
+  result.plan = {"theorem", is_exact, "one body meets a ball at rest before a block or a wall"};
+  return result;
+}
+
+/// How many collisions of a cradle are within the scene's limits.
+std::int64_t within(const Cradle& cradle, const Scene& scene, std::int64_t limit) {
+  const std::int64_t most = std::min(cradle.count().value_or(limit), limit);
+  return scene.until ? cradle.count_until(*scene.until->exact(), most) : most;
+}
+
+/// One triple after the other; nothing where it is stepped exactly.
+std::optional<Result> transfers(const Scene& scene, const Options& options,
+                                const std::optional<Start<Quadratic>>& exact) {
+  const bool has_until = !scene.until || scene.until->exact() != nullptr;
+  const auto cradle = options.exact || !has_until ? std::nullopt : Cradle::of(scene);
+  if (!cradle) return {};
+  const std::int64_t limit = most_events(scene, options);
+  const std::int64_t events = within(*cradle, scene, limit);
+  const bool is_exact = exact && events <= few;
+  Result result = is_exact ? motion(*exact, limit, {}) : by_theorem(*cradle, events);
+  if (!is_exact && cradle->count() != events) {
+    const bool is_limit = events == limit;
+    result.status = Status::limited;
+    result.why = is_limit ? at_limit(limit) : at_until;
+    result.known_until = is_limit ? time_by_theorem(*cradle, events) : scene.until->to_double();
+  }
+  result.plan = {"transfers", is_exact,
+                 "a cradle: each ball of a magic ratio hands on all to the next block"};
+  return result;
+}
+
+/// The models of theorems; nothing where none serves.
+std::optional<Result> solved(const Scene& scene, const Options& options,
+                             const std::optional<Start<Quadratic>>& exact) {
   try {
-    const auto N = trio->count();
-    const auto most = options.max_events ? options.max_events : scene.max_events;
-    if (N && (options.exact || (most && *most < *N))) return {};
-    const bool is_exact = N && exact && *N <= few;
-    Result result = is_exact ? motion(*exact, few, {}) : by_theorem(*trio, N);
-    result.plan = {"theorem", is_exact, "one body meets a ball at rest before a block or a wall"};
-    return result;
+    if (auto result = theorem(scene, options, exact)) return result;
+    return transfers(scene, options, exact);
   } catch (const std::domain_error&) {
     return {};
   }
 }
+
 }  // namespace
 
 std::string status_name(Status status) {
@@ -143,7 +185,7 @@ std::string status_name(Status status) {
 Result run(const Scene& scene, const Options& options) {
   const auto exact = exact_start(scene);
   const std::int64_t limit = most_events(scene, options);
-  if (auto result = theorem(scene, options, exact)) return *result;
+  if (auto result = solved(scene, options, exact)) return *result;
   if (options.exact) {
     if (!exact) {
       throw InvalidInput(scene.source +
@@ -170,16 +212,22 @@ Result run(const Scene& scene, const Options& options) {
 }
 
 void stream(const Scene& scene, const Options& options, const Plan& plan, const Sink& sink) {
-  const std::int64_t limit = most_events(scene, options);
-  const auto trio = plan.model == "theorem" ? Trio::of(scene) : std::nullopt;
-  const auto N = trio ? trio->count() : std::nullopt;
   constexpr std::int64_t many = 100'000;  // from here on stepping in doubles is worth its error
-  if (N && !plan.is_exact && *N <= many)
-    stream_by_theorem(*trio, *N, sink);
-  else if (plan.is_exact)
+  std::int64_t limit = most_events(scene, options);
+  if (plan.is_exact) {
     motion(*exact_start(scene), limit, sink);
-  else
-    motion(rounded_start(scene), N.value_or(limit), sink);
+    return;
+  }
+  if (plan.model == "transfers") {
+    const auto cradle = Cradle::of(scene);
+    return stream_by_theorem(*cradle, within(*cradle, scene, limit), sink);
+  }
+  if (plan.model == "theorem") {
+    const auto trio = Trio::of(scene);
+    limit = trio->count().value_or(limit);
+    if (limit <= many) return stream_by_theorem(*trio, limit, sink);
+  }
+  motion(rounded_start(scene), limit, sink);
 }
 
 }  // namespace magicmass::scenes

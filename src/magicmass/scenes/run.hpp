@@ -20,7 +20,7 @@ struct Options {
 };
 
 struct Plan {
-  std::string model;      ///< "theorem" or "events"
+  std::string model;      ///< "theorem", "transfers" or "events"
   bool is_exact = false;  ///< in exact numbers, else in doubles
   std::string reason;
 };
@@ -46,6 +46,7 @@ struct Result {
   Number transmitted;  ///< the part of energy_before that the last body has at the end
   std::optional<Number> collapse_time, collapse_position;
   simulator::Ties ties;
+  std::optional<Number> known_until;  ///< the time up to which bodies go on so; nothing: for ever
 };
 
 /// A collision.
@@ -59,8 +60,8 @@ struct Row {
 };
 using Sink = std::function<void(const Row&)>;
 
-/// By theorem where the scene is a Trio and nothing cuts it off. Else it is stepped, in doubles,
-/// and again in exact numbers where a decision was closer than doubles can tell.
+/// By theorem where the scene is a Trio and nothing cuts it off, or a Cradle. Else it is stepped, in
+/// doubles, and again in exact numbers where a decision was closer than doubles can tell.
 /// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
 /// they become too long.
 Result run(const Scene& scene, const Options& options);

@@ -30,6 +30,8 @@ bool Scene::wants(const std::string& output) const {
 }
 
 std::string body_name(const Scene& scene, std::size_t body) {
+  if (scene.lines.count("blocks") != 0)
+    return (body % 2 == 0 ? "A_" : "C_") + std::to_string(body / 2 + 1);
   if (scene.kind == Kind::chain) return std::to_string(body + 1);
   const std::size_t from_A = scene.kind == Kind::wall && scene.left_wall ? 1 - body : body;
   return from_A == 0 ? "A" : from_A == 1 ? "C" : "B";
@@ -54,6 +56,12 @@ std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene) {
     return number;
   });
   return is_exact ? std::optional(line) : std::nullopt;
+}
+
+std::optional<simulator::Line<Quadratic>> exact_places(const Scene& scene) {
+  Scene places = scene;
+  places.masses.assign(scene.masses.size(), value_of(1));
+  return exact_line(places);
 }
 
 simulator::Line<double> rounded_line(const Scene& scene) {

@@ -28,8 +28,12 @@ struct Scene {
   std::optional<Value> right_wall;
   Value restitution = value_of(1);
   Value V = value_of(1);  ///< velocity of the first body, where `velocities` does not say
-  Value L = value_of(1);  ///< place of B or of the wall, where `positions` does not say
+  Value L = value_of(1);  ///< from a ball to the next block or wall, where `positions` does not say
+  Value gap = value_of(1);     ///< likewise from a block to the next ball in a chain
+  std::string walls = "none";  ///< of a chain that is laid out: left, right, both
   std::vector<std::string> outputs = {"counts", "terminal"};
+  std::int64_t every = 1;                     ///< of so many collisions one is shown
+  std::vector<Value> times;                   ///< of a trajectory
   std::optional<Value> until;                 ///< the run stops after this time
   std::optional<std::int64_t> max_events;     ///< and after so many collisions
   std::map<std::string, std::int64_t> lines;  ///< of the keys that the file has
@@ -43,13 +47,15 @@ Scene read_scene(const std::string& path);
 /// The same from text.
 Scene parse_scene(std::string_view text, const std::string& source);
 
-/// A, C, B, where C is the ball; in a chain 1, 2, ...
+/// A, C, B, where C is the ball; in a chain 1, 2, ..., of blocks and balls A_1, C_1, A_2, ...
 std::string body_name(const Scene& scene, std::size_t body);
 /// What the collisions at a gap are called: N_A, N_B for three bodies; by the names beside it else.
 std::string gap_name(const Scene& scene, std::size_t gap);
 
 /// The bodies, exactly; nothing where a value is a ratio of the paper or there are two roots.
 std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene);
+/// The same but for the masses, which are 1: nothing where another value is not exact.
+std::optional<simulator::Line<Quadratic>> exact_places(const Scene& scene);
 /// The bodies in doubles. Throws Undecided where a value does not fit one.
 simulator::Line<double> rounded_line(const Scene& scene);
 

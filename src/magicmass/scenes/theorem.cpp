@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/theorem.hpp"
 
+#include <concepts>
+
 #include "magicmass/numbers/errors.hpp"
 
 namespace magicmass::scenes {
@@ -40,27 +42,25 @@ Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities
 }
 }  // namespace
 
-Result by_theorem(const Trio& trio, std::optional<std::int64_t> collisions) {
+template <class Motion>
+Result by_theorem(const Motion& motion, std::optional<std::int64_t> collisions) {
   Result result;
   result.events = collisions.value_or(0);
-  const std::size_t bodies = trio.masses().size();
-  result.counts.resize(bodies + 1);
-  result.counts[trio.gap(0)] = (result.events + 1) / 2;
-  result.counts[trio.gap(1)] = result.events / 2;
+  result.counts = motion.counts(result.events);
   result.status = collisions ? Status::complete : Status::collapse;
   const std::vector<double> numbers = certain([&] {
-    const Trio::Shape s = trio.shape();
-    const std::vector<Ball> masses = trio.masses();
+    const auto s = motion.shape();
+    const std::vector<Ball> masses = motion.masses(s);
     std::vector<Ball> all;
-    std::vector<Ball> at_end;
-    if (collisions) {
-      at_end = trio.velocities(s, *collisions);
-    } else {
-      const Trio::Collapse end = trio.collapse(s);
-      at_end.assign(bodies, end.velocity);
-      all = {end.time, end.position};
+    std::vector<Ball> at_end = motion.velocities(s, result.events);
+    if constexpr (std::same_as<Motion, Trio>) {
+      if (!collisions) {
+        const Trio::Collapse end = motion.collapse(s);
+        at_end.assign(masses.size(), end.velocity);
+        all = {end.time, end.position};
+      }
     }
-    const Ball before = energy(masses, trio.first_velocities());
+    const Ball before = energy(masses, motion.velocities(s, 0));
     const Ball of_last = energy({masses.back()}, {at_end.back()});
     all.insert(all.end(), {before, energy(masses, at_end), of_last / before});
     all.insert(all.end(), at_end.begin(), at_end.end());
@@ -70,6 +70,7 @@ Result by_theorem(const Trio& trio, std::optional<std::int64_t> collisions) {
   if (!collisions) {
     result.collapse_time = numbers[next++];
     result.collapse_position = numbers[next++];
+    result.known_until = result.collapse_time;
   }
   result.energy_before = numbers[next++];
   result.energy = numbers[next++];
@@ -78,24 +79,34 @@ Result by_theorem(const Trio& trio, std::optional<std::int64_t> collisions) {
   return result;
 }
 
-void stream_by_theorem(const Trio& trio, std::int64_t collisions, const Sink& sink) {
+template <class Motion>
+void stream_by_theorem(const Motion& motion, std::int64_t collisions, const Sink& sink) {
   constexpr int enough_bits = 192;
   Ball::set_bits(enough_bits);
-  Trio::Shape shape = trio.shape();
-  const auto row = [&](const Trio::Shape& s, std::int64_t j) {
-    const Trio::Collision c = trio.collision(s, j);
+  auto shape = motion.shape();
+  const auto row = [&](const typename Motion::Shape& s, std::int64_t j) {
+    const Trio::Collision c = motion.collision(s, j);
     return std::vector<Ball>{c.time, c.position, c.v_left, c.v_right};
   };
   for (std::int64_t j = 0; j < collisions; ++j) {
     auto numbers = rounded([&] { return row(shape, j); });
     if (!numbers) {
-      numbers = certain([&] { return row(trio.shape(), j); });
+      numbers = certain([&] { return row(motion.shape(), j); });
       Ball::set_bits(enough_bits);
-      shape = trio.shape();
+      shape = motion.shape();
     }
     const std::vector<double>& n = *numbers;
-    sink({j + 1, trio.gap(j), n[0], n[1], n[2], n[3]});
+    sink({j + 1, motion.gap(j), n[0], n[1], n[2], n[3]});
   }
 }
+
+double time_by_theorem(const Cradle& cradle, std::int64_t j) {
+  return certain([&] { return std::vector{cradle.collision(cradle.shape(), j).time}; })[0];
+}
+
+template Result by_theorem(const Trio&, std::optional<std::int64_t>);
+template Result by_theorem(const Cradle&, std::optional<std::int64_t>);
+template void stream_by_theorem(const Trio&, std::int64_t, const Sink&);
+template void stream_by_theorem(const Cradle&, std::int64_t, const Sink&);
 
 }  // namespace magicmass::scenes

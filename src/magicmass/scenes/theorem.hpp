@@ -1,16 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The motion of a trio by theorems: counted, not stepped.
+// The motion of a trio or a cradle by theorems: counted, not stepped.
 #pragma once
 
+#include "magicmass/scenes/cradle.hpp"
 #include "magicmass/scenes/run.hpp"
-#include "magicmass/scenes/trio.hpp"
 
 namespace magicmass::scenes {
 
-/// All but the plan, each number the nearest double. Throws Undecided where that is not certain
-/// with the bits that are allowed, std::domain_error where masses are too far apart.
-Result by_theorem(const Trio& trio, std::optional<std::int64_t> collisions);
+/// All but the plan after so many collisions, or after infinitely many of a trio; each number the
+/// nearest double. Throws Undecided where that is not certain with the bits that are allowed,
+/// std::domain_error where masses are too far apart.
+template <class Motion>
+Result by_theorem(const Motion& motion, std::optional<std::int64_t> collisions);
 /// The collisions, each number the nearest double.
-void stream_by_theorem(const Trio& trio, std::int64_t collisions, const Sink& sink);
+template <class Motion>
+void stream_by_theorem(const Motion& motion, std::int64_t collisions, const Sink& sink);
+
+/// When collision j takes place, the nearest double.
+double time_by_theorem(const Cradle& cradle, std::int64_t j);
+
+extern template Result by_theorem(const Trio&, std::optional<std::int64_t>);
+extern template Result by_theorem(const Cradle&, std::optional<std::int64_t>);
+extern template void stream_by_theorem(const Trio&, std::int64_t, const Sink&);
+extern template void stream_by_theorem(const Cradle&, std::int64_t, const Sink&);
 
 }  // namespace magicmass::scenes

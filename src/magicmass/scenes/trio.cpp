@@ -15,14 +15,7 @@ using cln::cl_I;
 using cln::cl_RA;
 
 constexpr std::int64_t most_collisions = std::int64_t(1) << 62;
-/// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
-/// for larger m.
-constexpr std::int64_t largest_tie = 12;
 
-Ball ball_of(const Quadratic& x) {
-  const Ball a(x.rational_part());
-  return x.radicand() == 1 ? a : a + Ball(x.root_part()) * sqrt(Ball(cl_RA(x.radicand())));
-}
 Ball ball_of(const Value& value) {
   const auto number = [](const cl_I& k) -> std::int64_t { return cln::cl_I_to_long(k); };
   if (const auto* magic = std::get_if<notation::Magic>(&value.number))
@@ -52,24 +45,25 @@ Ball power_of(const Trio::Shape& s, std::int64_t j) {
 }
 }  // namespace
 
+Ball ball_of(const Quadratic& x) {
+  const Ball a(x.rational_part());
+  return x.radicand() == 1 ? a : a + Ball(x.root_part()) * sqrt(Ball(cl_RA(x.radicand())));
+}
+
 std::optional<Trio> Trio::of(const Scene& scene) {
   const std::size_t bodies = scene.masses.size();
   const bool is_walled = scene.left_wall || scene.right_wall;
   if (bodies + (is_walled ? 1 : 0) != 3 || (scene.left_wall && scene.right_wall)) return {};
-  std::vector<Quadratic> x, v;
-  for (std::size_t i = 0; i < bodies; ++i) {
-    if (!scene.positions[i].exact() || !scene.velocities[i].exact()) return {};
-    x.push_back(*scene.positions[i].exact());
-    v.push_back(*scene.velocities[i].exact());
-  }
-  const std::optional<Value>& wall = scene.left_wall ? scene.left_wall : scene.right_wall;
-  if (!scene.restitution.exact() || (wall && !wall->exact())) return {};
+  const auto line = exact_places(scene);
+  if (!line) return {};
+  std::vector<Quadratic> x = line->positions, v = line->velocities;
+  const auto& wall = line->left_wall ? line->left_wall : line->right_wall;
   Trio t;
   const Quadratic minus(-1);
   try {
     if (wall) {  // where it is, and that it stays there
       const auto at = [&](auto& of) { return scene.left_wall ? of.begin() : of.end(); };
-      x.insert(at(x), *wall->exact());
+      x.insert(at(x), *wall);
       v.insert(at(v), Quadratic(0));
     }
     t.is_mirrored_ = wall ? scene.left_wall.has_value() : v[0] == v[1];
@@ -82,7 +76,7 @@ std::optional<Trio> Trio::of(const Scene& scene) {
     t.drift_ = v[1];
     t.start_ = sign * (x[1] - x[A]) / t.V_;
     t.place_ = x[1];
-    t.e_ = *scene.restitution.exact();
+    t.e_ = line->restitution;
     t.A_ = scene.masses[A - first];
     t.C_ = scene.masses[1 - first];
     if (!wall) t.B_ = scene.masses[B];
@@ -104,6 +98,15 @@ Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
   t.V_ = 1;
   t.L_ = 1;
   t.is_paper_ = e == t.V_;
+  return t;
+}
+Trio Trio::of_cradle(const Value& alpha, const Quadratic& V, const Quadratic& L,
+                     const Quadratic& start, const Quadratic& place) {
+  Trio t = equal_blocks(alpha, 1);
+  t.V_ = V;
+  t.L_ = L;
+  t.start_ = start;
+  t.place_ = place;
   return t;
 }
 
@@ -182,6 +185,9 @@ Values Trio::in_scene(Values from_A) const {
   return from_A;
 }
 std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
+  const Ball unit = ball_of(V_) * (is_mirrored_ ? Ball(-1) : Ball(1));
+  if (collisions == 0)
+    return in_scene(std::vector<Ball>{ball_of(drift_) + unit, ball_of(drift_), ball_of(drift_)});
   const std::int64_t j = collisions - 1;
   const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
                                               power_of(s, j));
@@ -191,7 +197,6 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
     if (collisions >= *N - 1) all[0] = 0;
     if (collisions == *N) all = {0, 0, 1};
   }
-  const Ball unit = ball_of(V_) * (is_mirrored_ ? Ball(-1) : Ball(1));
   for (Ball& u : all) u = ball_of(drift_) + unit * u;
   return in_scene(all);
 }
@@ -224,12 +229,14 @@ Trio::Collapse Trio::collapse(const Shape& s) const {
   return {time, ball_of(place_) + ball_of(drift_) * time + sign * ball_of(L_) * end.x_end,
           ball_of(drift_) + sign * ball_of(V_) * end.v_end};
 }
-std::vector<Ball> Trio::masses() const {
+std::vector<Ball> Trio::masses(const Shape& /*s*/) const {
   return in_scene(std::vector<Ball>{ball_of(A_), ball_of(C_), B_ ? ball_of(*B_) : Ball(0)});
 }
-std::vector<Ball> Trio::first_velocities() const {
-  const Quadratic of_A = is_mirrored_ ? drift_ - V_ : drift_ + V_;
-  return in_scene(std::vector<Ball>{ball_of(of_A), ball_of(drift_), ball_of(drift_)});
+std::vector<std::int64_t> Trio::counts(std::int64_t collisions) const {
+  std::vector<std::int64_t> all(B_ ? 4 : 3);
+  all[gap(0)] = (collisions + 1) / 2;
+  all[gap(1)] = collisions / 2;
+  return all;
 }
 
 }  // namespace magicmass::scenes

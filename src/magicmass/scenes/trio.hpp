@@ -14,12 +14,21 @@
 
 namespace magicmass::scenes {
 
+Ball ball_of(const Quadratic& x);
+
 class Trio {
 public:
   /// Nothing for a scene that moves otherwise.
   static std::optional<Trio> of(const Scene& scene);
   /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
   static Trio equal_blocks(const Value& alpha, const Quadratic& e);
+  /// Elastic, with B at a distance L behind C, which is at this place and met at this time.
+  static Trio of_cradle(const Value& alpha, const Quadratic& V, const Quadratic& L,
+                        const Quadratic& start, const Quadratic& place);
+
+  /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
+  /// for larger m.
+  static constexpr std::int64_t largest_tie = 12;
 
   /// How many collisions; nothing where they never end. Throws Undecided where more bits than are
   /// allowed would be needed, or 2^62 collisions are not enough.
@@ -40,7 +49,7 @@ public:
   Collision collision(const Shape& s, std::int64_t j) const;
   /// The gap of the scene that closes there.
   std::size_t gap(std::int64_t j) const;
-  /// Velocities of all bodies of the scene after so many collisions, 1 or more.
+  /// Velocities of all bodies of the scene after so many collisions.
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
 
   struct Collapse {
@@ -48,9 +57,9 @@ public:
   };
   /// Where and when infinitely many collisions come to an end.
   Collapse collapse(const Shape& s) const;
-  /// Masses and velocities of all bodies of the scene before the first collision.
-  std::vector<Ball> masses() const;
-  std::vector<Ball> first_velocities() const;
+  std::vector<Ball> masses(const Shape& s) const;
+  /// Of so many collisions, those at each gap of the scene.
+  std::vector<std::int64_t> counts(std::int64_t collisions) const;
 
 private:
   Value A_, C_;

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/scenes/cradle.hpp"
+
+#include <algorithm>
+
+#include "magicmass/numbers/errors.hpp"
+#include "magicmass/simulator/three_bodies.hpp"
+
+namespace magicmass::scenes {
+namespace {
+
+constexpr std::int64_t most_of_way = std::int64_t(1) << 60;
+
+simulator::Line<Quadratic> mirrored(simulator::Line<Quadratic> line) {
+  for (auto* values : {&line.positions, &line.velocities}) {
+    std::reverse(values->begin(), values->end());
+    for (Quadratic& x : *values) x = Quadratic(0) - x;
+  }
+  std::swap(line.left_wall, line.right_wall);
+  for (auto* wall : {&line.left_wall, &line.right_wall})
+    if (*wall) *wall = Quadratic(0) - **wall;
+  return line;
+}
+
+/// k where a mass is alpha_k, else 0. What is exact is stepped: by Niven's theorem it is no alpha_k
+/// of more than a few collisions.
+std::int64_t magic_number(const Value& mass) {
+  constexpr std::int64_t largest = std::int64_t(1) << 50;
+  const auto* magic = std::get_if<notation::Magic>(&mass.number);
+  if (magic != nullptr && magic->k <= cln::cl_I(static_cast<long long>(largest)))
+    return cln::cl_I_to_long(magic->k);
+  if (mass.exact() == nullptr) return 0;
+  simulator::ThreeBodies<Quadratic> trio(*mass.exact());
+  std::int64_t collisions = 0;
+  while (collisions <= Trio::largest_tie && trio.step()) ++collisions;
+  const auto [A, C, B] = trio.bodies();
+  return A.velocity == 0 && C.velocity == 0 ? collisions / 2 : 0;
+}
+
+/// Does B reach this place only after the last collision of its trio?
+bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
+  bool is_before = false;
+  with_bits(
+      17,
+      [&] {
+        is_before = trio.collision(trio.shape(), 2 * k - 1).position < ball_of(place);
+        return true;
+      },
+      "the room is too close");
+  return is_before;
+} catch (const Undecided&) {
+  return false;
+}
+
+/// The collisions from..to of a trio, which begins with that at its left gap.
+void add_counts(std::int64_t* gaps, std::int64_t from, std::int64_t to) {
+  gaps[0] += (to + 1) / 2 - (from + 1) / 2;
+  gaps[1] += to / 2 - from / 2;
+}
+
+}  // namespace
+
+std::optional<Cradle> Cradle::of(const Scene& scene) {
+  const std::size_t bodies = scene.masses.size();
+  if (bodies < 3 || bodies % 2 == 0) return {};
+  for (std::size_t i = 0; i < bodies; i += 2)
+    if (scene.masses[i].exact() == nullptr || !(*scene.masses[i].exact() == 1)) return {};
+  auto line = exact_places(scene);
+  if (!line || !(line->restitution == 1)) return {};
+  Cradle cradle;
+  cradle.is_mirrored_ = line->velocities[0] == 0;
+  if (cradle.is_mirrored_) *line = mirrored(*line);
+  const std::vector<Quadratic>&x = line->positions, &v = line->velocities;
+  cradle.x_ = x[0];
+  cradle.V_ = v[0];
+  cradle.ahead_ = line->right_wall;
+  cradle.behind_ = line->left_wall;
+  const auto mass = [&](std::size_t i) -> const Value& {
+    return scene.masses[cradle.is_mirrored_ ? bodies - 1 - i : i];
+  };
+  if (!(Quadratic(0) < v[0])) return {};
+  if (std::any_of(v.begin() + 1, v.end(), [](const Quadratic& u) { return !(u == 0); })) return {};
+  for (std::size_t ball = 1; ball < bodies; ball += 2) {
+    const std::int64_t k = magic_number(mass(ball));
+    const Quadratic L = x[ball + 1] - x[ball];
+    if (k == 0 || !(Quadratic(0) < L)) return {};
+    const Trio trio = Trio::of_cradle(mass(ball), v[0], L, cradle.time_at(x[ball]), x[ball]);
+    const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line->right_wall;
+    if (next && *next - x[ball + 1] < L && !has_room(trio, k, *next)) return {};  // cradle.room
+    cradle.pairs_.push_back({trio, k, cradle.way_});
+    cradle.way_ += 2 * k;  // cradle.number
+    if (cradle.way_ > most_of_way) return {};
+  }
+  return cradle;
+}
+
+std::optional<std::int64_t> Cradle::count() const {
+  if (ahead_ && behind_) return {};
+  return ahead_ ? 2 * way_ + 1 : way_;
+}
+std::int64_t Cradle::count_until(const Quadratic& time, std::int64_t most) const {
+  std::int64_t low = 0;
+  with_bits(
+      17,
+      [&] {
+        const Shape s = shape();
+        std::int64_t high = most;
+        for (low = 0; low < high;) {
+          const std::int64_t middle = low + (high - low) / 2;
+          if (collision(s, middle).time <= ball_of(time))
+            low = middle + 1;
+          else
+            high = middle;
+        }
+        return true;
+      },
+      "a collision is too close to the time `until`");
+  return low;
+}
+
+Cradle::Shape Cradle::shape() const {
+  Shape all;
+  for (const Pair& pair : pairs_)
+    if (all.count(pair.k) == 0) all.emplace(pair.k, pair.trio.shape());
+  return all;
+}
+
+/// Where collision j is: in which round trip, and which one of the way out or back it is.
+struct Cradle::Moment {
+  std::int64_t round;
+  std::int64_t of_way;  ///< way_ for a wall
+  bool is_back;         ///< or at the wall behind
+};
+Cradle::Moment Cradle::moment(std::int64_t j) const {
+  const std::int64_t of_round = j % (2 * way_ + 2), round = j / (2 * way_ + 2);
+  if (of_round <= way_) return {round, of_round, false};
+  return {round, of_round == 2 * way_ + 1 ? way_ : 2 * way_ - of_round, true};
+}
+const Cradle::Pair& Cradle::pair_at(std::int64_t of_way) const {
+  const auto after =
+      std::upper_bound(pairs_.begin(), pairs_.end(), of_way,
+                       [](std::int64_t number, const Pair& pair) { return number < pair.before; });
+  return *(after - 1);
+}
+Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
+  const Moment m = moment(j);
+  Trio::Collision c{0, 0, 0, 0};
+  Quadratic from = 0;  // the time is that far after c.time, or before it on the way back
+  if (ahead_ && behind_)
+    from = Quadratic(2 * cln::cl_I(static_cast<long long>(m.round))) *
+           (time_at(*ahead_) - time_at(*behind_));
+  if (m.is_back) from = from + 2 * time_at(*ahead_);
+  if (m.of_way == way_) {
+    const Quadratic& wall = m.is_back ? *behind_ : *ahead_;
+    c = {ball_of(time_at(wall)), ball_of(wall), 0, 0};
+    (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
+  } else {
+    const Pair& pair = pair_at(m.of_way);
+    const Trio::Shape& of_pair = s.at(pair.k);
+    const std::int64_t number = m.of_way - pair.before;
+    c = pair.trio.collision(of_pair, number);
+    if (m.is_back) {
+      const std::vector<Ball> earlier = pair.trio.velocities(of_pair, number);
+      const std::size_t right = pair.trio.gap(number);
+      c.v_left = -earlier[right - 1];
+      c.v_right = -earlier[right];
+    }
+  }
+  c.time = ball_of(from) + (m.is_back ? -c.time : c.time);
+  if (is_mirrored_) return {c.time, -c.position, -c.v_right, -c.v_left};
+  return c;
+}
+std::size_t Cradle::gap(std::int64_t j) const {
+  const Moment m = moment(j);
+  std::size_t gap = m.is_back ? 0 : bodies();
+  if (m.of_way < way_) {
+    const Pair& pair = pair_at(m.of_way);
+    gap =
+        2 * static_cast<std::size_t>(&pair - pairs_.data()) + pair.trio.gap(m.of_way - pair.before);
+  }
+  return is_mirrored_ ? bodies() - gap : gap;
+}
+std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) const {
+  const std::int64_t of_round = collisions % (2 * way_ + 2);
+  const bool is_back = of_round > way_;
+  const std::int64_t of_way = is_back ? 2 * way_ + 1 - of_round : of_round;
+  std::vector<Ball> all(bodies());
+  if (of_way == way_) {
+    all.back() = ball_of(V_);
+  } else {
+    const Pair& pair = pair_at(of_way);
+    const std::vector<Ball> v = pair.trio.velocities(s.at(pair.k), of_way - pair.before);
+    std::copy(v.begin(), v.end(), all.begin() + 2 * (&pair - pairs_.data()));
+  }
+  if (is_back != is_mirrored_)
+    for (Ball& u : all) u = -u;
+  if (is_mirrored_) std::reverse(all.begin(), all.end());
+  return all;
+}
+std::vector<Ball> Cradle::masses(const Shape& s) const {
+  std::vector<Ball> all(bodies(), 1);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) all[2 * i + 1] = s.at(pairs_[i].k).per_B;
+  if (is_mirrored_) std::reverse(all.begin(), all.end());
+  return all;
+}
+std::vector<std::int64_t> Cradle::counts(std::int64_t collisions) const {
+  const std::int64_t of_round = collisions % (2 * way_ + 2), round = collisions / (2 * way_ + 2);
+  const std::int64_t out = std::min(of_round, way_), back = std::max(of_round - way_ - 1, {});
+  std::vector<std::int64_t> all(bodies() + 1);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    const std::int64_t N = 2 * pairs_[i].k;
+    const auto of_pair = [&](std::int64_t of_way) {
+      return std::clamp(of_way - pairs_[i].before, std::int64_t(0), N);
+    };
+    std::int64_t* const gaps = &all[2 * i + 1];
+    gaps[0] = gaps[1] = 2 * round * pairs_[i].k;
+    add_counts(gaps, 0, of_pair(out));
+    add_counts(gaps, of_pair(way_ - back), N);
+  }
+  all.front() = round;
+  all.back() = round + (of_round > way_ ? 1 : 0);
+  if (is_mirrored_) std::reverse(all.begin(), all.end());
+  return all;
+}
+
+}  // namespace magicmass::scenes

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Newton's cradle of the paper: equal blocks with balls of magic ratios between them. One trio after
+// the other, to a wall and back.
+#pragma once
+
+#include <map>
+
+#include "magicmass/scenes/trio.hpp"
+
+namespace magicmass::scenes {
+
+/// By theorems cradle.*, a block that comes with V leaves itself and the ball at rest and hands V on
+/// to the next block, whose way is then the straight line on which the first one came. From a wall
+/// it comes back: then the same motion runs backwards in time, until all is as it was at the start.
+class Cradle {
+public:
+  /// Nothing unless all but the first (or in a mirror the last) body is at rest, nothing is lost,
+  /// blocks have mass 1, and no block reaches what is behind it before the ball before it rests.
+  static std::optional<Cradle> of(const Scene& scene);
+
+  /// How many collisions; nothing between two walls, where they never end.
+  std::optional<std::int64_t> count() const;
+  /// How many of the first `most` come by this time. Throws Undecided where one is too close to it.
+  std::int64_t count_until(const Quadratic& time, std::int64_t most) const;
+
+  /// What is the same for each ball of one magic ratio, by its number.
+  using Shape = std::map<std::int64_t, Trio::Shape>;
+  Shape shape() const;
+  Trio::Collision collision(const Shape& s, std::int64_t j) const;
+  std::size_t gap(std::int64_t j) const;
+  std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
+  std::vector<Ball> masses(const Shape& s) const;
+  std::vector<std::int64_t> counts(std::int64_t collisions) const;
+
+private:
+  struct Pair {
+    Trio trio;
+    std::int64_t k;       ///< its ball has the ratio alpha_k
+    std::int64_t before;  ///< collisions of one way before its own
+  };
+  std::vector<Pair> pairs_;                  // in the order in which they are met on the way out
+  std::int64_t way_ = 0;                     // collisions of one way
+  Quadratic x_, V_;                          // the straight line: where it begins at time 0
+  std::optional<Quadratic> ahead_, behind_;  // walls
+  bool is_mirrored_ = false;                 // all of this is what a mirror shows
+
+  struct Moment;
+  Moment moment(std::int64_t j) const;
+  const Pair& pair_at(std::int64_t of_way) const;
+  Quadratic time_at(const Quadratic& place) const { return (place - x_) / V_; }
+  std::size_t bodies() const { return 2 * pairs_.size() + 1; }
+};
+
+}  // namespace magicmass::scenes

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "magicmass/scenes/trajectory.hpp"
+
+#include <algorithm>
+
+namespace magicmass::scenes {
+namespace {
+
+using Points = std::function<void(const Point&)>;
+
+template <class Scalar>
+Scalar number(const Value& value);
+template <>
+double number(const Value& value) {
+  return value.to_double();
+}
+/// A time that is irrational is a double here: its root may be another one than that of the places.
+template <>
+Quadratic number(const Value& value) {
+  const Quadratic* exact = value.exact();
+  return exact != nullptr && exact->radicand() == 1 ? *exact : Quadratic(value.to_double());
+}
+
+template <class Scalar>
+void follow(const Scene& scene, simulator::Line<Scalar> line, const Options& options,
+            const Result& result, const Points& sink) {
+  std::vector<Scalar> since(line.masses.size(), Scalar(0)), times;
+  for (const Value& time : scene.times) times.push_back(number<Scalar>(time));
+  std::sort(times.begin(), times.end());
+  auto next = times.begin();
+  const auto all_at = [&](const Scalar& time) {
+    for (std::size_t i = 0; i < since.size(); ++i)
+      sink({time, i, line.positions[i] + line.velocities[i] * (time - since[i])});
+  };
+  const bool has_corners = times.empty();
+  Scalar last(0);
+  if (has_corners) all_at(last);
+  stream(scene, options, result.plan, [&](const Row& row) {
+    last = std::get<Scalar>(row.time);
+    for (; next != times.end() && *next < last; ++next) all_at(*next);
+    const bool is_shown = has_corners && row.number % scene.every == 0;
+    const auto meets = [&](std::size_t body, const Number& velocity) {
+      since[body] = last;
+      line.positions[body] = std::get<Scalar>(row.position);
+      line.velocities[body] = std::get<Scalar>(velocity);
+      if (is_shown) sink({row.time, body, row.position});
+    };
+    if (row.gap > 0) meets(row.gap - 1, row.v_left);
+    if (row.gap < since.size()) meets(row.gap, row.v_right);
+  });
+  const auto end = result.known_until;
+  const auto is_known = [&](const Scalar& time) {
+    return !end || !(std::get<Scalar>(*end) < time);
+  };
+  for (; next != times.end() && is_known(*next); ++next) all_at(*next);
+  if (has_corners) all_at(end ? std::get<Scalar>(*end) : last);
+}
+
+}  // namespace
+
+void trajectory(const Scene& scene, const Options& options, const Result& result,
+                const Points& sink) {
+  if (result.plan.is_exact)
+    follow(scene, *exact_line(scene), options, result, sink);
+  else
+    follow(scene, rounded_line(scene), options, result, sink);
+}
+
+}  // namespace magicmass::scenes
