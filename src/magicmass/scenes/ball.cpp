@@ -2,11 +2,8 @@
 #include "magicmass/scenes/ball.hpp"
 
 #include <cmath>
-#include <sstream>
 
-#include <cln/integer_io.h>
-#include <cln/io.h>
-
+#include "kernel/print.hpp"
 #include "magicmass/numbers/errors.hpp"
 
 namespace magicmass::scenes {
@@ -35,11 +32,6 @@ double nearest(const cl_RA& q) {
   const cl_I whole = rounded(scaled(size, -e));  // at most 2^53
   const double value = std::ldexp(cln::double_approx(whole), e);
   return q < 0 ? -value : value;
-}
-std::string digits_of(const cl_I& n) {
-  std::ostringstream out;
-  out << n;
-  return out.str();
 }
 
 }  // namespace
@@ -78,7 +70,7 @@ cl_RA Ball::high() const { return scaled(middle + radius, -bits_); }
 Ball Ball::alternating(Ball term, const Ball& square, int first) {
   Ball sum = term;
   for (int k = first; cln::abs(term.middle) > term.radius || k < first + 16; k += 2) {
-    term = -term * square * Ball(cl_RA(1) / (cl_I(k + 1) * (k + 2)));
+    term = -(term * square).over((k + 1) * (k + 2));
     sum = sum + term;
   }
   sum.radius = sum.radius + cln::abs(term.middle) + term.radius;
@@ -106,7 +98,7 @@ Ball atan(const Ball& x) {
   Ball sum = t;
   for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
     power = -power * square;
-    sum = sum + power * Ball(cl_RA(1) / (2 * k + 1));
+    sum = sum + power.over(2 * k + 1);
   }
   sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
   return Ball(1 << halvings) * sum;
@@ -144,7 +136,7 @@ std::optional<std::string> decimal(const cl_RA& low, const cl_RA& high, int digi
   const cl_RA scale = power(digits - 1 - p);
   cl_I whole = rounded(small * scale);
   if (whole != rounded(large * scale)) return {};
-  std::string text = digits_of(whole);
+  std::string text = kernel::digits(whole);
   if (static_cast<int>(text.size()) > digits) {  // 9.99... became 10.0
     text.pop_back();
     ++p;

@@ -10,6 +10,7 @@
 #include <cln/real.h>
 
 #include "kernel/print.hpp"
+#include "magicmass/scenes/ball.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -26,11 +27,7 @@ std::size_t length(const cl_RA& q) {
 Quadratic::Quadratic(const cl_RA& a, const cl_RA& b, const cl_I& d)
     : a_(a), b_(b), d_(cln::zerop(b) ? cl_I(1) : d) {}
 
-Quadratic::Quadratic(double value) : Quadratic() {
-  int exponent = 0;
-  const double mantissa = std::ldexp(std::frexp(value, &exponent), 53);
-  a_ = cl_I(static_cast<long long>(mantissa)) * cln::expt(cl_RA(2), cl_I(exponent - 53));
-}
+Quadratic::Quadratic(double value) : Quadratic(exact(value)) {}
 
 Quadratic Quadratic::sqrt(const Quadratic& x) {
   if (!cln::zerop(x.b_)) throw std::domain_error("a square root in a square root");
@@ -76,6 +73,11 @@ int Quadratic::sign() const {
   const int b = sign_of(b_);
   if (a * b >= 0) return a == 0 ? b : a;
   return a_ * a_ < b_ * b_ * d_ ? b : a;
+}
+
+int Quadratic::compared(const Quadratic& x, const Quadratic& y) {
+  const bool are_rational = cln::zerop(x.b_) && cln::zerop(y.b_);
+  return are_rational ? cln::compare(x.a_, y.a_) : (x - y).sign();  // the former needs no gcd
 }
 
 std::size_t Quadratic::bits() const { return length(a_) + (cln::zerop(b_) ? 0 : length(b_)); }

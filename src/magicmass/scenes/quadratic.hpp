@@ -23,8 +23,8 @@ public:
   friend Quadratic operator-(const Quadratic& x, const Quadratic& y);
   friend Quadratic operator*(const Quadratic& x, const Quadratic& y);
   friend Quadratic operator/(const Quadratic& x, const Quadratic& y);
-  friend bool operator<(const Quadratic& x, const Quadratic& y) { return (x - y).sign() < 0; }
-  friend bool operator==(const Quadratic& x, const Quadratic& y) { return (x - y).sign() == 0; }
+  friend bool operator<(const Quadratic& x, const Quadratic& y) { return compared(x, y) < 0; }
+  friend bool operator==(const Quadratic& x, const Quadratic& y) { return compared(x, y) == 0; }
 
   /// a and b.
   const cln::cl_RA& rational_part() const { return a_; }
@@ -44,6 +44,7 @@ private:
 
   Quadratic(const cln::cl_RA& a, const cln::cl_RA& b, const cln::cl_I& d);
   int sign() const;
+  static int compared(const Quadratic& x, const Quadratic& y);
   static const cln::cl_I& common(const Quadratic& x, const Quadratic& y);
 };
 

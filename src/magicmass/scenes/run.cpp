@@ -2,6 +2,7 @@
 #include "magicmass/scenes/run.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <concepts>
 #include <span>
 
@@ -33,9 +34,8 @@ Start<double> rounded_start(const Scene& scene) {
 
 std::optional<Start<Quadratic>> exact_start(const Scene& scene) {
   const auto line = exact_line(scene);
-  const Quadratic* until = scene.until ? scene.until->exact() : nullptr;
-  if (!line || (scene.until && until == nullptr)) return std::nullopt;
-  return Start<Quadratic>{*line, until == nullptr ? std::nullopt : std::optional(*until)};
+  if (!line) return std::nullopt;
+  return Start<Quadratic>{*line, scene.until ? std::optional(*scene.until->exact()) : std::nullopt};
 }
 
 std::int64_t most_events(const Scene& scene, const Options& options) {
@@ -50,12 +50,13 @@ std::string at_limit(std::int64_t limit) {
 /// Refuses numbers that grow too long; multiplying takes more than the length.
 class Lengths {
 public:
-  explicit Lengths(double most) : most_(most) {}
+  Lengths(double most, std::size_t bodies)
+      : most_(most), comparisons_(1 + static_cast<double>(std::bit_width(bodies) / 4)) {}
   void look([[maybe_unused]] const Collision<double>& event) {}
   void look(const Collision<Quadratic>& event) {
     const std::size_t bits = std::max(event.time.bits(), event.v_right.bits());
     const auto length = static_cast<double>(bits);
-    work_ += 2000 + length * (1 + length / 2000);
+    work_ += comparisons_ * (2000 + length * (1 + length / 2000));
     if (bits <= most_bits && work_ <= most_) return;
     throw Undecided("exact numbers have " + std::to_string(bits) + " bits after " +
                     std::to_string(event.number) + " collisions, more than are taken; at most " +
@@ -64,6 +65,7 @@ public:
 
 private:
   double most_;
+  double comparisons_;  // of times, in a tournament of so many bodies
   double work_ = 0;
 };
 
@@ -85,7 +87,7 @@ template <class Scalar>
 Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
               double work = most_work) {
   Engine<Scalar> engine(start.line);
-  Lengths lengths(work);
+  Lengths lengths(work, start.line.masses.size());
   Result result;
   result.counts.resize(start.line.masses.size() + 1);
   const Scalar before = simulator::kinetic_energy<Scalar>(engine.bodies());
@@ -144,9 +146,8 @@ std::int64_t within(const Cradle& cradle, const Scene& scene, std::int64_t limit
 
 /// One triple after the other; nothing where it is stepped exactly.
 std::optional<Result> transfers(const Scene& scene, const Options& options,
-                                const std::optional<Start<Quadratic>>& exact) {
-  const bool has_until = !scene.until || scene.until->exact() != nullptr;
-  const auto cradle = options.exact || !has_until ? std::nullopt : Cradle::of(scene);
+                                const std::optional<Start<Quadratic>>& exact) try {
+  const auto cradle = options.exact ? std::nullopt : Cradle::of(scene);
   if (!cradle) return {};
   const std::int64_t limit = most_events(scene, options);
   const std::int64_t events = within(*cradle, scene, limit);
@@ -161,6 +162,8 @@ std::optional<Result> transfers(const Scene& scene, const Options& options,
   result.plan = {"transfers", is_exact,
                  "a cradle: each ball of a magic ratio hands on all to the next block"};
   return result;
+} catch (const Undecided&) {
+  return {};
 }
 
 /// The models of theorems; nothing where none serves.

@@ -47,14 +47,17 @@ std::string gap_name(const Scene& scene, std::size_t gap) {
 std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene) {
   bool is_exact = true;
   cln::cl_I radicand = 1;
-  const auto line = converted<Quadratic>(scene, [&](const Value& value) {
+  const auto exactly = [&](const Value& value) {
     const Quadratic number = value.exact() == nullptr ? Quadratic() : *value.exact();
     is_exact = is_exact && value.exact() != nullptr;
     is_exact =
         is_exact && (radicand == 1 || number.radicand() == 1 || radicand == number.radicand());
     if (number.radicand() != 1) radicand = number.radicand();
     return number;
-  });
+  };
+  const auto line = converted<Quadratic>(scene, exactly);
+  if (scene.until) exactly(*scene.until);
+  for (const Value& time : scene.times) exactly(time);
   return is_exact ? std::optional(line) : std::nullopt;
 }
 

@@ -14,11 +14,9 @@ template <>
 double number(const Value& value) {
   return value.to_double();
 }
-/// A time that is irrational is a double here: its root may be another one than that of the places.
 template <>
 Quadratic number(const Value& value) {
-  const Quadratic* exact = value.exact();
-  return exact != nullptr && exact->radicand() == 1 ? *exact : Quadratic(value.to_double());
+  return *value.exact();
 }
 
 template <class Scalar>

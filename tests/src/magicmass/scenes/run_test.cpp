@@ -64,11 +64,14 @@ TEST_CASE("the paper's scenes", "[exam]") {
   CHECK(a.status == Status::complete);
   CHECK((number(a.terminal[0]) == 0 && number(a.terminal[1]) == 0 && number(a.terminal[2]) == 1));
   // Cut off, it is stepped, and doubles cannot tell whether more would come.
-  const Result near = result_of("alpha = 'magic:3'\nuntil = 9");
+  const Result near = result_of("alpha = 'magic:3'\nvelocities = [2, 1, 1]\nuntil = 9");
   CHECK(near.plan.model == "events");
   CHECK(near.status == Status::limited);
   CHECK_THAT(near.why,
              ContainsSubstring("closer than doubles can tell: 1, the first after collision 6"));
+  const Result told = result_of("alpha = 'magic:3'\nuntil = 9");  // but a cradle need not be
+  CHECK(told.plan.model == "transfers");
+  CHECK(told.status == Status::complete);
   const Result exact = result_of("alpha = 'sqrt(5)-2'");
   CHECK(exact.status == Status::complete);
   CHECK(exact.plan.is_exact);

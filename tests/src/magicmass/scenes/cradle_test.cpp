@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Cradles by theorem, against the engine in exact numbers and in doubles; and where bodies are.
+#include <random>
+
+#include "catch.hpp"
+#include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/trajectory.hpp"
+
+using namespace magicmass::scenes;
+
+namespace {
+
+double number(const Number& value) {
+  if (const auto* exact = std::get_if<Quadratic>(&value)) return exact->to_double().value();
+  return std::get<double>(value);
+}
+Result result_of(const std::string& text, const Options& options = {}) {
+  return run(parse_scene(text, "scene"), options);
+}
+std::vector<Row> rows_of(const std::string& text, const Options& options = {}) {
+  const Scene scene = parse_scene(text, "scene");
+  std::vector<Row> rows;
+  stream(scene, options, run(scene, options).plan, [&](const Row& row) { rows.push_back(row); });
+  return rows;
+}
+std::string fraction(std::int64_t above) { return '"' + std::to_string(above) + "/7\","; }
+
+/// A cradle as it is and in a mirror; with magic ratios by name and as numbers.
+struct Texts {
+  std::string named, exact, mirrored;
+};
+Texts random_cradle(std::mt19937_64& random) {
+  const std::size_t bodies = 3 + 2 * (random() % 4);
+  std::vector<std::int64_t> places;
+  std::vector<bool> is_second;
+  std::int64_t place = -5, L = 0;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    places.push_back(place);
+    is_second.push_back(random() % 2 == 0);
+    const auto least = static_cast<std::uint64_t>(is_second.back() ? 9 * L / 14 + 1 : 1);
+    const auto step = static_cast<std::int64_t>(least + random() % 9);
+    if (i % 2 == 1) L = step;
+    place += step;
+  }
+  const bool has_left = random() % 2 == 0, has_right = random() % 2 == 0;
+  const auto cut = random() % 3 == 0 ? "until = '" + std::to_string(random() % 9000) + "/97'\n"
+                                     : "max_events = " + std::to_string(1 + random() % 200) + "\n";
+  const auto text = [&](const std::string& first, const std::string& second, bool mirrored) {
+    std::string masses, positions, velocities;
+    for (std::size_t n = 0; n < bodies; ++n) {
+      const std::size_t i = mirrored ? bodies - 1 - n : n;
+      masses += i % 2 == 0 ? "1," : is_second[i] ? second : first;
+      positions += fraction(mirrored ? -places[i] : places[i]);
+      velocities += i > 0 ? "0," : mirrored ? "'-3/2'," : "'3/2',";
+    }
+    const std::string before = mirrored ? "right_wall = '38/7'\n" : "left_wall = '-38/7'\n";
+    const std::string after =
+        (mirrored ? "left_wall = " : "right_wall = ") + fraction(mirrored ? -place - 9 : place + 9);
+    return "kind = 'chain'\nmasses = [" + masses + "]\npositions = [" + positions +
+           "]\nvelocities = [" + velocities + "]\n" + (has_left ? before : "") +
+           (has_right ? after.substr(0, after.size() - 1) + "\n" : "") + cut;
+  };
+  return {text("'magic:1',", "'magic:2',", false), text("1,", "'sqrt(5)-2',", false),
+          text("'magic:1',", "'magic:2',", true)};
+}
+
+}  // namespace
+
+TEST_CASE("random cradles by theorem, in exact numbers, and in a mirror", "[check]") {
+  std::mt19937_64 random(17);
+  int cradles = 0, limited = 0;
+  std::size_t longest = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Texts texts = random_cradle(random);
+    INFO(texts.named);
+    const Result result = result_of(texts.named);
+    if (result.plan.model != "transfers") continue;
+    ++cradles;
+    REQUIRE_FALSE(result.plan.is_exact);
+    const Options exactly{true, std::nullopt};
+    const Result exact = result_of(texts.exact, exactly);
+    const Result mirrored = result_of(texts.mirrored);
+    REQUIRE(result_of(texts.exact).plan.model == "transfers");
+    REQUIRE(mirrored.plan.model == "transfers");
+    for (const Result& other : {exact, mirrored}) {
+      REQUIRE(other.status == result.status);
+      REQUIRE(other.why == result.why);
+      REQUIRE(other.events == result.events);
+      REQUIRE(number(other.energy) == number(result.energy));
+      REQUIRE(other.known_until.has_value() == result.known_until.has_value());
+      if (result.known_until) REQUIRE(number(*other.known_until) == number(*result.known_until));
+    }
+    REQUIRE(exact.counts == result.counts);
+    REQUIRE(number(exact.transmitted) == number(result.transmitted));
+    REQUIRE(mirrored.counts == std::vector(result.counts.rbegin(), result.counts.rend()));
+    const std::size_t bodies = result.terminal.size();
+    for (std::size_t k = 0; k < bodies; ++k) {
+      REQUIRE(number(exact.terminal[k]) == number(result.terminal[k]));
+      REQUIRE(number(mirrored.terminal[bodies - 1 - k]) == -number(result.terminal[k]));
+    }
+    const std::vector<Row> rows = rows_of(texts.named), expected = rows_of(texts.exact, exactly),
+                           reversed = rows_of(texts.mirrored);
+    REQUIRE(rows.size() == expected.size());
+    REQUIRE(rows.size() == reversed.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      INFO(k);
+      REQUIRE(rows[k].gap == expected[k].gap);
+      REQUIRE(number(rows[k].time) == number(expected[k].time));
+      REQUIRE(number(rows[k].position) == number(expected[k].position));
+      REQUIRE(number(rows[k].v_left) == number(expected[k].v_left));
+      REQUIRE(number(rows[k].v_right) == number(expected[k].v_right));
+      REQUIRE(reversed[k].gap == bodies - rows[k].gap);
+      REQUIRE(number(reversed[k].position) == -number(rows[k].position));
+      REQUIRE(number(reversed[k].v_left) == -number(rows[k].v_right));
+    }
+    limited += result.status == Status::limited ? 1 : 0;
+    longest = std::max(longest, rows.size());
+  }
+  CHECK(cradles > 250);
+  CHECK(limited > 100);
+  CHECK(limited < cradles);
+  CHECK(longest > 150);
+}
+
+TEST_CASE("a cradle of larger numbers has nothing left over, and moves as doubles do", "[check]") {
+  const std::string text =
+      "kind = 'chain'\nblocks = 5\nballs = ['magic:3', 'magic:7', 'magic:20', "
+      "'magic:4']\nV = 2\nL = '3/2'\ngap = 2\n";
+  const Result result = result_of(text);
+  CHECK(result.plan.model == "transfers");
+  CHECK(result.status == Status::complete);
+  CHECK(result.events == 2 * (3 + 7 + 20 + 4));
+  CHECK(result.counts == std::vector<std::int64_t>{0, 3, 3, 7, 7, 20, 20, 4, 4, 0});
+  for (std::size_t i = 0; i < 9; ++i) CHECK(number(result.terminal[i]) == (i == 8 ? 2 : 0));
+  const std::vector<Row> rows = rows_of(text);
+  const Scene scene = parse_scene(text, "scene");
+  magicmass::simulator::Engine<double> engine(rounded_line(scene));
+  for (const Row& row : rows) {
+    REQUIRE(engine.next());
+    const auto event = engine.step();
+    REQUIRE(event.gap == row.gap);
+    REQUIRE_THAT(event.time, WithinAbs(number(row.time), 1e-10));
+    REQUIRE_THAT(event.position, WithinAbs(number(row.position), 1e-10));
+    REQUIRE_THAT(event.v_right, WithinAbs(number(row.v_right), 1e-10));
+  }
+}
+
+TEST_CASE("what is no cradle is stepped", "[exam]") {
+  const auto model = [](const std::string& balls, const std::string& more) {
+    return result_of("kind = 'chain'\nblocks = 3\nballs = " + balls + "\n" + more).plan.model;
+  };
+  CHECK(model("'magic:3'", "") == "transfers");
+  CHECK(model("0.1099162641747424", "") == "events");  // the nearest double
+  CHECK(model("0.1099162651747424", "") == "events");  // alpha_3 + 1e-9
+  CHECK(model("'deficient:2'", "") == "events");
+  CHECK(model("'magic:3'", "restitution = 0.999") == "events");
+  CHECK(model("'magic:3'", "velocities = [1, 0, 0, 0, -1]") == "events");
+  CHECK(model("'magic:3'", "positions = [0, 1, 1, 2, 3]") == "events");
+  // The block after the ball moves by (1 - alpha)/(1 + alpha) = 0.618... until the ball rests.
+  CHECK(model("'magic:2'", "gap = 0.618") == "events");
+  CHECK(model("'magic:2'", "gap = 0.6181") == "transfers");
+  const std::string walled = "right_wall = 4.";
+  CHECK(model("'magic:2'", walled + "618") == "events");
+  CHECK(model("'magic:2'", walled + "6181") == "transfers");
+  CHECK(result_of("kind = 'chain'\nmasses = [1, 1, 2]").plan.model == "theorem");
+  CHECK(result_of("kind = 'chain'\nmasses = [1, 1, 2, 1, 1]").plan.model == "events");
+}
+
+TEST_CASE("places at given times are those of the engine", "[check]") {
+  const std::string cradle =
+      "kind = 'chain'\nblocks = 4\nballs = 'sqrt(5)-2'\nwalls = 'both'\nuntil = 60\n";
+  const std::string chain =
+      "kind = 'chain'\nmasses = [2, '1/3', 3, '4/7']\npositions = [0, '1/2', '5/4', 2]\n"
+      "velocities = [1, 0, '-1/4', 0]\nright_wall = 4\nrestitution = '7/8'\nuntil = 60\n";
+  std::string times;
+  for (int n = 0; n < 300; ++n) times += "'" + std::to_string(n) + "/5',";
+  for (const std::string& text : {cradle, chain}) {
+    const Scene scene =
+        parse_scene(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", "scene");
+    for (const bool exact : {true, false}) {
+      const Options options{exact, std::nullopt};
+      magicmass::simulator::Engine<Quadratic> engine(*exact_line(scene));
+      std::size_t points = 0;
+      trajectory(scene, options, run(scene, options), [&](const Point& point) {
+        const Quadratic time(cln::cl_RA(static_cast<int>(points / scene.masses.size())) / 5);
+        while (engine.next() && !(time < *engine.next())) engine.step();
+        const Quadratic place = engine.position(point.body, time);
+        REQUIRE(point.body == points++ % scene.masses.size());
+        if (exact) {
+          REQUIRE(std::get<Quadratic>(point.time) == time);
+          REQUIRE(std::get<Quadratic>(point.position) == place);
+        }
+        REQUIRE_THAT(number(point.position), WithinAbs(place.to_double().value(), 1e-11));
+      });
+      CHECK(points == 300 * scene.masses.size());  // 70 is after the end
+    }
+  }
+}
+
+TEST_CASE("a trajectory without times has its corners", "[exam]") {
+  const Scene scene = parse_scene("alpha = '1/3'\noutputs = ['trajectory']\nevery = 2\n", "scene");
+  const Result result = run(scene, {});
+  std::vector<std::array<double, 3>> points;
+  trajectory(scene, {}, result, [&](const Point& point) {
+    points.push_back({number(point.time), double(point.body), number(point.position)});
+  });
+  REQUIRE(result.events == 4);
+  const double last = points.back()[0];
+  const std::vector<std::array<double, 3>> first{
+      {0, 0, 0}, {0, 1, 0}, {0, 2, 1}, {points[3][0], 1, 1}, {points[3][0], 2, 1}};
+  CHECK(std::vector(points.begin(), points.begin() + 5) == first);
+  CHECK_THAT(points[3][0], WithinAbs(2. / 3, 1e-15));
+  CHECK(points.size() == 3 + 2 + 2 + 3);
+  CHECK(points[5][0] == last);
+}
+
+TEST_CASE("a chain from keys is laid out", "[exam]") {
+  const auto line = [](const std::string& text) {
+    return rounded_line(parse_scene("kind = 'chain'\n" + text, "scene"));
+  };
+  const auto both = line("blocks = 3\nballs = [0.5, 0.25]\nL = 2\ngap = 3\nV = 5\nwalls = 'both'");
+  CHECK(both.masses == std::vector<double>{1, 0.5, 1, 0.25, 1});
+  CHECK(both.positions == std::vector<double>{0, 3, 5, 8, 10});
+  CHECK(both.velocities == std::vector<double>{5, 0, 0, 0, 0});
+  CHECK((both.left_wall == -3 && both.right_wall == 13));
+  const auto ends_in_a_ball = line("masses = [1, 2]\nL = 2\ngap = 3\nwalls = 'right'");
+  CHECK((!ends_in_a_ball.left_wall && ends_in_a_ball.right_wall == 5));
+  CHECK(line("blocks = 1").positions == std::vector<double>{0});
+}
