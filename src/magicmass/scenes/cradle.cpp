@@ -132,7 +132,7 @@ struct Cradle::Moment {
   bool is_back;         ///< or at the wall behind
 };
 Cradle::Moment Cradle::moment(std::int64_t j) const {
-  const std::int64_t of_round = j % (2 * way_ + 2), round = j / (2 * way_ + 2);
+  const std::int64_t of_round = j % period(), round = j / period();
   if (of_round <= way_) return {round, of_round, false};
   return {round, of_round == 2 * way_ + 1 ? way_ : 2 * way_ - of_round, true};
 }
@@ -181,7 +181,7 @@ std::size_t Cradle::gap(std::int64_t j) const {
   return is_mirrored_ ? bodies() - gap : gap;
 }
 std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) const {
-  const std::int64_t of_round = collisions % (2 * way_ + 2);
+  const std::int64_t of_round = collisions % period();
   const bool is_back = of_round > way_;
   const std::int64_t of_way = is_back ? 2 * way_ + 1 - of_round : of_round;
   std::vector<Ball> all(bodies());
@@ -204,7 +204,7 @@ std::vector<Ball> Cradle::masses(const Shape& s) const {
   return all;
 }
 std::vector<std::int64_t> Cradle::counts(std::int64_t collisions) const {
-  const std::int64_t of_round = collisions % (2 * way_ + 2), round = collisions / (2 * way_ + 2);
+  const std::int64_t of_round = collisions % period(), round = collisions / period();
   const std::int64_t out = std::min(of_round, way_), back = std::max(of_round - way_ - 1, {});
   std::vector<std::int64_t> all(bodies() + 1);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {

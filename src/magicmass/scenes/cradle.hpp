@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Newton's cradle of the paper: equal blocks with balls of magic ratios between them. One trio after
-// the other, to a wall and back.
+// Newton's cradle of the paper: equal blocks with balls of magic ratios between them. One trio
+// after the other, to a wall and back.
 #pragma once
 
 #include <map>
@@ -9,9 +9,9 @@
 
 namespace magicmass::scenes {
 
-/// By theorems cradle.*, a block that comes with V leaves itself and the ball at rest and hands V on
-/// to the next block, whose way is then the straight line on which the first one came. From a wall
-/// it comes back: then the same motion runs backwards in time, until all is as it was at the start.
+/// By theorems cradle.*, a block that comes with V leaves itself and the ball at rest and hands V
+/// on to the next block, whose way is then the straight line on which the first one came. From a
+/// wall it comes back: then the motion runs backwards in time, until all is as it was.
 class Cradle {
 public:
   /// Nothing unless all but the first (or in a mirror the last) body is at rest, nothing is lost,
@@ -27,6 +27,7 @@ public:
   using Shape = std::map<std::int64_t, Trio::Shape>;
   Shape shape() const;
   Trio::Collision collision(const Shape& s, std::int64_t j) const;
+  std::int64_t period() const { return 2 * way_ + 2; }
   std::size_t gap(std::int64_t j) const;
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
   std::vector<Ball> masses(const Shape& s) const;

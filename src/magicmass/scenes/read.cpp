@@ -82,9 +82,9 @@ void check_together(const Scene& scene) {
   for (const auto& [one, other] : std::initializer_list<std::pair<const char*, const char*>>{
            {"balls", "blocks"}, {"times", "trajectory"}})
     if (has(one) && !has(other) && !scene.wants(other))
-      refuse_key(scene, one, "there is no " + std::string(other), "both");
+      refuse_key(scene, one, "without " + std::string(other), "both");
   if (has("blocks") && !has("balls") && scene.masses.size() > 1)
-    refuse_key(scene, "blocks", "there are no balls", "both");
+    refuse_key(scene, "blocks", "without balls", "both");
   if (has("every") && (has("times") || !(scene.wants("events") || scene.wants("trajectory"))))
     refuse_key(scene, "every", "there is nothing to leave out",
                "with the output events, or with trajectory but no times");

@@ -60,8 +60,8 @@ struct Row {
 };
 using Sink = std::function<void(const Row&)>;
 
-/// By theorem where the scene is a Trio and nothing cuts it off, or a Cradle. Else it is stepped, in
-/// doubles, and again in exact numbers where a decision was closer than doubles can tell.
+/// By theorem where the scene is a Trio and nothing cuts it off, or a Cradle. Else it is stepped,
+/// in doubles, and again in exact numbers where a decision was closer than doubles can tell.
 /// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
 /// they become too long.
 Result run(const Scene& scene, const Options& options);

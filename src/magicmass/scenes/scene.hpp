@@ -52,8 +52,8 @@ std::string body_name(const Scene& scene, std::size_t body);
 /// What the collisions at a gap are called: N_A, N_B for three bodies; by the names beside it else.
 std::string gap_name(const Scene& scene, std::size_t gap);
 
-/// The bodies, exactly; nothing where a value, be it a time, is a ratio of the paper or there are two
-/// roots.
+/// The bodies, exactly; nothing where a value, be it a time, is a ratio of the paper or there are
+/// two roots.
 std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene);
 /// The same but for the masses, which are 1: nothing where another value is not exact.
 std::optional<simulator::Line<Quadratic>> exact_places(const Scene& scene);

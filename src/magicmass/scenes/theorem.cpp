@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/theorem.hpp"
 
+#include <array>
 #include <concepts>
 
 #include "magicmass/numbers/errors.hpp"
@@ -84,19 +85,26 @@ void stream_by_theorem(const Motion& motion, std::int64_t collisions, const Sink
   constexpr int enough_bits = 192;
   Ball::set_bits(enough_bits);
   auto shape = motion.shape();
-  const auto row = [&](const typename Motion::Shape& s, std::int64_t j) {
-    const Trio::Collision c = motion.collision(s, j);
-    return std::vector<Ball>{c.time, c.position, c.v_left, c.v_right};
-  };
+  constexpr std::size_t most_kept = 1U << 14U;
+  std::vector<std::array<double, 3>> first;  // place and velocities, which come again
   for (std::int64_t j = 0; j < collisions; ++j) {
-    auto numbers = rounded([&] { return row(shape, j); });
+    const auto again = static_cast<std::size_t>(j % motion.period());
+    const bool is_known = again < first.size();
+    const auto row = [&](const typename Motion::Shape& s) {
+      const Trio::Collision c = motion.collision(s, j);
+      if (is_known) return std::vector{c.time};
+      return std::vector{c.time, c.position, c.v_left, c.v_right};
+    };
+    auto numbers = rounded([&] { return row(shape); });
     if (!numbers) {
-      numbers = certain([&] { return row(motion.shape(), j); });
+      numbers = certain([&] { return row(motion.shape()); });
       Ball::set_bits(enough_bits);
       shape = motion.shape();
     }
     const std::vector<double>& n = *numbers;
-    sink({j + 1, motion.gap(j), n[0], n[1], n[2], n[3]});
+    const std::array<double, 3> of_place = is_known ? first[again] : std::array{n[1], n[2], n[3]};
+    if (again == first.size() && again < most_kept) first.push_back(of_place);
+    sink({j + 1, motion.gap(j), n[0], of_place[0], of_place[1], of_place[2]});
   }
 }
 

@@ -192,6 +192,7 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
   const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
                                               power_of(s, j));
   std::vector<Ball> all{v.A_next, v.C_next, v.B_next};
+  if (collisions == 1) all[2] = 0;  // B was not met
   const auto N = by_theorem();
   if (N && *N % 2 == 0) {  // magic.velocities
     if (collisions >= *N - 1) all[0] = 0;

@@ -47,6 +47,8 @@ public:
   };
   /// Collision j, from 0 on.
   Collision collision(const Shape& s, std::int64_t j) const;
+  /// After so many collisions all comes again, only later.
+  std::int64_t period() const { return INT64_MAX; }
   /// The gap of the scene that closes there.
   std::size_t gap(std::int64_t j) const;
   /// Velocities of all bodies of the scene after so many collisions.
