@@ -10,8 +10,8 @@
 namespace magicmass::scenes {
 namespace {
 
-const std::vector<std::pair<std::string, Kind>> kinds{
-    {"three-body", Kind::three_body}, {"wall", Kind::wall}, {"chain", Kind::chain}};
+const std::vector<std::string> kinds{"three-body", "wall", "chain"};  // as in Kind
+const std::vector<std::string> sides{"none", "left", "right", "both"};
 const std::vector<std::string> all_outputs{"counts", "terminal", "events", "trajectory", "energy"};
 constexpr std::int64_t most_blocks = 500'000;
 
@@ -27,10 +27,14 @@ std::string type_of(const toml::node& node) {
   return "a TOML " + name.str();
 }
 
-std::string text_of(const toml::node& node, const Scene& scene, const std::string& key,
-                    const std::string& allowed) {
-  if (const auto* text = node.as_string()) return text->get();
-  refuse_key(scene, key, "got " + type_of(node), allowed);
+/// Which of these words it is.
+std::size_t word_at(const toml::node& node, const Scene& scene, const std::string& key,
+                    const std::vector<std::string>& words, const std::string& before = "") {
+  const auto* text = node.as_string();
+  const auto found = std::find(words.begin(), words.end(), text == nullptr ? "" : text->get());
+  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  const std::string got = text == nullptr ? type_of(node) : '"' + text->get().substr(0, 40) + '"';
+  refuse_key(scene, key, "got " + got, before + quoted_list(words));
 }
 
 Value value_at(const toml::node& node, const Scene& scene, const std::string& key) {
@@ -52,15 +56,18 @@ const toml::array& array_at(const toml::node& node, const Scene& scene, const st
   refuse_key(scene, key, "got " + type_of(node), allowed);
 }
 
+void read_title(const toml::node& node, Scene& scene, const std::string& key) {
+  const auto* text = node.as_string();
+  if (text == nullptr) refuse_key(scene, key, "got " + type_of(node), "a text");
+  scene.title = text->get();
+}
+
 void read_kind(const toml::node& node, Scene& scene, const std::string& key) {
-  std::vector<std::string> names;
-  for (const auto& kind : kinds) names.push_back(kind.first);
-  const std::string allowed = quoted_list(names);
-  const std::string name = text_of(node, scene, key, allowed);
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end())
-    refuse_key(scene, key, "unknown kind \"" + name.substr(0, 40) + '"', allowed);
-  scene.kind = kinds[static_cast<std::size_t>(found - names.begin())].second;
+  scene.kind = static_cast<Kind>(word_at(node, scene, key, kinds));
+}
+
+void read_walls(const toml::node& node, Scene& scene, const std::string& key) {
+  scene.walls = sides[word_at(node, scene, key, sides)];
 }
 
 void read_alpha(const toml::node& node, Scene& scene, const std::string& key) {
@@ -69,14 +76,10 @@ void read_alpha(const toml::node& node, Scene& scene, const std::string& key) {
 }
 
 void read_outputs(const toml::node& node, Scene& scene, const std::string& key) {
-  const std::string allowed = "an array of " + quoted_list(all_outputs);
+  const std::string array = "an array of ";
   scene.outputs.clear();
-  for (const toml::node& element : array_at(node, scene, key, allowed)) {
-    const std::string name = text_of(element, scene, key, allowed);
-    if (std::count(all_outputs.begin(), all_outputs.end(), name) == 0)
-      refuse_key(scene, key, "unknown output \"" + name.substr(0, 40) + '"', allowed);
-    scene.outputs.push_back(name);
-  }
+  for (const toml::node& element : array_at(node, scene, key, array + quoted_list(all_outputs)))
+    scene.outputs.push_back(all_outputs[word_at(element, scene, key, all_outputs, array)]);
 }
 
 std::int64_t whole_at(const toml::node& node, const Scene& scene, const std::string& key,
@@ -109,13 +112,6 @@ void read_balls(const toml::node& node, Scene& scene, const std::string& key) {
   for (std::size_t i = 0; i < balls; ++i) scene.masses[2 * i + 1] = masses[i];
 }
 
-void read_walls(const toml::node& node, Scene& scene, const std::string& key) {
-  const std::vector<std::string> names{"none", "left", "right", "both"};
-  scene.walls = text_of(node, scene, key, quoted_list(names));
-  if (std::count(names.begin(), names.end(), scene.walls) == 0)
-    refuse_key(scene, key, "got \"" + scene.walls.substr(0, 40) + '"', quoted_list(names));
-}
-
 template <auto member>
 void read(const toml::node& node, Scene& scene, const std::string& key) {
   scene.*member = value_at(node, scene, key);
@@ -132,8 +128,7 @@ void read_list(const toml::node& node, Scene& scene, const std::string& key) {
 const std::vector<Key>& keys() {
   static const std::vector<Key> all{
       {"kind", read_kind},
-      {"title", [](const toml::node& node, Scene& scene,
-                   const std::string& key) { scene.title = text_of(node, scene, key, "a text"); }},
+      {"title", read_title},
       {"alpha", read_alpha, {Kind::three_body, Kind::wall}},
       {"mass_ratio",
        [](const toml::node& node, Scene& scene, const std::string& key) {

@@ -19,9 +19,4 @@ void stream_by_theorem(const Motion& motion, std::int64_t collisions, const Sink
 /// When collision j takes place, the nearest double.
 double time_by_theorem(const Cradle& cradle, std::int64_t j);
 
-extern template Result by_theorem(const Trio&, std::optional<std::int64_t>);
-extern template Result by_theorem(const Cradle&, std::optional<std::int64_t>);
-extern template void stream_by_theorem(const Trio&, std::int64_t, const Sink&);
-extern template void stream_by_theorem(const Cradle&, std::int64_t, const Sink&);
-
 }  // namespace magicmass::scenes

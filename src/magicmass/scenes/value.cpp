@@ -95,12 +95,8 @@ Value read_value(std::string_view text) {
   if (text.size() > longest_text)
     refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));
   try {
-    if (text.starts_with("magic:") || text.starts_with("deficient:")) {
-      const notation::Alpha ratio = notation::read_alpha(text);
-      if (const auto* magic = std::get_if<notation::Magic>(&ratio))
-        return {std::string(text), *magic};
-      return {std::string(text), std::get<notation::Deficient>(ratio)};
-    }
+    if (text.starts_with("magic:") || text.starts_with("deficient:"))
+      return value_of(notation::read_alpha(text));
     if (is_float(text)) return {std::string(text), Quadratic(read_float(text))};
     return {std::string(text), checked(evaluate(notation::read(text)))};
   } catch (const std::domain_error& error) {
