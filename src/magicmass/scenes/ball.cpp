@@ -48,6 +48,7 @@ Ball::Ball(const cl_RA& q) : middle(cln::floor1(scaled(q, bits_))), radius(1) {
 Ball operator+(const Ball& a, const Ball& b) { return {a.middle + b.middle, a.radius + b.radius}; }
 Ball operator-(const Ball& a, const Ball& b) { return {a.middle - b.middle, a.radius + b.radius}; }
 Ball operator*(const Ball& a, const Ball& b) {
+  if (a.is_zero() || b.is_zero()) return 0;
   const cl_I error =
       cln::abs(a.middle) * b.radius + cln::abs(b.middle) * a.radius + a.radius * b.radius;
   // One unit for the product's own rounding, one for that of its error.

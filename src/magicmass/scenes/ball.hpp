@@ -47,6 +47,7 @@ public:
 
 private:
   Ball(const cln::cl_I& m, const cln::cl_I& r) : middle(m), radius(r) {}
+  bool is_zero() const { return middle == 0 && radius == 0; }
   /// A part of it; as cheap as can be.
   Ball over(int n) const { return {cln::floor1(middle, n), cln::floor1(radius, n) + 2}; }
   static Ball alternating(Ball term, const Ball& square, int first);
