@@ -2,6 +2,7 @@
 // Times and distances of single collisions against the oracle, which moves the three bodies.
 #include "catch.hpp"
 #include "magicmass/numbers/fast.hpp"
+#include "magicmass/numbers/kernels.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
 
@@ -71,6 +72,25 @@ TEST_CASE("tiny alpha, where the leading order is a double or the middle of two"
     for (std::int64_t j : {2L, 3L, 7L, (1L << 53) - 1, (1L << 54) - 1, (1L << 54) + 1, INT64_MAX}) {
       INFO("alpha = " << in_hex(alpha) << ", j = " << j);
       CHECK(accurate::collision(alpha, j) == collision_by_oracle(alpha, j));
+    }
+  }
+}
+TEST_CASE("each instruction set gives the same bits of a collision, and leaves the same open") {
+  Random random(32);
+  const numbers::Kernels& baseline = *numbers::kernels_named("baseline");
+  for (const char* name : {"avx2", "avx512"}) {
+    const numbers::Kernels* table = numbers::kernels_named(name);
+    if (table == nullptr) continue;
+    for (int row = 0; row < 3000; ++row) {
+      const double alpha = families[row % 2 == 0 ? 0 : 7].alpha(random);
+      const std::int64_t j = some_collision(random, alpha);
+      INFO(name << ", alpha = " << in_hex(alpha) << ", j = " << j);
+      for (int tier : {numbers::fast, numbers::accurate, numbers::slow}) {
+        Collision got, expected;
+        const bool is_certain = baseline.collision[tier](expected, alpha, j);
+        REQUIRE(table->collision[tier](got, alpha, j) == is_certain);
+        if (is_certain) REQUIRE(got == expected);
+      }
     }
   }
 }
