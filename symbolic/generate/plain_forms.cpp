@@ -103,7 +103,7 @@ std::string labels(const std::string& quantity) {
       {"magic", "exact:ak"},
       {"deficient", "exact:bk"},
       {"angle", "def:psi"},
-      {"collision", "table:trig"},
+      {"collision", "def:psi"},
       {"Gamma_A", "eq:Gamma"},
       {"Gamma_B", "eq:Gamma"},
       {"Lambda", "eq:Lambda"},
