@@ -110,10 +110,8 @@ Cell text_cell(std::string_view text) { return {std::string(text), json_string(t
 
 Cell real_cell(double value) {
   if (!std::isfinite(value)) return missing_cell();
-  std::array<char, 32> digits{};
-  const double unsigned_zero = value == 0 ? 0.0 : value;
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), unsigned_zero).ptr;
-  const std::string text(digits.data(), end);
+  std::string text;
+  append_number(text, value);
   return {text, text};
 }
 
@@ -129,34 +127,52 @@ Cell list_cell(const std::vector<std::string>& texts) {
 }
 
 Writer::Writer(Format format, std::vector<Column> columns, bool is_list)
-    : format_(format), columns_(std::move(columns)), is_list_(is_list) {}
+    : format_(format), columns_(std::move(columns)), is_list_(is_list) {
+  for (const Column& column : columns_) {
+    before_.push_back(before_.empty() ? "" : format == Format::csv ? "," : ", ");
+    if (format != Format::csv) before_.back() += json_string(column.name) + ": ";
+  }
+}
+
+std::string Writer::opening() {
+  if (std::exchange(is_open_, true)) return "";
+  if (format_ == Format::csv) return joined(names_of(columns_), ",") + "\n";
+  return is_list_ && format_ == Format::json ? "[" : "";
+}
+
+template <class AppendField>
+void Writer::append_row(std::string& text, const AppendField& append_field) {
+  if (format_ == Format::json && is_list_) text += is_first_ ? "\n" : ",\n";
+  if (format_ != Format::csv) text += '{';
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    text += before_[i];
+    append_field(i);
+  }
+  text += format_ == Format::csv ? "\n" : format_ == Format::json ? "}" : "}\n";
+  is_first_ = false;
+}
 
 std::string Writer::rows(std::span<const Row> block) {
   if (format_ == Format::text) return text_rows(block);
-  const std::vector<std::string> names = names_of(columns_);
-  std::string text;
-  if (is_first_ && format_ == Format::csv)
-    text = joined(names, ",") + "\n";
-  else if (is_first_ && is_list_ && format_ == Format::json)
-    text = "[";
+  std::string text = opening();
   for (const Row& row : block) {
-    std::vector<std::string> fields;
-    for (std::size_t i = 0; i < names.size(); ++i) {
+    append_row(text, [&](std::size_t i) {
       const Cell& cell = row.at(i);
-      fields.push_back(format_ == Format::csv ? csv_field(cell.text)
-                                              : json_string(names[i]) + ": " + cell.json);
-    }
-    if (format_ == Format::csv) {
-      text += joined(fields, ",") + "\n";
-    } else if (format_ == Format::json_lines) {
-      text += "{" + joined(fields) + "}\n";
-    } else {
-      text += (!is_list_ ? "" : is_first_ ? "\n" : ",\n") + ("{" + joined(fields) + "}");
-      is_first_ = false;
-    }
+      text += format_ == Format::csv ? csv_field(cell.text) : cell.json;
+    });
   }
-  is_first_ = is_first_ && format_ == Format::json;
   return text;
+}
+
+void Writer::append(std::string& text, const Block& block, std::size_t row) {
+  append_row(text, [&](std::size_t i) {
+    if (const auto* cell = std::get_if<Cell>(&block.columns[i]))
+      text += format_ == Format::csv ? cell->text : cell->json;
+    else if (const auto* wholes = std::get_if<std::vector<std::int64_t>>(&block.columns[i]))
+      append_number(text, (*wholes)[row]);
+    else
+      append_number(text, std::get<std::vector<double>>(block.columns[i])[row]);
+  });
 }
 
 std::string Writer::text_rows(std::span<const Row> block) {

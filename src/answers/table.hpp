@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace answers {
@@ -46,6 +47,14 @@ Cell missing_cell();
 
 using Row = std::vector<Cell>;  ///< as long as there are columns
 
+/// Many rows as columns of numbers, which are written without a cell for each.
+struct Block {
+  /// A cell is the same in each row.
+  using Numbers = std::variant<std::vector<double>, std::vector<std::int64_t>, Cell>;
+  std::vector<bool> is_answered;  ///< by row; a block without columns has none
+  std::vector<Numbers> columns;
+};
+
 struct Table {
   std::vector<Column> columns;
   std::vector<Row> rows;
@@ -61,6 +70,8 @@ public:
   Writer(Format format, std::vector<Column> columns, bool is_list);
   /// What follows for these rows; the first call writes the header too.
   std::string rows(std::span<const Row> block);
+  /// Appends a row of the block to what rows() wrote before; JSON and CSV alone.
+  void append(std::string& text, const Block& block, std::size_t row);
   /// What ends the whole, after one call of rows() at least.
   std::string end() const;
 
@@ -68,10 +79,15 @@ private:
   Format format_;
   std::vector<Column> columns_;
   bool is_list_;
-  bool is_first_ = true;
+  bool is_open_ = false;             // the header is written
+  bool is_first_ = true;             // no row is
+  std::vector<std::string> before_;  // each field, such as its name in JSON
   std::vector<std::size_t> widths_;  // empty: a block of lines a row
 
   std::string text_rows(std::span<const Row> block);
+  std::string opening();
+  template <class AppendField>
+  void append_row(std::string& text, const AppendField& append_field);
 };
 
 /// The whole table.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "answers/request.hpp"
+#include "answers/rows.hpp"
 
 namespace command {
 
@@ -36,6 +36,8 @@ struct Command {
   std::int64_t seconds = 30;       ///< of --time-limit unless told otherwise
   std::int64_t mebibytes = 1024;   ///< of --memory-limit unless told otherwise
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
+  /// The same answers for many rows of --input; those without one are handed to `run`.
+  std::function<answers::Block(const answers::Rows&)> run_block = {};
 };
 
 /// The program: all that differs between magicmass and a test's.

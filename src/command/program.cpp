@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From the command line to an exit code.
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <new>
@@ -46,46 +47,87 @@ void open_standard_streams() {
 }
 
 answers::Format table_format(const std::string& name) {
-  return name == "json"  ? answers::Format::json
-         : name == "csv" ? answers::Format::csv
-                         : answers::Format::text;
+  return name == "json"    ? answers::Format::json
+         : name == "csv"   ? answers::Format::csv
+         : name == "jsonl" ? answers::Format::json_lines
+                           : answers::Format::text;
 }
 
-/// Each row of the input is a request; answers are written a block at a time.
+/// Answers rows of the input, written a block at a time.
+class RowsAnswered {
+public:
+  RowsAnswered(const Asked& asked, const CsvReader& reader, Destination& output)
+      : command_(*asked.command),
+        reader_(reader),
+        output_(output),
+        format_(table_format(asked.request.format)) {}
+
+  void add(const answers::Rows& rows) {
+    answers::Block block;
+    if (command_.run_block && format_ != answers::Format::text) block = command_.run_block(rows);
+    for (std::size_t row = 0; row < rows.fields.size(); ++row) {
+      if (!block.columns.empty() && block.is_answered[row]) {
+        if (!writer_ || !alone_.empty()) write_alone();
+        writer_->append(text_, block, row);
+      } else {
+        answer_alone(rows.request(row), reader_.place(rows.fields.size() - 1 - row));
+      }
+    }
+    write_alone();
+    output_.write(text_);
+    text_.clear();
+  }
+  void end() {
+    if (!writer_) write_alone();
+    output_.write(text_ + writer_->end());
+  }
+
+private:
+  const Command& command_;
+  const CsvReader& reader_;
+  Destination& output_;
+  answers::Format format_;
+  std::optional<answers::Writer> writer_ = {};  // knows its columns from the first answer
+  std::vector<answers::Column> columns_ = command_.columns;
+  std::vector<answers::Row> alone_ = {};
+  std::string text_ = {};
+
+  void answer_alone(const answers::Request& request, const std::string& place) {
+    try {
+      answers::Table table = command_.run(request).table;
+      columns_ = std::move(table.columns);
+      for (answers::Row& row : table.rows) alone_.push_back(std::move(row));
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(place + error.what());
+    } catch (const answers::Undecided& error) {
+      throw answers::Undecided(place + error.what());
+    }
+  }
+  void write_alone() {
+    if (!writer_) writer_.emplace(format_, columns_, true);
+    text_ += writer_->rows(alone_);
+    alone_.clear();
+  }
+};
+
+/// Each row of the input is a request.
 void answer_rows(const Asked& asked, Destination& output) {
   constexpr std::size_t rows_at_once = 4096;
   std::vector<std::string> may_be_columns;
   for (const Option& option : asked.command->options)
     if (option.is_column) may_be_columns.push_back(option.name);
   CsvReader reader(*asked.input, may_be_columns);
-  answers::Request request = asked.request;
-  for (const std::string& column : reader.columns())
-    if (!request.options.emplace(column, "").second)
+  answers::Rows rows{asked.request, reader.columns()};
+  for (const std::string& column : rows.columns)
+    if (rows.shared.has(column))
       throw InvalidInput(column + ": given twice, as an option and as a column");
   for (const Option& option : asked.command->options)
-    if (option.is_required && !request.has(option.name))
+    if (option.is_required && !rows.shared.has(option.name) &&
+        std::count(rows.columns.begin(), rows.columns.end(), option.name) == 0)
       throw InvalidInput(reader.place() + "no column " + option.name);
-  answers::Writer writer(table_format(request.format), asked.command->columns, true);
-  std::vector<answers::Row> block;
-  bool is_first = true;
-  while (auto row = reader.next()) {
-    for (auto& [column, field] : *row) request.options[column] = std::move(field);
-    try {
-      for (answers::Row& answer : asked.command->run(request).table.rows)
-        block.push_back(std::move(answer));
-    } catch (const InvalidInput& error) {
-      throw InvalidInput(reader.place() + error.what());
-    } catch (const answers::Undecided& error) {
-      throw answers::Undecided(reader.place() + error.what());
-    }
-    if (block.size() >= rows_at_once) {
-      output.write(writer.rows(block));
-      block.clear();
-      is_first = false;
-    }
-  }
-  if (is_first || !block.empty()) output.write(writer.rows(block));
-  output.write(writer.end());
+  RowsAnswered answered(asked, reader, output);
+  while (reader.read(rows.fields, rows_at_once)) answered.add(rows);
+  answered.end();
 }
 
 ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {

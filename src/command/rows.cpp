@@ -17,14 +17,12 @@ using answers::shown_text;
 
 constexpr std::size_t longest_line = std::size_t{1} << 16U;
 
-bool is_blank(const std::string& text) {
-  return text.find_first_not_of(" \t") == std::string::npos;
-}
+bool is_blank(char character) { return character == ' ' || character == '\t'; }
 
-std::string trimmed(const std::string& text) {
-  if (is_blank(text)) return "";
-  const std::size_t begin = text.find_first_not_of(" \t");
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 }  // namespace
@@ -37,9 +35,11 @@ CsvReader::CsvReader(const std::string& path, std::vector<std::string> wanted)
                                 std::generic_category().message(errno));
   }
   const std::string allowed = answers::joined(wanted);
-  std::string header = next_line().value_or("");
-  if (header.starts_with("\xEF\xBB\xBF")) header.erase(0, 3);
-  for (const std::string& name : fields_of(header)) {
+  next_line();
+  if (line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
+  split_line();
+  for (std::size_t i = 0; i < size_; ++i) {
+    const std::string& name = fields_[i];
     const bool is_wanted = std::count(wanted.begin(), wanted.end(), name) != 0;
     if (is_wanted && std::count(names_.begin(), names_.end(), name) != 0)
       refuse(name + ": a column of that name was there before");
@@ -47,8 +47,7 @@ CsvReader::CsvReader(const std::string& path, std::vector<std::string> wanted)
     if (is_wanted) columns_.push_back(name);
   }
   if (columns_.empty()) {
-    refuse("the first line must name a column, got " + shown_text(header) +
-           "; allowed: " + allowed);
+    refuse("the first line must name a column, got " + shown_text(line_) + "; allowed: " + allowed);
   }
 }
 
@@ -56,79 +55,103 @@ void CsvReader::refuse(const std::string& what) const {
   throw answers::InvalidInput(place() + what);
 }
 
-std::string CsvReader::place() const { return source_ + ":" + std::to_string(line_) + ": "; }
-
-std::optional<std::string> CsvReader::next_line() {
-  std::string line;
-  ++line_;
-  int byte = std::getc(file_.get());
-  if (byte == EOF && std::ferror(file_.get()) == 0) return std::nullopt;
-  for (; byte != EOF && byte != '\n'; byte = std::getc(file_.get())) {
-    if (byte == 0) refuse("a zero byte; allowed: text");
-    if (line.size() == longest_line)
-      refuse("a line of more than " + std::to_string(longest_line) + " bytes");
-    line += static_cast<char>(byte);
-  }
-  if (std::ferror(file_.get()) != 0) {
-    throw answers::InvalidInput("cannot read " + source_ + ": " +
-                                std::generic_category().message(errno));
-  }
-  if (line.ends_with('\r')) line.pop_back();
-  return line;
+std::string CsvReader::place(std::size_t before) const {
+  return source_ + ":" + std::to_string(number_ - static_cast<std::int64_t>(before)) + ": ";
 }
 
-std::vector<std::string> CsvReader::fields_of(const std::string& line) const {
-  std::vector<std::string> fields;
-  std::size_t at = 0;
-  for (;;) {
-    const std::size_t first = line.find_first_not_of(" \t", at);
-    if (first == std::string::npos || line[first] != '"') {
-      const std::size_t end = std::min(line.find(',', at), line.size());
-      fields.push_back(trimmed(line.substr(at, end - at)));
+bool CsvReader::next_line() {
+  constexpr std::size_t piece = longest_line;
+  ++number_;
+  std::size_t end = buffer_.find('\n', at_);
+  while (end == std::string::npos && buffer_.size() - at_ <= longest_line + 1) {
+    buffer_.erase(0, std::exchange(at_, 0));
+    const std::size_t had = buffer_.size();
+    buffer_.resize(had + piece);
+    buffer_.resize(had + std::fread(buffer_.data() + had, 1, piece, file_.get()));
+    if (std::ferror(file_.get()) != 0) {
+      throw answers::InvalidInput("cannot read " + source_ + ": " +
+                                  std::generic_category().message(errno));
+    }
+    if (buffer_.size() == had) break;
+    end = buffer_.find('\n', had);
+  }
+  line_ = std::string_view(buffer_).substr(at_, end - at_);
+  const bool is_there = end != std::string::npos || !line_.empty();
+  at_ += line_.size() + (end == std::string::npos ? 0 : 1);
+  const std::string_view seen = line_.substr(0, longest_line + 1);
+  if (seen.find('\0') != seen.npos) refuse("a zero byte; allowed: text");
+  if (line_.size() > longest_line)
+    refuse("a line of more than " + std::to_string(longest_line) + " bytes");
+  if (line_.ends_with('\r')) line_.remove_suffix(1);
+  return is_there;
+}
+
+void CsvReader::split_line() {
+  const auto after_blanks = [this](std::size_t at) {
+    while (at < line_.size() && is_blank(line_[at])) ++at;
+    return at;
+  };
+  size_ = 0;
+  for (std::size_t at = 0;; ++at) {
+    if (fields_.size() == size_) fields_.emplace_back();
+    std::string& field = fields_[size_++];
+    const std::size_t first = after_blanks(at);
+    if (first == line_.size() || line_[first] != '"') {
+      const std::size_t end = std::min(line_.find(',', at), line_.size());
+      field = trimmed(line_.substr(at, end - at));
       at = end;
     } else {
-      std::string field;
-      for (at = first + 1; at < line.size(); ++at) {
-        if (line[at] == '"' && line.compare(at, 2, "\"\"") != 0) break;
-        at += line[at] == '"' ? 1 : 0;
-        field += line[at];
+      field.clear();
+      for (at = first + 1; at < line_.size(); ++at) {
+        if (line_[at] == '"' && line_.substr(at, 2) != "\"\"") break;
+        at += line_[at] == '"' ? 1 : 0;
+        field += line_[at];
       }
-      if (at >= line.size()) refuse("a quoted field has no closing quote");
-      fields.push_back(field);
-      at = std::min(line.find_first_not_of(" \t", at + 1), line.size());
-      if (at < line.size() && line[at] != ',')
+      if (at >= line_.size()) refuse("a quoted field has no closing quote");
+      at = after_blanks(at + 1);
+      if (at < line_.size() && line_[at] != ',')
         refuse("something follows a quoted field; allowed: a comma or the line's end");
     }
-    if (at >= line.size()) return fields;
-    ++at;
+    if (at >= line_.size()) return;
   }
 }
 
-std::optional<std::map<std::string, std::string>> CsvReader::next() {
-  std::optional<std::string> line = next_line();
-  const std::int64_t first = line_;
+bool CsvReader::next(std::vector<std::string>& row) {
+  bool is_there = next_line();
+  const std::int64_t first = number_;
   bool is_end = true;
-  while (line && is_blank(*line)) {
+  while (is_there && trimmed(line_).empty()) {
     is_end = false;
-    line = next_line();
+    is_there = next_line();
   }
-  if (!line) return std::nullopt;
+  if (!is_there) {
+    number_ = first - 1;
+    return false;
+  }
   if (!is_end) {
-    line_ = first;
+    number_ = first;
     refuse("an empty line; allowed: at the end");
   }
-  const std::vector<std::string> fields = fields_of(*line);
-  if (fields.size() != names_.size()) {
-    refuse(std::to_string(fields.size()) + " fields where the header names " +
+  split_line();
+  if (size_ != names_.size()) {
+    refuse(std::to_string(size_) + " fields where the header names " +
            std::to_string(names_.size()));
   }
-  std::map<std::string, std::string> row;
-  for (std::size_t i = 0; i < fields.size(); ++i) {
+  row.resize(columns_.size());
+  for (std::size_t i = 0, column = 0; i < size_; ++i) {
     if (names_[i].empty()) continue;
-    if (fields[i].empty()) refuse(names_[i] + ": empty; allowed: a value in every field");
-    row[names_[i]] = fields[i];
+    if (fields_[i].empty()) refuse(names_[i] + ": empty; allowed: a value in every field");
+    row[column++].swap(fields_[i]);
   }
-  return row;
+  return true;
+}
+
+bool CsvReader::read(std::vector<std::vector<std::string>>& rows, std::size_t most) {
+  rows.resize(most);
+  std::size_t size = 0;
+  while (size < most && next(rows[size])) ++size;
+  rows.resize(size);
+  return size != 0;
 }
 
 }  // namespace command

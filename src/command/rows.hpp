@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rows of CSV, one after the other: never more than a line of them in memory.
+// Rows of CSV, block by block.
 #pragma once
 
 #include <cstdint>
 #include <cstdio>
-#include <map>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace command {
@@ -22,10 +21,10 @@ public:
 
   /// The wanted columns that are there.
   const std::vector<std::string>& columns() const { return columns_; }
-  /// The fields of the next row by column, none of them empty; nothing after the last.
-  std::optional<std::map<std::string, std::string>> next();
-  /// "FILE:LINE: " of the last row.
-  std::string place() const;
+  /// Fields of the next rows, at most so many, by column; none of them is empty. False: no row.
+  bool read(std::vector<std::vector<std::string>>& rows, std::size_t most);
+  /// "FILE:LINE: " of the last row, or of one so many rows before.
+  std::string place(std::size_t before = 0) const;
 
 private:
   struct Close {
@@ -35,12 +34,18 @@ private:
   };
   std::string source_;
   std::unique_ptr<std::FILE, Close> file_;
-  std::int64_t line_ = 0;
-  std::vector<std::string> names_;  // of all columns, "" for one that is not wanted
+  std::int64_t number_ = 0;  // of the line
+  std::string buffer_;       // what was read
+  std::size_t at_ = 0;       // where it goes on
+  std::string_view line_;
+  std::vector<std::string> fields_;  // of the line
+  std::size_t size_ = 0;             // how many; memory of others is kept
+  std::vector<std::string> names_;   // of all columns, "" for one that is not wanted
   std::vector<std::string> columns_;
 
-  std::optional<std::string> next_line();
-  std::vector<std::string> fields_of(const std::string& line) const;
+  bool next_line();  // into line_
+  bool next(std::vector<std::string>& row);
+  void split_line();  // into fields_
   [[noreturn]] void refuse(const std::string& what) const;
 };
 

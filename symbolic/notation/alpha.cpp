@@ -61,10 +61,14 @@ double number(std::string_view text) {
   const bool hex = rest.starts_with("0x") || rest.starts_with("0X");
   if (hex) rest.remove_prefix(2);
   const std::string_view marks = hex ? "pP" : "eE";
-  const std::string_view mantissa = rest.substr(0, rest.find_first_of(marks));
+  const auto mark = std::find_if(rest.begin(), rest.end(),
+                                 [&](char c) { return c == marks[0] || c == marks[1]; });
+  const std::string_view mantissa = rest.substr(0, static_cast<std::size_t>(mark - rest.begin()));
   if (hex && mantissa.size() == rest.size())
     refuse("alpha as a hex float needs its exponent, like 0x1.8p-3: " + shown(text));
-  if (mantissa.find_first_not_of(hex ? hexadecimal : decimal) != mantissa.npos) refuse_form(text);
+  // std::from_chars knows words for what is not finite, too; it stops at all else.
+  if (mantissa.empty() || mantissa.find_first_of(hex ? hexadecimal : decimal) != 0)
+    refuse_form(text);
   if (!hex && mantissa.starts_with('0') && mantissa.size() > 1 && mantissa[1] != '.')
     refuse("alpha begins with a 0 too many: " + shown(text));
   double value = 0;

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What does not read as a number becomes one that the array functions have no answer for.
+#include "answers/rows.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "kernel/expr.hpp"
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/numbers/counts.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "notation/alpha.hpp"
+
+namespace answers {
+namespace {
+
+using Reals = std::vector<double>;
+using Wholes = std::vector<std::int64_t>;
+
+double alpha_of_row(std::string_view text) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  try {
+    const notation::Alpha alpha = notation::read_alpha(text);
+    const auto* value = std::get_if<double>(&alpha);
+    return value != nullptr ? *value : none;
+  } catch (const kernel::Refused&) {
+    return none;
+  }
+}
+
+Reals alphas_of(const Rows& rows) {
+  Reals alphas(rows.fields.size());
+  for (std::size_t row = 0; row < alphas.size(); ++row)
+    alphas[row] = alpha_of_row(rows.text("alpha", row));
+  return alphas;
+}
+
+Wholes cycles_of(const Rows& rows) {
+  Wholes cycles(rows.fields.size());
+  for (std::size_t row = 0; row < cycles.size(); ++row) {
+    const std::string_view digits = rows.text("n", row);
+    const char* const end = digits.data() + digits.size();
+    const auto [read_to, error] = std::from_chars(digits.data(), end, cycles[row]);
+    if (error != std::errc() || read_to != end) cycles[row] = -1;
+  }
+  return cycles;
+}
+
+/// Whether the array functions answer for it.
+bool is_of_arrays(const Request& shared) {
+  return !shared.has("digits") && !shared.has("restitution") && shared.text("tier") != "exact";
+}
+
+}  // namespace
+
+Request Rows::request(std::size_t row) const {
+  Request all = shared;
+  for (std::size_t i = 0; i < columns.size(); ++i) all.options[columns[i]] = fields[row][i];
+  return all;
+}
+
+std::string_view Rows::text(const std::string& option, std::size_t row) const {
+  const auto column = std::find(columns.begin(), columns.end(), option);
+  if (column != columns.end())
+    return fields[row][static_cast<std::size_t>(column - columns.begin())];
+  const auto found = shared.options.find(option);
+  return found == shared.options.end() ? std::string_view() : found->second;
+}
+
+Block eval_block(const Rows& rows) {
+  if (!is_of_arrays(rows.shared)) return {};
+  const Reals alpha = alphas_of(rows);
+  const Wholes n = cycles_of(rows);
+  const std::size_t size = alpha.size();
+  Reals a(size), b(size), c(size), c_prime(size);
+  const bool is_fast = rows.shared.text("tier") == "fast";
+  const magicmass::VelocityColumns columns{a, b, c, c_prime};
+  if (is_fast)
+    magicmass::fast::velocities(alpha, n, columns);
+  else
+    magicmass::accurate::velocities(alpha, n, columns);
+  std::vector<bool> is_answered(size);
+  for (std::size_t row = 0; row < size; ++row) is_answered[row] = !std::isnan(a[row]);
+  return {is_answered,
+          {alpha, n, text_cell(is_fast ? "fast" : "accurate"), std::move(a), std::move(b),
+           std::move(c), std::move(c_prime)}};
+}
+
+Block count_block(const Rows& rows) {
+  const Reals alpha = alphas_of(rows);
+  const std::size_t size = alpha.size();
+  Wholes N_A(size), N_B(size);
+  magicmass::count_collisions(alpha, N_A, N_B);
+  std::vector<bool> is_answered(size);
+  for (std::size_t row = 0; row < size; ++row) is_answered[row] = N_A[row] >= 0;
+  return {is_answered, {alpha, std::move(N_A), std::move(N_B)}};
+}
+
+Block terminal_block(const Rows& rows) {
+  if (!is_of_arrays(rows.shared)) return {};
+  Block block = count_block(rows);
+  const Reals& alpha = std::get<Reals>(block.columns[0]);
+  const std::size_t size = alpha.size();
+  Reals a_t(size), b_t(size), c_t(size), rho(size);
+  const magicmass::TerminalColumns columns{{}, {}, a_t, b_t, c_t, rho};
+  if (rows.shared.text("tier") == "fast")
+    magicmass::fast::terminal(alpha, columns);
+  else
+    magicmass::accurate::terminal(alpha, columns);
+  for (Reals* column : {&a_t, &b_t, &c_t, &rho}) block.columns.emplace_back(std::move(*column));
+  return block;
+}
+
+}  // namespace answers

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// A block of rows says what each row alone does, or leaves it open.
+#include "answers/rows.hpp"
+
+#include "answers/errors.hpp"
+#include "answers/velocities.hpp"
+#include "catch.hpp"
+
+using namespace answers;
+
+namespace {
+
+Rows rows_of(std::vector<std::vector<std::string>> fields, const std::string& tier) {
+  Request shared;
+  shared.options["tier"] = tier;
+  return {shared, {"n", "alpha"}, std::move(fields)};
+}
+
+/// The one row as CSV has it, without the header.
+std::string alone(const Rows& rows, std::size_t row, Answer (*run)(const Request&)) {
+  const std::string text = written(run(rows.request(row)).table, Format::csv);
+  return text.substr(text.find('\n') + 1);
+}
+
+/// How many rows the block answers; each as alone.
+std::size_t checked(const Rows& rows, Block (*run_block)(const Rows&),
+                    Answer (*run)(const Request&), const std::vector<Column>& columns) {
+  const Block block = run_block(rows);
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < block.is_answered.size(); ++row) {
+    if (!block.is_answered[row]) continue;
+    std::string text;
+    Writer(Format::csv, columns, true).append(text, block, row);
+    CHECK(text == alone(rows, row, run));
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("rows at once and alone", "[exam]") {
+  std::vector<std::vector<std::string>> fields;
+  for (int k = 0; k < 257; ++k)
+    fields.push_back({std::to_string(k % 2), "1." + std::to_string(k) + "e-" + std::to_string(k)});
+  for (const std::string tier : {"fast", "accurate"}) {
+    const Rows rows = rows_of(fields, tier);
+    CHECK(checked(rows, eval_block, eval, eval_columns()) == 257);
+    CHECK(checked(rows, count_block, count, count_columns()) == 38);  // others leave 64 bits
+    CHECK(checked(rows, terminal_block, terminal, terminal_columns()) == 38);
+  }
+}
+
+TEST_CASE("rows that are left open", "[exam]") {
+  const Rows rows = rows_of({{"1", "1/7"},
+                             {"1", "magic:3"},
+                             {"1", "x"},
+                             {"1", "0"},
+                             {"1", "inf"},
+                             {"-1", "0.1"},
+                             {"5", "0.1"},
+                             {"1e0", "0.1"},
+                             {"99999999999999999999", "0.1"},
+                             {"3", "0.1"}},
+                            "accurate");
+  CHECK(eval_block(rows).is_answered ==
+        std::vector<bool>{false, false, false, false, false, false, false, false, false, true});
+  CHECK(eval_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
+  CHECK(terminal_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
+}
