@@ -20,6 +20,8 @@
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 
+constexpr std::int64_t end_seconds = 5;
+
 // There in a build with AddressSanitizer, whose shadow takes terabytes of addresses.
 extern "C" [[gnu::weak]] void __asan_init();
 
@@ -130,7 +132,10 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   ::close(pipe[1]);
   Progress progress(name, limits);
   const bool is_done = wait_for(pipe[0], limits, progress);
-  if (!is_done) ::kill(child, SIGKILL);
+  if (!is_done) {
+    ::kill(child, SIGKILL);
+    wait_for(pipe[0], {end_seconds, 0}, progress);  // what it started ends with it
+  }
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/coq.hpp"
 
-#include <cstdlib>
-#include <filesystem>
-#include <stdexcept>
-
-#include <unistd.h>
-
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
@@ -18,7 +12,6 @@
 namespace command {
 namespace {
 
-namespace fs = std::filesystem;
 using answers::InvalidInput;
 
 coq::Files all_files() {
@@ -30,23 +23,6 @@ coq::Files all_files() {
   }
   return coq::files(chapters);
 }
-
-/// A folder that goes with all that is in it.
-class TemporaryFolder {
-public:
-  TemporaryFolder() : path((fs::temp_directory_path() / "magicmass-XXXXXX").string()) {
-    if (::mkdtemp(path.data()) == nullptr)
-      throw std::runtime_error("verify: no folder can be made in " +
-                               fs::temp_directory_path().string());
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string path;
-};
 
 }  // namespace
 
@@ -73,7 +49,7 @@ answers::Answer verify(const answers::Request& request) {
   answers::Answer answer = answers::verify(request);
   if (!request.has("with") || answer.check_failed) return answer;
   const coq::Files files = all_files();
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("verify");
   generate::write(folder.path, {files.texts.begin(), files.texts.end()});
   std::string problem;
   std::string last;

@@ -71,15 +71,14 @@ public:
         writer_->append(text_, block, row);
       } else {
         answer_alone(rows.request(row), reader_.place(rows.fields.size() - 1 - row));
+        if (bytes_ > most_bytes) write_alone();
       }
     }
     write_alone();
-    output_.write(text_);
-    text_.clear();
   }
   void end() {
     if (!writer_) write_alone();
-    output_.write(text_ + writer_->end());
+    output_.write(writer_->end());
   }
 
 private:
@@ -90,13 +89,18 @@ private:
   std::optional<answers::Writer> writer_ = {};  // knows its columns from the first answer
   std::vector<answers::Column> columns_ = command_.columns;
   std::vector<answers::Row> alone_ = {};
+  std::size_t bytes_ = 0;  // of these
   std::string text_ = {};
+  static constexpr std::size_t most_bytes = std::size_t{1} << 20U;
 
   void answer_alone(const answers::Request& request, const std::string& place) {
     try {
       answers::Table table = command_.run(request).table;
       columns_ = std::move(table.columns);
-      for (answers::Row& row : table.rows) alone_.push_back(std::move(row));
+      for (answers::Row& row : table.rows) {
+        for (const answers::Cell& cell : row) bytes_ += cell.text.size() + cell.json.size();
+        alone_.push_back(std::move(row));
+      }
     } catch (const InvalidInput& error) {
       throw InvalidInput(place + error.what());
     } catch (const answers::Undecided& error) {
@@ -105,8 +109,10 @@ private:
   }
   void write_alone() {
     if (!writer_) writer_.emplace(format_, columns_, true);
-    text_ += writer_->rows(alone_);
+    output_.write(text_ + writer_->rows(alone_));
+    text_.clear();
     alone_.clear();
+    bytes_ = 0;
   }
 };
 

@@ -103,10 +103,54 @@ wait $! 2>/dev/null || status=$?
 check "the child alone ended by SIGTERM: so does the program" test $status = 143
 
 fresh
+gone() { # what, process: it and its folder are, soon
+  for _ in {1..300}; do [[ -e /proc/$2/exe || $(ls -A "$TMPDIR") ]] || break; sleep 0.01; done
+  check "$1: another program is gone" test ! -e "/proc/$2/exe"
+  check "$1: and its folder" test -z "$(ls -A "$TMPDIR")"
+}
+export TMPDIR=$scratch/place
+for signal in INT KILL none; do
+  set -m
+  "$program" other --time-limit $([[ $signal == none ]] && echo 1 || echo 60) 2>../errors &
+  set +m
+  until [[ -e $(echo magicmass-*/file) ]]; do sleep 0.01; done
+  sleeper=$(pgrep -f 'sleep 60' -P "$(pgrep -P $!)")
+  if [[ $signal == none ]]; then
+    status=0
+    wait $! || status=$?
+    check "late: exit code 3" test $status = 3
+    check "late: no folder is left when it says so" test -z "$(ls -A)"
+  else
+    kill -$signal $!
+    wait $! 2>/dev/null || true
+  fi
+  gone "SIG$signal" "$sleeper"
+done
+unset TMPDIR
+status=0
+(trap '' INT && exec "$program" wait --time-limit 2 2>errors) &
+until pgrep -P $! >/dev/null; do sleep 0.01; done
+kill -INT $! "$(pgrep -P $!)"
+wait $! || status=$?
+check "SIGINT that is ignored on entry stays ignored" test $status = 3
+
+fresh
 (for _ in {1..8}; do "$program" many --lines 20000 -o both & done; wait)
 check "writers at once: the file is whole" test "$(wc -l <both)" = 20000
 check "writers at once: nothing is left" only both
 env -i ${LSAN_OPTIONS:+"LSAN_OPTIONS=$LSAN_OPTIONS"} "$program" echo --text 0.5 --format json >bare
 LC_ALL=de_DE.UTF-8 TZ=Mars TMPDIR=/nowhere "$program" echo --text 0.5 --format json >odd
 check "no environment, an odd one: the same bytes" cmp bare odd
+printf 'text,times\n"0,5",3\n' >decimal.csv
+for locale in C C.UTF-8 de_DE.UTF-8 tr_TR.ISO-8859-9; do
+  HOME=/nowhere LC_ALL=$locale LANG=$locale LC_CTYPE=$locale TERM=dumb NO_COLOR=1 "$program" echo --input decimal.csv
+done >each
+check "locales, installed or not: the same bytes" test "$(sort -u each | wc -l)" = 2
+if command -v script >/dev/null; then
+  for terminal in xterm dumb; do
+    TERM=$terminal script -qec "$program wait --time-limit 3" $terminal.log >/dev/null </dev/null || true
+  done
+  check "a terminal sees how long it has been" grep -q 'wait: 1 s of at most 3 s' xterm.log
+  check "a dumb one does not" test "$(grep -c 'of at most' dumb.log)" = 0
+fi
 exit $failed

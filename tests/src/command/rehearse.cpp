@@ -7,6 +7,7 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
+#include "command/child.hpp"
 #include "command/command.hpp"
 
 namespace {
@@ -55,6 +56,14 @@ Answer false_check(const Request&) {
 Answer wait(const Request&) {
   std::this_thread::sleep_for(std::chrono::seconds(60));
   return document("late\n");
+}
+
+/// Another program that takes too long, with a folder.
+Answer other(const Request&) {
+  const command::TemporaryFolder folder("other");
+  const auto said =
+      command::said_by({"bash", "-c", "touch \"$0\"/file; exec sleep 60", folder.path});
+  return document(said ? said->output : "no bash\n");
 }
 
 Answer fill(const Request&) {
@@ -109,7 +118,8 @@ int main(int argc, char** argv) {
       "A program for tests",
       "1.2.3",
       {echo_row, many_row, words_row, plain("check", false_check), plain("wait", wait),
-       plain("fill", fill), plain("deep", deep), plain("crash", crash), plain("bug", bug)},
+       plain("other", other), plain("fill", fill), plain("deep", deep), plain("crash", crash),
+       plain("bug", bug)},
       {"simulate"},
       "not in this version yet"};
   return command::run_program(program, {argv + 1, argv + argc});
