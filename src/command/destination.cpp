@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -73,6 +74,7 @@ Destination::Destination(const std::string& path, std::function<void()> before_w
   }
   struct stat there {};
   const bool exists = ::stat(path.c_str(), &there) == 0;
+  if (!exists && errno != ENOENT) refuse(errno);  // a link to itself, for one
   if (exists && !S_ISREG(there.st_mode)) {
     descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) refuse(errno);
@@ -115,6 +117,11 @@ void Destination::flush() {
   std::string_view rest = buffer_;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EAGAIN) {  // a pipe that its other users made non-blocking
+      pollfd full{descriptor_, POLLOUT, 0};
+      ::poll(&full, 1, -1);
+      continue;
+    }
     if (written < 0) refuse(errno);
     rest.remove_prefix(static_cast<std::size_t>(written));
   }

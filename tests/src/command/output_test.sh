@@ -66,6 +66,15 @@ check "a pipe is written, not replaced" test -p pipe
 check "and all of it arrives" holds from_pipe "$three"
 "$program" many --lines 1000000 | head -n 1 >first
 check "a reader that goes away is not an error" test "${PIPESTATUS[0]}" = 0
+if command -v perl >/dev/null; then
+  unblocked='use Fcntl; fcntl(STDOUT, F_SETFL, O_WRONLY | O_NONBLOCK); exec @ARGV'
+  perl -e "$unblocked" "$program" many --lines 100000 | (sleep 0.2 && tail -n 1) >last
+  check "a pipe that does not block: all of it arrives" holds last 100000
+fi
+ln -s round about && ln -s about round
+"$program" many --lines 3 -o round 2>errors || true
+check "links in a circle stay" test -L round -a -L about
+check "and are refused" grep -q 'cannot write round: Too many levels' errors
 "$program" many --lines 3 -o whole <&- >&- 2>&-
 check "with all streams closed the file is whole" holds whole "$three"
 status=0
