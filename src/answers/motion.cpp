@@ -39,8 +39,7 @@ Ball velocity(const char* id, const Ball& alpha, const cl_I& n) {
                   {{alpha_name(), alpha}, {V_name(), 1}, {n_name(), Ball(cl_RA(n))}});
 }
 
-const char* const beyond =
-    "more digits would be needed than are allowed; a mass ratio that is a double is decided";
+const char* const beyond = "; a mass ratio that is a double is decided";
 
 }  // namespace
 

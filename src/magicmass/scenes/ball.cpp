@@ -163,7 +163,7 @@ void with_bits(int digits, const std::function<bool()>& is_certain, const std::s
     } catch (const Undecided&) {
     }
   }
-  throw Undecided(otherwise);
+  throw Undecided("more than " + std::to_string(most) + " bits would be needed" + otherwise);
 }
 
 cl_RA exact(double value) {

@@ -56,8 +56,9 @@ private:
   cln::cl_I radius;
 };
 
-/// Calls with more and more bits until it says that all is certain; throws Undecided with this
-/// message where that is not so with many times the bits of `digits` decimal digits.
+/// Calls with more and more bits until it says that all is certain; throws Undecided, so
+/// many "bits would be needed" and `otherwise`, where that is not so with many times the bits of
+/// `digits` decimal digits.
 void with_bits(int digits, const std::function<bool()>& is_certain, const std::string& otherwise);
 
 /// The double nearest to every number from low to high, ties to even; nothing where they differ.

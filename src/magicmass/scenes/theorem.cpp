@@ -8,8 +8,6 @@
 
 namespace magicmass::scenes {
 namespace {
-const char* const too_close = "more digits would be needed than are allowed";
-
 using Balls = std::function<std::vector<Ball>()>;
 
 /// Nearest doubles; nothing where one is not certain.
@@ -32,7 +30,7 @@ std::vector<double> certain(const Balls& balls) {
         numbers = rounded(balls);
         return numbers.has_value();
       },
-      too_close);
+      "");
   return *numbers;
 }
 Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities) {

@@ -172,7 +172,7 @@ std::optional<std::int64_t> Trio::count() const {
             generated::count_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e).N_e.low());
         return true;
       },
-      "more digits would be needed than are allowed to tell how many collisions there are");
+      " to tell how many collisions there are");
   if (!N) return {};
   if (*N > cl_I(static_cast<long long>(most_collisions))) too_many();
   return cln::cl_I_to_long(*N);
