@@ -75,6 +75,14 @@ std::vector<std::size_t> widths_of(const std::vector<Column>& columns, std::span
   return all > widest_text + between_columns ? std::vector<std::size_t>() : widths;
 }
 
+/// In the fewest digits that read back as it; -0 as 0.
+template <class Number>
+void append_number(std::string& text, Number value) {
+  std::array<char, 32> digits{};
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0).ptr;
+  text.append(digits.data(), end);
+}
+
 /// Broken at blanks where it would be too wide, the lines below the first one indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string lines;

@@ -65,14 +65,14 @@ Theorem definition_of_q_e(Book& book) {
   book.show("y_e", "", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
   book.show("t_end", "", "and the time of the collapse is",
             cut(from_1, book["collapse.def_t_end"]));
-  const auto at_end = [&](const char* symbol, const char* words, Expr value) {
+  const auto at_end = [&](const char* symbol, const char* words, const Exprs& domain, Expr value) {
     return book.name(symbol, {M_A, w_B, M_C, e, V, L}, value / (1 + w_B * (M_A + M_C)),
-                     of_wedge({lt(0, e), V_positive, lt(0, L), none.conclusion()}), words, "",
-                     std::string("def_") + symbol);
+                     of_wedge(domain), words, "", std::string("def_") + symbol);
   };
   at_end("x_end", "Then all are at one place: the centre of mass is there, or the wall,",
+         {lt(0, e), V_positive, lt(0, L), none.conclusion()},
          L + w_B * M_A * V * fun("t_end", {M_A, w_B, M_C, e, V, L}));
-  const Theorem v_end = at_end("v_end", "and go on together with", w_B * M_A * V);
+  const Theorem v_end = at_end("v_end", "and go on together with", {}, w_B * M_A * V);
   const auto as_B = [](const char* name) {
     return assume(eq(velocity(name, j), velocity("B", j)));
   };
@@ -80,8 +80,7 @@ Theorem definition_of_q_e(Book& book) {
   const Theorem kept = rewrite(as_B("C"), rewrite(as_B("A"), book["motion.momentum"]));
   const Theorem whole = linear(eq(v_B * all, w_B * M_A * V), {kept});
   book.show("together", "", "as momentum is kept:",
-            under({none.conclusion()},
-                  chain(divided(v_B, v_end.conclusion().arg(1), {all}, whole), turned(v_end))));
+            chain(divided(v_B, v_end.conclusion().arg(1), {all}, whole), turned(v_end)));
   return q_is;
 }
 /// Where q_e is above 0 the angle; |- kappa < 1.

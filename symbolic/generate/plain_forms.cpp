@@ -16,7 +16,7 @@ Input input(kernel::Expr variable, double least, double most) {
 Input alpha(double least, double most) { return input(kernel::real("alpha"), least, most); }
 
 std::vector<Input> three_bodies() {
-  constexpr double most = 0x1p100;
+  constexpr double most = 0x1p128;
   return {input(kernel::real("M_A"), 1 / most, most), input(kernel::real("w_B"), 0, most),
           input(kernel::real("M_C"), 1 / most, most), input(kernel::real("e"), 1 / most, 1)};
 }
@@ -48,7 +48,7 @@ std::vector<PlainForm> exact(Source& s) {
 /// Three bodies of any masses, or two and a wall, with restitution: q_e comes from the exact form,
 /// turn and pow are of the number of the collision.
 std::vector<PlainForm> restitution(Source& s) {
-  constexpr double most = 0x1p100;
+  constexpr double most = 0x1p128;
   std::vector<Input> inputs = three_bodies();
   kernel::Exprs names;
   for (const Input& i : inputs) names.push_back(i.variable);

@@ -15,17 +15,17 @@ template <class Number>
 struct AngleRestitution {
   Number h_e;
 };
-/// angle: h_e. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from
-///   0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0.
+/// angle: h_e. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0.
 /// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e.
 template <class Number>
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
   using std::atan;
   using std::sqrt;
-  if (M_A >= Number(0x1p-100) && M_A <= Number(0x1p+100) && w_B >= Number(0x0p+0) && w_B <=
-      Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
-      Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(0x1p-100) && q_e <= Number(0x1p+0)) {
+  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0)) {
     // r_A = sqrt(M_A/(M_A + M_C))
     const Number r_A = sqrt(M_A / (M_A + M_C));
     // r_B = sqrt(1/(1 + w_B*M_C))
@@ -37,43 +37,43 @@ AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B,
     return {h_e};
   }
   throw std::domain_error("angle_restitution: allowed: "
-      "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "
-      "e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0");
+      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0");
 }
 template <class Number>
 struct CountRestitution {
   Number N_e;
 };
-/// count: N_e. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from
-///   0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e from
-///   0x1p-100 to 0x1p+2.
+/// count: N_e. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from
+///   0x1p-128 to 0x1p+2.
 /// Theorems: bodies.N_e.
 template <class Number>
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e) {
   using std::atan;
   using std::ceil;
-  if (M_A >= Number(0x1p-100) && M_A <= Number(0x1p+100) && w_B >= Number(0x0p+0) && w_B <=
-      Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
-      Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(0x1p-100) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-100) && h_e <= Number(0x1p+2)) {
+  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2)) {
     // N_e = ceil(pi/h_e) - 1
     const Number N_e = ceil(Number(4) * atan(Number(1)) / h_e) - Number(1);
     return {N_e};
   }
   throw std::domain_error("count_restitution: allowed: "
-      "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "
-      "e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e from 0x1p-100 to 0x1p+2");
+      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2");
 }
 template <class Number>
 struct AfterRestitution {
   Number B_next, A_next, C_next;
 };
-/// after: B_next, A_next, C_next. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to
-///   0x1p+100, M_C from 0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to
-///   0x1p+0, h_e from 0x1p-100 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to
-///   0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-100 and 0x1p+1, now_side between
-///   0x1p-100 and 0x1p+100.
+/// after: B_next, A_next, C_next. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to
+///   0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to
+///   0x1p+0, h_e from 0x1p-128 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to
+///   0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between
+///   0x1p-128 and 0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side, bodies.def_now_sine,
 ///   bodies.def_later_side, bodies.def_later_sine, bodies.before, bodies.after, bodies.B_next,
 ///   bodies.A_next, bodies.C_next.
@@ -83,10 +83,10 @@ AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B,
     Number& pow) {
   using std::sin;
   using std::sqrt;
-  if (M_A >= Number(0x1p-100) && M_A <= Number(0x1p+100) && w_B >= Number(0x0p+0) && w_B <=
-      Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
-      Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(0x1p-100) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-100) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
+  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
       >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <=
       Number(0x1p+0)) {
     const Number t1 = M_A + M_C;
@@ -121,31 +121,31 @@ AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B,
     const Number A_next = B_next + (after - t28);
     // C_next_j = B_next_j + ((1 + turn_j)*after_j/2 - (1 - turn_j)*(e*before_j)/2)
     const Number C_next = B_next + t36;
-    if (!(step_sine > Number(0x1p-100) && step_sine < Number(0x1p+1))) {
+    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1))) {
       throw std::domain_error(
-          "after_restitution: step_sine must be between 0x1p-100 and 0x1p+1");
+          "after_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
     }
-    if (!(now_side > Number(0x1p-100) && now_side < Number(0x1p+100))) {
+    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128))) {
       throw std::domain_error(
-          "after_restitution: now_side must be between 0x1p-100 and 0x1p+100");
+          "after_restitution: now_side must be between 0x1p-128 and 0x1p+128");
     }
     return {B_next, A_next, C_next};
   }
   throw std::domain_error("after_restitution: allowed: "
-      "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "
-      "e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e from 0x1p-100 to 0x1p+2, j from "
+      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, j from "
       "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine "
-      "between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and 0x1p+100");
+      "between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128");
 }
 template <class Number>
 struct AtRestitution {
   Number moment, blocks, place;
 };
-/// at: moment, blocks, place. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100,
-///   M_C from 0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e
-///   from 0x1p-100 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow
-///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and
-///   0x1p+100, now_sine between 0x1p-100 and 0x1p+1, rest_e between 0x1p-100 and 0x1p+2.
+/// at: moment, blocks, place. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128,
+///   M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e
+///   from 0x1p-128 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow
+///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and
+///   0x1p+128, now_sine between 0x1p-128 and 0x1p+1, rest_e between 0x1p-128 and 0x1p+2.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side, bodies.def_now_sine,
 ///   bodies.def_rest_e, bodies.moment, bodies.blocks, bodies.place.
 template <class Number>
@@ -155,10 +155,10 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
   using std::atan;
   using std::sin;
   using std::sqrt;
-  if (M_A >= Number(0x1p-100) && M_A <= Number(0x1p+100) && w_B >= Number(0x0p+0) && w_B <=
-      Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
-      Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(0x1p-100) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-100) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
+  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
       >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <=
       Number(0x1p+0)) {
     const Number t1 = M_A + M_C;
@@ -186,37 +186,37 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     //   turn_j)*(w_B*M_A*blocks_j)/2)/(1 + w_B*(M_A + M_C))
     const Number place = (Number(1) + t24 * moment - t6 * blocks / Number(2) + t9 * (t24 * blocks) /
         Number(2)) / (Number(1) + w_B * t1);
-    if (!(step_sine > Number(0x1p-100) && step_sine < Number(0x1p+1))) {
+    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1))) {
       throw std::domain_error(
-          "at_restitution: step_sine must be between 0x1p-100 and 0x1p+1");
+          "at_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
     }
-    if (!(now_side > Number(0x1p-100) && now_side < Number(0x1p+100))) {
+    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128))) {
       throw std::domain_error(
-          "at_restitution: now_side must be between 0x1p-100 and 0x1p+100");
+          "at_restitution: now_side must be between 0x1p-128 and 0x1p+128");
     }
-    if (!(now_sine > Number(0x1p-100) && now_sine < Number(0x1p+1))) {
+    if (!(now_sine > Number(0x1p-128) && now_sine < Number(0x1p+1))) {
       throw std::domain_error(
-          "at_restitution: now_sine must be between 0x1p-100 and 0x1p+1");
+          "at_restitution: now_sine must be between 0x1p-128 and 0x1p+1");
     }
-    if (!(rest_e > Number(0x1p-100) && rest_e < Number(0x1p+2))) {
+    if (!(rest_e > Number(0x1p-128) && rest_e < Number(0x1p+2))) {
       throw std::domain_error(
-          "at_restitution: rest_e must be between 0x1p-100 and 0x1p+2");
+          "at_restitution: rest_e must be between 0x1p-128 and 0x1p+2");
     }
     return {moment, blocks, place};
   }
   throw std::domain_error("at_restitution: allowed: "
-      "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "
-      "e from 0x1p-100 to 0x1p+0, q_e from 0x1p-100 to 0x1p+0, h_e from 0x1p-100 to 0x1p+2, j from "
+      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, j from "
       "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine "
-      "between 0x1p-100 and 0x1p+1, now_side between 0x1p-100 and 0x1p+100, now_sine between "
-      "0x1p-100 and 0x1p+1, rest_e between 0x1p-100 and 0x1p+2");
+      "between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128, now_sine between "
+      "0x1p-128 and 0x1p+1, rest_e between 0x1p-128 and 0x1p+2");
 }
 template <class Number>
 struct CollapseRestitution {
   Number t_end, x_end, v_end;
 };
-/// collapse: t_end, x_end, v_end. Domain: M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to
-///   0x1p+100, M_C from 0x1p-100 to 0x1p+100, e from 0x1p-100 to 0x1p+0, q_e from -0x1p+100 to
+/// collapse: t_end, x_end, v_end. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to
+///   0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to
 ///   0x0p+0.
 /// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.y_e, bodies.t_end, bodies.def_x_end,
 ///   bodies.def_v_end.
@@ -224,9 +224,9 @@ template <class Number>
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
     M_C, const Number& e, const Number& q_e) {
   using std::sqrt;
-  if (M_A >= Number(0x1p-100) && M_A <= Number(0x1p+100) && w_B >= Number(0x0p+0) && w_B <=
-      Number(0x1p+100) && M_C >= Number(0x1p-100) && M_C <= Number(0x1p+100) && e >=
-      Number(0x1p-100) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+100) && q_e <= Number(0x0p+0))
+  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+128) && q_e <= Number(0x0p+0))
       {
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
@@ -249,7 +249,7 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
     return {t_end, x_end, v_end};
   }
   throw std::domain_error("collapse_restitution: allowed: "
-      "M_A from 0x1p-100 to 0x1p+100, w_B from 0x0p+0 to 0x1p+100, M_C from 0x1p-100 to 0x1p+100, "
-      "e from 0x1p-100 to 0x1p+0, q_e from -0x1p+100 to 0x0p+0");
+      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
+      "e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to 0x0p+0");
 }
 }  // namespace magicmass::generated
