@@ -85,8 +85,10 @@ std::vector<Input> inputs_of(const Family& family, Quantity quantity, std::size_
     const std::int64_t n = family.n(random, counts ? counts->N_A : std::int64_t{1} << 62U);
     if (!counts && quantity != Quantity::velocities) continue;
     const Input input = quantity == Quantity::velocities ? Input{alpha, n}
-                        : quantity == Quantity::ratios   ? Input{0, counts->N_A}
-                                                         : Input{alpha, 0};
+                        : quantity == Quantity::collisions
+                            ? Input{alpha, n + std::min(n, counts->N_B) - (n > 0 ? 1 : 0)}
+                        : quantity == Quantity::ratios ? Input{0, counts->N_A}
+                                                       : Input{alpha, 0};
     if (seen.insert({input.alpha, input.index}).second) inputs.push_back(input);
   }
   return inputs;

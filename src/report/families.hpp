@@ -14,18 +14,20 @@ namespace report {
 
 enum class Quantity {
   velocities,  ///< a, b, c, c' at alpha and n
+  collisions,  ///< t and s of collision j
   terminal,    ///< N_A, N_B; a_t, b_t, c_t, rho at alpha
   counts,      ///< N_A, N_B at alpha
   ratios       ///< alpha_k and beta_k
 };
 inline const std::vector<std::pair<Quantity, std::string>> quantities{
     {Quantity::velocities, "velocities"},
+    {Quantity::collisions, "collisions"},
     {Quantity::terminal, "terminal"},
     {Quantity::counts, "counts"},
     {Quantity::ratios, "ratios"}};
 inline std::string name_of(Quantity quantity) { return quantities[std::size_t(quantity)].second; }
 
-/// The index is n of velocities and k of ratios; what a quantity does not take is 0.
+/// The index is n of velocities, j of the last collision of cycle n, k of ratios, else 0.
 struct Input {
   double alpha = 0;
   std::int64_t index = 0;

@@ -77,6 +77,7 @@ void store(Columns& to, std::size_t i, const Result& r) {
   };
   if constexpr (requires { r.value(); }) store(to, i, r.value());
   if constexpr (requires { r.c_prime; }) values(r.a, r.b, r.c, r.c_prime);
+  if constexpr (requires { r.s; }) values(r.t, r.s);
   if constexpr (requires { r.rho; }) values(r.a_t, r.b_t, r.c_t, r.rho);
   if constexpr (requires { r.magic; }) values(r.magic, r.deficient);
   if constexpr (requires { r.counts; }) counts(r.counts.N_A, r.counts.N_B);
@@ -119,6 +120,7 @@ Columns::Columns(std::span<const Input> inputs) {
 const std::vector<Implementation>& implementations() {
   using enum Quantity;
   using At = Velocities (*)(double, std::int64_t);
+  using When = Collision (*)(double, std::int64_t);
   using End = std::optional<Terminal> (*)(double);
   using Count = std::optional<Counts> (*)(double);
   constexpr std::size_t few = 50;
@@ -139,6 +141,9 @@ const std::vector<Implementation>& implementations() {
        [](Columns& c) { fast::velocities(c.alpha, c.index, velocity_columns(c)); }},
       {"accurate arrays", velocities,
        [](Columns& c) { accurate::velocities(c.alpha, c.index, velocity_columns(c)); }},
+      {"naive", collisions, each(naive::collision)},
+      {"fast", collisions, each(When(fast::collision))},
+      {"accurate", collisions, each(When(accurate::collision))},
       {"naive", terminal, each(naive::terminal)},
       {"closed", terminal, each(generated::terminal_closed<double>)},
       {"tangent", terminal, each(generated::terminal_tangent<double>)},

@@ -69,6 +69,8 @@ Truth truth(Quantity quantity, const Input& input) {
   if (quantity == Quantity::ratios) {
     add(found, oracle::magic(index), oracle::Itself());
     add(found, oracle::deficient(index), oracle::Itself());
+  } else if (quantity == Quantity::collisions) {
+    add(found, oracle::ratio(alpha), oracle::AtCollision(index));
   } else if (quantity == Quantity::velocities) {
     add(found, oracle::ratio(alpha), oracle::OfCycle(index));
   } else {

@@ -25,6 +25,12 @@ inline magicmass::Velocities velocities(double alpha, std::int64_t n) {
           V_CM * (1 - std::sin((k + 0.25) * turn) / std::sin(turn / 4))};
 }
 
+/// A straight line across mirror images of one wedge meets the j-th of them.
+inline magicmass::Collision collision(double alpha, std::int64_t j) {
+  const double h = psi(alpha) / 2, sine = std::sin((double(j) + 1) * h);
+  return {std::sin(double(j) * h) / sine, std::sin(h) / sine};
+}
+
 /// Ee & Lee eqs. eq:NA-ans and eq:NB-ans.
 inline magicmass::Counts counts_of(double turn) {
   const double cycles = std::numbers::pi / turn;

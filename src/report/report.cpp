@@ -31,7 +31,7 @@ Cell size_cell(std::size_t size) { return whole_cell(std::int64_t(size)); }
 
 Row row_of(const Measurement& one) {
   const Errors& errors = one.errors;
-  const bool has_index = one.quantity == Quantity::velocities || one.quantity == Quantity::ratios;
+  const bool has_index = one.quantity != Quantity::terminal && one.quantity != Quantity::counts;
   const bool has_worst = errors.max_ulp > 0 || errors.wrong > 0;
   return {text_cell(one.evaluator),
           text_cell(name_of(one.quantity)),

@@ -68,11 +68,14 @@ std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
   const long first = rounding.bits + 64 + 3 * squarings + alpha.length;
   for (long precision = first; precision <= 64 * first; precision *= 2) {
     values.clear();
-    const std::vector<Interval> enclosures = quantity(alpha.enclosed(precision));
-    for (const Interval& x : enclosures)
-      if (const std::optional<Value> value = rounding.common(x.low(), x.high()))
-        values.push_back(*value);
-    if (values.size() == enclosures.size()) return values;
+    try {
+      const std::vector<Interval> enclosures = quantity(alpha.enclosed(precision));
+      for (const Interval& x : enclosures)
+        if (const std::optional<Value> value = rounding.common(x.low(), x.high()))
+          values.push_back(*value);
+      if (values.size() == enclosures.size()) return values;
+    } catch (const Undecided&) {  // a divisor is not certainly different from 0
+    }
   }
   throw Undecided("after " + to_text(quantity.j) + " collisions a number is still open at " +
                   std::to_string(64 * first) + " bits");

@@ -34,6 +34,33 @@ struct OfCycle {
   }
 };
 
+/// When collision j takes place, from 0 on, and how far the blocks are apart then: velocities and
+/// the places that bodies would have had at time 0 obey one map, so before collision j they are
+/// those of its j-th power.
+struct AtCollision {
+  cln::cl_I j;
+
+  explicit AtCollision(const cln::cl_I& index) : j(index) {}
+
+  template <class Scalar>
+  std::vector<Scalar> operator()(const Scalar& alpha) const {
+    const Velocity<Scalar> v = before(alpha, 1, 0), x = before(alpha, 0, 1);
+    const int other = cln::oddp(j) ? 1 : 0;
+    const Scalar t = (x(other) - x(2)) / (v(2) - v(other));
+    return {t, x(1) - x(0) + (v(1) - v(0)) * t};
+  }
+
+private:
+  template <class Scalar>
+  Velocity<Scalar> before(const Scalar& alpha, int of_A, int of_B) const {
+    const Cycle<Scalar> cycle = cycle_of(alpha);
+    const Map<Scalar> whole = cycle.with_B * cycle.with_A;
+    const Velocity<Scalar> start{Scalar(of_A), Scalar(of_B), Scalar(0)};
+    const auto v = apply_power<Scalar>(whole, cln::floor1(j, 2), start);
+    return cln::oddp(j) ? Velocity<Scalar>(cycle.with_A * v) : v;
+  }
+};
+
 /// a_t, b_t, c_t, rho, in this order, after as many collisions as the counts say: of rational alpha
 /// ask count_collisions(), of magic:k and deficient:k they are known by theorem.
 /// Throws std::invalid_argument for counts that no motion has.

@@ -59,9 +59,10 @@ TEST_CASE("The text fits 80 columns, and Markdown has its tables", "[check]") {
 TEST_CASE("What is asked for alone must be there", "[exam]") {
   answers::Request request;
   request.options["only"] = "nothing";
-  CHECK_THROWS_WITH(report::report(request),
-                    Catch::Matchers::StartsWith("report: no quantity, family or evaluator nothing; "
-                                                "allowed: velocities, terminal, counts, ratios, "));
+  CHECK_THROWS_WITH(
+      report::report(request),
+      Catch::Matchers::StartsWith("report: no quantity, family or evaluator nothing; "
+                                  "allowed: velocities, collisions, terminal, counts, "));
 }
 
 TEST_CASE("The figure of errors: accurate below half an ulp, and every threshold", "[check]") {

@@ -25,28 +25,6 @@ double largest(const std::vector<double>& got, double alpha, const auto& quantit
   }
   return most;
 }
-/// Velocities and the places that bodies would have had at time 0 obey one map: before collision j
-/// they are those of its j-th power.
-struct OfCollision {
-  cln::cl_I j;
-
-  template <class Scalar>
-  std::vector<Scalar> operator()(const Scalar& alpha) const {
-    const oracle::Cycle<Scalar> cycle = oracle::cycle_of(alpha);
-    const oracle::Map<Scalar> whole = cycle.with_B * cycle.with_A;
-    const bool is_with_B = cln::oddp(j);
-    const auto before = [&](int a, int b, int c) {
-      const oracle::Velocity<Scalar> start{Scalar(a), Scalar(b), Scalar(c)};
-      const auto v = oracle::apply_power<Scalar>(whole, cln::floor1(j, 2), start);
-      return is_with_B ? oracle::Velocity<Scalar>(cycle.with_A * v) : v;
-    };
-    const oracle::Velocity<Scalar> v = before(1, 0, 0);
-    const oracle::Velocity<Scalar> x = before(0, 1, 0);
-    const int other = is_with_B ? 1 : 0;
-    const Scalar t = (x(other) - x(2)) / (v(2) - v(other));
-    return {t, x(1) - x(0) + (v(1) - v(0)) * t};
-  }
-};
 oracle::AtEnd at_end(const Counts& counts) {
   return oracle::AtEnd({whole(counts.N_A), whole(counts.N_B)});
 }
@@ -68,16 +46,9 @@ Terminal terminal_by_oracle(double alpha, const Counts& counts) {
   return {counts, v[0], v[1], v[2], v[3]};
 }
 Collision collision_by_oracle(double alpha, std::int64_t j) {
-  const oracle::MassRatio ratio = oracle::ratio(oracle::exact(alpha));
-  oracle::Rounding<double> rounding = oracle::to_double();
-  for (;; rounding.bits *= 2) {  // until the speed of approach is not 0 for certain
-    try {
-      const auto c = oracle::certain(ratio, OfCollision{whole(j)}, rounding);
-      return {c[0], c[1]};
-    } catch (const oracle::Undecided&) {
-      if (rounding.bits > 10000) throw;
-    }
-  }
+  const auto c = oracle::certain(oracle::ratio(oracle::exact(alpha)), oracle::AtCollision(whole(j)),
+                                 oracle::to_double());
+  return {c[0], c[1]};
 }
 Ratios ratios_by_oracle(std::int64_t k) {
   const auto rounded = [](const oracle::MassRatio& ratio) {
@@ -93,7 +64,7 @@ double envelopes_of(const Velocities& got, double alpha, std::int64_t n) {
   return largest({got.a, got.b, got.c, got.c_prime}, alpha, oracle::OfCycle(whole(n)));
 }
 double envelopes_of(const Collision& got, double alpha, std::int64_t j) {
-  return largest({got.t, got.s}, alpha, OfCollision{whole(j)});
+  return largest({got.t, got.s}, alpha, oracle::AtCollision(whole(j)));
 }
 double envelopes_of(const Terminal& got, double alpha) {
   return largest({got.a_t, got.b_t, got.c_t, got.rho}, alpha, at_end(got.counts));
