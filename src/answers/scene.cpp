@@ -88,11 +88,14 @@ Fields plan_fields(const Result& result) {
 }
 
 Cell counts_cell(const Scene& scene, const Result& result) {
+  const bool never_end = result.status == Status::collapse;
   std::vector<std::pair<std::string, Cell>> counts;
   for (std::size_t gap = 0; gap < result.counts.size(); ++gap) {
     const bool is_open =
         (gap == 0 && !scene.left_wall) || (gap + 1 == result.counts.size() && !scene.right_wall);
-    if (!is_open) counts.emplace_back(gap_name(scene, gap), whole_cell(result.counts[gap]));
+    if (is_open) continue;
+    counts.emplace_back(gap_name(scene, gap), never_end ? Cell{"infinitely many", "null"}
+                                                        : whole_cell(result.counts[gap]));
   }
   return object_cell(counts);
 }
@@ -124,7 +127,7 @@ Fields head_fields(const Asked& asked) {
                       object_cell({{"time", number_cell(*result.collapse_time, exact)},
                                    {"position", number_cell(*result.collapse_position, exact)}})});
   }
-  if (scene.wants("counts") && result.status != Status::collapse)
+  if (scene.wants("counts"))
     fields.push_back({{"counts", Type::whole, "", "collisions"}, counts_cell(scene, result)});
   if (scene.wants("terminal")) {
     fields.push_back(

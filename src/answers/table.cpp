@@ -83,12 +83,14 @@ void append_number(std::string& text, Number value) {
   text.append(digits.data(), end);
 }
 
-/// Broken at blanks where it would be too wide, the lines below the first one indented.
+/// Broken at commas, or else blanks, where it would be too wide; lines below the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
   std::string lines;
   std::string rest = text;
   while (width(rest) + indent > widest_text) {
-    const std::size_t blank = rest.rfind(' ', widest_text - indent);
+    const std::size_t comma = rest.rfind(", ", widest_text - indent - 1);
+    const std::size_t blank =
+        comma == std::string::npos ? rest.rfind(' ', widest_text - indent) : comma + 1;
     if (blank == std::string::npos) break;
     lines += rest.substr(0, blank) + "\n" + std::string(indent, ' ');
     rest.erase(0, blank + 1);
