@@ -183,10 +183,9 @@ Alpha restitution_of(const Request& request) {
                      shown_text(text));
 }
 
-/// With restitution below 1; as nearest doubles, or with digits.
+/// With restitution below 1; of every tier the nearest doubles, or with digits.
 Answer inelastic_terminal(const Request& request, const Alpha& e) {
-  if (tier_of(request) == "fast")
-    throw InvalidInput("--tier fast has no restitution in this version; allowed: accurate, exact");
+  tier_of(request);  // refuses what does not go together
   const Alpha alpha = alpha_of(request.text("alpha"));
   const auto digits = digits_wanted(request);
   const Trio trio = with_restitution(alpha, exact_of(e));
