@@ -7,7 +7,8 @@
 
 namespace command {
 
-/// A figure of its data in svg, png, pdf or csv: the same bytes from every run.
+/// A figure of its data in svg, png, pdf or csv: the same bytes from every run, PDF but for
+/// the date where cairo compresses it.
 std::string picture(const answers::Figure& figure, const answers::Table& data,
                     const std::string& format);
 
