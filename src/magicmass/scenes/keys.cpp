@@ -51,7 +51,7 @@ Value value_at(const toml::node& node, const Scene& scene, const std::string& ke
 }
 
 const toml::array& array_at(const toml::node& node, const Scene& scene, const std::string& key,
-                            const std::string& allowed) {
+                            std::string_view allowed) {
   if (const toml::array* elements = node.as_array()) return *elements;
   refuse_key(scene, key, "got " + type_of(node), allowed);
 }
@@ -77,8 +77,9 @@ void read_alpha(const toml::node& node, Scene& scene, const std::string& key) {
 
 void read_outputs(const toml::node& node, Scene& scene, const std::string& key) {
   const std::string array = "an array of ";
+  const std::string allowed = array + quoted_list(all_outputs);
   scene.outputs.clear();
-  for (const toml::node& element : array_at(node, scene, key, array + quoted_list(all_outputs)))
+  for (const toml::node& element : array_at(node, scene, key, allowed))
     scene.outputs.push_back(all_outputs[word_at(element, scene, key, all_outputs, array)]);
 }
 
