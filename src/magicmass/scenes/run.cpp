@@ -227,8 +227,9 @@ void stream(const Scene& scene, const Options& options, const Plan& plan, const 
   }
   if (plan.model == "theorem") {
     const auto trio = Trio::of(scene);
-    limit = trio->count().value_or(limit);
-    if (limit <= many) return stream_by_theorem(*trio, limit, sink);
+    const auto N = trio->count();
+    if (N && *N <= many) return stream_by_theorem(*trio, *N, sink);
+    limit = N.value_or(limit);
   }
   motion(rounded_start(scene), limit, sink);
 }

@@ -188,6 +188,10 @@ TEST_CASE("a collapse has its time and place, for touching bodies as for near on
   const Result touching = run(parse_scene(text + "1]", "s"), {});
   CHECK(touching.status == Status::collapse);
   CHECK((number(*touching.collapse_time) == 1 && number(*touching.collapse_position) == 1));
+  const Scene cut_off = parse_scene(text + "1]\nmax_events = 3", "s");
+  std::int64_t rows = 0;
+  stream(cut_off, {}, run(cut_off, {}).plan, [&](const Row& row) { CHECK(row.number == ++rows); });
+  CHECK(rows == 3);
   const Result near_ones = run(parse_scene(text + "1.000001]", "s"), {});
   CHECK(near_ones.status == Status::collapse);
   CHECK((number(*near_ones.collapse_time) > 1 && number(*near_ones.collapse_time) < 1.00001));
