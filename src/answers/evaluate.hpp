@@ -17,7 +17,7 @@ using magicmass::scenes::Ball;
 /// Values of variables and of whole terms, such as N_A.
 using Values = std::map<kernel::Expr, Ball>;
 
-/// The term as a ball; functions by their definitions in the book. Throws Undecided where the bits
+/// The term as a ball; functions by their definitions in the book. Throws NotCertain where the bits
 /// do not do, std::logic_error for a function that the book does not define.
 Ball evaluate(kernel::Expr term, Values values);
 /// The right side of the equation that a theorem of the book is, or of its part.

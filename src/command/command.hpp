@@ -38,6 +38,7 @@ struct Command {
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
   /// The same answers for many rows of --input; those without one are handed to `run`.
   std::function<answers::Block(const answers::Rows&)> run_block = {};
+  bool takes_formulas = false;  ///< its words may begin with a minus sign
 };
 
 /// The program: all that differs between magicmass and a test's.

@@ -3,6 +3,7 @@
 #include "command/commands.hpp"
 
 #include "answers/derivation.hpp"
+#include "answers/equality.hpp"
 #include "answers/scene.hpp"
 #include "answers/velocities.hpp"
 #include "command/comparison.hpp"
@@ -97,6 +98,19 @@ Program magicmass() {
                {"text", "json", "csv"},
                answers::ratios_columns(),
                answers::ratios},
+              {"equal",
+               "Are two expressions equal?",
+               "magicmass equal \"cos(psi/2)\" \"1/(1 + alpha)\"",
+               {{"domain", "LIST", "conditions such as \"0 < alpha <= 1, n integer\""}},
+               "LEFT and RIGHT",
+               {"text", "json", "csv"},
+               answers::equal_columns(),
+               answers::equal,
+               30,
+               1024,
+               {},
+               {},
+               true},
               {"simulate",
                "The motion of a scene",
                "magicmass simulate tutorials/scenes/trajectory_b.toml",
@@ -156,7 +170,7 @@ Program magicmass() {
                report::report,
                300},
           },
-      .absent = {"equal", "learn"},
+      .absent = {"learn"},
       .absent_advice = "not in this version yet; until then use commit 77d7ebf",
   };
 }

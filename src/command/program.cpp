@@ -150,7 +150,9 @@ ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
       output.write(answers::written(given.table, table_format(asked.request.format)));
     else
       output.write(given.document);
-    code = given.check_failed ? ExitCode::check_failed : ExitCode::done;
+    code = given.check_failed   ? ExitCode::check_failed
+           : given.is_undecided ? ExitCode::undecided
+                                : ExitCode::done;
   }
   output.finish();
   return code;

@@ -19,7 +19,7 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
     all.push_back(*number);
   }
   return all;
-} catch (const Undecided&) {
+} catch (const NotCertain&) {
   return {};
 }
 std::vector<double> certain(const Balls& balls) {

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "answers/equality.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "derivation/book.hpp"
+#include "kernel/print.hpp"
+
+namespace answers {
+namespace {
+
+using equality::Verdict;
+using kernel::Expr;
+using kernel::Op;
+
+// A name of the paper and the theorem that defines it.
+const std::map<std::string, std::string>& defining_theorems() {
+  static const std::map<std::string, std::string> table{{"psi", "rotation.psi"},
+                                                        {"theta", "ball.theta"},
+                                                        {"V_CM", "power.V_CM"},
+                                                        {"alpha_k", "ratios.alpha_k"},
+                                                        {"beta_k", "ratios.beta_k"},
+                                                        {"a_n", "power.a"},
+                                                        {"b_n", "power.b"},
+                                                        {"c_n", "power.c"},
+                                                        {"c_prime_n", "power.c_prime"}};
+  return table;
+}
+
+// A term of the book in the symbols that people type, its functions written out.
+Expr typed(Expr e) {
+  if (e.op() == Op::Var) return notation::symbol(e.name());
+  if (e.size() == 0) return e;
+  if (e.op() == Op::Fun)
+    for (const auto& [name, id] : defining_theorems()) {
+      const Expr equation = derivation::the_book()[id].conclusion();
+      const Expr defined = equation.arg(0);
+      if (defined.name() != e.name() || defined == e) continue;
+      kernel::Substitution arguments;
+      for (std::size_t i = 0; i < e.size(); ++i) arguments.emplace(defined.arg(i), e.arg(i));
+      return typed(kernel::substitute(equation.arg(1), arguments));
+    }
+  if (e.op() == Op::Fun)
+    for (const auto& [name, id] : defining_theorems())
+      if (derivation::the_book()[id].conclusion().arg(0) == e)
+        return typed(derivation::the_book()[id].conclusion().arg(1));
+  kernel::Exprs args;
+  for (Expr arg : e.args()) args.push_back(typed(arg));
+  return kernel::with_args(e, args);
+}
+
+/// Letters to insert, delete or replace to make one word the other.
+std::size_t edit_distance(const std::string& from, const std::string& to) {
+  std::vector<std::size_t> row(to.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < to.size(); ++j) {
+      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+void note_misspellings(const std::set<std::string>& names, std::vector<std::string>& notes) {
+  for (const std::string& name : names)
+    for (const std::string known : {"alpha", "theta", "psi", "V_CM"})
+      if (name.size() >= 3 && name != known && edit_distance(name, known) <= known.size() / 2 - 1)
+        notes.push_back(name + " is taken as a symbol of its own; " + known + "?");
+}
+
+Cell counterexample_cell(const Verdict& verdict) {
+  if (!verdict.counterexample) return missing_cell();
+  const auto& c = *verdict.counterexample;
+  const auto json = [](const std::string& text) { return text_cell(text).json; };
+  return {(c.point.empty() ? "" : "at " + c.point + ": ") + c.left + " and " + c.right +
+              ", apart by " + c.difference,
+          "{\"at\": " + json(c.point) + ", \"left\": " + json(c.left) +
+              ", \"right\": " + json(c.right) + ", \"difference\": " + json(c.difference) + "}"};
+}
+Cell list_or_missing(const std::vector<std::string>& texts) {
+  Cell cell = list_cell(texts);
+  if (texts.empty()) cell.text = missing_cell().text;
+  return cell;
+}
+
+}  // namespace
+
+Expr with_meanings(Expr e, std::vector<std::string>& notes) {
+  kernel::Substitution meanings;
+  for (const std::string& name : notation::symbols_of(e)) {
+    const auto it = defining_theorems().find(name);
+    if (it == defining_theorems().end()) continue;
+    const Expr right = derivation::the_book()[it->second].conclusion().arg(1);
+    meanings.emplace(notation::symbol(name), typed(right));
+    notes.push_back(name + " = " + kernel::text(right));
+  }
+  return kernel::substitute(e, meanings);
+}
+
+std::vector<Column> equal_columns() {
+  return {{"verdict", Type::text, "", "equal, different or undecided"},
+          {"proof", Type::text, "", "how it is known"},
+          {"counterexample", Type::text, "", "a point where the sides differ"},
+          {"domain", Type::list, "", "where they were compared"},
+          {"conditions", Type::list, "", "where both sides have a value"},
+          {"theorem", Type::text, "", "what the kernel certified"},
+          {"notes", Type::list, "", "how it was read, and where one side alone has a value"}};
+}
+
+Answer equal(const Request& request) {
+  if (request.words.size() != 2)
+    throw InvalidInput(
+        "equal: two expressions are needed; example: magicmass equal \"sqrt(8)\" "
+        "\"2*sqrt(2)\"");
+  std::vector<std::string> notes;
+  std::vector<Expr> sides;
+  std::set<std::string> symbols;
+  try {
+    for (int i : {0, 1}) {
+      try {
+        notation::Typed read = notation::read_typed(request.words[std::size_t(i)]);
+        if (kernel::is_matrix(read.term)) kernel::refuse("a matrix; equal compares numbers");
+        notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+        note_misspellings(notation::symbols_of(read.term), notes);
+        sides.push_back(with_meanings(read.term, notes));
+        symbols.merge(notation::symbols_of(sides.back()));
+      } catch (const kernel::Refused& r) {
+        throw InvalidInput(std::string(i == 0 ? "left" : "right") + " side, " + r.what());
+      }
+    }
+    const equality::Domain domain = equality::read_domain(request.text("domain"), symbols, notes);
+    Verdict verdict = equality::decide(sides[0], sides[1], domain);
+    for (const std::string& note : verdict.notes) notes.push_back(note);
+    Answer answer;
+    answer.table.columns = equal_columns();
+    answer.table.is_list = false;
+    answer.check_failed = verdict.answer == equality::Answer::Different;
+    answer.is_undecided = verdict.answer == equality::Answer::Undecided;
+    answer.table.rows.push_back(
+        {text_cell(equality::word(verdict.answer)), text_cell(verdict.proof),
+         counterexample_cell(verdict), list_or_missing(verdict.domain),
+         list_or_missing(verdict.conditions),
+         verdict.theorem.empty() ? missing_cell() : text_cell(verdict.theorem),
+         list_or_missing(notes)});
+    return answer;
+  } catch (const kernel::Refused& r) {
+    throw InvalidInput(std::string("equal: ") + shown_text(r.what(), 300));
+  }
+}
+
+}  // namespace answers

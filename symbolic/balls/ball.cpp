@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "balls/ball.hpp"
+
+#include <cmath>
+
+#include "kernel/print.hpp"
+
+namespace balls {
+namespace {
+
+using cln::cl_I;
+using cln::cl_RA;
+
+/// The integer nearest to q, ties to even.
+cl_I rounded(const cl_RA& q) { return cln::round1(q); }
+
+/// q scaled by 2^e.
+cl_RA scaled(const cl_RA& q, int e) {
+  return e >= 0 ? q * cln::ash(cl_I(1), e) : q / cln::ash(cl_I(1), -e);
+}
+/// e with 2^e <= q < 2^(e+1), for q > 0.
+int exponent_of(const cl_RA& q) {
+  const auto length = [](const cl_I& n) { return static_cast<int>(cln::integer_length(n)); };
+  const int e = length(cln::numerator(q)) - length(cln::denominator(q));
+  return scaled(q, -e) < 1 ? e - 1 : e;
+}
+double nearest(const cl_RA& q) {
+  if (q == 0) return 0;
+  const cl_RA size = cln::abs(q);
+  const int e = std::max(exponent_of(size), -1022) - 52;
+  const cl_I whole = rounded(scaled(size, -e));  // at most 2^53
+  const double value = std::ldexp(cln::double_approx(whole), e);
+  return q < 0 ? -value : value;
+}
+
+}  // namespace
+
+int Ball::bits_ = 128;
+
+Ball::Ball(double finite) : Ball(exact(finite)) {}
+
+void Ball::set_bits(int bits) { bits_ = bits; }
+
+Ball::Ball(const cl_RA& q) : middle(cln::floor1(scaled(q, bits_))), radius(1) {
+  if (scaled(q, bits_) == middle) radius = 0;
+}
+Ball operator+(const Ball& a, const Ball& b) { return {a.middle + b.middle, a.radius + b.radius}; }
+Ball operator-(const Ball& a, const Ball& b) { return {a.middle - b.middle, a.radius + b.radius}; }
+Ball operator*(const Ball& a, const Ball& b) {
+  if (a.is_zero() || b.is_zero()) return 0;
+  const cl_I error =
+      cln::abs(a.middle) * b.radius + cln::abs(b.middle) * a.radius + a.radius * b.radius;
+  // One unit for the product's own rounding, one for that of its error.
+  return {cln::ash(a.middle * b.middle, -Ball::bits_), cln::ash(error, -Ball::bits_) + 2};
+}
+Ball operator/(const Ball& a, const Ball& b) {
+  const cl_I least = cln::abs(b.middle) - b.radius;
+  if (least <= 0) throw NotCertain("a divisor is not certainly different from 0");
+  // |a/b - m_a/m_b| <= (r_a |m_b| + r_b |m_a|)/(|m_b| least)
+  const cl_I quotient = cln::floor1(cln::ash(a.middle, Ball::bits_), b.middle);
+  const cl_I error =
+      cln::ash(a.radius * cln::abs(b.middle) + b.radius * cln::abs(a.middle), Ball::bits_);
+  return {quotient, cln::floor1(error, cln::abs(b.middle) * least) + 2};
+}
+cl_RA Ball::low() const { return scaled(middle - radius, -bits_); }
+cl_RA Ball::high() const { return scaled(middle + radius, -bits_); }
+
+/// The sum of term, -term square/((first + 1)(first + 2)), ... An alternating series is off by less
+/// than its next term, once the terms fall.
+Ball Ball::alternating(Ball term, const Ball& square, int first) {
+  Ball sum = term;
+  for (int k = first; cln::abs(term.middle) > term.radius || k < first + 16; k += 2) {
+    term = -(term * square).over((k + 1) * (k + 2));
+    sum = sum + term;
+  }
+  sum.radius = sum.radius + cln::abs(term.middle) + term.radius;
+  return sum;
+}
+Ball cos(const Ball& x) { return Ball::alternating(1, x * x, 0); }
+Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
+Ball sqrt(const Ball& x) {
+  if (x.middle < x.radius) throw NotCertain("a root of what may be negative");
+  cl_I root;
+  cln::isqrt(cln::ash(x.middle, Ball::bits_), &root);
+  // |sqrt(x) - sqrt(m)| <= r/sqrt(m), and <= sqrt(r)
+  cl_I error;
+  cln::isqrt(cln::ash(x.radius, Ball::bits_), &error);
+  if (root > 0) error = cln::min(error, cln::floor1(cln::ash(x.radius, Ball::bits_), root));
+  return {root, error + 2};
+}
+Ball atan(const Ball& x) {
+  // atan(x) = 2 atan(x/(1 + sqrt(1 + x^2))), so that the series is short.
+  constexpr int halvings = 6;
+  Ball t = x;
+  for (int k = 0; k < halvings; ++k) t = t / (Ball(1) + sqrt(Ball(1) + t * t));
+  const Ball square = t * t;
+  Ball power = t;
+  Ball sum = t;
+  for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
+    power = -power * square;
+    sum = sum + power.over(2 * k + 1);
+  }
+  sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
+  return Ball(1 << halvings) * sum;
+}
+Ball Ball::pi() {  // Machin
+  return Ball(16) * atan(Ball(cl_RA(1) / 5)) - Ball(4) * atan(Ball(cl_RA(1) / 239));
+}
+Ball exp(const Ball& x) {
+  if (x.high() > 100000) throw NotCertain("an exponential of what may be above 10^5");
+  // exp(x) = exp(x/2^k)^(2^k), the middle alone: exp(m + r) <= exp(m) (1 + 2 r) for r <= 1.
+  if (x.radius > cln::ash(cl_I(1), Ball::bits_)) throw NotCertain("an exponential of a wide ball");
+  const int halvings = 8 + static_cast<int>(cln::integer_length(cln::floor1(cln::abs(x.low()))));
+  const Ball small{cln::ash(x.middle, -halvings), cl_I(1)};
+  Ball term = 1;
+  Ball sum = 1;
+  for (int k = 1; cln::abs(term.middle) > term.radius; ++k) {
+    term = (term * small).over(k);
+    sum = sum + term;
+  }
+  sum.radius = sum.radius + cln::abs(term.middle) + term.radius;  // the rest is below its first
+  for (int k = 0; k < halvings; ++k) sum = sum * sum;
+  sum.radius =
+      sum.radius + cln::ash(2 * x.radius * (cln::abs(sum.middle) + sum.radius), -Ball::bits_) + 1;
+  return sum;
+}
+Ball log(const Ball& x) {
+  if (x.middle <= x.radius) throw NotCertain("a logarithm of what may not be positive");
+  // x = 2^e y with y near 1; log y = 2 atanh((y - 1)/(y + 1)) = 2 (t + t^3/3 + ...)
+  const auto area = [](const Ball& y) {
+    const Ball t = (y - Ball(1)) / (y + Ball(1));
+    const Ball square = t * t;
+    Ball power = t;
+    Ball sum = t;
+    for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
+      power = power * square;
+      sum = sum + power.over(2 * k + 1);
+    }
+    sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
+    return Ball(2) * sum;
+  };
+  const int e = exponent_of(cln::max(x.low(), cl_RA(0)));
+  const Ball y{cln::ash(x.middle, -e), cln::ash(x.radius, -e) + 1};
+  return area(y) + Ball(e) * area(Ball(2));
+}
+Ball ceil(const Ball& x) {
+  const cl_RA low = cln::ceiling1(x.low());
+  if (low != cln::ceiling1(x.high())) throw NotCertain("a whole number is too close");
+  return low;
+}
+bool operator<=(const Ball& a, const Ball& b) {
+  if (a.middle + a.radius <= b.middle - b.radius) return true;
+  if (a.middle - a.radius > b.middle + b.radius) return false;
+  throw NotCertain("two numbers are too close");
+}
+
+std::optional<double> nearest_double(const cl_RA& low, const cl_RA& high) {
+  const double value = nearest(low);
+  if (value != nearest(high) || std::isinf(value)) return {};
+  return value;
+}
+std::optional<std::string> decimal(const cl_RA& low, const cl_RA& high, int digits) {
+  if (low == 0 && high == 0) return "0";
+  if (low <= 0 && high >= 0) return {};
+  const bool minus = high < 0;
+  const cl_RA small = minus ? -high : low;
+  const cl_RA large = minus ? -low : high;
+  // The place of the first digit: 10^p <= small < 10^(p+1).
+  int p = static_cast<int>(std::floor(exponent_of(small) * 0.30103));
+  const auto power = [](int e) { return cln::expt(cl_RA(10), e); };
+  while (power(p + 1) <= small) ++p;
+  while (power(p) > small) --p;
+  const cl_RA scale = power(digits - 1 - p);
+  cl_I whole = rounded(small * scale);
+  if (whole != rounded(large * scale)) return {};
+  std::string text = kernel::digits(whole);
+  if (static_cast<int>(text.size()) > digits) {  // 9.99... became 10.0
+    text.pop_back();
+    ++p;
+  }
+  std::string out = minus ? "-" : "";
+  if (p >= 0 && p < digits - 1)
+    out += text.substr(0, std::size_t(p) + 1) + "." + text.substr(std::size_t(p) + 1);
+  else if (p < 0 && p >= -6)
+    out += "0." + std::string(std::size_t(-p - 1), '0') + text;
+  else
+    out += text.substr(0, 1) + (digits > 1 ? "." + text.substr(1) : "") + "e" + std::to_string(p);
+  return out;
+}
+
+cl_RA exact(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
+  const cl_RA q = cl_I(static_cast<long long>(whole));
+  const int shift = exponent - 53;
+  return shift >= 0 ? q * cln::ash(cl_I(1), shift) : q / cln::ash(cl_I(1), -shift);
+}
+
+}  // namespace balls

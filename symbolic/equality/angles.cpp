@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "equality/angles.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "equality/atoms.hpp"
+
+namespace equality {
+namespace {
+constexpr int most_parts = 12;  // q of q (left - right), a whole number of turns
+
+bool is_inverse_angle(Expr e) {
+  return is_function(e, "atan") || is_function(e, "asin") || is_function(e, "acos");
+}
+void collect(Expr e, std::set<Expr>& angles) {
+  for (Expr arg : e.args()) collect(arg, angles);
+  if (is_inverse_angle(e)) angles.insert(e);
+}
+// The denominator of all multiples, 0 where the sum has other parts than angles.
+int parts_of(const Sum& sum) {
+  cln::cl_I parts = 1;
+  for (const auto& [product, q] : sum) {
+    const bool is_angle =
+        product.size() == 1 && number_of(product.begin()->second) == cln::cl_RA(1) &&
+        (is_inverse_angle(product.begin()->first) || product.begin()->first == kernel::pi());
+    if (!is_angle) return 0;
+    parts = cln::lcm(parts, cln::denominator(q));
+  }
+  return parts <= most_parts ? cln::cl_I_to_int(parts) : 0;
+}
+// Where the requirements hold is the inside of a box with any part of its boundary.
+bool is_connected(const Domain& domain, const std::vector<Requirement>& needs) {
+  Domain box = narrowed(domain, needs);
+  for (auto& [symbol, range] : box.ranges) {
+    if (range.is_integer) return false;
+    range.has_low = range.has_high = false;
+  }
+  Forms forms(box);
+  return std::all_of(needs.begin(), needs.end(),
+                     [&](const Requirement& r) { return forms.holds(r); });
+}
+// The same domain for fewer symbols.
+Domain only(const Domain& domain, Expr e) {
+  Domain out;
+  for (Expr x : kernel::free_variables(e)) out.ranges[x] = domain.ranges.at(x);
+  return out;
+}
+}  // namespace
+
+bool is_same_angle(Expr left, Expr right, const Domain& domain,
+                   const std::vector<Requirement>& needs, const std::vector<Point>& common) {
+  try {
+    if (common.empty() || !domain.further.empty()) return false;
+    Forms forms(domain);
+    for (const Requirement& r : needs) forms.assume(r);
+    const Sum difference = forms.of(left) - forms.of(right);
+    const int parts = parts_of(difference);
+    if (parts == 0 || !forms.is_whole_turns(scaled(difference, parts))) return false;
+    if (!is_connected(domain, needs)) return false;
+    const Ball there = enclosure(at(common[0], left - right), 128);
+    const cln::cl_RA turn = cln::cl_RA(6) / parts;
+    return there.high() < turn && there.low() > -turn;
+  } catch (const TooLarge&) {
+  } catch (const NotDefined&) {
+  } catch (const NotCertain&) {
+  }
+  return false;
+}
+
+Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common) {
+  std::set<Expr> ours;
+  std::set<Expr> theirs;
+  collect(left, ours);
+  collect(right, theirs);
+  kernel::Substitution same;
+  for (Expr angle : theirs)
+    for (Expr other : ours) {
+      if (angle == other || same.contains(angle) || common.empty()) continue;
+      for (const cln::cl_RA& q : {cln::cl_RA(1), cln::cl_RA(2), cln::cl_RA(1) / 2, cln::cl_RA(-1),
+                                  cln::cl_RA(-2), cln::cl_RA(-1) / 2}) {
+        Expr guess = Expr(q) * other;
+        try {
+          const Ball rest = enclosure(at(common[0], angle - guess) / kernel::pi(), 128);
+          const cln::cl_RA halves = cln::cl_RA(cln::round1(2 * rest.low())) / 2;
+          if (cln::abs(rest.low() - halves) > cln::cl_RA(1) / 1000000) continue;
+          if (halves != 0) guess = guess + Expr(halves) * kernel::pi();
+        } catch (const std::runtime_error&) {
+          continue;
+        }
+        const Domain part = only(domain, angle + guess);
+        std::vector<Requirement> needs = requirements(angle, part);
+        for (const Requirement& r : requirements(guess, part)) needs.push_back(r);
+        if (!is_same_angle(angle, guess, part, needs, common)) continue;
+        same.emplace(angle, guess);
+        break;
+      }
+    }
+  for (const auto& [angle, guess] : same) right = kernel::replace(right, angle, guess);
+  return right;
+}
+}  // namespace equality

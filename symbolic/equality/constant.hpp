@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Constants: enclosed by balls, and their exact signs.
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "balls/ball.hpp"
+#include "kernel/expr.hpp"
+
+namespace equality {
+using balls::Ball;
+using balls::NotCertain;
+using kernel::Expr;
+using kernel::Exprs;
+
+/// The term has no real value: "the square root of a negative number". One line.
+struct NotDefined : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+/// The value of a term without variables, with so many bits behind the point. Throws NotDefined
+/// where that is certain, balls::NotCertain where more bits may help.
+Ball enclosure(Expr constant, int bits);
+/// -1, 0 or 1, exactly; nothing where neither bits nor a bound of separation decide it. Algebraic
+/// numbers (roots, cosines and sines of rational multiples of pi) of up to 60,000 bits are decided.
+/// Throws NotDefined.
+std::optional<int> exact_sign(Expr constant);
+/// Whether it is built by +, *, quotients and roots from rationals and cosines and sines of
+/// rational multiples of pi.
+bool is_algebraic(Expr constant);
+/// The rational q with e = q pi, if e is written so.
+std::optional<cln::cl_RA> multiple_of_pi(Expr e);
+bool is_function(Expr e, const char* name);
+}  // namespace equality

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "equality/decide.hpp"
+
+#include "algebra/equations.hpp"
+#include "equality/angles.hpp"
+#include "equality/atoms.hpp"
+#include "equality/normal_form.hpp"
+#include "kernel/print.hpp"
+
+namespace equality {
+using kernel::Op;
+using Need = Requirement::Kind;
+namespace {
+constexpr std::size_t points_tried = 60;
+constexpr std::size_t points_exactly = 3;
+constexpr int digits_shown = 16;
+constexpr std::size_t longest_shown = 40;
+
+struct Value {
+  std::optional<Ball> ball = {};  // nothing: no value, or not certain
+  std::string why_none = {};      // where it is certain that there is none
+};
+Value value_at(Expr constant, int bits) {
+  try {
+    return {.ball = enclosure(constant, bits)};
+  } catch (const NotDefined& none) {
+    return {.why_none = none.what()};
+  } catch (const NotCertain&) {
+    return {};
+  }
+}
+std::string shown(Expr constant) {
+  try {
+    Forms forms({});
+    const Sum sum = forms.of(constant);
+    if (sum.empty()) return "0";
+    const bool is_rational = sum.size() == 1 && sum.begin()->first.empty();
+    const std::string digits = is_rational ? kernel::digits(sum.begin()->second) : "";
+    if (is_rational && digits.size() <= longest_shown) return digits;
+  } catch (const std::runtime_error&) {
+  }
+  for (int bits = 128; bits <= 8192; bits *= 2) {
+    const Value value = value_at(constant, bits);
+    if (!value.ball) continue;
+    if (const auto text = balls::decimal(value.ball->low(), value.ball->high(), digits_shown))
+      return *text;
+  }
+  return "too close to 0 to be shown";
+}
+std::string text(const Requirement& r) {
+  return notation::typed_text(r.term) + (r.kind == Need::NotZero       ? " != 0"
+                                         : r.kind == Need::NotNegative ? " >= 0"
+                                                                       : " > 0");
+}
+
+class Question {
+public:
+  Question(Expr the_left, Expr the_right, const Domain& the_domain)
+      : left(the_left), right(the_right), domain(the_domain) {
+    verdict.domain = texts(domain);
+    for (Expr side : {left, right})
+      for (const Requirement& r : requirements(side, domain)) needs.push_back(r);
+  }
+  Verdict answer() {
+    if (is_different_somewhere()) return verdict;
+    if (prove()) {
+      verdict.answer = Answer::Equal;
+      add_conditions();
+      certify();
+      return verdict;
+    }
+    if (!is_different_exactly() && verdict.proof.empty())
+      verdict.proof =
+          "neither a proof nor a counterexample was found; both sides agree to 50 digits at " +
+          std::to_string(common.size()) + " points";
+    return verdict;
+  }
+
+private:
+  Expr left;
+  Expr right;
+  Domain domain;
+  Verdict verdict;
+  std::vector<Requirement> needs;
+  std::vector<Point> common;  // where both sides have a value, and agree
+
+  void found(const Point& point, const std::string& how) {
+    verdict.answer = Answer::Different;
+    verdict.proof = how;
+    verdict.counterexample =
+        Counterexample{equality::text(point), shown(at(point, left)), shown(at(point, right)),
+                       shown(at(point, left - right))};
+  }
+  bool is_different_somewhere() {
+    const std::vector<Point> all = points(domain, points_tried);
+    if (all.empty()) kernel::refuse("no point of the domain was found");
+    std::string why_none;
+    for (const Point& point : all) {
+      const Expr l = at(point, left);
+      const Expr r = at(point, right);
+      Value a;
+      Value b;
+      for (int bits = 192; bits <= 3072; bits *= 4) {
+        a = value_at(l, bits);
+        b = value_at(r, bits);
+        if ((a.ball || !a.why_none.empty()) && (b.ball || !b.why_none.empty())) break;
+      }
+      for (const Value& v : {a, b})
+        if (!v.why_none.empty()) why_none = v.why_none;
+      if (!a.ball || !b.ball) {
+        note_domain(point, a, b);
+        continue;
+      }
+      if (a.ball->high() < b.ball->low() || b.ball->high() < a.ball->low()) {
+        found(point, "both sides at one point, with certain bounds of error");
+        return true;
+      }
+      common.push_back(point);
+    }
+    if (common.empty())
+      kernel::refuse("no point was found where both sides have a value" +
+                     (why_none.empty() ? "" : ": " + why_none));
+    return false;
+  }
+  void note_domain(const Point& point, const Value& a, const Value& b) {
+    if (!verdict.notes.empty() || a.ball.has_value() == b.ball.has_value()) return;
+    const Value& none = a.ball ? b : a;
+    if (none.why_none.empty()) return;
+    verdict.notes.push_back(std::string(a.ball ? "the right" : "the left") +
+                            " side alone has no value at " + equality::text(point) + ": " +
+                            none.why_none);
+  }
+
+  bool prove() {
+    if (left == right) {
+      verdict.proof = "both sides are the same expression";
+      return true;
+    }
+    if (domain.ranges.empty() && prove_constants()) return true;
+    if (is_same_form(right)) return true;
+    const Expr other = with_one_angle(left, right, domain, common);
+    if (other != right && is_same_form(other)) return true;
+    if (!is_same_angle(left, right, domain, needs, common)) return false;
+    verdict.proof =
+        "angles: both sides have the same cosine and sine, both are continuous, and at " +
+        equality::text(common[0]) + " they agree";
+    return true;
+  }
+  bool is_same_form(Expr other) {
+    try {
+      Forms forms(narrowed(domain, needs));
+      for (int pass = 0; pass < 2; ++pass)  // a sign found late names earlier terms anew
+        for (const Requirement& r : needs) forms.assume(r);
+      const Sum difference = forms.of(left) - forms.of(other);
+      if (forms.is_zero(difference))
+        verdict.proof = "normal form: the difference of both sides is 0";
+      else if (forms.is_zero(forms.of(notation::call("exp", left - other)) - number(1)))
+        verdict.proof = "normal form: the exponential of the difference is 1";
+      else if (forms.is_not_negative(forms.of(left)) && forms.is_not_negative(forms.of(other)) &&
+               forms.is_zero(forms.of(kernel::power(left, 2) - kernel::power(other, 2))))
+        verdict.proof = "normal form: neither side is negative, and their squares are equal";
+      return !verdict.proof.empty();
+    } catch (const TooLarge& large) {
+      verdict.proof = std::string("not decided: ") + large.what();
+    } catch (const NotDefined&) {
+    } catch (const NotCertain&) {
+    }
+    return false;
+  }
+  bool prove_constants() {
+    const Expr difference = left - right;
+    const std::optional<int> sign = exact_sign(difference);
+    if (sign != 0) return false;
+    verdict.proof = is_algebraic(difference)
+                        ? "algebraic numbers: the difference is below the least that it could be"
+                        : "normal form: the difference of both sides is 0";
+    return true;
+  }
+  // What agrees to fifty digits may still differ.
+  bool is_different_exactly() {
+    for (std::size_t i = 0; i < std::min(common.size(), points_exactly); ++i) {
+      const auto sign = exact_sign(at(common[i], left - right));
+      if (sign && *sign != 0) {
+        found(common[i], "both sides at one point, compared with as many bits as it takes");
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void add_conditions() {
+    std::set<std::string> seen;
+    for (const Requirement& r : needs) {
+      bool is_known = false;
+      try {
+        Forms forms(domain);
+        is_known = forms.holds(r);
+      } catch (const std::runtime_error&) {
+      }
+      if (!is_known && seen.insert(text(r)).second) verdict.conditions.push_back(text(r));
+    }
+  }
+  static bool is_rational(Expr e) {
+    if (e.op() == Op::Num || e.op() == Op::Var) return true;
+    if (e.op() == Op::Fun && e.name() != "inv") return false;
+    for (Expr arg : e.args())
+      if (!is_rational(arg)) return false;
+    return e.op() != Op::Fun || e.size() == 1;
+  }
+  // The kernel proves it again from its own rules, where both sides are rational functions.
+  void certify() {
+    if (domain.ranges.empty() || !is_rational(left) || !is_rational(right)) return;
+    if (left.weight() + right.weight() > 400) return;
+    try {
+      algebra::Theorems not_zero;
+      for (const Requirement& r : needs) not_zero.push_back(kernel::assume(kernel::neq(r.term, 0)));
+      const algebra::Theorem theorem = algebra::equation(left, right, not_zero);
+      std::string hypotheses;
+      for (Expr h : theorem.hypotheses())
+        hypotheses +=
+            (hypotheses.empty() ? "" : ", ") + notation::typed_text(h.arg(0).arg(0)) + " != 0";
+      verdict.theorem = (hypotheses.empty() ? "" : hypotheses + " |- ") +
+                        notation::typed_text(left) + " = " + notation::typed_text(right);
+      verdict.proof += ", certified by the kernel";
+    } catch (const kernel::Refused&) {
+    }
+  }
+};
+}  // namespace
+
+Verdict decide(Expr left, Expr right, const Domain& domain) {
+  return Question(left, right, domain).answer();
+}
+const char* word(Answer answer) {
+  return answer == Answer::Equal       ? "equal"
+         : answer == Answer::Different ? "different"
+                                       : "undecided";
+}
+}  // namespace equality

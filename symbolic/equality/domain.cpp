@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "equality/domain.hpp"
+
+#include <algorithm>
+
+#include "equality/constant.hpp"
+#include "kernel/print.hpp"
+
+namespace equality {
+using kernel::Op;
+using kernel::refuse;
+namespace {
+constexpr int most_tried = 3000;  // where few points satisfy the further conditions
+constexpr int sign_bits = 256;
+
+const std::map<std::string, Range>& usual_ranges() {
+  const Range positive{.low = cln::cl_RA(0)};
+  const Range counting{.is_integer = true, .low = cln::cl_RA(1), .has_low = true};
+  static const std::map<std::string, Range> table{
+      {"alpha", positive},
+      {"V", positive},
+      {"L", positive},
+      {"M", positive},
+      {"m", positive},
+      {"M_A", positive},
+      {"M_B", positive},
+      {"e", {.low = cln::cl_RA(0), .high = cln::cl_RA(1), .has_high = true}},
+      {"n", counting},
+      {"k", counting},
+      {"j", {.is_integer = true, .low = cln::cl_RA(0), .has_low = true}}};
+  return table;
+}
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == text.npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+std::vector<std::string> separated(const std::string& text) {  // at commas outside of brackets
+  std::vector<std::string> parts{""};
+  int depth = 0;
+  for (const char c : text) {
+    depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+    if (c == ',' && depth == 0)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+std::string turned_round(const std::string& relation) {
+  if (relation[0] == '<') return ">" + relation.substr(1);
+  if (relation[0] == '>') return "<" + relation.substr(1);
+  return relation;
+}
+std::optional<cln::cl_RA> number(Expr e) {
+  if (e.op() == Op::Num) return e.value();
+  return {};
+}
+// A bound of one symbol, the strictest one counts; false where the comparison is none.
+bool bound(notation::Comparison c, std::map<Expr, Range>& given) {
+  if (!notation::name_of(c.right).empty()) {
+    std::swap(c.left, c.right);
+    c.relation = turned_round(c.relation);
+  }
+  const auto value = number(c.right);
+  if (notation::name_of(c.left).empty() || !value) return false;
+  if (c.relation == "=" || c.relation == "!=") return false;
+  const bool is_high = c.relation[0] == '<';
+  const bool closed = c.relation.size() == 2;
+  Range& range = given[c.left];
+  std::optional<cln::cl_RA>& end = is_high ? range.high : range.low;
+  bool& has_end = is_high ? range.has_high : range.has_low;
+  if (end && (is_high ? *end < *value : *end > *value)) return true;
+  has_end = end && *end == *value ? has_end && closed : closed;
+  end = value;
+  return true;
+}
+bool holds(const notation::Comparison& c, const Point& point) {
+  std::optional<int> sign;
+  try {
+    sign = exact_sign(at(point, c.left - c.right));
+  } catch (const NotDefined&) {
+  }
+  if (!sign) return false;
+  if (c.relation == "=") return *sign == 0;
+  if (c.relation == "!=") return *sign != 0;
+  if (*sign == 0) return c.relation.size() == 2;
+  return (*sign < 0) == (c.relation[0] == '<');
+}
+std::string shown(const std::string& name, const Range& range) {
+  const auto number = [](const cln::cl_RA& value) { return kernel::digits(value); };
+  std::string bounds;
+  if (range.low && range.high)
+    bounds = number(*range.low) + (range.has_low ? " <= " : " < ") + name +
+             (range.has_high ? " <= " : " < ") + number(*range.high);
+  else if (range.low)
+    bounds = name + (range.has_low ? " >= " : " > ") + number(*range.low);
+  else if (range.high)
+    bounds = name + (range.has_high ? " <= " : " < ") + number(*range.high);
+  if (range.is_integer) return name + " integer" + (bounds.empty() ? "" : ", " + bounds);
+  return bounds.empty() ? name + " real" : bounds;
+}
+
+// The values of a range to try, the simplest first.
+std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count) {
+  std::vector<cln::cl_RA> values;
+  const auto add = [&](const cln::cl_RA& value) {
+    if (values.size() < count && range.contains(value) &&
+        std::find(values.begin(), values.end(), value) == values.end())
+      values.push_back(value);
+  };
+  for (int value : {1, 2, 0, 3}) {
+    add(value);
+    add(-value);
+  }
+  for (int below = 2; below <= 5 && !range.is_integer; ++below)
+    for (int above = 1; above < 2 * below; ++above) {
+      const cln::cl_RA fraction = cln::cl_RA(above) / below;
+      add(fraction);
+      add(-fraction);
+      if (range.low && range.high) add(*range.low + (*range.high - *range.low) * fraction);
+      if (range.low) add(*range.low + fraction);
+      if (range.high) add(*range.high - fraction);
+    }
+  const cln::cl_RA start = range.low    ? cln::cl_RA(cln::ceiling1(*range.low))
+                           : range.high ? cln::cl_RA(cln::floor1(*range.high))
+                                        : cln::cl_RA(0);
+  for (int step : {0, 1, 2, 3, 4, 5, 6, 7, 9, 11, 15, 29, 99, 100, 1000}) {
+    add(start + cln::cl_RA(step));
+    add(start - cln::cl_RA(step));
+  }
+  for (int below : {10, 100, 1000})
+    for (int sign : {1, -1})
+      if (!range.is_integer) {
+        const cln::cl_RA small = cln::cl_RA(sign) / below;
+        add(small);
+        if (range.low) add(*range.low + small);
+        if (range.high) add(*range.high + small);
+      }
+  return values;
+}
+}  // namespace
+
+bool Range::contains(const cln::cl_RA& value) const {
+  if (is_integer && cln::denominator(value) != 1) return false;
+  if (low && (value < *low || (value == *low && !has_low))) return false;
+  return !(high && (value > *high || (value == *high && !has_high)));
+}
+bool Range::is_empty() const {
+  if (!low || !high) return false;
+  if (!is_integer) return *low > *high || (*low == *high && !(has_low && has_high));
+  cln::cl_I first = cln::ceiling1(*low);
+  if (first == *low && !has_low) first = first + 1;
+  return !contains(first);
+}
+
+Domain read_domain(const std::string& text, const std::set<std::string>& symbols,
+                   std::vector<std::string>& unused) {
+  Domain domain;
+  for (const std::string& name : symbols) {
+    const auto it = usual_ranges().find(name);
+    domain.ranges[notation::symbol(name)] = it == usual_ranges().end() ? Range() : it->second;
+  }
+  std::map<Expr, Range> given;
+  std::map<Expr, bool> is_integer;
+  const auto is_present = [&](Expr e, const std::string& condition) {
+    for (const std::string& name : notation::symbols_of(e))
+      if (!symbols.contains(name)) {
+        unused.push_back("\"" + condition + "\": " + name + " is in neither expression");
+        return false;
+      }
+    return true;
+  };
+  const auto read = [&](const std::string& condition) {
+    for (const std::string kind : {"integer", "real"})
+      if (condition.ends_with(" " + kind)) {
+        const std::string name = condition.substr(0, condition.size() - kind.size() - 1);
+        const Expr e = notation::read_typed(name).term;
+        if (notation::name_of(e).empty()) refuse("a symbol is expected before " + kind);
+        if (is_present(e, condition)) is_integer[e] = kind == "integer";
+        return;
+      }
+    for (const notation::Comparison& c : notation::read_comparisons(condition).comparisons)
+      if (is_present(c.left + c.right, condition) && !bound(c, given)) domain.further.push_back(c);
+  };
+  const std::vector<std::string> parts = separated(text);
+  if (parts.size() > 50) refuse("more than 50 conditions");
+  for (const std::string& part : trimmed(text).empty() ? std::vector<std::string>() : parts) {
+    const std::string condition = trimmed(part);
+    if (condition.empty()) refuse("an empty condition; write for example 0 < alpha");
+    try {
+      read(condition);
+    } catch (const kernel::Refused& r) {
+      refuse("\"" + condition.substr(0, 60) + "\": " + r.what());
+    }
+  }
+  for (const auto& [symbol, integer] : is_integer) domain.ranges[symbol] = {.is_integer = integer};
+  for (const auto& [symbol, range] : given) {
+    Range& known = domain.ranges[symbol];
+    if (range.low) known.low = range.low;
+    if (range.low) known.has_low = range.has_low;
+    if (range.high) known.high = range.high;
+    if (range.high) known.has_high = range.has_high;
+  }
+  for (const auto& [symbol, range] : domain.ranges)
+    if (range.is_empty())
+      refuse("no value of " + notation::name_of(symbol) + " satisfies " +
+             shown(notation::name_of(symbol), range));
+  return domain;
+}
+std::vector<std::string> texts(const Domain& domain) {
+  std::vector<std::string> out;
+  for (const auto& [symbol, range] : domain.ranges)
+    out.push_back(shown(notation::name_of(symbol), range));
+  std::sort(out.begin(), out.end());
+  for (const notation::Comparison& c : domain.further)
+    out.push_back(notation::typed_text(c.left) + " " + c.relation + " " +
+                  notation::typed_text(c.right));
+  return out;
+}
+
+std::vector<Point> points(const Domain& domain, std::size_t count) {
+  std::vector<Expr> symbols;
+  std::vector<std::vector<cln::cl_RA>> values;
+  std::size_t last = 0;
+  for (const auto& [symbol, range] : domain.ranges) {
+    symbols.push_back(symbol);
+    values.push_back(simple_values(range, domain.ranges.size() == 1 ? count : 24));
+    if (values.back().empty()) return {};
+    last += values.back().size() - 1;
+  }
+  std::vector<Point> out;
+  int tried = 0;
+  const auto visit = [&](const auto& self, std::size_t place, std::size_t left,
+                         Point& point) -> void {
+    if (out.size() >= count || tried > most_tried) return;
+    if (place == symbols.size()) {
+      if (left > 0) return;
+      ++tried;
+      if (std::all_of(domain.further.begin(), domain.further.end(),
+                      [&](const notation::Comparison& c) { return holds(c, point); }))
+        out.push_back(point);
+      return;
+    }
+    for (std::size_t i = 0; i <= left && i < values[place].size(); ++i) {
+      point[symbols[place]] = values[place][i];
+      self(self, place + 1, left - i, point);
+    }
+    point.erase(symbols[place]);
+  };
+  // The sum of the places in the lists grows, so that simple points come first.
+  for (std::size_t total = 0; total <= std::min<std::size_t>(last, 60); ++total) {
+    Point point;
+    visit(visit, 0, total, point);
+  }
+  return out;
+}
+Expr at(const Point& point, Expr term) {
+  kernel::Substitution s;
+  for (const auto& [symbol, value] : point) s.emplace(symbol, Expr(value));
+  return kernel::substitute(term, s);
+}
+std::string text(const Point& point) {
+  std::string out;
+  for (const auto& [symbol, value] : point)
+    out += (out.empty() ? "" : ", ") + notation::name_of(symbol) + " = " + kernel::digits(value);
+  return out;
+}
+}  // namespace equality

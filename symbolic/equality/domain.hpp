@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where two expressions are compared: a range for each symbol, and further conditions.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cln/rational.h>
+
+#include "notation/typed.hpp"
+
+namespace equality {
+using kernel::Expr;
+using kernel::Exprs;
+
+/// The values that one symbol may take: an interval, all of it or the integers in it.
+struct Range {
+  bool is_integer = false;
+  std::optional<cln::cl_RA> low = {};   ///< none: minus infinity
+  std::optional<cln::cl_RA> high = {};  ///< none: infinity
+  bool has_low = false;                 ///< the end belongs to it
+  bool has_high = false;
+
+  bool contains(const cln::cl_RA& value) const;
+  bool is_empty() const;
+};
+using Point = std::map<Expr, cln::cl_RA>;  ///< by symbol (notation::symbol)
+
+struct Domain {
+  std::map<Expr, Range> ranges;                    ///< of every symbol
+  std::vector<notation::Comparison> further = {};  ///< conditions that bound no one symbol
+};
+
+/// "0 < alpha <= 1, n integer, n >= 1, x real": with commas, each a comparison or a kind. What is
+/// said of a symbol replaces what is usual: alpha, V, L, M, m, M_A, M_B > 0, 0 < e <= 1, n, k >= 1
+/// and j >= 0 integers; other symbols are real. Refused (kernel::Refused): a condition on a symbol
+/// that is not in `symbols` (but for those that `symbols` could have), one that is empty.
+/// `unused`: what it says of absent symbols.
+Domain read_domain(const std::string& text, const std::set<std::string>& symbols,
+                   std::vector<std::string>& unused);
+/// One line a symbol, as read_domain reads them.
+std::vector<std::string> texts(const Domain& domain);
+
+/// Points of the domain, the simplest first; fewer than `count` where few are found.
+std::vector<Point> points(const Domain& domain, std::size_t count);
+/// The term with numbers for the symbols of the point.
+Expr at(const Point& point, Expr term);
+std::string text(const Point& point);  ///< "alpha = 1/2, n = 3"
+}  // namespace equality

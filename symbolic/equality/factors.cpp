@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sums as products: what all terms share, then the factors of a polynomial in what is left.
+#include <ginac/ginac.h>
+
+#include "equality/atoms.hpp"
+
+namespace equality {
+namespace {
+using kernel::Monomial;
+using kernel::Polynomial;
+constexpr std::size_t most_terms = 60;  // of a polynomial that GiNaC factors
+constexpr int highest_degree = 60;
+
+cln::cl_RA common_divisor(const cln::cl_RA& a, const cln::cl_RA& b) {
+  if (a == 0) return cln::abs(b);
+  if (b == 0) return cln::abs(a);
+  return cln::cl_RA(cln::gcd(cln::numerator(a) * cln::denominator(b),
+                             cln::numerator(b) * cln::denominator(a))) /
+         (cln::denominator(a) * cln::denominator(b));
+}
+
+// An atom to the power of a monomial: the exponents of all terms are least + step * (0, 1, 2, ...).
+struct Generator {
+  Expr atom;
+  Monomial monomial;
+  cln::cl_RA least;
+  cln::cl_RA step;
+  Expr variable;
+};
+cln::cl_RA coefficient(const Product& product, Expr atom, const Monomial& monomial) {
+  const auto power = product.find(atom);
+  if (power == product.end()) return 0;
+  const auto it = power->second.find(monomial);
+  return it == power->second.end() ? cln::cl_RA(0) : it->second;
+}
+std::vector<Generator> generators(const Sum& sum) {
+  std::map<std::pair<Expr, Monomial>, int> seen;
+  for (const auto& [product, q] : sum)
+    for (const auto& [atom, e] : product)
+      for (const auto& [monomial, r] : e) seen[{atom, monomial}] = 1;
+  std::vector<Generator> out;
+  for (const auto& [key, once] : seen) {
+    Generator g{key.first, key.second, 0, 0, {}};
+    g.least = coefficient(sum.begin()->first, g.atom, g.monomial);
+    for (const auto& [product, q] : sum)
+      g.least = std::min(g.least, coefficient(product, g.atom, g.monomial));
+    for (const auto& [product, q] : sum)
+      g.step = common_divisor(g.step, coefficient(product, g.atom, g.monomial) - g.least);
+    // e^(2x) - 1 has the factor e^x - 1
+    if (g.step != 0) g.step = cln::cl_RA(1) / cln::denominator(g.step);
+    g.variable = kernel::real("generator_" + std::to_string(out.size()));
+    out.push_back(g);
+  }
+  return out;
+}
+int whole(const cln::cl_RA& q) {
+  if (cln::abs(q) > 100000) throw TooLarge("an exponent above 100000");
+  return cln::cl_I_to_int(cln::numerator(q));
+}
+// Content and sign taken out.
+cln::cl_RA content(const Sum& sum) {
+  cln::cl_RA out = 0;
+  for (const auto& [product, q] : sum) out = common_divisor(out, q);
+  return sum.begin()->second < 0 ? -out : out;
+}
+}  // namespace
+
+std::vector<std::pair<Polynomial, int>> factorized(const Polynomial& p) {
+  int degree = 0;
+  for (const auto& [monomial, q] : p) {
+    int total = 0;
+    for (const auto& [atom, k] : monomial) total += k;
+    degree = std::max(degree, total);
+  }
+  if (degree <= 1 || degree > highest_degree || p.size() > most_terms) return {{p, 1}};
+  std::map<Expr, GiNaC::symbol> symbols;
+  GiNaC::ex sum = 0;
+  for (const auto& [monomial, q] : p) {
+    GiNaC::ex term = GiNaC::numeric(q);
+    for (const auto& [atom, k] : monomial) {
+      if (!symbols.contains(atom)) symbols.emplace(atom, GiNaC::symbol());
+      term *= GiNaC::pow(symbols.at(atom), k);
+    }
+    sum += term;
+  }
+  const std::vector<std::pair<Expr, GiNaC::symbol>> ordered(symbols.begin(), symbols.end());
+  const auto back = [&](auto& self, const GiNaC::ex& e, std::size_t from) -> Polynomial {
+    if (from == ordered.size())
+      return {{Monomial(), cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N())}};
+    Polynomial out;
+    const auto& [atom, symbol] = ordered[from];
+    const GiNaC::ex expanded = e.expand();
+    for (int k = expanded.ldegree(symbol); k <= expanded.degree(symbol); ++k) {
+      const GiNaC::ex part = expanded.coeff(symbol, k);
+      if (part.is_zero()) continue;
+      const Polynomial power =
+          k == 0 ? Polynomial{{Monomial(), 1}} : Polynomial{{Monomial{{atom, k}}, 1}};
+      out = out + self(self, part, from + 1) * power;
+    }
+    return out;
+  };
+  const GiNaC::ex factored = GiNaC::factor(sum);
+  std::vector<std::pair<Polynomial, int>> out;
+  Polynomial check{{Monomial(), 1}};
+  const auto take = [&](const GiNaC::ex& factor) {
+    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
+    const int k = is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+    const Polynomial one = back(back, is_power ? factor.op(0) : factor, 0);
+    out.emplace_back(one, k);
+    for (int i = 0; i < k; ++i) check = check * one;
+  };
+  if (GiNaC::is_a<GiNaC::mul>(factored))
+    for (const GiNaC::ex& factor : factored) take(factor);
+  else
+    take(factored);
+  if (check != p) return {{p, 1}};  // GiNaC proposes
+  return out;
+}
+
+const Forms::Factors& Forms::factors(const Sum& sum) {
+  const auto it = factored.find(sum);
+  if (it != factored.end()) return it->second;
+  return factored.emplace(sum, factors_of(sum)).first->second;
+}
+Forms::Factors Forms::factors_of(const Sum& sum) {
+  if (sum.size() == 1) return {sum.begin()->second, sum.begin()->first};
+  Factors out;
+  const Sum plain = expanded(sum, &out.powers);
+  if (plain.empty()) throw NotDefined("0, written as a sum");
+  const std::vector<Generator> all = generators(plain);
+  Polynomial p;
+  for (const auto& [product, q] : plain) {
+    Monomial monomial;
+    for (const Generator& g : all) {
+      const cln::cl_RA over = coefficient(product, g.atom, g.monomial) - g.least;
+      if (over != 0) monomial.emplace_back(g.variable, whole(over / g.step));
+    }
+    std::sort(monomial.begin(), monomial.end());
+    p = p + Polynomial{{monomial, q}};
+  }
+  for (const Generator& g : all)
+    if (g.least != 0) multiply(out.powers, g.atom, {{g.monomial, g.least}});
+  for (const auto& [factor, times_taken] : factorized(p)) {
+    Sum part;
+    for (const auto& [monomial, q] : factor) {
+      Product product;
+      for (const auto& [variable, k] : monomial)
+        for (const Generator& g : all)
+          if (g.variable == variable)
+            multiply(product, g.atom, {{g.monomial, g.step * cln::cl_RA(k)}});
+      part = part + times({{product, q}}, number(1));
+    }
+    take_factor(out, part, times_taken);
+  }
+  return out;
+}
+// A sum that its conjugate is a multiple of is real but for a power of z: that is taken out.
+void Forms::take_factor(Factors& into, Sum part, int times_taken) {
+  const auto take_content = [&] {
+    const cln::cl_RA inside = content(part);
+    into.number = into.number * cln::expt(inside, times_taken);
+    part = scaled(part, 1 / inside);
+  };
+  take_content();
+  const Sum other = conjugated(part);
+  if (part.size() > 1 && other != part) {
+    // conj(f) = +-z^m f: f z^(m/2) is real, or imaginary
+    const auto leading = [](const Sum& s) {
+      const auto it = s.begin()->first.find(circle());
+      return it == s.begin()->first.end() ? Exponent() : it->second;
+    };
+    for (const auto& [product, q] : other) {
+      const auto it = product.find(circle());
+      const Exponent m =
+          (it == product.end() ? Exponent() : it->second) + kernel::scaled(leading(part), -1);
+      for (int sign : {1, -1}) {
+        if (times(part, {{m.empty() ? Product() : Product{{circle(), m}}, sign}}) != other)
+          continue;
+        Exponent half = kernel::scaled(m, cln::cl_RA(1) / 2);
+        if (sign < 0) half = half + Exponent{{{{kernel::pi(), 1}}, cln::cl_RA(1) / 2}};
+        if (half.empty()) continue;
+        part = times(part, {{Product{{circle(), half}}, 1}});
+        multiply(into.powers, circle(), kernel::scaled(half, -times_taken));
+        take_content();
+        return take_real(into, part, times_taken);
+      }
+    }
+  }
+  take_real(into, part, times_taken);
+}
+void Forms::take_real(Factors& into, const Sum& part, int times_taken) {
+  if (part.size() > 1) return multiply(into.powers, composite(part), exponent(times_taken));
+  for (const auto& [atom, e] : part.begin()->first)
+    multiply(into.powers, atom, kernel::scaled(e, times_taken));
+}
+Expr Forms::composite(const Sum& sum) {
+  const Expr e = expression(sum);
+  composites.emplace(e, sum);
+  return e;
+}
+Sum Forms::from(const Factors& f) { return times({{f.powers, f.number}}, number(1)); }
+}  // namespace equality

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// From terms to normal forms.
+#include "equality/normal_form.hpp"
+
+#include "equality/atoms.hpp"
+
+namespace equality {
+using kernel::Op;
+namespace {
+constexpr int written_out = 4;        // powers of sums up to this one are multiplied out
+constexpr int most_multiples = 16;    // of an inverse angle
+constexpr int most_angle_parts = 60;  // asin(1/2) is pi/6
+
+// p^v for the primes of a number > 0; what is left beyond 10^5 is taken as it is.
+std::vector<std::pair<Expr, int>> primes(cln::cl_I n) {
+  std::vector<std::pair<Expr, int>> out;
+  for (int p = 2; p < 100000 && n >= cln::cl_I(p) * p; ++p) {
+    int times = 0;
+    for (; cln::mod(n, p) == 0; ++times) n = cln::exquo(n, p);
+    if (times > 0) out.emplace_back(Expr(p), times);
+  }
+  if (n > 1) out.emplace_back(Expr(cln::cl_RA(n)), 1);
+  return out;
+}
+void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
+  for (const auto& [p, times] : primes(cln::numerator(q)))
+    multiply(into, p, kernel::scaled(e, times));
+  for (const auto& [p, times] : primes(cln::denominator(q)))
+    multiply(into, p, kernel::scaled(e, -times));
+}
+bool is_inverse_angle(Expr e) { return is_function(e, "atan") || is_function(e, "asin"); }
+// i = z^(pi/2)
+Sum imaginary() {
+  return {{Product{{circle(), {{kernel::Monomial{{kernel::pi(), 1}}, cln::cl_RA(1) / 2}}}}, 1}};
+}
+}  // namespace
+
+Sum Forms::of(Expr term) {
+  if (const auto it = forms.find(term); it != forms.end()) return it->second;
+  const Sum sum = computed(term);
+  forms[term] = sum;
+  return sum;
+}
+Sum Forms::computed(Expr term) {
+  switch (term.op()) {
+    case Op::Num:
+      return number(term.value());
+    case Op::Var:
+      return atom(term);
+    case Op::Add: {
+      Sum out;
+      for (Expr arg : term.args()) out = out + of(arg);
+      return out;
+    }
+    case Op::Mul: {
+      Sum out = number(1);
+      for (Expr arg : term.args()) out = times(out, of(arg));
+      return out;
+    }
+    case Op::Pow:
+      return integer_power(of(term.arg(0)), term.exponent());
+    case Op::Fun:
+      return function(term);
+    default:
+      throw TooLarge("neither a number nor a function of numbers");
+  }
+}
+Sum Forms::function(Expr term) {
+  const std::string name = term.name();
+  if (term.size() == 0) return atom(term);
+  const Sum x = of(term.arg(0));
+  if (name == "inv") return integer_power(x, -1);
+  if (name == "sqrt") return real_power(x, exponent(cln::cl_RA(1) / 2));
+  if (name == "abs") return modulus(x);
+  if (name == "exp") return exponential(x);
+  if (name == "log") return logarithm(x);
+  if (name == "sin" || name == "cos") {
+    const Sum there = turned(x);
+    const Sum back = turned(scaled(x, -1));
+    if (name == "cos") return scaled(there + back, cln::cl_RA(1) / 2);
+    return scaled(times(imaginary(), back - there), cln::cl_RA(1) / 2);
+  }
+  if (name == "acos")
+    return scaled(atom(kernel::pi()), cln::cl_RA(1) / 2) - inverse_angle("asin", x);
+  if (name == "asin" || name == "atan") return inverse_angle(name, x);
+  if (name == "nth_root") {
+    const int order = cln::cl_I_to_int(cln::numerator(term.arg(1).value()));
+    if (order % 2 == 1) return odd_root(x, order);
+    return real_power(x, exponent(cln::cl_RA(1) / order));
+  }
+  if (name == "raised") {
+    const Exponent e = exponent_of(of(term.arg(1)));
+    const auto k = number_of(e);
+    if (k && is_whole(*k) && cln::abs(*k) <= 10000)
+      return integer_power(x, cln::cl_I_to_int(cln::numerator(*k)));
+    return is_integer(e) ? symbolic_power(x, e) : real_power(x, e);
+  }
+  Exprs args;
+  for (Expr arg : term.args()) args.push_back(expression(of(arg)));
+  return atom(kernel::fun(name, args));
+}
+
+Sum Forms::integer_power(const Sum& base, int k) {
+  if (base.empty()) {
+    if (k <= 0) throw NotDefined("division by zero");
+    return {};
+  }
+  if (k > 0 && k <= written_out && base.size() <= 30) {
+    Sum out = base;
+    for (int i = 1; i < k; ++i) out = times(out, base);
+    return out;
+  }
+  Factors f = factors(base);
+  f.number = cln::expt(f.number, k);
+  for (auto& [atom, e] : f.powers) e = kernel::scaled(e, k);
+  return from(f);
+}
+Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
+  if (base.empty()) return {};
+  const Factors f = factors(base);
+  Factors out;
+  if (f.number < 0) multiply(out.powers, circle(), k * Exponent{{{{kernel::pi(), 1}}, 1}});
+  multiply_number(out.powers, cln::abs(f.number), k);
+  for (const auto& [atom, e] : f.powers) multiply(out.powers, atom, e * k);
+  return from(out);
+}
+// What is not negative is its own modulus, a product of moduli: each has a real power.
+Sum Forms::real_power(const Sum& base, const Exponent& exponent) {
+  if (base.empty()) return {};
+  const Factors f = factors(base);
+  Factors out;
+  multiply_number(out.powers, cln::abs(f.number), exponent);
+  for (const auto& [atom, e] : f.powers) multiply_modulus(out, atom, e * exponent);
+  return from(out);
+}
+Sum Forms::odd_root(const Sum& base, int order) {
+  if (base.empty()) return {};
+  const Exponent e = exponent(cln::cl_RA(1) / order);
+  if (is_not_negative(base)) return real_power(base, e);
+  if (has_sign(base, -1, false)) return scaled(real_power(scaled(base, -1), e), -1);
+  return times(base, real_power(base, e + exponent(-1)));  // x |x|^(1/k - 1)
+}
+Sum Forms::modulus(const Sum& sum) {
+  if (sum.empty() || is_not_negative(sum)) return sum;
+  if (has_sign(sum, -1, false)) return scaled(sum, -1);
+  return real_power(sum, exponent(1));
+}
+void Forms::multiply_modulus(Factors& into, Expr atom, const Exponent& e) {
+  if (atom == circle()) return;
+  const bool is_modulus = is_function(atom, "abs") || sign_of_atom(atom) > 0;
+  multiply(into.powers, is_modulus ? atom : absolute(atom), e);
+}
+Sum Forms::logarithm(const Sum& sum) {
+  if (sum.empty()) throw NotDefined("the logarithm of 0");
+  const Factors f = factors(sum);
+  Product moduli;
+  multiply_number(moduli, cln::abs(f.number), exponent(1));
+  Factors of_atoms;
+  for (const auto& [atom, e] : f.powers) multiply_modulus(of_atoms, atom, e);
+  for (const auto& [atom, e] : of_atoms.powers) multiply(moduli, atom, e);
+  Sum out;
+  for (const auto& [base, e] : moduli)
+    out = out + (base == euler() ? sum_of(e) : times(sum_of(e), atom(notation::call("log", base))));
+  return out;
+}
+Sum Forms::exponential(const Sum& sum) {
+  Factors out;
+  for (const auto& [product, q] : sum) {
+    Product rest = product;
+    Expr base = euler();
+    for (const auto& [atom, e] : product)
+      if (is_function(atom, "log") && number_of(e) == cln::cl_RA(1)) base = atom;
+    if (base != euler()) {
+      rest.erase(base);
+      base = base.arg(0);
+    }
+    multiply(out.powers, base, exponent_of({{rest, q}}));
+  }
+  return from(out);
+}
+
+Sum Forms::turned(const Sum& angle) {
+  Sum out = number(1);
+  Factors plain;
+  for (const auto& [product, q] : angle) {
+    const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
+                            number_of(product.begin()->second) == cln::cl_RA(1);
+    if (is_inverse && is_whole(2 * q) && cln::abs(q) <= most_multiples)
+      out = times(out, turned_by_inverse(product.begin()->first, q));
+    else
+      multiply(plain.powers, circle(), exponent_of({{product, q}}));
+  }
+  return times(out, from(plain));
+}
+Sum Forms::turned_by_inverse(Expr inverse, const cln::cl_RA& multiple) {
+  const cln::cl_RA half = cln::cl_RA(1) / 2;
+  const Sum u = of(inverse.arg(0));
+  const bool is_sine = inverse.name() == "asin";
+  const Sum square = times(u, u);
+  Sum cosine = is_sine ? real_power(number(1) - square, exponent(half))
+                       : real_power(number(1) + square, exponent(-half));
+  Sum sine = is_sine ? u : times(u, cosine);
+  cln::cl_RA times_taken = cln::abs(multiple);
+  if (!is_whole(multiple)) {  // the angle is within -pi/2 and pi/2, so half of it has cosine > 0
+    cosine = real_power(scaled(number(1) + cosine, half), exponent(half));
+    sine = times(scaled(sine, half), integer_power(cosine, -1));
+    times_taken = 2 * times_taken;
+  }
+  const Sum point = cosine + scaled(times(imaginary(), sine), multiple < 0 ? -1 : 1);
+  Sum out = number(1);
+  for (cln::cl_RA k = 0; k < times_taken; k = k + 1) out = times(out, point);
+  return out;
+}
+Sum Forms::inverse_angle(const std::string& name, const Sum& sum) {
+  if (sum.empty()) return {};
+  if (sum.begin()->second < 0) return scaled(inverse_angle(name, scaled(sum, -1)), -1);
+  const Expr x = expression(sum);
+  const auto call = [&](Expr e) {
+    return name == "atan" ? kernel::atan(e) : notation::call(name, e);
+  };
+  if (!kernel::free_variables(x).empty() || !is_algebraic(x)) return atom(call(x));
+  if (exact_sign(x) == 0) return {};
+  Ball turns;
+  try {
+    turns = enclosure(call(x), 128) / Ball::pi();
+  } catch (const NotCertain&) {
+    return atom(call(x));
+  }
+  for (int parts = 1; parts <= most_angle_parts; ++parts) {
+    const cln::cl_RA q = cln::round1(turns.low() * parts) / cln::cl_RA(parts);
+    if (cln::abs(q - turns.low()) > cln::cl_RA(1) / 1000000000) continue;
+    const Expr angle = Expr(q) * kernel::pi();
+    const Expr same =
+        name == "atan" ? kernel::sin(angle) - x * kernel::cos(angle) : kernel::sin(angle) - x;
+    if (exact_sign(same) == 0) return scaled(atom(kernel::pi()), q);
+  }
+  return atom(call(x));
+}
+bool Forms::is_whole_turns(const Sum& sum) { return is_zero(turned(sum) - number(1)); }
+}  // namespace equality

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One normal form for all that people type: sums of products of powers, where the exponents are
+// polynomials. exp(u) is e^u; cos(u) and sin(u) are sums of z^u and z^-u, z^u = cos(u) + i sin(u);
+// roots are fractional powers; log(u) is a sum of logarithms of atoms; |u| is a product of moduli.
+// So e^(3x) e^-x, (xy)^n, log(27)/log(3) and cos(u)^2 + sin(u)^2 need no rule of their own.
+#pragma once
+
+#include <map>
+#include <stdexcept>
+
+#include "equality/constant.hpp"
+#include "equality/domain.hpp"
+#include "kernel/polynomial.hpp"
+
+namespace equality {
+using Exponent = kernel::Polynomial;
+using Product = std::map<Expr, Exponent>;   ///< atom -> exponent, which is not 0
+using Sum = std::map<Product, cln::cl_RA>;  ///< no coefficient is 0
+
+/// The form would be too long, or GiNaC would take too long to factor it.
+struct TooLarge : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a term needs to have a value.
+struct Requirement {
+  enum class Kind { NotZero, NotNegative, Positive };
+  Kind kind;
+  Expr term;
+  friend auto operator<=>(const Requirement&, const Requirement&) = default;
+};
+/// Of the term and all of its parts, inner ones first, each once.
+std::vector<Requirement> requirements(Expr term, const Domain& domain);
+
+/// The normal forms of terms on a domain. Whatever is said of a term holds where it is defined and
+/// the requirements hold that were assumed.
+class Forms {
+public:
+  explicit Forms(Domain domain) : where(std::move(domain)) {}
+  void assume(const Requirement& requirement);
+
+  /// Throws TooLarge, NotDefined (a quotient by what is identically 0).
+  Sum of(Expr term);
+  bool is_zero(const Sum& sum);
+  bool is_not_negative(const Sum& sum) { return has_sign(sum, 1, false); }
+  bool is_positive(const Sum& sum) { return has_sign(sum, 1, true); }
+  /// Proved on the domain.
+  bool holds(const Requirement& requirement);
+  /// z^u - 1 for u = the sum: 0 where it is a multiple of 2 pi.
+  bool is_whole_turns(const Sum& sum);
+  /// Whether the term is an integer all over the domain.
+  bool is_integer(Expr term) { return is_integer(exponent_of(of(term))); }
+  Expr expression(const Sum& sum);
+
+private:
+  struct Factors {
+    cln::cl_RA number = 1;
+    Product powers = {};  // of atoms; sums that cannot be factored have become atoms
+  };
+  Domain where;
+  std::map<Expr, Sum> forms;       // of terms
+  std::map<Expr, Sum> composites;  // what an atom stands for
+  std::map<Sum, Factors> factored;
+  std::map<Expr, int> assumed_signs;  // 1: not negative, 2: positive, -1, -2 likewise
+  std::map<Expr, bool> assumed_not_zero;
+  std::vector<std::pair<Sum, bool>> assumed;  // not negative; positive if true
+  int depth = 0;                              // of questions for signs
+
+  Sum computed(Expr term);
+  Sum function(Expr term);
+  Sum times(const Sum& a, const Sum& b);
+  void reduce(Product& product, cln::cl_RA& number);
+  Sum integer_power(const Sum& base, int exponent);
+  Sum symbolic_power(const Sum& base, const Exponent& exponent);
+  Sum real_power(const Sum& base, const Exponent& exponent);
+  Sum odd_root(const Sum& base, int order);
+  Sum modulus(const Sum& sum);
+  Sum logarithm(const Sum& sum);
+  Sum exponential(const Sum& sum);
+  Sum turned(const Sum& angle);  // z^angle
+  Sum turned_by_inverse(Expr inverse, const cln::cl_RA& multiple);
+  Sum inverse_angle(const std::string& name, const Sum& sum);
+  const Factors& factors(const Sum& sum);
+  Factors factors_of(const Sum& sum);
+  Expr composite(const Sum& sum);
+  void take_factor(Factors& into, Sum part, int times_taken);
+  void take_real(Factors& into, const Sum& part, int times_taken);
+  Sum from(const Factors& f);
+  void multiply_modulus(Factors& into, Expr atom, const Exponent& exponent);
+
+  Exponent exponent_of(const Sum& sum);
+  Sum sum_of(const Exponent& exponent);
+  bool is_integer(const Exponent& exponent) const;
+  bool is_integer_symbol(Expr atom) const;
+  bool is_complex(Expr atom);
+  Sum conjugated(const Sum& sum);
+  Expr expression(const Product& product);
+
+  Sum expanded(Sum sum, Product* divisor = nullptr);
+  bool is_zero_by_coefficients(const Sum& sum);
+  bool is_zero_number(const Sum& coefficient);
+  /// The sign (1 or -1) is proved; strictly: without 0.
+  bool has_sign(const Sum& sum, int sign, bool strictly);
+  // 2: positive, 1: not negative, 0: not known, -1 and -2 likewise
+  int sign_of_atom(Expr atom);
+  int sign_of(const Sum& sum);
+  int sign_of_powers(const Product& powers);
+  int sign_of_number(const Sum& sum);
+  bool is_not_zero(Expr atom) const;
+  int sign_of_composite(const Sum& sum);
+  int sign_by_terms(const Sum& sum);
+  int sign_by_shift(const Sum& sum);
+  int sign_of_two(const Sum& sum);
+  int sign_of_trigonometric(const Sum& sum);
+};
+
+/// The box made smaller by those requirements that bound one symbol: x >= 1 for sqrt(x - 1).
+Domain narrowed(Domain domain, const std::vector<Requirement>& needs);
+bool is_zero_constant(Expr constant);
+/// The factors of a polynomial in its atoms, as GiNaC finds them, multiplied out again for a check.
+/// Throws TooLarge.
+std::vector<std::pair<kernel::Polynomial, int>> factorized(const kernel::Polynomial& p);
+}  // namespace equality

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Signs that are certain all over a domain.
+#include "equality/atoms.hpp"
+
+namespace equality {
+using kernel::Op;
+namespace {
+constexpr int deepest = 8;
+// 2: positive, 1: not negative, 0: not known, -1 and -2 likewise.
+int product(int a, int b) {
+  if (a == 0 || b == 0) return 0;
+  const int size = std::min(std::abs(a), std::abs(b));
+  return (a > 0) == (b > 0) ? size : -size;
+}
+int sign_on(const Range& range) {
+  if (range.low && *range.low >= 0) return *range.low > 0 || !range.has_low ? 2 : 1;
+  if (range.high && *range.high <= 0) return *range.high < 0 || !range.has_high ? -2 : -1;
+  return 0;
+}
+}  // namespace
+
+int Forms::sign_of_atom(Expr atom) {
+  if (atom.op() == Op::Num) return 2;
+  if (atom == kernel::pi() || atom == euler()) return 2;
+  if (atom == circle()) return 0;
+  if (const auto it = assumed_signs.find(atom); it != assumed_signs.end()) return it->second;
+  if (atom.op() == Op::Var) {
+    const auto it = where.ranges.find(atom);
+    const int sign = it == where.ranges.end() ? 0 : sign_on(it->second);
+    return std::abs(sign) == 1 && is_not_zero(atom) ? 2 * sign : sign;
+  }
+  if (is_function(atom, "abs")) return is_not_zero(atom.arg(0)) ? 2 : 1;
+  if (const auto it = composites.find(atom); it != composites.end()) {
+    const int sign = sign_of_composite(it->second);
+    return std::abs(sign) == 1 && is_not_zero(atom) ? 2 * sign : sign;
+  }
+  if (atom.op() != Op::Fun || depth >= deepest) return 0;
+  ++depth;
+  int sign = 0;
+  if (is_function(atom, "log")) {
+    const Sum over = of(atom.arg(0)) - number(1);
+    sign = sign_of(over);
+  } else if (is_function(atom, "atan") || is_function(atom, "asin")) {
+    sign = sign_of(of(atom.arg(0)));
+  }
+  --depth;
+  return sign;
+}
+bool Forms::is_not_zero(Expr atom) const { return assumed_not_zero.contains(atom); }
+
+int Forms::sign_of(const Sum& sum) {
+  for (int sign : {2, -2, 1, -1})
+    if (has_sign(sum, sign > 0 ? 1 : -1, std::abs(sign) == 2)) return sign;
+  return 0;
+}
+int Forms::sign_of_powers(const Product& powers) {
+  int sign = 2;
+  for (const auto& [atom, e] : powers) {
+    const auto k = number_of(e);
+    const bool is_square = k && is_whole(*k) && is_even(*k) && !is_complex(atom);
+    int one = sign_of_atom(atom);
+    if (is_square)
+      one = std::abs(one) == 2 || is_not_zero(atom) ? 2 : 1;
+    else if (one < 0 && !(k && is_whole(*k)))
+      one = k && cln::evenp(cln::denominator(*k)) ? 1 : 0;
+    else if (one == 0 && k && !is_whole(*k) && cln::evenp(cln::denominator(*k)))
+      one = 1;  // a root is not negative
+    sign = product(sign, one);
+    if (sign == 0) return 0;
+  }
+  return sign;
+}
+bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
+  if (sum.empty()) return !strictly;
+  const auto fits = [&](int found) { return found * sign >= (strictly ? 2 : 1); };
+  for (const auto& [known, is_positive] : assumed)
+    if (known.size() == sum.size() && known.begin()->first == sum.begin()->first) {
+      const cln::cl_RA ratio = sum.begin()->second / known.begin()->second;
+      if (scaled(known, ratio) == sum && fits((ratio > 0 ? 1 : -1) * (is_positive ? 2 : 1)))
+        return true;
+    }
+  const Factors f = factors(sum);
+  if (fits(product(sign_of_powers(f.powers), f.number > 0 ? 2 : -2))) return true;
+  return fits(sign_of_composite(sum));
+}
+
+int Forms::sign_of_composite(const Sum& sum) {
+  if (depth >= deepest) return 0;
+  ++depth;
+  int sign = 0;
+  for (int (Forms::*rule)(const Sum&) :
+       {&Forms::sign_by_terms, &Forms::sign_of_number, &Forms::sign_of_trigonometric,
+        &Forms::sign_by_shift, &Forms::sign_of_two})
+    if (sign == 0) sign = (this->*rule)(sum);
+  --depth;
+  return sign;
+}
+int Forms::sign_by_terms(const Sum& sum) {
+  int total = 0;
+  for (const auto& [powers, q] : sum) {
+    const int sign = product(sign_of_powers(powers), q > 0 ? 2 : -2);
+    if (sign == 0 || product(total, sign) < 0) return 0;
+    total = std::abs(sign) > std::abs(total) ? sign : total;
+  }
+  return total;
+}
+int Forms::sign_of_number(const Sum& sum) {
+  for (const auto& [powers, q] : sum)
+    if (powers.contains(circle())) return 0;
+  const Expr e = expression(sum);
+  if (!kernel::free_variables(e).empty()) return 0;
+  return 2 * exact_sign(e).value_or(0);
+}
+// c + sum of c_i z^u_i is at least c - sum of |c_i|, where it is real.
+int Forms::sign_of_trigonometric(const Sum& sum) {
+  cln::cl_RA constant = 0;
+  cln::cl_RA others = 0;
+  for (const auto& [powers, q] : sum) {
+    if (powers.empty())
+      constant = q;
+    else if (powers.size() == 1 && powers.begin()->first == circle())
+      others = others + cln::abs(q);
+    else
+      return 0;
+  }
+  if (cln::abs(constant) < others || constant == 0) return 0;
+  return (constant > 0 ? 1 : -1) * (cln::abs(constant) > others ? 2 : 1);
+}
+// a - b for positive a and b has the sign of log(a/b).
+int Forms::sign_of_two(const Sum& sum) {
+  if (sum.size() != 2) return 0;
+  const auto& [first, q] = *sum.begin();
+  const auto& [second, r] = *std::next(sum.begin());
+  const int strength = std::min(sign_of_powers(first), sign_of_powers(second));
+  if ((q > 0) == (r > 0) || strength < 1) return 0;
+  Product ratio = first;
+  for (const auto& [atom, e] : second) multiply(ratio, atom, kernel::scaled(e, -1));
+  const Sum log = logarithm({{ratio, -q / r}});
+  for (int sign : {1, -1})
+    if (has_sign(log, sign, false))
+      return (q > 0 ? sign : -sign) * (strength == 2 && has_sign(log, sign, true) ? 2 : 1);
+  return 0;
+}
+// x = low + s, high - s or (low + high s)/(1 + s) for s >= 0 shows signs term by term.
+int Forms::sign_by_shift(const Sum& sum) {
+  const Expr e = expression(sum);
+  for (const Expr& x : kernel::free_variables(e)) {
+    const auto it = where.ranges.find(x);
+    if (it == where.ranges.end()) continue;
+    const Range& range = it->second;
+    if (!range.high && (!range.low || *range.low == 0)) continue;
+    const Expr s = notation::symbol(notation::name_of(x) + "_above");
+    Domain inner = where;
+    inner.ranges.erase(x);
+    inner.further.clear();
+    const bool closed = range.high && range.low ? range.has_low
+                        : range.low             ? range.has_low
+                                                : range.has_high;
+    inner.ranges[s] = {.low = cln::cl_RA(0), .has_low = closed};
+    Expr value = range.low ? Expr(*range.low) + s : Expr(*range.high) - s;
+    if (range.low && range.high) value = (Expr(*range.low) + Expr(*range.high) * s) / (Expr(1) + s);
+    Forms forms_of_s(inner);
+    forms_of_s.depth = depth + 1;
+    const bool ends_open = !range.high || !range.low || !range.has_high;
+    const Sum shifted = forms_of_s.of(kernel::substitute(e, {{x, value}}));
+    if (forms_of_s.has_sign(shifted, 1, false))
+      return ends_open && forms_of_s.has_sign(shifted, 1, true) ? 2 : 1;
+    if (forms_of_s.has_sign(shifted, -1, false))
+      return ends_open && forms_of_s.has_sign(shifted, -1, true) ? -2 : -1;
+  }
+  return 0;
+}
+
+void Forms::assume(const Requirement& requirement) {
+  const Sum sum = of(requirement.term);
+  if (sum.empty()) return;
+  const Factors f = factors(sum);
+  if (requirement.kind == Requirement::Kind::NotZero) {
+    for (const auto& [atom, e] : f.powers) assumed_not_zero[atom] = true;
+  } else {
+    const bool strictly = requirement.kind == Requirement::Kind::Positive;
+    assumed.emplace_back(sum, strictly);
+    Product known = f.powers;
+    Expr unknown;
+    for (const auto& [atom, e] : f.powers) {
+      const auto k = number_of(e);
+      if (!k || !is_whole(*k) || is_even(*k) || sign_of_atom(atom) != 0) continue;
+      if (unknown) return;  // the signs of two factors stay open
+      unknown = atom;
+      known.erase(atom);
+    }
+    const int rest = product(sign_of_powers(known), f.number > 0 ? 2 : -2);
+    if (unknown && rest != 0) assumed_signs[unknown] = (rest > 0 ? 1 : -1) * (strictly ? 2 : 1);
+  }
+  forms.clear();
+  factored.clear();
+}
+bool Forms::holds(const Requirement& requirement) {
+  const Sum sum = of(requirement.term);
+  switch (requirement.kind) {
+    case Requirement::Kind::Positive:
+      return is_positive(sum);
+    case Requirement::Kind::NotNegative:
+      return is_not_negative(sum);
+    default:
+      return is_positive(sum) || has_sign(sum, -1, true);
+  }
+}
+}  // namespace equality

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Sums of products of powers: arithmetic, and how they are written as terms again.
+#include <cln/integer.h>
+
+#include "equality/atoms.hpp"
+#include "kernel/names.hpp"
+
+namespace equality {
+using kernel::Op;
+namespace {
+constexpr std::size_t most_products = 200000;
+
+void add(Sum& into, const Product& product, const cln::cl_RA& q) {
+  if (q == 0) return;
+  const auto [it, is_new] = into.try_emplace(product, q);
+  if (is_new) return;
+  it->second = it->second + q;
+  if (it->second == 0) into.erase(it);
+}
+}  // namespace
+
+Expr circle() {
+  if (!kernel::signature("unit_circle")) kernel::declare("unit_circle", {});
+  return kernel::fun("unit_circle", {});
+}
+Expr euler() { return notation::call("exp", 1); }
+Expr absolute(Expr e) { return notation::call("abs", e); }
+Sum number(const cln::cl_RA& q) { return q == 0 ? Sum() : Sum{{Product(), q}}; }
+Sum atom(Expr e) { return {{Product{{e, exponent(1)}}, 1}}; }
+Sum operator+(const Sum& a, const Sum& b) {
+  Sum out = a;
+  for (const auto& [product, q] : b) add(out, product, q);
+  return out;
+}
+Sum operator-(const Sum& a, const Sum& b) { return a + scaled(b, -1); }
+Sum scaled(const Sum& a, const cln::cl_RA& q) {
+  Sum out;
+  for (const auto& [product, coefficient] : a) add(out, product, coefficient * q);
+  return out;
+}
+Exponent exponent(const cln::cl_RA& q) {
+  if (q == 0) return {};
+  return {{kernel::Monomial(), q}};
+}
+cln::cl_RA constant_part(const Exponent& e) {
+  const auto it = e.find({});
+  return it == e.end() ? cln::cl_RA(0) : it->second;
+}
+std::optional<cln::cl_RA> number_of(const Exponent& e) {
+  if (e.empty()) return cln::cl_RA(0);
+  if (e.size() > 1 || !e.begin()->first.empty()) return {};
+  return e.begin()->second;
+}
+bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
+bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
+void multiply(Product& into, Expr atom, const Exponent& exponent) {
+  Exponent& e = into[atom];
+  e = e + exponent;
+  if (e.empty()) into.erase(atom);
+}
+
+Sum Forms::times(const Sum& a, const Sum& b) {
+  if (a.size() * b.size() > most_products) throw TooLarge("too many products");
+  Sum out;
+  for (const auto& [left, q] : a)
+    for (const auto& [right, r] : b) {
+      Product product = left;
+      for (const auto& [atom, e] : right) multiply(product, atom, e);
+      cln::cl_RA coefficient = q * r;
+      reduce(product, coefficient);
+      add(out, product, coefficient);
+    }
+  return out;
+}
+
+// |a|^2 is a times its conjugate, p^1 a number, z^pi is -1.
+void Forms::reduce(Product& product, cln::cl_RA& number) {
+  const Product before = product;
+  for (const auto& [atom, e] : before) {
+    if (!is_function(atom, "abs")) continue;
+    const Expr inner = atom.arg(0);
+    const int sign = sign_of_atom(inner);
+    if (sign > 0) {
+      product.erase(atom);
+      multiply(product, inner, e);
+      continue;
+    }
+    const cln::cl_RA whole = cln::floor1(constant_part(e));
+    const cln::cl_RA part = sign < 0 ? whole : 2 * cln::floor1(whole / 2);
+    if (part == 0) continue;
+    multiply(product, atom, exponent(-part));
+    if (sign < 0 && !is_even(part)) number = -number;
+    if (!is_complex(inner)) {
+      multiply(product, inner, exponent(part));
+      continue;
+    }
+    multiply(product, inner, exponent(part / 2));
+    const Factors conjugate = factors(conjugated(composites.at(inner)));
+    number = number * cln::expt(conjugate.number, cln::numerator(part / 2));
+    for (const auto& [other, k] : conjugate.powers)
+      multiply(product, other, kernel::scaled(k, part / 2));
+  }
+  for (const auto& [atom, e] : Product(product)) {
+    if (atom.op() == Op::Num) {
+      const cln::cl_I whole = cln::floor1(constant_part(e));
+      if (whole == 0) continue;
+      if (cln::abs(whole) > 10000) throw TooLarge("a number of too many digits");
+      number = number * cln::expt(atom.value(), whole);
+      multiply(product, atom, exponent(-whole));
+    }
+    if (atom != circle()) continue;
+    for (const auto& [monomial, q] : e) {
+      Exponent whole{{monomial, 1}};
+      const kernel::Monomial pi{{kernel::pi(), 1}};
+      bool is_turn = false;  // pi times an integer
+      for (const auto& [part, k] : monomial) {
+        if (part == kernel::pi() && k == 1)
+          is_turn = true;
+        else if (!is_integer_symbol(part)) {
+          is_turn = false;
+          break;
+        }
+      }
+      if (!is_turn) continue;
+      cln::cl_RA turns = 2 * cln::floor1(q / 2);
+      if (monomial == pi && q - turns >= 1) {
+        turns = turns + 1;
+        number = -number;
+      }
+      if (turns != 0) multiply(product, atom, kernel::scaled(whole, -turns));
+    }
+  }
+}
+bool Forms::is_complex(Expr atom) {
+  if (atom == circle()) return true;
+  const auto it = composites.find(atom);
+  return it != composites.end() && conjugated(it->second) != it->second;
+}
+Sum Forms::conjugated(const Sum& sum) {
+  Sum out;
+  for (const auto& [product, q] : sum) {
+    Product turned = product;
+    if (const auto it = turned.find(circle()); it != turned.end())
+      it->second = kernel::scaled(it->second, -1);
+    cln::cl_RA coefficient = q;
+    reduce(turned, coefficient);
+    add(out, turned, coefficient);
+  }
+  return out;
+}
+
+bool Forms::is_integer_symbol(Expr atom) const {
+  const auto it = where.ranges.find(atom);
+  return it != where.ranges.end() && it->second.is_integer;
+}
+bool Forms::is_integer(const Exponent& exponent) const {
+  for (const auto& [monomial, q] : exponent) {
+    if (!is_whole(q)) return false;
+    for (const auto& [atom, k] : monomial)
+      if (!is_integer_symbol(atom)) return false;
+  }
+  return true;
+}
+Exponent Forms::exponent_of(const Sum& sum) {
+  Exponent out;
+  for (const auto& [product, q] : sum) {
+    kernel::Monomial monomial;
+    bool is_plain = true;
+    for (const auto& [atom, e] : product) {
+      const auto k = number_of(e);
+      is_plain = is_plain && k && is_whole(*k) && *k > 0 && *k < 1000 && atom != circle();
+      if (is_plain) monomial.emplace_back(atom, cln::cl_I_to_int(cln::numerator(*k)));
+    }
+    if (!is_plain) {
+      const Expr whole = expression(product);
+      forms[whole] = {{product, 1}};
+      monomial = {{whole, 1}};
+    }
+    out = out + Exponent{{monomial, q}};
+  }
+  return out;
+}
+Sum Forms::sum_of(const Exponent& exponent) { return of(kernel::expression(exponent)); }
+
+Expr Forms::expression(const Product& product) {
+  Exprs factors;
+  for (const auto& [atom, e] : product) {
+    const auto k = number_of(e);
+    factors.push_back(k && *k == 1 ? atom
+                      : k          ? notation::raised(atom, Expr(*k))
+                                   : notation::raised(atom, kernel::expression(e)));
+  }
+  return factors.size() == 1 ? factors[0] : kernel::product(factors);
+}
+Expr Forms::expression(const Sum& sum) {
+  Exprs terms;
+  for (const auto& [product, q] : sum) {
+    if (product.empty())
+      terms.push_back(Expr(q));
+    else
+      terms.push_back(q == 1 ? expression(product) : Expr(q) * expression(product));
+  }
+  return terms.empty() ? Expr(0) : terms.size() == 1 ? terms[0] : kernel::sum(terms);
+}
+}  // namespace equality

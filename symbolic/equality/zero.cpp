@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Whether a normal form is 0: quotients are cleared, sums multiplied out, and what is left is a sum
+// of numbers times different functions, where each of the numbers must be 0.
+#include "equality/atoms.hpp"
+
+namespace equality {
+using kernel::Op;
+namespace {
+constexpr int highest_power = 3000;
+}
+
+// The sum without its composite atoms, but for roots, to be multiplied by `divisor`.
+Sum Forms::expanded(Sum sum, Product* divisor) {
+  for (;;) {
+    Expr newest;  // it holds older ones
+    for (const auto& [product, q] : sum)
+      for (const auto& [atom, e] : product)
+        if (composites.contains(atom) && cln::floor1(constant_part(e)) != 0 &&
+            (!newest || newest < atom))
+          newest = atom;
+    if (!newest) return sum;
+    const auto whole = [&](const Product& product) {
+      const auto it = product.find(newest);
+      return it == product.end() ? cln::cl_I(0) : cln::floor1(constant_part(it->second));
+    };
+    cln::cl_I least = whole(sum.begin()->first);
+    for (const auto& [product, q] : sum) least = cln::min(least, whole(product));
+    if (divisor) multiply(*divisor, newest, exponent(cln::cl_RA(least)));
+    std::map<cln::cl_I, Sum> by_power;
+    for (const auto& [product, q] : sum) {
+      const cln::cl_I k = whole(product);
+      Product rest = product;
+      multiply(rest, newest, exponent(-cln::cl_RA(k)));
+      by_power[k - least][rest] = q;
+    }
+    const Sum base = composites.at(newest);
+    Sum out;  // Horner's scheme from the highest power
+    cln::cl_I at = by_power.rbegin()->first;
+    if (at > highest_power) throw TooLarge("a power above 3000 to be multiplied out");
+    for (; at >= 0; at = at - 1) {
+      out = times(out, base);
+      if (const auto it = by_power.find(at); it != by_power.end()) out = out + it->second;
+    }
+    sum = out;
+    if (sum.empty()) return sum;
+  }
+}
+bool Forms::is_zero(const Sum& sum) {
+  const Sum rest = expanded(sum);
+  return rest.empty() || is_zero_by_coefficients(rest);
+}
+bool Forms::is_zero_by_coefficients(const Sum& sum) {
+  std::map<Product, Sum> coefficients;
+  const kernel::Monomial pi{{kernel::pi(), 1}};
+  for (const auto& [product, q] : sum) {
+    Product function;
+    Product constant;
+    for (const auto& [atom, e] : product) {
+      const bool is_number = number_of(e) && kernel::free_variables(atom).empty() &&
+                             !is_complex(atom) && is_algebraic(atom);
+      if (is_number) {
+        constant[atom] = e;
+      } else if (atom == circle()) {
+        Exponent rest = e;
+        const auto it = rest.find(pi);
+        if (it != rest.end()) constant[atom] = {*it};
+        if (it != rest.end()) rest.erase(it);
+        if (!rest.empty()) function[atom] = rest;
+      } else {
+        function[atom] = e;
+      }
+    }
+    coefficients[function][constant] = q;
+  }
+  for (const auto& [function, coefficient] : coefficients)
+    if (!is_zero_number(coefficient)) return false;
+  return true;
+}
+bool Forms::is_zero_number(const Sum& coefficient) {
+  if (coefficient.size() == 1) return false;
+  Exprs real{0};
+  Exprs imaginary{0};
+  for (const auto& [powers, q] : coefficient) {
+    Product rest = powers;
+    cln::cl_RA angle = 0;
+    if (const auto it = rest.find(circle()); it != rest.end()) {
+      angle = it->second.begin()->second;
+      rest.erase(it);
+    }
+    const Expr size = rest.empty() ? Expr(q) : Expr(q) * expression(rest);
+    real.push_back(angle == 0 ? size : size * kernel::cos(Expr(angle) * kernel::pi()));
+    if (angle != 0) imaginary.push_back(size * kernel::sin(Expr(angle) * kernel::pi()));
+  }
+  return exact_sign(kernel::sum(real)) == 0 &&
+         (imaginary.size() == 1 || exact_sign(kernel::sum(imaginary)) == 0);
+}
+
+bool is_zero_constant(Expr constant) {
+  static int depth = 0;
+  if (depth > 2) return false;
+  ++depth;
+  bool is_zero = false;
+  try {
+    Forms forms({});
+    is_zero = forms.is_zero(forms.of(constant));
+  } catch (const TooLarge&) {
+  } catch (const NotDefined&) {
+  } catch (const kernel::Refused&) {
+  }
+  --depth;
+  return is_zero;
+}
+}  // namespace equality

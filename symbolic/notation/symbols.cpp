@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The names and functions of what people type, kept apart from those of the derivation.
+#include <cln/rational.h>
+
+#include "kernel/names.hpp"
+#include "kernel/print.hpp"
+#include "notation/typed.hpp"
+
+namespace notation {
+using namespace kernel;
+namespace {
+constexpr std::string_view mark = "typed_";
+
+// Declared at the first use; the kernel has no axiom of them.
+Expr apply(const std::string& name, const Exprs& args) {
+  if (!signature(name)) declare(name, {.args = std::vector<Sort>(args.size(), Sort::Real)});
+  return fun(name, args);
+}
+bool is_long(const cln::cl_RA& q, int times = 1) {
+  const auto bits =
+      cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
+  return bits * std::size_t(times) > 1000;
+}
+std::string without_marks(std::string text) {
+  for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) text.erase(at, mark.size());
+  return text;
+}
+
+class Printer {
+public:
+  enum Level { Sum, Product, Power, Atom };
+  std::string text(Expr e, Level around) {
+    switch (e.op()) {
+      case Op::Num:
+        return bracketed(digits(e.value()), around, level_of_number(e.value()));
+      case Op::Add:
+        return bracketed(sum(e), around, Sum);
+      case Op::Mul:
+        return bracketed(product(e), around, Product);
+      case Op::Pow:
+        if (is_inverse(e.arg(0))) return bracketed(product(e), around, Product);
+        return bracketed(text(e.arg(0), Atom) + "^" + std::to_string(e.exponent()), around, Power);
+      case Op::Fun:
+        return function(e, around);
+      default:
+        return without_marks(kernel::text(e));
+    }
+  }
+
+private:
+  static Level level_of_number(const cln::cl_RA& q) {
+    return q < 0 ? Sum : cln::denominator(q) == 1 ? Atom : Product;
+  }
+  static std::string bracketed(const std::string& text, Level around, Level own) {
+    return own < around ? "(" + text + ")" : text;
+  }
+  static bool is_inverse(Expr e) { return e.op() == Op::Fun && e.name() == "inv"; }
+  std::string sum(Expr e) {
+    std::string out = text(e.arg(0), Sum);
+    for (std::size_t i = 1; i < e.size(); ++i) {
+      const std::string next = text(e.arg(i), Sum);
+      out += next[0] == '-' ? " - " + next.substr(1) : " + " + next;
+    }
+    return out;
+  }
+  std::string product(Expr e) {
+    std::string over;
+    std::string under;
+    for (Expr factor : e.op() == Op::Mul ? e.args() : Exprs{e}) {
+      const bool power = factor.op() == Op::Pow;
+      const Expr base = power ? factor.arg(0) : factor;
+      const bool below = is_inverse(base);
+      std::string one = text(below ? base.arg(0) : base, power ? Atom : below ? Power : Product);
+      if (power) one += "^" + std::to_string(factor.exponent());
+      if (factor == Expr(-1) && over.empty() && e.op() == Op::Mul) {
+        over = "-";
+        continue;
+      }
+      if (over.empty() && factor.op() == Op::Num) one = digits(factor.value());
+      std::string& side = below ? under : over;
+      side += below ? "/" + one : (side.empty() || side == "-" ? "" : "*") + one;
+    }
+    return (over.empty() || over == "-" ? over + "1" : over) + under;
+  }
+  std::string function(Expr e, Level around) {
+    const std::string name = e.name();
+    if (name == "inv") return bracketed("1/" + text(e.arg(0), Power), around, Product);
+    if (name == "raised")
+      return bracketed(text(e.arg(0), Atom) + "^" + text(e.arg(1), Atom), around, Power);
+    if (e.size() == 0) return without_marks(kernel::text(e));
+    std::string inside;
+    for (Expr arg : e.args()) inside += (inside.empty() ? "" : ", ") + text(arg, Sum);
+    return (name == "nth_root" ? "root" : name) + "(" + inside + ")";
+  }
+};
+}  // namespace
+
+std::optional<cln::cl_RA> rational_value(Expr e) {
+  if (e.op() == Op::Num) return e.value();
+  if (e.op() == Op::Pow) {
+    const auto base = rational_value(e.arg(0));
+    if (!base || is_long(*base, e.exponent())) return {};
+    return cln::expt(*base, e.exponent());
+  }
+  const bool is_inverse = e.op() == Op::Fun && e.name() == "inv";
+  if (e.op() != Op::Add && e.op() != Op::Mul && !is_inverse) return {};
+  std::optional<cln::cl_RA> out;
+  for (Expr arg : e.args()) {
+    const auto value = rational_value(arg);
+    if (!value || is_long(*value)) return {};
+    if (!out)
+      out = value;
+    else
+      out = e.op() == Op::Add ? *out + *value : *out * *value;
+  }
+  if (is_inverse && *out == 0) return {};
+  return is_inverse ? 1 / *out : out;
+}
+
+Expr symbol(const std::string& name) { return real(std::string(mark) + name); }
+std::string name_of(Expr e) {
+  if (e.op() != Op::Var || !e.name().starts_with(mark)) return "";
+  return e.name().substr(mark.size());
+}
+std::set<std::string> symbols_of(Expr e) {
+  std::set<std::string> out;
+  for (Expr v : free_variables(e))
+    if (const std::string name = name_of(v); !name.empty()) out.insert(name);
+  return out;
+}
+Expr raised(Expr base, Expr exponent) { return apply("raised", {base, exponent}); }
+Expr root(int order, Expr x) {
+  return order == 2 ? kernel::sqrt(x) : apply("nth_root", {x, Expr(order)});
+}
+Expr call(const std::string& name, Expr x) { return apply(name, {x}); }
+std::string typed_text(Expr e) { return Printer().text(e, Printer::Sum); }
+}  // namespace notation

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "notation/tokens.hpp"
+
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "kernel/expr.hpp"
+
+namespace notation {
+namespace {
+using Kind = Token::Kind;
+constexpr std::size_t longest = 20000;
+
+bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
+bool is_letter(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'); }
+bool is_plain(char32_t c) { return is_letter(c) || is_digit(c); }
+bool is_blank(char32_t c) {
+  return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r' || c == 0xa0 || c == 0x2009;
+}
+
+// What stands for a sign or a word of ours.
+const std::map<char32_t, std::string>& spellings() {
+  static const std::map<char32_t, std::string> table = [] {
+    std::map<char32_t, std::string> words{
+        {U'−', "-"},   {U'–', "-"},    {U'·', "*"},    {U'⋅', "*"},     {U'×', "*"},
+        {U'∗', "*"},   {U'÷', "/"},    {U'∕', "/"},    {U'≤', "<="},    {U'≥', ">="},
+        {U'≠', "!="},  {U'√', "sqrt"}, {U'∛', "cbrt"}, {U'½', "1/2"},   {U'⅓', "1/3"},
+        {U'¼', "1/4"}, {U'¾', "3/4"},  {U'⅔', "2/3"},  {U'Γ', "Gamma"}, {U'Λ', "Lambda"}};
+    std::istringstream greek(
+        "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho "
+        "sigma sigma tau upsilon phi chi psi omega");
+    char32_t letter = U'α';
+    for (std::string name; greek >> name; ++letter) words.emplace(letter, name);
+    return words;
+  }();
+  return table;
+}
+// Characters and what each of them stands for.
+struct Script {
+  std::u32string_view characters;
+  std::string_view meanings;
+  bool contains(char32_t c) const { return characters.find(c) != characters.npos; }
+  char at(char32_t c) const { return meanings[characters.find(c)]; }
+};
+constexpr Script superscripts{U"⁰¹²³⁴⁵⁶⁷⁸⁹⁻ⁿ", "0123456789-n"};
+constexpr Script subscripts{
+    U"₀₁₂₃₄₅₆₇₈₉"
+    U"ₙₜₖⱼₐₘₓ",
+    "0123456789ntkjamx"};
+// LaTeX's commands for signs; "" is left out.
+const std::map<std::string, std::string>& commands() {
+  static const std::map<std::string, std::string> table{
+      {"cdot", "*"},   {"times", "*"},  {"ast", "*"},   {"div", "/"},         {"le", "<="},
+      {"leq", "<="},   {"ge", ">="},    {"geq", ">="},  {"ne", "!="},         {"neq", "!="},
+      {"lbrace", "("}, {"rbrace", ")"}, {"lvert", "|"}, {"rvert", "|"},       {"vert", "|"},
+      {"left", ""},    {"right", ""},   {"big", ""},    {"Big", ""},          {"bigl", ""},
+      {"bigr", ""},    {"Bigl", ""},    {"Bigr", ""},   {"quad", ""},         {"qquad", ""},
+      {"text", ""},    {"mathrm", ""},  {"rm", ""},     {"operatorname", ""}, {"displaystyle", ""}};
+  return table;
+}
+const std::map<std::string, std::string>& renamed() {
+  static const std::map<std::string, std::string> table{{"varepsilon", "epsilon"},
+                                                        {"vartheta", "theta"},
+                                                        {"varphi", "phi"},
+                                                        {"dfrac", "frac"},
+                                                        {"tfrac", "frac"}};
+  return table;
+}
+const std::set<std::string>& functions() {
+  static const std::set<std::string> names{"sin", "cos",  "tan",    "sec",    "csc",
+                                           "cot", "sinh", "cosh",   "tanh",   "exp",
+                                           "log", "ln",   "arcsin", "arccos", "arctan"};
+  return names;
+}
+const std::set<std::string>& structures() {
+  static const std::set<std::string> names{"frac", "sqrt", "begin", "end"};
+  return names;
+}
+
+std::string code_point(char32_t c) {
+  std::string name;
+  for (int shift = c > 0xffff ? 20 : 12; shift >= 0; shift -= 4)
+    name += "0123456789ABCDEF"[(c >> static_cast<unsigned>(shift)) & 15U];
+  return "U+" + name;
+}
+std::u32string decoded(std::string_view text) {
+  std::u32string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const std::size_t length = byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
+    char32_t c = length == 1 ? byte : byte & (0x7fU >> length);
+    bool good = (byte < 0x80 || (byte >= 0xc2 && byte <= 0xf4)) && i + length <= text.size();
+    for (std::size_t k = 1; good && k < length; ++k) {
+      const auto next = static_cast<unsigned char>(text[i + k]);
+      good = (next & 0xc0U) == 0x80;
+      c = (c << 6U) | (next & 0x3fU);
+    }
+    const char32_t least = length == 3 ? 0x800 : length == 4 ? 0x10000 : 0;
+    if (!good || c < least || c > 0x10ffff || (c >= 0xd800 && c < 0xe000))
+      refuse_at(out.size() + 1, "not valid UTF-8");
+    if (c != 0xfeff || i > 0) out += c;  // a byte order mark
+    if (out.size() > longest) kernel::refuse("longer than 20000 characters");
+    i += length;
+  }
+  return out;
+}
+
+class Scanner {
+public:
+  explicit Scanner(std::u32string typed) : text(std::move(typed)) {}
+  std::vector<Token> scan() {
+    while (at < text.size()) step();
+    add(Kind::End, "", text.size() + 1);
+    return std::move(out);
+  }
+
+private:
+  std::u32string text;
+  std::size_t at = 0;
+  bool spaced = false;
+  bool latex = false;
+  std::vector<Token> out;
+
+  char32_t peek(std::size_t ahead = 0) const {
+    return at + ahead < text.size() ? text[at + ahead] : U'\0';
+  }
+  bool follows(std::u32string_view word) const {
+    return std::u32string_view(text).substr(std::min(at, text.size())).starts_with(word);
+  }
+  void add(Kind kind, const std::string& word, std::size_t column) {
+    out.push_back({kind, word, column, spaced, latex, {}});
+    spaced = latex = false;
+  }
+  std::string digits() {
+    std::string found;
+    while (is_digit(peek())) found += char(text[at++]);
+    return found;
+  }
+  bool is_greek(char32_t c) const { return c > 0x370 && c < 0x400 && spellings().contains(c); }
+
+  void step() {
+    const char32_t c = peek();
+    const std::size_t column = at + 1;
+    if (is_blank(c) || c == U'$') {
+      ++at;
+      spaced = true;
+    } else if (is_digit(c) || (c == U'.' && is_digit(peek(1)))) {
+      number(column);
+    } else if (is_letter(c) || is_greek(c)) {
+      name(column);
+    } else if (superscripts.contains(c)) {
+      superscript(column);
+    } else if (const auto it = spellings().find(c); it != spellings().end()) {
+      ++at;
+      spelled(it->second, column);
+    } else if (c == U'\\') {
+      ++at;
+      command(column);
+    } else {
+      sign(c, column);
+    }
+  }
+  void spelled(const std::string& word, std::size_t column) {
+    if (is_letter(char32_t(word[0]))) return add(Kind::Name, word, column);
+    if (!is_digit(char32_t(word[0]))) return add(Kind::Sign, word, column);
+    if (!out.empty() && out.back().kind == Kind::Number && !spaced)
+      refuse_at(column, "a sum or a product? write " + out.back().text + "+" + word + " or " +
+                            out.back().text + "*" + word);
+    add(Kind::Sign, "(", column);
+    add(Kind::Number, word.substr(0, 1), column);
+    add(Kind::Sign, "/", column);
+    add(Kind::Number, word.substr(2), column);
+    add(Kind::Sign, ")", column);
+  }
+
+  void number(std::size_t column) {
+    std::string word = digits();
+    if (peek() == U'.') {
+      ++at;
+      word += "." + digits();
+    }
+    if (peek() == U'.') refuse_at(at + 1, "a second decimal point in a number");
+    if (word == "0" && (peek() == U'x' || peek() == U'X') && is_plain(peek(1)))
+      refuse_at(column, "a hexadecimal number? write it in decimal, or 0*x for a product");
+    const std::size_t sign = peek(1) == U'+' || peek(1) == U'-' ? 1 : 0;
+    if ((peek() == U'e' || peek() == U'E') && is_digit(peek(1 + sign))) {
+      const bool is_small = peek() == U'e';
+      const std::string mark = sign == 1 ? std::string(1, char(peek(1))) : "";
+      at += 1 + sign;
+      const std::string exponent = digits();
+      if (is_small)
+        refuse_at(column, word + "e" + mark + exponent + " has two readings: write " + word + "E" +
+                              mark + exponent + " for the number, " + word + "*e" +
+                              (mark.empty() ? "*" : mark) + exponent + " with e");
+      word += "E" + mark + exponent;
+    }
+    add(Kind::Number, word, column);
+  }
+
+  // _n, _{n}, _{\rm CM}, and subscript characters.
+  std::string index() {
+    std::string found;
+    if (subscripts.contains(peek())) {
+      while (subscripts.contains(peek())) found += subscripts.at(text[at++]);
+      return "_" + found;
+    }
+    if (peek() != U'_') return "";
+    ++at;
+    if (is_greek(peek())) return "_" + spellings().at(text[at++]);
+    if (peek() != U'{') {
+      while (is_plain(peek()) || (peek() == U'_' && is_plain(peek(1)))) found += char(text[at++]);
+      return "_" + found;
+    }
+    const std::size_t column = at + 1;
+    for (++at; peek() != U'}'; ++at) {
+      if (at >= text.size()) refuse_at(column, "the } for a { is missing");
+      if (follows(U"\\rm") || follows(U"\\text") || follows(U"\\mathrm"))
+        while (is_letter(peek(1))) ++at;
+      else if (is_plain(peek()))
+        found += char(peek());
+      else if (peek() == U'+' || peek() == U'-')
+        refuse_at(column, "an index with a sign has no name here");
+    }
+    ++at;
+    return "_" + found;
+  }
+  std::string prime() {
+    for (const std::u32string_view mark : {U"'", U"′", U"’", U"^\\prime", U"^{\\prime}"})
+      if (follows(mark)) {
+        at += mark.size();
+        return "_prime";
+      }
+    return "";
+  }
+  void name(std::size_t column) {
+    std::string word;
+    if (is_greek(peek()))
+      word = spellings().at(text[at++]);
+    else
+      while (is_plain(peek())) word += char(text[at++]);
+    indexed_name(word, column);
+  }
+  void indexed_name(const std::string& word, std::size_t column) {
+    std::string whole = word;
+    const std::size_t letters = word.find_first_of("0123456789");
+    const bool is_short = letters == 1 || is_greek_name(word.substr(0, letters));
+    if (letters != word.npos && is_short) whole.insert(letters, "_");  // M1
+    const std::string first = prime();
+    const std::string index_1 = index();
+    whole += first + index_1 + (first.empty() ? prime() : "");
+    if (index_1 == "_") refuse_at(column, "an index is missing behind " + word + "_");
+    if (whole.size() > 40) refuse_at(column, "a name of more than 40 characters");
+    add(Kind::Name, whole, column);
+    if (whole != word && letters != word.npos) out.back().typed = word;
+  }
+
+  void superscript(std::size_t column) {
+    std::string word;
+    while (superscripts.contains(peek())) word += superscripts.at(text[at++]);
+    const bool minus = word[0] == '-';
+    const std::string rest = word.substr(minus ? 1 : 0);
+    if (rest.empty() || rest.find('-') != rest.npos ||
+        (rest.size() > 1 && rest.find('n') != rest.npos))
+      refuse_at(column, "a superscript that is no whole number");
+    add(Kind::Sign, "^", column);
+    add(Kind::Sign, "(", column);
+    if (minus) add(Kind::Sign, "-", column);
+    add(rest == "n" ? Kind::Name : Kind::Number, rest, column);
+    add(Kind::Sign, ")", column);
+  }
+
+  void command(std::size_t column) {
+    const char32_t c = peek();
+    if (!is_letter(c)) {
+      ++at;
+      if (c == U'\\') {  // a row of a matrix, with the space behind it: \\[4pt]
+        if (peek() == U'[')
+          while (at < text.size() && text[at++] != U']') {
+          }
+        return add(Kind::Sign, ";", column);
+      }
+      if (c == U'{' || c == U'}') return add(Kind::Sign, c == U'{' ? "(" : ")", column);
+      if (std::u32string_view(U"()[],;!: ").find(c) == std::u32string_view::npos)
+        refuse_at(column, "a backslash before a character that is no command");
+      spaced = true;
+      return;
+    }
+    std::string word;
+    while (is_letter(peek())) word += char(text[at++]);
+    if (const auto it = renamed().find(word); it != renamed().end()) word = it->second;
+    latex = true;
+    if (const auto it = commands().find(word); it != commands().end()) {
+      if (!it->second.empty()) add(Kind::Sign, it->second, column);
+      spaced = true;
+      return;
+    }
+    if (structures().contains(word)) return add(Kind::Command, word, column);
+    if (functions().contains(word)) return add(Kind::Name, word, column);
+    if (!is_greek_name(word)) refuse_at(column, "unknown command \\" + word);
+    indexed_name(word, column);
+  }
+
+  void sign(char32_t c, std::size_t column) {
+    ++at;
+    if (c == U'*' && peek() == U'*') {
+      ++at;
+      return add(Kind::Sign, "^", column);
+    }
+    if ((c == U'<' || c == U'>' || c == U'!') && peek() == U'=') {
+      ++at;
+      return add(Kind::Sign, std::string(1, char(c)) + "=", column);
+    }
+    if (c == U'&') return add(Kind::Sign, ",", column);
+    if (std::u32string_view(U"+-*/^()[]{},;<>=|").find(c) != std::u32string_view::npos)
+      return add(Kind::Sign, std::string(1, char(c)), column);
+    const bool printable = c > 0x20 && c < 0x7f;
+    refuse_at(column,
+              "unexpected character " + (printable ? std::string(1, char(c)) : code_point(c)));
+  }
+};
+}  // namespace
+
+void refuse_at(std::size_t column, const std::string& why) {
+  kernel::refuse("column " + std::to_string(column) + ": " + why);
+}
+bool is_greek_name(const std::string& name) {
+  static const std::set<std::string> names = [] {
+    std::set<std::string> found;
+    for (const auto& [c, word] : spellings())
+      if (c > 0x370 && c < 0x400) found.insert(word);
+    return found;
+  }();
+  return names.contains(name);
+}
+std::vector<Token> tokens(std::string_view text) { return Scanner(decoded(text)).scan(); }
+}  // namespace notation

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What people type, cut into words: plain text, Unicode and LaTeX give the same words.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace notation {
+struct Token {
+  enum class Kind { Number, Name, Command, Sign, End };
+  Kind kind = Kind::End;
+  std::string text = {};   ///< in ASCII: "c_prime_n", "0.5", "<=", "frac"
+  std::size_t column = 0;  ///< in characters, from 1
+  bool is_spaced = false;  ///< a blank stands before it
+  bool is_latex = false;   ///< it began with a backslash
+  std::string typed = {};  ///< where it was changed: "M1" of M_1
+};
+/// The last one is the End. Refused (kernel::Refused, "column 7: ..."): bytes that are not UTF-8,
+/// characters and commands that belong to no formula, more than 20,000 characters.
+std::vector<Token> tokens(std::string_view text);
+[[noreturn]] void refuse_at(std::size_t column, const std::string& why);
+bool is_greek_name(const std::string& name);
+}  // namespace notation

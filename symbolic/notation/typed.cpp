@@ -1,0 +1,495 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The reader of what people type: one function for each level of binding.
+#include "notation/typed.hpp"
+
+#include <map>
+
+#include <cln/integer_io.h>
+#include <cln/rational.h>
+
+#include "kernel/print.hpp"
+#include "notation/tokens.hpp"
+
+namespace notation {
+using namespace kernel;
+namespace {
+using Kind = Token::Kind;
+constexpr int deepest = 200;
+constexpr int largest_exponent = 10000;
+constexpr std::size_t most_bits = 70000;
+
+using Function = Expr (*)(Expr);
+const std::map<std::string, Function>& functions() {
+  static const std::map<std::string, Function> table{
+      {"sqrt", [](Expr x) { return kernel::sqrt(x); }},
+      {"cbrt", [](Expr x) { return root(3, x); }},
+      {"abs", [](Expr x) { return call("abs", x); }},
+      {"sin", [](Expr x) { return kernel::sin(x); }},
+      {"cos", [](Expr x) { return kernel::cos(x); }},
+      {"tan", [](Expr x) { return kernel::sin(x) / kernel::cos(x); }},
+      {"sec", [](Expr x) { return Expr(1) / kernel::cos(x); }},
+      {"csc", [](Expr x) { return Expr(1) / kernel::sin(x); }},
+      {"cosec", [](Expr x) { return Expr(1) / kernel::sin(x); }},
+      {"cot", [](Expr x) { return kernel::cos(x) / kernel::sin(x); }},
+      {"asin", [](Expr x) { return call("asin", x); }},
+      {"arcsin", [](Expr x) { return call("asin", x); }},
+      {"acos", [](Expr x) { return call("acos", x); }},
+      {"arccos", [](Expr x) { return call("acos", x); }},
+      {"atan", [](Expr x) { return kernel::atan(x); }},
+      {"arctan", [](Expr x) { return kernel::atan(x); }},
+      {"exp", [](Expr x) { return call("exp", x); }},
+      {"log", [](Expr x) { return call("log", x); }},
+      {"ln", [](Expr x) { return call("log", x); }},
+      {"sinh", [](Expr x) { return (call("exp", x) - call("exp", -x)) / Expr(2); }},
+      {"cosh", [](Expr x) { return (call("exp", x) + call("exp", -x)) / Expr(2); }},
+      {"tanh",
+       [](Expr x) {
+         return (call("exp", x) - call("exp", -x)) / (call("exp", x) + call("exp", -x));
+       }},
+  };
+  return table;
+}
+bool is_function(const std::string& name) { return name == "root" || functions().contains(name); }
+
+/// "sin" of sinx and sqrt5, where what is left is an argument.
+std::string hidden_function(const std::string& name) {
+  for (const auto& [function, make] : functions()) {
+    if (!name.starts_with(function) || name == function) continue;
+    const std::string rest = name.substr(function.size());
+    if (rest.size() == 1 || is_greek_name(rest) ||
+        rest.find_first_not_of("0123456789") == rest.npos)
+      return function + "(" + rest + ")";
+  }
+  return "";
+}
+
+std::size_t bits(const cln::cl_RA& q) {
+  return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
+}
+cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
+
+cln::cl_RA number_of(const Token& token) {
+  const std::size_t mark = token.text.find('E');
+  std::string digits = token.text.substr(0, mark);
+  if (digits.size() > 20000) refuse_at(token.column, "a number of more than 20000 digits");
+  int exponent = 0;
+  if (mark != token.text.npos) {
+    const std::string word = token.text.substr(mark + 1);
+    if (word.size() > 6) refuse_at(token.column, "an exponent above 10000");
+    exponent = std::stoi(word);
+  }
+  if (std::abs(exponent) > largest_exponent) refuse_at(token.column, "an exponent above 10000");
+  if (const std::size_t point = digits.find('.'); point != digits.npos) {
+    exponent -= int(digits.size() - point - 1);
+    digits.erase(point, 1);
+  }
+  return cln::cl_RA(cln::cl_I(("0" + digits).c_str())) * ten_to(exponent);
+}
+
+Expr scaled(Expr scalar, Expr grid) {
+  Exprs out;
+  for (Expr e : entries(grid)) out.push_back(scalar * e);
+  return matrix(grid.cols(), out);
+}
+Expr added(Expr a, Expr b) {
+  Exprs out = entries(a);
+  const Exprs more = entries(b);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = out[i] + more[i];
+  return matrix(a.cols(), out);
+}
+bool is_grid(Expr e) { return e.sort() == Sort::Matrix; }
+
+class Parser {
+public:
+  Parser(std::string_view text, const std::set<std::string>& the_factors)
+      : words(tokens(text)), factors(the_factors) {
+    if (words.size() == 1) refuse("the expression is empty");
+  }
+  Typed whole() {
+    const Expr e = sum();
+    if (is_relation())
+      refuse_at(now().column, "one expression is expected here, without " + now().text);
+    expect_end();
+    return {e, notes};
+  }
+  TypedComparisons comparisons() {
+    TypedComparisons out;
+    Expr left = sum();
+    while (is_relation()) {
+      const std::string relation = words[place++].text;
+      const Expr right = sum();
+      out.comparisons.push_back({left, relation, right});
+      left = right;
+    }
+    if (out.comparisons.empty()) refuse_at(now().column, "a relation is missing, as in 0 < alpha");
+    expect_end();
+    out.notes = notes;
+    return out;
+  }
+
+private:
+  std::vector<Token> words;
+  const std::set<std::string>& factors;
+  std::size_t place = 0;
+  int depth = 0;
+  int bars = 0;
+  std::vector<std::string> notes;
+
+  const Token& now() const { return words[place]; }
+  bool is(std::string_view sign) const { return now().kind == Kind::Sign && now().text == sign; }
+  bool takes(std::string_view sign) {
+    if (!is(sign)) return false;
+    ++place;
+    return true;
+  }
+  bool is_relation() const {
+    for (std::string_view sign : {"=", "<", ">", "<=", ">=", "!="})
+      if (is(sign)) return true;
+    return false;
+  }
+  void expect_end() const {
+    if (now().kind == Kind::End) return;
+    if (is(")") || is("}")) refuse_at(now().column, "a ( is missing for this " + now().text);
+    if (is(",")) refuse_at(now().column, "unexpected comma; decimals are written 0.5");
+    refuse_at(now().column, "an operator is missing before " + now().text);
+  }
+  void deeper() {
+    if (++depth > deepest) refuse_at(now().column, "nested more than 200 deep");
+  }
+  void note(const std::string& how) { notes.push_back(how); }
+  std::string typed(std::size_t from, std::size_t to) const {
+    std::string out;
+    for (std::size_t i = from; i < to; ++i)
+      out += (i > from && (words[i].is_spaced || words[i].kind == Kind::Name) ? " " : "") +
+             words[i].text;
+    return out;
+  }
+  void close(std::string_view sign, std::size_t opened) {
+    if (takes(sign)) return;
+    const std::string name(sign);
+    if (now().kind == Kind::End) refuse_at(opened, "the " + name + " for this one is missing");
+    if (is(",")) refuse_at(now().column, "unexpected comma; decimals are written 0.5");
+    refuse_at(now().column, "unexpected " + now().text + " where " + name + " is expected");
+  }
+
+  Expr sum() {
+    deeper();
+    Expr e = term();
+    Exprs terms{e};
+    while (is("+") || is("-")) {
+      const std::size_t column = now().column;
+      const bool minus = words[place++].text == "-";
+      const Expr next = term();
+      if (is_grid(next) != is_grid(e)) refuse_at(column, "a matrix and a number cannot be added");
+      if (is_grid(e)) {
+        if (next.rows() != e.rows() || next.cols() != e.cols())
+          refuse_at(column, "matrices of different shapes");
+        e = added(e, minus ? scaled(-1, next) : next);
+      }
+      terms.push_back(minus && !is_grid(next) ? -next : next);
+    }
+    --depth;
+    return is_grid(e) || terms.size() == 1 ? e : kernel::sum(terms);
+  }
+
+  bool starts_factor() const {
+    if (is("|")) return bars == 0;
+    return now().kind == Kind::Name || now().kind == Kind::Number || is("(") || is("{") ||
+           is("[") || (now().kind == Kind::Command && now().text != "end");
+  }
+  // 2 of 2\frac{19}{64}: a mixed number to some, a product to others.
+  void refuse_mixed(std::size_t from) const {
+    const bool mixed = place == from + 1 && words[from].kind == Kind::Number &&
+                       now().kind == Kind::Command && now().text == "frac" &&
+                       place + 6 < words.size() && words[place + 2].kind == Kind::Number &&
+                       words[place + 5].kind == Kind::Number;
+    if (!mixed) return;
+    const std::string number = words[from].text;
+    const std::string part = words[place + 2].text + "/" + words[place + 5].text;
+    refuse_at(now().column,
+              "a sum or a product? write " + number + " + " + part + " or " + number + "*" + part);
+  }
+  Expr term() {
+    std::size_t from = place;  // of the quotient that was read last
+    std::size_t slash = 0;
+    Expr e = signed_factor();
+    for (;;) {
+      if (is("*") || is("/")) {
+        const std::size_t column = now().column;
+        const bool divides = words[place++].text == "/";
+        slash = divides ? place - 1 : 0;
+        e = divides ? quotient(e, signed_factor(), column) : times(e, signed_factor(), column);
+      } else if (starts_factor()) {
+        if (now().kind == Kind::Number)
+          refuse_at(now().column, "an operator is missing before " + now().text);
+        refuse_mixed(from);
+        if (slash != 0) read_after_slash(from, slash);
+        slash = 0;
+        e = times(e, power(), now().column);
+      } else {
+        return e;
+      }
+    }
+  }
+  // 1/2 M_1 and L/V sin(...) have one usual reading; 1/2(1+alpha) and a/b c have two.
+  void read_after_slash(std::size_t from, std::size_t slash) {
+    const bool numbers = slash == from + 1 && place == slash + 2 &&
+                         words[from].kind == Kind::Number && words[slash + 1].kind == Kind::Number;
+    const bool call = now().kind == Kind::Name && is_function(now().text);
+    if (!now().is_spaced || (!numbers && !call))
+      refuse_at(now().column,
+                "is " + now().text + " above or below the fraction line? write a * or parentheses");
+    const std::string left = typed(from, place);
+    note(left + " " + now().text + "... is read as (" + left + ")*" + now().text + "...");
+  }
+
+  Expr times(Expr a, Expr b, std::size_t column) {
+    if (!is_grid(a) && !is_grid(b)) return a * b;
+    if (!is_grid(a)) return scaled(a, b);
+    if (!is_grid(b)) return scaled(b, a);
+    if (a.cols() != b.rows()) refuse_at(column, "matrices of these shapes have no product");
+    const Expr product = kernel::times(a, b);
+    return matrix(b.cols(), entries(product));
+  }
+  Expr quotient(Expr a, Expr b, std::size_t column) {
+    if (is_grid(b)) refuse_at(column, "division by a matrix");
+    if (b == Expr(0)) refuse_at(column, "division by zero");
+    return is_grid(a) ? scaled(Expr(1) / b, a) : a / b;
+  }
+
+  Expr signed_factor() {
+    bool minus = false;
+    while (is("+") || is("-")) minus = minus != (words[place++].text == "-");
+    const Expr e = power();
+    if (!minus) return e;
+    return is_grid(e) ? scaled(-1, e) : -e;
+  }
+  Expr power() {
+    deeper();
+    const Expr base = primary();
+    const std::size_t column = now().column;
+    const Expr e = takes("^") ? raised_to(base, signed_factor(), column) : base;
+    --depth;
+    return e;
+  }
+  static Expr raised_to(Expr base, Expr exponent, std::size_t column) {
+    if (is_grid(base) || is_grid(exponent)) refuse_at(column, "a power of a matrix");
+    const auto number = rational_value(exponent);
+    if (!number) return raised(base, exponent);
+    if (bits(*number) > 40 || cln::abs(cln::numerator(*number)) > largest_exponent ||
+        cln::denominator(*number) > 1000)
+      refuse_at(column, "an exponent with a number above 10000");
+    const int above = cln::cl_I_to_int(cln::numerator(*number));
+    const int below = cln::cl_I_to_int(cln::denominator(*number));
+    if (const auto value = rational_value(base)) {
+      if (*value == 0 && above <= 0) refuse_at(column, "a power of 0 that has no value");
+      if (bits(*value) * std::size_t(std::abs(above)) > most_bits)
+        refuse_at(column, "a number of more than 70000 bits");
+    }
+    if (above == 0) return 1;
+    if (below > 2) return raised(base, Expr(*number));
+    const Expr root = below == 2 ? kernel::sqrt(base) : base;
+    const int size = std::abs(above);
+    const Expr whole = size == 1 ? root : kernel::power(root, size);
+    return above > 0 ? whole : Expr(1) / whole;
+  }
+
+  Expr primary() {
+    const Token token = now();
+    if (token.kind == Kind::End) refuse_at(token.column, "the expression ends too early");
+    ++place;
+    if (token.kind == Kind::Number) {
+      const cln::cl_RA value = number_of(token);
+      return Expr(value);
+    }
+    if (token.kind == Kind::Name) return name(token);
+    if (token.kind == Kind::Command) return command(token);
+    if (token.text == "(" || token.text == "{") return inside(token.text == "(" ? ")" : "}", token);
+    if (token.text == "[") return grid(token);
+    if (token.text == "|") {
+      ++bars;
+      const Expr e = sum();
+      close("|", token.column);
+      --bars;
+      return notation::call("abs", e);
+    }
+    refuse_at(token.column, "unexpected " + token.text);
+  }
+  Expr inside(std::string_view end, const Token& opened) {
+    const int outer = bars;
+    bars = 0;
+    const Expr e = sum();
+    bars = outer;
+    close(end, opened.column);
+    return e;
+  }
+  // {a + b}, or the one character that LaTeX takes.
+  Expr group() {
+    const Token token = now();
+    if (is("{")) {
+      ++place;
+      return inside("}", token);
+    }
+    if (token.kind == Kind::Number && token.text.size() > 1) {  // \frac12
+      words[place].text = token.text.substr(1);
+      return Expr(int(token.text[0] - '0'));
+    }
+    return primary();
+  }
+  Expr command(const Token& token) {
+    if (token.text == "frac") {
+      const Expr above = group();
+      return quotient(above, group(), token.column);
+    }
+    if (token.text == "sqrt") {
+      if (!is("[")) return kernel::sqrt(group());
+      ++place;
+      const Expr order = sum();
+      close("]", token.column);
+      return ordered_root(order, group(), token.column);
+    }
+    if (token.text == "begin") return environment(token);
+    refuse_at(token.column, "unexpected \\" + token.text);
+  }
+  static Expr ordered_root(Expr order, Expr x, std::size_t column) {
+    const auto value = rational_value(order);
+    if (!value || *value < 2 || *value > 100 || cln::denominator(*value) != 1)
+      refuse_at(column, "a root's order is a whole number from 2 to 100");
+    return root(cln::cl_I_to_int(cln::numerator(*value)), x);
+  }
+
+  // \begin{pmatrix} a & b \\ c & d \end{pmatrix}
+  Expr environment(const Token& token) {
+    for (int brace = 0; brace < 2 || !takes("}"); ++brace) {
+      if (now().kind == Kind::End) refuse_at(token.column, "the \\end for this one is missing");
+      if (!is("}")) ++place;
+      if (brace > 3) refuse_at(token.column, "unexpected \\begin");
+    }
+    std::vector<Exprs> rows{list()};
+    while (takes(";"))
+      if (now().kind != Kind::Command || now().text != "end") rows.push_back(list());
+    if (now().kind != Kind::Command || now().text != "end")
+      refuse_at(now().column, "\\end is expected");
+    place += 1;
+    while (!takes("}")) {
+      if (now().kind == Kind::End) refuse_at(token.column, "a } is missing behind \\end");
+      ++place;
+    }
+    return grid_of(rows, token.column);
+  }
+  // [[a, b], [c, d]] or [a, b; c, d]
+  Expr grid(const Token& token) {
+    std::vector<Exprs> rows;
+    if (is("[")) {
+      do {
+        const std::size_t column = now().column;
+        if (!takes("[")) refuse_at(column, "a row is written [a, b, c]");
+        rows.push_back(list());
+        close("]", column);
+      } while (takes(",") || takes(";"));
+    } else {
+      do rows.push_back(list());
+      while (takes(";"));
+    }
+    close("]", token.column);
+    return grid_of(rows, token.column);
+  }
+  Exprs list() {
+    Exprs out{sum()};
+    while (takes(",")) out.push_back(sum());
+    return out;
+  }
+  static Expr grid_of(const std::vector<Exprs>& rows, std::size_t column) {
+    Exprs all;
+    for (const Exprs& row : rows) {
+      if (row.size() != rows[0].size()) refuse_at(column, "rows of different lengths");
+      all.insert(all.end(), row.begin(), row.end());
+    }
+    for (Expr e : all)
+      if (is_grid(e)) refuse_at(column, "a matrix inside of a matrix");
+    if (all.size() > 100) refuse_at(column, "a matrix of more than 100 entries");
+    return matrix(int(rows[0].size()), all);
+  }
+
+  bool is_factor(const std::string& name) const {
+    static const std::set<std::string> usual{"x", "y", "z", "t", "u", "V", "L",
+                                             "M", "m", "e", "n", "k", "j"};
+    return factors.contains(name) || usual.contains(name) || is_greek_name(name) ||
+           name.find('_') != name.npos;
+  }
+  Expr name(const Token& token) {
+    const std::string& word = token.text;
+    if (is_function(word)) return function(token);
+    if (word == "pi" || word == "Pi" || word == "PI") return kernel::pi();
+    if (const std::string meant = hidden_function(word); !meant.empty() && !factors.contains(word))
+      refuse_at(token.column, word + ": is " + meant + " meant?");
+    if (is("(") && !is_factor(word))
+      refuse_at(token.column, "unknown function " + word + "; write * for a product, and " + word +
+                                  "_n for " + word + "(n)");
+    if (!token.typed.empty()) note(token.typed + " is read as " + word);
+    return symbol(word);
+  }
+
+  bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
+  Expr function(const Token& token) {
+    const std::size_t column = now().column;
+    Expr exponent;
+    if (takes("^")) {  // sin^2(x)
+      exponent = signed_factor();
+      const auto value = rational_value(exponent);
+      if (!value || *value < 1 || cln::denominator(*value) != 1)
+        refuse_at(column, token.text + "^-1 has two readings: write a" + token.text +
+                              "(x) for the inverse function, 1/" + token.text +
+                              "(x) for the quotient");
+    }
+    const Expr value =
+        token.text == "root" ? root_call(token) : functions().at(token.text)(argument(token));
+    return exponent ? raised_to(value, exponent, column) : value;
+  }
+  Expr root_call(const Token& token) {
+    if (!takes("(")) refuse_at(now().column, "write root(x, n)");
+    const Expr x = sum();
+    if (!takes(",")) refuse_at(now().column, "write root(x, n)");
+    const Expr order = sum();
+    close(")", token.column);
+    return ordered_root(order, x, token.column);
+  }
+  // What a function is taken of. Without brackets: cos theta, \cos n\psi, sin 2 x, sqrt 2.
+  Expr argument(const Token& token) {
+    if (is("(") || is("{")) {
+      const Token opened = words[place++];
+      const Expr e = inside(opened.text == "(" ? ")" : "}", opened);
+      if (is_grid(e)) refuse_at(opened.column, token.text + " of a matrix");
+      return e;
+    }
+    if (now().kind == Kind::Command || is("|") || is_call_ahead()) return primary();
+    if (now().kind != Kind::Name && now().kind != Kind::Number)
+      refuse_at(now().column, "a ( is missing after " + token.text);
+    const std::size_t from = place;
+    const bool is_root = token.text == "sqrt" || token.text == "cbrt";
+    Expr e = primary();
+    const bool many = token.is_latex || words[from].kind == Kind::Number;
+    while (!is_root && many && now().kind == Kind::Name && !is_call_ahead() &&
+           (token.is_latex || place == from + 1))
+      e = e * primary();
+    const std::string taken = typed(from, place);
+    const bool goes_on = (starts_factor() && !is_call_ahead()) || is("^") || (is("/") && !is_root);
+    if (goes_on)
+      refuse_at(now().column, token.text + " " + taken + now().text +
+                                  "... has two readings: write " + token.text + "(" + taken +
+                                  now().text + "...) or " + token.text + "(" + taken + ")" +
+                                  now().text + "...");
+    if (place > from + 1)
+      note(token.text + " " + taken + " is read as " + token.text + "(" + taken + ")");
+    return e;
+  }
+};
+}  // namespace
+
+Typed read_typed(std::string_view text, const std::set<std::string>& factors) {
+  return Parser(text, factors).whole();
+}
+TypedComparisons read_comparisons(std::string_view text, const std::set<std::string>& factors) {
+  return Parser(text, factors).comparisons();
+}
+}  // namespace notation

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Reads what people type: plain text, Unicode, LaTeX. Whatever has two usual readings is refused
+// with both of them, or read with a note that says how.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernel/expr.hpp"
+
+namespace notation {
+struct Typed {
+  kernel::Expr term;               ///< a number or a matrix
+  std::vector<std::string> notes;  ///< how it was read: "1/2 M_1 is read as (1/2)*M_1"
+};
+/// Numbers (decimals exactly: 0.1 is 1/10), + - * / ^, names, |x|, sqrt cbrt root abs sin cos tan
+/// sec csc cot asin acos atan exp log sinh cosh tanh, matrices [[a, b], [c, d]] or \begin{pmatrix};
+/// M₁, c'_n, a signs's usual spellings; a product's sign may be left out where that is clear.
+/// A name before a bracket is a function unless it is in `factors`, alpha or one letter of x, y, z.
+/// Refused (kernel::Refused, "column 7: ..."): anything else, more than 20,000 characters, brackets
+/// more than 200 deep, numbers of more than 70,000 bits, exponents above 10,000.
+Typed read_typed(std::string_view text, const std::set<std::string>& factors = {});
+
+/// One sign of an equation or a chain: 0 < alpha <= 1 are two.
+struct Comparison {
+  kernel::Expr left;
+  std::string relation;  ///< "<", "<=", ">", ">=", "=" or "!="
+  kernel::Expr right;
+};
+struct TypedComparisons {
+  std::vector<Comparison> comparisons;  ///< at least one
+  std::vector<std::string> notes;
+};
+TypedComparisons read_comparisons(std::string_view text, const std::set<std::string>& factors = {});
+
+/// The variable that stands for a typed name: whatever the name means elsewhere, here it is a real
+/// number of which nothing is known. c'_n is called c_prime_n.
+kernel::Expr symbol(const std::string& name);
+/// The typed name, or "" of what is no such variable.
+std::string name_of(kernel::Expr symbol);
+std::set<std::string> symbols_of(kernel::Expr e);
+/// x^y for real y; root of a whole order, of negative numbers too where that is odd; the logarithm,
+/// and so on: functions of the reader that the kernel knows nothing of.
+kernel::Expr raised(kernel::Expr base, kernel::Expr exponent);
+kernel::Expr root(int order, kernel::Expr x);
+kernel::Expr call(const std::string& name, kernel::Expr x);  ///< abs exp log asin acos
+/// The value of a term of numbers, +, *, quotients and whole powers, while it is short.
+std::optional<cln::cl_RA> rational_value(kernel::Expr e);
+/// As one would type it; reads back as a term of the same value.
+std::string typed_text(kernel::Expr e);
+}  // namespace notation

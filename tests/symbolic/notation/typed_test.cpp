@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What people type: how it is read, and what is refused because it has two readings.
+#include "notation/typed.hpp"
+
+#include <array>
+
+#include "catch.hpp"
+
+using namespace notation;
+
+namespace {
+std::string reading(const std::string& typed) {
+  const Typed read = read_typed(typed);
+  if (read.term.sort() != kernel::Sort::Matrix) return typed_text(read.term);
+  std::string out;
+  for (kernel::Expr e : kernel::entries(read.term))
+    out += (out.empty() ? "" : "; ") + typed_text(e);
+  return out;
+}
+std::string refusal(const std::string& typed) {
+  try {
+    return "read as " + reading(typed);
+  } catch (const kernel::Refused& r) {
+    return r.what();
+  }
+}
+}  // namespace
+
+TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
+  const auto [typed, as] = GENERATE(table<std::string, std::string>({
+      {"-x^2", "-x^2"},
+      {"2^-3", "(1/2)^3"},
+      {"2(2+alpha)", "2*(2 + alpha)"},
+      {"2 alpha V", "2*alpha*V"},
+      {"x/y/z", "x/y/z"},
+      {"1/2 M_1 u_1^2", "1/2*M_1*u_1^2"},
+      {"L/V sin(psi)", "L*sin(psi)/V"},
+      {"M1*u1", "M_1*u_1"},
+      {"M₁*u₁+aₜ", "M_1*u_1 + a_t"},
+      {"c'_n", "c_prime_n"},
+      {"c^{\\prime}_n", "c_prime_n"},
+      {"V_{\\rm CM}", "V_CM"},
+      {"\\cos n\\psi", "cos(n*psi)"},
+      {"cos 2 theta", "cos(2*theta)"},
+      {"sin^2(x)", "sin(x)^2"},
+      {"|c-2|", "abs(c - 2)"},
+      {"||x|-1|", "abs(abs(x) - 1)"},
+      {"√2/2", "1/2*sqrt(2)"},
+      {"½x²", "1/2*x^2"},
+      {"αV", "alpha*V"},
+      {"\\sqrt[3]{x}", "root(x, 3)"},
+      {"\\frac12 x", "1/2*x"},
+      {"x**2", "x^2"},
+      {"1E3", "1000"},
+      {"0.1", "1/10"},
+      {"\xef\xbb\xbfx", "x"},
+      {"alpha^(1/3)", "alpha^(1/3)"},
+      {"n(n+1)/2", "1/2*n*(n + 1)"},
+      {"a - (b - c)", "a - (b - c)"},
+      {"[[1, x], [y, 2]]", "1; x; y; 2"},
+      {"[1, x; y, 2]", "1; x; y; 2"},
+      {"\\frac{1}{1+\\alpha}\\begin{pmatrix} 1-\\alpha & 2 \\\\[4pt] 3 & 4\\end{pmatrix}",
+       "(1 - alpha)/(1 + alpha); 2/(1 + alpha); 3/(1 + alpha); 4/(1 + alpha)"},
+  }));
+  CHECK(reading(typed) == as);
+}
+
+TEST_CASE("What has two readings is refused with both") {
+  const auto [typed, why] = GENERATE(table<std::string, std::string>({
+      {"cos pi/5", "write cos(pi/...) or cos(pi)/..."},
+      {"sin x^2", "write sin(x^...) or sin(x)^..."},
+      {"sin x y", "two readings"},
+      {"sin^-1(x)", "asin(x) for the inverse function"},
+      {"2\\frac{19}{64}", "2 + 19/64 or 2*19/64"},
+      {"2½", "2+1/2 or 2*1/2"},
+      {"1/2(1+alpha)", "above or below the fraction line"},
+      {"e^2-2e+1", "2E+1 for the number, 2*e+1"},
+  }));
+  CHECK_THAT(refusal(typed), ContainsSubstring(why));
+}
+
+TEST_CASE("Slips are named, with their column") {
+  const auto [typed, why] = GENERATE(table<std::string, std::string>({
+      {"sinx", "column 1: sinx: is sin(x) meant?"},
+      {"1+sqrt5-2", "column 3: sqrt5: is sqrt(5) meant?"},
+      {"0x1F", "a hexadecimal number?"},
+      {"0,5", "column 2: unexpected comma; decimals are written 0.5"},
+      {"a(n)", "a_n for a(n)"},
+      {"", "the expression is empty"},
+      {"(x", "column 1: the ) for this one is missing"},
+      {"x)", "a ( is missing for this )"},
+      {"3 4", "an operator is missing before 4"},
+      {"x = 1", "without ="},
+      {"1..2", "a second decimal point"},
+      {"x\\foo", "unknown command \\foo"},
+      {"x\xff", "not valid UTF-8"},
+      {"9^9^9^9", "an exponent with a number above 10000"},
+      {"2^10001", "an exponent with a number above 10000"},
+      {"0^0", "a power of 0"},
+      {"1/0", "division by zero"},
+      {"root(2, 101)", "from 2 to 100"},
+      {"[[1, 2], [3]]", "rows of different lengths"},
+      {"1 + [1, 2]", "cannot be added"},
+  }));
+  CHECK_THAT(refusal(typed), ContainsSubstring(why));
+}
+
+TEST_CASE("Sizes are bounded from both sides") {
+  const auto brackets = [](std::size_t n) {
+    return std::string(n, '(') + "x" + std::string(n, ')');
+  };
+  CHECK(reading(brackets(90)) == "x");
+  CHECK_THAT(refusal(brackets(300)), ContainsSubstring("nested more than 200 deep"));
+  CHECK(reading(std::string(15000, '-') + "x") == "x");
+  CHECK_THAT(refusal(std::string(20001, '-') + "x"), ContainsSubstring("longer than 20000"));
+  CHECK_THAT(refusal("2^10000"), ContainsSubstring("read as 2^10000"));
+}
+
+TEST_CASE("A reading that was chosen is said") {
+  CHECK(read_typed("1/2 M_1").notes.size() == 1);
+  CHECK(read_typed("\\cos n\\psi").notes ==
+        std::vector<std::string>{"cos n psi is read as cos(n psi)"});
+  CHECK(read_typed("M1").notes == std::vector<std::string>{"M1 is read as M_1"});
+  CHECK(read_typed("cos(n*psi)").notes.empty());
+}
+
+TEST_CASE("What is shown of a term is read back as the same term") {
+  for (const std::string typed :
+       {"a - (b - c)*2", "-(x + y)/z^2", "x^(n + 1)*abs(x)", "1/(2*x)", "(x + 1)^3/(y - 1)^2",
+        "sqrt(2)/(1 + exp(-x))", "(-1)^n", "-x^2", "(1/2)^n", "log(x)/log(2)"}) {
+    const std::string shown = reading(typed);
+    CHECK(reading(shown) == shown);
+  }
+}
+
+TEST_CASE("Comparisons come in chains") {
+  const TypedComparisons read = read_comparisons("0 < alpha <= 1");
+  REQUIRE(read.comparisons.size() == 2);
+  CHECK(read.comparisons[1].relation == "<=");
+  CHECK_THROWS_WITH(read_comparisons("alpha"), ContainsSubstring("a relation is missing"));
+}
