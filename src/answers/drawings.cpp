@@ -34,7 +34,7 @@ Places places(const std::string& text, double start) {
     all.push_back(row);
   };
   add(0);
-  stream(scene, {}, run(scene, {}).plan, [&](const magicmass::scenes::Row& event) {
+  stream(scene, run(scene).plan, [&](const magicmass::scenes::Row& event) {
     const double time = double_of(event.time);
     add(time);
     const auto set = [&](std::size_t body, const Number& velocity) {

@@ -71,17 +71,12 @@ LargeCounts count_collisions(const Alpha& alpha) {
     if (const auto small = magicmass::count_collisions(*value))
       return {static_cast<long long>(small->N_A), static_cast<long long>(small->N_B)};
   }
-  LargeCounts counts;
-  with_bits(
-      17,
-      [&] {
-        const Values at{{alpha_name(), ball_of(alpha)}};
-        counts.N_A = cln::numerator(evaluate(right_side("counting.N_A"), at).low());
-        counts.N_B = cln::numerator(evaluate(right_side("counting.N_B"), at).low());
-        return true;
-      },
-      beyond);
-  return counts;
+  const auto counts = [&] {
+    const Values at{{alpha_name(), ball_of(alpha)}};
+    return LargeCounts{cln::numerator(evaluate(right_side("counting.N_A"), at).low()),
+                       cln::numerator(evaluate(right_side("counting.N_B"), at).low())};
+  };
+  return with_bits(17, counts, beyond);
 }
 
 Balls velocities(const Alpha& alpha, const cl_I& n) {
@@ -107,21 +102,17 @@ Balls terminal(const Trio& trio, std::int64_t N) {
 }
 
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {
-  Row row;
-  with_bits(
-      digits.value_or(17),
-      [&] {
-        row.clear();
-        for (const Ball& ball : values()) {
-          const auto text = digits ? decimal(ball.low(), ball.high(), *digits) : std::nullopt;
-          const auto number = digits ? std::nullopt : nearest_double(ball.low(), ball.high());
-          if (!text && !number) return false;
-          row.push_back(text ? exact_cell(*text) : real_cell(*number));
-        }
-        return true;
-      },
-      beyond);
-  return row;
+  const auto cells = [&]() -> std::optional<Row> {
+    Row row;
+    for (const Ball& ball : values()) {
+      const auto text = digits ? decimal(ball.low(), ball.high(), *digits) : std::nullopt;
+      const auto number = digits ? std::nullopt : nearest_double(ball.low(), ball.high());
+      if (!text && !number) return {};
+      row.push_back(text ? exact_cell(*text) : real_cell(*number));
+    }
+    return row;
+  };
+  return with_bits(digits.value_or(17), cells, beyond);
 }
 
 }  // namespace answers

@@ -18,7 +18,6 @@ using namespace magicmass::scenes;
 /// What was asked, and what came of it.
 struct Asked {
   Scene scene;
-  Options options;
   Result result;
 };
 
@@ -27,9 +26,10 @@ Asked asked(const Request& request, const std::string& command) {
     throw InvalidInput(command + ": give one scene, a file; example: " + command + " wall.toml");
   try {
     Scene scene = read_scene(request.words.front());
-    const Options options{request.has("exact"), request.whole("max-events", 0, INT64_MAX)};
-    Result result = run(scene, options);
-    return {std::move(scene), options, std::move(result)};
+    scene.is_exact = request.has("exact");
+    if (const auto most = request.whole("max-events", 0, INT64_MAX)) scene.max_events = most;
+    Result result = run(scene);
+    return {std::move(scene), std::move(result)};
   } catch (const Undecided& error) {
     throw Undecided(command + ": " + error.what());
   }
@@ -113,7 +113,7 @@ Cell terminal_cell(const Scene& scene, const Result& result, bool exact) {
 Fields head_fields(const Asked& asked) {
   const Result& result = asked.result;
   const Scene& scene = asked.scene;
-  const bool exact = asked.options.exact;
+  const bool exact = asked.scene.is_exact;
   const std::string words = result.plan.model + ": " + result.plan.reason;
   const Cell plan{words, written(table_of(plan_fields(result)), Format::json)};
   Fields fields{{{"status", Type::text, "", "complete, limited or collapse"},
@@ -179,8 +179,8 @@ private:
 /// Of all collisions those that the scene wants to see.
 void write_events(const Asked& asked, Rows rows) {
   const Scene& scene = asked.scene;
-  const auto shown = [&](const Number& value) { return rows.number(value, asked.options.exact); };
-  stream(scene, asked.options, asked.result.plan, [&](const auto& event) {
+  const auto shown = [&](const Number& value) { return rows.number(value, asked.scene.is_exact); };
+  stream(scene, asked.result.plan, [&](const auto& event) {
     if (event.number % scene.every != 0) return;
     const auto name = [&](std::size_t body, bool is_there) {
       return text_cell(is_there ? body_name(scene, body) : "wall");
@@ -193,8 +193,8 @@ void write_events(const Asked& asked, Rows rows) {
 }
 
 void write_trajectory(const Asked& asked, Rows rows) {
-  const auto shown = [&](const Number& value) { return rows.number(value, asked.options.exact); };
-  trajectory(asked.scene, asked.options, asked.result, [&](const Point& point) {
+  const auto shown = [&](const Number& value) { return rows.number(value, asked.scene.is_exact); };
+  trajectory(asked.scene, asked.result, [&](const Point& point) {
     rows.add(
         {shown(point.time), text_cell(body_name(asked.scene, point.body)), shown(point.position)});
   });

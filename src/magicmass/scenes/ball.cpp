@@ -5,7 +5,8 @@
 
 namespace magicmass::scenes {
 
-void with_bits(int digits, const std::function<bool()>& is_certain, const std::string& otherwise) {
+void until_certain(int digits, const std::function<bool()>& is_certain,
+                   const std::string& otherwise) {
   const int wanted = 4 * digits;
   const int least = 128 + wanted;
   const int most = 8192 + 4 * wanted;  // a double near 2^-1074 with its count takes some 3,000

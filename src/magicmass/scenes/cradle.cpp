@@ -11,17 +11,6 @@ namespace {
 
 constexpr std::int64_t most_of_way = std::int64_t(1) << 60;
 
-simulator::Line<Quadratic> mirrored(simulator::Line<Quadratic> line) {
-  for (auto* values : {&line.positions, &line.velocities}) {
-    std::reverse(values->begin(), values->end());
-    for (Quadratic& x : *values) x = Quadratic(0) - x;
-  }
-  std::swap(line.left_wall, line.right_wall);
-  for (auto* wall : {&line.left_wall, &line.right_wall})
-    if (*wall) *wall = Quadratic(0) - **wall;
-  return line;
-}
-
 /// k where a mass is alpha_k, else 0. What is exact is stepped: by Niven's theorem it is no alpha_k
 /// of more than a few collisions.
 std::int64_t magic_number(const Value& mass) {
@@ -39,15 +28,8 @@ std::int64_t magic_number(const Value& mass) {
 
 /// Does B reach this place only after the last collision of its trio?
 bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
-  bool is_before = false;
-  with_bits(
-      17,
-      [&] {
-        is_before = trio.collision(trio.shape(), 2 * k - 1).position < ball_of(place);
-        return true;
-      },
-      "the room is too close");
-  return is_before;
+  return with_bits(
+      17, [&] { return trio.collision(trio.shape(), 2 * k - 1).position < ball_of(place); });
 } catch (const Undecided&) {
   return false;
 }
@@ -60,32 +42,27 @@ void add_counts(std::int64_t* gaps, std::int64_t from, std::int64_t to) {
 
 }  // namespace
 
-std::optional<Cradle> Cradle::of(const Scene& scene) {
-  const std::size_t bodies = scene.masses.size();
-  if (bodies < 3 || bodies % 2 == 0) return {};
+std::optional<Cradle> Cradle::of(const Places& places) {
+  const auto& [masses, line] = places;
+  const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
+  const std::size_t bodies = masses.size();
+  if (bodies < 3 || bodies % 2 == 0 || !(line.restitution == 1)) return {};
   for (std::size_t i = 0; i < bodies; i += 2)
-    if (scene.masses[i].exact() == nullptr || !(*scene.masses[i].exact() == 1)) return {};
-  auto line = exact_places(scene);
-  if (!line || !(line->restitution == 1)) return {};
-  Cradle cradle;
-  cradle.is_mirrored_ = line->velocities[0] == 0;
-  if (cradle.is_mirrored_) *line = mirrored(*line);
-  const std::vector<Quadratic>&x = line->positions, &v = line->velocities;
-  cradle.x_ = x[0];
-  cradle.V_ = v[0];
-  cradle.ahead_ = line->right_wall;
-  cradle.behind_ = line->left_wall;
-  const auto mass = [&](std::size_t i) -> const Value& {
-    return scene.masses[cradle.is_mirrored_ ? bodies - 1 - i : i];
-  };
+    if (masses[i].exact() == nullptr || !(*masses[i].exact() == 1)) return {};
   if (!(Quadratic(0) < v[0])) return {};
   if (std::any_of(v.begin() + 1, v.end(), [](const Quadratic& u) { return !(u == 0); })) return {};
+  Cradle cradle;
+  cradle.x_ = x[0];
+  cradle.V_ = v[0];
+  cradle.ahead_ = line.right_wall;
+  cradle.behind_ = line.left_wall;
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
-    const std::int64_t k = magic_number(mass(ball));
+    const std::int64_t k = magic_number(masses[ball]);
     const Quadratic L = x[ball + 1] - x[ball];
     if (k == 0 || !(Quadratic(0) < L)) return {};
-    const Trio trio = Trio::of_cradle(mass(ball), v[0], L, cradle.time_at(x[ball]), x[ball]);
-    const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line->right_wall;
+    const Trio trio = *Trio::of({{masses[0], masses[ball], masses[0]},
+                                 {{}, {x[0], x[ball], x[ball + 1]}, {v[0], 0, 0}, {}, {}, 1}});
+    const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(trio, k, *next)) return {};  // cradle.room
     cradle.pairs_.push_back({trio, k, cradle.way_});
     cradle.way_ += 2 * k;  // cradle.number
@@ -99,23 +76,18 @@ std::optional<std::int64_t> Cradle::count() const {
   return ahead_ ? 2 * way_ + 1 : way_;
 }
 std::int64_t Cradle::count_until(const Quadratic& time, std::int64_t most) const {
-  std::int64_t low = 0;
-  with_bits(
-      17,
-      [&] {
-        const Shape s = shape();
-        std::int64_t high = most;
-        for (low = 0; low < high;) {
-          const std::int64_t middle = low + (high - low) / 2;
-          if (collision(s, middle).time <= ball_of(time))
-            low = middle + 1;
-          else
-            high = middle;
-        }
-        return true;
-      },
-      "a collision is too close to the time `until`");
-  return low;
+  return with_bits(17, [&] {
+    const Shape s = shape();
+    std::int64_t low = 0, high = most;
+    while (low < high) {
+      const std::int64_t middle = low + (high - low) / 2;
+      if (collision(s, middle).time <= ball_of(time))
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    return low;
+  });
 }
 
 Cradle::Shape Cradle::shape() const {
@@ -167,18 +139,14 @@ Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
     }
   }
   c.time = ball_of(from) + (m.is_back ? -c.time : c.time);
-  if (is_mirrored_) return {c.time, -c.position, -c.v_right, -c.v_left};
   return c;
 }
 std::size_t Cradle::gap(std::int64_t j) const {
   const Moment m = moment(j);
-  std::size_t gap = m.is_back ? 0 : bodies();
-  if (m.of_way < way_) {
-    const Pair& pair = pair_at(m.of_way);
-    gap =
-        2 * static_cast<std::size_t>(&pair - pairs_.data()) + pair.trio.gap(m.of_way - pair.before);
-  }
-  return is_mirrored_ ? bodies() - gap : gap;
+  if (m.of_way == way_) return m.is_back ? 0 : bodies();
+  const Pair& pair = pair_at(m.of_way);
+  return 2 * static_cast<std::size_t>(&pair - pairs_.data()) +
+         pair.trio.gap(m.of_way - pair.before);
 }
 std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) const {
   const std::int64_t of_round = collisions % period();
@@ -192,15 +160,13 @@ std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) co
     const std::vector<Ball> v = pair.trio.velocities(s.at(pair.k), of_way - pair.before);
     std::copy(v.begin(), v.end(), all.begin() + 2 * (&pair - pairs_.data()));
   }
-  if (is_back != is_mirrored_)
+  if (is_back)
     for (Ball& u : all) u = -u;
-  if (is_mirrored_) std::reverse(all.begin(), all.end());
   return all;
 }
 std::vector<Ball> Cradle::masses(const Shape& s) const {
   std::vector<Ball> all(bodies(), 1);
   for (std::size_t i = 0; i < pairs_.size(); ++i) all[2 * i + 1] = s.at(pairs_[i].k).per_B;
-  if (is_mirrored_) std::reverse(all.begin(), all.end());
   return all;
 }
 std::vector<std::int64_t> Cradle::counts(std::int64_t collisions) const {
@@ -219,7 +185,6 @@ std::vector<std::int64_t> Cradle::counts(std::int64_t collisions) const {
   }
   all.front() = round;
   all.back() = round + (of_round > way_ ? 1 : 0);
-  if (is_mirrored_) std::reverse(all.begin(), all.end());
   return all;
 }
 

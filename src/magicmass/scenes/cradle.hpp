@@ -14,9 +14,9 @@ namespace magicmass::scenes {
 /// wall it comes back: then the motion runs backwards in time, until all is as it was.
 class Cradle {
 public:
-  /// Nothing unless all but the first (or in a mirror the last) body is at rest, nothing is lost,
-  /// blocks have mass 1, and no block reaches what is behind it before the ball before it rests.
-  static std::optional<Cradle> of(const Scene& scene);
+  /// Nothing unless all but the first body are at rest, nothing is lost, blocks have mass 1, and no
+  /// block reaches what is behind it before the ball before it rests.
+  static std::optional<Cradle> of(const Places& places);
 
   /// How many collisions; nothing between two walls, where they never end.
   std::optional<std::int64_t> count() const;
@@ -28,6 +28,7 @@ public:
   Shape shape() const;
   Trio::Collision collision(const Shape& s, std::int64_t j) const;
   std::int64_t period() const { return 2 * way_ + 2; }
+  std::size_t bodies() const { return 2 * pairs_.size() + 1; }
   std::size_t gap(std::int64_t j) const;
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
   std::vector<Ball> masses(const Shape& s) const;
@@ -43,13 +44,11 @@ private:
   std::int64_t way_ = 0;                     // collisions of one way
   Quadratic x_, V_;                          // the straight line: where it begins at time 0
   std::optional<Quadratic> ahead_, behind_;  // walls
-  bool is_mirrored_ = false;                 // all of this is what a mirror shows
 
   struct Moment;
   Moment moment(std::int64_t j) const;
   const Pair& pair_at(std::int64_t of_way) const;
   Quadratic time_at(const Quadratic& place) const { return (place - x_) / V_; }
-  std::size_t bodies() const { return 2 * pairs_.size() + 1; }
 };
 
 }  // namespace magicmass::scenes

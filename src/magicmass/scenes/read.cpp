@@ -141,8 +141,8 @@ void check_meaning(const Scene& scene) {
   for (const Value& time : scene.times)
     if (time.exact() != nullptr && *time.exact() < 0)
       refuse_key(scene, "times", "got " + time.text.substr(0, 40), "0 or later");
-  const auto exact = exact_line(scene);
-  const auto found = exact ? simulator::fault(*exact) : simulator::fault(rounded_line(scene));
+  const auto found = has_exact_numbers(scene) ? simulator::fault(line_of<Quadratic>(scene))
+                                              : simulator::fault(line_of<double>(scene));
   if (!found) return;
   for (const auto& [key, member] : std::initializer_list<std::pair<const char*, const char*>>{
            {"alpha", "masses"}, {"mass_ratio", "masses"}, {"L", "positions"}})

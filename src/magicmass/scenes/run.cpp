@@ -21,25 +21,8 @@ constexpr std::size_t most_bits = 1U << 17U;
 constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for
 constexpr double some_work = 1e8;  // where they are only tried
 
-template <class Scalar>
-struct Start {
-  Line<Scalar> line;
-  std::optional<Scalar> until;
-};
-
-Start<double> rounded_start(const Scene& scene) {
-  return {rounded_line(scene),
-          scene.until ? std::optional(scene.until->to_double()) : std::nullopt};
-}
-
-std::optional<Start<Quadratic>> exact_start(const Scene& scene) {
-  const auto line = exact_line(scene);
-  if (!line) return std::nullopt;
-  return Start<Quadratic>{*line, scene.until ? std::optional(*scene.until->exact()) : std::nullopt};
-}
-
-std::int64_t most_events(const Scene& scene, const Options& options) {
-  return options.max_events.value_or(scene.max_events.value_or(events_unless_told));
+std::int64_t most_events(const Scene& scene) {
+  return scene.max_events.value_or(events_unless_told);
 }
 
 const char* const at_until = "the scene ends at the time `until`";
@@ -84,18 +67,20 @@ void decide_status(const Engine<Scalar>& engine, const std::string& stopped, Res
 }
 
 template <class Scalar>
-Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
-              double work = most_work) {
-  Engine<Scalar> engine(start.line);
-  Lengths lengths(work, start.line.masses.size());
+Result motion(const Scene& scene, std::int64_t limit, const Sink& sink, double work = most_work) {
+  const Line<Scalar> line = line_of<Scalar>(scene);
+  std::optional<Scalar> until;
+  if (scene.until) until = number_of<Scalar>(*scene.until);
+  Engine<Scalar> engine(line);
+  Lengths lengths(work, line.masses.size());
   Result result;
-  result.counts.resize(start.line.masses.size() + 1);
+  result.counts.resize(line.masses.size() + 1);
   const Scalar before = simulator::kinetic_energy<Scalar>(engine.bodies());
   std::string stopped;
   while (engine.next()) {
-    if (start.until && !engine.is_due_by(*start.until)) {
+    if (until && !engine.is_due_by(*until)) {
       stopped = at_until;
-      result.known_until = *start.until;
+      result.known_until = *until;
       break;
     }
     if (result.events == limit) {
@@ -107,9 +92,8 @@ Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
     lengths.look(event);
     ++result.events;
     ++result.counts[event.gap];
-    if (sink) {
+    if (sink)
       sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
-    }
   }
   for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
   result.energy = simulator::kinetic_energy<Scalar>(engine.bodies());
@@ -125,39 +109,37 @@ Result motion(const Start<Scalar>& start, std::int64_t limit, const Sink& sink,
 constexpr std::int64_t few = 64;
 
 /// One triple; nothing where it is cut off or stepped exactly.
-std::optional<Result> theorem(const Scene& scene, const Options& options,
-                              const std::optional<Start<Quadratic>>& exact) {
-  const auto trio = Trio::of(scene);
+std::optional<Result> theorem(const Scene& scene, bool has_exact) {
+  const auto trio = Seen<Trio>::of(scene);
   if (!trio || scene.until) return {};
-  const auto N = trio->count();
-  const auto most = options.max_events ? options.max_events : scene.max_events;
-  if (N && (options.exact || (most && *most < *N))) return {};
-  const bool is_exact = N && exact && *N <= few;
-  Result result = is_exact ? motion(*exact, few, {}) : by_theorem(*trio, N);
+  const auto N = trio->motion.count();
+  if (N && (scene.is_exact || scene.max_events.value_or(*N) < *N)) return {};
+  const bool is_exact = N && has_exact && *N <= few;
+  Result result = is_exact ? motion<Quadratic>(scene, few, {}) : by_theorem(*trio, N);
   result.plan = {"theorem", is_exact, "one body meets a ball at rest before a block or a wall"};
   return result;
 }
 
 /// How many collisions of a cradle are within the scene's limits.
-std::int64_t within(const Cradle& cradle, const Scene& scene, std::int64_t limit) {
+std::int64_t within(const Cradle& cradle, const Scene& scene) {
+  const std::int64_t limit = most_events(scene);
   const std::int64_t most = std::min(cradle.count().value_or(limit), limit);
   return scene.until ? cradle.count_until(*scene.until->exact(), most) : most;
 }
 
 /// One triple after the other; nothing where it is stepped exactly.
-std::optional<Result> transfers(const Scene& scene, const Options& options,
-                                const std::optional<Start<Quadratic>>& exact) try {
-  const auto cradle = options.exact ? std::nullopt : Cradle::of(scene);
+std::optional<Result> transfers(const Scene& scene, bool has_exact) try {
+  const auto cradle = scene.is_exact ? std::nullopt : Seen<Cradle>::of(scene);
   if (!cradle) return {};
-  const std::int64_t limit = most_events(scene, options);
-  const std::int64_t events = within(*cradle, scene, limit);
-  const bool is_exact = exact && events <= few;
-  Result result = is_exact ? motion(*exact, limit, {}) : by_theorem(*cradle, events);
-  if (!is_exact && cradle->count() != events) {
+  const std::int64_t limit = most_events(scene), events = within(cradle->motion, scene);
+  const bool is_exact = has_exact && events <= few;
+  Result result = is_exact ? motion<Quadratic>(scene, limit, {}) : by_theorem(*cradle, events);
+  if (!is_exact && cradle->motion.count() != events) {
     const bool is_limit = events == limit;
     result.status = Status::limited;
     result.why = is_limit ? at_limit(limit) : at_until;
-    result.known_until = is_limit ? time_by_theorem(*cradle, events) : scene.until->to_double();
+    result.known_until =
+        is_limit ? time_by_theorem(cradle->motion, events) : scene.until->to_double();
   }
   result.plan = {"transfers", is_exact,
                  "a cradle: each ball of a magic ratio hands on all to the next block"};
@@ -167,14 +149,11 @@ std::optional<Result> transfers(const Scene& scene, const Options& options,
 }
 
 /// The models of theorems; nothing where none serves.
-std::optional<Result> solved(const Scene& scene, const Options& options,
-                             const std::optional<Start<Quadratic>>& exact) {
-  try {
-    if (auto result = theorem(scene, options, exact)) return result;
-    return transfers(scene, options, exact);
-  } catch (const std::domain_error&) {
-    return {};
-  }
+std::optional<Result> solved(const Scene& scene, bool has_exact) try {
+  if (auto result = theorem(scene, has_exact)) return result;
+  return transfers(scene, has_exact);
+} catch (const std::domain_error&) {
+  return {};
 }
 
 }  // namespace
@@ -185,28 +164,26 @@ std::string status_name(Status status) {
                                      : "collapse";
 }
 
-Result run(const Scene& scene, const Options& options) {
-  const auto exact = exact_start(scene);
-  const std::int64_t limit = most_events(scene, options);
-  if (auto result = solved(scene, options, exact)) return *result;
-  if (options.exact) {
-    if (!exact) {
-      throw InvalidInput(scene.source +
-                         ": --exact: values that are not of one quadratic field; "
-                         "allowed: fractions and one square root");
-    }
-    Result result = motion(*exact, limit, {});
-    result.plan = {"events", true, "exact numbers are asked for"};
-    return result;
+Result run(const Scene& scene) {
+  const bool has_exact = has_exact_numbers(scene);
+  const std::int64_t limit = most_events(scene);
+  if (auto result = solved(scene, has_exact)) return *result;
+  if (scene.is_exact && !has_exact) {
+    throw InvalidInput(scene.source +
+                       ": --exact: values that are not of one quadratic field; "
+                       "allowed: fractions and one square root");
   }
-  Result result = motion(rounded_start(scene), limit, {});
+  Result result =
+      scene.is_exact ? motion<Quadratic>(scene, limit, {}) : motion<double>(scene, limit, {});
+  if (scene.is_exact) result.plan = {"events", true, "exact numbers are asked for"};
+  if (scene.is_exact) return result;
   result.plan = {"events", false, "no decision is closer than doubles can tell"};
   const std::string close = "decisions are closer than doubles can tell";
   if (result.ties.near == 0) return result;
   result.plan.reason = close + "; the scene has no exact numbers";
-  if (!exact) return result;
+  if (!has_exact) return result;
   try {
-    result = motion(*exact, limit, {}, some_work);
+    result = motion<Quadratic>(scene, limit, {}, some_work);
     result.plan = {"events", true, close + ", exact numbers decide"};
   } catch (const Undecided& error) {
     result.plan.reason = close + "; " + error.what();
@@ -214,24 +191,24 @@ Result run(const Scene& scene, const Options& options) {
   return result;
 }
 
-void stream(const Scene& scene, const Options& options, const Plan& plan, const Sink& sink) {
+void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
   constexpr std::int64_t many = 100'000;  // from here on stepping in doubles is worth its error
-  std::int64_t limit = most_events(scene, options);
+  std::int64_t limit = most_events(scene);
   if (plan.is_exact) {
-    motion(*exact_start(scene), limit, sink);
+    motion<Quadratic>(scene, limit, sink);
     return;
   }
   if (plan.model == "transfers") {
-    const auto cradle = Cradle::of(scene);
-    return stream_by_theorem(*cradle, within(*cradle, scene, limit), sink);
+    const auto cradle = Seen<Cradle>::of(scene);
+    return stream_by_theorem(*cradle, within(cradle->motion, scene), sink);
   }
   if (plan.model == "theorem") {
-    const auto trio = Trio::of(scene);
-    const auto N = trio->count();
+    const auto trio = Seen<Trio>::of(scene);
+    const auto N = trio->motion.count();
     if (N && *N <= many) return stream_by_theorem(*trio, *N, sink);
     limit = N.value_or(limit);
   }
-  motion(rounded_start(scene), limit, sink);
+  motion<double>(scene, limit, sink);
 }
 
 }  // namespace magicmass::scenes

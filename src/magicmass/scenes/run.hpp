@@ -14,11 +14,6 @@
 
 namespace magicmass::scenes {
 
-struct Options {
-  bool exact = false;                      ///< in exact numbers, whatever the plan would be
-  std::optional<std::int64_t> max_events;  ///< instead of the scene's
-};
-
 struct Plan {
   std::string model;      ///< "theorem", "transfers" or "events"
   bool is_exact = false;  ///< in exact numbers, else in doubles
@@ -64,8 +59,8 @@ using Sink = std::function<void(const Row&)>;
 /// in doubles, and again in exact numbers where a decision was closer than doubles can tell.
 /// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
 /// they become too long.
-Result run(const Scene& scene, const Options& options);
+Result run(const Scene& scene);
 /// The same run once more, collision by collision, in constant memory.
-void stream(const Scene& scene, const Options& options, const Plan& plan, const Sink& sink);
+void stream(const Scene& scene, const Plan& plan, const Sink& sink);
 
 }  // namespace magicmass::scenes

@@ -2,28 +2,11 @@
 #include "magicmass/scenes/scene.hpp"
 
 #include <algorithm>
+#include <concepts>
 
 #include "magicmass/numbers/errors.hpp"
 
 namespace magicmass::scenes {
-namespace {
-
-/// The line in other numbers.
-template <class Scalar, class Convert>
-simulator::Line<Scalar> converted(const Scene& scene, const Convert& convert) {
-  const auto all = [&](const std::vector<Value>& values) {
-    std::vector<Scalar> numbers;
-    for (const Value& value : values) numbers.push_back(convert(value));
-    return numbers;
-  };
-  const auto wall = [&](const std::optional<Value>& place) {
-    return place ? std::optional<Scalar>(convert(*place)) : std::nullopt;
-  };
-  return {all(scene.masses),     all(scene.positions),   all(scene.velocities),
-          wall(scene.left_wall), wall(scene.right_wall), convert(scene.restitution)};
-}
-
-}  // namespace
 
 bool Scene::wants(const std::string& output) const {
   return std::count(outputs.begin(), outputs.end(), output) != 0;
@@ -44,42 +27,58 @@ std::string gap_name(const Scene& scene, std::size_t gap) {
   return left + "-" + (gap == bodies ? "wall" : body_name(scene, gap));
 }
 
-std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene) {
-  bool is_exact = true;
-  cln::cl_I radicand = 1;
-  const auto exactly = [&](const Value& value) {
-    const Quadratic number = value.exact() == nullptr ? Quadratic() : *value.exact();
-    is_exact = is_exact && value.exact() != nullptr;
-    is_exact =
-        is_exact && (radicand == 1 || number.radicand() == 1 || radicand == number.radicand());
-    if (number.radicand() != 1) radicand = number.radicand();
-    return number;
+bool has_exact_numbers(const Scene& scene) {
+  cln::cl_I root = 1;
+  const auto is_exact = [&](const Value& value) {
+    if (value.exact() == nullptr) return false;
+    const cln::cl_I& radicand = value.exact()->radicand();
+    if (root == 1) root = radicand;
+    return radicand == 1 || radicand == root;
   };
-  const auto line = converted<Quadratic>(scene, exactly);
-  if (scene.until) exactly(*scene.until);
-  for (const Value& time : scene.times) exactly(time);
-  return is_exact ? std::optional(line) : std::nullopt;
+  const auto are_exact = [&](const auto&... values) {
+    return (std::all_of(values.begin(), values.end(), is_exact) && ...);
+  };
+  const auto may_be = [&](const auto&... value) { return ((!value || is_exact(*value)) && ...); };
+  return are_exact(scene.masses, scene.positions, scene.velocities, scene.times) &&
+         may_be(scene.left_wall, scene.right_wall, scene.until) && is_exact(scene.restitution);
 }
 
-std::optional<simulator::Line<Quadratic>> exact_places(const Scene& scene) {
-  Scene places = scene;
-  places.masses.assign(scene.masses.size(), value_of(1));
-  return exact_line(places);
-}
-
-simulator::Line<double> rounded_line(const Scene& scene) {
-  bool is_rounded = false;
+template <class Scalar>
+simulator::Line<Scalar> line_of(const Scene& scene) {
+  constexpr bool is_double = std::same_as<Scalar, double>;
   const auto rounds = [](const Value& value) {
-    return value.exact() == nullptr || !(Quadratic(value.to_double()) == *value.exact());
+    return is_double &&
+           (value.exact() == nullptr || !(Quadratic(value.to_double()) == *value.exact()));
   };
-  auto line = converted<double>(scene, [&](const Value& value) {
+  bool is_rounded = false;
+  const auto number = [&](const Value& value) {
     is_rounded = is_rounded || rounds(value);
-    return value.to_double();
-  });
+    return number_of<Scalar>(value);
+  };
+  const auto all = [&](const std::vector<Value>& values) {
+    std::vector<Scalar> numbers;
+    for (const Value& value : values) numbers.push_back(number(value));
+    return numbers;
+  };
+  const auto wall = [&](const std::optional<Value>& place) {
+    return place ? std::optional<Scalar>(number(*place)) : std::nullopt;
+  };
+  simulator::Line<Scalar> line{all(scene.masses),      all(scene.positions),
+                               all(scene.velocities),  wall(scene.left_wall),
+                               wall(scene.right_wall), number(scene.restitution)};
   line.is_rounded = is_rounded;
   line.has_rounded_velocities =
       std::any_of(scene.velocities.begin(), scene.velocities.end(), rounds);
   return line;
+}
+template simulator::Line<double> line_of(const Scene&);
+template simulator::Line<Quadratic> line_of(const Scene&);
+
+std::optional<Places> exact_places(const Scene& scene) {
+  Scene places = scene;
+  places.masses.assign(scene.masses.size(), value_of(1));
+  if (!has_exact_numbers(places)) return {};
+  return Places{scene.masses, line_of<Quadratic>(places)};
 }
 
 void refuse_key(const Scene& scene, const std::string& key, const std::string& what,

@@ -36,6 +36,7 @@ struct Scene {
   std::vector<Value> times;                   ///< of a trajectory
   std::optional<Value> until;                 ///< the run stops after this time
   std::optional<std::int64_t> max_events;     ///< and after so many collisions
+  bool is_exact = false;                      ///< in exact numbers, whatever the plan would be
   std::map<std::string, std::int64_t> lines;  ///< of the keys that the file has
 
   bool wants(const std::string& output) const;
@@ -52,13 +53,19 @@ std::string body_name(const Scene& scene, std::size_t body);
 /// What the collisions at a gap are called: N_A, N_B for three bodies; by the names beside it else.
 std::string gap_name(const Scene& scene, std::size_t gap);
 
-/// The bodies, exactly; nothing where a value, be it a time, is a ratio of the paper or there are
-/// two roots.
-std::optional<simulator::Line<Quadratic>> exact_line(const Scene& scene);
-/// The same but for the masses, which are 1: nothing where another value is not exact.
-std::optional<simulator::Line<Quadratic>> exact_places(const Scene& scene);
-/// The bodies in doubles. Throws Undecided where a value does not fit one.
-simulator::Line<double> rounded_line(const Scene& scene);
+/// Whether no value, be it a time, is a ratio of the paper, and there are no two roots.
+bool has_exact_numbers(const Scene& scene);
+/// The bodies in doubles, or as Quadratic, where all are exact. Throws Undecided where a value does
+/// not fit a double.
+template <class Scalar>
+simulator::Line<Scalar> line_of(const Scene& scene);
+/// Masses as they are written, and all else exactly.
+struct Places {
+  std::vector<Value> masses;
+  simulator::Line<Quadratic> line;  ///< its masses are 1
+};
+/// Nothing where a value but for the masses is not exact.
+std::optional<Places> exact_places(const Scene& scene);
 
 /// Throws InvalidInput with the place of a key.
 [[noreturn]] void refuse_key(const Scene& scene, const std::string& key, const std::string& what,

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/theorem.hpp"
 
+#include <algorithm>
 #include <array>
 #include <concepts>
+#include <utility>
 
 #include "magicmass/numbers/errors.hpp"
 
@@ -23,15 +25,25 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
   return {};
 }
 std::vector<double> certain(const Balls& balls) {
-  std::optional<std::vector<double>> numbers;
-  with_bits(
-      17,
-      [&] {
-        numbers = rounded(balls);
-        return numbers.has_value();
-      },
-      "");
-  return *numbers;
+  return with_bits(17, [&] { return rounded(balls); });
+}
+/// What a mirror shows; a wall's place likewise.
+void turn(Quadratic& x) { x = Quadratic(0) - x; }
+void turn(Ball& x) { x = -x; }
+template <class Number>
+void turn(std::vector<Number>& line) {
+  std::reverse(line.begin(), line.end());
+  for (Number& x : line) turn(x);
+}
+Places mirrored(Places places) {
+  auto& [masses, line] = places;
+  std::reverse(masses.begin(), masses.end());
+  turn(line.positions);
+  turn(line.velocities);
+  std::swap(line.left_wall, line.right_wall);
+  for (auto* wall : {&line.left_wall, &line.right_wall})
+    if (*wall) turn(**wall);
+  return places;
 }
 Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities) {
   Ball sum = 0;
@@ -42,24 +54,36 @@ Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities
 }  // namespace
 
 template <class Motion>
-Result by_theorem(const Motion& motion, std::optional<std::int64_t> collisions) {
+std::optional<Seen<Motion>> Seen<Motion>::of(const Scene& scene) {
+  const auto places = exact_places(scene);
+  if (!places) return {};
+  if (auto motion = Motion::of(*places)) return Seen{std::move(*motion), false};
+  if (auto motion = Motion::of(mirrored(*places))) return Seen{std::move(*motion), true};
+  return {};
+}
+
+template <class Motion>
+Result by_theorem(const Seen<Motion>& seen, std::optional<std::int64_t> collisions) {
+  const auto& [motion, is_mirrored] = seen;
   Result result;
   result.events = collisions.value_or(0);
   result.counts = motion.counts(result.events);
+  if (is_mirrored) std::reverse(result.counts.begin(), result.counts.end());
   result.status = collisions ? Status::complete : Status::collapse;
   const std::vector<double> numbers = certain([&] {
     const auto s = motion.shape();
-    const std::vector<Ball> masses = motion.masses(s);
+    std::vector<Ball> masses = motion.masses(s), at_end = motion.velocities(s, result.events);
+    const Ball before = energy(masses, motion.velocities(s, 0));
     std::vector<Ball> all;
-    std::vector<Ball> at_end = motion.velocities(s, result.events);
     if constexpr (std::same_as<Motion, Trio>) {
       if (!collisions) {
         const Trio::Collapse end = motion.collapse(s);
         at_end.assign(masses.size(), end.velocity);
-        all = {end.time, end.position};
+        all = {end.time, is_mirrored ? -end.position : end.position};
       }
     }
-    const Ball before = energy(masses, motion.velocities(s, 0));
+    if (is_mirrored) turn(at_end);
+    if (is_mirrored) std::reverse(masses.begin(), masses.end());
     const Ball of_last = energy({masses.back()}, {at_end.back()});
     all.insert(all.end(), {before, energy(masses, at_end), of_last / before});
     all.insert(all.end(), at_end.begin(), at_end.end());
@@ -79,7 +103,8 @@ Result by_theorem(const Motion& motion, std::optional<std::int64_t> collisions) 
 }
 
 template <class Motion>
-void stream_by_theorem(const Motion& motion, std::int64_t collisions, const Sink& sink) {
+void stream_by_theorem(const Seen<Motion>& seen, std::int64_t collisions, const Sink& sink) {
+  const auto& motion = seen.motion;
   constexpr int enough_bits = 192;
   Ball::set_bits(enough_bits);
   auto shape = motion.shape();
@@ -102,7 +127,11 @@ void stream_by_theorem(const Motion& motion, std::int64_t collisions, const Sink
     const std::vector<double>& n = *numbers;
     const std::array<double, 3> of_place = is_known ? first[again] : std::array{n[1], n[2], n[3]};
     if (again == first.size() && again < most_kept) first.push_back(of_place);
-    sink({j + 1, motion.gap(j), n[0], of_place[0], of_place[1], of_place[2]});
+    const auto [position, v_left, v_right] = of_place;
+    if (seen.is_mirrored)
+      sink({j + 1, motion.bodies() - motion.gap(j), n[0], -position, -v_right, -v_left});
+    else
+      sink({j + 1, motion.gap(j), n[0], position, v_left, v_right});
   }
 }
 
@@ -110,9 +139,11 @@ double time_by_theorem(const Cradle& cradle, std::int64_t j) {
   return certain([&] { return std::vector{cradle.collision(cradle.shape(), j).time}; })[0];
 }
 
-template Result by_theorem(const Trio&, std::optional<std::int64_t>);
-template Result by_theorem(const Cradle&, std::optional<std::int64_t>);
-template void stream_by_theorem(const Trio&, std::int64_t, const Sink&);
-template void stream_by_theorem(const Cradle&, std::int64_t, const Sink&);
+template struct Seen<Trio>;
+template struct Seen<Cradle>;
+template Result by_theorem(const Seen<Trio>&, std::optional<std::int64_t>);
+template Result by_theorem(const Seen<Cradle>&, std::optional<std::int64_t>);
+template void stream_by_theorem(const Seen<Trio>&, std::int64_t, const Sink&);
+template void stream_by_theorem(const Seen<Cradle>&, std::int64_t, const Sink&);
 
 }  // namespace magicmass::scenes

@@ -9,21 +9,10 @@ namespace {
 using Points = std::function<void(const Point&)>;
 
 template <class Scalar>
-Scalar number(const Value& value);
-template <>
-double number(const Value& value) {
-  return value.to_double();
-}
-template <>
-Quadratic number(const Value& value) {
-  return *value.exact();
-}
-
-template <class Scalar>
-void follow(const Scene& scene, simulator::Line<Scalar> line, const Options& options,
-            const Result& result, const Points& sink) {
+void follow(const Scene& scene, const Result& result, const Points& sink) {
+  simulator::Line<Scalar> line = line_of<Scalar>(scene);
   std::vector<Scalar> since(line.masses.size(), Scalar(0)), times;
-  for (const Value& time : scene.times) times.push_back(number<Scalar>(time));
+  for (const Value& time : scene.times) times.push_back(number_of<Scalar>(time));
   std::sort(times.begin(), times.end());
   auto next = times.begin();
   const auto all_at = [&](const Scalar& time) {
@@ -33,7 +22,7 @@ void follow(const Scene& scene, simulator::Line<Scalar> line, const Options& opt
   const bool has_corners = times.empty();
   Scalar last(0);
   if (has_corners) all_at(last);
-  stream(scene, options, result.plan, [&](const Row& row) {
+  stream(scene, result.plan, [&](const Row& row) {
     last = std::get<Scalar>(row.time);
     for (; next != times.end() && *next < last; ++next) all_at(*next);
     const bool is_shown = has_corners && row.number % scene.every == 0;
@@ -56,12 +45,11 @@ void follow(const Scene& scene, simulator::Line<Scalar> line, const Options& opt
 
 }  // namespace
 
-void trajectory(const Scene& scene, const Options& options, const Result& result,
-                const Points& sink) {
+void trajectory(const Scene& scene, const Result& result, const Points& sink) {
   if (result.plan.is_exact)
-    follow(scene, *exact_line(scene), options, result, sink);
+    follow<Quadratic>(scene, result, sink);
   else
-    follow(scene, rounded_line(scene), options, result, sink);
+    follow<double>(scene, result, sink);
 }
 
 }  // namespace magicmass::scenes

@@ -15,7 +15,7 @@ struct Point {
 /// All bodies at each of the scene's `times` at which the motion is known. Where the scene has
 /// none, the corners of their lines: all bodies at time 0, those that meet at each collision that
 /// the scene wants to see, and all where the run ends.
-void trajectory(const Scene& scene, const Options& options, const Result& result,
+void trajectory(const Scene& scene, const Result& result,
                 const std::function<void(const Point&)>& sink);
 
 }  // namespace magicmass::scenes

@@ -50,64 +50,29 @@ Ball ball_of(const Quadratic& x) {
   return x.radicand() == 1 ? a : a + Ball(x.root_part()) * sqrt(Ball(cl_RA(x.radicand())));
 }
 
-std::optional<Trio> Trio::of(const Scene& scene) {
-  const std::size_t bodies = scene.masses.size();
-  const bool is_walled = scene.left_wall || scene.right_wall;
-  if (bodies + (is_walled ? 1 : 0) != 3 || (scene.left_wall && scene.right_wall)) return {};
-  const auto line = exact_places(scene);
-  if (!line) return {};
-  std::vector<Quadratic> x = line->positions, v = line->velocities;
-  const auto& wall = line->left_wall ? line->left_wall : line->right_wall;
+std::optional<Trio> Trio::of(const Places& places) {
+  const auto& [masses, line] = places;
+  const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
+  const auto& wall = line.right_wall;
+  if (masses.size() + (wall ? 1 : 0) != 3 || line.left_wall) return {};
   Trio t;
-  const Quadratic minus(-1);
-  try {
-    if (wall) {  // where it is, and that it stays there
-      const auto at = [&](auto& of) { return scene.left_wall ? of.begin() : of.end(); };
-      x.insert(at(x), *wall);
-      v.insert(at(v), Quadratic(0));
-    }
-    t.is_mirrored_ = wall ? scene.left_wall.has_value() : v[0] == v[1];
-    const std::size_t A = t.is_mirrored_ ? 2 : 0, B = 2 - A, first = scene.left_wall ? 1 : 0;
-    if (!(v[1] == v[B])) return {};
-    const Quadratic sign = t.is_mirrored_ ? minus : Quadratic(1);
-    t.V_ = sign * (v[A] - v[1]);
-    t.L_ = sign * (x[B] - x[1]);
-    if (!(Quadratic(0) < t.V_)) return {};
-    t.drift_ = v[1];
-    t.start_ = sign * (x[1] - x[A]) / t.V_;
-    t.place_ = x[1];
-    t.e_ = line->restitution;
-    t.A_ = scene.masses[A - first];
-    t.C_ = scene.masses[1 - first];
-    if (!wall) t.B_ = scene.masses[B];
-  } catch (const std::domain_error&) {
-    return {};  // two square roots
-  }
-  const Quadratic one(1);
-  const auto is_one = [&](const Value& m) { return m.exact() && *m.exact() == one; };
-  t.is_paper_ = t.B_ && is_one(t.A_) && is_one(*t.B_) && t.e_ == one;
+  t.V_ = v[0] - v[1];
+  if (!(v[1] == (wall ? Quadratic(0) : v[2])) || !(Quadratic(0) < t.V_)) return {};
+  t.L_ = (wall ? *wall : x[2]) - x[1];
+  t.drift_ = v[1];
+  t.start_ = (x[1] - x[0]) / t.V_;
+  t.place_ = x[1];
+  t.e_ = line.restitution;
+  t.A_ = masses[0];
+  t.C_ = masses[1];
+  if (!wall) t.B_ = masses[2];
+  const auto is_one = [](const Value& m) { return m.exact() && *m.exact() == 1; };
+  t.is_paper_ = t.B_ && is_one(t.A_) && is_one(*t.B_) && t.e_ == 1;
   return t;
 }
-
 Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
-  Trio t;
-  t.A_ = value_of(1);
-  t.B_ = t.A_;
-  t.C_ = alpha;
-  t.e_ = e;
-  t.V_ = 1;
-  t.L_ = 1;
-  t.is_paper_ = e == t.V_;
-  return t;
-}
-Trio Trio::of_cradle(const Value& alpha, const Quadratic& V, const Quadratic& L,
-                     const Quadratic& start, const Quadratic& place) {
-  Trio t = equal_blocks(alpha, 1);
-  t.V_ = V;
-  t.L_ = L;
-  t.start_ = start;
-  t.place_ = place;
-  return t;
+  const Value block = value_of(1);
+  return *of({{block, alpha, block}, {{}, {0, 0, 1}, {1, 0, 0}, {}, {}, e}});
 }
 
 std::optional<Quadratic> Trio::exact_K() const {
@@ -144,99 +109,73 @@ std::optional<std::int64_t> Trio::count() const {
   const Quadratic least(cl_RA(1) / cln::square(cl_I(static_cast<long long>(most_collisions))));
   if (K && Quadratic(1) - *K < least) too_many();
   if (K) {  // a tie of pi/h_e with a whole number is decided collision by collision
-    const Quadratic zero(0), one(1);
-    simulator::Line<Quadratic> line;
-    line.masses = {*A_.exact(), *C_.exact()};
-    line.positions = {zero, zero};
-    line.velocities = {one, zero};
-    line.restitution = e_;
+    simulator::Line<Quadratic> line{{*A_.exact(), *C_.exact()}, {0, 0}, {1, 0}, {}, {}, e_};
     if (B_) {
       line.masses.push_back(*B_->exact());
-      line.positions.push_back(one);
-      line.velocities.push_back(zero);
+      line.positions.emplace_back(1);
+      line.velocities.emplace_back(0);
     } else {
-      line.right_wall = one;
+      line.right_wall = 1;
     }
     simulator::Engine<Quadratic> engine(line);
     std::int64_t N = 0;
     for (; N <= largest_tie && engine.next(); ++N) engine.step();
     if (N <= largest_tie) return N;
   }
-  std::optional<cl_I> N;
-  with_bits(
-      17,
-      [&] {
-        const Shape s = shape();
-        if (s.q_e <= 0) return true;
-        N = cln::numerator(
-            generated::count_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e).N_e.low());
-        return true;
-      },
-      " to tell how many collisions there are");
-  if (!N) return {};
-  if (*N > cl_I(static_cast<long long>(most_collisions))) too_many();
-  return cln::cl_I_to_long(*N);
+  const auto computed = [&]() -> cl_RA {
+    const Shape s = shape();
+    if (s.q_e <= 0) return 0;
+    return generated::count_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e).N_e.low();
+  };
+  const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
+  if (N == 0) return {};
+  if (N > cl_I(static_cast<long long>(most_collisions))) too_many();
+  return cln::cl_I_to_long(cln::numerator(N));
 }
 
-template <class Values>
-Values Trio::in_scene(Values from_A) const {
-  if (!B_) from_A.pop_back();
-  if (is_mirrored_) std::reverse(from_A.begin(), from_A.end());
-  return from_A;
-}
 std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
-  const Ball unit = ball_of(V_) * (is_mirrored_ ? Ball(-1) : Ball(1));
-  if (collisions == 0)
-    return in_scene(std::vector<Ball>{ball_of(drift_) + unit, ball_of(drift_), ball_of(drift_)});
-  const std::int64_t j = collisions - 1;
-  const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
-                                              power_of(s, j));
-  std::vector<Ball> all{v.A_next, v.C_next, v.B_next};
-  if (collisions == 1) all[2] = 0;  // B was not met
+  std::vector<Ball> all{1, 0, 0};
+  if (const std::int64_t j = collisions - 1; j >= 0) {
+    const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
+                                                power_of(s, j));
+    all = {v.A_next, v.C_next, j == 0 ? Ball(0) : v.B_next};  // B was not met
+  }
   const auto N = by_theorem();
   if (N && *N % 2 == 0) {  // magic.velocities
     if (collisions >= *N - 1) all[0] = 0;
     if (collisions == *N) all = {0, 0, 1};
   }
-  for (Ball& u : all) u = ball_of(drift_) + unit * u;
-  return in_scene(all);
-}
-std::size_t Trio::gap(std::int64_t j) const {
-  const std::size_t from_A = j % 2 == 0 ? 1 : 2;
-  const std::size_t bodies = B_ ? 3 : 2;
-  return is_mirrored_ ? bodies - from_A : from_A;
+  if (!B_) all.pop_back();
+  for (Ball& u : all) u = ball_of(drift_) + ball_of(V_) * u;
+  return all;
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
   const std::vector<Ball> v = velocities(s, j + 1);
   const std::size_t right = gap(j);
-  const Ball v_left = right == 0 ? Ball(0) : v[right - 1];
-  const Ball v_right = right == v.size() ? Ball(0) : v[right];
-  if (j == 0) return {ball_of(start_), ball_of(place_ + drift_ * start_), v_left, v_right};
+  const bool is_at_wall = right == v.size();
+  const Ball v_right = is_at_wall ? Ball(0) : v[right];
+  if (j == 0) return {ball_of(start_), ball_of(place_ + drift_ * start_), v[0], v_right};
   const auto at =
       generated::at_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j), power_of(s, j));
-  const Quadratic to_B = is_mirrored_ ? Quadratic(0) - L_ : L_;
   const Ball time = ball_of(start_) + ball_of(L_ / V_) * at.moment;
-  const bool is_at_wall = !B_ && j % 2 == 1;
-  const Ball place = is_at_wall
-                         ? ball_of(place_ + to_B)
-                         : ball_of(place_) + ball_of(drift_) * time + ball_of(to_B) * at.place;
-  return {time, place, v_left, v_right};
+  const Ball place = is_at_wall ? ball_of(place_ + L_)
+                                : ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * at.place;
+  return {time, place, v[right - 1], v_right};
 }
 Trio::Collapse Trio::collapse(const Shape& s) const {
   const auto end = generated::collapse_restitution(s.A, s.per_B, s.C, s.e, s.q_e);
-  const Ball sign = is_mirrored_ ? -1 : 1;
   const Ball time = ball_of(start_) + ball_of(L_ / V_) * end.t_end;
-  if (!B_) return {time, ball_of(place_) + sign * ball_of(L_), 0};
-  return {time, ball_of(place_) + ball_of(drift_) * time + sign * ball_of(L_) * end.x_end,
-          ball_of(drift_) + sign * ball_of(V_) * end.v_end};
+  if (!B_) return {time, ball_of(place_ + L_), 0};
+  return {time, ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * end.x_end,
+          ball_of(drift_) + ball_of(V_) * end.v_end};
 }
 std::vector<Ball> Trio::masses(const Shape& /*s*/) const {
-  return in_scene(std::vector<Ball>{ball_of(A_), ball_of(C_), B_ ? ball_of(*B_) : Ball(0)});
+  if (!B_) return {ball_of(A_), ball_of(C_)};
+  return {ball_of(A_), ball_of(C_), ball_of(*B_)};
 }
 std::vector<std::int64_t> Trio::counts(std::int64_t collisions) const {
-  std::vector<std::int64_t> all(B_ ? 4 : 3);
-  all[gap(0)] = (collisions + 1) / 2;
-  all[gap(1)] = collisions / 2;
+  std::vector<std::int64_t> all{0, (collisions + 1) / 2, collisions / 2};
+  if (B_) all.push_back(0);
   return all;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A body that moves towards a ball at rest before a block at rest, or before a wall: the motion
-// that the theorems are about, with any masses and restitution.
+// A body that moves to the right towards a ball at rest before a block at rest, or before a wall:
+// the motion that the theorems are about, with any masses and restitution.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,10 @@ Ball ball_of(const Quadratic& x);
 
 class Trio {
 public:
-  /// Nothing for a scene that moves otherwise.
-  static std::optional<Trio> of(const Scene& scene);
+  /// Nothing for what moves otherwise.
+  static std::optional<Trio> of(const Places& places);
   /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
   static Trio equal_blocks(const Value& alpha, const Quadratic& e);
-  /// Elastic, with B at a distance L behind C, which is at this place and met at this time.
-  static Trio of_cradle(const Value& alpha, const Quadratic& V, const Quadratic& L,
-                        const Quadratic& start, const Quadratic& place);
 
   /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
   /// for larger m.
@@ -49,9 +46,10 @@ public:
   Collision collision(const Shape& s, std::int64_t j) const;
   /// After so many collisions all comes again, only later.
   std::int64_t period() const { return INT64_MAX; }
-  /// The gap of the scene that closes there.
-  std::size_t gap(std::int64_t j) const;
-  /// Velocities of all bodies of the scene after so many collisions.
+  std::size_t bodies() const { return B_ ? 3 : 2; }
+  /// The gap that closes there.
+  std::size_t gap(std::int64_t j) const { return j % 2 == 0 ? 1 : 2; }
+  /// Velocities of all bodies after so many collisions.
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
 
   struct Collapse {
@@ -60,21 +58,18 @@ public:
   /// Where and when infinitely many collisions come to an end.
   Collapse collapse(const Shape& s) const;
   std::vector<Ball> masses(const Shape& s) const;
-  /// Of so many collisions, those at each gap of the scene.
+  /// Of so many collisions, those at each gap.
   std::vector<std::int64_t> counts(std::int64_t collisions) const;
 
 private:
   Value A_, C_;
   std::optional<Value> B_;  ///< nothing: a wall
   Quadratic e_, V_, L_;
-  Quadratic start_;           ///< when A meets C
-  Quadratic place_;           ///< where C is at time 0
-  Quadratic drift_;           ///< velocity of C and B before that
-  bool is_mirrored_ = false;  ///< A comes from the right
-  bool is_paper_ = false;     ///< equal blocks of mass 1, nothing lost
+  Quadratic start_;        ///< when A meets C
+  Quadratic place_;        ///< where C is at time 0
+  Quadratic drift_;        ///< velocity of C and B before that
+  bool is_paper_ = false;  ///< equal blocks of mass 1, nothing lost
 
-  template <class Values>
-  Values in_scene(Values from_A) const;
   std::optional<Quadratic> exact_K() const;
   std::optional<std::int64_t> by_theorem() const;
 };

@@ -2,6 +2,7 @@
 // A number as a scene writes it, kept as what it is.
 #pragma once
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,15 @@ struct Value {
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
 };
+
+/// It as a double, or as what it is, which must be exact.
+template <class Scalar>
+Scalar number_of(const Value& value) {
+  if constexpr (std::same_as<Scalar, double>)
+    return value.to_double();
+  else
+    return *value.exact();
+}
 
 /// What read_value takes, for messages.
 inline constexpr std::string_view allowed_values =

@@ -5,24 +5,12 @@
 #include "catch.hpp"
 #include "magicmass/numbers/errors.hpp"
 #include "magicmass/scenes/trajectory.hpp"
+#include "runs.hpp"
 
 using namespace magicmass::scenes;
 
 namespace {
 
-double number(const Number& value) {
-  if (const auto* exact = std::get_if<Quadratic>(&value)) return exact->to_double().value();
-  return std::get<double>(value);
-}
-Result result_of(const std::string& text, const Options& options = {}) {
-  return run(parse_scene(text, "scene"), options);
-}
-std::vector<Row> rows_of(const std::string& text, const Options& options = {}) {
-  const Scene scene = parse_scene(text, "scene");
-  std::vector<Row> rows;
-  stream(scene, options, run(scene, options).plan, [&](const Row& row) { rows.push_back(row); });
-  return rows;
-}
 std::string fraction(std::int64_t above) { return '"' + std::to_string(above) + "/7\","; }
 
 /// A cradle as it is and in a mirror; with magic ratios by name and as numbers.
@@ -77,8 +65,7 @@ TEST_CASE("random cradles by theorem, in exact numbers, and in a mirror", "[chec
     if (result.plan.model != "transfers") continue;
     ++cradles;
     REQUIRE_FALSE(result.plan.is_exact);
-    const Options exactly{true, std::nullopt};
-    const Result exact = result_of(texts.exact, exactly);
+    const Result exact = result_of(texts.exact, true);
     const Result mirrored = result_of(texts.mirrored);
     REQUIRE(result_of(texts.exact).plan.model == "transfers");
     REQUIRE(mirrored.plan.model == "transfers");
@@ -98,8 +85,9 @@ TEST_CASE("random cradles by theorem, in exact numbers, and in a mirror", "[chec
       REQUIRE(number(exact.terminal[k]) == number(result.terminal[k]));
       REQUIRE(number(mirrored.terminal[bodies - 1 - k]) == -number(result.terminal[k]));
     }
-    const std::vector<Row> rows = rows_of(texts.named), expected = rows_of(texts.exact, exactly),
-                           reversed = rows_of(texts.mirrored);
+    const std::vector<Row> rows = rows_of(scene_of(texts.named)),
+                           expected = rows_of(scene_of(texts.exact, true)),
+                           reversed = rows_of(scene_of(texts.mirrored));
     REQUIRE(rows.size() == expected.size());
     REQUIRE(rows.size() == reversed.size());
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -132,9 +120,9 @@ TEST_CASE("a cradle of larger numbers has nothing left over, and moves as double
   CHECK(result.events == 2 * (3 + 7 + 20 + 4));
   CHECK(result.counts == std::vector<std::int64_t>{0, 3, 3, 7, 7, 20, 20, 4, 4, 0});
   for (std::size_t i = 0; i < 9; ++i) CHECK(number(result.terminal[i]) == (i == 8 ? 2 : 0));
-  const std::vector<Row> rows = rows_of(text);
-  const Scene scene = parse_scene(text, "scene");
-  magicmass::simulator::Engine<double> engine(rounded_line(scene));
+  const Scene scene = scene_of(text);
+  const std::vector<Row> rows = rows_of(scene);
+  magicmass::simulator::Engine<double> engine(line_of<double>(scene));
   for (const Row& row : rows) {
     REQUIRE(engine.next());
     const auto event = engine.step();
@@ -175,13 +163,12 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
   std::string times;
   for (int n = 0; n < 300; ++n) times += "'" + std::to_string(n) + "/5',";
   for (const std::string& text : {cradle, chain}) {
-    const Scene scene =
-        parse_scene(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", "scene");
     for (const bool exact : {true, false}) {
-      const Options options{exact, std::nullopt};
-      magicmass::simulator::Engine<Quadratic> engine(*exact_line(scene));
+      const Scene scene =
+          scene_of(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", exact);
+      magicmass::simulator::Engine<Quadratic> engine(line_of<Quadratic>(scene));
       std::size_t points = 0;
-      trajectory(scene, options, run(scene, options), [&](const Point& point) {
+      trajectory(scene, run(scene), [&](const Point& point) {
         const Quadratic time(cln::cl_RA(static_cast<int>(points / scene.masses.size())) / 5);
         while (engine.next() && !(time < *engine.next())) engine.step();
         const Quadratic place = engine.position(point.body, time);
@@ -198,10 +185,10 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
 }
 
 TEST_CASE("a trajectory without times has its corners", "[exam]") {
-  const Scene scene = parse_scene("alpha = '1/3'\noutputs = ['trajectory']\nevery = 2\n", "scene");
-  const Result result = run(scene, {});
+  const Scene scene = scene_of("alpha = '1/3'\noutputs = ['trajectory']\nevery = 2\n");
+  const Result result = run(scene);
   std::vector<std::array<double, 3>> points;
-  trajectory(scene, {}, result, [&](const Point& point) {
+  trajectory(scene, result, [&](const Point& point) {
     points.push_back({number(point.time), double(point.body), number(point.position)});
   });
   REQUIRE(result.events == 4);
@@ -216,7 +203,7 @@ TEST_CASE("a trajectory without times has its corners", "[exam]") {
 
 TEST_CASE("a chain from keys is laid out", "[exam]") {
   const auto line = [](const std::string& text) {
-    return rounded_line(parse_scene("kind = 'chain'\n" + text, "scene"));
+    return line_of<double>(scene_of("kind = 'chain'\n" + text));
   };
   const auto both = line("blocks = 3\nballs = [0.5, 0.25]\nL = 2\ngap = 3\nV = 5\nwalls = 'both'");
   CHECK(both.masses == std::vector<double>{1, 0.5, 1, 0.25, 1});

@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Scenes from text to what they come to.
-#include "magicmass/scenes/run.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <random>
 
 #include "catch.hpp"
 #include "magicmass/numbers/errors.hpp"
+#include "runs.hpp"
 
 using namespace magicmass::scenes;
 
 namespace {
-
-Result result_of(const std::string& text, const Options& options = {}) {
-  return run(parse_scene(text, "scene"), options);
-}
-
-double number(const Number& value) {
-  if (const auto* exact = std::get_if<Quadratic>(&value)) return exact->to_double().value();
-  return std::get<double>(value);
-}
-
-std::vector<Row> rows_of(const std::string& text, const Options& options = {}) {
-  const Scene scene = parse_scene(text, "scene");
-  std::vector<Row> rows;
-  stream(scene, options, run(scene, options).plan, [&](const Row& row) { rows.push_back(row); });
-  return rows;
-}
 
 /// A chain of fractions: where only_halves, with many ties.
 std::string random_chain(std::uint64_t seed, bool only_halves) {
@@ -85,8 +68,8 @@ TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
   for (std::uint64_t seed = 0; seed < 500; ++seed) {
     INFO(seed);
     const std::string text = random_chain(seed, seed % 4 == 0);
-    std::vector<Row> rows = rows_of(text);
-    std::vector<Row> expected = rows_of(text, {true, std::nullopt});
+    std::vector<Row> rows = rows_of(scene_of(text));
+    std::vector<Row> expected = rows_of(scene_of(text, true));
     REQUIRE(rows.size() == expected.size());
     const auto by_gap = [](const Row& x, const Row& y) { return x.gap < y.gap; };
     std::stable_sort(rows.begin(), rows.end(), by_gap);  // what is far apart may be told in any
@@ -130,7 +113,6 @@ TEST_CASE("where a run stops it says so", "[exam]") {
   CHECK(few.status == Status::limited);
   CHECK(few.events == 2);
   CHECK(few.why == "stopped after 2 collisions; more with --max-events");
-  CHECK(result_of("alpha = 0.12\nmax_events = 2", {false, 4}).events == 4);
   CHECK(result_of("alpha = 0.12\nmax_events = 6").status == Status::complete);
   const Result early = result_of("alpha = 0.12\nuntil = 1");
   CHECK((early.events == 3 && early.status == Status::limited));
@@ -153,10 +135,9 @@ TEST_CASE("exact numbers that grow too long are no answer", "[exam]") {
       "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
       "velocities = [1, 0, 0, 0]\nrestitution = '" +
       e + "'";
-  CHECK_THROWS_WITH(result_of(text, {true, std::nullopt}),
-                    ContainsSubstring("more than are taken"));
-  CHECK(result_of(text, {true, 3}).events == 3);
-  CHECK_THROWS_WITH(result_of("alpha = 'magic:3'", {true, std::nullopt}),
+  CHECK_THROWS_WITH(result_of(text, true), ContainsSubstring("more than are taken"));
+  CHECK(result_of(text + "\nmax_events = 3", true).events == 3);
+  CHECK_THROWS_WITH(result_of("alpha = 'magic:3'", true),
                     ContainsSubstring("--exact: values that are not of one quadratic field"));
 }
 
@@ -175,7 +156,9 @@ TEST_CASE("the tutorials' scenes", "[exam]") {
   for (const auto& file : std::filesystem::directory_iterator(SCENES)) {
     if (file.path().extension() != ".toml") continue;
     INFO(file.path());
-    const Result result = run(read_scene(file.path()), {false, 1000});
+    Scene scene = read_scene(file.path());
+    scene.max_events = 1000;
+    const Result result = run(scene);
     CHECK(((result.events > 0 && result.events <= 1000) || result.status == Status::collapse));
     ++scenes;
   }
@@ -195,7 +178,7 @@ TEST_CASE("a scene with a few wrong bytes is a scene or is refused", "[check]") 
       text[random() % text.size()] =
           random() % 2 == 0 ? good[random() % good.size()] : static_cast<char>(random() % 256);
     try {
-      run(parse_scene(text, "scene"), {});
+      result_of(text);
     } catch (const magicmass::InvalidInput& error) {
       ++refused;
       CHECK(std::string(error.what()).find('\n') == std::string::npos);

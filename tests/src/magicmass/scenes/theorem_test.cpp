@@ -5,7 +5,7 @@
 
 #include "catch.hpp"
 #include "magicmass/numbers/errors.hpp"
-#include "magicmass/scenes/run.hpp"
+#include "runs.hpp"
 
 using namespace magicmass::scenes;
 using cln::cl_RA;
@@ -50,7 +50,7 @@ std::vector<Step> stepped(Line& line, int most) {
 }
 std::string quoted(const cl_RA& q) { return '"' + Quadratic(q).text() + '"'; }
 /// The scene, as it is or in a mirror.
-std::string scene_of(const Line& line, bool is_mirrored) {
+std::string text_of(const Line& line, bool is_mirrored) {
   std::vector<Body> bodies = line.bodies;
   std::string wall;
   const int sign = is_mirrored ? -1 : 1;
@@ -85,10 +85,6 @@ Line random_line(std::mt19937_64& random) {
                  {fraction(1, 40, 6), start + free + L, drift}};
   return line;
 }
-double number(const Number& value) {
-  if (const auto* exact = std::get_if<Quadratic>(&value)) return exact->to_double().value();
-  return std::get<double>(value);
-}
 double near(const cl_RA& x) { return Quadratic(x).to_double().value_or(0.0); }
 }  // namespace
 
@@ -97,11 +93,11 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
   int ended = 0, collapsed = 0;
   for (int i = 0; i < 5000; ++i) {
     Line line = random_line(random);
-    const std::string text = scene_of(line, false);
-    const std::string mirrored_text = scene_of(line, true);
+    const std::string text = text_of(line, false);
+    const std::string mirrored_text = text_of(line, true);
     INFO(text);
-    const Result result = run(parse_scene(text, "scene"), {});
-    const Result mirrored = run(parse_scene(mirrored_text, "scene"), {});
+    const Result result = result_of(text);
+    const Result mirrored = result_of(mirrored_text);
     REQUIRE(result.plan.model == "theorem");
     REQUIRE(mirrored.plan.model == "theorem");
     const std::vector<Step> rows = stepped(line, 120);
@@ -121,7 +117,7 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
     ++ended;
     REQUIRE(result.events == std::int64_t(rows.size()));
     // A time at which it would end is for the engine to see.
-    const Result engine = run(parse_scene(text + "until = 1000000\n", "scene"), {});
+    const Result engine = result_of(text + "until = 1000000\n");
     REQUIRE(engine.plan.model == "events");
     REQUIRE((engine.events == result.events || engine.status == Status::limited));
     for (std::size_t k = 0; k < bodies; ++k) {
@@ -139,13 +135,13 @@ TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[chec
     Line line{{{2, cl_RA(-1) / 3, 1}, {cl_RA(1) / 900, cl_RA(1) / 5, 0}, {3, cl_RA(5) / 7, 0}},
               has_wall,
               cl_RA(999) / 1000};
-    const Scene scene = parse_scene(scene_of(line, false), "scene");
-    const Result result = run(scene, {});
+    const Scene scene = scene_of(text_of(line, false));
+    const Result result = run(scene);
     REQUIRE_FALSE(result.plan.is_exact);
     const std::vector<Step> rows = stepped(line, 500);
     REQUIRE(result.events == std::int64_t(rows.size()));
     std::size_t i = 0;
-    stream(scene, {}, result.plan, [&](const Row& row) {
+    stream(scene, result.plan, [&](const Row& row) {
       const Step& exact = rows[i++];
       INFO(row.number);
       REQUIRE(row.gap == exact.left + 1);
@@ -159,7 +155,6 @@ TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[chec
 }
 
 TEST_CASE("at the paper's ratios nothing is left over", "[exam]") {
-  const auto result_of = [](const std::string& text) { return run(parse_scene(text, "s"), {}); };
   for (const int k : {1, 2, 30, 2000}) {
     const Result magic = result_of("alpha = 'magic:" + std::to_string(k) + "'");
     CHECK(magic.events == 2 * k);
@@ -173,26 +168,26 @@ TEST_CASE("a wall gives digits of pi, however many", "[exam]") {
   const std::string text = "kind = 'wall'\nmass_ratio = '100^";
   const std::int64_t counts[]{3, 31, 314, 3141, 31415, 314159, 3141592, 31415926};
   for (std::size_t d = 1; d < 8; ++d) {
-    const Result result = run(parse_scene(text + std::to_string(d) + "'", "s"), {});
+    const Result result = result_of(text + std::to_string(d) + "'");
     CHECK(result.events == counts[d]);
   }
-  CHECK(run(parse_scene(text + "18'", "s"), {}).events == 3'141'592'653'589'793'238);
+  CHECK(result_of(text + "18'").events == 3'141'592'653'589'793'238);
   for (const char* beyond : {"19'", "2000'"})
-    CHECK_THROWS_AS(run(parse_scene(text + beyond, "s"), {}), magicmass::Undecided);
+    CHECK_THROWS_AS(result_of(text + beyond), magicmass::Undecided);
 }
 
 TEST_CASE("a collapse has its time and place, for touching bodies as for near ones", "[exam]") {
   const std::string text =
       "kind = 'three-body'\nmasses = [1, 1, 1]\nvelocities = [1, 0, 0]\n"
       "restitution = 0.05\npositions = [0, 1, ";
-  const Result touching = run(parse_scene(text + "1]", "s"), {});
+  const Result touching = result_of(text + "1]");
   CHECK(touching.status == Status::collapse);
   CHECK((number(*touching.collapse_time) == 1 && number(*touching.collapse_position) == 1));
-  const Scene cut_off = parse_scene(text + "1]\nmax_events = 3", "s");
+  const Scene cut_off = scene_of(text + "1]\nmax_events = 3");
   std::int64_t rows = 0;
-  stream(cut_off, {}, run(cut_off, {}).plan, [&](const Row& row) { CHECK(row.number == ++rows); });
+  stream(cut_off, run(cut_off).plan, [&](const Row& row) { CHECK(row.number == ++rows); });
   CHECK(rows == 3);
-  const Result near_ones = run(parse_scene(text + "1.000001]", "s"), {});
+  const Result near_ones = result_of(text + "1.000001]");
   CHECK(near_ones.status == Status::collapse);
   CHECK((number(*near_ones.collapse_time) > 1 && number(*near_ones.collapse_time) < 1.00001));
 }
