@@ -18,35 +18,6 @@ using derivation::Chapter;
 using derivation::Statement;
 using kernel::Theorem;
 
-/// What a theorem says; two of one content are one theorem to a reader.
-using Content = std::pair<kernel::Exprs, kernel::Expr>;
-Content content_of(const Theorem& theorem) { return {theorem.hypotheses(), theorem.conclusion()}; }
-
-/// All theorems that a step was made from, those in its certificate too.
-kernel::Theorems premises_of(const kernel::Step& step) {
-  kernel::Theorems all = step.premises;
-  if (!step.certificate) return all;
-  for (const auto& [cofactor, equation] : step.certificate->equations) all.push_back(equation);
-  for (const auto& product : step.certificate->products)
-    all.insert(all.end(), product.factors.begin(), product.factors.end());
-  for (const auto* more : {&step.certificate->multipliers, &step.certificate->nonzero})
-    all.insert(all.end(), more->begin(), more->end());
-  return all;
-}
-
-/// Once for each different theorem that `open` is made from, itself too: visit(theorem) says
-/// whether to go on to what it is made from.
-template <class F>
-void walk(kernel::Theorems open, const F& visit) {
-  std::set<Content> seen;
-  while (!open.empty()) {
-    const Theorem t = open.back();
-    open.pop_back();
-    if (!seen.insert(content_of(t)).second || !visit(t)) continue;
-    for (const Theorem& p : premises_of(t.step())) open.push_back(p);
-  }
-}
-
 /// The shown theorems by number, in the book's order, and which of them each was made from.
 using Numbers = std::set<std::size_t>;
 class Index {
@@ -61,12 +32,18 @@ public:
   }
   Numbers premises(std::size_t of) const {
     Numbers found;
-    walk(premises_of(all[of].statement.theorem.step()), [&](const Theorem& t) {
+    std::set<coq::Content> seen;
+    kernel::Theorems open = all[of].statement.theorem.step().premises;
+    while (!open.empty()) {
+      const Theorem t = open.back();
+      open.pop_back();
+      if (!seen.insert(coq::content_of(t)).second) continue;
       const auto shown = numbers.find(t.conclusion());
-      if (shown == numbers.end() || shown->second == of) return true;
-      found.insert(shown->second);
-      return false;
-    });
+      if (shown != numbers.end() && shown->second != of)
+        found.insert(shown->second);
+      else
+        for (const Theorem& p : t.step().premises) open.push_back(p);
+    }
     return found;
   }
   std::vector<std::string> ids(const Numbers& which) const {

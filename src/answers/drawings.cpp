@@ -3,7 +3,7 @@
 
 #include "answers/evaluate.hpp"
 #include "answers/motion.hpp"
-#include "magicmass/scenes/run.hpp"
+#include "magicmass/scenes/trajectory.hpp"
 
 namespace answers {
 namespace {
@@ -20,53 +20,33 @@ double double_of(const Number& number) {
 /// The time and the places of all bodies, at the start, at each collision and at the end.
 using Places = std::vector<std::vector<double>>;
 
-/// Of a scene in TOML that has `until`; times as if it began at `start`.
-Places places(const std::string& text, double start) {
-  const Scene scene = parse_scene(text, "a scene of the figures");
-  std::vector<double> times(scene.masses.size(), 0), at, velocities;
-  for (const Value& value : scene.positions) at.push_back(value.to_double());
-  for (const Value& value : scene.velocities) velocities.push_back(value.to_double());
-  Places all;
-  const auto add = [&](double time) {
-    std::vector<double> row{start + time};
-    for (std::size_t i = 0; i < at.size(); ++i)
-      row.push_back(at[i] + velocities[i] * (time - times[i]));
-    all.push_back(row);
-  };
-  add(0);
-  stream(scene, run(scene).plan, [&](const magicmass::scenes::Row& event) {
-    const double time = double_of(event.time);
-    add(time);
-    const auto set = [&](std::size_t body, const Number& velocity) {
-      if (body >= at.size()) return;  // a wall; there is none on the left
-      at[body] = double_of(event.position);
-      velocities[body] = double_of(velocity);
-      times[body] = time;
-    };
-    set(event.gap - 1, event.v_left);
-    set(event.gap, event.v_right);
+/// Of a scene in TOML that has `until`; times as if it began at -1.
+Places places(const std::string& text) {
+  Scene scene = parse_scene(text, "a scene of the figures");
+  const Result result = run(scene);
+  scene.times = {value_of(0), *scene.until};
+  stream(scene, result.plan, [&](const magicmass::scenes::Row& row) {
+    const auto* time = std::get_if<double>(&row.time);
+    scene.times.push_back({"", time ? Quadratic(*time) : std::get<Quadratic>(row.time)});
   });
-  add(scene.until->to_double());
+  Places all;
+  trajectory(scene, result, [&](const Point& point) {
+    if (point.body == 0) all.push_back({double_of(point.time) - 1});
+    all.back().push_back(double_of(point.position));
+  });
   return all;
 }
 
 /// A and C are a length apart, so that the first collision is at time 0 of the paper.
 Places three_bodies(const std::string& alpha) {
-  return places("alpha = " + alpha + "\npositions = [-1, 0, 1]\nuntil = 6\n", -1);
-}
-
-answers::Row cells(const std::vector<double>& values) {
-  answers::Row row;
-  for (const double value : values) row.push_back(real_cell(value));
-  return row;
+  return places("alpha = " + alpha + "\npositions = [-1, 0, 1]\nuntil = 6\n");
 }
 
 }  // namespace
 
 Table setup_data() {
   const answers::Row v = rounded([] { return velocities(Magic{3}, 0); });
-  Table table{real_columns({"body", "x", "v"}), {}};
-  table.columns[0].type = Type::text;
+  Table table{named_columns({"body", "x", "v"}), {}};
   table.rows = {{text_cell("A"), real_cell(-1), v[0]},
                 {text_cell("C"), real_cell(0), v[2]},
                 {text_cell("B"), real_cell(1), v[1]}};
@@ -74,12 +54,11 @@ Table setup_data() {
 }
 
 Table trajectories_data() {
-  Table table{real_columns({"panel", "t", "x_A", "x_C", "x_B"}), {}};
-  table.columns[0].type = Type::text;
+  Table table{named_columns({"panel", "t", "x_A", "x_C", "x_B"}), {}};
   for (const auto& [panel, alpha] :
        {std::pair{"a", "\"magic:3\""}, {"b", "\"12/100\""}, {"c", "\"10/100\""}}) {
     for (const std::vector<double>& place : three_bodies(alpha)) {
-      table.rows.push_back(cells(place));
+      table.rows.push_back(real_cells(place));
       table.rows.back().insert(table.rows.back().begin(), text_cell(panel));
     }
   }
@@ -89,8 +68,7 @@ Table trajectories_data() {
 Table sphere_data() {
   constexpr int cycles = 5;
   constexpr int steps = 24;  // from one V_n to the next
-  Table table{real_columns({"part", "n", "a", "b", "sqrt_alpha_c_prime"}), {}};
-  table.columns[0].type = Type::text;
+  Table table{named_columns({"part", "n", "a", "b", "sqrt_alpha_c_prime"}), {}};
   const auto add = [&](const char* part, int n, int over) {
     answers::Row row = rounded([&] {
       const Ball alpha = ball_of(Magic{cycles});
@@ -113,8 +91,7 @@ Table sphere_data() {
 }
 
 Table wedge_data() {
-  Table table{real_columns({"collision", "t", "s", "angle"}), {}};
-  table.columns[0].type = Type::text;
+  Table table{named_columns({"collision", "t", "s", "angle"}), {}};
   const Places all = three_bodies("\"magic:3\"");
   for (std::size_t j = 1; j + 1 < all.size(); ++j) {
     const std::vector<double>& at = all[j];
@@ -131,16 +108,15 @@ Table wedge_data() {
 
 Table cradle_data() {
   Table table{
-      real_columns({"t", "x_A1", "x_C1", "x_A2", "x_C2", "x_A3", "x_C3", "x_A4", "x_C4", "x_A5"}),
+      named_columns({"t", "x_A1", "x_C1", "x_A2", "x_C2", "x_A3", "x_C3", "x_A4", "x_C4", "x_A5"}),
       {}};
   const Places all = places(
       "kind = \"chain\"\n"
       "masses = [1, \"magic:1\", 1, \"magic:2\", 1, \"magic:3\", 1, \"magic:4\", 1]\n"
       "positions = [-1, 0, 1, 2, 3, 4, 5, 6, 7]\n"
       "velocities = [1, 0, 0, 0, 0, 0, 0, 0, 0]\n"
-      "right_wall = 8\nuntil = 20\n",
-      -1);
-  for (const std::vector<double>& place : all) table.rows.push_back(cells(place));
+      "right_wall = 8\nuntil = 20\n");
+  for (const std::vector<double>& place : all) table.rows.push_back(real_cells(place));
   return table;
 }
 

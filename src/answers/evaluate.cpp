@@ -30,12 +30,6 @@ const std::map<std::string, Definition>& definitions() {
   return all;
 }
 
-Ball power(const Ball& base, int exponent) {
-  Ball result = base;
-  for (int k = 1; k < exponent; ++k) result = result * base;
-  return result;
-}
-
 class Evaluation {
 public:
   explicit Evaluation(Values known) : values(std::move(known)) {}

@@ -39,7 +39,7 @@ std::vector<Alpha> alphas() {
 }
 
 Table terminal_data() {
-  Table table{real_columns({"alpha", "a_t", "b_t", "c_t"}), {}};
+  Table table{named_columns({"alpha", "a_t", "b_t", "c_t"}), {}};
   const auto add = [&](const Alpha& alpha) {
     const LargeCounts counts = count_collisions(alpha);
     const Row v = rounded([&] { return terminal(alpha, counts); });
@@ -50,7 +50,7 @@ Table terminal_data() {
 }
 
 Table transmission_data() {
-  Table table{real_columns({"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"}), {}};
+  Table table{named_columns({"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"}), {}};
   const std::vector<cln::cl_RA> restitutions{cln::cl_RA(9) / 10, cln::cl_RA(8) / 10,
                                              cln::cl_RA(7) / 10};
   for (const Alpha& alpha : alphas()) {
@@ -68,7 +68,7 @@ Table transmission_data() {
 }
 
 Table counts_data() {
-  Table table{real_columns({"alpha", "N_A", "N_B"}), {}};
+  Table table{named_columns({"alpha", "N_A", "N_B"}), {}};
   const auto add = [&](const Alpha& alpha) {
     const LargeCounts counts = count_collisions(alpha);
     const auto cell = [](const cln::cl_I& n) { return whole_cell(kernel::digits(n)); };

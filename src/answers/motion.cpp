@@ -22,17 +22,12 @@ const auto n_name = [] { return kernel::integer("n"); };
 const auto k_name = [] { return kernel::integer("k"); };
 
 /// Whether alpha >= 1: alpha_1 = 1 is the largest threshold (ratios.alpha_1, ratios.order).
-bool is_heavy(const Alpha& alpha) {
-  if (const auto* value = std::get_if<double>(&alpha)) return *value >= 1;
-  const auto* rational = std::get_if<cl_RA>(&alpha);
-  return rational != nullptr && *rational >= 1;
-}
+bool is_heavy(const Alpha& alpha) { return !(*value_of(alpha).exact() < 1); }
 /// At alpha_k after k cycles; alpha_1 = 1.
 bool takes_everything(const Alpha& alpha, const cl_I& n) {
   if (const auto* magic = std::get_if<Magic>(&alpha)) return magic->k == n;
-  const auto* value = std::get_if<double>(&alpha);
-  const auto* rational = std::get_if<cl_RA>(&alpha);
-  return n == 1 && (value != nullptr ? *value == 1 : rational != nullptr && *rational == 1);
+  const auto value = value_of(alpha);
+  return n == 1 && value.exact() && *value.exact() == 1;
 }
 Ball velocity(const char* id, const Ball& alpha, const cl_I& n) {
   return evaluate(right_side(id),
@@ -48,8 +43,7 @@ Ball ball_of(const Alpha& alpha) {
     return evaluate(right_side("ratios.alpha_k"), {{k_name(), Ball(cl_RA(magic->k))}});
   if (const auto* deficient = std::get_if<Deficient>(&alpha))
     return evaluate(right_side("ratios.beta_k"), {{k_name(), Ball(cl_RA(deficient->k))}});
-  const auto* rational = std::get_if<cl_RA>(&alpha);
-  return Ball(rational != nullptr ? *rational : exact(std::get<double>(alpha)));
+  return Ball(value_of(alpha).exact()->rational_part());
 }
 Alpha alpha_of(const std::string& text) {
   try {
@@ -58,9 +52,7 @@ Alpha alpha_of(const std::string& text) {
     throw InvalidInput(refused.what());
   }
 }
-double nearest(const Alpha& alpha) {
-  return std::stod(rounded([alpha] { return Balls{ball_of(alpha)}; })[0].text);
-}
+double nearest(const Alpha& alpha) { return value_of(alpha).to_double(); }
 
 LargeCounts count_collisions(const Alpha& alpha) {
   if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};  // magic.counts
@@ -94,7 +86,7 @@ Balls terminal(const Alpha& alpha, const LargeCounts& counts) {
 }
 
 Trio with_restitution(const Alpha& alpha, const cl_RA& e) {
-  return Trio::equal_blocks(magicmass::scenes::value_of(alpha), e);
+  return Trio::equal_blocks(value_of(alpha), e);
 }
 Balls terminal(const Trio& trio, std::int64_t N) {
   const Balls v = trio.velocities(trio.shape(), N);

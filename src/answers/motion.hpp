@@ -19,6 +19,7 @@ using magicmass::scenes::decimal;
 using magicmass::scenes::exact;
 using magicmass::scenes::nearest_double;
 using magicmass::scenes::Trio;
+using magicmass::scenes::value_of;
 using magicmass::scenes::with_bits;
 
 /// The mass ratio of a request. Throws InvalidInput.

@@ -110,7 +110,7 @@ std::string block_of(const std::vector<Column>& columns, const Row& row) {
 
 }  // namespace
 
-std::vector<Column> real_columns(const std::vector<std::string>& names) {
+std::vector<Column> named_columns(const std::vector<std::string>& names) {
   std::vector<Column> columns;
   for (const std::string& name : names) columns.push_back({name, Type::real, "", ""});
   return columns;
@@ -123,6 +123,12 @@ Cell real_cell(double value) {
   std::string text;
   append_number(text, value);
   return {text, text};
+}
+
+Row real_cells(const std::vector<double>& values) {
+  Row row;
+  for (const double value : values) row.push_back(real_cell(value));
+  return row;
 }
 
 Cell whole_cell(std::int64_t value) { return whole_cell(std::to_string(value)); }

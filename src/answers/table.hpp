@@ -21,8 +21,8 @@ struct Column {
   std::string words;  ///< what it is, in a few words
 };
 
-/// Columns of numbers that no table of a command has: the data of a figure.
-std::vector<Column> real_columns(const std::vector<std::string>& names);
+/// Columns that no table of a command has: the data of a figure.
+std::vector<Column> named_columns(const std::vector<std::string>& names);
 
 /// A value as text and CSV write it, and as JSON does.
 struct Cell {
@@ -46,6 +46,7 @@ Cell list_cell(const std::vector<std::string>& texts);
 Cell missing_cell();
 
 using Row = std::vector<Cell>;  ///< as long as there are columns
+Row real_cells(const std::vector<double>& values);
 
 /// Many rows as columns of numbers, which are written without a cell for each.
 struct Block {

@@ -26,12 +26,9 @@ Cell alpha_cell(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return real_cell(*value);
   return exact_cell(notation::text(alpha));
 }
-/// A number or a fraction.
-cln::cl_RA exact_of(const Alpha& number) {
-  const auto* value = std::get_if<double>(&number);
-  return value != nullptr ? exact(*value) : std::get<cln::cl_RA>(number);
-}
-std::string digits_of(const cln::cl_I& n) { return kernel::digits(n); }
+/// Not a ratio of the paper, which is exact.
+bool is_fraction(const Alpha& number) { return value_of(number).exact() != nullptr; }
+cln::cl_RA exact_of(const Alpha& number) { return value_of(number).exact()->rational_part(); }
 /// The digits that are asked for. Throws Undecided for more than are given at once.
 std::optional<int> digits_wanted(const Request& request) {
   const auto digits = request.whole("digits", 1, INT64_MAX);
@@ -55,26 +52,18 @@ std::string tier_of(const Request& request) {
 /// fractions after so many cycles would be too long.
 cln::cl_RA fraction_of(const Alpha& alpha, const cln::cl_I& cycles) {
   constexpr int longest = 1 << 22;
-  const auto* rational = std::get_if<cln::cl_RA>(&alpha);
-  const auto* value = std::get_if<double>(&alpha);
-  if (rational == nullptr && value == nullptr) {
+  if (!is_fraction(alpha))
     throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
                        " are no fractions; add --digits D");
-  }
-  const cln::cl_RA q = rational != nullptr ? *rational : exact(*value);
+  const cln::cl_RA q = exact_of(alpha);
   const auto length =
       cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
   const cln::cl_I bits = 2 * cycles * static_cast<long long>(length);
   if (bits > longest) {
-    throw Undecided("exact fractions after " + digits_of(cycles) + " cycles would have some " +
-                    digits_of(bits) + " bits; add --digits D");
+    throw Undecided("exact fractions after " + kernel::digits(cycles) + " cycles would have some " +
+                    kernel::digits(bits) + " bits; add --digits D");
   }
   return q;
-}
-Row real_cells(const std::vector<double>& values) {
-  Row row;
-  for (const double value : values) row.push_back(real_cell(value));
-  return row;
 }
 Row exact_cells(const std::vector<cln::cl_RA>& values) {
   Row row;
@@ -122,7 +111,7 @@ Answer eval(const Request& request) {
   const cln::cl_I cycles = static_cast<long long>(n);
   if (cycles > in.counts.N_A) {
     throw InvalidInput("n: " + std::to_string(n) + " is beyond the last collision; allowed: 0 to " +
-                       digits_of(in.counts.N_A) + " for this alpha");
+                       kernel::digits(in.counts.N_A) + " for this alpha");
   }
   Row four;
   if (in.wants_fractions) {
@@ -147,8 +136,8 @@ std::vector<Column> count_columns() {
 Answer count(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
   const LargeCounts counts = count_collisions(alpha);
-  return answer(count_columns(), {alpha_cell(alpha), whole_cell(digits_of(counts.N_A)),
-                                  whole_cell(digits_of(counts.N_B))});
+  return answer(count_columns(), {alpha_cell(alpha), whole_cell(kernel::digits(counts.N_A)),
+                                  whole_cell(kernel::digits(counts.N_B))});
 }
 
 std::vector<Column> terminal_columns() {
@@ -173,10 +162,7 @@ Alpha restitution_of(const Request& request) {
   const std::string text = request.text("restitution");
   try {
     const Alpha e = alpha_of(text);
-    const bool is_number = std::holds_alternative<double>(e);
-    if (is_number ? std::get<double>(e) <= 1
-                  : std::holds_alternative<cln::cl_RA>(e) && std::get<cln::cl_RA>(e) <= 1)
-      return e;
+    if (is_fraction(e) && exact_of(e) <= 1) return e;
   } catch (const InvalidInput&) {
   }
   throw InvalidInput("restitution must be a number or a fraction above 0 and at most 1, got " +
@@ -228,9 +214,10 @@ Answer terminal(const Request& request) {
   } else {
     four = rounded([&] { return answers::terminal(in.alpha, in.counts); }, in.digits);
   }
-  return answer(terminal_columns(),
-                {alpha_cell(in.alpha), whole_cell(digits_of(N_A)), whole_cell(digits_of(N_B))},
-                four);
+  return answer(
+      terminal_columns(),
+      {alpha_cell(in.alpha), whole_cell(kernel::digits(N_A)), whole_cell(kernel::digits(N_B))},
+      four);
 }
 
 std::vector<Column> ratios_columns() {

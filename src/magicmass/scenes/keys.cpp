@@ -2,7 +2,7 @@
 #include "magicmass/scenes/keys.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <iterator>
 #include <sstream>
 
 #include "magicmass/numbers/errors.hpp"
@@ -15,172 +15,154 @@ const std::vector<std::string> sides{"none", "left", "right", "both"};
 const std::vector<std::string> all_outputs{"counts", "terminal", "events", "trajectory", "energy"};
 constexpr std::int64_t most_blocks = 500'000;
 
+std::string quoted(const std::string& text) { return '"' + text + '"'; }
+
 std::string quoted_list(const std::vector<std::string>& words) {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "\"" : ", \"") + word + '"';
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + quoted(word);
   return text;
 }
 
-std::string type_of(const toml::node& node) {
-  std::ostringstream name;
-  name << node.type();
-  return "a TOML " + name.str();
+[[noreturn]] void refuse(const Field& f, const std::string& what, std::string_view allowed) {
+  refuse_key(f.scene, f.key, what, allowed);
+}
+
+[[noreturn]] void refuse_type(const Field& f, std::string_view allowed) {
+  std::ostringstream what;
+  what << "got a TOML " << f.node.type();
+  refuse(f, what.str(), allowed);
+}
+
+std::string text_at(const Field& f, const std::string& allowed) {
+  if (const auto* text = f.node.as_string()) return text->get();
+  refuse_type(f, allowed);
 }
 
 /// Which of these words it is.
-std::size_t word_at(const toml::node& node, const Scene& scene, const std::string& key,
-                    const std::vector<std::string>& words, const std::string& before = "") {
-  const auto* text = node.as_string();
-  const auto found = std::find(words.begin(), words.end(), text == nullptr ? "" : text->get());
-  if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  const std::string got = text == nullptr ? type_of(node) : '"' + text->get().substr(0, 40) + '"';
-  refuse_key(scene, key, "got " + got, before + quoted_list(words));
+std::size_t word_at(const Field& f, const std::vector<std::string>& words,
+                    const std::string& before = "") {
+  const std::string allowed = before + quoted_list(words), text = text_at(f, allowed);
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end()) refuse(f, "got " + quoted(text.substr(0, 40)), allowed);
+  return static_cast<std::size_t>(found - words.begin());
 }
 
-Value value_at(const toml::node& node, const Scene& scene, const std::string& key) {
+Value value_at(const Field& f) {
+  const auto* text = f.node.as_string();
   try {
-    if (const auto* text = node.as_string()) return read_value(text->get());
-    if (const auto* whole = node.as_integer()) return read_value(std::to_string(whole->get()));
-    if (const auto* number = node.as_floating_point()) return value_of(number->get());
+    if (text != nullptr) return read_value(text->get());
+    if (const auto* whole = f.node.as_integer()) return read_value(std::to_string(whole->get()));
+    if (const auto* number = f.node.as_floating_point()) return value_of(number->get());
   } catch (const InvalidInput& error) {
-    const auto* text = node.as_string();
-    const std::string got = text == nullptr ? "" : '"' + text->get().substr(0, 40) + "\": ";
-    refuse_key(scene, key, got + error.what(), allowed_values);
+    const std::string got = text == nullptr ? "" : quoted(text->get().substr(0, 40)) + ": ";
+    refuse(f, got + error.what(), allowed_values);
   }
-  refuse_key(scene, key, "got " + type_of(node), allowed_values);
+  refuse_type(f, allowed_values);
 }
 
-const toml::array& array_at(const toml::node& node, const Scene& scene, const std::string& key,
-                            std::string_view allowed) {
-  if (const toml::array* elements = node.as_array()) return *elements;
-  refuse_key(scene, key, "got " + type_of(node), allowed);
+std::vector<Field> elements(const Field& f, std::string_view allowed) {
+  const toml::array* array = f.node.as_array();
+  if (array == nullptr) refuse_type(f, allowed);
+  std::vector<Field> all;
+  for (const toml::node& element : *array) all.push_back({element, f.scene, f.key});
+  return all;
 }
 
-void read_title(const toml::node& node, Scene& scene, const std::string& key) {
-  const auto* text = node.as_string();
-  if (text == nullptr) refuse_key(scene, key, "got " + type_of(node), "a text");
-  scene.title = text->get();
+std::vector<Value> values_at(const Field& f) {
+  std::vector<Value> values;
+  for (const Field& element : elements(f, "an array of values"))
+    values.push_back(value_at(element));
+  return values;
 }
 
-void read_kind(const toml::node& node, Scene& scene, const std::string& key) {
-  scene.kind = static_cast<Kind>(word_at(node, scene, key, kinds));
-}
-
-void read_walls(const toml::node& node, Scene& scene, const std::string& key) {
-  scene.walls = sides[word_at(node, scene, key, sides)];
-}
-
-void read_alpha(const toml::node& node, Scene& scene, const std::string& key) {
-  scene.masses = {value_of(1), value_at(node, scene, key)};
-  if (scene.kind == Kind::three_body) scene.masses.push_back(value_of(1));
-}
-
-void read_outputs(const toml::node& node, Scene& scene, const std::string& key) {
-  const std::string array = "an array of ";
-  const std::string allowed = array + quoted_list(all_outputs);
-  scene.outputs.clear();
-  for (const toml::node& element : array_at(node, scene, key, allowed))
-    scene.outputs.push_back(all_outputs[word_at(element, scene, key, all_outputs, array)]);
-}
-
-std::int64_t whole_at(const toml::node& node, const Scene& scene, const std::string& key,
-                      std::int64_t least, std::int64_t most = INT64_MAX) {
+std::int64_t whole_at(const Field& f, std::int64_t least, std::int64_t most = INT64_MAX) {
   const std::string to = most == INT64_MAX ? " or more" : " to " + std::to_string(most);
   const std::string allowed = "a whole number, " + std::to_string(least) + to;
-  const auto* number = node.as_integer();
-  if (number == nullptr) refuse_key(scene, key, "got " + type_of(node), allowed);
+  const auto* number = f.node.as_integer();
+  if (number == nullptr) refuse_type(f, allowed);
   if (number->get() < least || number->get() > most)
-    refuse_key(scene, key, "got " + std::to_string(number->get()), allowed);
+    refuse(f, "got " + std::to_string(number->get()), allowed);
   return number->get();
 }
 
-void read_blocks(const toml::node& node, Scene& scene, const std::string& key) {
-  const std::int64_t blocks = whole_at(node, scene, key, 1, most_blocks);
-  scene.masses.assign(2 * static_cast<std::size_t>(blocks) - 1, value_of(1));
+void read_alpha(const Field& f) {
+  f.scene.masses = {value_of(1), value_at(f)};
+  if (f.scene.kind == Kind::three_body) f.scene.masses.push_back(value_of(1));
 }
 
-void read_balls(const toml::node& node, Scene& scene, const std::string& key) {
-  const std::size_t balls = scene.masses.size() / 2;
-  std::vector<Value> masses;
-  if (const toml::array* elements = node.as_array()) {
-    for (const toml::node& element : *elements) masses.push_back(value_at(element, scene, key));
-  } else {
-    masses.assign(balls, value_at(node, scene, key));
-  }
+void read_outputs(const Field& f) {
+  const std::string array = "an array of ";
+  f.scene.outputs.clear();
+  for (const Field& element : elements(f, array + quoted_list(all_outputs)))
+    f.scene.outputs.push_back(all_outputs[word_at(element, all_outputs, array)]);
+}
+
+void read_balls(const Field& f) {
+  const std::size_t balls = f.scene.masses.size() / 2;
+  const std::vector<Value> masses =
+      f.node.is_array() ? values_at(f) : std::vector<Value>(balls, value_at(f));
   if (masses.size() != balls)
-    refuse_key(scene, key, std::to_string(masses.size()) + " balls",
-               "one value, or as many as there are gaps between blocks: " + std::to_string(balls));
-  for (std::size_t i = 0; i < balls; ++i) scene.masses[2 * i + 1] = masses[i];
+    refuse(f, std::to_string(masses.size()) + " balls",
+           "one value, or as many as there are gaps between blocks: " + std::to_string(balls));
+  for (std::size_t i = 0; i < balls; ++i) f.scene.masses[2 * i + 1] = masses[i];
 }
 
 template <auto member>
-void read(const toml::node& node, Scene& scene, const std::string& key) {
-  scene.*member = value_at(node, scene, key);
+void read(const Field& f) {
+  f.scene.*member = value_at(f);
 }
 
 template <auto member>
-void read_list(const toml::node& node, Scene& scene, const std::string& key) {
-  for (const toml::node& element : array_at(node, scene, key, "an array of values"))
-    (scene.*member).push_back(value_at(element, scene, key));
+void read_list(const Field& f) {
+  f.scene.*member = values_at(f);
 }
 
 }  // namespace
 
 const std::vector<Key>& keys() {
+  const auto blocks = [](const Field& f) {
+    f.scene.masses.assign(2 * static_cast<std::size_t>(whole_at(f, 1, most_blocks)) - 1,
+                          value_of(1));
+  };
   static const std::vector<Key> all{
-      {"kind", read_kind},
-      {"title", read_title},
+      {"kind", [](const Field& f) { f.scene.kind = static_cast<Kind>(word_at(f, kinds)); }},
+      {"title", [](const Field& f) { f.scene.title = text_at(f, "a text"); }},
       {"alpha", read_alpha, {Kind::three_body, Kind::wall}},
       {"mass_ratio",
-       [](const toml::node& node, Scene& scene, const std::string& key) {
-         scene.masses = {value_at(node, scene, key), value_of(1)};
+       [](const Field& f) {
+         f.scene.masses = {value_at(f), value_of(1)};
        },
        {Kind::wall}},
       {"masses", read_list<&Scene::masses>},
-      {"blocks", read_blocks, {Kind::chain}},
+      {"blocks", blocks, {Kind::chain}},
       {"balls", read_balls, {Kind::chain}},
       {"positions", read_list<&Scene::positions>},
       {"velocities", read_list<&Scene::velocities>},
       {"V", read<&Scene::V>},
       {"L", read<&Scene::L>},
       {"gap", read<&Scene::gap>, {Kind::chain}},
-      {"walls", read_walls, {Kind::chain}},
+      {"walls", [](const Field& f) { f.scene.walls = sides[word_at(f, sides)]; }, {Kind::chain}},
       {"left_wall", read<&Scene::left_wall>, {Kind::wall, Kind::chain}},
       {"right_wall", read<&Scene::right_wall>, {Kind::wall, Kind::chain}},
       {"restitution", read<&Scene::restitution>},
       {"outputs", read_outputs},
-      {"every", [](const toml::node& node, Scene& scene,
-                   const std::string& key) { scene.every = whole_at(node, scene, key, 1); }},
+      {"every", [](const Field& f) { f.scene.every = whole_at(f, 1); }},
       {"times", read_list<&Scene::times>},
       {"until", read<&Scene::until>},
-      {"max_events",
-       [](const toml::node& node, Scene& scene, const std::string& key) {
-         scene.max_events = whole_at(node, scene, key, 0);
-       }},
+      {"max_events", [](const Field& f) { f.scene.max_events = whole_at(f, 0); }},
   };
   return all;
 }
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& names) {
-  std::string nearest;
-  std::size_t least = name.size() / 2 + 1;
-  if (name.size() > 40) return nearest;
   for (const std::string& other : names) {
-    std::vector<std::size_t> row(other.size() + 1);  // distances from a beginning of the name
-    std::iota(row.begin(), row.end(), 0U);
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      std::size_t diagonal = row[0]++;
-      for (std::size_t j = 0; j < other.size(); ++j) {
-        const std::size_t replaced = diagonal + (name[i] == other[j] ? 0 : 1);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-      }
-    }
-    if (row.back() >= least) continue;
-    least = row.back();
-    nearest = other;
+    const auto [from, begin] = std::mismatch(name.begin(), name.end(), other.begin(), other.end());
+    const auto [to, end] = std::mismatch(name.rbegin(), std::make_reverse_iterator(from),
+                                         other.rbegin(), std::make_reverse_iterator(begin));
+    const auto letters = std::max(to.base() - from, end.base() - begin);
+    if (letters <= 2 && 2 * letters < std::ssize(other)) return other;
   }
-  return nearest;
+  return "";
 }
 
 }  // namespace magicmass::scenes

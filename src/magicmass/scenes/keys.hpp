@@ -11,17 +11,24 @@
 
 namespace magicmass::scenes {
 
+/// What the file has for a key, and the scene that is read.
+struct Field {
+  const toml::node& node;
+  Scene& scene;
+  const std::string& key;
+};
+
 struct Key {
   std::string name;
-  void (*read)(const toml::node&, Scene&, const std::string& key);
+  void (*read)(const Field&);
   std::vector<Kind> kinds = {};  ///< that have it; none: all
 };
 
 /// In the order in which they are read.
 const std::vector<Key>& keys();
 
-/// Of the names the one that a misspelt one most likely means: the fewest letters to insert, delete
-/// or replace, fewer than half of its own; "" where none is that near.
+/// Of the names the one that a misspelt one likely means: all but one or two neighbouring letters,
+/// fewer than half, are the same; "" where there is none.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& names);
 
 }  // namespace magicmass::scenes

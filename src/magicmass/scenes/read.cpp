@@ -71,9 +71,8 @@ void check_together(const Scene& scene) {
       {"L", "positions"},     {"V", "velocities"},      {"blocks", "masses"},
       {"gap", "positions"},   {"walls", "positions"},   {"walls", "left_wall"},
       {"walls", "right_wall"}};
-  const auto has = [&](const std::string& key) { return scene.lines.count(key) != 0; };
   const auto exclude = [&](const std::string& one, const std::string& other) {
-    if (has(one) && has(other))
+    if (scene.has(one) && scene.has(other))
       refuse_key(scene, one, "does not go with " + other, "one of the two");
   };
   for (const auto& [one, other] : excluded) exclude(one, other);
@@ -81,11 +80,12 @@ void check_together(const Scene& scene) {
     for (const char* const wall : {"left_wall", "right_wall"}) exclude("L", wall);
   for (const auto& [one, other] : std::initializer_list<std::pair<const char*, const char*>>{
            {"balls", "blocks"}, {"times", "trajectory"}})
-    if (has(one) && !has(other) && !scene.wants(other))
+    if (scene.has(one) && !scene.has(other) && !scene.wants(other))
       refuse_key(scene, one, "without " + std::string(other), "both");
-  if (has("blocks") && !has("balls") && scene.masses.size() > 1)
+  if (scene.has("blocks") && !scene.has("balls") && scene.masses.size() > 1)
     refuse_key(scene, "blocks", "without balls", "both");
-  if (has("every") && (has("times") || !(scene.wants("events") || scene.wants("trajectory"))))
+  if (scene.has("every") &&
+      (scene.has("times") || !(scene.wants("events") || scene.wants("trajectory"))))
     refuse_key(scene, "every", "there is nothing to leave out",
                "with the output events, or with trajectory but no times");
   const std::size_t bodies = scene.kind == Kind::three_body ? 3 : 2;
@@ -121,15 +121,14 @@ void lay_out_chain(Scene& scene) {
 
 /// What the file leaves out: the first two bodies touch at 0, and the first one moves.
 void lay_out(Scene& scene) {
-  const auto has = [&](const std::string& key) { return scene.lines.count(key) != 0; };
-  if (scene.kind == Kind::wall && !has("left_wall") && !has("right_wall"))
+  if (scene.kind == Kind::wall && !scene.has("left_wall") && !scene.has("right_wall"))
     scene.right_wall = scene.L;
-  if (!has("positions") && scene.kind == Kind::chain) lay_out_chain(scene);
-  if (!has("positions") && scene.kind != Kind::chain) {
+  if (!scene.has("positions") && scene.kind == Kind::chain) lay_out_chain(scene);
+  if (!scene.has("positions") && scene.kind != Kind::chain) {
     scene.positions = {value_of(0), value_of(0)};
     if (scene.kind == Kind::three_body) scene.positions.push_back(scene.L);
   }
-  if (!has("velocities")) {
+  if (!scene.has("velocities")) {
     scene.velocities.assign(scene.masses.size(), value_of(0));
     scene.velocities[0] = scene.V;
   }
@@ -146,7 +145,7 @@ void check_meaning(const Scene& scene) {
   if (!found) return;
   for (const auto& [key, member] : std::initializer_list<std::pair<const char*, const char*>>{
            {"alpha", "masses"}, {"mass_ratio", "masses"}, {"L", "positions"}})
-    if (found->key == member && scene.lines.count(key) != 0 && scene.lines.count(member) == 0)
+    if (found->key == member && scene.has(key) && !scene.has(member))
       refuse_key(scene, key, found->what, found->allowed);
   refuse_key(scene, found->key, found->what, found->allowed);
 }
@@ -161,7 +160,7 @@ Scene parse_scene(std::string_view text, const std::string& source) {
     scene.lines.emplace(name.str(), static_cast<std::int64_t>(name.source().begin.line));
   for (const Key& key : keys()) {
     if (key.name == "title") check_names(scene);  // the kind is read
-    if (const toml::node* node = table.get(key.name)) key.read(*node, scene, key.name);
+    if (const toml::node* node = table.get(key.name)) key.read({*node, scene, key.name});
   }
   check_together(scene);
   lay_out(scene);

@@ -13,8 +13,7 @@ bool Scene::wants(const std::string& output) const {
 }
 
 std::string body_name(const Scene& scene, std::size_t body) {
-  if (scene.lines.count("blocks") != 0)
-    return (body % 2 == 0 ? "A_" : "C_") + std::to_string(body / 2 + 1);
+  if (scene.has("blocks")) return (body % 2 == 0 ? "A_" : "C_") + std::to_string(body / 2 + 1);
   if (scene.kind == Kind::chain) return std::to_string(body + 1);
   const std::size_t from_A = scene.kind == Kind::wall && scene.left_wall ? 1 - body : body;
   return from_A == 0 ? "A" : from_A == 1 ? "C" : "B";

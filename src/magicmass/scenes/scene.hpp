@@ -40,6 +40,8 @@ struct Scene {
   std::map<std::string, std::int64_t> lines;  ///< of the keys that the file has
 
   bool wants(const std::string& output) const;
+  /// Whether the file has this key.
+  bool has(const std::string& key) const { return lines.count(key) != 0; }
 };
 
 /// Reads a file of at most a mebibyte. What is no scene, or has no meaning, is refused: throws

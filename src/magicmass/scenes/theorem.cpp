@@ -64,7 +64,8 @@ std::optional<Seen<Motion>> Seen<Motion>::of(const Scene& scene) {
 
 template <class Motion>
 Result by_theorem(const Seen<Motion>& seen, std::optional<std::int64_t> collisions) {
-  const auto& [motion, is_mirrored] = seen;
+  const Motion& motion = seen.motion;
+  const bool is_mirrored = seen.is_mirrored;
   Result result;
   result.events = collisions.value_or(0);
   result.counts = motion.counts(result.events);

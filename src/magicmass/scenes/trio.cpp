@@ -24,15 +24,6 @@ Ball ball_of(const Value& value) {
     return generated::deficient_closed<Ball>(number(deficient->k)).beta_;
   return ball_of(*value.exact());
 }
-Ball power(const Ball& base, std::int64_t exponent) {
-  Ball result = 1;
-  Ball square = base;
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 == 1) result = result * square;
-    square = square * square;
-  }
-  return result;
-}
 [[noreturn]] void too_many() {
   throw Undecided("there are more than 2^62 collisions; possible: masses that are less far apart");
 }
