@@ -10,7 +10,7 @@
 namespace answers {
 
 struct Figure {
-  std::string name, title, description;
+  std::string name;
   Table (*data)();
 };
 /// All figures, in the order of the paper.

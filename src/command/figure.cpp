@@ -16,22 +16,25 @@ namespace {
 
 using answers::Figure;
 
-/// In the units of SVG, from the script's line "# size WIDTH HEIGHT".
-std::pair<int, int> size_of(const std::string& script) {
-  std::pair<int, int> size{600, 440};
-  const std::string begin = "\n# size ";
-  const std::size_t line = script.find(begin);
-  if (line != std::string::npos)
-    std::istringstream(script.substr(line + begin.size())) >> size.first >> size.second;
-  return size;
+std::string script_of(const std::string& figure) { return embedded("figures/" + figure + ".gp"); }
+
+/// What a script says of its figure in lines "# KEY ...": title, description, size.
+std::string told(const std::string& script, const std::string& key) {
+  const std::string begin = "# " + key + " ";
+  std::istringstream lines(script);
+  std::string text, line;
+  while (std::getline(lines, line))
+    if (line.starts_with(begin)) text += (text.empty() ? "" : " ") + line.substr(begin.size());
+  return text;
 }
 
-std::string script_of(const std::string& name, const std::string& data, const std::string& format) {
-  const std::string script = embedded("figures/" + name + ".gp");
-  const auto [width, height] = size_of(script);
-  const auto size = [&, w = width, h = height](double scale, const std::string& unit) {
+std::string with_data(const std::string& script, const std::string& data,
+                      const std::string& format) {
+  int width = 600, height = 440;  // in the units of SVG
+  std::istringstream(told(script, "size")) >> width >> height;
+  const auto size = [&](double scale, const std::string& unit) {
     std::ostringstream text;
-    text << " size " << scale * w << unit << "," << scale * h << unit << " ";
+    text << " size " << scale * width << unit << "," << scale * height << unit << " ";
     return text.str();
   };
   const std::string terminal =
@@ -53,7 +56,7 @@ std::string dateless(std::string pdf) {
   return pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
 }
 /// gnuplot's own title and description, which name its version, give way to the figure's.
-std::string described(std::string svg, const Figure& figure) {
+std::string described(std::string svg, const std::string& script) {
   const std::string last = "</desc>";
   const std::size_t begin = svg.find("<title>");
   const std::size_t end = svg.find(last);
@@ -61,8 +64,8 @@ std::string described(std::string svg, const Figure& figure) {
   if (root > begin || begin > end || end == std::string::npos)
     throw std::runtime_error("figure: gnuplot wrote an SVG without a title and a description");
   svg.replace(begin, end + last.size() - begin,
-              "<title id=\"title\">" + figure.title + "</title>\n<desc id=\"desc\">" +
-                  figure.description + "</desc>");
+              "<title id=\"title\">" + told(script, "title") + "</title>\n<desc id=\"desc\">" +
+                  told(script, "description") + "</desc>");
   return svg.insert(root + 4, " role=\"img\" aria-labelledby=\"title desc\"");
 }
 
@@ -71,8 +74,9 @@ std::string described(std::string svg, const Figure& figure) {
 std::string picture(const Figure& figure, const answers::Table& data, const std::string& format) {
   std::string rows = answers::written(data, answers::Format::csv);
   if (format == "csv") return rows;
-  const std::string drawing = drawn(script_of(figure.name, rows, format));
-  return format == "svg"   ? described(drawing, figure)
+  const std::string script = script_of(figure.name);
+  const std::string drawing = drawn(with_data(script, rows, format));
+  return format == "svg"   ? described(drawing, script)
          : format == "pdf" ? dateless(drawing)
                            : drawing;
 }
@@ -84,7 +88,7 @@ answers::Answer figure(const answers::Request& request) {
   std::string list;
   for (const Figure& f : all) {
     names.push_back(f.name);
-    list += f.name + ": " + f.title + "\n";
+    list += f.name + ": " + told(script_of(f.name), "title") + "\n";
   }
   if (request.has("list")) return {{}, list};
   if (request.words.size() != 1)

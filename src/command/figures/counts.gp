@@ -1,4 +1,8 @@
 # N_A and N_B against alpha; columns alpha, N_A, N_B: a row a step.
+# title Numbers of collisions N_A and N_B against the mass ratio
+# description Two falling staircases over alpha from 0.01 to 2, on a logarithmic axis: N_A (thin,
+# description black) becomes k at the magic ratio alpha_k, N_B (thick, grey) at the deficient ratio
+# description beta_k.
 set logscale x
 set xlabel 'mass ratio α = m/M'
 set ylabel 'number of collisions' offset 1

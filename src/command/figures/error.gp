@@ -1,4 +1,9 @@
 # Errors against alpha; columns alpha, threshold, envelope, naive, tangent, fast, accurate.
+# title Error of a_t against the mass ratio
+# description Errors in ulp over alpha from 0.03 to 1.1, both axes logarithmic: what rounding alpha
+# description alone would cost (line) rises to a peak at every magic ratio; accurate (dots) stays
+# description below half an ulp, fast (crosses) below four times the line; naive and tangent are
+# description above. Vertical lines are thresholds.
 set logscale xy
 set xlabel 'mass ratio α = m/M'
 set ylabel 'error of a_t / ulp'

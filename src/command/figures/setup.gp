@@ -1,4 +1,7 @@
 # The three bodies before the first collision; columns body, x, v: a row a body.
+# title The initial state of the three bodies
+# description Three bodies on a line: block A of mass M at the left moves to the right with velocity
+# description V, the ball C of mass m = alpha M rests at x = 0, block B of mass M rests at x = L.
 # size 600 200
 set xrange [-1.5:1.5]
 set yrange [-0.36:0.46]

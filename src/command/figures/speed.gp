@@ -1,4 +1,7 @@
 # Time against largest error; columns evaluator, max_ulp, ns: a point each, its name beside it.
+# title Time of one evaluation against its largest error
+# description A point for each implementation of the velocities on everyday inputs, both axes
+# description logarithmic: slower ones are to the right, less accurate ones above.
 # size 800 560
 set logscale xy
 set xlabel 'time of one evaluation on everyday inputs / ns'

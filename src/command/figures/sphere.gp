@@ -1,4 +1,8 @@
 # V_n on the unit sphere, seen from outside; columns part (V_n or circle), n, a, b, sqrt(alpha) c'.
+# title V_n turning about its axis on the unit sphere
+# description A sphere with the axes a, b and sqrt(alpha) c'. At the magic ratio alpha_5 the tips of
+# description V_0 to V_5 (dots) lie on one circle about an axis (arrow), each a turn by psi from the
+# description one before: from the tip of a, where A has everything, to that of b, where B has.
 # size 600 560
 unset key
 unset border

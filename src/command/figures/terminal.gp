@@ -1,4 +1,8 @@
 # a_t, b_t and c_t against alpha; columns alpha, a_t, b_t, c_t.
+# title Terminal velocities against the mass ratio
+# description Three curves over alpha from 0 to 1.2: b_t (solid) reaches V at every magic ratio,
+# description where c_t (dashed) and a_t (dotted) are 0, and falls to c_t at every deficient ratio;
+# description a_t is never positive.
 set xlabel 'mass ratio α = m/M'
 set ylabel 'terminal velocity / V'
 set xrange [0:1.2]

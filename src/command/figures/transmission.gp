@@ -1,4 +1,9 @@
 # rho against alpha; columns alpha, rho for e = 1, 0.9, 0.8, 0.7.
+# title Energy transmission rho against the mass ratio
+# description Four curves over alpha from 0 to 1.2, lower for lower restitution: e = 1 (solid) has
+# description its maxima 1 at the magic ratios; e = 0.9 (dashed), 0.8 (dash-dotted) and 0.7 (dotted)
+# description have theirs further to the right but for the one at alpha = 1. Where collisions never
+# description end there is no curve.
 set xlabel 'mass ratio α = m/M'
 set ylabel 'energy transmission ρ'
 set xrange [0:1.2]
