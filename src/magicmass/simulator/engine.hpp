@@ -50,13 +50,7 @@ class Engine {
 public:
   /// Throws std::invalid_argument for a line with a fault.
   explicit Engine(const Line<Scalar>& line)
-      : e_(line.restitution),
-        has_left_wall_(line.left_wall),
-        has_right_wall_(line.right_wall),
-        is_rounded_(line.is_rounded),
-        has_rounded_velocities_(line.has_rounded_velocities),
-        due_(line.masses.size() + 1),
-        margin_(line) {
+      : line_(line), e_(line.restitution), due_(line.masses.size() + 1), margin_(line) {
     if (const auto found = fault(line))
       throw std::invalid_argument(found->key + ": " + found->what + "; allowed: " + found->allowed);
     const Scalar zero(0);
@@ -117,11 +111,8 @@ private:
   // Gap g is between g and g + 1. First and last are walls, which are there or not; their mass is
   // infinite in floating point and matters in no exact field.
   std::vector<MovingBody<Scalar>> all_;
+  Line<Scalar> line_;  // as it was at time 0
   Scalar e_;
-  bool has_left_wall_;
-  bool has_right_wall_;
-  bool is_rounded_;
-  bool has_rounded_velocities_;
   DueTimes<Scalar> due_;
   RoundingMargin<Scalar> margin_;
   Scalar now_{0};
@@ -134,7 +125,7 @@ private:
 
   /// Are there two to meet?
   bool closes(std::size_t gap) const {
-    return (gap > 0 || has_left_wall_) && (gap + 2 < all_.size() || has_right_wall_);
+    return (gap > 0 || line_.left_wall) && (gap + 2 < all_.size() || line_.right_wall);
   }
   bool has_wall(std::size_t gap) const { return gap == 0 || gap + 2 == all_.size(); }
   Scalar place(std::size_t i, const Scalar& time) const {
@@ -188,17 +179,12 @@ private:
 
   void meet(std::size_t gap) {
     note_error(gap);
-    MovingBody<Scalar>& left = all_[gap];
-    MovingBody<Scalar>& right = all_[gap + 1];
     const Scalar where = meeting_place(gap);
-    put(left, where);
-    put(right, where);
-    if (has_wall(gap)) {
-      left.velocity = Scalar(0) - e_ * left.velocity;  // one of the two is 0 and stays 0
-      right.velocity = Scalar(0) - e_ * right.velocity;
-    } else {
-      collide(left, right, e_);
+    for (MovingBody<Scalar>* body : {&all_[gap], &all_[gap + 1]}) {
+      put(*body, where);
+      if (has_wall(gap)) body->velocity = Scalar(0) - e_ * body->velocity;  // a wall's stays 0
     }
+    if (!has_wall(gap)) collide(all_[gap], all_[gap + 1], e_);
     tell(gap);
   }
   /// Gaps `gap` and gap + 1, mirror images of each other.
@@ -237,7 +223,7 @@ private:
 
   void note_error([[maybe_unused]] std::size_t gap) {
     if constexpr (rounds) {
-      const bool is_swap = all_[gap].mass == all_[gap + 1].mass && !is_rounded_;
+      const bool is_swap = all_[gap].mass == all_[gap + 1].mass && !line_.is_rounded;
       const bool only_turns = e_ == Scalar(1) && (has_wall(gap) || is_swap);
       margin_.add_collision(now_, sides(gap), !only_turns);
     }
@@ -248,7 +234,8 @@ private:
   /// Do the two approach, or is that only rounding? What was never met moves as it was told to.
   void note_near_rest([[maybe_unused]] std::size_t gap) {
     if constexpr (rounds) {
-      const bool may_be_off = has_rounded_velocities_ || all_[gap].was_met || all_[gap + 1].was_met;
+      const bool may_be_off =
+          line_.has_rounded_velocities || all_[gap].was_met || all_[gap + 1].was_met;
       if (may_be_off && margin_.reaches_rest(sides(gap))) note_near();
     }
   }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The motion step by step: known events, conservation, and what floating point cannot tell.
+// The motion step by step: known events, and what floating point cannot tell.
 #include "magicmass/simulator/three_bodies.hpp"
-
-#include <random>
-#include <vector>
 
 #include <cln/rational.h>
 
@@ -17,9 +14,7 @@ namespace {
 template <class Scalar>
 int run(ThreeBodies<Scalar>& motion) {
   int collisions = 0;
-  while (motion.step()) {
-    ++collisions;
-  }
+  while (motion.step()) ++collisions;
   return collisions;
 }
 
@@ -50,26 +45,6 @@ TEST_CASE("alpha = 1/3: first collisions by hand", "[exam]") {
   CHECK(motion.bodies()[2].velocity == cl_RA(3) / 4);
 }
 
-TEST_CASE("momentum and energy stay, and bodies keep their order", "[check]") {
-  std::mt19937_64 random(6);
-  for (int i = 0; i < 30; ++i) {
-    const cl_RA alpha =
-        cl_RA(static_cast<long>(1 + random() % 9)) / static_cast<long>(1 + random() % 90);
-    ThreeBodies<cl_RA> motion(alpha);
-    cl_RA before = -1;
-    while (const auto event = motion.step()) {
-      const auto& [A, C, B] = motion.bodies();
-      CHECK(A.velocity + alpha * C.velocity + B.velocity == 1);
-      CHECK(A.velocity * A.velocity + alpha * C.velocity * C.velocity + B.velocity * B.velocity ==
-            1);
-      CHECK((A.position <= C.position && C.position <= B.position));
-      CHECK(event->time > before);
-      before = event->time;
-    }
-    CHECK(motion.near_ties() == 0);
-  }
-}
-
 TEST_CASE("near ties are told at thresholds and not away from them", "[exam]") {
   ThreeBodies<double> equal(1.0);
   CHECK(run(equal) == 2);
@@ -95,9 +70,8 @@ TEST_CASE("equal masses swap velocities without rounding", "[exam]") {
 
 TEST_CASE("only positive finite mass ratios move", "[exam]") {
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {0.0, -1.0, infinity, infinity - infinity}) {
+  for (const double bad : {0.0, -1.0, infinity, infinity - infinity})
     CHECK_THROWS_AS(ThreeBodies<double>(bad), std::invalid_argument);
-  }
   CHECK_THROWS_AS(ThreeBodies<cl_RA>(0), std::invalid_argument);
   CHECK_NOTHROW(ThreeBodies<double>(std::numeric_limits<double>::max()));
   CHECK_NOTHROW(ThreeBodies<double>(std::numeric_limits<double>::denorm_min()));
