@@ -115,7 +115,7 @@ std::optional<Result> theorem(const Scene& scene, bool has_exact) {
   const auto N = trio->motion.count();
   if (N && (scene.is_exact || scene.max_events.value_or(*N) < *N)) return {};
   const bool is_exact = N && has_exact && *N <= few;
-  Result result = is_exact ? motion<Quadratic>(scene, few, {}) : by_theorem(*trio, N);
+  Result result = is_exact ? motion<Quadratic>(scene, few, {}) : trio->after(N);
   result.plan = {"theorem", is_exact, "one body meets a ball at rest before a block or a wall"};
   return result;
 }
@@ -133,7 +133,7 @@ std::optional<Result> transfers(const Scene& scene, bool has_exact) try {
   if (!cradle) return {};
   const std::int64_t limit = most_events(scene), events = within(cradle->motion, scene);
   const bool is_exact = has_exact && events <= few;
-  Result result = is_exact ? motion<Quadratic>(scene, limit, {}) : by_theorem(*cradle, events);
+  Result result = is_exact ? motion<Quadratic>(scene, limit, {}) : cradle->after(events);
   if (!is_exact && cradle->motion.count() != events) {
     const bool is_limit = events == limit;
     result.status = Status::limited;
@@ -200,12 +200,12 @@ void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
   }
   if (plan.model == "transfers") {
     const auto cradle = Seen<Cradle>::of(scene);
-    return stream_by_theorem(*cradle, within(cradle->motion, scene), sink);
+    return cradle->stream(within(cradle->motion, scene), sink);
   }
   if (plan.model == "theorem") {
     const auto trio = Seen<Trio>::of(scene);
     const auto N = trio->motion.count();
-    if (N && *N <= many) return stream_by_theorem(*trio, *N, sink);
+    if (N && *N <= many) return trio->stream(*N, sink);
     limit = N.value_or(limit);
   }
   motion<double>(scene, limit, sink);

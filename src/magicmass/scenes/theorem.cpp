@@ -63,49 +63,44 @@ std::optional<Seen<Motion>> Seen<Motion>::of(const Scene& scene) {
 }
 
 template <class Motion>
-Result by_theorem(const Seen<Motion>& seen, std::optional<std::int64_t> collisions) {
-  const Motion& motion = seen.motion;
-  const bool is_mirrored = seen.is_mirrored;
+Result Seen<Motion>::after(std::optional<std::int64_t> collisions) const {
   Result result;
   result.events = collisions.value_or(0);
   result.counts = motion.counts(result.events);
   if (is_mirrored) std::reverse(result.counts.begin(), result.counts.end());
   result.status = collisions ? Status::complete : Status::collapse;
+  const std::size_t bodies = motion.bodies(), last = is_mirrored ? 0 : bodies - 1;
   const std::vector<double> numbers = certain([&] {
     const auto s = motion.shape();
-    std::vector<Ball> masses = motion.masses(s), at_end = motion.velocities(s, result.events);
-    const Ball before = energy(masses, motion.velocities(s, 0));
-    std::vector<Ball> all;
+    const std::vector<Ball> masses = motion.masses(s);
+    std::vector<Ball> all = motion.velocities(s, result.events), end;
     if constexpr (std::same_as<Motion, Trio>) {
       if (!collisions) {
-        const Trio::Collapse end = motion.collapse(s);
-        at_end.assign(masses.size(), end.velocity);
-        all = {end.time, is_mirrored ? -end.position : end.position};
+        const Trio::Collapse c = motion.collapse(s);
+        all.assign(bodies, c.velocity);
+        end = {c.time, is_mirrored ? -c.position : c.position};
       }
     }
-    if (is_mirrored) turn(at_end);
-    if (is_mirrored) std::reverse(masses.begin(), masses.end());
-    const Ball of_last = energy({masses.back()}, {at_end.back()});
-    all.insert(all.end(), {before, energy(masses, at_end), of_last / before});
-    all.insert(all.end(), at_end.begin(), at_end.end());
+    const Ball before = energy(masses, motion.velocities(s, 0)), after = energy(masses, all);
+    const Ball of_last = energy({masses[last]}, {all[last]});
+    if (is_mirrored) turn(all);
+    all.insert(all.end(), {before, after, of_last / before});
+    all.insert(all.end(), end.begin(), end.end());
     return all;
   });
-  std::size_t next = 0;
-  if (!collisions) {
-    result.collapse_time = numbers[next++];
-    result.collapse_position = numbers[next++];
-    result.known_until = result.collapse_time;
-  }
-  result.energy_before = numbers[next++];
-  result.energy = numbers[next++];
-  result.transmitted = numbers[next++];
-  for (; next < numbers.size(); ++next) result.terminal.emplace_back(numbers[next]);
+  const auto next = numbers.begin() + static_cast<std::ptrdiff_t>(bodies);
+  result.terminal.assign(numbers.begin(), next);
+  result.energy_before = next[0];
+  result.energy = next[1];
+  result.transmitted = next[2];
+  if (collisions) return result;
+  result.collapse_time = result.known_until = next[3];
+  result.collapse_position = next[4];
   return result;
 }
 
 template <class Motion>
-void stream_by_theorem(const Seen<Motion>& seen, std::int64_t collisions, const Sink& sink) {
-  const auto& motion = seen.motion;
+void Seen<Motion>::stream(std::int64_t collisions, const Sink& sink) const {
   constexpr int enough_bits = 192;
   Ball::set_bits(enough_bits);
   auto shape = motion.shape();
@@ -129,7 +124,7 @@ void stream_by_theorem(const Seen<Motion>& seen, std::int64_t collisions, const 
     const std::array<double, 3> of_place = is_known ? first[again] : std::array{n[1], n[2], n[3]};
     if (again == first.size() && again < most_kept) first.push_back(of_place);
     const auto [position, v_left, v_right] = of_place;
-    if (seen.is_mirrored)
+    if (is_mirrored)
       sink({j + 1, motion.bodies() - motion.gap(j), n[0], -position, -v_right, -v_left});
     else
       sink({j + 1, motion.gap(j), n[0], position, v_left, v_right});
@@ -142,9 +137,5 @@ double time_by_theorem(const Cradle& cradle, std::int64_t j) {
 
 template struct Seen<Trio>;
 template struct Seen<Cradle>;
-template Result by_theorem(const Seen<Trio>&, std::optional<std::int64_t>);
-template Result by_theorem(const Seen<Cradle>&, std::optional<std::int64_t>);
-template void stream_by_theorem(const Seen<Trio>&, std::int64_t, const Sink&);
-template void stream_by_theorem(const Seen<Cradle>&, std::int64_t, const Sink&);
 
 }  // namespace magicmass::scenes

@@ -15,16 +15,13 @@ struct Seen {
 
   /// Nothing where the scene is neither.
   static std::optional<Seen> of(const Scene& scene);
+  /// All but the plan after so many collisions, or after infinitely many of a trio; each number the
+  /// nearest double. Throws Undecided where that is not certain with the bits that are allowed,
+  /// std::domain_error where masses are too far apart.
+  Result after(std::optional<std::int64_t> collisions) const;
+  /// So many collisions, each number the nearest double.
+  void stream(std::int64_t collisions, const Sink& sink) const;
 };
-
-/// All but the plan after so many collisions, or after infinitely many of a trio; each number the
-/// nearest double. Throws Undecided where that is not certain with the bits that are allowed,
-/// std::domain_error where masses are too far apart.
-template <class Motion>
-Result by_theorem(const Seen<Motion>& seen, std::optional<std::int64_t> collisions);
-/// The collisions, each number the nearest double.
-template <class Motion>
-void stream_by_theorem(const Seen<Motion>& seen, std::int64_t collisions, const Sink& sink);
 
 /// When collision j takes place, the nearest double.
 double time_by_theorem(const Cradle& cradle, std::int64_t j);
