@@ -12,11 +12,6 @@ using namespace magicmass::scenes;
 using notation::Alpha;
 using notation::Magic;
 
-double double_of(const Number& number) {
-  const auto* value = std::get_if<double>(&number);
-  return value != nullptr ? *value : std::get<Quadratic>(number).to_double().value();
-}
-
 /// The time and the places of all bodies, at the start, at each collision and at the end.
 using Places = std::vector<std::vector<double>>;
 
@@ -31,8 +26,8 @@ Places places(const std::string& text) {
   });
   Places all;
   trajectory(scene, result, [&](const Point& point) {
-    if (point.body == 0) all.push_back({double_of(point.time) - 1});
-    all.back().push_back(double_of(point.position));
+    if (point.body == 0) all.push_back({double_of(point.time).value() - 1});
+    all.back().push_back(double_of(point.position).value());
   });
   return all;
 }

@@ -37,10 +37,9 @@ Asked asked(const Request& request, const std::string& command) {
 
 /// A double, or an exact number where those are asked for.
 Cell number_cell(const Number& number, bool exact) {
-  if (const auto* value = std::get_if<double>(&number)) return real_cell(*value);
-  const Quadratic& value = std::get<Quadratic>(number);
-  if (exact) return exact_cell(value.text());
-  const auto rounded = value.to_double();
+  const auto* value = std::get_if<Quadratic>(&number);
+  if (exact && value != nullptr) return exact_cell(value->text());
+  const auto rounded = double_of(number);
   return rounded ? real_cell(*rounded) : missing_cell();
 }
 
@@ -48,10 +47,8 @@ Cell number_cell(const Number& number, bool exact) {
 Cell short_cell(const Number& number, bool exact) {
   const Cell cell = number_cell(number, exact);
   if (exact || cell.text.size() < 11) return cell;
-  const auto* value = std::get_if<double>(&number);
   std::array<char, 32> digits{};
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(),
-                                  value ? *value : *std::get<Quadratic>(number).to_double(),
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), *double_of(number),
                                   std::chars_format::general, 8)
                         .ptr;
   return {std::string(digits.data(), end), cell.json};
@@ -114,31 +111,28 @@ Fields head_fields(const Asked& asked) {
   const Result& result = asked.result;
   const Scene& scene = asked.scene;
   const bool exact = asked.scene.is_exact;
-  const std::string words = result.plan.model + ": " + result.plan.reason;
-  const Cell plan{words, written(table_of(plan_fields(result)), Format::json)};
-  Fields fields{{{"status", Type::text, "", "complete, limited or collapse"},
-                 text_cell(status_name(result.status))}};
-  if (!result.why.empty())
-    fields.push_back({{"why", Type::text, "", "it is limited"}, text_cell(result.why)});
-  fields.push_back({{"plan", Type::text, "", "model, reason, number of collisions"}, plan});
-  fields.back().second.json.pop_back();  // a line feed
-  if (result.collapse_time) {
-    fields.push_back({{"collapse", Type::real, "", "when and where collisions come to an end"},
-                      object_cell({{"time", number_cell(*result.collapse_time, exact)},
-                                   {"position", number_cell(*result.collapse_position, exact)}})});
-  }
-  if (scene.wants("counts"))
-    fields.push_back({{"counts", Type::whole, "", "collisions"}, counts_cell(scene, result)});
-  if (scene.wants("terminal")) {
-    fields.push_back(
-        {{"terminal", Type::real, "", "velocities at the end; rho: B's part of energy"},
-         terminal_cell(scene, result, exact)});
-  }
-  if (scene.wants("energy")) {
-    const Cell energy = object_cell({{"before", number_cell(result.energy_before, exact)},
-                                     {"after", number_cell(result.energy, exact)}});
-    fields.push_back({{"energy", Type::real, "", "kinetic"}, energy});
-  }
+  Cell plan{result.plan.model + ": " + result.plan.reason,
+            written(table_of(plan_fields(result)), Format::json)};
+  plan.json.pop_back();  // a line feed
+  Fields fields;
+  const auto add = [&](const char* name, Type type, const char* words, const Cell& cell) {
+    fields.push_back({{name, type, "", words}, cell});
+  };
+  const auto shown = [&](const Number& number) { return number_cell(number, exact); };
+  add("status", Type::text, "complete, limited or collapse", text_cell(status_name(result.status)));
+  if (!result.why.empty()) add("why", Type::text, "it is limited", text_cell(result.why));
+  add("plan", Type::text, "model, reason, number of collisions", plan);
+  if (result.collapse_time)
+    add("collapse", Type::real, "when and where collisions come to an end",
+        object_cell({{"time", shown(*result.collapse_time)},
+                     {"position", shown(*result.collapse_position)}}));
+  if (scene.wants("counts")) add("counts", Type::whole, "collisions", counts_cell(scene, result));
+  if (scene.wants("terminal"))
+    add("terminal", Type::real, "velocities at the end; rho: B's part of energy",
+        terminal_cell(scene, result, exact));
+  if (scene.wants("energy"))
+    add("energy", Type::real, "kinetic",
+        object_cell({{"before", shown(result.energy_before)}, {"after", shown(result.energy)}}));
   return fields;
 }
 

@@ -55,20 +55,22 @@ cln::cl_RA fraction_of(const Alpha& alpha, const cln::cl_I& cycles) {
   if (!is_fraction(alpha))
     throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
                        " are no fractions; add --digits D");
-  const cln::cl_RA q = exact_of(alpha);
-  const auto length =
-      cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
-  const cln::cl_I bits = 2 * cycles * static_cast<long long>(length);
-  if (bits > longest) {
+  const auto length = static_cast<long long>(value_of(alpha).exact()->bits());
+  const cln::cl_I bits = 2 * cycles * length;
+  if (bits > longest)
     throw Undecided("exact fractions after " + kernel::digits(cycles) + " cycles would have some " +
                     kernel::digits(bits) + " bits; add --digits D");
-  }
-  return q;
+  return exact_of(alpha);
 }
 Row exact_cells(const std::vector<cln::cl_RA>& values) {
   Row row;
   for (const cln::cl_RA& value : values) row.push_back(exact_cell(kernel::digits(value)));
   return row;
+}
+
+Row count_cells(const Alpha& alpha, const LargeCounts& counts) {
+  return {alpha_cell(alpha), whole_cell(kernel::digits(counts.N_A)),
+          whole_cell(kernel::digits(counts.N_B))};
 }
 
 /// What eval and terminal are asked.
@@ -135,18 +137,15 @@ std::vector<Column> count_columns() {
 
 Answer count(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
-  const LargeCounts counts = count_collisions(alpha);
-  return answer(count_columns(), {alpha_cell(alpha), whole_cell(kernel::digits(counts.N_A)),
-                                  whole_cell(kernel::digits(counts.N_B))});
+  return answer(count_columns(), count_cells(alpha, count_collisions(alpha)));
 }
 
 std::vector<Column> terminal_columns() {
   std::vector<Column> columns = count_columns();
-  for (const Column& more : {Column{"a_t", Type::real, "V", "A's terminal velocity"},
-                             Column{"b_t", Type::real, "V", "B's terminal velocity"},
-                             Column{"c_t", Type::real, "V", "the ball's terminal velocity"},
-                             Column{"rho", Type::real, "1", "B's share of the energy"}})
-    columns.push_back(more);
+  columns.insert(columns.end(), {{"a_t", Type::real, "V", "A's terminal velocity"},
+                                 {"b_t", Type::real, "V", "B's terminal velocity"},
+                                 {"c_t", Type::real, "V", "the ball's terminal velocity"},
+                                 {"rho", Type::real, "1", "B's share of the energy"}});
   return columns;
 }
 
@@ -214,10 +213,7 @@ Answer terminal(const Request& request) {
   } else {
     four = rounded([&] { return answers::terminal(in.alpha, in.counts); }, in.digits);
   }
-  return answer(
-      terminal_columns(),
-      {alpha_cell(in.alpha), whole_cell(kernel::digits(N_A)), whole_cell(kernel::digits(N_B))},
-      four);
+  return answer(terminal_columns(), count_cells(in.alpha, in.counts), four);
 }
 
 std::vector<Column> ratios_columns() {

@@ -34,12 +34,6 @@ bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
   return false;
 }
 
-/// The collisions from..to of a trio, which begins with that at its left gap.
-void add_counts(std::int64_t* gaps, std::int64_t from, std::int64_t to) {
-  gaps[0] += (to + 1) / 2 - (from + 1) / 2;
-  gaps[1] += to / 2 - from / 2;
-}
-
 }  // namespace
 
 std::optional<Cradle> Cradle::of(const Places& places) {
@@ -174,14 +168,11 @@ std::vector<std::int64_t> Cradle::counts(std::int64_t collisions) const {
   const std::int64_t out = std::min(of_round, way_), back = std::max(of_round - way_ - 1, {});
   std::vector<std::int64_t> all(bodies() + 1);
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const std::int64_t N = 2 * pairs_[i].k;
-    const auto of_pair = [&](std::int64_t of_way) {
-      return std::clamp(of_way - pairs_[i].before, std::int64_t(0), N);
-    };
-    std::int64_t* const gaps = &all[2 * i + 1];
-    gaps[0] = gaps[1] = 2 * round * pairs_[i].k;
-    add_counts(gaps, 0, of_pair(out));
-    add_counts(gaps, of_pair(way_ - back), N);
+    const std::int64_t N = 2 * pairs_[i].k, before = pairs_[i].before;
+    const std::int64_t there = std::clamp(out - before, std::int64_t(0), N);
+    const std::int64_t here = std::clamp(back - (way_ - before - N), std::int64_t(0), N);
+    all[2 * i + 1] = round * N + (there + 1) / 2 + here / 2;  // out, the left gap is first
+    all[2 * i + 2] = round * N + there / 2 + (here + 1) / 2;
   }
   all.front() = round;
   all.back() = round + (of_round > way_ ? 1 : 0);

@@ -158,6 +158,11 @@ std::optional<Result> solved(const Scene& scene, bool has_exact) try {
 
 }  // namespace
 
+std::optional<double> double_of(const Number& number) {
+  const auto* value = std::get_if<double>(&number);
+  return value != nullptr ? std::optional(*value) : std::get<Quadratic>(number).to_double();
+}
+
 std::string status_name(Status status) {
   return status == Status::complete  ? "complete"
          : status == Status::limited ? "limited"

@@ -27,6 +27,8 @@ enum class Status { complete, limited, collapse };
 std::string status_name(Status status);
 
 using Number = std::variant<double, Quadratic>;
+/// It, or what is near it; nothing where that is infinite or subnormal.
+std::optional<double> double_of(const Number& number);
 
 /// What a scene comes to.
 struct Result {

@@ -31,7 +31,6 @@ Ball turn(std::int64_t j) { return j % 2 == 0 ? 1 : -1; }
 /// sqrt(e)^j
 Ball power_of(const Trio::Shape& s, std::int64_t j) {
   if (s.e.low() == 1) return 1;
-  if (j < 2) return j == 0 ? Ball(1) : sqrt(s.e);
   return j % 2 == 0 ? power(s.e, j / 2) : power(s.e, j / 2) * sqrt(s.e);
 }
 }  // namespace

@@ -6,10 +6,7 @@
 
 namespace magicmass::scenes {
 
-inline double number(const Number& value) {
-  if (const auto* exact = std::get_if<Quadratic>(&value)) return exact->to_double().value();
-  return std::get<double>(value);
-}
+inline double number(const Number& value) { return double_of(value).value(); }
 inline Scene scene_of(const std::string& text, bool is_exact = false) {
   Scene scene = parse_scene(text, "scene");
   scene.is_exact = is_exact;

@@ -157,7 +157,7 @@ TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[chec
 TEST_CASE("at the paper's ratios nothing is left over", "[exam]") {
   for (const int k : {1, 2, 30, 2000}) {
     const Result magic = result_of("alpha = 'magic:" + std::to_string(k) + "'");
-    CHECK(magic.events == 2 * k);
+    CHECK((magic.events == 2 * k && magic.status == Status::complete));
     CHECK((number(magic.terminal[0]) == 0 && number(magic.terminal[1]) == 0));
     CHECK((number(magic.terminal[2]) == 1 && number(magic.transmitted) == 1));
     CHECK(result_of("alpha = 'deficient:" + std::to_string(k) + "'").events == 2 * k + 1);
@@ -172,6 +172,7 @@ TEST_CASE("a wall gives digits of pi, however many", "[exam]") {
     CHECK(result.events == counts[d]);
   }
   CHECK(result_of(text + "18'").events == 3'141'592'653'589'793'238);
+  CHECK(result_of("kind = 'wall'\nalpha = '1/10000'").events == 314);
   for (const char* beyond : {"19'", "2000'"})
     CHECK_THROWS_AS(result_of(text + beyond), magicmass::Undecided);
 }
