@@ -40,45 +40,34 @@ std::vector<Alpha> alphas() {
 
 Table terminal_data() {
   Table table{named_columns({"alpha", "a_t", "b_t", "c_t"}), {}};
-  const auto add = [&](const Alpha& alpha) {
+  for (const Alpha& alpha : alphas()) {
     const LargeCounts counts = count_collisions(alpha);
     const Row v = rounded([&] { return terminal(alpha, counts); });
     table.rows.push_back({real_cell(nearest(alpha)), v[0], v[1], v[2]});
-  };
-  for (const Alpha& alpha : alphas()) add(alpha);
+  }
   return table;
 }
 
 Table transmission_data() {
   Table table{named_columns({"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"}), {}};
-  const std::vector<cln::cl_RA> restitutions{cln::cl_RA(9) / 10, cln::cl_RA(8) / 10,
-                                             cln::cl_RA(7) / 10};
   for (const Alpha& alpha : alphas()) {
-    const LargeCounts counts = count_collisions(alpha);
-    Row row{real_cell(nearest(alpha)),
-            rounded([&] { return Balls{terminal(alpha, counts)[3]}; })[0]};
-    for (const cln::cl_RA& e : restitutions) {
-      const Trio trio = with_restitution(alpha, e);
-      const auto N = trio.count();
-      row.push_back(N ? rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0] : missing_cell());
-    }
-    table.rows.push_back(row);
+    table.rows.push_back({real_cell(nearest(alpha))});
+    for (const int tenths : {10, 9, 8, 7})
+      table.rows.back().push_back(rho(alpha, cln::cl_RA(tenths) / 10));
   }
   return table;
 }
 
 Table counts_data() {
   Table table{named_columns({"alpha", "N_A", "N_B"}), {}};
-  const auto add = [&](const Alpha& alpha) {
-    const LargeCounts counts = count_collisions(alpha);
+  std::vector<Alpha> steps = thresholds_above(0.01);
+  steps.insert(steps.begin(), 2.0);
+  steps.emplace_back(0.01);
+  for (auto alpha = steps.rbegin(); alpha != steps.rend(); ++alpha) {
+    const LargeCounts counts = count_collisions(*alpha);
     const auto cell = [](const cln::cl_I& n) { return whole_cell(kernel::digits(n)); };
-    table.rows.push_back({real_cell(nearest(alpha)), cell(counts.N_A), cell(counts.N_B)});
-  };
-  std::vector<Alpha> thresholds = thresholds_above(0.01);
-  std::reverse(thresholds.begin(), thresholds.end());
-  add(Alpha(0.01));
-  for (const Alpha& alpha : thresholds) add(alpha);
-  add(Alpha(2.0));
+    table.rows.push_back({real_cell(nearest(*alpha)), cell(counts.N_A), cell(counts.N_B)});
+  }
   return table;
 }
 

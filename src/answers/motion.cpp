@@ -93,6 +93,12 @@ Balls terminal(const Trio& trio, std::int64_t N) {
   return {v[0], v[2], v[1], v[2] * v[2]};
 }
 
+Cell rho(const Alpha& alpha, const cl_RA& e) {
+  const Trio trio = with_restitution(alpha, e);
+  const auto N = trio.count();
+  return N ? rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0] : missing_cell();
+}
+
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {
   const auto cells = [&]() -> std::optional<Row> {
     Row row;

@@ -47,6 +47,9 @@ Trio with_restitution(const notation::Alpha& alpha, const cln::cl_RA& e);
 /// Its terminal a, b, c and rho after all of N collisions.
 Balls terminal(const Trio& trio, std::int64_t N);
 
+/// Its terminal rho, the nearest double; missing where the collisions never end.
+Cell rho(const notation::Alpha& alpha, const cln::cl_RA& e);
+
 /// Cells with the nearest doubles of what is computed, or with so many significant digits. Throws
 /// Undecided where more bits would be needed than are allowed.
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits = {});

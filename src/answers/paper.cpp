@@ -37,11 +37,10 @@ Range range_of(const Alpha& near) {
   throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
 }
 
-double rho(double alpha, const cln::cl_RA& e) {
-  const Trio trio = with_restitution(alpha, e);
-  const auto N = trio.count();
-  if (!N) throw InvalidInput("extremum: the collisions never end there");
-  return std::stod(rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0].text);
+double rho_at(double alpha, const cln::cl_RA& e) {
+  const Cell cell = rho(alpha, e);
+  if (cell.text.empty()) throw InvalidInput("extremum: the collisions never end there");
+  return std::stod(cell.text);
 }
 
 }  // namespace
@@ -64,8 +63,8 @@ Answer extremum(const Request& request) {
   auto [is_maximum, low, high] = range_of(near);
   while (high - low > 1e-9) {  // rho is flat at a maximum: nearer, its last bits decide
     const double third = (high - low) / 3;
-    const bool rises =
-        rho(low + third, std::get<cln::cl_RA>(e)) < rho(high - third, std::get<cln::cl_RA>(e));
+    const bool rises = rho_at(low + third, std::get<cln::cl_RA>(e)) <
+                       rho_at(high - third, std::get<cln::cl_RA>(e));
     (rises == is_maximum ? low : high) = rises == is_maximum ? low + third : high - third;
   }
   const double elastic = nearest(near);
