@@ -2,6 +2,8 @@
 // Scenes as text, and what they come to in doubles.
 #pragma once
 
+#include <array>
+
 #include "magicmass/scenes/run.hpp"
 
 namespace magicmass::scenes {
@@ -19,6 +21,17 @@ inline std::vector<Row> rows_of(const Scene& scene) {
   std::vector<Row> rows;
   stream(scene, run(scene).plan, [&](const Row& row) { rows.push_back(row); });
   return rows;
+}
+/// Gap, time, position, velocities after it.
+using Numbers = std::array<double, 5>;
+inline Numbers numbers(const Row& row) {
+  return {double(row.gap), number(row.time), number(row.position), number(row.v_left),
+          number(row.v_right)};
+}
+inline std::vector<Numbers> numbers_of(const Scene& scene) {
+  std::vector<Numbers> all;
+  for (const Row& row : rows_of(scene)) all.push_back(numbers(row));
+  return all;
 }
 
 }  // namespace magicmass::scenes

@@ -144,11 +144,9 @@ TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[chec
     stream(scene, result.plan, [&](const Row& row) {
       const Step& exact = rows[i++];
       INFO(row.number);
-      REQUIRE(row.gap == exact.left + 1);
-      REQUIRE(number(row.time) == near(exact.time));
-      REQUIRE(number(row.position) == near(exact.x));
-      REQUIRE(number(row.v_left) == near(exact.v_left));
-      REQUIRE(number(row.v_right) == near(exact.v_right));
+      const Numbers expected{double(exact.left + 1), near(exact.time), near(exact.x),
+                             near(exact.v_left), near(exact.v_right)};
+      REQUIRE(numbers(row) == expected);
     });
     CHECK(i == rows.size());
   }
