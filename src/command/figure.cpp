@@ -28,8 +28,7 @@ std::string told(const std::string& script, const std::string& key) {
   return text;
 }
 
-std::string with_data(const std::string& script, const std::string& data,
-                      const std::string& format) {
+std::string filled(const std::string& script, const std::string& data, const std::string& format) {
   int width = 600, height = 440;  // in the units of SVG
   std::istringstream(told(script, "size")) >> width >> height;
   const auto size = [&](double scale, const std::string& unit) {
@@ -75,7 +74,7 @@ std::string picture(const Figure& figure, const answers::Table& data, const std:
   std::string rows = answers::written(data, answers::Format::csv);
   if (format == "csv") return rows;
   const std::string script = script_of(figure.name);
-  const std::string drawing = drawn(with_data(script, rows, format));
+  const std::string drawing = drawn(filled(script, rows, format));
   return format == "svg"   ? described(drawing, script)
          : format == "pdf" ? dateless(drawing)
                            : drawing;
