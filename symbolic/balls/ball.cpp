@@ -78,6 +78,15 @@ Ball Ball::alternating(Ball term, const Ball& square, int first) {
 }
 Ball cos(const Ball& x) { return Ball::alternating(1, x * x, 0); }
 Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
+Ball power(const Ball& base, std::int64_t exponent) {
+  Ball result = 1;
+  Ball square = base;
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 == 1) result = result * square;
+    if (exponent > 1) square = square * square;
+  }
+  return result;
+}
 Ball sqrt(const Ball& x) {
   if (x.middle < x.radius) throw NotCertain("a root of what may be negative");
   cl_I root;
@@ -192,9 +201,7 @@ cl_RA exact(double value) {
   int exponent = 0;
   const double mantissa = std::frexp(value, &exponent);
   const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
-  const cl_RA q = cl_I(static_cast<long long>(whole));
-  const int shift = exponent - 53;
-  return shift >= 0 ? q * cln::ash(cl_I(1), shift) : q / cln::ash(cl_I(1), -shift);
+  return scaled(cl_I(static_cast<long long>(whole)), exponent - 53);
 }
 
 }  // namespace balls

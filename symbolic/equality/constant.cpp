@@ -52,14 +52,6 @@ private:
         throw NotCertain("a symbol without a value");
     }
   }
-  static Ball power(Ball base, int exponent) {
-    Ball out = 1;
-    for (; exponent > 0; exponent /= 2) {
-      if (exponent % 2 == 1) out = out * base;
-      if (exponent > 1) base = base * base;
-    }
-    return out;
-  }
 
   // The sign of what balls with these bits may not tell from 0.
   int sign(Expr e) {
