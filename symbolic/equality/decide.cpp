@@ -20,9 +20,13 @@ struct Value {
   std::optional<Ball> ball = {};  // nothing: no value, or not certain
   std::string why_none = {};      // where it is certain that there is none
 };
-Value value_at(Expr constant, int bits) {
+// x^y for real y is what it is for x >= 0 alone, though (-1)^2 is 1, too.
+Value value_at(const Point& point, Expr side, const std::vector<Requirement>& needs, int bits) {
   try {
-    return {.ball = enclosure(constant, bits)};
+    for (const Requirement& r : needs)
+      if (r.kind == Need::NotNegative && enclosure(at(point, r.term), bits).high() < 0)
+        return {.why_none = "a root or a real power of a negative number"};
+    return {.ball = enclosure(at(point, side), bits)};
   } catch (const NotDefined& none) {
     return {.why_none = none.what()};
   } catch (const NotCertain&) {
@@ -40,7 +44,7 @@ std::string shown(Expr constant) {
   } catch (const std::runtime_error&) {
   }
   for (int bits = 128; bits <= 8192; bits *= 2) {
-    const Value value = value_at(constant, bits);
+    const Value value = value_at({}, constant, {}, bits);
     if (!value.ball) continue;
     if (const auto text = balls::decimal(value.ball->low(), value.ball->high(), digits_shown))
       return *text;
@@ -56,10 +60,14 @@ std::string text(const Requirement& r) {
 class Question {
 public:
   Question(Expr the_left, Expr the_right, const Domain& the_domain)
-      : left(the_left), right(the_right), domain(the_domain) {
+      : left(the_left),
+        right(the_right),
+        domain(the_domain),
+        left_needs(requirements(left, domain)),
+        right_needs(requirements(right, domain)) {
     verdict.domain = texts(domain);
-    for (Expr side : {left, right})
-      for (const Requirement& r : requirements(side, domain)) needs.push_back(r);
+    needs = left_needs;
+    needs.insert(needs.end(), right_needs.begin(), right_needs.end());
   }
   Verdict answer() {
     if (is_different_somewhere()) return verdict;
@@ -81,8 +89,10 @@ private:
   Expr right;
   Domain domain;
   Verdict verdict;
-  std::vector<Requirement> needs;
-  std::vector<Point> common;  // where both sides have a value, and agree
+  std::vector<Requirement> left_needs;
+  std::vector<Requirement> right_needs;
+  std::vector<Requirement> needs;  // of both
+  std::vector<Point> common;       // where both sides have a value, and agree
 
   void found(const Point& point, const std::string& how) {
     verdict.answer = Answer::Different;
@@ -96,13 +106,11 @@ private:
     if (all.empty()) kernel::refuse("no point of the domain was found");
     std::string why_none;
     for (const Point& point : all) {
-      const Expr l = at(point, left);
-      const Expr r = at(point, right);
       Value a;
       Value b;
       for (int bits = 192; bits <= 3072; bits *= 4) {
-        a = value_at(l, bits);
-        b = value_at(r, bits);
+        a = value_at(point, left, left_needs, bits);
+        b = value_at(point, right, right_needs, bits);
         if ((a.ball || !a.why_none.empty()) && (b.ball || !b.why_none.empty())) break;
       }
       for (const Value& v : {a, b})
