@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "answers/errors.hpp"
+#include "answers/evaluate.hpp"
 #include "answers/shown_text.hpp"
-#include "derivation/book.hpp"
 #include "kernel/print.hpp"
 
 namespace answers {
@@ -14,42 +14,12 @@ namespace {
 
 using equality::Verdict;
 using kernel::Expr;
-using kernel::Op;
 
-// A name of the paper and the theorem that defines it.
-const std::map<std::string, std::string>& defining_theorems() {
-  static const std::map<std::string, std::string> table{{"psi", "rotation.psi"},
-                                                        {"theta", "ball.theta"},
-                                                        {"V_CM", "power.V_CM"},
-                                                        {"alpha_k", "ratios.alpha_k"},
-                                                        {"beta_k", "ratios.beta_k"},
-                                                        {"a_n", "power.a"},
-                                                        {"b_n", "power.b"},
-                                                        {"c_n", "power.c"},
-                                                        {"c_prime_n", "power.c_prime"}};
-  return table;
-}
-
-// A term of the book in the symbols that people type, its functions written out.
+// A term of the book in the symbols that people type.
 Expr typed(Expr e) {
-  if (e.op() == Op::Var) return notation::symbol(e.name());
-  if (e.size() == 0) return e;
-  if (e.op() == Op::Fun)
-    for (const auto& [name, id] : defining_theorems()) {
-      const Expr equation = derivation::the_book()[id].conclusion();
-      const Expr defined = equation.arg(0);
-      if (defined.name() != e.name() || defined == e) continue;
-      kernel::Substitution arguments;
-      for (std::size_t i = 0; i < e.size(); ++i) arguments.emplace(defined.arg(i), e.arg(i));
-      return typed(kernel::substitute(equation.arg(1), arguments));
-    }
-  if (e.op() == Op::Fun)
-    for (const auto& [name, id] : defining_theorems())
-      if (derivation::the_book()[id].conclusion().arg(0) == e)
-        return typed(derivation::the_book()[id].conclusion().arg(1));
-  kernel::Exprs args;
-  for (Expr arg : e.args()) args.push_back(typed(arg));
-  return kernel::with_args(e, args);
+  kernel::Substitution symbols;
+  for (Expr v : kernel::free_variables(e)) symbols.emplace(v, notation::symbol(v.name()));
+  return kernel::substitute(e, symbols);
 }
 
 /// Letters to insert, delete or replace to make one word the other.
@@ -94,11 +64,10 @@ Cell list_or_missing(const std::vector<std::string>& texts) {
 Expr with_meanings(Expr e, std::vector<std::string>& notes) {
   kernel::Substitution meanings;
   for (const std::string& name : notation::symbols_of(e)) {
-    const auto it = defining_theorems().find(name);
-    if (it == defining_theorems().end()) continue;
-    const Expr right = derivation::the_book()[it->second].conclusion().arg(1);
-    meanings.emplace(notation::symbol(name), typed(right));
-    notes.push_back(name + " = " + kernel::text(right));
+    const Expr equation = definition_of(name);
+    if (!equation || name == "rho") continue;
+    meanings.emplace(notation::symbol(name), typed(written_out(equation.arg(1))));
+    notes.push_back(name + " = " + kernel::text(equation.arg(1)));
   }
   return kernel::substitute(e, meanings);
 }

@@ -20,6 +20,7 @@ constexpr int most_bits_unbounded = 8192;  // where no bound of separation is kn
 
 class Enclosure {
 public:
+  explicit Enclosure(const std::map<Expr, Ball>& values) : known(values) {}
   Ball operator()(Expr e) {
     if (const auto it = known.find(e); it != known.end()) return it->second;
     const Ball value = compute(e);
@@ -83,13 +84,14 @@ private:
     }
     if (name == "sin") return sine(x);
     if (name == "cos") return sine(kernel::pi() / Expr(2) + x);
+    if (name == "ceil") return ceil((*this)(x));
     if (name == "atan") return atan((*this)(x));
     if (name == "asin") return arcsine(x);
-    if (name == "acos") return Ball::pi() / Ball(2) - arcsine(x);
+    if (name == "acos") return (*this)(kernel::pi()) / Ball(2) - arcsine(x);
     throw NotCertain("the function " + name);
   }
   Ball sine(Expr x) {
-    const Ball turn = Ball(2) * Ball::pi();
+    const Ball turn = Ball(2) * (*this)(kernel::pi());
     const Ball angle = (*this)(x);
     const cln::cl_I turns = cln::round1((angle / turn).low());
     return sin(angle - Ball(cln::cl_RA(turns)) * turn);
@@ -100,7 +102,7 @@ private:
       throw NotDefined("an inverse sine or cosine of a number beyond 1");
     if (side == 0) return 0;
     const Expr rest = Expr(1) - kernel::power(x, 2);
-    if (sign(rest) == 0) return Ball(side) * Ball::pi() / Ball(2);
+    if (sign(rest) == 0) return Ball(side) * (*this)(kernel::pi()) / Ball(2);
     return atan((*this)(x) / sqrt((*this)(rest)));
   }
   Ball root(Expr x, int order) {
@@ -271,8 +273,9 @@ bool is_algebraic(Expr constant) { return Separation().bits(constant).has_value(
 
 Ball enclosure(Expr constant, int bits) {
   Ball::set_bits(bits);
-  return Enclosure()(constant);
+  return Enclosure({})(constant);
 }
+Ball enclosure(Expr term, const std::map<Expr, Ball>& values) { return Enclosure(values)(term); }
 
 std::optional<int> exact_sign(Expr constant) {
   if (constant.op() == Op::Num) return constant.value() > 0 ? 1 : constant.value() < 0 ? -1 : 0;

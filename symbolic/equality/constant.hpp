@@ -2,6 +2,7 @@
 // Constants: enclosed by balls, and their exact signs.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,8 @@ struct NotDefined : std::runtime_error {
 /// The value of a term without variables, with so many bits behind the point. Throws NotDefined
 /// where that is certain, balls::NotCertain where more bits may help.
 Ball enclosure(Expr constant, int bits);
+/// The same with the bits that balls have now, and values for symbols and for whole terms.
+Ball enclosure(Expr term, const std::map<Expr, Ball>& values);
 /// -1, 0 or 1, exactly; nothing where neither bits nor a bound of separation decide it. Algebraic
 /// numbers (roots, cosines and sines of rational multiples of pi) of up to 60,000 bits are decided.
 /// Throws NotDefined.
