@@ -124,8 +124,13 @@ private:
       return n < 0 ? Ball(1) / whole : whole;
     }
     const int side = sign(base);
-    if (side < 0) throw NotDefined("a power of a negative number");
-    if (side > 0) return exp((*this)(exponent)*log((*this)(base)));
+    const bool is_whole = value && cln::denominator(*value) == 1;
+    if (side < 0 && !is_whole) throw NotDefined("a power of a negative number");
+    if (side != 0) {
+      const Ball size = side < 0 ? -(*this)(base) : (*this)(base);
+      const bool is_negative = side < 0 && cln::oddp(cln::numerator(*value));
+      return Ball(is_negative ? -1 : 1) * exp((*this)(exponent)*log(size));
+    }
     if (sign(exponent) <= 0) throw NotDefined("a power of 0 that has no value");
     return 0;
   }

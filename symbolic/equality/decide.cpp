@@ -102,7 +102,7 @@ private:
                        shown(at(point, left - right))};
   }
   bool is_different_somewhere() {
-    const std::vector<Point> all = points(domain, points_tried);
+    const std::vector<Point> all = points(domain, points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
     std::string why_none;
     for (const Point& point : all) {

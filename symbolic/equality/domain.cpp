@@ -10,8 +10,8 @@ namespace equality {
 using kernel::Op;
 using kernel::refuse;
 namespace {
-constexpr int most_tried = 3000;  // where few points satisfy the further conditions
-constexpr int sign_bits = 256;
+constexpr int most_tried = 3000;          // where few points satisfy the further conditions
+constexpr std::size_t most_special = 24;  // values that the numbers of the terms suggest
 
 const std::map<std::string, Range>& usual_ranges() {
   const Range positive{.low = cln::cl_RA(0)};
@@ -139,6 +139,15 @@ std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count) {
       }
   return values;
 }
+void collect_numbers(Expr e, std::set<cln::cl_RA>& found) {
+  for (Expr arg : e.args()) collect_numbers(arg, found);
+  if (e.op() != Op::Num || cln::integer_length(cln::numerator(e.value())) > 64) return;
+  for (int beside : {-1, 0, 1})
+    for (int sign : {-1, 1}) {
+      const cln::cl_RA value = sign * e.value() + cln::cl_RA(beside);
+      found.insert(value);
+    }
+}
 }  // namespace
 
 bool Range::contains(const cln::cl_RA& value) const {
@@ -219,13 +228,19 @@ std::vector<std::string> texts(const Domain& domain) {
   return out;
 }
 
-std::vector<Point> points(const Domain& domain, std::size_t count) {
+std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& terms) {
+  std::set<cln::cl_RA> special;
+  for (Expr e : terms) collect_numbers(e, special);
   std::vector<Expr> symbols;
   std::vector<std::vector<cln::cl_RA>> values;
   std::size_t last = 0;
   for (const auto& [symbol, range] : domain.ranges) {
     symbols.push_back(symbol);
     values.push_back(simple_values(range, domain.ranges.size() == 1 ? count : 24));
+    for (const cln::cl_RA& value : special)
+      if (range.contains(value) && values.back().size() < count + most_special &&
+          std::find(values.back().begin(), values.back().end(), value) == values.back().end())
+        values.back().push_back(value);
     if (values.back().empty()) return {};
     last += values.back().size() - 1;
   }
@@ -233,7 +248,7 @@ std::vector<Point> points(const Domain& domain, std::size_t count) {
   int tried = 0;
   const auto visit = [&](const auto& self, std::size_t place, std::size_t left,
                          Point& point) -> void {
-    if (out.size() >= count || tried > most_tried) return;
+    if (out.size() >= count + most_special || tried > most_tried) return;
     if (place == symbols.size()) {
       if (left > 0) return;
       ++tried;
@@ -249,7 +264,7 @@ std::vector<Point> points(const Domain& domain, std::size_t count) {
     point.erase(symbols[place]);
   };
   // The sum of the places in the lists grows, so that simple points come first.
-  for (std::size_t total = 0; total <= std::min<std::size_t>(last, 60); ++total) {
+  for (std::size_t total = 0; total <= std::min(last, count + most_special); ++total) {
     Point point;
     visit(visit, 0, total, point);
   }

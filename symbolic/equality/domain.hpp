@@ -43,8 +43,10 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
 /// One line a symbol, as read_domain reads them.
 std::vector<std::string> texts(const Domain& domain);
 
-/// Points of the domain, the simplest first; fewer than `count` where few are found.
-std::vector<Point> points(const Domain& domain, std::size_t count);
+/// Points of the domain, the simplest first; fewer than `count` where few are found. After the
+/// simple values come those of `terms`: their numbers and what is beside them, where |x - 5000|
+/// turns.
+std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& terms);
 /// The term with numbers for the symbols of the point.
 Expr at(const Point& point, Expr term);
 std::string text(const Point& point);  ///< "alpha = 1/2, n = 3"

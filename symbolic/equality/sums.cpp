@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sums of products of powers: arithmetic, and how they are written as terms again.
+#include <algorithm>
+
 #include <cln/integer.h>
 
 #include "equality/atoms.hpp"
@@ -73,8 +75,25 @@ Sum Forms::times(const Sum& a, const Sum& b) {
   return out;
 }
 
+// a^log(b) = b^log(a): the older atom is the base.
+void Forms::swap_logarithms(Product& product) {
+  for (const auto& [atom, e] : Product(product))
+    for (const auto& [monomial, q] : e)
+      for (const auto& [log, k] : monomial) {
+        if (!is_function(log, "log") || k != 1 || !(log.arg(0) < atom)) continue;
+        if (atom == circle() || atom == euler() || sign_of_atom(atom) < 2) continue;
+        kernel::Monomial swapped{{notation::call("log", atom), 1}};
+        for (const auto& other : monomial)
+          if (other.first != log) swapped.push_back(other);
+        std::sort(swapped.begin(), swapped.end());
+        multiply(product, atom, {{monomial, -q}});
+        multiply(product, log.arg(0), {{swapped, q}});
+        break;
+      }
+}
 // |a|^2 is a times its conjugate, p^1 a number, z^pi is -1.
 void Forms::reduce(Product& product, cln::cl_RA& number) {
+  swap_logarithms(product);
   const Product before = product;
   for (const auto& [atom, e] : before) {
     if (!is_function(atom, "abs")) continue;
@@ -165,16 +184,19 @@ Exponent Forms::exponent_of(const Sum& sum) {
   Exponent out;
   for (const auto& [product, q] : sum) {
     kernel::Monomial monomial;
-    bool is_plain = true;
+    Product rest;  // what is no polynomial becomes one atom
     for (const auto& [atom, e] : product) {
       const auto k = number_of(e);
-      is_plain = is_plain && k && is_whole(*k) && *k > 0 && *k < 1000 && atom != circle();
-      if (is_plain) monomial.emplace_back(atom, cln::cl_I_to_int(cln::numerator(*k)));
+      if (k && is_whole(*k) && *k > 0 && *k < 1000 && atom != circle())
+        monomial.emplace_back(atom, cln::cl_I_to_int(cln::numerator(*k)));
+      else
+        rest[atom] = e;
     }
-    if (!is_plain) {
-      const Expr whole = expression(product);
-      forms[whole] = {{product, 1}};
-      monomial = {{whole, 1}};
+    if (!rest.empty()) {
+      const Expr whole = expression(rest);
+      forms[whole] = {{rest, 1}};
+      monomial.emplace_back(whole, 1);
+      std::sort(monomial.begin(), monomial.end());
     }
     out = out + Exponent{{monomial, q}};
   }
