@@ -77,8 +77,8 @@ public:
                          use("sin minus", {{real("x"), b}}),
                          before.cosine,
                          before.sine};
-    const Expr c = before.cosine.conclusion().arg(1);
-    const Expr s = before.sine.conclusion().arg(1);
+    const Expr c = right(before.cosine);
+    const Expr s = right(before.sine);
     const Expr sin_step = plus ? sin(b) : -sin(b);
     const auto expanded = [](Expr e) { return expression(polynomial(e)); };
     const Pair result{equation(cos(rest + step), expanded(c * cos(b) - s * sin_step), rules),
@@ -112,7 +112,7 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
     if (!multiples) continue;
     const auto pair = sums.pair(*multiples);
     const Theorem& t = a.name() == "cos" ? pair.cosine : pair.sine;
-    rules.push_back(restate(eq(a, t.conclusion().arg(1)), t));
+    rules.push_back(restate(eq(a, right(t)), t));
   }
   if (!circle) return rules;
   for (const Expr& b : bases) {
@@ -123,7 +123,7 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   return rules;
 }
 Theorem same_angle(const Theorem& cosines, const Theorems& facts) {
-  const Expr p = cosines.conclusion().arg(0).arg(0), q = cosines.conclusion().arg(1).arg(0);
+  const Expr p = left(cosines).arg(0), q = right(cosines).arg(0);
   const auto not_less = [&](Expr l, Expr r) {
     return given(lt(l, r), [&](const Theorem& less) {
       return linear(lt(0, 0), {cosine_falls(less, facts), cosines});
@@ -133,7 +133,7 @@ Theorem same_angle(const Theorem& cosines, const Theorems& facts) {
 }
 
 Theorem cosine_falls(const Theorem& less, const Theorems& facts) {
-  const Expr p = less.conclusion().arg(0), q = less.conclusion().arg(1);
+  const Expr p = left(less), q = right(less);
   const Theorem from = linear(le(0, p), facts), to = linear(le(q, pi()), facts);
   const auto falls = [&](const Theorem& below) {
     return use("cos falls", {{real("x"), p}, {real("y"), q}}, {from, below, to});
@@ -150,11 +150,10 @@ Theorem cosine_falls(const Theorem& less, const Theorems& facts) {
 }
 Theorem cosine_positive(const Theorem& from, const Theorem& below) {
   const Theorem edge = linear(le(pi() / 2, pi()), {axiom("pi positive")});
-  return linear(lt(0, cos(below.conclusion().arg(0))),
-                {cosine_falls(below, {from, edge}), axiom("cos pi/2")});
+  return linear(lt(0, cos(left(below))), {cosine_falls(below, {from, edge}), axiom("cos pi/2")});
 }
 Theorem sine_not_negative(const Theorem& from, const Theorem& to) {
-  const Expr t = to.conclusion().arg(0), goal = le(0, sin(t));
+  const Expr t = left(to), goal = le(0, sin(t));
   const auto at_end = [&](Expr end) {
     return given(eq(t, end), [&](const Theorem& same) {
       return otherwise(goal, linear(lt(0, 0), {rewrite(same, assume(lt(sin(t), 0)))}));

@@ -24,15 +24,15 @@ struct Search {
   std::vector<Polynomial> cofactors;
 
   bool rewrite_once(const Theorem& rule, Polynomial& cofactor) {
-    const Polynomial left = polynomial(rule.conclusion().arg(0));
-    if (left.size() != 1 || left.begin()->second != 1)
-      refuse("a rule rewrites a monomial, not " + text(rule.conclusion().arg(0)));
+    const Polynomial before = polynomial(left(rule));
+    if (before.size() != 1 || before.begin()->second != 1)
+      refuse("a rule rewrites a monomial, not " + text(left(rule)));
     Polynomial quotient;
     for (const auto& [monomial, coefficient] : remainder)
-      if (const auto rest = divided(monomial, left.begin()->first))
+      if (const auto rest = divided(monomial, before.begin()->first))
         quotient = quotient + Polynomial{{*rest, coefficient}};
     if (quotient.empty()) return false;
-    remainder = remainder + quotient * (polynomial(rule.conclusion().arg(1)) - left);
+    remainder = remainder + quotient * (polynomial(right(rule)) - before);
     cofactor = cofactor - quotient;
     return true;
   }
@@ -157,7 +157,7 @@ Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts, const 
     (t.conclusion().op() == Op::Eq ? given.rules : given.divisors).push_back(t);
   if (!bases.empty()) {
     Exprs terms{goal.arg(0), goal.arg(1)};
-    for (const Theorem& t : given.rules) terms.push_back(t.conclusion().arg(1));
+    for (const Theorem& t : given.rules) terms.push_back(right(t));
     given.rules = given.rules + angles(terms, bases);
     for (const char* name : {"sin 0", "cos 0", "sin pi", "cos pi", "sin pi/2", "cos pi/2"})
       given.rules.push_back(axiom(name));
@@ -176,16 +176,16 @@ Theorem equation(Expr l, Expr r, const Theorems& facts, const Exprs& bases) {
 Theorem chain(const Theorem& a, const Theorem& b) {
   Certificate c;
   c.equations = {{1, a}, {1, b}};
-  return arithmetic(eq(a.conclusion().arg(0), b.conclusion().arg(1)), c);
+  return arithmetic(eq(left(a), right(b)), c);
 }
 Theorem turned(const Theorem& e) {
   Certificate c;
   c.equations = {{-1, e}};
-  return arithmetic(eq(e.conclusion().arg(1), e.conclusion().arg(0)), c);
+  return arithmetic(eq(right(e), left(e)), c);
 }
 Theorems entries(const Theorem& e) {
-  const Expr l = e.conclusion().arg(0);
-  const Expr r = e.conclusion().arg(1);
+  const Expr l = left(e);
+  const Expr r = right(e);
   Exprs equations;
   for (int i = 0; i < l.rows(); ++i)
     for (int j = 0; j < l.cols(); ++j) equations.push_back(eq(entry(l, i, j), entry(r, i, j)));
@@ -204,11 +204,11 @@ Theorem matrix_equation(Expr l, Expr r, const Theorems& facts, const Exprs& base
   return restate(eq(l, r), both(equations));
 }
 Theorem root_squared(const Theorem& not_negative) {
-  const Expr x = not_negative.conclusion().arg(1);
+  const Expr x = right(not_negative);
   return use("root squared", {{real("x"), x}}, {linear(le(0, x), {not_negative})});
 }
 Theorem root_of(const Theorem& square, const Theorem& t_positive) {
-  const Expr t = square.conclusion().arg(0).arg(0), x = square.conclusion().arg(1);
+  const Expr t = left(square).arg(0), x = right(square);
   Certificate sum;
   sum.equations = {{1, square}};
   sum.products = {{1, {}, {t}}};

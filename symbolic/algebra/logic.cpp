@@ -56,12 +56,12 @@ Theorem use(const Theorem& rule, const Substitution& terms, const Theorems& prem
   if (t.conclusion().op() != Op::Imp || premises.empty()) return t;
   const Theorems given = parts(premises);
   Theorems from = premises;
-  for (const Expr& f : conjuncts(t.conclusion().arg(0)))
+  for (const Expr& f : conjuncts(left(t)))
     if (std::none_of(given.begin(), given.end(),
                      [&](const Theorem& g) { return g.conclusion() == f; }) &&
         (f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq))
       from.push_back(linear(f, premises));
-  return tautology(t.conclusion().arg(1), from + Theorems{t});
+  return tautology(right(t), from + Theorems{t});
 }
 Theorem at(const Theorem& t, const Substitution& terms, const Theorems& facts) {
   Theorem out = instantiate(t, terms);
@@ -142,8 +142,8 @@ Theorem cut(const Theorem& proof, const Theorem& theorem) {
   return tautology(theorem.conclusion(), {discharge(proof.conclusion(), theorem), proof});
 }
 Theorem next_integer(const Theorem& less) {
-  const Expr i = less.conclusion().arg(0);
-  const Expr j = less.conclusion().arg(1);
+  const Expr i = left(less);
+  const Expr j = right(less);
   return tautology(le(i + 1, j), {use("discrete", {{integer("i"), i}, {integer("j"), j}}), less});
 }
 }  // namespace algebra

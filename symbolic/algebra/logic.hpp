@@ -25,6 +25,9 @@ Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>&
                    const std::function<Theorem(const Theorem&)>& back);
 /// As `tautology`, where two terms that are compared are equal or one is less than the other.
 Theorem follows(Expr goal, const Theorems& from);
+/// Both sides of what is proved: of an equation, inequality, implication or equivalence.
+inline Expr left(const Theorem& t) { return t.conclusion().arg(0); }
+inline Expr right(const Theorem& t) { return t.conclusion().arg(1); }
 /// The i-th part of a conjunction, from 0.
 Theorem part(const Theorem& conjunction, std::size_t i);
 /// The conjunction of all.

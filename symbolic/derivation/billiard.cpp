@@ -16,18 +16,18 @@ void mirror(Book& book) {
   const Theorem is = book.name("mirror", {M_1, M_2},
                                matrix(2, {(M_1 - M_2) / sum, across, across, (M_2 - M_1) / sum}),
                                {lt(0, M_1), lt(0, M_2)}, "For two bodies, the matrix");
-  const Expr m = is.conclusion().arg(0);
+  const Expr m = left(is);
   const auto elastic = [&](const char* id) { return at(book[id], {{e, 1}}); };
   const Theorems after{elastic("restitution.v_1"), elastic("restitution.v_2")};
   const Expr along = column({s_1, s_2}), normal = column({s_2, -s_1});
-  book.show("line", "", "leaves the line on which both are at one place,",
+  book.show("line", "leaves the line on which both are at one place,",
             matrix_equation(times(m, along), along, {is}));
-  book.show("normal", "", "and turns what is across it: it is a mirror.",
+  book.show("normal", "and turns what is across it: it is a mirror.",
             matrix_equation(times(m, normal), column({-s_2, s_1}), {is}));
   const Expr image = column({s_1 * v_1, s_2 * v_2}), before = column({s_1 * u_1, s_2 * u_2});
-  book.show("collision", "", "Velocities times the roots of the masses are reflected by it,",
+  book.show("collision", "Velocities times the roots of the masses are reflected by it,",
             matrix_equation(image, times(m, before), Theorems{is} + after));
-  book.show("speed", "", "and the speed in that plane is kept:",
+  book.show("speed", "and the speed in that plane is kept:",
             equation(M_1 * power(v_1, 2) + M_2 * power(v_2, 2),
                      M_1 * power(u_1, 2) + M_2 * power(u_2, 2), after));
 }
@@ -37,7 +37,7 @@ Theorem kappa_is_cosine(Book& book) {
   const Theorem one = linear(lt(0, 1));
   const Theorem threshold = at(book["collapse.threshold"], elastic, {one});
   const Theorem K_is = at(book["collapse.def_K"], elastic, {one});
-  const Expr K = K_is.conclusion().arg(0);
+  const Expr K = left(K_is);
   const Expr rest = M_C * (1 + w_B * (M_A + M_C)) / ((M_A + M_C) * (1 + w_B * M_C));
   const Theorem below =
       tautology(lt(substitute(kappa(), elastic), 1),
@@ -54,7 +54,7 @@ void unfolded(Book& book) {
   const Theorem one = linear(lt(0, 1)), all_now = assume(going), from = assume(le(0, j));
   const Known signs(assumed(assumptions) + Theorems{at(book["wedge.signs"], elastic, {one})});
   const Theorem cosine = kappa_is_cosine(book);
-  const Expr h = cosine.conclusion().arg(1).arg(0);
+  const Expr h = right(cosine).arg(0);
   know(positive(sin(h)));
   const Theorems lossless = without_losses(book, cosine);
   const auto here = [&](Expr t) { return substitute(t, elastic); };
@@ -64,7 +64,7 @@ void unfolded(Book& book) {
       "radius", {M_A, w_B, M_C, V, L, j}, unit * side(j) * here(apart(j)), assumptions,
       "At collision j the scaled places have, from where all three would meet, the distance", "",
       "def_radius");
-  const auto radius = [&](Expr i) { return substitute(radius_is.conclusion().arg(0), {{j, i}}); };
+  const auto radius = [&](Expr i) { return substitute(left(radius_is), {{j, i}}); };
 
   const Expr t = turn(j), A = here(at_collision("x_A", j)), B = here(at_collision("x_B", j)),
              C = here(at_collision("x_C", j));
@@ -74,7 +74,7 @@ void unfolded(Book& book) {
   with_a_block.equations = {{t, ball}, {(A + B) / 2 - C, square}};
   const Theorem C_is = arithmetic(eq(C, (A + B + t * A - t * B) / 2), with_a_block);
   book.show(
-      "radius", "", "whose square, with the masses, is a sum over the pairs of bodies:",
+      "radius", "whose square, with the masses, is a sum over the pairs of bodies:",
       equation(all * power(radius(j), 2),
                M_A * power(A - B, 2) + w_B * M_A * M_C * power(A - C, 2) + M_C * power(B - C, 2),
                squared_shares(book) + Theorems{radius_is, C_is, square}));
@@ -94,16 +94,15 @@ void unfolded(Book& book) {
   };
   const Theorem L_is = named("scaled_L", L, unit * L, "With the distance at first");
   const Theorem V_is = named("scaled_V", V, unit * V * (r_A() / r_B()), "and the speed");
-  const Expr first = L_is.conclusion().arg(0), speed = V_is.conclusion().arg(0);
-  book.show("speed", "", "which is that of the energy without that of the centre of mass,",
+  const Expr first = left(L_is), speed = left(V_is);
+  book.show("speed", "which is that of the energy without that of the centre of mass,",
             equation(power(speed, 2), M_A * power(V, 2) - w_B * power(M_A * V, 2) / all,
                      squared_shares(book) + Theorems{V_is}));
-  const Theorems rules =
-      lossless + Theorems{radius_is, linear(eq(B, A + blocks.conclusion().arg(1)), {blocks}), L_is,
-                          V_is, of_motion("places.time")};
+  const Theorems rules = lossless + Theorems{radius_is, linear(eq(B, A + right(blocks)), {blocks}),
+                                             L_is, V_is, of_motion("places.time")};
   const Expr moved = speed * here(at_collision("time", j));
   const Theorem sum = equation(sine, sin(j * h) * cos(h) + cos(j * h) * sin(h), {}, {j * h, h});
-  book.show("line", "",
+  book.show("line",
             "the path from there, unfolded so that collision j is at the angle j h, is a straight "
             "line:",
             both({equation(radius(j) * cos(j * h), first - moved * cos(h), rules + Theorems{sum}),

@@ -28,6 +28,10 @@ public:
   /// taken or where a term of the statement is not proved to make sense under its hypotheses.
   kernel::Theorem show(const std::string& name, const std::string& label, const std::string& words,
                        const kernel::Theorem& theorem);
+  kernel::Theorem show(const std::string& name, const std::string& words,
+                       const kernel::Theorem& theorem) {
+    return show(name, "", words, theorem);
+  }
   /// Defines symbol(params) = value, meant to be used where `domain` holds, and shows it there
   /// under the id `shown_as`, or else the symbol. Leading parameters that name masses, V, e or L
   /// are not printed.

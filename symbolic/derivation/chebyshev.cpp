@@ -21,16 +21,16 @@ void chebyshev(Book& book) {
   const Theorem second = equation(
       U(1), 2 * x,
       {restate(eq(U(1), 2 * x * U(0) - last(0)), use(def[2], {{j, 0}}, {zero})), def[0], def[1]});
-  book.show("start", "", "The polynomials U_j are", under({from_0}, both({first, second})));
+  book.show("start", "The polynomials U_j are", under({from_0}, both({first, second})));
   const Theorem next =
-      book.show("next", "", "and on by the rule",
+      book.show("next", "and on by the rule",
                 equation(U(j + 2), 2 * x * U(j + 1) - U(j),
                          {use(def[2], {{j, j + 1}}, {from}), use(def[3], {}, {from})}));
 
   const auto sine = [](Expr i) { return eq(U(i, cos(y)) * sin(y), sin((i + 1) * y)); };
   const auto at_cosine = [](const Theorem& t) { return instantiate(t, {{x, cos(y)}}); };
   book.show(
-      "sine", "", "Of a cosine they are quotients of sines,",
+      "sine", "Of a cosine they are quotients of sines,",
       by_two(sine, equation(U(0, cos(y)) * sin(y), sin((Expr(0) + 1) * y), {at_cosine(first)}),
              equation(U(1, cos(y)) * sin(y), sin((Expr(1) + 1) * y), {at_cosine(second)}, {y}),
              [&](const Theorem&, const Theorem& now, const Theorem& later) {
@@ -40,7 +40,7 @@ void chebyshev(Book& book) {
 
   const auto sine_last = [](Expr i) { return eq(fun("U_last", {cos(y), i}) * sin(y), sin(i * y)); };
   book.show(
-      "sine_last", "", "and so is the one before, U_last, which is 0 at first,",
+      "sine_last", "and so is the one before, U_last, which is 0 at first,",
       by_induction(j, sine_last(j), equation(sine_last(0), {at_cosine(def[1]), axiom("sin 0")}),
                    [&](const Theorem& i_from_0, const Theorem&) {
                      return equation(sine_last(j + 1), {at_cosine(use(def[3], {}, {i_from_0})),
@@ -49,7 +49,7 @@ void chebyshev(Book& book) {
   const Theorem above_1 = assume(le(1, x));
   const Expr rises = logic_and({le(j + 1, U(j)), le(U(j) + 1, U(j + 1))});
   book.show(
-      "rise", "", "and from 1 on they rise with j by 1 or more,",
+      "rise", "and from 1 on they rise with j by 1 or more,",
       by_induction(j, rises,
                    both({linear(le(Expr(0) + 1, U(0)), {first}),
                          restate(le(U(0) + 1, U(Expr(0) + Expr(1))),
@@ -69,9 +69,9 @@ void chebyshev(Book& book) {
                                     [&](const Theorem&, const Theorem& known) {
                                       return equation(invariant(j + 1), {after, last_after, known});
                                     });
-  book.show("last", "", "With U_last for the one before, 0 at first,",
+  book.show("last", "With U_last for the one before, 0 at first,",
             under({from_0}, both({def[1], last_after})));
-  book.show("neighbours", "", "three neighbours keep, whatever x is,",
+  book.show("neighbours", "three neighbours keep, whatever x is,",
             equation(power(U(j), 2) - U(j + 1) * last(j), 1, {after, kept}));
   const Theorem above_0 = assume(lt(0, y)), mean = assume(eq(x, (y + 1 / y) / 2));
   const Known y_is_positive({above_0});
@@ -84,7 +84,7 @@ void chebyshev(Book& book) {
   const auto distance = [&](Expr i) { return eq(y * U(i) - last(i), pow(i + 1)); };
   const Theorem one = restate(eq(pow(1), y * pow(0)), more(0, zero));
   book.show(
-      "distance", "",
+      "distance",
       "and where x is the mean of y and 1/y, quotients of neighbours differ from y by its powers:",
       by_induction(j, distance(j),
                    restate(distance(0),

@@ -14,17 +14,17 @@ void threshold(Book& book) {
                                of_wedge({lt(0, e)}), "Without roots, with", "", "def_K");
   Theorems squares = squared_shares(book);
   squares.push_back(root_squared(assume(lt(0, e))));
-  const Expr K = is.conclusion().arg(0);
+  const Expr K = left(is);
   const Theorem square =
-      book.show("square", "", "the square of kappa is",
+      book.show("square", "the square of kappa is",
                 equation(power(kappa(), 2), K, squares + Theorems{kappa_is, is}));
-  know(linear(lt(0, kappa()), {kappa_is, positive(kappa_is.conclusion().arg(1))}));
+  know(linear(lt(0, kappa()), {kappa_is, positive(right(kappa_is))}));
   const auto compare = [&](Expr goal, Expr premise) {  // K - 1 = (kappa - 1)(kappa + 1)
     return given(premise, [&](const Theorem& t) {
       return linear(goal, {square, times(t, kappa() + 1)});
     });
   };
-  book.show("threshold", "", "so kappa is below 1, and the collisions end, if and only if",
+  book.show("threshold", "so kappa is below 1, and the collisions end, if and only if",
             tautology(iff(lt(kappa(), 1), lt(K, 1)),
                       {compare(lt(K, 1), lt(kappa(), 1)), compare(le(1, K), le(1, kappa()))}));
 }
@@ -34,7 +34,7 @@ void special_cases(Book& book) {
   const Known mass({assume(lt(0, M_B)), positive(1 / M_B, {assume(lt(0, M_B))})});
   const auto instance = [&](const char* id, const char* words, Expr inverse, Expr value) {
     const Theorem K = at(book["collapse.def_K"], {{w_B, inverse}}, {linear(le(0, inverse))});
-    book.show(id, "", words, equation(K.conclusion().arg(0), value, {K}));
+    book.show(id, words, equation(left(K), value, {K}));
   };
   const Expr over = power(1 + e, 2) * M_A, below = 4 * e * (M_A + M_C);
   instance("masses", "For a block of mass M_B that is", 1 / M_B,
@@ -51,7 +51,7 @@ void in_time(Book& book) {
   const Theorem definition =
       book.name("y_e", masses_and_e(), kappa() - root, of_wedge({lt(0, e), le(1, kappa())}),
                 "Where they never end, with");
-  const Expr y_e = definition.conclusion().arg(0);
+  const Expr y_e = left(definition);
   const Theorem square = root_squared(not_negative_inside);
   const Theorem root_sign = use("root not negative", {{x, inside}}, {not_negative_inside});
   know(linear(lt(0, sum), {from_1, root_sign}));
@@ -61,7 +61,7 @@ void in_time(Book& book) {
   const Theorem at_most_1 = linear(
       le(y_e, 1),
       {equation(y_e * sum, 1, {inverse}), times(linear(le(0, sum - 1), {from_1, root_sign}), y_e)});
-  book.show("root", "", "which solves a quadratic equation and is 1 at most,",
+  book.show("root", "which solves a quadratic equation and is 1 at most,",
             both({quadratic, at_most_1}));
 
   const auto power_of = [&](Expr index) { return fun("pow", {y_e, index}); };
@@ -89,14 +89,13 @@ void in_time(Book& book) {
                               {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});
   const Expr rest = unit * power_of(j + 1) / U(j);
   know(all_of_them);
-  book.show("time_left", "", "before which all collisions take place,",
-            equation(end_is.conclusion().arg(0) - time.conclusion().arg(0), rest,
-                     {end_is, time, turned(distance)}));
+  book.show("time_left", "before which all collisions take place,",
+            equation(left(end_is) - left(time), rest, {end_is, time, turned(distance)}));
   const Theorem powers_next = at(powers_from_0_to_1, {{j, j + 1}}, {from_0});
   know(part(powers_next, 0));
   const Expr per = unit / U(j);
   book.show(
-      "in_time", "", "and come as close to it as you like:",
+      "in_time", "and come as close to it as you like:",
       both({positive(rest),
             linear(le((j + 1) * rest, unit),
                    {times(part(rise, 0), per),
@@ -112,17 +111,17 @@ void equal_blocks(Book& book) {
   const Expr share = 1 / (1 + alpha), s = sqrt(e);
   const auto shared = [&](const char* id) {
     const Theorem r = at(book[id], equal, {ball});
-    return rewrite(equation(r.conclusion().arg(1).arg(0), share), r);
+    return rewrite(equation(right(r).arg(0), share), r);
   };
   const Theorem root = root_squared(positive(share));
   const Theorem of_blocks =
-      book.show("equal_blocks", "", "For blocks of one mass and a ball of alpha times that,",
+      book.show("equal_blocks", "For blocks of one mass and a ball of alpha times that,",
                 equation(substitute(kappa(), equal), (1 + e) / (2 * s * (1 + alpha)),
                          {at(book["wedge.kappa"], equal, {ball}), shared("wedge.r_A"),
                           shared("wedge.r_B"), root}));
   const Substitution elastic{{e, 1}};
   book.show(
-      "elastic", "",
+      "elastic",
       "and without losses that is the cosine of psi/2, below 1: the paper's collisions always end.",
       both({equation(substitute(substitute(kappa(), equal), elastic), cos(psi() / 2),
                      {at(of_blocks, elastic, {linear(lt(0, 1))}), book["rotation.cos_half_psi"],

@@ -22,7 +22,7 @@ void last_collision(Book& book, const Last& last) {
     return linear(goal, {times(linear(relation, {number}), psi())});
   };
   const Theorem around = book.show(
-      last.name + "_angle", "",
+      last.name + "_angle",
       last.name == "N_A" ? "pi lies between two angles near N_A psi," : "For B it is N_B psi:",
       both({scaled(lt(early, pi()), lt(0, z - last.before)),
             scaled(le(pi(), late), le(0, last.after - z))}));

@@ -16,12 +16,12 @@ Theorem velocities_after(Book& book) {
   const Expr changed = neq(v_1, u_1);
   const Exprs bodies{M_1, M_2, u_1, u_2, v_1, v_2};
   const Theorem law =
-      book.show("law", "",
+      book.show("law",
                 "A collision of bodies with masses M_1 and M_2 changes velocities u into v. It "
                 "keeps momentum and energy, and something changes:",
                 define("contact", bodies, logic_and({momentum, energy, changed}), 0));
   const Theorem collision = assume(fun("contact", bodies));
-  const Theorems laws = parts({tautology(law.conclusion().arg(1), {law, collision})});
+  const Theorems laws = parts({tautology(right(law), {law, collision})});
   const Theorem P = laws[0], E = laws[1], changes = laws[2];
   const Theorem m_1 = assume(lt(0, M_1)), m_2 = assume(lt(0, M_2));
   const Known masses({m_1, m_2});
@@ -31,22 +31,22 @@ Theorem velocities_after(Book& book) {
   c.equations = {{1, E}, {-(u_2 + v_2), P}};
   c.multipliers = {m_1, changes};
   const Theorem relative =
-      book.show("relative", "",
+      book.show("relative",
                 "Then the relative velocity turns round:", arithmetic(eq(u_1 + v_1, u_2 + v_2), c));
   const Exprs after = solve({momentum, relative.conclusion()}, {v_1, v_2}, {u_1, u_2});
   const Theorems rules{linear(eq(v_2, u_1 + v_1 - u_2), {relative}),
                        linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {P})};
   const Theorem velocities =
-      both({book.show("v_1", "",
+      both({book.show("v_1",
                       "Together with momentum these are two linear equations, and the velocities "
                       "after the collision are",
                       equation(v_1, after[0], rules)),
-            book.show("v_2", "", "and", equation(v_2, after[1], rules))});
+            book.show("v_2", "and", equation(v_2, after[1], rules))});
 
   // The converse.
   const Theorem w_1 = assume(eq(v_1, after[0]));
   const Theorem w_2 = assume(eq(v_2, after[1]));
-  book.show("exists", "", "Conversely, these velocities keep momentum and energy,",
+  book.show("exists", "Conversely, these velocities keep momentum and energy,",
             both({equation(momentum, {w_1, w_2}), equation(energy, {w_1, w_2})}));
   const auto back = [&](const Theorem& same) {
     Certificate e;
@@ -55,7 +55,7 @@ Theorem velocities_after(Book& book) {
     e.nonzero = {positive(M_1 + M_2)};
     return arithmetic(eq(u_1, u_2), e);
   };
-  book.show("changes", "", "and something changes if and only if the bodies approach or part.",
+  book.show("changes", "and something changes if and only if the bodies approach or part.",
             tautology(iff(changed, neq(u_1, u_2)), {given(eq(u_1, u_2),
                                                           [&](const Theorem& same) {
                                                             return equation(v_1, u_1, {w_1, same});
@@ -78,10 +78,10 @@ void contact(Book& book) {
   Theorems velocities;
   for (std::size_t i = 0; i < 2; ++i) {
     const Theorem v = part(special, i);
-    after.push_back(simplified(v.conclusion().arg(1), {u_1, u_2}));
-    velocities.push_back(chain(v, equation(v.conclusion().arg(1), after[i])));
+    after.push_back(simplified(right(v), {u_1, u_2}));
+    velocities.push_back(chain(v, equation(right(v), after[i])));
   }
-  book.show("velocities", "", "A block of mass M and the ball of mass alpha M:", both(velocities));
+  book.show("velocities", "A block of mass M and the ball of mass alpha M:", both(velocities));
 
   // In terms of (u_1, sqrt(alpha) u_2): scaled coefficients of u_1 and u_2.
   const Expr s = sqrt(alpha);
@@ -93,7 +93,7 @@ void contact(Book& book) {
   const Theorem gamma =
       book.name("Gamma", {alpha}, scaled_matrix, {alpha_positive},
                 "With the ball's velocities times sqrt(alpha), the coefficients form the matrix");
-  book.show("collision", "", "so that a collision is a linear map:",
+  book.show("collision", "so that a collision is a linear map:",
             matrix_equation(column({v_1, s * v_2}), times(Gamma(), column({u_1, s * u_2})),
                             velocities + Theorems{gamma}));
   book.show("Gamma_paper", "eq:Gamma", "As the paper writes it:",
@@ -101,9 +101,9 @@ void contact(Book& book) {
                             matrix(2, {(1 - alpha) / (1 + alpha), 2 * s / (1 + alpha),
                                        2 * s / (1 + alpha), -(1 - alpha) / (1 + alpha)}),
                             {gamma}));
-  book.show("Gamma_orthogonal", "", "It is orthogonal,",
+  book.show("Gamma_orthogonal", "It is orthogonal,",
             matrix_equation(times(Gamma(), transpose(Gamma())), identity(2), {gamma}));
-  book.show("Gamma_determinant", "", "with determinant -1:", equation(det(Gamma()), -1, {gamma}));
+  book.show("Gamma_determinant", "with determinant -1:", equation(det(Gamma()), -1, {gamma}));
 
   // theta
   const Theorem angle = book.name("theta", {alpha}, 2 * atan(s), {alpha_positive},

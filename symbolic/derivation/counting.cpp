@@ -29,14 +29,14 @@ Theorem approach_speed(Book& book) {
   const auto in_next_cycle = [&](const std::string& id) {
     return at(book[id], {{n, n + 1}}, {n_from_0});
   };
-  const Theorem even = book.show("approach_P", "", "that is, before P_(n+1)",
+  const Theorem even = book.show("approach_P", "that is, before P_(n+1)",
                                  equation(approach(2 * n), a(n) - c_prime(n),
                                           {instantiate(definition, {{j, 2 * n}}), part(turns, 0),
                                            turned(names[0]), turned(names[2])}));
   const Theorem c_next = restate(eq(C(2 * n + 1), c(n + 1)), turned(in_next_cycle("cycle.name_c")));
   const Theorem waits = restate(eq(B(2 * n + 1), b(n)), in_next_cycle("cycle.B_waits"));
   const Theorem odd = book.show(
-      "approach_Q", "", "and before Q_(n+1)",
+      "approach_Q", "and before Q_(n+1)",
       equation(approach(2 * n + 1), c(n + 1) - b(n),
                {instantiate(definition, {{j, 2 * n + 1}}), part(turns, 1), c_next, waits}));
   const auto value = [&](Expr i) { return V * sin(half_angle(i + 1)) / sin(psi() / 2); };
@@ -54,7 +54,7 @@ Theorem approach_speed(Book& book) {
   const Theorem last =
       given(lt(2 * m, j), [&](const Theorem& less) { return linear(eq(j, 2 * m + 1), {less}); });
   return book.show(
-      "speed", "", "For both kinds it is the same sine:",
+      "speed", "For both kinds it is the same sine:",
       follows(eq(approach(j), value(j)),
               {here(chain(even, book["power.before_P"]), 2 * m),
                here(chain(odd, book["power.before_Q"]), 2 * m + 1), last, linear(le(2 * m, j))}));
@@ -64,7 +64,7 @@ void number_of_collisions(Book& book, const Theorem& speed) {
   const Expr sine = sin(half_angle(j + 1));
   const Theorem factor = positive(V / sin(psi() / 2));
   const Theorem sign =
-      book.show("takes_place", "",
+      book.show("takes_place",
                 "Collision j takes place if and only if its bodies approach before it, so if "
                 "and only if the sine is positive:",
                 same_sign(approach(j), sine, speed, factor));
@@ -84,7 +84,7 @@ void shares(Book& book) {
   const Theorem def_A = define("N_A", {alpha, V}, ceil(N() / 2));
   const Theorem def_B = define("N_B", {alpha, V}, N() - N_A());
   for (const char* name : {"N_A", "N_B"}) restrict_domain(name, {alpha, V}, logic_and(domain));
-  book.show("shares", "", "A takes part in the first, the third, and so on, B in the others:",
+  book.show("shares", "A takes part in the first, the third, and so on, B in the others:",
             under(domain, both({def_A, def_B})));
   // 1 < pi/psi, so there are two collisions or more, one of each block.
   const Expr z = pi() / psi();
@@ -92,7 +92,7 @@ void shares(Book& book) {
   const Theorem twice = equation(2 * pi() / psi(), 2 * z);
   const Theorem enough = linear(lt(1, z), {times(linear(lt(0, pi() - psi())), 1 / psi())});
   const Theorem N_from_2 = linear(le(2, N()), {enough, twice, number});
-  know(book.show("at_least", "", "each at least once:",
+  know(book.show("at_least", "each at least once:",
                  linear(logic_and({le(1, N_A()), le(1, N_B())}), {def_A, def_B, N_from_2})));
   const Theorem N_up = linear(le(2 * z - 1, N()), {number, twice});
   const Theorem N_down = linear(lt(N(), 2 * z), {number, twice});
@@ -120,7 +120,7 @@ void count(Book& book, const Count& c) {
   const Expr none = le(c.speed(j), 0);
   const Theorem least = define_least(c.name, c.params, j, 0, none);
   restrict_domain(c.name, c.params, logic_and(c.domain));
-  book.show("N_least", "", "N is the least number of collisions after which there is no approach:",
+  book.show("N_least", "N is the least number of collisions after which there is no approach:",
             under(c.domain, least));
   const Expr N = fun(c.name, c.params), K = ceil(c.turns) - 1, end = c.angle(K + 1);
   const auto per_turn = [&](Expr relation) { return times(linear(relation), c.step); };
@@ -143,9 +143,9 @@ void count(Book& book, const Count& c) {
       le(K, N),
       {given(lt(N, K), [&](const Theorem& early) { return before(N, part(found, 0), early); }),
        part(found, 1)});
-  const Theorem number = book.show("N", "", "So the number of all collisions is",
+  const Theorem number = book.show("N", "So the number of all collisions is",
                                    linear(eq(N, K), {lower, part(found, 2)}));
-  book.show("happens", "",
+  book.show("happens",
             "They are collisions 0 to N - 1, and no body approaches another after the "
             "last:",
             both({given(lt(j, N),
@@ -177,7 +177,7 @@ Theorem ceiling_is() {
 void counting(Book& book) {
   book.chapter("counting", "The number of collisions", {alpha_positive, V_positive, le(0, j)});
   book.show("ceiling", "def:ceil", "Rounding up:", ceiling_is());
-  book.show("sine_past_pi", "", "The sine from pi to 2 pi:", sine_not_positive());
+  book.show("sine_past_pi", "The sine from pi to 2 pi:", sine_not_positive());
   number_of_collisions(book, approach_speed(book));
   shares(book);
 }

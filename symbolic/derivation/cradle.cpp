@@ -10,7 +10,7 @@ void last_collision(Book& book) {
   const Expr last = 2 * k - 1, half = psi() / 2;
   const Theorem from_1 = assume(le(1, k)), one = linear(lt(0, 1));
   const Theorem number =
-      book.show("number", "", "At a magic ratio there are 2k collisions,",
+      book.show("number", "At a magic ratio there are 2k collisions,",
                 linear(eq(N(), 2 * k), {book["counting.shares"], book["magic.counts"]}));
   const Theorem whole_turn =
       equation((2 * k + 1) * psi(), 2 * pi(),
@@ -24,11 +24,11 @@ void last_collision(Book& book) {
   const Theorem two_before = linear(eq(last * half, pi() - 2 * half), {whole_turn});
   const auto shown = [&](const char* id, Expr value) {
     const Theorem t = rewrite(mirrored, rewrite(before, rewrite(two_before, at_last(id))));
-    return equation(t.conclusion().arg(0), value, {t, book["rotation.cos_half_psi"]}, {pi(), half});
+    return equation(left(t), value, {t, book["rotation.cos_half_psi"]}, {pi(), half});
   };
   const Theorem when = shown("encounters.when", 2 * L / ((1 + alpha) * V));
   const Theorem apart = shown("encounters.apart", L);
-  book.show("last", "", "the last of them when and where", both({when, apart}));
+  book.show("last", "the last of them when and where", both({when, apart}));
   // Where B is: from the centre of mass, as it is with the ball and at a distance L from A.
   const Theorem going = at_last("encounters.all");
   const Substitution paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}, {e, 1}, {j, last}};
@@ -49,11 +49,9 @@ void last_collision(Book& book) {
   const Theorem B_is = divided(x_B, place, {2 + alpha},
                                equation(x_B * (2 + alpha), place * (2 + alpha), {centre, time_is}));
   const Theorem short_way = times(assume(alpha_positive), 2 * L / (1 + alpha));
-  book.show(
-      "room", "", "B has moved by less than L, so a next ball at a distance L waits untouched:",
-      both({B_is,
-            linear(lt(x_B, 2 * L),
-                   {B_is, short_way, equation(short_way.conclusion().arg(1), 2 * L - place)})}));
+  book.show("room", "B has moved by less than L, so a next ball at a distance L waits untouched:",
+            both({B_is, linear(lt(x_B, 2 * L),
+                               {B_is, short_way, equation(right(short_way), 2 * L - place)})}));
 }
 /// B is the next A: velocities and collisions of the whole cradle, ball k of the ratio alpha_k.
 void hand_on(Book& book) {
@@ -68,7 +66,7 @@ void hand_on(Book& book) {
     restrict_domain(name, {V, j}, logic_and({V_positive, le(0, j)}));
   const auto speed = [](Expr i) { return fun("cradle_speed", {V, i}); };
   const auto count = [](Expr i) { return fun("cradle_count", {V, i}); };
-  book.show("start", "",
+  book.show("start",
             "In a cradle of blocks with ball k of the ratio alpha_k behind block k, the speed with "
             "which block j + 1 sets off, and the number of collisions until then:",
             under({V_positive}, both(parts({motion[0], motion[1]}))));
@@ -88,13 +86,13 @@ void hand_on(Book& book) {
         return chain(chain(use(motion[2], {}, {now}), all_handed_on(known)[1]), known);
       });
   know(linear(lt(0, speed(j)), {speeds}));
-  book.show("next", "", "As the next ball waits untouched, each pair is as before,",
+  book.show("next", "As the next ball waits untouched, each pair is as before,",
             both({motion[2], motion[3]}));
-  book.show("speeds", "", "so each block sets off with V in its turn", speeds);
+  book.show("speeds", "so each block sets off with V in its turn", speeds);
   const Theorems ends = all_handed_on(speeds);
-  book.show("left", "", "and the block and the ball before it are left at rest,",
+  book.show("left", "and the block and the ball before it are left at rest,",
             both({ends[0], ends[2]}));
-  book.show("collisions", "", "after k collisions of each with ball k:",
+  book.show("collisions", "after k collisions of each with ball k:",
             by_induction(j, eq(count(j), j * (j + 1)),
                          equation(count(0), Expr(0) * (Expr(0) + 1), {motion[1]}),
                          [&](const Theorem& now, const Theorem& known) {

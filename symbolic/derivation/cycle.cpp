@@ -35,13 +35,13 @@ Sequence sequence(Book& book, const Collision& collide) {
   for (const char* name : {"A", "B", "C"})
     restrict_domain(name, {alpha, V, j}, logic_and({alpha_positive, le(0, j)}));
   restrict_domain("turn", {j}, le(0, j));
-  book.show("turn", "",
+  book.show("turn",
             "Collisions are counted from 0 and alternate between A and B. Whose turn it is, 1 for "
             "A and -1 for B:",
             both(whose_turn));
-  book.show("start", "", "At the start A moves with V; B and C are at rest:",
+  book.show("start", "At the start A moves with V; B and C are at rest:",
             under({alpha_positive}, both({motion[0], motion[1], motion[2]})));
-  book.show("next", "",
+  book.show("next",
             "Collision j changes the two bodies that take part, by the law of one collision:",
             under({alpha_positive}, both({motion[3], motion[4], motion[5]})));
 
@@ -60,7 +60,7 @@ Sequence sequence(Book& book, const Collision& collide) {
       steps.push_back(rewrite(whose, use(motion[body], {{j, i}}, {n_from_0})));
     return steps;
   };
-  book.show("turns", "", "So collision 2n is one with A, and collision 2n + 1 one with B:",
+  book.show("turns", "So collision 2n is one with A, and collision 2n + 1 one with B:",
             both({turn_0, turn_1}));
   return {{motion[0], motion[1], motion[2]}, after(2 * n, turn_0), after(2 * n + 1, turn_1)};
 }
@@ -68,7 +68,7 @@ Sequence sequence(Book& book, const Collision& collide) {
 
 void cycle(Book& book) {
   const Theorem law = book["ball.velocities"];
-  const Collision collide{law.conclusion().arg(0).arg(1), law.conclusion().arg(1).arg(1)};
+  const Collision collide{left(law).arg(1), right(law).arg(1)};
   book.chapter("cycle", "The motion, cycle by cycle", {alpha_positive, from_1});
   const Sequence s = sequence(book, collide);
 
@@ -81,7 +81,7 @@ void cycle(Book& book) {
   for (const char* name : {"a", "b", "c'", "c"})
     restrict_domain(name, {alpha, V, n}, logic_and({alpha_positive, le(0, n)}));
   const Theorem n_from_1 = assume(from_1);
-  book.show("names", "", "The paper's velocities: A's, B's and the ball's after n cycles,",
+  book.show("names", "The paper's velocities: A's, B's and the ball's after n cycles,",
             under({alpha_positive, le(0, n)}, both({def_a, def_b, def_c_prime})));
   const auto in_cycle = [&](const Theorem& step) {  // the step of cycle n + 1 as that of cycle n
     return at(step, {{n, n - 1}}, {n_from_1});
@@ -90,9 +90,9 @@ void cycle(Book& book) {
   for (const Theorem& t : s.first + s.second) all_steps.push_back(in_cycle(t));
   const Theorem def_c = equation(
       c(n), C(2 * n - 1), Theorems{in_cycle(use(within[1], {}, {assume(le(0, n))}))} + all_steps);
-  book.show("c_start", "", "and the ball's within the n-th, 0 before the first:",
+  book.show("c_start", "and the ball's within the n-th, 0 before the first:",
             under({alpha_positive}, within[0]));
-  book.show("name_c", "", "so that", under({alpha_positive, from_1}, def_c));
+  book.show("name_c", "so that", under({alpha_positive, from_1}, def_c));
   Theorems names{turned(def_c)};
   for (const Theorem& t : {def_a, def_b, def_c_prime})
     names = names + Theorems{turned(t), turned(instantiate(t, {{n, n - 1}}))};
@@ -107,12 +107,12 @@ void cycle(Book& book) {
   const auto at_0 = [&](const Theorem& definition, const Theorem& start) {
     return chain(rewrite(zero_n, instantiate(definition, {{n, 0}})), start);
   };
-  book.show("start_vector", "", "Before the first collision:",
+  book.show("start_vector", "Before the first collision:",
             under({alpha_positive}, both({at_0(def_a, s.starts[0]), at_0(def_b, s.starts[1]),
                                           at_0(def_c_prime, s.starts[2])})));
-  book.show("B_waits", "", "P_n leaves B alone,",
+  book.show("B_waits", "P_n leaves B alone,",
             under({alpha_positive, from_1}, equation(B(2 * n - 1), b(n - 1), all_steps + names)));
-  book.show("P", "", "After P_n:", under({alpha_positive, from_1}, both({a_n, c_n})));
-  book.show("Q", "", "After Q_n:", under({alpha_positive, from_1}, both({b_n, c_prime_n})));
+  book.show("P", "After P_n:", under({alpha_positive, from_1}, both({a_n, c_n})));
+  book.show("Q", "After Q_n:", under({alpha_positive, from_1}, both({b_n, c_prime_n})));
 }
 }  // namespace derivation

@@ -42,13 +42,13 @@ void uniqueness(Book& book) {
     const auto same = [&](std::size_t i) {
       const Theorem t = part(special, i);
       const Theorem value = part(next, i);
-      return chain(t, equation(t.conclusion().arg(1), value.conclusion().arg(0), {value, block}));
+      return chain(t, equation(right(t), left(value), {value, block}));
     };
     return both({same(0), same(1)});
   };
-  book.show("only_P", "", "The law allows no other velocities after P_n",
+  book.show("only_P", "The law allows no other velocities after P_n",
             only(a(n - 1), c_prime(n - 1), book["cycle.P"]));
-  book.show("only_Q", "", "or after Q_n:", only(b(n - 1), c(n), book["cycle.Q"]));
+  book.show("only_Q", "or after Q_n:", only(b(n - 1), c(n), book["cycle.Q"]));
 }
 }  // namespace
 
@@ -77,12 +77,11 @@ void cycle_matrix(Book& book) {
                                  matrix(3, {1, 0, 0, 0, entry_of_gamma(0, 0), entry_of_gamma(0, 1),
                                             0, entry_of_gamma(1, 0), entry_of_gamma(1, 1)}),
                                  domain, "and that at Q_n leaves A alone:");
-  const Expr whole = simplified(times(of_Q.conclusion().arg(1), of_P.conclusion().arg(1)));
+  const Expr whole = simplified(times(right(of_Q), right(of_P)));
   Expr in_alpha = whole;
   for (int row = 0; row < 2; ++row)
     for (int col = 0; col < 2; ++col)
-      in_alpha =
-          replace(in_alpha, entry_of_gamma(row, col), entry(gamma.conclusion().arg(1), row, col));
+      in_alpha = replace(in_alpha, entry_of_gamma(row, col), entry(right(gamma), row, col));
   const Theorem of_cycle =
       book.name("Lambda", {alpha}, simplified(in_alpha), domain, "Multiplied out, a cycle is");
   const Theorems all_rules{of_cycle, of_P, of_Q, gamma};
@@ -108,12 +107,12 @@ void cycle_matrix(Book& book) {
   const Theorem recurrence = book.show(
       "recurrence", "eq:V-n eq:V-n-app", "A cycle takes it to the next:",
       matrix_equation(V_vector(n), times(Lambda(), V_vector(n - 1)), vectors + steps + all_rules));
-  book.show("Lambda_orthogonal", "", "Lambda is orthogonal,",
+  book.show("Lambda_orthogonal", "Lambda is orthogonal,",
             matrix_equation(times(Lambda(), transpose(Lambda())), identity(3), all_rules));
   for (const auto& [name, matrix_term, value] : {std::tuple{"Gamma_A_determinant", Gamma_A(), -1},
                                                  std::tuple{"Gamma_B_determinant", Gamma_B(), -1},
                                                  std::tuple{"Lambda_determinant", Lambda(), 1}})
-    book.show(name, "", "its determinant:", equation(det(matrix_term), value, all_rules));
+    book.show(name, "its determinant:", equation(det(matrix_term), value, all_rules));
   book.show(
       "V_squared", "eq:V2", "so the length of V_n is kept:",
       matrix_equation(times(transpose(V_vector(n)), V_vector(n)),

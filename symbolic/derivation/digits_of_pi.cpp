@@ -25,9 +25,9 @@ void digits_of_pi(Book& book) {
     return at(book[id], masses, {one, positive(power(T, 2))});
   };
   const Theorem kappa_is = here("wedge.kappa"), r = here("wedge.r_A");
-  const Expr kappa = kappa_is.conclusion().arg(0), share = r.conclusion().arg(1).arg(0);
+  const Expr kappa = left(kappa_is), share = right(r).arg(0);
   const Theorem no_share = here("wedge.r_B");
-  const Theorem unit = rewrite(equation(no_share.conclusion().arg(1).arg(0), 1), no_share);
+  const Theorem unit = rewrite(equation(right(no_share).arg(0), 1), no_share);
   const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit, root_is(1, 1)});
   const Theorem square = equation(power(kappa, 2), share, {root, root_squared(positive(share))});
   know(linear(lt(0, kappa), {root, positive(sqrt(share))}));
@@ -39,12 +39,12 @@ void digits_of_pi(Book& book) {
   know(arithmetic(lt(kappa, 1), below));
   const Theorem sine =
       root_of(equation(power(kappa / T, 2), 1 - power(kappa, 2), {square}), positive(kappa / T));
-  const Theorem tangent = equation(sine.conclusion().arg(0) / kappa, 1 / T, {sine});
+  const Theorem tangent = equation(left(sine) / kappa, 1 / T, {sine});
   const Theorem angle = rewrite(tangent, here("wedge.h_e"));
-  book.show("angle_T", "",
-            "With masses T^2 and 1, and nothing lost, the angle has the tangent 1/T,", angle);
+  book.show("angle_T", "With masses T^2 and 1, and nothing lost, the angle has the tangent 1/T,",
+            angle);
   const Theorem number = here("wedge.N");
-  const Expr h = angle.conclusion().arg(0), N = number.conclusion().arg(0);
+  const Expr h = left(angle), N = left(number);
   know(linear(lt(0, h), {angle, positive(atan(1 / T))}));
   const Theorem at_most_4 = pi_at_most_4(),
                 near = use("atan bounds", {{x, 1 / T}}, {not_negative(1 / T)});
@@ -60,12 +60,12 @@ void digits_of_pi(Book& book) {
   const Theorem below_1 =
       linear(le(0, 1 - u), {times(linear(le(0, T - 1)), u), equation(u * T, 1)});
   const Theorem to = linear(le(pi(), (pi() * T + 2 * u) * h),
-                            {product, equation(product.conclusion().arg(1), expanded),
+                            {product, equation(right(product), expanded),
                              times(at_most_4, power(u, 2)), times(below_1, (1 + u) * power(u, 2))});
-  know(book.show("number_T", "", "so that the number of collisions is near pi T:",
+  know(book.show("number_T", "so that the number of collisions is near pi T:",
                  both({many, linear(lt(N, pi() * T + 2 * u), {number, times(to, 1 / h)})})));
   const Expr room = logic_and({lt(k, pi() * T), le(pi() * T + 2 * u, k + 1)});
-  book.show("digits", "",
+  book.show("digits",
             "It is pi T rounded down, unless pi T is less than 2/T below the next integer: for T a "
             "power of ten the first digits of pi, unless about as many nines follow them.",
             given(room, [&](const Theorem& t) { return linear(eq(N, k), {t}); }));

@@ -21,7 +21,7 @@ Theorems rules_of_paper(Book& book, const Theorem& one) {
 }  // namespace
 
 Theorems without_losses(const Book& book, const Theorem& kappa_is) {
-  const Expr x_is = kappa_is.conclusion().arg(0), angle = kappa_is.conclusion().arg(1).arg(0);
+  const Expr x_is = left(kappa_is), angle = right(kappa_is).arg(0);
   const Theorem root = root_is(1, 1);
   const auto power = [](Expr i) { return fun("pow", {sqrt(Expr(1)), i}); };
   const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, sqrt(Expr(1))}})});
@@ -32,7 +32,7 @@ Theorems without_losses(const Book& book, const Theorem& kappa_is) {
   const auto quotient = [&](const char* name, const std::string& id, Expr over) {
     const Theorem product = rewrite(turned(kappa_is), instantiate(book[id], {{y, angle}}));
     return divided(fun(name, {x_is, j}), over / sin(angle), {sin(angle)},
-                   restate(eq(product.conclusion().arg(0), over), product));
+                   restate(eq(left(product), over), product));
   };
   return {power_is, root, quotient("U", "chebyshev.sine", sin((j + 1) * angle)),
           quotient("U_last", "chebyshev.sine_last", sin(j * angle))};
@@ -48,7 +48,7 @@ void encounters(Book& book) {
   const Theorem approach_is =
       linear(eq(approach(j), V * sine(j + 1) / sin(half())), {book["counting.speed"]});
   const Theorem speed =
-      book.show("speed", "", "In the paper's case the approach speeds are those that we know,",
+      book.show("speed", "In the paper's case the approach speeds are those that we know,",
                 equation(in_paper(closing(j)), approach(j),
                          rules + Theorems{at(book["wedge.speed"], paper, {one}), approach_is}));
 
@@ -58,7 +58,7 @@ void encounters(Book& book) {
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
     return linear(lt(0, in_paper(closing(i))), {going(i, range), at(speed, {{j, i}}, {range})});
   });
-  know(book.show("all", "", "and those until collision j are positive:", all_of_them));
+  know(book.show("all", "and those until collision j are positive:", all_of_them));
   const auto name = [&](const char* symbol, Expr value) {
     const Theorem is = define(symbol, {alpha, V, L, j}, value, 3);
     restrict_domain(symbol, {alpha, V, L, j}, logic_and(assumptions));
@@ -66,7 +66,7 @@ void encounters(Book& book) {
   };
   const Theorem when = name("when", in_paper(at_collision("time", j)));
   const Theorem distance = name("apart", in_paper(apart(j)));
-  book.show("definitions", "",
+  book.show("definitions",
             "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
             under(assumptions, both({when, distance})));
   const auto of_motion = [&](const char* id) {
@@ -77,14 +77,13 @@ void encounters(Book& book) {
   know(restate(lt(0, sine(j + 1)), positive_sine));
   know(linear(lt(0, fun("U", {in_paper(kappa()), j})),
               {rules[2], positive(sine(j + 1) / sin(half()))}));
-  book.show("when", "", "For a collision that takes place that is",
-            equation(when.conclusion().arg(0), L / V * (sine(j) / sine(j + 1)),
+  book.show("when", "For a collision that takes place that is",
+            equation(left(when), L / V * (sine(j) / sine(j + 1)),
                      rules + Theorems{when, of_motion("places.time")}));
   const Theorem blocks = of_motion("places.distance");
   const Expr B = in_paper(at_collision("x_B", j)), A = in_paper(at_collision("x_A", j));
-  book.show("apart", "", "and",
-            equation(distance.conclusion().arg(0), L * (sin(half()) / sine(j + 1)),
-                     rules + Theorems{distance,
-                                      linear(eq(B, A + blocks.conclusion().arg(1)), {blocks})}));
+  book.show("apart", "and",
+            equation(left(distance), L * (sin(half()) / sine(j + 1)),
+                     rules + Theorems{distance, linear(eq(B, A + right(blocks)), {blocks})}));
 }
 }  // namespace derivation

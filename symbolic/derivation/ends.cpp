@@ -20,11 +20,11 @@ void ends(Book& book) {
   };
   const Theorem rest_is =
       named("delta_e", pi() - N * h, "The last collision leaves of half a turn");
-  const Expr rest = rest_is.conclusion().arg(0);
+  const Expr rest = left(rest_is);
   const auto per_angle = [&](Expr room, bool strict) {
     return times(linear(strict ? lt(0, room) : le(0, room), {number}), h);
   };
-  know(book.show("rest", "", "an angle that is not above that of the wedge:",
+  know(book.show("rest", "an angle that is not above that of the wedge:",
                  both({linear(lt(0, rest), {rest_is, per_angle(pi() / h - N, true)}),
                        linear(le(rest, h), {rest_is, per_angle(N + 1 - pi() / h, false)})})));
   const auto size = [&](Expr i) { return V * root_power(i) * side(i); };
@@ -32,7 +32,7 @@ void ends(Book& book) {
       named("parting_e", e * size(N - 1) * (sin(rest) / sin(h)), "The last two bodies part with");
   const Theorem opening_is = named("opening_e", size(N) * (sin(h - rest) / sin(h)),
                                    "and the ball leaves the third body, or rests with it, with");
-  const Expr parting = parting_is.conclusion().arg(0), opening = opening_is.conclusion().arg(0);
+  const Expr parting = left(parting_is), opening = left(opening_is);
   // Collision N - 1 is the last, and there is no collision N.
   const auto approach_is = [&](Expr i, Expr angle, Expr value, const Theorem& definition) {
     const Theorem speed = restate(eq(closing(i), size(i) * (sin((i + 1) * h) / sin(h))),
@@ -44,9 +44,9 @@ void ends(Book& book) {
   const Theorem last = approach_is(N - 1, rest, parting / e, parting_is);
   const Theorem next = approach_is(N, rest - h, -opening, opening_is);
   know(sine_not_negative(linear(le(0, h - rest)), linear(le(h - rest, pi()))));
-  know(linear(lt(0, parting), {parting_is, positive(parting_is.conclusion().arg(1))}));
-  know(linear(le(0, opening), {opening_is, not_negative(opening_is.conclusion().arg(1))}));
-  book.show("last", "", "for these are the approach speeds then:",
+  know(linear(lt(0, parting), {parting_is, positive(right(parting_is))}));
+  know(linear(le(0, opening), {opening_is, not_negative(right(opening_is))}));
+  book.show("last", "for these are the approach speeds then:",
             both({linear(lt(0, parting)), linear(le(0, opening)), last, next}));
 
   const auto after = [&](const char* id) { return canonical_form(at(book[id], {{j, N - 1}})); };
@@ -55,8 +55,7 @@ void ends(Book& book) {
   const Expr C_B = (1 - t) / 2 * opening + (1 + t) / 2 * parting;
   const auto beyond_B = [&](Expr v, const char* id, Expr value) {
     const Theorem difference = after(id);
-    return equation(v, B + value,
-                    {linear(eq(v, B + difference.conclusion().arg(1)), {difference}), last, next});
+    return equation(v, B + value, {linear(eq(v, B + right(difference)), {difference}), last, next});
   };
   const Theorem A_is = beyond_B(A, "motion.A_B", -(opening + parting));
   const Theorem C_is = beyond_B(C, "motion.C_B", -C_B);
@@ -64,8 +63,8 @@ void ends(Book& book) {
   know(positive(mass));
   const Theorem B_is = equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass,
                                 {after("motion.B_velocity"), last, next});
-  book.show("B", "", "So B has at the end", B_is);
-  book.show("A_and_C", "", "and A and the ball have", both({A_is, C_is}));
+  book.show("B", "So B has at the end", B_is);
+  book.show("A_and_C", "and A and the ball have", both({A_is, C_is}));
   const auto share = [&](Expr one) {  // of 1 + t or 1 - t: its square is twice what it is
     Certificate c;
     c.equations = {{rational(1, 2), square}};
@@ -77,8 +76,8 @@ void ends(Book& book) {
     know(times(share(one), linear(le(0, opening))));
   }
   know(not_negative(C_B));
-  book.show("order", "", "in the order of the bodies:",
+  book.show("order", "in the order of the bodies:",
             both({linear(le(A, C), {A_is, C_is}), linear(le(C, B), {C_is}),
-                  linear(le(0, B), {B_is, not_negative(B_is.conclusion().arg(1))})}));
+                  linear(le(0, B), {B_is, not_negative(right(B_is))})}));
 }
 }  // namespace derivation

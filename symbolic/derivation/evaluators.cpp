@@ -19,8 +19,8 @@ Angle angle(Names& names) {
   const Theorem w_positive =
       linear(lt(0, of_alpha("w")), {under_root, positive(1 / sqrt(alpha * (2 + alpha)))});
   know(linear(lt(0, T), {t, times(w_positive, alpha)}));
-  const Theorem t_squared = book.show("t_squared", "", "t^2 is",
-                                      equation(power(T, 2), of_alpha("z"), {t, under_root, z}));
+  const Theorem t_squared =
+      book.show("t_squared", "t^2 is", equation(power(T, 2), of_alpha("z"), {t, under_root, z}));
   // cos(2 atan t) = (1 - t^2)/(1 + t^2) = 1/(1 + alpha) = cos(psi/2)
   const Theorem cosine_of_t = rewrite(turned(half_h), use("cos atan", {{x, T}}));
   const Theorem sine_of_t = rewrite(turned(half_h), use("sin atan", {{x, T}}));
@@ -31,9 +31,9 @@ Angle angle(Names& names) {
   const Theorem is_quarter = linear(eq(q, psi() / 4), {same});
   const Theorem light = assume(le(alpha, 1));
   book.show(
-      "z_at_most", "", "a third at most for a ball that is not heavier than a block:",
+      "z_at_most", "a third at most for a ball that is not heavier than a block:",
       linear(le(of_alpha("z"), rational(1, 3)), {z, times(light, rational(2, 3) / (2 + alpha))}));
-  book.show("psi", "", "psi is four times the arctangent of t:", linear(eq(psi(), 4 * q), {same}));
+  book.show("psi", "psi is four times the arctangent of t:", linear(eq(psi(), 4 * q), {same}));
   const Theorem tangent =
       equation(T, sin(psi() / 4) / cos(psi() / 4),
                {rewrite(is_quarter, sine_of_t), rewrite(is_quarter, cosine_of_t)});
@@ -58,11 +58,11 @@ void velocities(Names& names, const Angle& a) {
                        names.name("plus", both_inputs, f("cosine") + f("t_sine")),
                        names.name("minus", both_inputs, f("cosine") - f("t_sine")),
                        names.name("along", both_inputs, f("cosine") + f("w_sine"))};
-  book.show("t_sine_at_most", "", "where for a ball that is not heavier than a block",
+  book.show("t_sine_at_most", "where for a ball that is not heavier than a block",
             under({alpha_positive, from_0}, larger(a.t_small, f("sine"), parts[2], parts[3])));
   const Prover prover(book, a);
   const auto show = [&](const std::string& name, const std::string& id, Expr velocity, Expr form) {
-    book.show(name, "", name == "a" ? "the velocities are" : "and",
+    book.show(name, name == "a" ? "the velocities are" : "and",
               prover.equal(velocity, V * form, Theorems{book["power." + id]} + parts,
                            {n * psi() / 2, psi() / 4}));
   };
@@ -75,7 +75,7 @@ void velocities(Names& names, const Angle& a) {
 
 Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
                const Theorem& w_product) {
-  return linear(le(t_product.conclusion().arg(0), w_product.conclusion().arg(0)),
+  return linear(le(left(t_product), left(w_product)),
                 {t_product, w_product, times(t_small, assume(le(0, factor)))});
 }
 

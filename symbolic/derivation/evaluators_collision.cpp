@@ -22,10 +22,9 @@ void first_of_B(Book& book) {
     const Theorem t =
         cut(exists, cut(one, instantiate(book["encounters." + std::string(id)], {{j, 1}})));
     const Theorem is = rewrite(once, rewrite(twice, t));
-    book.show(
-        std::string(id) + "_1", "", is_time ? "That of B's first is" : "and",
-        equation(is.conclusion().arg(0), (is_time ? L / V : L) * (rational(1, 2) * (1 + alpha)),
-                 {is, book["rotation.cos_half_psi"], positive(sin(psi() / 2))}));
+    book.show(std::string(id) + "_1", is_time ? "That of B's first is" : "and",
+              equation(left(is), (is_time ? L / V : L) * (rational(1, 2) * (1 + alpha)),
+                       {is, book["rotation.cos_half_psi"], positive(sin(psi() / 2))}));
   }
 }
 }  // namespace
@@ -41,7 +40,7 @@ void collision_forms(Names& names, const Angle& a) {
   const Expr T = of_alpha("t"), q = of_alpha("half_h"), quarter = psi() / 4;
   const Theorem phase = names.name("half_phase", inputs, q * j, "With");
   const Theorem phase_is = rewrite(a.quarter, phase);
-  const Expr angle = phase_is.conclusion().arg(1);
+  const Expr angle = right(phase_is);
   const auto name = [&](const std::string& symbol, Expr value) {
     return rewrite(phase_is, names.name(symbol, inputs, value));
   };
@@ -72,7 +71,7 @@ void collision_forms(Names& names, const Angle& a) {
                 linear(lt(0, 0), {falls, axiom("cos pi/2"), next_cosine, times(c, is_positive)}));
   const Theorem room = times(linear(lt(0, 2 * pi() - (j + 1) * psi()), {below}), 1 / psi());
   const Theorem takes_place =
-      book.show("takes_place", "", "Collision j takes place where that is positive:",
+      book.show("takes_place", "Collision j takes place where that is positive:",
                 linear(lt(j, N()), {room, book["counting.N"]}));
 
   const Theorem from_turn = linear(le(0, angle), {times(from_0, psi())});
@@ -80,7 +79,7 @@ void collision_forms(Names& names, const Angle& a) {
       linear(le(0, S), {S_is, sine_not_negative(from_turn, linear(le(angle, pi()), {near}))});
   const Theorem C_positive = linear(lt(0, C), {C_is, tS_is, is_positive, times(S_from_0, T)});
   const Theorem sine_positive = linear(lt(0, sine), {sine_is, S_from_0, times(C_positive, T)});
-  book.show("sine_positive", "", "and so is", sine_positive);
+  book.show("sine_positive", "and so is", sine_positive);
   const Known divisors({sine_positive, is_positive, takes_place});
   const auto divided = [&](const char* symbol, Expr value, const char* words) {
     return book.name(symbol, inputs, value,
@@ -92,7 +91,7 @@ void collision_forms(Names& names, const Angle& a) {
   const Theorem t_ratio = divided("t_ratio", T / sine, "and");
   const Theorem of_time = divided("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"), "and");
   const Theorem more = linear(lt(0, sine - S), {sine_is, times(C_positive, T)});
-  book.show("ratio_at_most", "", "where",
+  book.show("ratio_at_most", "where",
             linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));
   // cos(psi/4)^2 (1 + t^2) = 1
   const Theorem square =
@@ -105,9 +104,8 @@ void collision_forms(Names& names, const Angle& a) {
     const Theorem t =
         cut(takes_place, cut(linear(le(0, 1)), book["encounters." + std::string(id)]));
     const Theorem is = rewrite(above, rewrite(after, t));
-    book.show(id, "", words,
-              cancel(eq(is.conclusion().arg(0), form), {c, c},
-                     {is, square, per_next, ratio, of_time, t_ratio}));
+    book.show(id, words,
+              cancel(eq(left(is), form), {c, c}, {is, square, per_next, ratio, of_time, t_ratio}));
   };
   show("when", "In these terms", before, L / V * (of_j("time_ratio") * C * of_j("per_next")));
   show("apart", "and", step, L * (of_j("t_ratio") * of_j("per_next")));
@@ -124,7 +122,7 @@ void collision_forms(Names& names, const Angle& a) {
                     axiom("cos pi/2")}),
             sine_not_negative(off_from_0, linear(le(off, pi()), {near})));
   const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
-  book.show("t_at_most", "", "where from the second collision of A on",
+  book.show("t_at_most", "where from the second collision of A on",
             linear(le(T, S), {S_is, rises, product, double_t, times(positive(cos(psi() / 2)), T)}));
 }
 }  // namespace derivation

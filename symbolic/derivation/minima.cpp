@@ -18,21 +18,20 @@ void conditions(Book& book, const Condition& which) {
   const Theorem cos_half = book["rotation.cos_half_psi"];
   const Expr fast = eq(b_t(), which.velocity), turned_back = eq(cos(angle()), which.cosine);
   const Theorem b_is = book["terminal.b"];
-  book.show(
-      which.name + "_cosine", which.cosine_label, which.cosine_words,
-      equivalent(
-          fast, turned_back,
-          [&](const Theorem& t) {
-            const Theorem same = linear(eq(which.velocity, b_is.conclusion().arg(1)), {t, b_is});
-            Certificate c;
-            c.multipliers = {positive(V), positive(1 + alpha)};
-            c.nonzero = {positive(1 + alpha), positive(2 + alpha)};
-            c.equations = {{2 + alpha, same}};
-            return arithmetic(turned_back, c);
-          },
-          [&](const Theorem& t) {
-            return equation(fast, {b_is, t});
-          }));
+  book.show(which.name + "_cosine", which.cosine_label, which.cosine_words,
+            equivalent(
+                fast, turned_back,
+                [&](const Theorem& t) {
+                  const Theorem same = linear(eq(which.velocity, right(b_is)), {t, b_is});
+                  Certificate c;
+                  c.multipliers = {positive(V), positive(1 + alpha)};
+                  c.nonzero = {positive(1 + alpha), positive(2 + alpha)};
+                  c.equations = {{2 + alpha, same}};
+                  return arithmetic(turned_back, c);
+                },
+                [&](const Theorem& t) {
+                  return equation(fast, {b_is, t});
+                }));
 
   // cos(angle) = cos(target) from 0 to pi; beyond pi the angle is 2 pi - target.
   const Expr y = angle(), t = which.target;
@@ -60,7 +59,7 @@ void conditions(Book& book, const Condition& which) {
   const Expr is_ratio = eq(alpha, fun(which.ratio, {N_B()}));
   const Expr quotient = pi() / which.denominator(N_B());
   const Theorem solved = equation(alpha, (1 - cos(half())) / cos(half()), {cos_half});
-  book.show(which.name + "_only", "", "and that the ratio is a threshold:",
+  book.show(which.name + "_only", "and that the ratio is a threshold:",
             equivalent(
                 count, is_ratio,
                 [&](const Theorem& counted) {
@@ -83,7 +82,7 @@ void together(Book& book) {
   const Theorem momentum = rewrite(same, part(book["terminal.energy"], 0));
   const Theorem energy = rewrite(same, part(book["terminal.energy"], 1));
   const Theorem coupled = book.show(
-      "coupled", "", "Where B and C end with the same velocity, two equations are left,",
+      "coupled", "Where B and C end with the same velocity, two equations are left,",
       both({linear(eq((1 + alpha) * b_t() + a_t(), V), {momentum}),
             linear(eq((1 + alpha) * power(b_t(), 2) + power(a_t(), 2), power(V, 2)), {energy})}));
   Certificate c;  // (1 + alpha) b ((2 + alpha) b - 2V) = 0
@@ -110,7 +109,7 @@ Theorem at_least(Book& book) {
        book["rotation.cos_half_psi"]});
   const Theorem lack = product_of(
       {positive(V), positive((1 + alpha) / (2 + alpha)), cos_late, positive(cos(early))});
-  return book.show("at_least", "", "B never has less than that,",
+  return book.show("at_least", "B never has less than that,",
                    linear(le(2 * V / (2 + alpha), b_t()), {form, lack}));
 }
 
@@ -121,7 +120,7 @@ Theorem at_deficient(Book& book) {
   const auto velocity = [&](const std::string& id) {
     return part(at(book[id], {{alpha, ratio}}), 1);
   };
-  return book.show("at_deficient", "", "and has just that at beta_k,",
+  return book.show("at_deficient", "and has just that at beta_k,",
                    chain(velocity("terminal.definitions"), velocity("deficient.terminal")));
 }
 
@@ -153,16 +152,14 @@ Theorem after_minimum(Book& book, const Theorem& velocity) {
   const Theorem lack =
       equation(b_t(), V - V * power(cos(u) / cos(q), 2),
                {rewrite(count, book["terminal.b"]), part(book["power.quarter"], 1)}, {u});
-  const Theorem lack_there =
-      equation(velocity.conclusion().arg(0), V - V * power(sin(v) / cos(v), 2),
-               {velocity, book["ratios.beta_k"]}, {v});
+  const Theorem lack_there = equation(left(velocity), V - V * power(sin(v) / cos(v), 2),
+                                      {velocity, book["ratios.beta_k"]}, {v});
   Certificate c;
   c.nonzero = {positive(cos(q)), positive(cos(v))};
   c.multipliers = c.nonzero + c.nonzero;
   c.products = {{1, {positive(V), smaller, positive(sin(v) * cos(q) + cos(u) * cos(v))}, {}}};
-  const Theorem values =
-      arithmetic(lt(lack_there.conclusion().arg(1), lack.conclusion().arg(1)), c);
-  return linear(lt(lack_there.conclusion().arg(0), b_t()), {values, lack, lack_there});
+  const Theorem values = arithmetic(lt(right(lack_there), right(lack)), c);
+  return linear(lt(left(lack_there), b_t()), {values, lack, lack_there});
 }
 }  // namespace
 
@@ -183,10 +180,10 @@ void minima(Book& book) {
   const Expr ratio = fun("beta_", {k}), l = 2 * V / (2 + ratio), r = 2 * V / (2 + alpha);
   const Theorem before = given(lt(alpha, ratio), [&](const Theorem& t) {
     const Theorem gap = times(t, 2 * V / ((2 + alpha) * (2 + ratio)));
-    const Expr difference = gap.conclusion().arg(1);
+    const Expr difference = right(gap);
     return linear(after.conclusion(), {equation(r - l, difference), gap, least, velocity});
   });
-  book.show("minimum", "", "where it has less than at any other ratio below alpha_k:",
+  book.show("minimum", "where it has less than at any other ratio below alpha_k:",
             follows(after.conclusion(),
                     {discharge(lt(ratio, alpha), after), before, assume(neq(alpha, ratio))}));
 }

@@ -31,12 +31,12 @@ public:
       restrict_domain(name, {x, n, j}, logic_and({le(0, n), from_0}));
   }
   void show_definitions() {
-    book.show("pow", "", "Powers by recursion,", both(powers));
-    book.show("choose", "", "binomial coefficients,", both(coefficients));
+    book.show("pow", "Powers by recursion,", both(powers));
+    book.show("choose", "binomial coefficients,", both(coefficients));
     const auto start = [&](std::size_t which) { return sums[which]; };
-    book.show("cos_sum", "", "a sum with those of even index,",
+    book.show("cos_sum", "a sum with those of even index,",
               under({le(0, n), le(2 * j + 2, n)}, both({start(0), start(2)})));
-    book.show("sin_sum", "", "and one with those of odd index.",
+    book.show("sin_sum", "and one with those of odd index.",
               under({le(1, n), le(2 * j + 3, n)}, both({start(1), start(3)})));
   }
   Theorem pow_next(Expr base, Expr e, const Theorem& e_from_0) const {
@@ -181,7 +181,7 @@ void multiples(Book& book) {
                      {n * x, r * x}));
   Sums s(book);
   s.show_definitions();
-  const Theorem pascal = book.show("pascal", "", "Pascal's rule:", s.pascal());
+  const Theorem pascal = book.show("pascal", "Pascal's rule:", s.pascal());
   const Theorem vanishes = s.none();
   const Theorem are = sums_are(s, one_more_angle(s, pascal, vanishes), vanishes);
   // With floor(n/2) for the cosine, and floor((n - 1)/2) for the sine, as one more term is 0.
@@ -191,7 +191,7 @@ void multiples(Book& book) {
   const auto floor_of = [&](Expr t) { return instantiate(book["constraints.floor"], {{x, t}}); };
   const Theorem half_is = floor_of(n / 2), less_is = floor_of((n - 1) / 2);
   const Theorem from_0 = assume(le(0, n)), from_1 = assume(le(1, n));
-  const Expr half = half_is.conclusion().arg(0), less = less_is.conclusion().arg(0);
+  const Expr half = left(half_is), less = left(less_is);
   const Theorem half_from_0 = linear(le(0, half), {half_is, from_0});
   know(half_from_0);
   book.show("cos", "sec:nx", "The cosine of n x is the first sum, up to n/2,",

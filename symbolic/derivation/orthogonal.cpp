@@ -36,18 +36,18 @@ Theorem entrywise(Expr l, Expr r, const std::function<Theorem(Expr, int, int)>& 
   return restate(eq(l, r), both(out));
 }
 /// X A Y = X B Y from A = B
-Theorem within(Expr left, const Theorem& e, Expr right) {
-  const Expr l = e.conclusion().arg(0), r = e.conclusion().arg(1);
+Theorem within(Expr x_matrix, const Theorem& e, Expr y_matrix) {
+  const Expr l = left(e), r = right(e);
   const Theorems of_e = entries(e);
-  return entrywise(
-      times(times(left, l), right), times(times(left, r), right), [&](Expr goal, int i, int j) {
-        Certificate c;
-        for (int k = 0; k < l.rows(); ++k)
-          for (int m = 0; m < l.cols(); ++m)
-            c.equations.push_back(
-                {entry(left, i, k) * entry(right, m, j), of_e[std::size_t(k * l.cols() + m)]});
-        return arithmetic(goal, c);
-      });
+  return entrywise(times(times(x_matrix, l), y_matrix), times(times(x_matrix, r), y_matrix),
+                   [&](Expr goal, int i, int j) {
+                     Certificate c;
+                     for (int k = 0; k < l.rows(); ++k)
+                       for (int m = 0; m < l.cols(); ++m)
+                         c.equations.push_back({entry(x_matrix, i, k) * entry(y_matrix, m, j),
+                                                of_e[std::size_t(k * l.cols() + m)]});
+                     return arithmetic(goal, c);
+                   });
 }
 /// l = r, the sum of `forward` less the sum of `back`, entry by entry.
 Theorem joined(Expr l, Expr r, const Theorems& forward, const Theorems& back = {}) {
@@ -94,11 +94,11 @@ Theorem orthogonal(Book& book, int size) {
       along.push_back(t);
     }
   const Theorem is = assume(eq(gram(o), identity(size)));
-  book.show(where, "",
+  book.show(where,
             plane ? "A matrix that keeps all lengths in the plane is orthogonal,"
                   : "In space, too, a matrix that keeps all lengths is orthogonal,",
             by_entries(gram(o), identity(size), along));
-  book.show(where + "_keeps", "", "and an orthogonal one keeps them;",
+  book.show(where + "_keeps", "and an orthogonal one keeps them;",
             restate(kept, within(transpose(column(v)), is, column(v))));
   const Theorem other = given(neq(d, 1), [&](const Theorem& t) {
     Certificate c;  // (1 - d)(-1 - d) = d^2 - 1
@@ -106,7 +106,7 @@ Theorem orthogonal(Book& book, int size) {
     c.equations = {{-1, squared_determinant(o, is)}};
     return arithmetic(eq(d, -1), c);
   });
-  book.show(where + "_determinant", "",
+  book.show(where + "_determinant",
             "its determinant is 1 or -1:", tautology(logic_or({eq(d, 1), eq(d, -1)}), {other}));
   return is;
 }
@@ -148,11 +148,11 @@ void in_the_plane(Book& book, const Theorem& is) {
               facts);
     };
     const std::string name = sign == 1 ? "rotation" : "reflection";
-    book.show(name, "",
+    book.show(name,
               sign == 1 ? "With determinant 1 it is a rotation of the plane,"
                         : "With determinant -1 it is a rotation after a reflection,",
               turned_by(2 * angle, {cosine, sine}));
-    book.show(name + "_half", "", "or half a turn,",
+    book.show(name + "_half", "or half a turn,",
               turned_by(pi(), {axiom("cos pi"), axiom("sin pi"), at_end, r_is_0}));
   }
 }
@@ -176,8 +176,7 @@ void in_space(Book& book, const Theorem& is) {
   const Theorem product =
       rewritten(entries(is) + Theorems{d_is_1},
                 equation(d * fixed, determinant(matrix(3, without))));  // det(O^T) det(O - 1)
-  book.show("axis", "",
-            "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
+  book.show("axis", "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
             linear(eq(fixed, 0), {product}));
   // O is the matrix of its own cofactors, so O - O^T turns with it.
   const Theorems times_d = entries(within(cofactors_of(o), is, one));  // d O = cofactors
@@ -188,14 +187,14 @@ void in_space(Book& book, const Theorem& is) {
     return arithmetic(goal, c);
   })};
   const Expr along = column({names[7] - names[5], names[2] - names[6], names[3] - names[1]});
-  book.show("axis_along", "", "which is this one, unless all three differences are 0:",
+  book.show("axis_along", "which is this one, unless all three differences are 0:",
             by_entries(times(o, along), along, parts(own_cofactors)));
   const Theorem mirror = book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
                                    "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
   const Expr columns = matrix(3, {names[0], names[1], -names[2], names[3], names[4], -names[5],
                                   names[6], names[7], -names[8]});
-  book.show("space_reflection", "",
+  book.show("space_reflection",
             "It changes the sign of a determinant, and applied twice it changes nothing, so that "
             "with determinant -1 the matrix is this reflection and then a rotation:",
             both({equation(det(mirrored), -d, {mirror}),
@@ -211,10 +210,10 @@ void in_space(Book& book, const Theorem& is) {
       turn("lambda_2", "eq:lambda-2", {cos(x), 0, sin(x), 0, 1, 0, -sin(x), 0, cos(x)});
   const auto collision = [&](const std::string& name, const std::string& id, const Theorem& turn_is,
                              Expr angle) {
-    const Expr l = book[id].conclusion().arg(0);
+    const Expr l = left(book[id]);
     book.show(name, "Lam-GAM", "A collision is a rotation after a reflection:",
               matrix_equation(
-                  l, times(substitute(turn_is.conclusion().arg(0), {{x, angle}}), P_3),
+                  l, times(substitute(left(turn_is), {{x, angle}}), P_3),
                   {book[id], book["ball.Gamma_theta"], mirror, instantiate(turn_is, {{x, angle}})},
                   {theta()}));
   };
@@ -291,7 +290,7 @@ void about_an_axis(Book& book, const Theorem& is) {
           both({in_case("orthogonal.rotation", 2 * atan(s_(1, 0) / (1 + s_(0, 0))), neq(first, -1)),
                 in_case("orthogonal.rotation_half", pi(), eq(first, -1))})));
   const Expr turned_by = times(r, lambda_3(x));
-  book.show("lambda_n_keeps", "", "and any such rotation keeps the third axis of its frame:",
+  book.show("lambda_n_keeps", "and any such rotation keeps the third axis of its frame:",
             joined(times(times(turned_by, back), third_axis), third_axis,
                    {within(turned_by, of_r, e_3), within(r, book["rotation.lambda_3"], e_3)}));
 }

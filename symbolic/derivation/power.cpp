@@ -11,7 +11,7 @@ Expr quarter() { return psi() / 4; }
 void powers_of_lambda(Book& book) {
   const Theorem def_turn = book["rotation.lambda_3"];
   const auto turned_by = [&](Expr angle) { return instantiate(def_turn, {{x, angle}}); };
-  book.show("angles_add", "", "Rotations about one axis add their angles:",
+  book.show("angles_add", "Rotations about one axis add their angles:",
             matrix_equation(times(lambda_3(x), lambda_3(y)), lambda_3(x + y),
                             {turned_by(x), turned_by(y), turned_by(x + y)}, {x, y}));
   // Lambda^n
@@ -62,14 +62,13 @@ Theorems quarter_rules(Book& book) {
   const Theorem cosine_squared = linear(
       eq(power(cos(quarter()), 2), (1 + 1 / (1 + alpha)) / 2),
       {angles({cos(half())}, {quarter()}, false)[0], cos_half, use("circle", {{x, quarter()}})});
-  const Theorem product =
-      linear(eq(cos(quarter()) * sin(quarter()), sin_half.conclusion().arg(1) / 2),
-             {angles({sin(half())}, {quarter()}, false)[0], sin_half});
-  book.show("quarter", "", "The quarter of psi:", both({sine, cosine_squared, product}));
+  const Theorem product = linear(eq(cos(quarter()) * sin(quarter()), right(sin_half) / 2),
+                                 {angles({sin(half())}, {quarter()}, false)[0], sin_half});
+  book.show("quarter", "The quarter of psi:", both({sine, cosine_squared, product}));
   know(sine);
   const Theorem mean = book.name("V_CM", {alpha, V}, V / (2 + alpha), {alpha_positive},
                                  "The velocity of the centre of mass:");
-  book.show("V_CM_psi", "", "in terms of psi,",
+  book.show("V_CM_psi", "in terms of psi,",
             equation(V_CM(), V * cos(half()) / (1 + cos(half())), {mean, cos_half}));
   return {cosine_squared, product, mean, cos_half, root_split(book)};
 }
@@ -80,20 +79,20 @@ void powers(Book& book) {
   powers_of_lambda(book);
 
   // Multiplied out.
-  const Expr frame = book["rotation.R"].conclusion().arg(1);
+  const Expr frame = right(book["rotation.R"]);
   const Theorem turn = instantiate(book["rotation.lambda_3"], {{x, n * psi()}});
-  const Expr turned_frame = times(times(frame, turn.conclusion().arg(1)), transpose(frame));
+  const Expr turned_frame = times(times(frame, right(turn)), transpose(frame));
   const Expr velocities = times(turned_frame, column({V, 0, 0}));
   const Theorem rotated = rewrite(book["power.Lambda_n"], book["power.V_n"]);
   Theorems rules{rotated, book["rotation.R"], turn, root_split(book)};
   for (const Theorem& t : entries(book["cycle.vector"])) rules.push_back(turned(t));
   Theorems derived;
-  const auto multiplied = [&](const std::string& name, const std::string& words, Expr left, int row,
+  const auto multiplied = [&](const std::string& name, const std::string& words, Expr of, int row,
                               Expr divisor) {
     const Expr value =
         simplified(entry(velocities, row, 0) / divisor, {cos(n * psi()), sin(n * psi())});
     const Theorems factors = divisor == Expr(1) ? Theorems{} : Theorems{positive(divisor)};
-    derived.push_back(book.show(name, "", words, cancel(eq(left, value), factors, rules)));
+    derived.push_back(book.show(name, words, cancel(eq(of, value), factors, rules)));
   };
   multiplied("a_multiplied", "Multiplied out, A has", a(n), 0, 1);
   multiplied("b_multiplied", "B has", b(n), 1, 1);
@@ -146,21 +145,21 @@ void powers(Book& book) {
   const Theorems all_forms{a_n, b_n, c_prime_n};
   const Expr up = (n + rational(1, 2)) * half(), down = (n - rational(1, 2)) * half(),
              lead = 2 * middle * (1 + alpha);
-  book.show("a_product", "", "The same as products: A,",
+  book.show("a_product", "The same as products: A,",
             proved(a(n), lead * cos(up) * cos(down), all_forms, parts_of));
-  book.show("b_product", "", "B,",
+  book.show("b_product", "B,",
             proved(b(n), lead * sin((n + 1) * half()) * sin(n * half()), all_forms, parts_of));
-  book.show("c_prime_product", "", "C after B",
+  book.show("c_prime_product", "C after B",
             proved(c_prime(n), -2 * middle * sin(n * half()) * cos(up) / sin(quarter()), all_forms,
                    parts_of));
   book.show(
-      "c_product", "", "and C after A:",
+      "c_product", "and C after A:",
       proved(c(n), 2 * middle * sin(n * half()) * cos(down) / sin(quarter()), {c_n}, parts_of));
-  book.show("before_P", "", "Before P_(n+1) A approaches C with the speed",
+  book.show("before_P", "Before P_(n+1) A approaches C with the speed",
             proved(a(n) - c_prime(n), V * sin((n + rational(1, 2)) * psi()) / sin(half()),
                    all_forms + Theorems{sin_half}, quarters, over_quarter));
   const Theorem c_next = at(c_n, {{n, n + 1}}, {assume(from_0)});
-  book.show("before_Q", "", "Before Q_(n+1) C approaches B with the speed",
+  book.show("before_Q", "Before Q_(n+1) C approaches B with the speed",
             proved(c(n + 1) - b(n), V * sin((n + 1) * psi()) / sin(half()), {c_next, b_n, sin_half},
                    quarters, over_quarter));
 }

@@ -15,20 +15,19 @@ Theorem halving(Book& book) {
   const Expr half = (1 + cos(x)) / 2;
   const Theorem square = equation(power(cos(x / 2), 2), half, angles({cos(x)}, {x / 2}));
   know(linear(le(0, half), {square, not_negative(power(cos(x / 2), 2))}));
-  return book.show("halving", "", "Half of an angle between 0 and pi:",
+  return book.show("halving", "Half of an angle between 0 and pi:",
                    turned(root_of(square, positive(cos(x / 2)))));
 }
 /// u and v from u + v = s, (u - v)^2 = d and v < u.
 struct Quadratic {
   Quadratic(const Theorem& sum, const Theorem& square, const Theorem& less)
-      : root(root_of(square, linear(lt(0, square.conclusion().arg(0).arg(0)), {less}))),
-        greater(solved(sum, less.conclusion().arg(1), root.conclusion().arg(0) / 2)),
-        smaller(solved(sum, less.conclusion().arg(0), -root.conclusion().arg(0) / 2)) {
-    know(linear(le(0, square.conclusion().arg(1)),
-                {square, not_negative(square.conclusion().arg(0))}));
+      : root(root_of(square, linear(lt(0, left(square).arg(0)), {less}))),
+        greater(solved(sum, right(less), left(root) / 2)),
+        smaller(solved(sum, left(less), -left(root) / 2)) {
+    know(linear(le(0, right(square)), {square, not_negative(left(square))}));
   }
   Theorem solved(const Theorem& sum, Expr which, Expr half_gap) const {
-    return linear(eq(which, sum.conclusion().arg(1) / 2 + half_gap), {sum, root});
+    return linear(eq(which, right(sum) / 2 + half_gap), {sum, root});
   }
   Theorem root, greater, smaller;
 };
@@ -102,7 +101,7 @@ Fifth fifth(Book& book) {
   const Quadratic q(of.known(eq(u + v, -1)), of.known(eq(power(u - v, 2), 5)),
                     linear(lt(v, u), {of.falls(1, 2)}));
   const Expr s = sqrt(Expr(5));
-  return {book.show("fifth", "", "The cosine of a fifth of pi:",
+  return {book.show("fifth", "The cosine of a fifth of pi:",
                     linear(eq(cos(pi() / 5), (1 + s) / 4), {opposite(of), q.smaller})),
           linear(eq(of.cosine(1), (s - 1) / 4), {q.greater})};
 }
@@ -117,7 +116,7 @@ Theorem fifteenth(const Theorem& cos_fifth, const Theorem& cos_third) {
   const Expr value = (s - 1) / 8 + sqrt((5 + s) / 8) * sqrt(rational(3, 4));
   const Theorem is = instantiate(difference, {{x, twice}, {y, third}});
   return equation(cos(pi() / 15), value,
-                  {restate(eq(cos(pi() / 15), is.conclusion().arg(1)), is), cosine, cos_third,
+                  {restate(eq(cos(pi() / 15), right(is)), is), cosine, cos_third,
                    sine(twice, (5 + s) / 8, cosine), sine(third, rational(3, 4), cos_third)});
 }
 /// |- cos(pi/17), by four quadratic equations
@@ -135,11 +134,11 @@ Theorem seventeenth(Book& book) {
   const Quadratic first(whole, of.known(eq(power(E - F, 2), 17)),
                         linear(lt(F, E), {E_positive, whole}));
   const auto halves = [&](Expr u, Expr v, const Theorem& sum, const Theorem& less) {
-    const Expr s = sum.conclusion().arg(0);  // (u - v)^2 = s^2 + 4
+    const Expr s = left(sum);  // (u - v)^2 = s^2 + 4
     const Theorem square = rewrite(sum, of.known(eq(power(u - v, 2), power(s, 2) + 4)));
-    const Expr value = square.conclusion().arg(1), simple = simplified(value);
-    return Quadratic(linear(eq(u + v, sum.conclusion().arg(1)), {sum}),
-                     rewrite(equation(value, simple), square), less);
+    const Expr value = right(square), simple = simplified(value);
+    return Quadratic(linear(eq(u + v, right(sum)), {sum}), rewrite(equation(value, simple), square),
+                     less);
   };
   const Quadratic of_E =
       halves(a, b, first.greater, linear(lt(b, a), {of.falls(1, 2), of.falls(4, 8)}));
@@ -147,12 +146,12 @@ Theorem seventeenth(Book& book) {
       halves(c, d, first.smaller, linear(lt(d, c), {of.falls(3, 6), of.falls(5, 7)}));
   const Expr u = period({2}), v = period({8});
   const Theorem square = of.known(eq(power(u - v, 2), power(b, 2) - 4 * d));
-  const Quadratic last(linear(eq(u + v, of_E.smaller.conclusion().arg(1)), {of_E.smaller}),
+  const Quadratic last(linear(eq(u + v, right(of_E.smaller)), {of_E.smaller}),
                        rewrite(of_F.smaller, rewrite(of_E.smaller, square)),
                        linear(lt(v, u), {of.falls(2, 8)}));
   const Theorem is = opposite(of);
-  const Expr b_value = of_E.smaller.conclusion().arg(1), root = last.root.conclusion().arg(0);
-  return linear(eq(is.conclusion().arg(0), (root - b_value) / 4), {is, last.smaller});
+  const Expr b_value = right(of_E.smaller), root = left(last.root);
+  return linear(eq(left(is), (root - b_value) / 4), {is, last.smaller});
 }
 }  // namespace
 
@@ -171,8 +170,8 @@ void radicals(Book& book) {
     const Expr whole = angle_of(d / 2);
     const Theorem half = at(half_of, {{x, whole}}, {positive(whole)});
     const Theorem value = rewrite(cosines.at(d / 2), half);
-    const Expr under_root = simplified(value.conclusion().arg(1).arg(0));
-    const Theorem simpler = rewrite(equation(value.conclusion().arg(1).arg(0), under_root), value);
+    const Expr under_root = simplified(right(value).arg(0));
+    const Theorem simpler = rewrite(equation(right(value).arg(0), under_root), value);
     cosines.emplace(d, restate(eq(cos(angle_of(d)), sqrt(under_root)), simpler));
   }
   for (const int d : {4, 5, 6, 8, 10, 12, 15, 16, 17, 20}) {
@@ -180,22 +179,20 @@ void radicals(Book& book) {
     const int index = magic ? (d - 1) / 2 : d / 2 - 1;
     const std::string name = magic ? "alpha_" : "beta_";
     const Theorem definition = at(book["ratios." + name + "k_paper"], {{k, index}});
-    const Expr angle = definition.conclusion().arg(1).arg(1).arg(0).arg(0);
-    const Theorem cosine =
-        restate(eq(cos(angle), cosines.at(d).conclusion().arg(1)), cosines.at(d));
-    know(linear(lt(0, cosine.conclusion().arg(1)),
-                {cosine, Periods::falls(angle, pi() / 2), axiom("cos pi/2")}));
+    const Expr angle = right(definition).arg(1).arg(0).arg(0);
+    const Theorem cosine = restate(eq(cos(angle), right(cosines.at(d))), cosines.at(d));
+    know(
+        linear(lt(0, right(cosine)), {cosine, Periods::falls(angle, pi() / 2), axiom("cos pi/2")}));
     Theorem value = rewrite(cosine, definition);
-    if (const Expr w = cosine.conclusion().arg(1); d == 17) {  // w = (...)/4
+    if (const Expr w = right(cosine); d == 17) {  // w = (...)/4
       know(linear(lt(0, w.arg(1)), known()));
-      value = chain(value, equation(value.conclusion().arg(1), 4 / w.arg(1) - 1));
+      value = chain(value, equation(right(value), 4 / w.arg(1) - 1));
     }
     if (d == 5) {  // the root out of the denominator
-      const Expr r = value.conclusion().arg(1);
+      const Expr r = right(value);
       value = chain(value, equation(r, simplified(r)));
     }
-    book.show(name + std::to_string(index), "", "The ratio of pi/" + std::to_string(d) + ":",
-              value);
+    book.show(name + std::to_string(index), "The ratio of pi/" + std::to_string(d) + ":", value);
   }
 }
 }  // namespace derivation

@@ -15,14 +15,14 @@ void ratio_forms(Names& names) {
     const Theorem versed = names.name(kind + "_versed", {k}, 2 * power(f("sine"), 2));
     const Theorem cosine = names.name(kind + "_cosine", {k}, 1 - f("versed"));
     const Theorem definition = book[std::string("ratios.") + name + "k"];
-    const Expr whole = definition.conclusion().arg(1).arg(1).arg(0);  // cos(pi/d)
+    const Expr whole = right(definition).arg(1).arg(0);  // cos(pi/d)
     const Theorem twice =
         equation(cos(2 * f("angle")), 1 - 2 * power(sin(f("angle")), 2), {}, {f("angle")});
     const Theorem angle_is = equation(2 * f("angle"), whole.arg(0), {y_is, assume(le(1, k))});
     const Theorem is =
         equation(f("cosine"), whole, {cosine, versed, sine, rewrite(angle_is, twice)});
     know(linear(lt(0, f("cosine")), {is, book[std::string("ratios.") + name + "k_cosine"]}));
-    book.show(kind, "", "the ratio is",
+    book.show(kind, "the ratio is",
               rewrite(turned(is),
                       equation(fun(name, {k}), f("versed") / whole,
                                {definition, linear(eq(f("versed"), 1 - whole), {is, cosine})})));
@@ -36,12 +36,11 @@ void heavy_ball(Names& names) {
   const Theorem alpha_1 = book["ratios.alpha_1"], beta_below = at(book["ratios.order"], {{k, 1}});
   const auto once = [&](const char* id, const Theorems& facts) {
     const Theorem t = cut(mass, book[id]);  // N = 1 if and only if the first ratio is <= alpha
-    return tautology(t.conclusion().arg(0),
-                     {t, linear(t.conclusion().arg(1), facts + Theorems{alpha_1, is_heavy})});
+    return tautology(left(t), {t, linear(right(t), facts + Theorems{alpha_1, is_heavy})});
   };
-  const Theorem counts = both(
-      {book.show("N_A", "", "Both blocks have one collision each, A", once("ratios.N_A_once", {})),
-       book.show("N_B", "", "and B:", once("ratios.N_B_once", {beta_below}))});
+  const Theorem counts =
+      both({book.show("N_A", "Both blocks have one collision each, A", once("ratios.N_A_once", {})),
+            book.show("N_B", "and B:", once("ratios.N_B_once", {beta_below}))});
   const Theorem sum = names.name("masses", {alpha}, 1 + alpha, "With");
   know(linear(lt(0, of_alpha("masses")), {sum}));
   const Theorem part_of = names.name("per_mass", {alpha}, 1 / of_alpha("masses"));
@@ -54,7 +53,7 @@ void heavy_ball(Names& names) {
     steps = steps + parts({rewrite(zero, at(book[id], {{n, 1}}))});
   const Theorems rules{share, less, rewrite(sum, part_of)};
   const auto show = [&](const std::string& name, Expr velocity, Expr form) {
-    return book.show(name, "", name == "a" ? "the first velocities are" : "and",
+    return book.show(name, name == "a" ? "the first velocities are" : "and",
                      equation(velocity, V * form, steps + rules));
   };
   const Theorems after{show("a", a(1), D * i), show("b", b(1), 4 * f * i), show("c", c(1), 2 * i),
@@ -63,9 +62,9 @@ void heavy_ball(Names& names) {
   const Theorem end = cut(mass, cut(N_is, at(book["terminal.after_Q"], {{n, 1}}, {N_is})));
   for (const auto& [name, which, velocity] :
        {std::tuple{"a_t", 2U, 0U}, std::tuple{"b_t", 3U, 1U}, std::tuple{"c_t", 4U, 3U}})
-    book.show(name, "", which == 2U ? "which are the terminal ones:" : "and",
+    book.show(name, which == 2U ? "which are the terminal ones:" : "and",
               chain(part(end, which), cut(mass, after[velocity])));
-  book.show("rho", "", "with the fraction of the energy",
+  book.show("rho", "with the fraction of the energy",
             equation(fun("rho", {alpha, V}), 16 * power(f * i, 2),
                      {book["evaluators_end.def_rho"], book["heavy.b_t"]}));
 }

@@ -26,7 +26,7 @@ void at_threshold(Book& book, const Kind& kind) {
   const Theorems range = range_of(kind.d, {from_1});
   const Theorem solved = chain(is, book["ratios." + kind.ratio + "k"]);
   const Theorem cosines = at(book["ratios.ratio"], {{x, pi() / kind.d}}, range + Theorems{solved});
-  const Theorem angle = book.show("angle", "", "Half of psi is then", same_angle(cosines, range));
+  const Theorem angle = book.show("angle", "Half of psi is then", same_angle(cosines, range));
   const Theorem turn =
       equation(kind.d * psi(), 2 * pi(), {linear(eq(psi(), 2 * pi() / kind.d), {angle}), from_1});
   const Theorem quotient =
@@ -47,7 +47,7 @@ void at_threshold(Book& book, const Kind& kind) {
     terminal.push_back(rewrite(turned(of_A ? N_A_is : N_B_is), values.back()));
   }
   book.show("velocities", kind.velocity_label, kind.velocity_words, both(values));
-  book.show("terminal", "", "These are the terminal velocities:", both(terminal));
+  book.show("terminal", "These are the terminal velocities:", both(terminal));
 }
 }  // namespace
 

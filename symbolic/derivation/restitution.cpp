@@ -17,30 +17,29 @@ Exprs one_collision(Book& book) {
   const Expr relative = eq(v_2 - v_1, e * (u_1 - u_2));
   const Exprs bodies{e, M_1, M_2, u_1, u_2, v_1, v_2};
   const Theorem law = book.show(
-      "law", "",
+      "law",
       "A collision with restitution e keeps momentum, and the bodies part e times as fast "
       "as they approached:",
       define("impact", bodies, logic_and({momentum, relative}), 0));
-  const Theorems laws =
-      parts({tautology(law.conclusion().arg(1), {law, assume(fun("impact", bodies))})});
+  const Theorems laws = parts({tautology(right(law), {law, assume(fun("impact", bodies))})});
   const Theorem m_1 = assume(lt(0, M_1)), m_2 = assume(lt(0, M_2));
   const Known masses({m_1, m_2});
   const Exprs after = solve({momentum, relative}, {v_1, v_2}, {u_1, u_2});
   const Theorem v_2_is = linear(eq(v_2, v_1 + e * (u_1 - u_2)), {laws[1]});
   const Theorem v_1_is = linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {laws[0]});
-  book.show("v_1", "", "The velocities after it are", equation(v_1, after[0], {v_2_is, v_1_is}));
-  book.show("v_2", "", "and", equation(v_2, after[1], {v_2_is, v_1_is}));
+  book.show("v_1", "The velocities after it are", equation(v_1, after[0], {v_2_is, v_1_is}));
+  book.show("v_2", "and", equation(v_2, after[1], {v_2_is, v_1_is}));
   const Expr lost =
       M_1 * power(u_1, 2) + M_2 * power(u_2, 2) - M_1 * power(v_1, 2) - M_2 * power(v_2, 2);
-  book.show("energy", "", "Twice the kinetic energy that is lost:",
+  book.show("energy", "Twice the kinetic energy that is lost:",
             equation(lost, (1 - power(e, 2)) * M_1 * M_2 / (M_1 + M_2) * power(u_1 - u_2, 2),
                      {v_2_is, v_1_is}));
   // What divides by M_2 serves a wall, too.
   const Theorem wall =
-      book.show("wall", "", "A wall stays as it is:",
+      book.show("wall", "A wall stays as it is:",
                 define("rebound", {e, u_1, u_2, v_1, v_2}, logic_and({eq(v_2, u_2), relative}), 0));
-  const Theorems of_wall = parts({tautology(
-      wall.conclusion().arg(1), {wall, assume(fun("rebound", {e, u_1, u_2, v_1, v_2}))})});
+  const Theorems of_wall =
+      parts({tautology(right(wall), {wall, assume(fun("rebound", {e, u_1, u_2, v_1, v_2}))})});
   const Expr shared = eq(w_2 * M_1 * u_1 + u_2, w_2 * M_1 * v_1 + v_2);
   const Exprs of_both = solve({shared, relative}, {v_1, v_2}, {u_1, u_2});
   const auto instance = [&](Expr value, const Theorems& rules, const auto& shape) {
@@ -49,10 +48,10 @@ Exprs one_collision(Book& book) {
     };
     return both({is(v_1, 0), is(v_2, 1)});
   };
-  book.show("inverse_mass", "", "With 1/M_2 for M_2 the velocities are",
+  book.show("inverse_mass", "With 1/M_2 for M_2 the velocities are",
             instance(1 / M_2, {v_2_is, v_1_is}, [](Expr t) { return t; }));
   const Theorem from_wall = linear(eq(v_1, v_2 - e * (u_1 - u_2)), {of_wall[1]});
-  book.show("at_wall", "", "and with 0 for 1/M_2 those of a wall:",
+  book.show("at_wall", "and with 0 for 1/M_2 those of a wall:",
             instance(0, {from_wall, of_wall[0]}, [](Expr t) {
               return simplified(t, {u_1, u_2});
             }));
@@ -68,14 +67,14 @@ void recurrence(Book& book, const Theorems& motion) {
       "closing", {M_A, w_B, M_C, e, V, j},
       P * (velocity("A", j) - velocity("C", j)) + Q * (velocity("C", j) - velocity("B", j)), 5);
   restrict_domain("closing", {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
-  book.show("closing", "", "Before collision j its two bodies approach with the speed", definition);
+  book.show("closing", "Before collision j its two bodies approach with the speed", definition);
   const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
   const Theorem first =
-      book.show("first", "", "at first",
+      book.show("first", "at first",
                 equation(closing(0), V, {at_0(definition), turns[0], motion[0], motion[2]}));
   const auto turn_after = [&](const Theorem& now) { return use(turns[1], {}, {now}); };
   const Theorem square = book.show(
-      "turn_squared", "", "As a turn is 1 or -1,",
+      "turn_squared", "As a turn is 1 or -1,",
       by_induction(j, eq(power(turn(j), 2), 1), equation(power(turn(0), 2), 1, {turns[0]}),
                    [&](const Theorem& now, const Theorem& known) {
                      return equation(power(turn(j + 1), 2), 1, {turn_after(now), known});
@@ -89,16 +88,16 @@ void recurrence(Book& book, const Theorems& motion) {
   const auto share = [](Expr i) {
     return (1 + turn(i)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(i)) / 2 * (1 / (1 + w_B * M_C));
   };
-  const Theorem parting = book.show("parting", "", "they part e times as fast as they approached:",
+  const Theorem parting = book.show("parting", "they part e times as fast as they approached:",
                                     equation(other(j + 1), -e * closing(j), step));
   const Theorem gain =
-      book.show("gain", "", "and the ball approaches the third body faster by the rest:",
+      book.show("gain", "and the ball approaches the third body faster by the rest:",
                 equation(closing(j + 1), other(j) + (1 + e) * share(j) * closing(j),
                          step + Theorems{instantiate(definition, {{j, j + 1}})}));
   const Theorem start = at(gain, {{j, 0}}, {zero});
   const Expr second = (1 + e) * (M_A / (M_A + M_C)) * V;
   book.show(
-      "second", "", "The second speed is",
+      "second", "The second speed is",
       restate(eq(closing(1), second), equation(closing(Expr(0) + Expr(1)), second,
                                                {start, first, turns[0], motion[1], motion[2]})));
   const Expr after = j + 1;
@@ -106,7 +105,7 @@ void recurrence(Book& book, const Theorems& motion) {
     return w_B * (M_A * velocity("A", i) + M_C * velocity("C", i)) + velocity("B", i);
   };
   const Theorem momentum =
-      book.show("momentum", "", "Momentum is kept, if there is no wall:",
+      book.show("momentum", "Momentum is kept, if there is no wall:",
                 by_induction(j, eq(carried(j), w_B * M_A * V),
                              equation(carried(0), w_B * M_A * V, {motion[0], motion[1], motion[2]}),
                              [&](const Theorem&, const Theorem& known) {
@@ -119,10 +118,10 @@ void recurrence(Book& book, const Theorems& motion) {
              t = turn(after);
   const Expr of_B = (1 - t) / 2 * closing(after) - (1 + t) / 2 * (e * closing(j));
   const Theorem A_B =
-      book.show("A_B", "", "After collision j the velocities of A and B differ by",
+      book.show("A_B", "After collision j the velocities of A and B differ by",
                 linear(eq(A - B, closing(after) - e * closing(j)), {closes, parting}));
   const Theorem C_B =
-      book.show("C_B", "", "those of C and B by",
+      book.show("C_B", "those of C and B by",
                 equation(ball - B, of_B, {closes, parts_with, at(square, {{j, after}}, {from})}));
   const auto share_of = [&](Expr M, Expr own, Expr difference, const Theorem& is) {
     return equation(w_B * M * own, w_B * M * (B + difference),
@@ -133,8 +132,8 @@ void recurrence(Book& book, const Theorems& motion) {
   const Theorem whole =
       linear(eq(B * all, given_off), {at(momentum, {{j, after}}, {from}),
                                       share_of(M_A, A, of_A, A_B), share_of(M_C, ball, of_B, C_B)});
-  book.show("B_velocity", "", "and B has", divided(B, given_off / all, {all}, whole));
-  book.show("recurrence", "", "and each one follows from two before:",
+  book.show("B_velocity", "and B has", divided(B, given_off / all, {all}, whole));
+  book.show("recurrence", "and each one follows from two before:",
             linear(eq(closing(j + 2), (1 + e) * share(j + 1) * closing(j + 1) - e * closing(j)),
                    {at(gain, {{j, j + 1}}, {from}), parting}));
 }
@@ -161,11 +160,11 @@ void restitution(Book& book) {
        P * of_A(1, A_before, C_before) + Q * of_B(0, C_before, B_before)});
   for (const char* name : {"v_A", "v_B", "v_C"})
     restrict_domain(name, {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
-  book.show("start", "",
+  book.show("start",
             "At the start A moves with V, the ball C and B are at rest; w_B is 1/M_B for a block "
             "and 0 for a wall:",
             (both({motion[0], motion[1], motion[2]})));
-  book.show("next", "", "Collision j is one of A and C, or of C and B, by turns:",
+  book.show("next", "Collision j is one of A and C, or of C and B, by turns:",
             (both({motion[3], motion[4], motion[5]})));
   recurrence(book, motion);
 }

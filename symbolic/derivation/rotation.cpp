@@ -45,17 +45,17 @@ void angle(Book& book, Expr lambda) {
   const Theorem cos_half =
       book.show("cos_half_psi", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
   const Theorem sin_half = book.show("sin_half_psi", "table:trig", "and", at_half("sin atan"));
-  know(book.show("psi_range", "", "The range of psi:",
+  know(book.show("psi_range", "The range of psi:",
                  both({linear(lt(0, psi()), {definition, positive(atan(t))}),
                        linear(lt(psi(), pi()), {definition})})));
-  know(book.show("half_signs", "", "so that half of it has a positive sine and a positive cosine:",
+  know(book.show("half_signs", "so that half of it has a positive sine and a positive cosine:",
                  both({positive(sin(psi() / 2)), positive(cos(psi() / 2))})));
   const auto doubled = [&](Expr l, Expr r) {
     return equation(l, r, {cos_half, sin_half}, {psi() / 2});
   };
   book.show("cos_psi", "table:trig", "The double angle", doubled(cos(psi()), cosine));
   book.show("sin_psi", "table:trig", "and", doubled(sin(psi()), 2 * t / power(1 + alpha, 2)));
-  book.show("trace", "", "agrees with the trace:",
+  book.show("trace", "agrees with the trace:",
             equation(entry(Lambda(), 0, 0) + entry(Lambda(), 1, 1) + entry(Lambda(), 2, 2),
                      1 + 2 * cos(psi()), {book["cycle.Lambda"], book["rotation.cos_psi"]}));
 }
@@ -63,12 +63,12 @@ void angle(Book& book, Expr lambda) {
 
 Theorem root_split(Book& book) {
   const Expr product = sqrt(alpha) * sqrt(2 + alpha);
-  return root_is(book["rotation.psi"].conclusion().arg(1).arg(1).arg(0).arg(0), product);
+  return root_is(right(book["rotation.psi"]).arg(1).arg(0).arg(0), product);
 }
 
 void rotation(Book& book) {
   const Theorem def_lambda = book["cycle.Lambda"];
-  const Expr lambda = def_lambda.conclusion().arg(1);
+  const Expr lambda = right(def_lambda);
   book.chapter("rotation", "The rotation", {alpha_positive});
   angle(book, lambda);
   const Theorems rules{root_split(book), def_lambda, book["rotation.cos_psi"],
@@ -92,9 +92,9 @@ void rotation(Book& book) {
   const Theorems with_frame = Theorems{frame} + rules;
   const Expr w = sqrt(2 + alpha);
   const auto third = column({entry(R(), 0, 2), entry(R(), 1, 2), entry(R(), 2, 2)});
-  book.show("axis", "", "Lambda leaves its axis as it is,",
+  book.show("axis", "Lambda leaves its axis as it is,",
             matrix_equation(times(Lambda(), third), third, with_frame));
-  book.show("axis_paper", "", "which is along the roots of the masses:",
+  book.show("axis_paper", "which is along the roots of the masses:",
             matrix_equation(third, column({1 / w, 1 / w, sqrt(alpha) / w}), with_frame));
   const Theorem quotient = root_is(alpha / (2 * (2 + alpha)), sqrt(alpha) / (sqrt(2) * w));
   const Theorem other = root_is(2 / (2 + alpha), sqrt(2) / w);
@@ -105,9 +105,9 @@ void rotation(Book& book) {
                             matrix(3, {-1 / r2, -q, 1 / w, 1 / r2, -q, 1 / w, 0,
                                        sqrt(2 / (2 + alpha)), sqrt(alpha) / w}),
                             Theorems{quotient, other} + with_frame));
-  book.show("R_orthogonal", "", "The frame is orthogonal,",
+  book.show("R_orthogonal", "The frame is orthogonal,",
             matrix_equation(times(transpose(R()), R()), identity(3), with_frame));
-  book.show("R_determinant", "", "and right-handed:", equation(det(R()), 1, with_frame));
+  book.show("R_determinant", "and right-handed:", equation(det(R()), 1, with_frame));
   const Theorem turn_3 =
       book.name("lambda_3", {x}, matrix(3, {cos(x), -sin(x), 0, sin(x), cos(x), 0, 0, 0, 1}), {},
                 "A rotation about the third axis:", "eq:lambda-3");
@@ -116,7 +116,7 @@ void rotation(Book& book) {
       "Lambda_in_frame", "eq-app:lambda-R", "In this frame Lambda is such a rotation, by psi:",
       matrix_equation(times(transpose(R()), times(Lambda(), R())), lambda_3(psi()), turned_rules));
   book.show(
-      "Lambda_R", "", "so that",
+      "Lambda_R", "so that",
       matrix_equation(Lambda(), times(times(R(), lambda_3(psi())), transpose(R())), turned_rules));
 }
 }  // namespace derivation

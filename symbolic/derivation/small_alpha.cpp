@@ -14,17 +14,17 @@ Theorem atan_bounds(Expr t) { return use("atan bounds", {{x, t}}, {positive(t)})
 void theta_bounds(Book& book) {
   const Expr s = sqrt(alpha);
   const Theorem definition = book["ball.theta"];
-  know(book.show("theta_range", "", "The range of theta:",
+  know(book.show("theta_range", "The range of theta:",
                  both({linear(lt(0, theta()), {definition, positive(atan(s))}),
                        linear(lt(theta(), pi()), {definition})})));
   const Theorem cosine =
       linear(lt(0, cos(theta())),
              {book["ball.cos_theta"], positive((1 - alpha) / (1 + alpha), {assume(light)})});
   const Theorem falls = cosine_falls(assume(le(pi() / 2, theta())));
-  book.show("theta_light", "", "for a ball lighter than a block:",
+  book.show("theta_light", "for a ball lighter than a block:",
             otherwise(lt(theta(), pi() / 2), linear(lt(0, 0), {cosine, falls, axiom("cos pi/2")})));
   const Theorems bounds{definition, atan_bounds(s), equation(power(s, 3), alpha * s)};
-  book.show("theta_bounds", "", "theta is about 2 sqrt(alpha):",
+  book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
             linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));
 }
 
@@ -82,12 +82,12 @@ void small_alpha(Book& book) {
   const Expr third = pi() / 3;
   const Theorem reached = at(book["ratios.reached"], {{x, third}}, {positive(third)});
   const Theorem first = at(book["ratios.alpha_k"], {{k, 1}});
-  const Theorem is_1 = linear(eq(first.conclusion().arg(1), 1), {first, book["ratios.alpha_1"]});
+  const Theorem is_1 = linear(eq(right(first), 1), {first, book["ratios.alpha_1"]});
   const Theorem angle = assume(le(third, psi() / 2));
-  const Theorem heavy = tautology(reached.conclusion().arg(0), {reached, angle});
+  const Theorem heavy = tautology(left(reached), {reached, angle});
   const Theorem less =
       otherwise(lt(psi() / 2, third), linear(lt(0, 0), {heavy, assume(light), is_1}));
-  book.show("psi_light", "",
+  book.show("psi_light",
             "The range of psi for such a ball:", linear(lt(psi(), 2 * pi() / 3), {less}));
   psi_bounds(book);
   counts(book);

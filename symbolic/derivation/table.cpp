@@ -10,8 +10,7 @@ const Expr s = sqrt(alpha), root = sqrt(alpha * (2 + alpha));
 /// The quarter of psi: cosine and sine as roots, psi as four times an arctangent, its tangent.
 Theorem quarter(Book& book) {
   const Expr q = psi() / 4, t = sqrt(alpha / (2 + alpha));
-  know(
-      book.show("quarter_cosine", "", "A quarter of psi has a positive cosine,", positive(cos(q))));
+  know(book.show("quarter_cosine", "A quarter of psi has a positive cosine,", positive(cos(q))));
   const Theorem cosine_squared = part(book["power.quarter"], 1);
   const Theorems squares = angles({}, {q}) + Theorems{cosine_squared};
   book.show("cos_quarter_psi", "table:trig", "that is,",
@@ -22,7 +21,7 @@ Theorem quarter(Book& book) {
   const Theorem same =
       same_angle(equation(cos(q), cos(atan(t)), {rewrite(hypotenuse, use("cos atan", {{x, t}}))}),
                  {positive(atan(t))});
-  book.show("quarter_psi", "", "so that", linear(eq(psi(), 4 * atan(t)), {same}));
+  book.show("quarter_psi", "so that", linear(eq(psi(), 4 * atan(t)), {same}));
   return turned(root_is(alpha / (2 + alpha), sin(q) / cos(q), squares));
 }
 }  // namespace

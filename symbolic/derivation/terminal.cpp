@@ -14,10 +14,10 @@ void kept_quantities(Book& book) {
                             book["power.c_prime_multiplied"], root_split(book)};
   const Expr V2 = power(V, 2);
   const Theorem momentum =
-      book.show("momentum_Q", "", "After n cycles momentum is what it was (over M),",
+      book.show("momentum_Q", "After n cycles momentum is what it was (over M),",
                 equation(a(n) + b(n) + alpha * c_prime(n), V, velocities, {n * psi()}));
   const Theorem energy =
-      book.show("energy_Q", "", "and energy (over M/2);",
+      book.show("energy_Q", "and energy (over M/2);",
                 equation(power(a(n), 2) + power(b(n), 2) + alpha * power(c_prime(n), 2), V2,
                          velocities, {n * psi()}));
   const Theorem vector = book["cycle.vector"];
@@ -27,12 +27,12 @@ void kept_quantities(Book& book) {
             matrix_equation(length(n), length(0),
                             {vector, at(vector, {{n, 0}}), book["cycle.start_vector"],
                              linear(eq(power(a(n), 2), rest), {energy})}));
-  book.show("momentum_P", "", "so they are after P_n,",
+  book.show("momentum_P", "so they are after P_n,",
             linear(eq(a(n) + b(n - 1) + alpha * c(n), V),
                    {one_before(momentum), book["cycle.momentum_P"]}));
   const Theorem at_P = equation(power(a(n - 1), 2) + alpha * power(c_prime(n - 1), 2),
                                 power(a(n), 2) + alpha * power(c(n), 2), {book["cycle.P"]});
-  book.show("energy_P", "", "too:",
+  book.show("energy_P", "too:",
             linear(eq(power(a(n), 2) + power(b(n - 1), 2) + alpha * power(c(n), 2), V2),
                    {one_before(energy), at_P}));
 }
@@ -57,12 +57,12 @@ void on_the_way(Book& book, const Theorems& approaches) {
     const Theorem going =
         going_on(book, i, {assume(le(n, last)), assume(from_1), book["counting.shares"]});
     const Theorem speed = approaches[which];
-    const Theorem above_0 = linear(lt(0, speed.conclusion().arg(1)), {going, speed});
+    const Theorem above_0 = linear(lt(0, right(speed)), {going, speed});
     return linear(goal, {part(book[step], 0), times(above_0, 2 * alpha / (1 + alpha))});
   };
-  book.show("a_falls", "", "Each collision slows A down,",
+  book.show("a_falls", "Each collision slows A down,",
             changes(lt(a(n), a(n - 1)), N_A(), 2 * n - 2, 0, "cycle.P"));
-  book.show("b_rises", "", "and each one of B speeds B up:",
+  book.show("b_rises", "and each one of B speeds B up:",
             changes(lt(b(n - 1), b(n)), N_B(), 2 * n - 1, 1, "cycle.Q"));
 }
 
@@ -82,7 +82,7 @@ Theorem at_the_end(Book& book, const End& end) {
   const Theorem from_momentum =
       linear(eq(a(n), V - b(end.N_B_is) - alpha * end.ball), {end.momentum});
   const Theorem c_is = equation(c_t(), end.ball, {definitions[2], a_is, b_is, from_momentum});
-  book.show(end.name, "", end.words, both({of_A, of_B, a_is, b_is, c_is, end.order}));
+  book.show(end.name, end.words, both({of_A, of_B, a_is, b_is, c_is, end.order}));
   const Theorems values{a_is, b_is, c_is};
   const Expr rest = power(V, 2) - power(b(end.N_B_is), 2) - alpha * power(end.ball, 2);
   return both(
@@ -105,10 +105,10 @@ void below_V(Book& book, const Theorem& facts) {
   below.multipliers = {linear(lt(0, V + b_t()), {b_positive})};
   below.equations = {{1, all[3]}};
   below.products = {{1, {}, {a_t()}}, {1, {assume(alpha_positive)}, {c_t()}}};
-  book.show("order", "",
+  book.show("order",
             "In any case they are in the order of the bodies, and B is not faster than A was:",
             both({all[0], all[1], b_positive, arithmetic(le(b_t(), V), below)}));
-  book.show("energy", "", "with", both({all[2], all[3]}));
+  book.show("energy", "with", both({all[2], all[3]}));
 }
 
 /// (N_A - 1/2) psi < pi <= (N_A + 1/2) psi, so that cosines of half of both have the signs that
@@ -124,7 +124,7 @@ void recoil(Book& book) {
       chain(part(book["terminal.definitions"], 0), at(book["power.a_product"], {{n, N_A()}}));
   const Theorem mean = linear(lt(0, V_CM()), {positive(V / (2 + alpha)), book["power.V_CM"]});
   book.show(
-      "a_recoils", "", "A does not go on forward:",
+      "a_recoils", "A does not go on forward:",
       linear(le(a_t(), 0), {a_is, product_of({mean, positive(1 + alpha), cos_up, cos_down})}));
 }
 }  // namespace
@@ -148,7 +148,7 @@ void terminal(Book& book) {
   const auto show_form = [&](const std::string& name, const std::string& label,
                              const Theorem& definition, Expr count, Expr value) {
     book.show(name, label, name == "a" ? "Their forms:" : "and",
-              equation(definition.conclusion().arg(0), value,
+              equation(left(definition), value,
                        {definition, at(book["power." + name], {{n, count}}), book["power.V_CM"],
                         book["rotation.cos_half_psi"]}));
   };
@@ -188,7 +188,7 @@ void terminal(Book& book) {
     return instantiate(discharge(from_1, discharge(eq(N(), count), t)), {{n, N_A()}});
   };
   const Theorem last =
-      book.show("last", "", "One of them is the last, with n = N_A:",
+      book.show("last", "One of them is the last, with n = N_A:",
                 follows(logic_or({eq(N(), 2 * N_A()), eq(N(), 2 * N_A() - 1)}),
                         {given(lt(N(), 2 * N_A()),
                                [&](const Theorem& less) {

@@ -35,7 +35,7 @@ void terminal_forms(Names& names, const Angle& a) {
   know(linear(lt(0, of_alpha("h")), {psi_is}));
   const Theorem quotient = equation(pi() / psi(), pi() / (2 * of_alpha("h")), {h_is});
   for (const auto& [name, shift] : {std::pair{"N_A", rational(1, 2)}, {"N_B", Expr(1)}})
-    book.show(name, "", name == std::string("N_A") ? "the counts are" : "and",
+    book.show(name, name == std::string("N_A") ? "the counts are" : "and",
               restate(eq(f(name), ceil(pi() / (2 * of_alpha("h")) - shift)),
                       rewrite(quotient, book["counting." + std::string(name)])));
 
@@ -74,7 +74,7 @@ void terminal_forms(Names& names, const Angle& a) {
       const auto value = [&](std::size_t i, const std::string& id, Expr index, Expr goal) {
         const Theorem is = part(end, i);
         const Theorem form = at(book["power." + id], {{n, index}});
-        return prover.equal(is.conclusion().arg(0), V * goal,
+        return prover.equal(left(is), V * goal,
                             Theorems{is, form} + of_name + Theorems{sine, cosine},
                             {angle, psi() / 4});
       };
@@ -85,11 +85,11 @@ void terminal_forms(Names& names, const Angle& a) {
     });
   };
   const Theorem Q = in_case(true), P = in_case(false);
-  book.show("terminal", "", "The terminal velocities are, whichever collision is the last,",
-            tautology(Q.conclusion().arg(1), {Q, P, book["terminal.last"]}));
+  book.show("terminal", "The terminal velocities are, whichever collision is the last,",
+            tautology(right(Q), {Q, P, book["terminal.last"]}));
   const Theorem transmitted = names.name("rho", inputs, power(fun("b_t", inputs) / V, 2),
                                          "and B has of the energy the fraction");
-  book.show("rho", "", "that is,",
+  book.show("rho", "that is,",
             equation(f("rho"), power(f("b_form"), 2),
                      {transmitted, part(book["evaluators_end.terminal"], 1)}));
 
@@ -107,7 +107,7 @@ void terminal_forms(Names& names, const Angle& a) {
       return linear(bounds_of_rest, {is, t, r_up, r_down});
     });
   };
-  const Theorem bounds = book.show("rest_bounds", "", "where what is left is half a step at most:",
+  const Theorem bounds = book.show("rest_bounds", "where what is left is half a step at most:",
                                    follows(bounds_of_rest, {with_sign(roots.first, le(0, r)),
                                                             with_sign(roots.second, lt(r, 0))}));
   const Expr gap_angle = q - f("rest");
@@ -121,9 +121,9 @@ void terminal_forms(Names& names, const Angle& a) {
   c.nonzero = c.multipliers;
   c.equations = {{1, difference}, {-cos(q), of_name[0]}, {-cos(q) * f("rest_cosine"), a.tangent}};
   c.products = {{1, {sine_from_0}, {}}};
-  book.show("t_cosine_at_most", "", "For a ball that is not heavier than a block",
+  book.show("t_cosine_at_most", "For a ball that is not heavier than a block",
             under({alpha_positive, V_positive},
                   larger(a.t_small, f("rest_cosine"), of_name[0], of_name[1])));
-  book.show("sine_at_most", "", "and so", arithmetic(le(f("rest_sine"), f("t_cosine")), c));
+  book.show("sine_at_most", "and so", arithmetic(le(f("rest_sine"), f("t_cosine")), c));
 }
 }  // namespace derivation

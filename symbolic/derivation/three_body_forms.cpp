@@ -33,13 +33,13 @@ public:
   /// Shows that what is so named has a form.
   Theorem show(const Theorem& is, const std::string& words, Expr form,
                const Theorems& rules) const {
-    const Expr named = is.conclusion().arg(0);
-    return book.show(named.name(), "", words, equation(named, form, Theorems{is} + rules + shared));
+    const Expr named = left(is);
+    return book.show(named.name(), words, equation(named, form, Theorems{is} + rules + shared));
   }
   /// What the forms share, a positive number where `is_positive`.
   void share(const std::string& symbol, const std::string& words, Expr value, bool is_positive) {
     shared.push_back(name(symbol, value));
-    book.show("def_" + symbol, "", words, under({lt(0, q_e())}, shared.back()));
+    book.show("def_" + symbol, words, under({lt(0, q_e())}, shared.back()));
     if (is_positive) know(linear(lt(0, (*this)(symbol)), {shared.back(), positive(value)}));
   }
   Expr operator()(const std::string& symbol) const {
@@ -62,9 +62,8 @@ Theorem definition_of_q_e(Book& book) {
   const Theorem from_1 =
       tautology(le(1, kappa()), {book["collapse.threshold"], linear(le(1, K()), {q_is, none})});
   const Known here({none, from_1});
-  book.show("y_e", "", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
-  book.show("t_end", "", "and the time of the collapse is",
-            cut(from_1, book["collapse.def_t_end"]));
+  book.show("y_e", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
+  book.show("t_end", "and the time of the collapse is", cut(from_1, book["collapse.def_t_end"]));
   const auto at_end = [&](const char* symbol, const char* words, const Exprs& domain, Expr value) {
     return book.name(symbol, {M_A, w_B, M_C, e, V, L}, value / (1 + w_B * (M_A + M_C)),
                      of_wedge(domain), words, "", std::string("def_") + symbol);
@@ -79,8 +78,8 @@ Theorem definition_of_q_e(Book& book) {
   const Expr v_B = velocity("B", j), all = 1 + w_B * (M_A + M_C);
   const Theorem kept = rewrite(as_B("C"), rewrite(as_B("A"), book["motion.momentum"]));
   const Theorem whole = linear(eq(v_B * all, w_B * M_A * V), {kept});
-  book.show("together", "", "as momentum is kept:",
-            chain(divided(v_B, v_end.conclusion().arg(1), {all}, whole), turned(v_end)));
+  book.show("together",
+            "as momentum is kept:", chain(divided(v_B, right(v_end), {all}, whole), turned(v_end)));
   return q_is;
 }
 /// Where q_e is above 0 the angle; |- kappa < 1.
@@ -90,15 +89,14 @@ Theorem angle(Book& book, const Theorem& q_is) {
   const Theorem below =
       tautology(lt(kappa(), 1), {book["collapse.threshold"], linear(lt(K(), 1), {q_is, end})});
   know(below);
-  know(linear(lt(0, kappa()),
-              {book["wedge.kappa"], positive(book["wedge.kappa"].conclusion().arg(1))}));
+  know(linear(lt(0, kappa()), {book["wedge.kappa"], positive(right(book["wedge.kappa"]))}));
   const Theorem inside = equation(1 - power(kappa(), 2), q_e(), {q_is, book["collapse.square"]});
-  const Theorem h_is = book.show("h_e", "", "Where they end the angle is",
+  const Theorem h_is = book.show("h_e", "Where they end the angle is",
                                  rewrite(inside, cut(below, book["wedge.h_e"])));
-  know(linear(lt(0, h_e()), {h_is, positive(h_is.conclusion().arg(1))}));
-  know(linear(lt(h_e(), pi()), {h_is, use("atan range", {{x, h_is.conclusion().arg(1).arg(0)}})}));
+  know(linear(lt(0, h_e()), {h_is, positive(right(h_is))}));
+  know(linear(lt(h_e(), pi()), {h_is, use("atan range", {{x, right(h_is).arg(0)}})}));
   know(positive(sin(h_e())));
-  book.show("N_e", "", "and the number of all collisions", cut(below, book["wedge.N"]));
+  book.show("N_e", "and the number of all collisions", cut(below, book["wedge.N"]));
   return below;
 }
 void velocities(const Forms& forms) {
@@ -117,7 +115,7 @@ void velocities(const Forms& forms) {
              sqrt(e) * per * forms("later_side") * forms("later_sine"),
              {forms.in_angle("speed_sine", {{j, j + 1}}), turn_next, pow_next});
 
-  const Expr v = after.conclusion().arg(0), u = e * before.conclusion().arg(0);
+  const Expr v = left(after), u = e * left(before);
   const auto named = [&](const char* id) {
     return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, book[id])));
   };
@@ -131,8 +129,8 @@ void velocities(const Forms& forms) {
              {named("motion.B_velocity")});
   const auto against_B = [&](const Theorem& is, const char* words, Expr difference,
                              const char* id) {
-    const Expr value = is.conclusion().arg(0), of_B = B.conclusion().arg(0);
-    book.show(value.name(), "", words, linear(eq(value, of_B + difference), {is, B, named(id)}));
+    const Expr value = left(is), of_B = left(B);
+    book.show(value.name(), words, linear(eq(value, of_B + difference), {is, B, named(id)}));
   };
   against_B(A, "that of A is", v - u, "motion.A_B");
   against_B(C, "and that of C", of_C, "motion.C_B");
@@ -140,9 +138,9 @@ void velocities(const Forms& forms) {
 void times_and_places(const Forms& forms) {
   Book& book = forms.book;
   const Theorem rest = forms.name("rest_e", pi() - (j + 1) * h_e());
-  book.show("def_rest_e", "",
+  book.show("def_rest_e",
             "Collision j takes place where this is positive:", under({lt(0, q_e())}, rest));
-  know(assume(lt(0, rest.conclusion().arg(0))));
+  know(assume(lt(0, left(rest))));
   const auto in_half_a_turn = [&](Expr i, const Theorem& range) {
     const Theorem less = times(linear(le(0, j - i), {range}), h_e());
     know(times(linear(lt(0, i + 1), {range}), h_e()));
@@ -160,11 +158,11 @@ void times_and_places(const Forms& forms) {
   const auto quotient = [&](const char* name, const std::string& id, Expr over) {
     const Theorem product = rewrite(forms.in_angle("cosine"), instantiate(book[id], {{y, h_e()}}));
     return divided(fun(name, {kappa(), j}), over / sin(h_e()), {sin(h_e())},
-                   restate(eq(product.conclusion().arg(0), over), product));
+                   restate(eq(left(product), over), product));
   };
   const Theorem U = quotient("U", "chebyshev.sine", sine(j + 1)),
                 U_last = quotient("U_last", "chebyshev.sine_last", sine(j));
-  know(linear(lt(0, U.conclusion().arg(0)), {U, positive(U.conclusion().arg(1))}));
+  know(linear(lt(0, left(U)), {U, positive(right(U))}));
   const auto of_motion = [&](const char* id) { return cut(all_of_them, book[id]); };
   const Theorem moment = forms.name("moment", at_collision("time", j));
   forms.show(moment, "The time is",
@@ -174,9 +172,9 @@ void times_and_places(const Forms& forms) {
                 place = forms.name("place", at_collision("x_C", j));
   forms.show(chain(blocks, of_motion("places.distance")), "the distance of A and B",
              L * root_power(j) / forms("now_side") * (forms("step_sine") / forms("now_sine")), {U});
-  const Expr D = blocks.conclusion().arg(0);
+  const Expr D = left(blocks);
   forms.show(place, "and the place",
-             (L + w_B * M_A * V * moment.conclusion().arg(0) - P() * D + Q() * (w_B * M_A * D)) /
+             (L + w_B * M_A * V * left(moment) - P() * D + Q() * (w_B * M_A * D)) /
                  (1 + w_B * (M_A + M_C)),
              {rewrite(turned(moment), rewrite(turned(blocks), of_motion("places.place")))});
 }

@@ -13,9 +13,9 @@ Expr half() { return psi() / 2; }
 void ratio_of_angle(Book& book) {
   const Theorem above_0 = assume(lt(0, x)), below_edge = assume(lt(x, edge));
   const Theorem value = book["rotation.cos_half_psi"];
-  const Expr ratio = solve({eq(value.conclusion().arg(1), cos(x))}, {alpha})[0];
+  const Expr ratio = solve({eq(right(value), cos(x))}, {alpha})[0];
   const Known range({above_0, below_edge, positive(cos(x), {above_0, below_edge})});
-  book.show("ratio", "",
+  book.show("ratio",
             "The mass ratio at which psi/2 is an angle x between 0 and pi/2, by solving "
             "1/(1 + alpha) = cos(x):",
             equation(cos(half()), cos(x), {value, assume(eq(alpha, ratio))}));
@@ -32,18 +32,18 @@ void ratio_of_angle(Book& book) {
                          const Theorem is = linear(eq(cos(x), cosine), {rewrite(same, value)});
                          return equation(ratio, alpha, {is});
                        })};
-  book.show("reached", "", "Ratios from there on have psi/2 >= x, and no others:",
+  book.show("reached", "Ratios from there on have psi/2 >= x, and no others:",
             follows(iff(le(ratio, alpha), le(x, half())), cases));
-  book.show("passed", "",
+  book.show("passed",
             "and larger ratios psi/2 > x:", follows(iff(lt(ratio, alpha), lt(x, half())), cases));
 }
 /// A larger angle is that of a larger ratio.
 void rises(Book& book) {
-  const Expr ratio = book["ratios.reached"].conclusion().arg(0).arg(0);
+  const Expr ratio = left(book["ratios.reached"]).arg(0);
   const Known range({assume(lt(0, x)), assume(lt(x, y)), assume(lt(y, edge))});
   const Theorem cosines = cosine_falls(assume(lt(x, y)));
   book.show(
-      "rises", "", "A larger angle is that of a larger ratio:",
+      "rises", "A larger angle is that of a larger ratio:",
       linear(lt(ratio, substitute(ratio, {{x, y}})), {times(cosines, 1 / (cos(x) * cos(y)))}));
 }
 
@@ -56,10 +56,10 @@ struct Threshold {
 void threshold(Book& book, const Threshold& which) {
   const Theorem from_1 = assume(le(1, k)), from_2 = assume(le(2, k));
   const Theorem number = book["counting." + which.count];
-  const Expr count = number.conclusion().arg(0), d = which.denominator(k);
-  const Expr ratio = book["ratios.reached"].conclusion().arg(0).arg(0);
+  const Expr count = left(number), d = which.denominator(k);
+  const Expr ratio = left(book["ratios.reached"]).arg(0);
   const Theorems range = range_of(d, {from_1});
-  know(book.show(which.name + "k_cosine", "", "The cosine of pi/(" + text(d) + ") is positive:",
+  know(book.show(which.name + "k_cosine", "The cosine of pi/(" + text(d) + ") is positive:",
                  positive(cos(pi() / d), range)));
   const Theorem definition =
       book.name(which.name, {k}, substitute(ratio, {{x, pi() / d}}), {le(1, k)},
@@ -69,8 +69,8 @@ void threshold(Book& book, const Threshold& which) {
   const Theorem versed =
       linear(lt(0, 1 - cos(pi() / d)),
              {cosine_falls(linear(lt(0, pi() / d), range), range), axiom("cos 0")});
-  const Theorem above_0 = positive(definition.conclusion().arg(1), {versed});
-  know(book.show(which.name + "k_positive", "", "a positive one;",
+  const Theorem above_0 = positive(right(definition), {versed});
+  know(book.show(which.name + "k_positive", "a positive one;",
                  linear(lt(0, fun(which.name, {k})), {definition, above_0})));
   book.show(which.name + "k_paper", which.label, "as the paper writes it:",
             equation(fun(which.name, {k}), Expr(-1) + 1 / cos(pi() / d), {definition}));
@@ -131,9 +131,9 @@ void order(Book& book) {
     };
     return rewrite(named(larger, l), rewrite(named(smaller, i), there));
   };
-  book.show("order", "", "Their order: for every k,",
+  book.show("order", "Their order: for every k,",
             below("beta_", k, 2 * k + 2, "alpha_", k, 2 * k + 1, from_1));
-  book.show("order_next", "", "and",
+  book.show("order_next", "and",
             below("alpha_", k, 2 * k + 1, "beta_", k - 1, 2 * (k - 1) + 2, from_2));
   // alpha_1 = 1: cos(3x) = -1 at x = pi/3, and (c + 1)(2c - 1)^2 = 0.
   const Expr third = pi() / 3, cosine = cos(third), one_half = rational(1, 2);
@@ -148,10 +148,10 @@ void order(Book& book) {
     return arithmetic(eq(cosine, one_half), c);
   });
   const Theorem is_half = tautology(eq(cosine, one_half), {other});
-  book.show("third", "", "The cosine of a third of pi", is_half);
+  book.show("third", "The cosine of a third of pi", is_half);
   const Expr angle = pi() / (2 * Expr(1) + 1);
   book.show(
-      "alpha_1", "", "and the first is 1:",
+      "alpha_1", "and the first is 1:",
       equation(fun("alpha_", {1}), 1,
                {at(book["ratios.alpha_k"], {{k, 1}}), restate(eq(cos(angle), one_half), is_half)}));
 }

@@ -24,7 +24,7 @@ void energy(Book& book) {
                                    M_C * power(velocity("C", j), 2),
                                of_block({le(0, j)}),
                                "Twice the kinetic energy after j collisions:", "", "def_energy");
-  const auto energy = [&](Expr i) { return substitute(is.conclusion().arg(0), {{j, i}}); };
+  const auto energy = [&](Expr i) { return substitute(left(is), {{j, i}}); };
   Theorems step{is, instantiate(is, {{j, j + 1}}), of_motion("motion.closing"),
                 book["motion.turn_squared"]};
   for (const Theorem& next : parts({of_motion("motion.next")}))
@@ -32,9 +32,9 @@ void energy(Book& book) {
   const Expr gone = energy(j) - energy(j + 1);
   const Expr mass =
       (1 + turn(j)) / 2 * (M_A * M_C / (M_A + M_C)) + (1 - turn(j)) / 2 * (M_C / (1 + w_B * M_C));
-  const Theorem lost = book.show(
-      "collision", "", "Collision j takes from it, by the reduced mass of its two bodies,",
-      equation(gone, (1 - power(e, 2)) * mass * power(closing(j), 2), step));
+  const Theorem lost =
+      book.show("collision", "Collision j takes from it, by the reduced mass of its two bodies,",
+                equation(gone, (1 - power(e, 2)) * mass * power(closing(j), 2), step));
 
   const Known signs({of_motion("wedge.signs")});
   const Expr square = power(root_power(j), 2) * power(chebyshev(j, kappa()), 2);
@@ -42,30 +42,29 @@ void energy(Book& book) {
   Theorems shares = squared_shares(book);
   for (Theorem& t : shares) t = cut(linear(le(0, w_B)), t);
   const Theorems rules = shares + Theorems{of_motion("wedge.speed"), book["motion.turn_squared"]};
-  const Theorem alike =
-      book.show("alike", "", "which is alike for both kinds:",
-                chain(lost, equation(lost.conclusion().arg(1), unit * square, rules)));
+  const Theorem alike = book.show("alike", "which is alike for both kinds:",
+                                  chain(lost, equation(right(lost), unit * square, rules)));
   const Expr before = real("squares_before");
   const Theorems sum =
       define_recursive({"squares"}, masses_and_e(), j, {before}, {0}, {before + square});
   const Exprs domain = of_block({le(0, j), lt(0, e)});
   restrict_domain("squares", {M_A, w_B, M_C, e, j}, logic_and(domain));
-  book.show("squares", "", "So with a sum of squares,", under(domain, both(sum)));
-  const auto left = [&](Expr i) {
+  book.show("squares", "So with a sum of squares,", under(domain, both(sum)));
+  const auto remains = [&](Expr i) {
     return eq(energy(i), M_A * power(V, 2) - unit * fun("squares", {M_A, w_B, M_C, e, i}));
   };
   const Theorem next = use(sum[1], {}, {from}),
                 change = linear(eq(energy(j + 1), energy(j) - unit * square), {alike});
-  book.show("left", "", "after j collisions there is left",
-            by_induction(
-                j, left(j),
-                equation(left(0), {instantiate(is, {{j, 0}}), sum[0], of_motion("motion.start")}),
-                [&](const Theorem&, const Theorem& known) {
-                  return equation(left(j + 1), {change, known, next});
-                }));
+  book.show("left", "after j collisions there is left",
+            by_induction(j, remains(j),
+                         equation(remains(0),
+                                  {instantiate(is, {{j, 0}}), sum[0], of_motion("motion.start")}),
+                         [&](const Theorem&, const Theorem& known) {
+                           return equation(remains(j + 1), {change, known, next});
+                         }));
   const Theorem at_most_1 = assume(le(e, 1));
   book.show(
-      "falls", "", "and energy never rises:",
+      "falls", "and energy never rises:",
       linear(le(energy(j + 1), energy(j)),
              {alike, product_of({at_most_1, positive(1 + e),
                                  not_negative(M_C * power(r_A(), 2) * power(V, 2) * square)})}));
@@ -109,18 +108,17 @@ void rises(Book& book, const std::string& name, const std::string& words, const 
            Expr factor) {
   const Substitution more{{e, e_more}};
   const Theorem is_more = instantiate(is, more);
-  const Expr b_n = is.conclusion().arg(0), b_more = is_more.conclusion().arg(0);
+  const Expr b_n = left(is), b_more = left(is_more);
   const Expr difference = V * alpha / power(1 + alpha, 2) * (e_more - e) * factor;
   const Theorem larger =
       linear(lt(0, b_more - b_n),
              {equation(b_more - b_n, difference, {is, is_more}), positive(difference)});
-  const Theorem sum = linear(lt(0, b_more + b_n), {is, is_more, positive(is.conclusion().arg(1)),
-                                                   positive(is_more.conclusion().arg(1))});
+  const Theorem sum =
+      linear(lt(0, b_more + b_n), {is, is_more, positive(right(is)), positive(right(is_more))});
   const Expr rho = power(b_n / V, 2), rho_more = power(b_more / V, 2);
   const Theorem product = times(times(larger, sum), 1 / power(V, 2));
-  book.show(
-      name, "", words,
-      linear(lt(rho, rho_more), {product, equation(rho_more - rho, product.conclusion().arg(1))}));
+  book.show(name, words,
+            linear(lt(rho, rho_more), {product, equation(rho_more - rho, right(product))}));
 }
 /// The velocities of B after one cycle and after two, and that they rise with e.
 void first_cycles(Book& book, const Theorems& names) {
@@ -139,11 +137,11 @@ void first_cycles(Book& book, const Theorems& names) {
     return equation(with_e("b_e", i), value, rules + Theorems{at_cycle(names[1], i)});
   };
   const Theorem after_1 =
-      book.show("cycle_1", "", "After one cycle B has", B_has(1, V * alpha * power(s, 2)));
+      book.show("cycle_1", "After one cycle B has", B_has(1, V * alpha * power(s, 2)));
   const Expr room = power(s, 2) - 2 * e;
-  const Theorem after_2 = book.show("cycle_2", "", "and after two, the last of them",
+  const Theorem after_2 = book.show("cycle_2", "and after two, the last of them",
                                     B_has(2, V * alpha * power(s, 2) * (1 + room)));
-  book.show("last_approach", "", "with the approach speed",
+  book.show("last_approach", "with the approach speed",
             equation(with_e("c_e", 2) - with_e("b_e", 1), V * s * room,
                      rules + Theorems{after_1, at_cycle(names[3], 2)}));
   const Expr room_more = substitute(room, {{e, e_more}});

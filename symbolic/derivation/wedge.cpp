@@ -9,7 +9,7 @@ namespace {
 void shares(Book& book) {
   const auto share = [&](const char* name, Expr of, Expr value, Expr domain, const char* words) {
     const Theorem is = book.name(name, {of, M_C}, sqrt(value), {domain, lt(0, M_C)}, words);
-    know(linear(lt(0, is.conclusion().arg(0)), {is, positive(is.conclusion().arg(1))}));
+    know(linear(lt(0, left(is)), {is, positive(right(is))}));
   };
   share("r_A", M_A, M_A / (M_A + M_C), lt(0, M_A), "With the roots of the shares of mass");
   share("r_B", w_B, 1 / (1 + w_B * M_C), le(0, w_B), "and, for a block or with 1 for a wall,");
@@ -42,7 +42,7 @@ Theorem speeds(Book& book, const Theorem& kappa_is) {
                              U("next", j), book["motion.turn_squared"]} +
                         rules);
   };
-  return book.show("speed", "", "So collision j has the approach speed",
+  return book.show("speed", "So collision j has the approach speed",
                    by_two(claim, first, second, third));
 }
 void signs_of_factors(Book& book) {
@@ -59,7 +59,7 @@ void signs_of_factors(Book& book) {
       [&](const Theorem& from, const Theorem& now) {
         return linear(lt(0, root_power(j + 1)), {use(pow_is[1], {}, {from}), times(now, sqrt(e))});
       });
-  know(book.show("signs", "", "Its factors are positive:",
+  know(book.show("signs", "Its factors are positive:",
                  both({positive(r_A()), positive(r_B()), sides, powers})));
 }
 /// Where kappa is the cosine of an angle h: pi/h collisions, rounded up, less one.
@@ -71,30 +71,29 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
   Exprs domain = of_wedge({lt(0, e), below_1.conclusion()});
   const Theorem is = book.name("h_e", masses_and_e(), atan(t), domain,
                                "Where kappa is below 1 it is the cosine of an angle,");
-  const Expr h = is.conclusion().arg(0);
+  const Expr h = left(is);
   const Theorem square =
       equation(power(1 / x_e, 2), 1 + power(t, 2), {root_squared(positive(rest))});
   const Theorem cosine =
-      book.show("cosine", "", "as",
+      book.show("cosine", "as",
                 under(domain, equation(cos(h), x_e,
                                        {chain(rewrite(turned(is), use("cos atan", {{x, t}})),
                                               equation(1 / sqrt(1 + power(t, 2)), x_e,
                                                        {root_of(square, positive(1 / x_e))}))})));
-  know(book.show("acute", "", "an acute one,",
+  know(book.show("acute", "an acute one,",
                  both({linear(lt(0, h), {is, positive(atan(t))}),
                        linear(lt(h, pi() / 2), {is, use("atan range", {{x, t}})})})));
   const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, x_e);
   const Theorem quotient = rewrite(cosine, instantiate(book["chebyshev.sine"], {{y, h}}));
   const Theorem sin_h = positive(sin(h));
   know(sin_h);
-  book.show("speed_sine", "", "so that the approach speeds are sines, too,",
+  book.show("speed_sine", "so that the approach speeds are sines, too,",
             equation(closing(j), V * root_power(j) * side(j) * (sine / sin(h)),
                      {speed, divided(U_j, sine / sin(h), {sin(h)}, quotient)}));
   const Theorem sign = tautology(
       iff(lt(0, closing(j)), lt(0, sine)),
       {book["wedge.takes_place"], same_sign(sine, U_j, turned(quotient), positive(sin(h)))});
-  book.show("in_the_angle", "",
-            "and collision j takes place if and only if a sine is positive:", sign);
+  book.show("in_the_angle", "and collision j takes place if and only if a sine is positive:", sign);
   domain.push_back(V_positive);
   count(book, {"N_e",
                {M_A, w_B, M_C, e, V},
@@ -127,9 +126,8 @@ Theorems squared_shares(const Book& book) {
   Theorems out;
   for (const char* id : {"wedge.r_A", "wedge.r_B"}) {
     const Theorem r = book[id];
-    const Expr share = r.conclusion().arg(1).arg(0);
-    out.push_back(
-        equation(power(r.conclusion().arg(0), 2), share, {r, root_squared(positive(share))}));
+    const Expr share = right(r).arg(0);
+    out.push_back(equation(power(left(r), 2), share, {r, root_squared(positive(share))}));
   }
   return out;
 }
@@ -141,16 +139,16 @@ void wedge(Book& book) {
   shares(book);
   const Theorem is = book.name("kappa", masses_and_e(), (1 + e) * r_A() * r_B() / (2 * sqrt(e)),
                                of_wedge({lt(0, e)}), "the shape of the motion is one number:");
-  know(linear(lt(0, kappa()), {is, positive(is.conclusion().arg(1))}));
+  know(linear(lt(0, kappa()), {is, positive(right(is))}));
   const Theorem speed = speeds(book, is);
   signs_of_factors(book);
   const Theorem factor = positive(V * root_power(j) * side(j));
   const Expr U_j = chebyshev(j, kappa()), closes = closing(j);
-  book.show("takes_place", "", "and takes place if and only if U_j is positive:",
+  book.show("takes_place", "and takes place if and only if U_j is positive:",
             same_sign(closes, U_j, speed, factor));
   angle_of_the_wedge(book, speed);
   const Known no_angle({assume(le(1, kappa()))});
-  book.show("never_ends", "", "Where kappa is 1 or more, the collisions never end:",
+  book.show("never_ends", "Where kappa is 1 or more, the collisions never end:",
             under({V_positive},
                   tautology(lt(0, closes),
                             {book["wedge.takes_place"],

@@ -81,7 +81,7 @@ Theorem moves_on(const Book& book, const Theorems& moved, const Theorem& now) {
       solved(velocity("B", j + 1), both_of(velocity("A", j + 1), velocity("C", j + 1)),
              w_B * M_A * V, momentum);
   const Theorem x_B =
-      solved(x_of("x_B", j), both_of(x_of("x_A", j), x_of("x_C", j)), now.conclusion().arg(1), now);
+      solved(x_of("x_B", j), both_of(x_of("x_A", j), x_of("x_C", j)), right(now), now);
   return equation(carried(j + 1), moved + Theorems{v_B, x_B});
 }
 
@@ -96,10 +96,9 @@ Theorem ball_is(const Book& book, const Theorem& meets, const Theorem& now) {
   const Expr all = 1 + w_B * (M_A + M_C);
   const Expr whole =
       L + w_B * M_A * V * time_of(j) - (1 + t) / 2 * D + (1 - t) / 2 * (w_B * M_A * D);
-  return divided(
-      x_C, whole / all, {all},
-      linear(eq(x_C * all, whole),
-             {now, of_B, equation(w_B * M_A * x_C, w_B * M_A * of_B.conclusion().arg(1), {of_B})}));
+  return divided(x_C, whole / all, {all},
+                 linear(eq(x_C * all, whole),
+                        {now, of_B, equation(w_B * M_A * x_C, w_B * M_A * right(of_B), {of_B})}));
 }
 
 /// all_four(j + 1) from all_four(j).
@@ -138,12 +137,12 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
                            square,
                            root_squared(assume(lt(0, e))),
                            next(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1)),
-                           linear(eq(x_B, x_A + gap.conclusion().arg(1)), {gap}),
+                           linear(eq(x_B, x_A + right(gap)), {gap}),
                            time_is(part(now, 2)),
                            book["wedge.speed"],
                            at(book["wedge.speed"], {{j, j + 1}}, {from})};
   const Theorem B_next =
-      linear(eq(x_of("x_B", j + 1), x_of("x_A", j + 1) + further.conclusion().arg(1)), {further});
+      linear(eq(x_of("x_B", j + 1), x_of("x_A", j + 1) + right(further)), {further});
   const Theorem neighbours =
       linear(eq(kernel::power(U(j), 2), 1 + U(j + 1) * U_last(j)), {of_kappa("neighbours")});
   return both({meets, equation(distance(j + 1), Theorems{B_next} + known_now),
@@ -194,7 +193,7 @@ void when_and_where(Book& book) {
                          const Theorem& where) {
     Exprs all = assumptions;
     all.push_back(where.conclusion());
-    book.show(id, "", words, under(all, t));
+    book.show(id, words, under(all, t));
   };
   shown("start", "At first A and C touch, and B is at a distance L:",
         both({motion[0], motion[1], motion[2], motion[3]}), all_now);

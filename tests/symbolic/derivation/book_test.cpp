@@ -117,9 +117,9 @@ TEST_CASE("a statement whose terms may not make sense is not shown") {
   Book book;
   book.chapter("test", "Test", {});
   const Expr t = real("t_0");
-  CHECK_THAT(refusal([&] { book.show("quotient", "", "words", equation(1 / t, 1 / t)); }),
+  CHECK_THAT(refusal([&] { book.show("quotient", "words", equation(1 / t, 1 / t)); }),
              ContainsSubstring("test.quotient makes sense only where t_0 != 0"));
-  book.show("guarded", "", "words", under({lt(0, t)}, equation(1 / t, 1 / t)));
-  CHECK_THAT(refusal([&] { book.show("guarded", "", "words", equation(t, t)); }),
+  book.show("guarded", "words", under({lt(0, t)}, equation(1 / t, 1 / t)));
+  CHECK_THAT(refusal([&] { book.show("guarded", "words", equation(t, t)); }),
              ContainsSubstring("two statements test.guarded"));
 }
