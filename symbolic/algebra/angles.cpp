@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebra/angles.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "algebra/equations.hpp"
@@ -15,37 +16,22 @@ using Multiples = std::vector<cl_RA>;
 
 class AngleSums {
 public:
-  explicit AngleSums(const Exprs& angle_bases) : bases(angle_bases) {}
+  explicit AngleSums(const Exprs& angle_bases) : bases(angle_bases) {
+    for (const Expr& b : bases) zeros.push_back(assume(eq(b, 0)));
+  }
 
-  /// angle = sum of z b over the bases b, by elimination.
-  std::optional<Multiples> multiples_of(Polynomial angle) const {
-    std::vector<Polynomial> rows;
-    std::vector<Multiples> of(bases.size(), Multiples(bases.size(), 0));
-    for (std::size_t i = 0; i < bases.size(); ++i) {
-      rows.push_back(polynomial(bases[i]));
-      of[i][i] = 1;
+  /// The z of angle = sum of z b over the bases b, as angle = 0 follows from every b = 0.
+  std::optional<Multiples> multiples_of(Expr angle) const {
+    const auto sum = combination(eq(angle, 0), zeros);
+    if (!sum) return {};
+    const Certificate found = *sum->step().certificate;
+    Multiples z(bases.size(), 0);
+    for (const auto& [factor, zero] : found.equations) {
+      const auto of = std::find(bases.begin(), bases.end(), left(zero));
+      z[std::size_t(of - bases.begin())] = factor.value();
+      if (cln::denominator(factor.value()) != 1) return {};
     }
-    Multiples result(bases.size(), 0);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      if (rows[i].empty()) refuse("the base angles depend on each other");
-      const Monomial lead = rows[i].begin()->first;
-      const cl_RA k = rows[i].begin()->second;
-      for (std::size_t j = i + 1; j < rows.size(); ++j)
-        if (const auto it = rows[j].find(lead); it != rows[j].end()) {
-          const cl_RA q = it->second / k;
-          rows[j] = rows[j] - scaled(rows[i], q);
-          for (std::size_t l = 0; l < result.size(); ++l) of[j][l] = of[j][l] - q * of[i][l];
-        }
-      if (const auto it = angle.find(lead); it != angle.end()) {
-        const cl_RA q = it->second / k;
-        angle = angle - scaled(rows[i], q);
-        for (std::size_t l = 0; l < result.size(); ++l) result[l] = result[l] + q * of[i][l];
-      }
-    }
-    if (!angle.empty()) return {};
-    for (const cl_RA& q : result)
-      if (cln::denominator(q) != 1) return {};
-    return result;
+    return z;
   }
   struct Pair {
     Theorem cosine;
@@ -94,6 +80,7 @@ public:
 
 private:
   Exprs bases;
+  Theorems zeros;  ///< b = 0 |- b = 0
   std::map<Multiples, Pair> known;
 };
 }  // namespace
@@ -108,7 +95,7 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   Theorems rules;
   for (const Expr& a : atoms) {
     if (sums.is_base(a.arg(0))) continue;
-    const auto multiples = sums.multiples_of(polynomial(a.arg(0)));
+    const auto multiples = sums.multiples_of(a.arg(0));
     if (!multiples) continue;
     const auto pair = sums.pair(*multiples);
     const Theorem& t = a.name() == "cos" ? pair.cosine : pair.sine;
@@ -116,9 +103,8 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   }
   if (!circle) return rules;
   for (const Expr& b : bases) {
-    Certificate c;
-    c.equations = {{1, use("circle", {{real("x"), b}})}};
-    rules.push_back(arithmetic(eq(power(sin(b), 2), 1 - power(cos(b), 2)), c));
+    rules.push_back(arithmetic(eq(power(sin(b), 2), 1 - power(cos(b), 2)),
+                               {.equations = {{1, use("circle", {{real("x"), b}})}}}));
   }
   return rules;
 }

@@ -14,7 +14,6 @@ int degree(const Monomial& monomial, Expr atom) {
     if (a == atom) return k;
   return 0;
 }
-Polynomial constant(int value) { return scaled(polynomial(Expr(1)), value); }
 
 /// m (r - l) as it is rewritten, with what the certificate needs: each step keeps
 /// remainder = multipliers (r - l) - sum of cofactors (rule's right - left).
@@ -36,7 +35,7 @@ struct Search {
     cofactor = cofactor - quotient;
     return true;
   }
-  /// Multiplies by d until the youngest inv(d), d in `nonzero`, is gone.
+  /// Multiplies by d for the youngest inv(d), d in `nonzero`.
   bool clear_once(const std::map<Expr, const Theorem*>& nonzero) {
     Expr inverse;
     for (const auto& [monomial, coefficient] : remainder)
@@ -45,28 +44,18 @@ struct Search {
             (!inverse || inverse < a))
           inverse = a;
     if (!inverse) return false;
-    int highest = 0;
-    for (const auto& [monomial, coefficient] : remainder)
-      highest = std::max(highest, degree(monomial, inverse));
     const Theorem& why = *nonzero.at(inverse.arg(0));
     const Polynomial divisor = polynomial(inverse.arg(0));
     const bool same_sign = canonical(gap(why)) == inverse.arg(0);
-    std::vector<Polynomial> powers{constant(1)};
-    for (int j = 0; j < highest; ++j) powers.push_back(powers.back() * divisor);
     Polynomial cleared;
     for (const auto& [monomial, coefficient] : remainder) {
-      Monomial rest;
-      for (const auto& factor : monomial)
-        if (!(factor.first == inverse)) rest.push_back(factor);
-      const auto missing = static_cast<std::size_t>(highest - degree(monomial, inverse));
-      cleared = cleared + Polynomial{{rest, coefficient}} * powers[missing];
+      const auto rest = divided(monomial, {{inverse, 1}});
+      cleared = cleared + (rest ? Polynomial{{*rest, coefficient}}
+                                : Polynomial{{monomial, coefficient}} * divisor);
     }
-    for (int j = 0; j < highest; ++j) {
-      multipliers.push_back(why);
-      if (!same_sign) cleared = scaled(cleared, -1);
-      for (Polynomial& q : cofactors) q = q * polynomial(gap(why));
-    }
-    remainder = cleared;
+    remainder = same_sign ? cleared : scaled(cleared, -1);
+    multipliers.push_back(why);
+    for (Polynomial& q : cofactors) q = q * polynomial(gap(why));
     return true;
   }
 };
@@ -173,15 +162,15 @@ Theorem equation(Expr goal, const Theorems& facts, const Exprs& bases) {
 Theorem equation(Expr l, Expr r, const Theorems& facts, const Exprs& bases) {
   return equation(eq(l, r), facts, bases);
 }
+Theorem certified(Expr goal, Certificate c) {
+  c.nonzero = c.nonzero + c.multipliers;
+  return arithmetic(goal, c);
+}
 Theorem chain(const Theorem& a, const Theorem& b) {
-  Certificate c;
-  c.equations = {{1, a}, {1, b}};
-  return arithmetic(eq(left(a), right(b)), c);
+  return arithmetic(eq(left(a), right(b)), {.equations = {{1, a}, {1, b}}});
 }
 Theorem turned(const Theorem& e) {
-  Certificate c;
-  c.equations = {{-1, e}};
-  return arithmetic(eq(right(e), left(e)), c);
+  return arithmetic(eq(right(e), left(e)), {.equations = {{-1, e}}});
 }
 Theorems entries(const Theorem& e) {
   const Expr l = left(e);
@@ -209,15 +198,13 @@ Theorem root_squared(const Theorem& not_negative) {
 }
 Theorem root_of(const Theorem& square, const Theorem& t_positive) {
   const Expr t = left(square).arg(0), x = right(square);
-  Certificate sum;
-  sum.equations = {{1, square}};
-  sum.products = {{1, {}, {t}}};
-  const Theorem not_negative = arithmetic(le(0, x), sum);
+  const Theorem not_negative =
+      arithmetic(le(0, x), {.equations = {{1, square}}, .products = {{1, {}, {t}}}});
   const Theorem root_sign = use("root not negative", {{real("x"), x}}, {not_negative});
-  Certificate c;  // (sqrt(x) + t)(t - sqrt(x)) = (t^2 - x) - (sqrt(x)^2 - x)
-  c.multipliers = {linear(lt(0, sqrt(x) + t), {root_sign, t_positive})};
-  c.equations = {{-1, square}, {1, root_squared(not_negative)}};
-  return arithmetic(eq(sqrt(x), t), c);
+  // (sqrt(x) + t)(t - sqrt(x)) = (t^2 - x) - (sqrt(x)^2 - x)
+  return arithmetic(eq(sqrt(x), t),
+                    {.equations = {{-1, square}, {1, root_squared(not_negative)}},
+                     .multipliers = {linear(lt(0, sqrt(x) + t), {root_sign, t_positive})}});
 }
 Theorem root_is(Expr x, Expr t, const Theorems& facts) {
   return root_of(equation(power(t, 2), x, facts), positive(t, facts));

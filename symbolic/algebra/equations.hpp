@@ -20,6 +20,8 @@ Theorem equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs& bases 
 /// The same after the goal is multiplied by `factors`, each proved not 0.
 Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts = {},
                const Exprs& bases = {});
+/// `arithmetic`, where multipliers are divisors, too.
+Theorem certified(Expr goal, Certificate c);
 /// l = m and m = r give l = r.
 Theorem chain(const Theorem& a, const Theorem& b);
 /// l = r gives r = l.

@@ -99,7 +99,7 @@ Theorem from_contradiction(const Row& row, Expr goal, const Theorems& facts) {
 }
 using Proof = std::optional<Theorem>;
 
-Proof combination(Expr goal, const Theorems& facts) {
+Proof contradicted(Expr goal, const Theorems& facts) {
   const std::size_t count = facts.size() + 1;
   std::vector<Row> rows;
   std::vector<Row> equations;
@@ -130,9 +130,9 @@ bool of_integers(Expr relation) {
 }
 /// Integers i <= j also from i - 1 < j.
 Proof inequality(Expr goal, const Theorems& facts) {
-  if (const Proof p = combination(goal, facts)) return p;
+  if (const Proof p = contradicted(goal, facts)) return p;
   if (goal.op() != Op::Le || !of_integers(goal)) return {};
-  const Proof less = combination(lt(goal.arg(0) - 1, goal.arg(1)), facts);
+  const Proof less = contradicted(lt(goal.arg(0) - 1, goal.arg(1)), facts);
   if (!less) return {};
   return restate(goal, next_integer(*less));
 }
@@ -153,7 +153,7 @@ Proof relation(Expr goal, const Theorems& facts) {
   const Expr equal = goal.arg(0);
   for (const Expr& less : {lt(equal.arg(0), equal.arg(1)), lt(equal.arg(1), equal.arg(0))})
     if (const Proof p = inequality(less, facts))
-      if (const Proof absurd = combination(lt(0, 0), {*p, assume(equal)}))
+      if (const Proof absurd = contradicted(lt(0, 0), {*p, assume(equal)}))
         return refute(equal, *absurd);
   return {};
 }
@@ -237,6 +237,9 @@ Expr difference(Expr goal) {
 }
 }  // namespace
 
+Proof combination(Expr equation, const Theorems& equations) {
+  return equality(equation, equations);
+}
 Proof linear_if(Expr goal, const Theorems& given_facts) {
   Theorems facts;
   for (const Theorem& t : parts(given_facts))
@@ -264,6 +267,12 @@ Theorem linear(Expr goal, const Theorems& facts) {
     Theorems all;
     for (const Expr& g : goal.args()) all.push_back(linear(g, facts));
     return both(all);
+  }
+  if (goal.op() == Op::Imp)
+    return discharge(goal.arg(0), linear(goal.arg(1), facts + Theorems{assume(goal.arg(0))}));
+  if (goal.op() == Op::Iff) {
+    const Expr f = goal.arg(0), g = goal.arg(1);
+    return tautology(goal, {linear(imp(f, g), facts), linear(imp(g, f), facts)});
   }
   if (const Proof p = linear_if(goal, facts)) return *p;
   refuse("no linear combination of the facts gives " + text(goal));

@@ -11,10 +11,9 @@
 
 namespace algebra {
 namespace {
-Certificate of_products(const std::vector<Certificate::Product>& products) {
-  Certificate c;
-  c.products = products;
-  return c;
+/// 0 < t or 0 <= t, t being a sum of products.
+Theorem shown(Expr t, bool strict, const std::vector<Certificate::Product>& products) {
+  return arithmetic(strict ? lt(0, t) : le(0, t), {.products = products});
 }
 const Theorem& root_positive() {  // |- 0 < x implies 0 < sqrt(x)
   static const Theorem result = [] {
@@ -38,10 +37,7 @@ std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool stri
   if (t.name() == "inv") {
     const auto s = sign(t.arg(0), facts, true);
     if (!s) return {};
-    Certificate c = of_products({{1, {}, {}}});
-    c.multipliers = {*s};
-    c.nonzero = {*s};
-    return arithmetic(lt(0, t), c);
+    return certified(lt(0, t), {.products = {{1}}, .multipliers = {*s}});
   }
   if (t.name() == "sqrt") {
     const auto s = sign(t.arg(0), facts, strict);
@@ -76,7 +72,7 @@ std::optional<Theorem> sign_of_sum(Expr t, const Theorems& facts, bool strict) {
     products.push_back({1, {*s}, {}});
   }
   if (strict && !some_strict) return {};
-  return arithmetic(strict ? lt(0, t) : le(0, t), of_products(products));
+  return shown(t, strict, products);
 }
 std::optional<Theorem> sign_of_product(Expr t, const Theorems& facts, bool strict) {
   Theorems factors;
@@ -90,21 +86,21 @@ std::optional<Theorem> sign_of_product(Expr t, const Theorems& facts, bool stric
     if (!s) return {};
     factors.push_back(*s);
   }
-  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{coefficient, factors, {}}}));
+  return shown(t, strict, {{coefficient, factors}});
 }
 std::optional<Theorem> sign_of_power(Expr t, const Theorems& facts, bool strict) {
   const auto exponent = static_cast<std::size_t>(t.exponent());
   if (!strict && exponent % 2 == 0)
-    return arithmetic(le(0, t), of_products({{1, {}, Exprs(exponent / 2, t.arg(0))}}));
+    return shown(t, false, {{1, {}, Exprs(exponent / 2, t.arg(0))}});
   const auto s = sign(t.arg(0), facts, strict);
   if (!s) return {};
-  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, Theorems(exponent, *s), {}}}));
+  return shown(t, strict, {{1, Theorems(exponent, *s)}});
 }
 std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
   switch (t.op()) {
     case Op::Num:
       if (t.value() < 0 || (strict && t.value() == 0)) return {};
-      return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{t.value(), {}, {}}}));
+      return shown(t, strict, {{t.value()}});
     case Op::Add:
       return sign_of_sum(t, facts, strict);
     case Op::Mul:
@@ -122,8 +118,7 @@ std::optional<Theorem> sign(Expr t, const Theorems& facts, bool strict) {
     for (const Theorem& f : *some) {
       const Op op = f.conclusion().op();
       if (op != Op::Lt && (strict || op != Op::Le)) continue;
-      if (canonical(gap(f)) == canonical(t))
-        return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, {f}, {}}}));
+      if (canonical(gap(f)) == canonical(t)) return shown(t, strict, {{1, {f}}});
     }
   if (auto s = by_shape(t, facts, strict)) return s;
   if (t.op() == Op::Num) return {};
@@ -137,6 +132,9 @@ std::optional<Theorem> sign_of(Expr t, const Theorems& facts, bool strict) {
 Theorem positive(Expr t, const Theorems& facts) {
   if (const auto s = sign_of(t, facts)) return *s;
   refuse("cannot see that 0 < " + text(t));
+}
+Theorem positive(const Theorem& is, const Theorems& facts) {
+  return linear(lt(0, left(is)), {is, positive(right(is), facts)});
 }
 Theorem not_negative(Expr t, const Theorems& facts) {
   if (const auto s = sign_of(t, facts)) return linear(le(0, t), {*s});
@@ -156,7 +154,7 @@ Theorem product_of(const Theorems& factors) {
     t = t * gap(f);
     strict = strict && f.conclusion().op() == Op::Lt;
   }
-  return arithmetic(strict ? lt(0, t) : le(0, t), of_products({{1, factors, {}}}));
+  return shown(t, strict, {{1, factors}});
 }
 Theorem times(const Theorem& a, const Theorem& b) { return product_of({a, b}); }
 Theorem times(const Theorem& a, Expr positive_term) { return times(a, positive(positive_term)); }

@@ -6,6 +6,8 @@
 #include "algebra/logic.hpp"
 
 namespace algebra {
+/// |- 0 < l from l = r, where that shows 0 < r.
+Theorem positive(const Theorem& is, const Theorems& facts = {});
 /// |- 0 < t: numbers, sums, products, powers, quotients, roots, pi and arctangents of positive
 /// terms, sines of angles below pi, cosines of those below pi/2; `facts`, what is known and
 /// `linear` say the rest. Throws Refused where nothing shows it.

@@ -70,9 +70,8 @@ void unfolded(Book& book) {
              C = here(at_collision("x_C", j));
   const Theorem square = book["motion.turn_squared"];
   const Theorem ball = linear(eq(t * C, (t * A + t * B + A - B) / 2), {of_motion("places.met")});
-  Certificate with_a_block;
-  with_a_block.equations = {{t, ball}, {(A + B) / 2 - C, square}};
-  const Theorem C_is = arithmetic(eq(C, (A + B + t * A - t * B) / 2), with_a_block);
+  const Theorem C_is = arithmetic(eq(C, (A + B + t * A - t * B) / 2),
+                                  {.equations = {{t, ball}, {(A + B) / 2 - C, square}}});
   book.show(
       "radius", "whose square, with the masses, is a sum over the pairs of bodies:",
       equation(all * power(radius(j), 2),

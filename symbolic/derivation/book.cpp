@@ -10,53 +10,49 @@
 
 namespace derivation {
 namespace {
-bool is_part(kernel::Expr part, kernel::Expr of) {
-  const kernel::Exprs args = of.args();
+void restrict_to(const Exprs& domain, const std::string& symbol, const Exprs& params) {
+  if (!domain.empty())
+    kernel::restrict_domain(symbol, params,
+                            domain.size() == 1 ? domain[0] : kernel::logic_and(domain));
+}
+bool is_part(Expr part, Expr of) {
+  const Exprs args = of.args();
   return part == of ||
-         std::any_of(args.begin(), args.end(), [&](kernel::Expr a) { return is_part(part, a); });
+         std::any_of(args.begin(), args.end(), [&](Expr a) { return is_part(part, a); });
 }
 }  // namespace
-void Book::chapter(const std::string& name, const std::string& title,
-                   const kernel::Exprs& assumptions) {
+void Book::chapter(const std::string& name, const std::string& title, const Exprs& assumptions) {
   all.push_back({name, title, assumptions, {}});
 }
-kernel::Theorem Book::show(const std::string& name, const std::string& label,
-                           const std::string& words, const kernel::Theorem& theorem) {
+Theorem Book::show(const std::string& name, const std::string& label, const std::string& words,
+                   const Theorem& theorem) {
   Chapter& last = all.back();
   const std::string id = last.name + "." + name;
   if (has(id)) kernel::refuse("two statements " + id);
   // The chapter's assumptions are read before all other hypotheses.
-  kernel::Exprs read_first;
-  const kernel::Exprs hypotheses = theorem.hypotheses();
-  for (const kernel::Expr& f : last.assumptions)
+  Exprs read_first;
+  const Exprs hypotheses = theorem.hypotheses();
+  for (const Expr& f : last.assumptions)
     if (std::find(hypotheses.begin(), hypotheses.end(), f) != hypotheses.end())
       read_first.push_back(f);
-  const auto missing = [&](const kernel::Exprs& added) {
+  const auto missing = [&](const Exprs& added) {
     return unproved_needs(algebra::under(read_first, algebra::under(added, theorem)));
   };
-  kernel::Exprs added;  // what the terms need, or else all that the chapter assumes
-  for (const kernel::Expr& need : missing({}))
-    for (const kernel::Expr& f : last.assumptions)
+  Exprs added;  // what the terms need, or else all that the chapter assumes
+  for (const Expr& need : missing({}))
+    for (const Expr& f : last.assumptions)
       if (is_part(f, need)) added.push_back(f);
   if (!added.empty() && !missing(added).empty()) added = last.assumptions;
-  for (const kernel::Expr& need : missing(added))
+  for (const Expr& need : missing(added))
     kernel::refuse(id + " makes sense only where " + kernel::text(need) + ", which is not proved");
-  const kernel::Theorem shown = algebra::under(added, theorem);
+  const Theorem shown = algebra::under(added, theorem);
   last.statements.push_back({id, label, words, shown});
   return shown;
 }
-kernel::Theorem Book::name(const std::string& symbol, const kernel::Exprs& params,
-                           kernel::Expr value, const kernel::Exprs& domain,
-                           const std::string& words, const std::string& label,
-                           const std::string& shown_as) {
-  const std::set<std::string> hidden{"alpha", "V", "M_A", "w_B", "M_C", "e", "L"};
-  const auto printed = std::find_if(params.begin(), params.end(),
-                                    [&](kernel::Expr p) { return hidden.count(p.name()) == 0; });
-  const kernel::Theorem definition =
-      kernel::define(symbol, params, value, int(printed - params.begin()));
-  if (!domain.empty())
-    kernel::restrict_domain(symbol, params,
-                            domain.size() == 1 ? domain[0] : kernel::logic_and(domain));
+Theorem Book::name(const std::string& symbol, const Exprs& params, Expr value, const Exprs& domain,
+                   const std::string& words, const std::string& label,
+                   const std::string& shown_as) {
+  const Theorem definition = defined(symbol, params, value, domain);
   show(shown_as.empty() ? symbol : shown_as, label, words, algebra::under(domain, definition));
   return definition;
 }
@@ -66,9 +62,27 @@ const Statement* Book::find(const std::string& id) const {
       if (s.id == id) return &s;
   return nullptr;
 }
-kernel::Theorem Book::operator[](const std::string& id) const {
+Theorem Book::operator[](const std::string& id) const {
   if (const Statement* s = find(id)) return s->theorem;
   kernel::refuse("no theorem " + id);
+}
+Theorem defined(const std::string& symbol, const Exprs& params, Expr value, const Exprs& domain) {
+  const std::set<std::string> hidden{"alpha", "V", "M_A", "w_B", "M_C", "e", "L"};
+  const auto printed = std::find_if(params.begin(), params.end(),
+                                    [&](Expr p) { return hidden.count(p.name()) == 0; });
+  const Theorem definition = kernel::define(symbol, params, value, int(printed - params.begin()));
+  restrict_to(domain, symbol, params);
+  return definition;
+}
+Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs& params, Expr n,
+                              const Exprs& domain, const Exprs& start,
+                              const std::function<Exprs(const Exprs&)>& next) {
+  Exprs with_n = params, before;
+  with_n.push_back(n);
+  for (const std::string& name : names) before.push_back(kernel::real(name + "_before"));
+  const Theorems out = kernel::define_recursive(names, params, n, before, start, next(before));
+  for (const std::string& name : names) restrict_to(domain, name, with_n);
+  return out;
 }
 const Book& the_book() {
   static const Book book = derive();

@@ -13,10 +13,10 @@ Expr last(Expr i) { return fun("U_last", {x, i}); }
 void chebyshev(Book& book) {
   book.chapter("chebyshev", "Chebyshev's polynomials", {from_0});
   const Theorem from = assume(from_0), zero = linear(le(0, 0));
-  const Expr U_before = real("U_before"), last_before = real("last_before");
-  const Theorems def = define_recursive({"U", "U_last"}, {x}, j, {U_before, last_before}, {1, 0},
-                                        {2 * x * U_before - last_before, U_before});
-  for (const char* name : {"U", "U_last"}) restrict_domain(name, {x, j}, from_0);
+  const Theorems def =
+      defined_by_recursion({"U", "U_last"}, {x}, j, {from_0}, {1, 0}, [](const Exprs& before) {
+        return Exprs{2 * x * before[0] - before[1], before[0]};
+      });
   const Theorem first = restate(eq(U(0), 1), def[0]);
   const Theorem second = equation(
       U(1), 2 * x,

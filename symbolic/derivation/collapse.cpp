@@ -18,7 +18,7 @@ void threshold(Book& book) {
   const Theorem square =
       book.show("square", "the square of kappa is",
                 equation(power(kappa(), 2), K, squares + Theorems{kappa_is, is}));
-  know(linear(lt(0, kappa()), {kappa_is, positive(right(kappa_is))}));
+  know(positive(kappa_is));
   const auto compare = [&](Expr goal, Expr premise) {  // K - 1 = (kappa - 1)(kappa + 1)
     return given(premise, [&](const Theorem& t) {
       return linear(goal, {square, times(t, kappa() + 1)});
@@ -57,7 +57,7 @@ void in_time(Book& book) {
   know(linear(lt(0, sum), {from_1, root_sign}));
   const Theorem inverse = equation(y_e, 1 / sum, {definition, square});
   const Theorem quadratic = equation(power(y_e, 2), 2 * kappa() * y_e - 1, {definition, square});
-  know(linear(lt(0, y_e), {inverse, positive(1 / sum)}));
+  know(positive(inverse));
   const Theorem at_most_1 = linear(
       le(y_e, 1),
       {equation(y_e * sum, 1, {inverse}), times(linear(le(0, sum - 1), {from_1, root_sign}), y_e)});

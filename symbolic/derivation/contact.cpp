@@ -27,12 +27,10 @@ Theorem velocities_after(Book& book) {
   const Known masses({m_1, m_2});
 
   // M_1 (u_1 - v_1) ((u_1 + v_1) - (u_2 + v_2)) = 0, and the first two factors are not 0.
-  Certificate c;
-  c.equations = {{1, E}, {-(u_2 + v_2), P}};
-  c.multipliers = {m_1, changes};
-  const Theorem relative =
-      book.show("relative",
-                "Then the relative velocity turns round:", arithmetic(eq(u_1 + v_1, u_2 + v_2), c));
+  const Theorem relative = book.show(
+      "relative", "Then the relative velocity turns round:",
+      arithmetic(eq(u_1 + v_1, u_2 + v_2),
+                 {.equations = {{1, E}, {-(u_2 + v_2), P}}, .multipliers = {m_1, changes}}));
   const Exprs after = solve({momentum, relative.conclusion()}, {v_1, v_2}, {u_1, u_2});
   const Theorems rules{linear(eq(v_2, u_1 + v_1 - u_2), {relative}),
                        linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {P})};
@@ -49,11 +47,10 @@ Theorem velocities_after(Book& book) {
   book.show("exists", "Conversely, these velocities keep momentum and energy,",
             both({equation(momentum, {w_1, w_2}), equation(energy, {w_1, w_2})}));
   const auto back = [&](const Theorem& same) {
-    Certificate e;
-    e.equations = {{-(M_1 + M_2) / 2, same}, {(M_1 + M_2) / 2, w_1}};
-    e.multipliers = {m_2};
-    e.nonzero = {positive(M_1 + M_2)};
-    return arithmetic(eq(u_1, u_2), e);
+    return arithmetic(eq(u_1, u_2),
+                      {.equations = {{-(M_1 + M_2) / 2, same}, {(M_1 + M_2) / 2, w_1}},
+                       .multipliers = {m_2},
+                       .nonzero = {positive(M_1 + M_2)}});
   };
   book.show("changes", "and something changes if and only if the bodies approach or part.",
             tautology(iff(changed, neq(u_1, u_2)), {given(eq(u_1, u_2),

@@ -51,8 +51,7 @@ Theorem approach_speed(Book& book) {
       return restate(eq(approach(j), value(j)), rewrite(turned(is_j), at_place));
     });
   };
-  const Theorem last =
-      given(lt(2 * m, j), [&](const Theorem& less) { return linear(eq(j, 2 * m + 1), {less}); });
+  const Theorem last = linear(imp(lt(2 * m, j), eq(j, 2 * m + 1)));
   return book.show(
       "speed", "For both kinds it is the same sine:",
       follows(eq(approach(j), value(j)),
@@ -81,9 +80,8 @@ void number_of_collisions(Book& book, const Theorem& speed) {
 /// N_A = ceil(pi/psi - 1/2), N_B = ceil(pi/psi - 1) from N_A = ceil(N/2), N_B = N - N_A.
 void shares(Book& book) {
   const Exprs domain{alpha_positive, V_positive};
-  const Theorem def_A = define("N_A", {alpha, V}, ceil(N() / 2));
-  const Theorem def_B = define("N_B", {alpha, V}, N() - N_A());
-  for (const char* name : {"N_A", "N_B"}) restrict_domain(name, {alpha, V}, logic_and(domain));
+  const Theorem def_A = defined("N_A", {alpha, V}, ceil(N() / 2), domain);
+  const Theorem def_B = defined("N_B", {alpha, V}, N() - N_A(), domain);
   book.show("shares", "A takes part in the first, the third, and so on, B in the others:",
             under(domain, both({def_A, def_B})));
   // 1 < pi/psi, so there are two collisions or more, one of each block.
@@ -104,15 +102,11 @@ void shares(Book& book) {
   // L = ceil(z - 1): 2L - 1 < N < 2L + 2. If N = 2L then N_A = L, if N = 2L + 1 then N_A = L + 1.
   const Theorem around = linear(logic_and({le(2 * L, N()), le(N(), 2 * L + 1)}), {N_up, N_down});
   const auto with_N = [&](Expr value) {
-    return given(eq(N(), value), [&](const Theorem& is) {
-      return linear(eq(N_B(), L), {def_A, def_B, is});
-    });
+    return linear(imp(eq(N(), value), eq(N_B(), L)), {def_A, def_B});
   };
   book.show("N_B", "eq:NB-ans", "and for B",
             follows(eq(N_B(), L), {with_N(2 * L), with_N(2 * L + 1), part(around, 0),
-                                   given(lt(2 * L, N()), [&](const Theorem& more) {
-                                     return linear(eq(N(), 2 * L + 1), {more, around});
-                                   })}));
+                                   linear(imp(lt(2 * L, N()), eq(N(), 2 * L + 1)), {around})}));
 }
 }  // namespace
 
@@ -167,9 +161,7 @@ Theorem same_sign(Expr l, Expr r, const Theorem& l_is, const Theorem& factor) {
 Theorem ceiling_is() {
   static const Theorem result = [] {
     const Expr is = eq(ceil(x), k), bounds = logic_and({lt(k - 1, x), le(x, k)});
-    return equivalent(
-        is, bounds, [&](const Theorem& t) { return linear(bounds, {t}); },
-        [&](const Theorem& t) { return linear(is, {t}); });
+    return linear(iff(is, bounds));
   }();
   return result;
 }

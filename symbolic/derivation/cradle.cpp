@@ -56,20 +56,19 @@ void last_collision(Book& book) {
 /// B is the next A: velocities and collisions of the whole cradle, ball k of the ratio alpha_k.
 void hand_on(Book& book) {
   const Theorem from = assume(le(0, j));
-  const Expr u_before = real("u_before"), count_before = real("count_before"),
-             ratio = fun("alpha_", {j + 1});
+  const Expr ratio = fun("alpha_", {j + 1});
   const auto with = [&](const char* name, Expr speed) { return fun(name, {ratio, speed}); };
   const Theorems motion =
-      define_recursive({"cradle_speed", "cradle_count"}, {V}, j, {u_before, count_before}, {V, 0},
-                       {with("b_t", u_before), count_before + with("N", u_before)});
-  for (const char* name : {"cradle_speed", "cradle_count"})
-    restrict_domain(name, {V, j}, logic_and({V_positive, le(0, j)}));
+      defined_by_recursion({"cradle_speed", "cradle_count"}, {V}, j, {V_positive, le(0, j)}, {V, 0},
+                           [&](const Exprs& before) {
+                             return Exprs{with("b_t", before[0]), before[1] + with("N", before[0])};
+                           });
   const auto speed = [](Expr i) { return fun("cradle_speed", {V, i}); };
   const auto count = [](Expr i) { return fun("cradle_count", {V, i}); };
   book.show("start",
             "In a cradle of blocks with ball k of the ratio alpha_k behind block k, the speed with "
             "which block j + 1 sets off, and the number of collisions until then:",
-            under({V_positive}, both(parts({motion[0], motion[1]}))));
+            both({motion[0], motion[1]}));
   know(at(book["ratios.alpha_k_positive"], {{k, j + 1}}, {from}));
   const auto there = [&](const char* id, const Theorem& known) {
     return at(book[id], {{alpha, ratio}, {V, speed(j)}, {k, j + 1}}, {from, known});

@@ -22,28 +22,26 @@ struct Sequence {
   Theorems second;  // |- A_(2n+2) = ...
 };
 Sequence sequence(Book& book, const Collision& collide) {
-  const Expr A_before = real("A_before"), B_before = real("B_before"), C_before = real("C_before"),
-             turn_before = real("turn_before");
-  const Theorems whose_turn = define_recursive({"turn"}, {}, j, {turn_before}, {1}, {-turn_before});
+  const Theorems whose_turn = defined_by_recursion(
+      {"turn"}, {}, j, {le(0, j)}, {1}, [](const Exprs& before) { return Exprs{-before[0]}; });
   const Expr P = (1 + turn(j)) / 2;
   const Expr Q = (1 - turn(j)) / 2;
-  const Theorems motion = define_recursive(
-      {"A", "B", "C"}, {alpha, V}, j, {A_before, B_before, C_before}, {V, 0, 0},
-      {P * collide.block(A_before, C_before) + Q * A_before,
-       P * B_before + Q * collide.block(B_before, C_before),
-       P * collide.ball(A_before, C_before) + Q * collide.ball(B_before, C_before)});
-  for (const char* name : {"A", "B", "C"})
-    restrict_domain(name, {alpha, V, j}, logic_and({alpha_positive, le(0, j)}));
-  restrict_domain("turn", {j}, le(0, j));
+  const auto next = [&](const Exprs& before) {
+    const Expr A = before[0], B = before[1], C = before[2];
+    return Exprs{P * collide.block(A, C) + Q * A, P * B + Q * collide.block(B, C),
+                 P * collide.ball(A, C) + Q * collide.ball(B, C)};
+  };
+  const Theorems motion = defined_by_recursion({"A", "B", "C"}, {alpha, V}, j,
+                                               {alpha_positive, le(0, j)}, {V, 0, 0}, next);
   book.show("turn",
             "Collisions are counted from 0 and alternate between A and B. Whose turn it is, 1 for "
             "A and -1 for B:",
             both(whose_turn));
   book.show("start", "At the start A moves with V; B and C are at rest:",
-            under({alpha_positive}, both({motion[0], motion[1], motion[2]})));
+            both({motion[0], motion[1], motion[2]}));
   book.show("next",
             "Collision j changes the two bodies that take part, by the law of one collision:",
-            under({alpha_positive}, both({motion[3], motion[4], motion[5]})));
+            both({motion[3], motion[4], motion[5]}));
 
   const Expr even = eq(turn(2 * n), 1);
   const Theorem n_from_0 = assume(le(0, n));
@@ -73,13 +71,15 @@ void cycle(Book& book) {
   const Sequence s = sequence(book, collide);
 
   // The paper's names: the n-th cycle is collisions 2n - 2 (P_n) and 2n - 1 (Q_n).
-  const Theorem def_a = define("a", {alpha, V, n}, A(2 * n), 2);
-  const Theorem def_b = define("b", {alpha, V, n}, B(2 * n), 2);
-  const Theorem def_c_prime = define("c'", {alpha, V, n}, C(2 * n), 2);
-  const Theorems within = define_recursive({"c"}, {alpha, V}, n, {real("c_before")}, {0},
-                                           {collide.ball(A(2 * n), C(2 * n))});
-  for (const char* name : {"a", "b", "c'", "c"})
-    restrict_domain(name, {alpha, V, n}, logic_and({alpha_positive, le(0, n)}));
+  const Exprs domain{alpha_positive, le(0, n)};
+  const auto after_cycle = [&](const char* name, Expr velocity) {
+    return defined(name, {alpha, V, n}, velocity, domain);
+  };
+  const Theorem def_a = after_cycle("a", A(2 * n)), def_b = after_cycle("b", B(2 * n)),
+                def_c_prime = after_cycle("c'", C(2 * n));
+  const Theorems within =
+      defined_by_recursion({"c"}, {alpha, V}, n, domain, {0},
+                           [&](const Exprs&) { return Exprs{collide.ball(A(2 * n), C(2 * n))}; });
   const Theorem n_from_1 = assume(from_1);
   book.show("names", "The paper's velocities: A's, B's and the ball's after n cycles,",
             under({alpha_positive, le(0, n)}, both({def_a, def_b, def_c_prime})));
@@ -90,9 +90,8 @@ void cycle(Book& book) {
   for (const Theorem& t : s.first + s.second) all_steps.push_back(in_cycle(t));
   const Theorem def_c = equation(
       c(n), C(2 * n - 1), Theorems{in_cycle(use(within[1], {}, {assume(le(0, n))}))} + all_steps);
-  book.show("c_start", "and the ball's within the n-th, 0 before the first:",
-            under({alpha_positive}, within[0]));
-  book.show("name_c", "so that", under({alpha_positive, from_1}, def_c));
+  book.show("c_start", "and the ball's within the n-th, 0 before the first:", within[0]);
+  book.show("name_c", "so that", def_c);
   Theorems names{turned(def_c)};
   for (const Theorem& t : {def_a, def_b, def_c_prime})
     names = names + Theorems{turned(t), turned(instantiate(t, {{n, n - 1}}))};
@@ -107,12 +106,11 @@ void cycle(Book& book) {
   const auto at_0 = [&](const Theorem& definition, const Theorem& start) {
     return chain(rewrite(zero_n, instantiate(definition, {{n, 0}})), start);
   };
-  book.show("start_vector", "Before the first collision:",
-            under({alpha_positive}, both({at_0(def_a, s.starts[0]), at_0(def_b, s.starts[1]),
-                                          at_0(def_c_prime, s.starts[2])})));
-  book.show("B_waits", "P_n leaves B alone,",
-            under({alpha_positive, from_1}, equation(B(2 * n - 1), b(n - 1), all_steps + names)));
-  book.show("P", "After P_n:", under({alpha_positive, from_1}, both({a_n, c_n})));
-  book.show("Q", "After Q_n:", under({alpha_positive, from_1}, both({b_n, c_prime_n})));
+  book.show(
+      "start_vector", "Before the first collision:",
+      both({at_0(def_a, s.starts[0]), at_0(def_b, s.starts[1]), at_0(def_c_prime, s.starts[2])}));
+  book.show("B_waits", "P_n leaves B alone,", equation(B(2 * n - 1), b(n - 1), all_steps + names));
+  book.show("P", "After P_n:", both({a_n, c_n}));
+  book.show("Q", "After Q_n:", both({b_n, c_prime_n}));
 }
 }  // namespace derivation

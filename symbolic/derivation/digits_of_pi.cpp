@@ -30,13 +30,12 @@ void digits_of_pi(Book& book) {
   const Theorem unit = rewrite(equation(right(no_share).arg(0), 1), no_share);
   const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit, root_is(1, 1)});
   const Theorem square = equation(power(kappa, 2), share, {root, root_squared(positive(share))});
-  know(linear(lt(0, kappa), {root, positive(sqrt(share))}));
-  Certificate below;  // 1 - kappa^2 = 1/(1 + T^2) is positive
+  know(positive(root));
+  // 1 - kappa^2 = 1/(1 + T^2) is positive
   const Theorem rest = equation(1 - power(kappa, 2), 1 / (power(T, 2) + 1), {square});
-  below.multipliers = {positive(1 + kappa)};
-  below.equations = {{-1, rest}};
-  below.products = {{1, {positive(1 / (power(T, 2) + 1))}, {}}};
-  know(arithmetic(lt(kappa, 1), below));
+  know(certified(lt(kappa, 1), {.equations = {{-1, rest}},
+                                .products = {{1, {positive(1 / (power(T, 2) + 1))}}},
+                                .multipliers = {positive(1 + kappa)}}));
   const Theorem sine =
       root_of(equation(power(kappa / T, 2), 1 - power(kappa, 2), {square}), positive(kappa / T));
   const Theorem tangent = equation(left(sine) / kappa, 1 / T, {sine});
@@ -45,7 +44,7 @@ void digits_of_pi(Book& book) {
             angle);
   const Theorem number = here("wedge.N");
   const Expr h = left(angle), N = left(number);
-  know(linear(lt(0, h), {angle, positive(atan(1 / T))}));
+  know(positive(angle));
   const Theorem at_most_4 = pi_at_most_4(),
                 near = use("atan bounds", {{x, 1 / T}}, {not_negative(1 / T)});
   const Theorem from = times(linear(le(0, 1 / T - h), {angle, near}), pi() * T / h);
@@ -68,6 +67,6 @@ void digits_of_pi(Book& book) {
   book.show("digits",
             "It is pi T rounded down, unless pi T is less than 2/T below the next integer: for T a "
             "power of ten the first digits of pi, unless about as many nines follow them.",
-            given(room, [&](const Theorem& t) { return linear(eq(N, k), {t}); }));
+            linear(imp(room, eq(N, k))));
 }
 }  // namespace derivation

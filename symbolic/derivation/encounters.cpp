@@ -20,8 +20,17 @@ Theorems rules_of_paper(Book& book, const Theorem& one) {
 }
 }  // namespace
 
-Theorems without_losses(const Book& book, const Theorem& kappa_is) {
+Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is) {
   const Expr x_is = left(kappa_is), angle = right(kappa_is).arg(0);
+  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
+    const Theorem product = rewrite(turned(kappa_is), instantiate(book[id], {{y, angle}}));
+    return divided(fun(name, {x_is, j}), over / sin(angle), {sin(angle)},
+                   restate(eq(left(product), over), product));
+  };
+  return {quotient("U", "chebyshev.sine", sin((j + 1) * angle)),
+          quotient("U_last", "chebyshev.sine_last", sin(j * angle))};
+}
+Theorems without_losses(const Book& book, const Theorem& kappa_is) {
   const Theorem root = root_is(1, 1);
   const auto power = [](Expr i) { return fun("pow", {sqrt(Expr(1)), i}); };
   const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, sqrt(Expr(1))}})});
@@ -29,13 +38,7 @@ Theorems without_losses(const Book& book, const Theorem& kappa_is) {
       by_induction(j, eq(power(j), 1), powers[0], [&](const Theorem& from, const Theorem& now) {
         return equation(power(j + 1), 1, {use(powers[1], {}, {from}), now, root});
       });
-  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
-    const Theorem product = rewrite(turned(kappa_is), instantiate(book[id], {{y, angle}}));
-    return divided(fun(name, {x_is, j}), over / sin(angle), {sin(angle)},
-                   restate(eq(left(product), over), product));
-  };
-  return {power_is, root, quotient("U", "chebyshev.sine", sin((j + 1) * angle)),
-          quotient("U_last", "chebyshev.sine_last", sin(j * angle))};
+  return Theorems{power_is, root} + quotients_of_sines(book, kappa_is);
 }
 
 void encounters(Book& book) {
@@ -60,9 +63,7 @@ void encounters(Book& book) {
   });
   know(book.show("all", "and those until collision j are positive:", all_of_them));
   const auto name = [&](const char* symbol, Expr value) {
-    const Theorem is = define(symbol, {alpha, V, L, j}, value, 3);
-    restrict_domain(symbol, {alpha, V, L, j}, logic_and(assumptions));
-    return is;
+    return defined(symbol, {alpha, V, L, j}, value, assumptions);
   };
   const Theorem when = name("when", in_paper(at_collision("time", j)));
   const Theorem distance = name("apart", in_paper(apart(j)));

@@ -44,7 +44,7 @@ void ends(Book& book) {
   const Theorem last = approach_is(N - 1, rest, parting / e, parting_is);
   const Theorem next = approach_is(N, rest - h, -opening, opening_is);
   know(sine_not_negative(linear(le(0, h - rest)), linear(le(h - rest, pi()))));
-  know(linear(lt(0, parting), {parting_is, positive(right(parting_is))}));
+  know(positive(parting_is));
   know(linear(le(0, opening), {opening_is, not_negative(right(opening_is))}));
   book.show("last", "for these are the approach speeds then:",
             both({linear(lt(0, parting)), linear(le(0, opening)), last, next}));
@@ -66,10 +66,8 @@ void ends(Book& book) {
   book.show("B", "So B has at the end", B_is);
   book.show("A_and_C", "and A and the ball have", both({A_is, C_is}));
   const auto share = [&](Expr one) {  // of 1 + t or 1 - t: its square is twice what it is
-    Certificate c;
-    c.equations = {{rational(1, 2), square}};
-    c.products = {{rational(1, 2).value(), {}, {one}}};
-    return arithmetic(le(0, one), c);
+    return arithmetic(le(0, one), {.equations = {{rational(1, 2), square}},
+                                   .products = {{rational(1, 2).value(), {}, {one}}}});
   };
   for (const Expr& one : {1 + t, 1 - t}) {
     know(times(share(one), linear(lt(0, parting))));

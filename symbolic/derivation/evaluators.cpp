@@ -9,15 +9,14 @@ const Expr from_0 = le(0, n);
 Angle angle(Names& names) {
   Book& book = names.book;
   const Theorem above = names.name("above", {alpha}, 2 + alpha, "With");
-  know(linear(lt(0, of_alpha("above")), {above}));
+  know(positive(above));
   const Theorem w = names.name("w", {alpha}, 1 / sqrt(alpha * of_alpha("above")));
   const Theorem z = rewrite(above, names.name("z", {alpha}, alpha / of_alpha("above")));
   const Theorem t = names.name("t", {alpha}, alpha * of_alpha("w"));
   const Theorem half_h = names.name("half_h", {alpha}, atan(of_alpha("t")));
   const Theorem under_root = rewrite(above, w);
   const Expr T = of_alpha("t"), q = of_alpha("half_h");
-  const Theorem w_positive =
-      linear(lt(0, of_alpha("w")), {under_root, positive(1 / sqrt(alpha * (2 + alpha)))});
+  const Theorem w_positive = positive(under_root);
   know(linear(lt(0, T), {t, times(w_positive, alpha)}));
   const Theorem t_squared =
       book.show("t_squared", "t^2 is", equation(power(T, 2), of_alpha("z"), {t, under_root, z}));
@@ -59,7 +58,7 @@ void velocities(Names& names, const Angle& a) {
                        names.name("minus", both_inputs, f("cosine") - f("t_sine")),
                        names.name("along", both_inputs, f("cosine") + f("w_sine"))};
   book.show("t_sine_at_most", "where for a ball that is not heavier than a block",
-            under({alpha_positive, from_0}, larger(a.t_small, f("sine"), parts[2], parts[3])));
+            larger(a.t_small, f("sine"), parts[2], parts[3]));
   const Prover prover(book, a);
   const auto show = [&](const std::string& name, const std::string& id, Expr velocity, Expr form) {
     book.show(name, name == "a" ? "the velocities are" : "and",

@@ -23,11 +23,10 @@ void conditions(Book& book, const Condition& which) {
                 fast, turned_back,
                 [&](const Theorem& t) {
                   const Theorem same = linear(eq(which.velocity, right(b_is)), {t, b_is});
-                  Certificate c;
-                  c.multipliers = {positive(V), positive(1 + alpha)};
-                  c.nonzero = {positive(1 + alpha), positive(2 + alpha)};
-                  c.equations = {{2 + alpha, same}};
-                  return arithmetic(turned_back, c);
+                  return arithmetic(turned_back,
+                                    {.equations = {{2 + alpha, same}},
+                                     .multipliers = {positive(V), positive(1 + alpha)},
+                                     .nonzero = {positive(1 + alpha), positive(2 + alpha)}});
                 },
                 [&](const Theorem& t) {
                   return equation(fast, {b_is, t});
@@ -85,12 +84,12 @@ void together(Book& book) {
       "coupled", "Where B and C end with the same velocity, two equations are left,",
       both({linear(eq((1 + alpha) * b_t() + a_t(), V), {momentum}),
             linear(eq((1 + alpha) * power(b_t(), 2) + power(a_t(), 2), power(V, 2)), {energy})}));
-  Certificate c;  // (1 + alpha) b ((2 + alpha) b - 2V) = 0
-  c.nonzero = {positive(2 + alpha)};
-  c.multipliers = c.nonzero + Theorems{positive(1 + alpha), part(book["terminal.order"], 2)};
   const Expr rest = V - (1 + alpha) * b_t();
-  c.equations = {{1, part(coupled, 1)}, {-(rest + a_t()), part(coupled, 0)}};
-  const Theorem fast = arithmetic(eq(b_t(), 2 * V / (2 + alpha)), c);
+  // (1 + alpha) b ((2 + alpha) b - 2V) = 0
+  const Theorem fast = certified(
+      eq(b_t(), 2 * V / (2 + alpha)),
+      {.equations = {{1, part(coupled, 1)}, {-(rest + a_t()), part(coupled, 0)}},
+       .multipliers = {positive(2 + alpha), positive(1 + alpha), part(book["terminal.order"], 2)}});
   book.show("together", "eq:defb-terminal", "with one solution in which B moves:",
             both({equation(a_t(), -alpha * V / (2 + alpha),
                            {linear(eq(a_t(), rest), {part(coupled, 0)}), fast}),
@@ -154,11 +153,11 @@ Theorem after_minimum(Book& book, const Theorem& velocity) {
                {rewrite(count, book["terminal.b"]), part(book["power.quarter"], 1)}, {u});
   const Theorem lack_there = equation(left(velocity), V - V * power(sin(v) / cos(v), 2),
                                       {velocity, book["ratios.beta_k"]}, {v});
-  Certificate c;
-  c.nonzero = {positive(cos(q)), positive(cos(v))};
-  c.multipliers = c.nonzero + c.nonzero;
-  c.products = {{1, {positive(V), smaller, positive(sin(v) * cos(q) + cos(u) * cos(v))}, {}}};
-  const Theorem values = arithmetic(lt(right(lack_there), right(lack)), c);
+  const Theorems cosines{positive(cos(q)), positive(cos(v))};
+  const Theorem values = certified(
+      lt(right(lack_there), right(lack)),
+      {.products = {{1, {positive(V), smaller, positive(sin(v) * cos(q) + cos(u) * cos(v))}}},
+       .multipliers = cosines + cosines});
   return linear(lt(left(lack_there), b_t()), {values, lack, lack_there});
 }
 }  // namespace

@@ -24,12 +24,7 @@ Theorem each(Expr f, const Theorems& rules) {
 }
 class Sums {
 public:
-  explicit Sums(Book& the_book) : book(the_book) {
-    for (const char* name : {"pow", "choose"})
-      restrict_domain(name, {name == std::string("pow") ? y : Expr(n), j}, from_0);
-    for (const char* name : {"cos_sum", "sin_sum"})
-      restrict_domain(name, {x, n, j}, logic_and({le(0, n), from_0}));
-  }
+  explicit Sums(Book& the_book) : book(the_book) {}
   void show_definitions() {
     book.show("pow", "Powers by recursion,", both(powers));
     book.show("choose", "binomial coefficients,", both(coefficients));
@@ -80,14 +75,16 @@ public:
   }
   Book& book;
   const Expr from_0 = le(0, j);
-  const Theorems powers =
-      define_recursive({"pow"}, {y}, j, {real("pow_before")}, {1}, {y * real("pow_before")});
-  const Theorems coefficients = define_recursive({"choose"}, {n}, j, {real("choose_before")}, {1},
-                                                 {real("choose_before") * (n - j) / (j + 1)});
-  const Expr c_before = real("cos_before"), s_before = real("sin_before");
-  const Theorems sums = define_recursive({"cos_sum", "sin_sum"}, {x, n}, j, {c_before, s_before},
-                                         {even(n, 0), odd(n, 0)},
-                                         {c_before + even(n, j + 1), s_before + odd(n, j + 1)});
+  const Theorems powers = defined_by_recursion(
+      {"pow"}, {y}, j, {from_0}, {1}, [](const Exprs& before) { return Exprs{y * before[0]}; });
+  const Theorems coefficients = defined_by_recursion(
+      {"choose"}, {n}, j, {from_0}, {1},
+      [](const Exprs& before) { return Exprs{before[0] * (n - j) / (j + 1)}; });
+  const Theorems sums =
+      defined_by_recursion({"cos_sum", "sin_sum"}, {x, n}, j, {le(0, n), from_0},
+                           {even(n, 0), odd(n, 0)}, [](const Exprs& before) {
+                             return Exprs{before[0] + even(n, j + 1), before[1] + odd(n, j + 1)};
+                           });
 };
 
 /// 0 <= n, 0 <= j |- the sums for n + 1 from those for n, as the sum of two angles has it.

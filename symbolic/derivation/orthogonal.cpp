@@ -70,9 +70,7 @@ Theorem squared_determinant(Expr o, const Theorem& is) {
 }
 /// t != -1 |- 1 + t != 0
 Theorem one_more_not_0(Expr t) {
-  return tautology(neq(1 + t, 0), {assume(neq(t, -1)), given(eq(1 + t, 0), [&](const Theorem& e) {
-                                     return linear(eq(t, -1), {e});
-                                   })});
+  return tautology(neq(1 + t, 0), {assume(neq(t, -1)), linear(imp(eq(1 + t, 0), eq(t, -1)))});
 }
 
 /// Lengths are kept if and only if O^T O = 1; then det(O) is 1 or -1.
@@ -101,10 +99,9 @@ Theorem orthogonal(Book& book, int size) {
   book.show(where + "_keeps", "and an orthogonal one keeps them;",
             restate(kept, within(transpose(column(v)), is, column(v))));
   const Theorem other = given(neq(d, 1), [&](const Theorem& t) {
-    Certificate c;  // (1 - d)(-1 - d) = d^2 - 1
-    c.multipliers = {t};
-    c.equations = {{-1, squared_determinant(o, is)}};
-    return arithmetic(eq(d, -1), c);
+    // (1 - d)(-1 - d) = d^2 - 1
+    return arithmetic(eq(d, -1),
+                      {.equations = {{-1, squared_determinant(o, is)}}, .multipliers = {t}});
   });
   book.show(where + "_determinant",
             "its determinant is 1 or -1:", tautology(logic_or({eq(d, 1), eq(d, -1)}), {other}));
@@ -126,20 +123,17 @@ void in_the_plane(Book& book, const Theorem& is) {
   };
   const Theorem cosine = of_angle(cos(2 * angle), p), sine = of_angle(sin(2 * angle), r);
   const Theorem none = given(neq(r, 0), [&](const Theorem& moved) {
-    Certificate c;
-    c.multipliers = {moved};
-    c.equations = {{-1, unit}, {p - 1, at_end}};
-    return arithmetic(eq(r, 0), c);
+    return arithmetic(eq(r, 0),
+                      {.equations = {{-1, unit}, {p - 1, at_end}}, .multipliers = {moved}});
   });
   const Theorem r_is_0 = tautology(eq(r, 0), {none});
   for (const int sign : {1, -1}) {
     const Theorem value = restate(eq(p * s - q * r, sign), assume(eq(det(o), sign)));
-    Certificate of_s;  // sign p - s = p (p s - q r) - s (p^2 + r^2)
-    of_s.equations = {{-s, products[0]}, {p, value}, {r, products[1]}};
-    Certificate of_q;
-    of_q.equations = {{-q, products[0]}, {-r, value}, {p, products[1]}};
-    const Theorem s_is = arithmetic(eq(s, Expr(sign) * p), of_s);
-    const Theorem q_is = arithmetic(eq(q, Expr(-sign) * r), of_q);
+    // sign p - s = p (p s - q r) - s (p^2 + r^2)
+    const Theorem s_is = arithmetic(
+        eq(s, Expr(sign) * p), {.equations = {{-s, products[0]}, {p, value}, {r, products[1]}}});
+    const Theorem q_is = arithmetic(
+        eq(q, Expr(-sign) * r), {.equations = {{-q, products[0]}, {-r, value}, {p, products[1]}}});
     const auto turned_by = [&](Expr a, const Theorems& facts) {
       const Expr turn = fun("lambda", {a});
       return matrix_equation(
@@ -182,9 +176,7 @@ void in_space(Book& book, const Theorem& is) {
   const Theorems times_d = entries(within(cofactors_of(o), is, one));  // d O = cofactors
   const Theorems own_cofactors{entrywise(o, cofactors_of(o), [&](Expr goal, int i, int j) {
     const auto place = std::size_t(3 * i + j);
-    Certificate c;
-    c.equations = {{-names[place], d_is_1}, {1, times_d[place]}};
-    return arithmetic(goal, c);
+    return arithmetic(goal, {.equations = {{-names[place], d_is_1}, {1, times_d[place]}}});
   })};
   const Expr along = column({names[7] - names[5], names[2] - names[6], names[3] - names[1]});
   book.show("axis_along", "which is this one, unless all three differences are 0:",
@@ -256,10 +248,9 @@ void about_an_axis(Book& book, const Theorem& is) {
   Substitution terms;
   const Theorem orthogonal_block =
       entrywise(gram(block), identity(2), [&](Expr goal, int i, int j) {
-        Certificate c;
-        c.equations = {{1, gram_s[std::size_t(3 * i + j)]}, {-s_(2, j), row[std::size_t(i)]}};
         terms[entry(matrix_of_names(2), i, j)] = s_(i, j);
-        return arithmetic(goal, c);
+        return arithmetic(goal, {.equations = {{1, gram_s[std::size_t(3 * i + j)]},
+                                               {-s_(2, j), row[std::size_t(i)]}}});
       });
   Certificate c;
   c.equations = {{1, squared}, {power(d, 2), assume(eq(det(o), 1))}};

@@ -42,7 +42,7 @@ void heavy_ball(Names& names) {
       both({book.show("N_A", "Both blocks have one collision each, A", once("ratios.N_A_once", {})),
             book.show("N_B", "and B:", once("ratios.N_B_once", {beta_below}))});
   const Theorem sum = names.name("masses", {alpha}, 1 + alpha, "With");
-  know(linear(lt(0, of_alpha("masses")), {sum}));
+  know(positive(sum));
   const Theorem part_of = names.name("per_mass", {alpha}, 1 / of_alpha("masses"));
   const Theorem share = names.name("share", {alpha}, alpha * of_alpha("per_mass"));
   const Theorem less = names.name("lead", {alpha}, 1 - alpha);

@@ -63,10 +63,10 @@ void recurrence(Book& book, const Theorems& motion) {
   const Theorem from = assume(from_0), zero = linear(le(0, 0));
   const Known signs({assume(lt(0, M_A)), assume(le(0, w_B)), assume(lt(0, M_C)), from});
   const Theorems turns = parts({book["cycle.turn"]});
-  const Theorem definition = define(
-      "closing", {M_A, w_B, M_C, e, V, j},
-      P * (velocity("A", j) - velocity("C", j)) + Q * (velocity("C", j) - velocity("B", j)), 5);
-  restrict_domain("closing", {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
+  const Theorem definition =
+      defined("closing", {M_A, w_B, M_C, e, V, j},
+              P * (velocity("A", j) - velocity("C", j)) + Q * (velocity("C", j) - velocity("B", j)),
+              of_wedge({le(0, j)}));
   book.show("closing", "Before collision j its two bodies approach with the speed", definition);
   const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
   const Theorem first =
@@ -151,15 +151,14 @@ void restitution(Book& book) {
   };
 
   book.chapter("motion", "Three bodies of any masses", of_wedge({le(0, j)}));
-  const Expr A_before = real("A_before"), B_before = real("B_before"), C_before = real("C_before");
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
-  const Theorems motion = define_recursive(
-      {"v_A", "v_B", "v_C"}, {M_A, w_B, M_C, e, V}, j, {A_before, B_before, C_before}, {V, 0, 0},
-      {P * of_A(0, A_before, C_before) + Q * A_before,
-       P * B_before + Q * of_B(1, C_before, B_before),
-       P * of_A(1, A_before, C_before) + Q * of_B(0, C_before, B_before)});
-  for (const char* name : {"v_A", "v_B", "v_C"})
-    restrict_domain(name, {M_A, w_B, M_C, e, V, j}, logic_and(of_wedge({le(0, j)})));
+  const auto next = [&](const Exprs& before) {
+    const Expr A = before[0], B = before[1], C = before[2];
+    return Exprs{P * of_A(0, A, C) + Q * A, P * B + Q * of_B(1, C, B),
+                 P * of_A(1, A, C) + Q * of_B(0, C, B)};
+  };
+  const Theorems motion = defined_by_recursion({"v_A", "v_B", "v_C"}, {M_A, w_B, M_C, e, V}, j,
+                                               of_wedge({le(0, j)}), {V, 0, 0}, next);
   book.show("start",
             "At the start A moves with V, the ball C and B are at rest; w_B is 1/M_B for a block "
             "and 0 for a wall:",

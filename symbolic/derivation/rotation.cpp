@@ -46,8 +46,7 @@ void angle(Book& book, Expr lambda) {
       book.show("cos_half_psi", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
   const Theorem sin_half = book.show("sin_half_psi", "table:trig", "and", at_half("sin atan"));
   know(book.show("psi_range", "The range of psi:",
-                 both({linear(lt(0, psi()), {definition, positive(atan(t))}),
-                       linear(lt(psi(), pi()), {definition})})));
+                 both({positive(definition), linear(lt(psi(), pi()), {definition})})));
   know(book.show("half_signs", "so that half of it has a positive sine and a positive cosine:",
                  both({positive(sin(psi() / 2)), positive(cos(psi() / 2))})));
   const auto doubled = [&](Expr l, Expr r) {

@@ -15,8 +15,7 @@ void theta_bounds(Book& book) {
   const Expr s = sqrt(alpha);
   const Theorem definition = book["ball.theta"];
   know(book.show("theta_range", "The range of theta:",
-                 both({linear(lt(0, theta()), {definition, positive(atan(s))}),
-                       linear(lt(theta(), pi()), {definition})})));
+                 both({positive(definition), linear(lt(theta(), pi()), {definition})})));
   const Theorem cosine =
       linear(lt(0, cos(theta())),
              {book["ball.cos_theta"], positive((1 - alpha) / (1 + alpha), {assume(light)})});
@@ -34,17 +33,18 @@ void psi_bounds(Book& book) {
   const Theorem p_squared = root_squared(positive(2 * alpha));
   const Theorem q_squared = equation((2 + alpha) * power(q, 2), alpha);
   const Theorems sum{positive(p + 2 * q)};
-  Certificate upper;  // (p + 2q)(p - 2q) = 2 alpha q^2
-  upper.multipliers = sum;
-  upper.equations = {{-1, p_squared}, {2, q_squared}};
-  upper.products = {{2, {mass, q_positive, q_positive}, {}}};
-  const Theorem q_below = arithmetic(lt(2 * q, p), upper);
-  Certificate lower;  // (p + 2q)(2q - p + alpha p/4) = alpha^2 q^2/2 + alpha q (p - 2q)/2
-  lower.multipliers = sum;
-  lower.equations = {{1 - alpha / 4, p_squared}, {alpha / 2 - 2, q_squared}};
+  // (p + 2q)(p - 2q) = 2 alpha q^2
+  const Theorem q_below =
+      arithmetic(lt(2 * q, p), {.equations = {{-1, p_squared}, {2, q_squared}},
+                                .products = {{2, {mass, q_positive, q_positive}, {}}},
+                                .multipliers = sum});
   const cln::cl_RA half = rational(1, 2).value();
-  lower.products = {{half, {mass, mass}, {q}}, {half, {mass, q_positive, q_below}, {}}};
-  const Theorem q_above = arithmetic(le(p - alpha * p / 4, 2 * q), lower);
+  // (p + 2q)(2q - p + alpha p/4) = alpha^2 q^2/2 + alpha q (p - 2q)/2
+  const Theorem q_above =
+      arithmetic(le(p - alpha * p / 4, 2 * q),
+                 {.equations = {{1 - alpha / 4, p_squared}, {alpha / 2 - 2, q_squared}},
+                  .products = {{half, {mass, mass}, {q}}, {half, {mass, q_positive, q_below}, {}}},
+                  .multipliers = sum});
   const Theorem q_squared_below =
       linear(le(0, alpha / 2 - power(q, 2)), {q_squared, positive(alpha * power(q, 2))});
   const Theorems facts{book["table.quarter_psi"],          atan_bounds(q),      q_above, q_below,

@@ -88,24 +88,9 @@ Theorem ceiling_is();
 /// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.
 Theorems range_of(Expr d, const Theorems& facts);
 
-// The chapters, one file each, in the order of the book.
-void contact(Book& book);
-void cycle(Book& book);
-void cycle_matrix(Book& book);
-void rotation(Book& book);
-void powers(Book& book);
-void counting(Book& book);
-void multiples(Book& book);
-void table(Book& book);
-void constraints(Book& book);
-void thresholds(Book& book);
-void ratios(Book& book);
-void terminal(Book& book);
-void orthogonal(Book& book);
-void minima(Book& book);
-void small_alpha(Book& book);
-void evaluators(Book& book);
-void radicals(Book& book);
-void exact_forms(Book& book);
-
+// The chapters, one file each.
+using WriteChapter = void(Book& book);
+WriteChapter contact, cycle, cycle_matrix, rotation, powers, counting, multiples, table,
+    constraints, thresholds, ratios, terminal, orthogonal, minima, small_alpha, evaluators,
+    radicals, exact_forms;
 }  // namespace derivation

@@ -40,7 +40,7 @@ void table(Book& book) {
               equation(tan(angle), value, Theorems{instantiate(definition, {{x, angle}})} + facts));
   };
   const Theorem cos_half = book["ball.cos_half_theta"];
-  know(linear(lt(0, cos(theta() / 2)), {cos_half, positive(1 / sqrt(1 + alpha))}));
+  know(positive(cos_half));
   show("half_theta", theta() / 2, s, {sine_half, cos_half});
   show("quarter_psi", psi() / 4, sqrt(alpha / (2 + alpha)), {turned(of_quarter)});
   show("half_psi", psi() / 2, root, {book["rotation.sin_half_psi"], book["rotation.cos_half_psi"]});

@@ -95,19 +95,21 @@ Theorem at_the_end(Book& book, const End& end) {
 /// a <= c <= b with the momentum and energy of the start |- 0 < b, b <= V
 void below_V(Book& book, const Theorem& facts) {
   const Theorems all = parts({facts});  // a <= c, c <= b, momentum, energy
-  Certificate above;                    // (2 + alpha) b = V + (1 + alpha)(b - c) + (c - a)
-  above.multipliers = {positive(2 + alpha)};
-  above.equations = {{-1, all[2]}};
-  above.products = {
-      {1, {assume(V_positive)}, {}}, {1, {positive(1 + alpha), all[1]}, {}}, {1, {all[0]}, {}}};
-  const Theorem b_positive = arithmetic(lt(0, b_t()), above);
-  Certificate below;  // (V + b)(V - b) = a^2 + alpha c^2
-  below.multipliers = {linear(lt(0, V + b_t()), {b_positive})};
-  below.equations = {{1, all[3]}};
-  below.products = {{1, {}, {a_t()}}, {1, {assume(alpha_positive)}, {c_t()}}};
-  book.show("order",
-            "In any case they are in the order of the bodies, and B is not faster than A was:",
-            both({all[0], all[1], b_positive, arithmetic(le(b_t(), V), below)}));
+  // (2 + alpha) b = V + (1 + alpha)(b - c) + (c - a)
+  const Theorem b_positive =
+      arithmetic(lt(0, b_t()), {.equations = {{-1, all[2]}},
+                                .products = {{1, {assume(V_positive)}, {}},
+                                             {1, {positive(1 + alpha), all[1]}, {}},
+                                             {1, {all[0]}, {}}},
+                                .multipliers = {positive(2 + alpha)}});
+  // (V + b)(V - b) = a^2 + alpha c^2
+  book.show(
+      "order", "In any case they are in the order of the bodies, and B is not faster than A was:",
+      both({all[0], all[1], b_positive,
+            arithmetic(le(b_t(), V),
+                       {.equations = {{1, all[3]}},
+                        .products = {{1, {}, {a_t()}}, {1, {assume(alpha_positive)}, {c_t()}}},
+                        .multipliers = {linear(lt(0, V + b_t()), {b_positive})}})}));
   book.show("energy", "with", both({all[2], all[3]}));
 }
 
@@ -122,7 +124,7 @@ void recoil(Book& book) {
   const Theorem cos_up = linear(le(0, -cos(up)), {falls, axiom("cos pi/2")});
   const Theorem a_is =
       chain(part(book["terminal.definitions"], 0), at(book["power.a_product"], {{n, N_A()}}));
-  const Theorem mean = linear(lt(0, V_CM()), {positive(V / (2 + alpha)), book["power.V_CM"]});
+  const Theorem mean = positive(book["power.V_CM"]);
   book.show(
       "a_recoils", "A does not go on forward:",
       linear(le(a_t(), 0), {a_is, product_of({mean, positive(1 + alpha), cos_up, cos_down})}));
@@ -137,8 +139,7 @@ void terminal(Book& book) {
   const Exprs domain{alpha_positive, V_positive};
   Theorems definitions;
   const auto named = [&](const std::string& name, Expr value) {
-    definitions.push_back(define(name, {alpha, V}, value));
-    restrict_domain(name, {alpha, V}, logic_and(domain));
+    definitions.push_back(defined(name, {alpha, V}, value, domain));
   };
   named("a_t", a(N_A()));
   named("b_t", b(N_B()));
@@ -190,10 +191,7 @@ void terminal(Book& book) {
   const Theorem last =
       book.show("last", "One of them is the last, with n = N_A:",
                 follows(logic_or({eq(N(), 2 * N_A()), eq(N(), 2 * N_A() - 1)}),
-                        {given(lt(N(), 2 * N_A()),
-                               [&](const Theorem& less) {
-                                 return linear(eq(N(), 2 * N_A() - 1), {less, shares});
-                               }),
+                        {linear(imp(lt(N(), 2 * N_A()), eq(N(), 2 * N_A() - 1)), {shares}),
                          linear(le(N(), 2 * N_A()), {shares})}));
   below_V(book, tautology(end_Q.conclusion(), {at_N_A(end_Q, 2 * n), at_N_A(end_P, 2 * n - 1), last,
                                                part(book["counting.at_least"], 0)}));

@@ -116,14 +116,14 @@ void terminal_forms(Names& names, const Angle& a) {
   const Theorem difference =
       equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
                {turned(def_sine), turned(def_cosine)}, {q, f("rest")});
-  Certificate c;  // cos(q) (t cos(rest) - sin(rest)) = sin(q - rest)
-  c.multipliers = {positive(cos(q))};
-  c.nonzero = c.multipliers;
-  c.equations = {{1, difference}, {-cos(q), of_name[0]}, {-cos(q) * f("rest_cosine"), a.tangent}};
-  c.products = {{1, {sine_from_0}, {}}};
   book.show("t_cosine_at_most", "For a ball that is not heavier than a block",
-            under({alpha_positive, V_positive},
-                  larger(a.t_small, f("rest_cosine"), of_name[0], of_name[1])));
-  book.show("sine_at_most", "and so", arithmetic(le(f("rest_sine"), f("t_cosine")), c));
+            larger(a.t_small, f("rest_cosine"), of_name[0], of_name[1]));
+  book.show("sine_at_most", "and so",
+            certified(le(f("rest_sine"), f("t_cosine")),
+                      {.equations = {{1, difference},
+                                     {-cos(q), of_name[0]},
+                                     {-cos(q) * f("rest_cosine"), a.tangent}},
+                       .products = {{1, {sine_from_0}, {}}},
+                       .multipliers = {positive(cos(q))}}));
 }
 }  // namespace derivation

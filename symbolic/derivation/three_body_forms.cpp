@@ -25,10 +25,7 @@ public:
 
   /// |- symbol_j = value
   Theorem name(const std::string& symbol, Expr value) const {
-    const Exprs params{M_A, w_B, M_C, e, V, L, j};
-    const Theorem is = define(symbol, params, value, 6);
-    restrict_domain(symbol, params, logic_and(domain));
-    return is;
+    return defined(symbol, {M_A, w_B, M_C, e, V, L, j}, value, domain);
   }
   /// Shows that what is so named has a form.
   Theorem show(const Theorem& is, const std::string& words, Expr form,
@@ -40,7 +37,7 @@ public:
   void share(const std::string& symbol, const std::string& words, Expr value, bool is_positive) {
     shared.push_back(name(symbol, value));
     book.show("def_" + symbol, words, under({lt(0, q_e())}, shared.back()));
-    if (is_positive) know(linear(lt(0, (*this)(symbol)), {shared.back(), positive(value)}));
+    if (is_positive) know(positive(shared.back()));
   }
   Expr operator()(const std::string& symbol) const {
     return fun(symbol, {M_A, w_B, M_C, e, V, L, j});
@@ -89,11 +86,11 @@ Theorem angle(Book& book, const Theorem& q_is) {
   const Theorem below =
       tautology(lt(kappa(), 1), {book["collapse.threshold"], linear(lt(K(), 1), {q_is, end})});
   know(below);
-  know(linear(lt(0, kappa()), {book["wedge.kappa"], positive(right(book["wedge.kappa"]))}));
+  know(positive(book["wedge.kappa"]));
   const Theorem inside = equation(1 - power(kappa(), 2), q_e(), {q_is, book["collapse.square"]});
   const Theorem h_is = book.show("h_e", "Where they end the angle is",
                                  rewrite(inside, cut(below, book["wedge.h_e"])));
-  know(linear(lt(0, h_e()), {h_is, positive(right(h_is))}));
+  know(positive(h_is));
   know(linear(lt(h_e(), pi()), {h_is, use("atan range", {{x, right(h_is).arg(0)}})}));
   know(positive(sin(h_e())));
   book.show("N_e", "and the number of all collisions", cut(below, book["wedge.N"]));
@@ -153,25 +150,20 @@ void times_and_places(const Forms& forms) {
                                          in_half_a_turn(i, range)});
   });
   know(in_half_a_turn(j, both({assume(le(0, j)), linear(le(j, j))})));
-  know(linear(lt(0, forms("now_sine")), {book["bodies.def_now_sine"], positive(sine(j + 1))}));
+  know(positive(book["bodies.def_now_sine"]));
   know(all_of_them);
-  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
-    const Theorem product = rewrite(forms.in_angle("cosine"), instantiate(book[id], {{y, h_e()}}));
-    return divided(fun(name, {kappa(), j}), over / sin(h_e()), {sin(h_e())},
-                   restate(eq(left(product), over), product));
-  };
-  const Theorem U = quotient("U", "chebyshev.sine", sine(j + 1)),
-                U_last = quotient("U_last", "chebyshev.sine_last", sine(j));
-  know(linear(lt(0, left(U)), {U, positive(right(U))}));
+  const Theorems sines = quotients_of_sines(book, turned(forms.in_angle("cosine")));
+  know(positive(sines[0]));
   const auto of_motion = [&](const char* id) { return cut(all_of_them, book[id]); };
   const Theorem moment = forms.name("moment", at_collision("time", j));
   forms.show(moment, "The time is",
              L / V * (r_B() / r_A()) / sqrt(e) * (sine(j) / forms("now_sine")),
-             {of_motion("places.time"), U, U_last});
+             Theorems{of_motion("places.time")} + sines);
   const Theorem blocks = forms.name("blocks", apart(j)),
                 place = forms.name("place", at_collision("x_C", j));
   forms.show(chain(blocks, of_motion("places.distance")), "the distance of A and B",
-             L * root_power(j) / forms("now_side") * (forms("step_sine") / forms("now_sine")), {U});
+             L * root_power(j) / forms("now_side") * (forms("step_sine") / forms("now_sine")),
+             {sines[0]});
   const Expr D = left(blocks);
   forms.show(place, "and the place",
              (L + w_B * M_A * V * left(moment) - P() * D + Q() * (w_B * M_A * D)) /

@@ -142,10 +142,9 @@ void order(Book& book) {
              {equation(cos(3 * third), 4 * power(cosine, 3) - 3 * cosine, {}, {third}),
               restate(eq(cos(3 * third), -1), axiom("cos pi"))});
   const Theorem other = given(neq(cosine, one_half), [&](const Theorem& differs) {
-    Certificate c;  // (1 + c)(1/2 - c)(1/2 - c) = (4c^3 - 3c + 1)/4
-    c.multipliers = {positive(1 + cosine), differs};
-    c.equations = {{-rational(1, 4), triple}};
-    return arithmetic(eq(cosine, one_half), c);
+    // (1 + c)(1/2 - c)(1/2 - c) = (4c^3 - 3c + 1)/4
+    return arithmetic(eq(cosine, one_half), {.equations = {{-rational(1, 4), triple}},
+                                             .multipliers = {positive(1 + cosine), differs}});
   });
   const Theorem is_half = tautology(eq(cosine, one_half), {other});
   book.show("third", "The cosine of a third of pi", is_half);

@@ -44,11 +44,10 @@ void energy(Book& book) {
   const Theorems rules = shares + Theorems{of_motion("wedge.speed"), book["motion.turn_squared"]};
   const Theorem alike = book.show("alike", "which is alike for both kinds:",
                                   chain(lost, equation(right(lost), unit * square, rules)));
-  const Expr before = real("squares_before");
-  const Theorems sum =
-      define_recursive({"squares"}, masses_and_e(), j, {before}, {0}, {before + square});
   const Exprs domain = of_block({le(0, j), lt(0, e)});
-  restrict_domain("squares", {M_A, w_B, M_C, e, j}, logic_and(domain));
+  const Theorems sum =
+      defined_by_recursion({"squares"}, masses_and_e(), j, domain, {0},
+                           [&](const Exprs& before) { return Exprs{before[0] + square}; });
   book.show("squares", "So with a sum of squares,", under(domain, both(sum)));
   const auto remains = [&](Expr i) {
     return eq(energy(i), M_A * power(V, 2) - unit * fun("squares", {M_A, w_B, M_C, e, i}));
@@ -113,8 +112,7 @@ void rises(Book& book, const std::string& name, const std::string& words, const 
   const Theorem larger =
       linear(lt(0, b_more - b_n),
              {equation(b_more - b_n, difference, {is, is_more}), positive(difference)});
-  const Theorem sum =
-      linear(lt(0, b_more + b_n), {is, is_more, positive(right(is)), positive(right(is_more))});
+  const Theorem sum = linear(lt(0, b_more + b_n), {positive(is), positive(is_more)});
   const Expr rho = power(b_n / V, 2), rho_more = power(b_more / V, 2);
   const Theorem product = times(times(larger, sum), 1 / power(V, 2));
   book.show(name, words,

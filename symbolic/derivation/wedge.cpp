@@ -9,7 +9,7 @@ namespace {
 void shares(Book& book) {
   const auto share = [&](const char* name, Expr of, Expr value, Expr domain, const char* words) {
     const Theorem is = book.name(name, {of, M_C}, sqrt(value), {domain, lt(0, M_C)}, words);
-    know(linear(lt(0, left(is)), {is, positive(right(is))}));
+    know(positive(is));
   };
   share("r_A", M_A, M_A / (M_A + M_C), lt(0, M_A), "With the roots of the shares of mass");
   share("r_B", w_B, 1 / (1 + w_B * M_C), le(0, w_B), "and, for a block or with 1 for a wall,");
@@ -47,12 +47,13 @@ Theorem speeds(Book& book, const Theorem& kappa_is) {
 }
 void signs_of_factors(Book& book) {
   const Expr side_j = side(j), q = r_A() / r_B();
-  Certificate c;  // (1 + q) side = side^2 + q + (q - 1)^2 (1 - turn^2)/4
-  c.multipliers = {positive(1 + q)};
-  c.nonzero = {positive(r_B())};
-  c.equations = {{rational(1, 4) * power(q - 1, 2), book["motion.turn_squared"]}};
-  c.products = {{1, {}, {side_j}}, {1, {positive(q)}, {}}};
-  const Theorem sides = arithmetic(lt(0, side_j), c);
+  // (1 + q) side = side^2 + q + (q - 1)^2 (1 - turn^2)/4
+  const Theorem sides =
+      arithmetic(lt(0, side_j),
+                 {.equations = {{rational(1, 4) * power(q - 1, 2), book["motion.turn_squared"]}},
+                  .products = {{1, {}, {side_j}}, {1, {positive(q)}, {}}},
+                  .multipliers = {positive(1 + q)},
+                  .nonzero = {positive(r_B())}});
   const Theorems pow_is = parts({instantiate(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorem powers = by_induction(
       j, lt(0, root_power(j)), linear(lt(0, root_power(0)), {pow_is[0]}),
@@ -81,8 +82,7 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
                                               equation(1 / sqrt(1 + power(t, 2)), x_e,
                                                        {root_of(square, positive(1 / x_e))}))})));
   know(book.show("acute", "an acute one,",
-                 both({linear(lt(0, h), {is, positive(atan(t))}),
-                       linear(lt(h, pi() / 2), {is, use("atan range", {{x, t}})})})));
+                 both({positive(is), linear(lt(h, pi() / 2), {is, use("atan range", {{x, t}})})})));
   const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, x_e);
   const Theorem quotient = rewrite(cosine, instantiate(book["chebyshev.sine"], {{y, h}}));
   const Theorem sin_h = positive(sin(h));
@@ -116,11 +116,9 @@ Theorem all_of(Expr last, const std::function<Theorem(Expr, const Theorem&)>& ea
                              [&](const Theorem& range) { return each(i, range); }));
 }
 Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors) {
-  Certificate c;
+  Certificate c{.equations = {{1, times_factors}}};
   for (const Expr& f : factors) c.multipliers.push_back(positive(f));
-  c.nonzero = c.multipliers;
-  c.equations = {{1, times_factors}};
-  return arithmetic(eq(l, r), c);
+  return certified(eq(l, r), c);
 }
 Theorems squared_shares(const Book& book) {
   Theorems out;
@@ -139,7 +137,7 @@ void wedge(Book& book) {
   shares(book);
   const Theorem is = book.name("kappa", masses_and_e(), (1 + e) * r_A() * r_B() / (2 * sqrt(e)),
                                of_wedge({lt(0, e)}), "the shape of the motion is one number:");
-  know(linear(lt(0, kappa()), {is, positive(right(is))}));
+  know(positive(is));
   const Theorem speed = speeds(book, is);
   signs_of_factors(book);
   const Theorem factor = positive(V * root_power(j) * side(j));

@@ -49,8 +49,9 @@ inline Theorem canonical_form(const Theorem& t) {
 }
 /// The squares of r_A and r_B.
 Theorems squared_shares(const Book& book);
-/// Where nothing is lost and kappa is cos(h): powers of e are 1, U_j and U_last are sines of
-/// multiples of h over sin(h).
+/// Where kappa is cos(h), U_j and U_last are sines of multiples of h over sin(h).
+Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
+/// The same where nothing is lost and powers of e are 1, as the first two of four say.
 Theorems without_losses(const Book& book, const Theorem& kappa_is);
 /// 0 <= j |- claim(j) from claim(0), claim(1), and a proof of claim(j + 2) that may use 0 <= j,
 /// claim(j) and claim(j + 1).
@@ -64,16 +65,6 @@ Theorem by_two(const Claim& claim, const Theorem& at_0, const Theorem& at_1, con
                            }),
               0);
 }
-void restitution(Book& book);
-void transmission(Book& book);
-void ends(Book& book);
-void chebyshev(Book& book);
-void wedge(Book& book);
-void when_and_where(Book& book);
-void collapse(Book& book);
-void encounters(Book& book);
-void digits_of_pi(Book& book);
-void cradle(Book& book);
-void billiard(Book& book);
-void three_body_forms(Book& book);
+WriteChapter restitution, transmission, ends, chebyshev, wedge, when_and_where, collapse,
+    encounters, digits_of_pi, cradle, billiard, three_body_forms;
 }  // namespace derivation

@@ -37,22 +37,15 @@ Theorem time_is(const Theorem& t) {
 
 /// Places and times: all move on with their velocities until the next collision.
 Theorems motion_in_space() {
-  const Exprs before{real("time_before"), real("x_A_before"), real("x_B_before"),
-                     real("x_C_before")};
   const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
-  const Expr wait = (P * (before[2] - before[3]) + Q * (before[3] - before[1])) / closing(j + 1);
-  const Exprs params{M_A, w_B, M_C, e, V, L};
-  const Theorems motion = define_recursive(
-      {"time", "x_A", "x_B", "x_C"}, params, j, before, {0, 0, L, 0},
-      {before[0] + wait, before[1] + velocity("A", j + 1) * wait,
-       before[2] + velocity("B", j + 1) * wait, before[3] + velocity("C", j + 1) * wait});
-  Exprs domain = of_wedge({le(0, j)});
-  domain.push_back(all_take_place(j));
-  Exprs with_j = params;
-  with_j.push_back(j);
-  for (const char* name : {"time", "x_A", "x_B", "x_C"})
-    restrict_domain(name, with_j, logic_and(domain));
-  return motion;
+  return defined_by_recursion(
+      {"time", "x_A", "x_B", "x_C"}, {M_A, w_B, M_C, e, V, L}, j,
+      of_wedge({le(0, j), all_take_place(j)}), {0, 0, L, 0}, [&](const Exprs& before) {
+        const Expr A = before[1], B = before[2], C = before[3];
+        const Expr wait = (P * (B - C) + Q * (C - A)) / closing(j + 1);
+        return Exprs{before[0] + wait, A + velocity("A", j + 1) * wait,
+                     B + velocity("B", j + 1) * wait, C + velocity("C", j + 1) * wait};
+      });
 }
 
 /// Collisions 0 to j take place where 0 to j + 1 do.
