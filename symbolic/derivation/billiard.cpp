@@ -55,7 +55,6 @@ void unfolded(Book& book) {
   const Known signs(assumed(assumptions) + Theorems{at(book["wedge.signs"], elastic, {one})});
   const Theorem cosine = kappa_is_cosine(book);
   const Expr h = right(cosine).arg(0);
-  know(positive(sin(h)));
   const Theorems lossless = without_losses(book, cosine);
   const auto here = [&](Expr t) { return substitute(t, elastic); };
   const auto of_motion = [&](const char* id) { return cut(one, instantiate(book[id], elastic)); };
@@ -83,8 +82,6 @@ void unfolded(Book& book) {
       {of_motion("wedge.takes_place"), use(specialize(all_now, j), {}, {from, linear(le(j, j))})});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
-  know(linear(lt(0, sine), {equation(sine, chebyshev(j, here(kappa())) * sin(h), {lossless[2]}),
-                            times(takes_place, sin(h))}));
   const Theorem blocks = of_motion("places.distance");
   const Exprs by_masses = of_wedge({});
   const auto named = [&](const char* name, Expr of, Expr value, const char* words) {

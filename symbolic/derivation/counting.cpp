@@ -87,13 +87,12 @@ void shares(Book& book) {
   // 1 < pi/psi, so there are two collisions or more, one of each block.
   const Expr z = pi() / psi();
   const Theorem number = book["counting.N"];
-  const Theorem twice = equation(2 * pi() / psi(), 2 * z);
   const Theorem enough = linear(lt(1, z), {times(linear(lt(0, pi() - psi())), 1 / psi())});
-  const Theorem N_from_2 = linear(le(2, N()), {enough, twice, number});
+  const Theorem N_from_2 = linear(le(2, N()), {enough, number});
   know(book.show("at_least", "each at least once:",
                  linear(logic_and({le(1, N_A()), le(1, N_B())}), {def_A, def_B, N_from_2})));
-  const Theorem N_up = linear(le(2 * z - 1, N()), {number, twice});
-  const Theorem N_down = linear(lt(N(), 2 * z), {number, twice});
+  const Theorem N_up = linear(le(2 * z - 1, N()), {number});
+  const Theorem N_down = linear(lt(N(), 2 * z), {number});
   // K = ceil(z - 1/2): 2K - 2 < N < 2K + 1, so K - 1 < N/2 <= K.
   const Expr K = ceil(z - rational(1, 2)), L = ceil(z - 1);
   book.show("N_A", "eq:NA-ans", "that is, for A",

@@ -18,7 +18,6 @@ void last_collision(Book& book) {
   const Theorem fewer = linear(lt(last, N()), {number});
   know(fewer);
   const auto at_last = [&](const char* id) { return at(book[id], {{j, last}}, {from_1, fewer}); };
-  know(positive(sin(half)));
   const Theorem mirrored = equation(sin(pi() - half), sin(half), {}, {pi(), half});
   const Theorem before = linear(eq((last + 1) * half, pi() - half), {whole_turn});
   const Theorem two_before = linear(eq(last * half, pi() - 2 * half), {whole_turn});
@@ -50,8 +49,7 @@ void last_collision(Book& book) {
                                equation(x_B * (2 + alpha), place * (2 + alpha), {centre, time_is}));
   const Theorem short_way = times(assume(alpha_positive), 2 * L / (1 + alpha));
   book.show("room", "B has moved by less than L, so a next ball at a distance L waits untouched:",
-            both({B_is, linear(lt(x_B, 2 * L),
-                               {B_is, short_way, equation(right(short_way), 2 * L - place)})}));
+            both({B_is, linear(lt(x_B, 2 * L), {B_is, short_way})}));
 }
 /// B is the next A: velocities and collisions of the whole cradle, ball k of the ratio alpha_k.
 void hand_on(Book& book) {

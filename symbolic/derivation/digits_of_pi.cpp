@@ -48,19 +48,14 @@ void digits_of_pi(Book& book) {
   const Theorem at_most_4 = pi_at_most_4(),
                 near = use("atan bounds", {{x, 1 / T}}, {not_negative(1 / T)});
   const Theorem from = times(linear(le(0, 1 / T - h), {angle, near}), pi() * T / h);
-  const Theorem many =
-      linear(le(pi() * T - 1, N),
-             {number, equation((1 / T - h) * (pi() * T / h), pi() / h - pi() * T), from});
+  const Theorem many = linear(le(pi() * T - 1, N), {number, from});
   const Expr u = 1 / T;
   const Theorem product =
       times(linear(le(0, h - u + power(u, 3) / 3), {angle, near}), pi() * T + 2 * u);
-  const Expr expanded = (pi() * T + 2 * u) * h - pi() - 2 * power(u, 2) + pi() * power(u, 2) / 3 +
-                        2 * power(u, 4) / 3;
-  const Theorem below_1 =
-      linear(le(0, 1 - u), {times(linear(le(0, T - 1)), u), equation(u * T, 1)});
-  const Theorem to = linear(le(pi(), (pi() * T + 2 * u) * h),
-                            {product, equation(right(product), expanded),
-                             times(at_most_4, power(u, 2)), times(below_1, (1 + u) * power(u, 2))});
+  const Theorem below_1 = linear(le(0, 1 - u), {times(linear(le(0, T - 1)), u)});
+  const Theorem to =
+      linear(le(pi(), (pi() * T + 2 * u) * h),
+             {product, times(at_most_4, power(u, 2)), times(below_1, (1 + u) * power(u, 2))});
   know(book.show("number_T", "so that the number of collisions is near pi T:",
                  both({many, linear(lt(N, pi() * T + 2 * u), {number, times(to, 1 / h)})})));
   const Expr room = logic_and({lt(k, pi() * T), le(pi() * T + 2 * u, k + 1)});

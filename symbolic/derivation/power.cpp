@@ -65,7 +65,6 @@ Theorems quarter_rules(Book& book) {
   const Theorem product = linear(eq(cos(quarter()) * sin(quarter()), right(sin_half) / 2),
                                  {angles({sin(half())}, {quarter()}, false)[0], sin_half});
   book.show("quarter", "The quarter of psi:", both({sine, cosine_squared, product}));
-  know(sine);
   const Theorem mean = book.name("V_CM", {alpha, V}, V / (2 + alpha), {alpha_positive},
                                  "The velocity of the centre of mass:");
   book.show("V_CM_psi", "in terms of psi,",

@@ -22,7 +22,7 @@ void theta_bounds(Book& book) {
   const Theorem falls = cosine_falls(assume(le(pi() / 2, theta())));
   book.show("theta_light", "for a ball lighter than a block:",
             otherwise(lt(theta(), pi() / 2), linear(lt(0, 0), {cosine, falls, axiom("cos pi/2")})));
-  const Theorems bounds{definition, atan_bounds(s), equation(power(s, 3), alpha * s)};
+  const Theorems bounds{definition, atan_bounds(s)};
   book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
             linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));
 }
@@ -60,8 +60,7 @@ void counts(Book& book) {
   const Known small({linear(lt(0, share), {assume(lt(alpha, rational(12, 5)))})});
   const Expr fewest = pi() / (2 * p), most = pi() / (2 * p * share);
   const auto quotients = [&](Expr l, Expr r, Expr divisors, std::size_t which) {
-    const Theorem difference = times(part(bounds, which), pi() / 2 / divisors);
-    return linear(le(l, r), {equation(r - l, gap(difference)), difference});
+    return linear(le(l, r), {times(part(bounds, which), pi() / 2 / divisors)});
   };
   const Theorem at_least = quotients(fewest, pi() / psi(), psi() * p, 1);
   const Theorem at_most = quotients(pi() / psi(), most, psi() * p * share, 0);

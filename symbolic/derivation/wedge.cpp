@@ -85,8 +85,6 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
                  both({positive(is), linear(lt(h, pi() / 2), {is, use("atan range", {{x, t}})})})));
   const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, x_e);
   const Theorem quotient = rewrite(cosine, instantiate(book["chebyshev.sine"], {{y, h}}));
-  const Theorem sin_h = positive(sin(h));
-  know(sin_h);
   book.show("speed_sine", "so that the approach speeds are sines, too,",
             equation(closing(j), V * root_power(j) * side(j) * (sine / sin(h)),
                      {speed, divided(U_j, sine / sin(h), {sin(h)}, quotient)}));
