@@ -38,7 +38,7 @@ Theorem kappa_is_cosine(Book& book) {
   const Theorem threshold = at(book["collapse.threshold"], elastic, {one});
   const Theorem K_is = at(book["collapse.def_K"], elastic, {one});
   const Expr K = left(K_is);
-  const Expr rest = M_C * (1 + w_B * (M_A + M_C)) / ((M_A + M_C) * (1 + w_B * M_C));
+  const Expr rest = M_C * mass_of_all() / ((M_A + M_C) * (1 + w_B * M_C));
   const Theorem below =
       tautology(lt(substitute(kappa(), elastic), 1),
                 {threshold, linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});
@@ -58,7 +58,7 @@ void unfolded(Book& book) {
   const Theorems lossless = without_losses(book, cosine);
   const auto here = [&](Expr t) { return substitute(t, elastic); };
   const auto of_motion = [&](const char* id) { return cut(one, instantiate(book[id], elastic)); };
-  const Expr all = 1 + w_B * (M_A + M_C), unit = sqrt((M_A + M_C) / all);
+  const Expr all = mass_of_all(), unit = sqrt((M_A + M_C) / all);
   const Theorem radius_is = book.name(
       "radius", {M_A, w_B, M_C, V, L, j}, unit * side(j) * here(apart(j)), assumptions,
       "At collision j the scaled places have, from where all three would meet, the distance", "",

@@ -20,10 +20,9 @@ Theorem sine_not_positive() {
 
 /// The approach speed before collision j, for both kinds alike.
 Theorem approach_speed(Book& book) {
-  const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   const Theorem definition = book.name(
-      "approach", {alpha, V, j}, P * (A(j) - C(j)) + Q * (C(j) - B(j)), {alpha_positive, le(0, j)},
-      "Before collision j its two bodies approach with the speed");
+      "approach", {alpha, V, j}, is_P(j) * (A(j) - C(j)) + is_Q(j) * (C(j) - B(j)),
+      {alpha_positive, le(0, j)}, "Before collision j its two bodies approach with the speed");
   const Theorem n_from_0 = assume(le(0, n)), turns = book["cycle.turns"];
   const Theorems names = parts({book["cycle.names"]});
   const auto in_next_cycle = [&](const std::string& id) {

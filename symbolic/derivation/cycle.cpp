@@ -24,8 +24,7 @@ struct Sequence {
 Sequence sequence(Book& book, const Collision& collide) {
   const Theorems whose_turn = defined_by_recursion(
       {"turn"}, {}, j, {le(0, j)}, {1}, [](const Exprs& before) { return Exprs{-before[0]}; });
-  const Expr P = (1 + turn(j)) / 2;
-  const Expr Q = (1 - turn(j)) / 2;
+  const Expr P = is_P(j), Q = is_Q(j);
   const auto next = [&](const Exprs& before) {
     const Expr A = before[0], B = before[1], C = before[2];
     return Exprs{P * collide.block(A, C) + Q * A, P * B + Q * collide.block(B, C),

@@ -52,14 +52,14 @@ void ends(Book& book) {
   const auto after = [&](const char* id) { return canonical_form(at(book[id], {{j, N - 1}})); };
   const Theorem square = at(book["motion.turn_squared"], {{j, N}});
   const Expr t = turn(N), A = velocity("A", N), B = velocity("B", N), C = velocity("C", N);
-  const Expr C_B = (1 - t) / 2 * opening + (1 + t) / 2 * parting;
+  const Expr C_B = is_Q(N) * opening + is_P(N) * parting;
   const auto beyond_B = [&](Expr v, const char* id, Expr value) {
     const Theorem difference = after(id);
     return equation(v, B + value, {linear(eq(v, B + right(difference)), {difference}), last, next});
   };
   const Theorem A_is = beyond_B(A, "motion.A_B", -(opening + parting));
   const Theorem C_is = beyond_B(C, "motion.C_B", -C_B);
-  const Expr mass = 1 + w_B * (M_A + M_C);
+  const Expr mass = mass_of_all();
   const Theorem B_is = equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass,
                                 {after("motion.B_velocity"), last, next});
   book.show("B", "So B has at the end", B_is);

@@ -59,14 +59,13 @@ Exprs one_collision(Book& book) {
 }
 /// The approach speed before collision j, and its recurrence.
 void recurrence(Book& book, const Theorems& motion) {
-  const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   const Theorem from = assume(from_0), zero = linear(le(0, 0));
   const Known signs({assume(lt(0, M_A)), assume(le(0, w_B)), assume(lt(0, M_C)), from});
   const Theorems turns = parts({book["cycle.turn"]});
-  const Theorem definition =
-      defined("closing", {M_A, w_B, M_C, e, V, j},
-              P * (velocity("A", j) - velocity("C", j)) + Q * (velocity("C", j) - velocity("B", j)),
-              of_wedge({le(0, j)}));
+  const Theorem definition = defined("closing", {M_A, w_B, M_C, e, V, j},
+                                     is_P(j) * (velocity("A", j) - velocity("C", j)) +
+                                         is_Q(j) * (velocity("C", j) - velocity("B", j)),
+                                     of_wedge({le(0, j)}));
   book.show("closing", "Before collision j its two bodies approach with the speed", definition);
   const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
   const Theorem first =
@@ -82,11 +81,11 @@ void recurrence(Book& book, const Theorems& motion) {
   Theorems step{definition, turn_after(from), square};
   for (std::size_t i = 3; i < 6; ++i) step.push_back(use(motion[i], {}, {from}));
   const auto other = [&](Expr i) {  // of the two that collide next
-    return (1 - turn(i)) / 2 * (velocity("A", i) - velocity("C", i)) +
-           (1 + turn(i)) / 2 * (velocity("C", i) - velocity("B", i));
+    return is_Q(i) * (velocity("A", i) - velocity("C", i)) +
+           is_P(i) * (velocity("C", i) - velocity("B", i));
   };
   const auto share = [](Expr i) {
-    return (1 + turn(i)) / 2 * (M_A / (M_A + M_C)) + (1 - turn(i)) / 2 * (1 / (1 + w_B * M_C));
+    return is_P(i) * (M_A / (M_A + M_C)) + is_Q(i) * (1 / (1 + w_B * M_C));
   };
   const Theorem parting = book.show("parting", "they part e times as fast as they approached:",
                                     equation(other(j + 1), -e * closing(j), step));
@@ -114,9 +113,8 @@ void recurrence(Book& book, const Theorems& motion) {
   // The two speeds after collision j, by the one before it and the one before the next.
   const Theorem closes = instantiate(definition, {{j, after}});
   const Theorem parts_with = linear(eq(e * closing(j), -other(after)), {parting});
-  const Expr A = velocity("A", after), B = velocity("B", after), ball = velocity("C", after),
-             t = turn(after);
-  const Expr of_B = (1 - t) / 2 * closing(after) - (1 + t) / 2 * (e * closing(j));
+  const Expr A = velocity("A", after), B = velocity("B", after), ball = velocity("C", after);
+  const Expr of_B = is_Q(after) * closing(after) - is_P(after) * (e * closing(j));
   const Theorem A_B =
       book.show("A_B", "After collision j the velocities of A and B differ by",
                 linear(eq(A - B, closing(after) - e * closing(j)), {closes, parting}));
@@ -127,7 +125,7 @@ void recurrence(Book& book, const Theorems& motion) {
     return equation(w_B * M * own, w_B * M * (B + difference),
                     {linear(eq(own, B + difference), {is})});
   };
-  const Expr of_A = closing(after) - e * closing(j), all = 1 + w_B * (M_A + M_C);
+  const Expr of_A = closing(after) - e * closing(j), all = mass_of_all();
   const Expr given_off = w_B * (M_A * (V - of_A) - M_C * of_B);
   const Theorem whole =
       linear(eq(B * all, given_off), {at(momentum, {{j, after}}, {from}),
@@ -151,7 +149,7 @@ void restitution(Book& book) {
   };
 
   book.chapter("motion", "Three bodies of any masses", of_wedge({le(0, j)}));
-  const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
+  const Expr P = is_P(j), Q = is_Q(j);
   const auto next = [&](const Exprs& before) {
     const Expr A = before[0], B = before[1], C = before[2];
     return Exprs{P * of_A(0, A, C) + Q * A, P * B + Q * of_B(1, C, B),

@@ -31,6 +31,9 @@ inline Expr A(Expr i) { return fun("A", {alpha, V, i}); }
 inline Expr B(Expr i) { return fun("B", {alpha, V, i}); }
 inline Expr C(Expr i) { return fun("C", {alpha, V, i}); }
 inline Expr turn(Expr i) { return fun("turn", {i}); }
+/// 1 where collision i is one of A and C, else 0; and 1 where it is one of C and B.
+inline Expr is_P(Expr i) { return (1 + turn(i)) / 2; }
+inline Expr is_Q(Expr i) { return (1 - turn(i)) / 2; }
 /// The paper's velocities, just after P_n and Q_n.
 inline Expr a(Expr i) { return fun("a", {alpha, V, i}); }
 inline Expr b(Expr i) { return fun("b", {alpha, V, i}); }

@@ -4,8 +4,6 @@
 
 namespace derivation {
 namespace {
-Expr P() { return (1 + turn(j)) / 2; }
-Expr Q() { return (1 - turn(j)) / 2; }
 Expr h_e() { return fun("h_e", masses_and_e()); }
 Expr sine(Expr times) { return sin(times * h_e()); }
 
@@ -62,8 +60,8 @@ Theorem definition_of_q_e(Book& book) {
   book.show("y_e", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
   book.show("t_end", "and the time of the collapse is", cut(from_1, book["collapse.def_t_end"]));
   const auto at_end = [&](const char* symbol, const char* words, const Exprs& domain, Expr value) {
-    return book.name(symbol, {M_A, w_B, M_C, e, V, L}, value / (1 + w_B * (M_A + M_C)),
-                     of_wedge(domain), words, "", std::string("def_") + symbol);
+    return book.name(symbol, {M_A, w_B, M_C, e, V, L}, value / mass_of_all(), of_wedge(domain),
+                     words, "", std::string("def_") + symbol);
   };
   at_end("x_end", "Then all are at one place: the centre of mass is there, or the wall,",
          {lt(0, e), V_positive, lt(0, L), none.conclusion()},
@@ -72,7 +70,7 @@ Theorem definition_of_q_e(Book& book) {
   const auto as_B = [](const char* name) {
     return assume(eq(velocity(name, j), velocity("B", j)));
   };
-  const Expr v_B = velocity("B", j), all = 1 + w_B * (M_A + M_C);
+  const Expr v_B = velocity("B", j), all = mass_of_all();
   const Theorem kept = rewrite(as_B("C"), rewrite(as_B("A"), book["motion.momentum"]));
   const Theorem whole = linear(eq(v_B * all, w_B * M_A * V), {kept});
   book.show("together",
@@ -120,10 +118,9 @@ void velocities(const Forms& forms) {
     return forms.name(symbol, velocity(body, j + 1));
   };
   const Theorem B = next("B_next", "B"), A = next("A_next", "A"), C = next("C_next", "C");
-  const Expr of_C = P() * v - Q() * u;
+  const Expr of_C = is_P(j) * v - is_Q(j) * u;
   forms.show(B, "so that B then has the velocity",
-             w_B * (M_A * (V - v + u) - M_C * of_C) / (1 + w_B * (M_A + M_C)),
-             {named("motion.B_velocity")});
+             w_B * (M_A * (V - v + u) - M_C * of_C) / mass_of_all(), {named("motion.B_velocity")});
   const auto against_B = [&](const Theorem& is, const char* words, Expr difference,
                              const char* id) {
     const Expr value = left(is), of_B = left(B);
@@ -165,10 +162,10 @@ void times_and_places(const Forms& forms) {
              L * root_power(j) / forms("now_side") * (forms("step_sine") / forms("now_sine")),
              {sines[0]});
   const Expr D = left(blocks);
-  forms.show(place, "and the place",
-             (L + w_B * M_A * V * left(moment) - P() * D + Q() * (w_B * M_A * D)) /
-                 (1 + w_B * (M_A + M_C)),
-             {rewrite(turned(moment), rewrite(turned(blocks), of_motion("places.place")))});
+  forms.show(
+      place, "and the place",
+      (L + w_B * M_A * V * left(moment) - is_P(j) * D + is_Q(j) * (w_B * M_A * D)) / mass_of_all(),
+      {rewrite(turned(moment), rewrite(turned(blocks), of_motion("places.place")))});
 }
 }  // namespace
 
@@ -182,8 +179,8 @@ void three_body_forms(Book& book) {
   know(assume(le(0, j)));
   const Expr ratio = r_A() / r_B();
   forms.share("step_sine", "With", sin(h_e()), true);
-  forms.share("now_side", "and", P() + Q() * ratio, true);
-  forms.share("later_side", "and", Q() + P() * ratio, false);
+  forms.share("now_side", "and", is_P(j) + is_Q(j) * ratio, true);
+  forms.share("later_side", "and", is_Q(j) + is_P(j) * ratio, false);
   forms.share("now_sine", "and", sine(j + 1), false);
   forms.share("later_sine", "and", sine(j + 2), false);
   velocities(forms);

@@ -30,8 +30,7 @@ void energy(Book& book) {
   for (const Theorem& next : parts({of_motion("motion.next")}))
     step.push_back(use(next, {}, {from}));
   const Expr gone = energy(j) - energy(j + 1);
-  const Expr mass =
-      (1 + turn(j)) / 2 * (M_A * M_C / (M_A + M_C)) + (1 - turn(j)) / 2 * (M_C / (1 + w_B * M_C));
+  const Expr mass = is_P(j) * (M_A * M_C / (M_A + M_C)) + is_Q(j) * (M_C / (1 + w_B * M_C));
   const Theorem lost =
       book.show("collision", "Collision j takes from it, by the reduced mass of its two bodies,",
                 equation(gone, (1 - power(e, 2)) * mass * power(closing(j), 2), step));

@@ -17,6 +17,8 @@ inline Exprs of_wedge(const Exprs& more) {
   out.insert(out.end(), more.begin(), more.end());
   return out;
 }
+/// The mass of all three over that of B, 1 for a wall.
+inline Expr mass_of_all() { return 1 + w_B * (M_A + M_C); }
 /// The velocity of "A", "B" or "C" after i collisions.
 inline Expr velocity(const std::string& body, Expr i) {
   return fun("v_" + body, {M_A, w_B, M_C, e, V, i});
@@ -31,7 +33,7 @@ inline Expr kappa() { return fun("kappa", masses_and_e()); }
 inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
 inline Expr r_B() { return fun("r_B", {w_B, M_C}); }
 /// 1 for P, r_A/r_B for Q.
-inline Expr side(Expr i) { return (1 + turn(i)) / 2 + (1 - turn(i)) / 2 * (r_A() / r_B()); }
+inline Expr side(Expr i) { return is_P(i) + is_Q(i) * (r_A() / r_B()); }
 /// time, x_A, x_B, x_C at collision i.
 inline Expr at_collision(const char* name, Expr i) {
   return fun(name, {M_A, w_B, M_C, e, V, L, i});

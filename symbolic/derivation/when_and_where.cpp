@@ -12,8 +12,8 @@ Expr U_last(Expr index) { return fun("U_last", {kappa(), index}); }
 // What is proved of collision `at`, without quotients: its bodies are at one place; how far the
 // blocks are apart; when it takes place; how the centre of mass moves on, times w_B.
 Expr met(Expr at) {
-  return eq((1 + turn(at)) / 2 * (x_of("x_C", at) - x_of("x_A", at)) +
-                (1 - turn(at)) / 2 * (x_of("x_B", at) - x_of("x_C", at)),
+  return eq(is_P(at) * (x_of("x_C", at) - x_of("x_A", at)) +
+                is_Q(at) * (x_of("x_B", at) - x_of("x_C", at)),
             0);
 }
 Expr distance(Expr at) { return eq(apart(at) * side(at) * U(at), L * root_power(at)); }
@@ -37,12 +37,11 @@ Theorem time_is(const Theorem& t) {
 
 /// Places and times: all move on with their velocities until the next collision.
 Theorems motion_in_space() {
-  const Expr P = (1 + turn(j)) / 2, Q = (1 - turn(j)) / 2;
   return defined_by_recursion(
       {"time", "x_A", "x_B", "x_C"}, {M_A, w_B, M_C, e, V, L}, j,
       of_wedge({le(0, j), all_take_place(j)}), {0, 0, L, 0}, [&](const Exprs& before) {
         const Expr A = before[1], B = before[2], C = before[3];
-        const Expr wait = (P * (B - C) + Q * (C - A)) / closing(j + 1);
+        const Expr wait = (is_P(j) * (B - C) + is_Q(j) * (C - A)) / closing(j + 1);
         return Exprs{before[0] + wait, A + velocity("A", j + 1) * wait,
                      B + velocity("B", j + 1) * wait, C + velocity("C", j + 1) * wait};
       });
@@ -83,12 +82,10 @@ Theorem ball_is(const Book& book, const Theorem& meets, const Theorem& now) {
   const Expr t = turn(j), x_C = x_of("x_C", j), x_B = x_of("x_B", j), D = apart(j);
   const Theorem turned_round = linear(eq(t * x_C, t * x_B + (-t * D - D) / 2), {meets});
   const Theorem square = book["motion.turn_squared"];
-  const Theorem of_B =
-      chain(equation(x_C, t * (t * x_C), {square}),
-            equation(t * (t * x_C), x_B - (1 + t) / 2 * D, {turned_round, square}));
-  const Expr all = 1 + w_B * (M_A + M_C);
-  const Expr whole =
-      L + w_B * M_A * V * time_of(j) - (1 + t) / 2 * D + (1 - t) / 2 * (w_B * M_A * D);
+  const Theorem of_B = chain(equation(x_C, t * (t * x_C), {square}),
+                             equation(t * (t * x_C), x_B - is_P(j) * D, {turned_round, square}));
+  const Expr all = mass_of_all();
+  const Expr whole = L + w_B * M_A * V * time_of(j) - is_P(j) * D + is_Q(j) * (w_B * M_A * D);
   return divided(x_C, whole / all, {all},
                  linear(eq(x_C * all, whole),
                         {now, of_B, equation(w_B * M_A * x_C, w_B * M_A * right(of_B), {of_B})}));
