@@ -6,10 +6,11 @@
 #include "algebra/logic.hpp"
 
 namespace algebra {
-/// `goal` (=, <, <=, not =; several of them, or one that implies or is equivalent to another) as a linear combination of `facts` (=, <, <=), each
-/// monomial an unknown; the combination is found by Fourier's and Motzkin's elimination. Where they
-/// do not suffice: with what is known, with d/d = 1, squares of roots, the axioms of pi, ceilings
-/// and arctangents, and i < j as i + 1 <= j for integers. Throws Refused where there is none.
+/// `goal` (=, <, <=, not =; several of them, or one that implies or is equivalent to another) as a
+/// linear combination of `facts` (=, <, <=), each monomial an unknown; the combination is found by
+/// Fourier's and Motzkin's elimination. Where they do not suffice: with what is known, d/d = 1,
+/// squares of roots, the axioms of pi, ceilings and arctangents, and i < j as i + 1 <= j for
+/// integers. Throws Refused where there is none.
 Theorem linear(Expr goal, const Theorems& facts = {});
 /// An equation as a linear combination of equations and of nothing else, or nothing.
 std::optional<Theorem> combination(Expr equation, const Theorems& equations);

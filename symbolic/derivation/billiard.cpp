@@ -34,30 +34,29 @@ void mirror(Book& book) {
 /// The angle of the wedge where nothing is lost: it always is one.
 Theorem kappa_is_cosine(Book& book) {
   const Substitution elastic{{e, 1}};
-  const Theorem one = linear(lt(0, 1));
-  const Theorem threshold = at(book["collapse.threshold"], elastic, {one});
-  const Theorem K_is = at(book["collapse.def_K"], elastic, {one});
+  const Theorem threshold = at(book["collapse.threshold"], elastic);
+  const Theorem K_is = at(book["collapse.def_K"], elastic);
   const Expr K = left(K_is);
   const Expr rest = M_C * mass_of_all() / ((M_A + M_C) * (1 + w_B * M_C));
   const Theorem below =
       tautology(lt(substitute(kappa(), elastic), 1),
                 {threshold, linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});
   know(below);
-  know(at(book["wedge.acute"], elastic, {one, below}));
-  return turned(at(book["wedge.cosine"], elastic, {one, below}));
+  know(at(book["wedge.acute"], elastic, {below}));
+  return turned(at(book["wedge.cosine"], elastic, {below}));
 }
 void unfolded(Book& book) {
   const Substitution elastic{{e, 1}};
   const Expr going = substitute(all_take_place(j), elastic);
   const Exprs assumptions = of_wedge({le(0, j), V_positive, lt(0, L), going});
   book.chapter("unfolded", "The unfolded wedge", assumptions);
-  const Theorem one = linear(lt(0, 1)), all_now = assume(going), from = assume(le(0, j));
-  const Known signs(assumed(assumptions) + Theorems{at(book["wedge.signs"], elastic, {one})});
+  const Theorem all_now = assume(going), from = assume(le(0, j));
+  const Known signs(assumed(assumptions) + Theorems{at(book["wedge.signs"], elastic)});
   const Theorem cosine = kappa_is_cosine(book);
   const Expr h = right(cosine).arg(0);
   const Theorems lossless = without_losses(book, cosine);
   const auto here = [&](Expr t) { return substitute(t, elastic); };
-  const auto of_motion = [&](const char* id) { return cut(one, instantiate(book[id], elastic)); };
+  const auto of_motion = [&](const char* id) { return at(book[id], elastic); };
   const Expr all = mass_of_all(), unit = sqrt((M_A + M_C) / all);
   const Theorem radius_is = book.name(
       "radius", {M_A, w_B, M_C, V, L, j}, unit * side(j) * here(apart(j)), assumptions,

@@ -124,8 +124,7 @@ void equal_blocks(Book& book) {
       "elastic",
       "and without losses that is the cosine of psi/2, below 1: the paper's collisions always end.",
       both({equation(substitute(substitute(kappa(), equal), elastic), cos(psi() / 2),
-                     {at(of_blocks, elastic, {linear(lt(0, 1))}), book["rotation.cos_half_psi"],
-                      root_is(1, 1)}),
+                     {at(of_blocks, elastic), book["rotation.cos_half_psi"], root_is(1, 1)}),
             linear(lt(1 / (1 + alpha), 1), {times(mass, 1 / (1 + alpha))})}));
 }
 }  // namespace
@@ -134,7 +133,7 @@ void collapse(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("collapse", "Collapse", assumptions);
   const Known signs(assumed(of_wedge({lt(0, e), V_positive, lt(0, L)})) +
-                    Theorems{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})});
+                    Theorems{at(book["wedge.signs"], {{j, 0}})});
   threshold(book);
   special_cases(book);
   in_time(book);

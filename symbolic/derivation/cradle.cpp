@@ -8,7 +8,7 @@ namespace {
 /// When and where the last collision takes place at a magic ratio.
 void last_collision(Book& book) {
   const Expr last = 2 * k - 1, half = psi() / 2;
-  const Theorem from_1 = assume(le(1, k)), one = linear(lt(0, 1));
+  const Theorem from_1 = assume(le(1, k));
   const Theorem number =
       book.show("number", "At a magic ratio there are 2k collisions,",
                 linear(eq(N(), 2 * k), {book["counting.shares"], book["magic.counts"]}));
@@ -31,9 +31,7 @@ void last_collision(Book& book) {
   // Where B is: from the centre of mass, as it is with the ball and at a distance L from A.
   const Theorem going = at_last("encounters.all");
   const Substitution paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}, {e, 1}, {j, last}};
-  const auto in_paper = [&](const char* id) {
-    return cut(going, at(book[id], paper, {one, from_1}));
-  };
+  const auto in_paper = [&](const char* id) { return cut(going, at(book[id], paper, {from_1})); };
   know(going);
   const auto in_place = [&](const char* name) { return substitute(at_collision(name, j), paper); };
   const Expr x_B = in_place("x_B"), x_C = in_place("x_C"), time = in_place("time");

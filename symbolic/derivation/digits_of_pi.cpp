@@ -18,11 +18,11 @@ Theorem pi_at_most_4() {  // pi/4 is the angle whose tangent is 1
 void digits_of_pi(Book& book) {
   book.chapter("wall", "A wall, and digits of pi", {V_positive});
   const Expr T = real("T");
-  const Theorem from_1 = assume(le(1, T)), one = linear(lt(0, 1));
+  const Theorem from_1 = assume(le(1, T));
   const Known large({from_1});
   const auto here = [&](const char* id) {
     const Substitution masses{{M_A, power(T, 2)}, {w_B, 0}, {M_C, 1}, {e, 1}};
-    return at(book[id], masses, {one, positive(power(T, 2))});
+    return at(book[id], masses, {positive(power(T, 2))});
   };
   const Theorem kappa_is = here("wedge.kappa"), r = here("wedge.r_A");
   const Expr kappa = left(kappa_is), share = right(r).arg(0);

@@ -11,10 +11,10 @@ Expr half() { return psi() / 2; }
 Expr sine(Expr times) { return sin(times * half()); }
 
 /// In the paper's case kappa is a cosine and the ratio of the sides is 1.
-Theorems rules_of_paper(Book& book, const Theorem& one) {
-  const Theorem elastic = at(book["collapse.elastic"], {{real("M"), 1}}, {one});
+Theorems rules_of_paper(Book& book) {
+  const Theorem elastic = at(book["collapse.elastic"], {{real("M"), 1}});
   const Theorem kappa_is = restate(eq(in_paper(kappa()), cos(half())), part(elastic, 0));
-  const auto share = [&](const char* id) { return at(book[id], paper, {one}); };
+  const auto share = [&](const char* id) { return at(book[id], paper); };
   return without_losses(book, kappa_is) +
          Theorems{chain(share("wedge.r_A"), turned(share("wedge.r_B")))};
 }
@@ -44,16 +44,16 @@ Theorems without_losses(const Book& book, const Theorem& kappa_is) {
 void encounters(Book& book) {
   const Exprs assumptions{alpha_positive, V_positive, lt(0, L), le(0, j), lt(j, N())};
   book.chapter("encounters", "When and where, in the paper's case", assumptions);
-  const Theorem one = linear(lt(0, 1)), takes_place = assume(lt(j, N()));
+  const Theorem takes_place = assume(lt(j, N()));
   const Known signs(assumed({alpha_positive, V_positive, lt(0, L), le(0, j)}) +
-                    Theorems{at(book["wedge.signs"], paper, {one})});
-  const Theorems rules = rules_of_paper(book, one);
+                    Theorems{at(book["wedge.signs"], paper)});
+  const Theorems rules = rules_of_paper(book);
   const Theorem approach_is =
       linear(eq(approach(j), V * sine(j + 1) / sin(half())), {book["counting.speed"]});
   const Theorem speed =
       book.show("speed", "In the paper's case the approach speeds are those that we know,",
                 equation(in_paper(closing(j)), approach(j),
-                         rules + Theorems{at(book["wedge.speed"], paper, {one}), approach_is}));
+                         rules + Theorems{at(book["wedge.speed"], paper), approach_is}));
 
   const auto going = [&](Expr i, const Theorem& range) {
     return use(part(at(book["counting.happens"], {{j, i}}, {range}), 0), {}, {takes_place, range});
@@ -70,9 +70,7 @@ void encounters(Book& book) {
   book.show("definitions",
             "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
             under(assumptions, both({when, distance})));
-  const auto of_motion = [&](const char* id) {
-    return cut(one, cut(linear(le(0, 1)), cut(all_of_them, instantiate(book[id], paper))));
-  };
+  const auto of_motion = [&](const char* id) { return cut(all_of_them, at(book[id], paper)); };
   const Theorem positive_sine = tautology(
       lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going(j, assume(le(0, j)))});
   know(restate(lt(0, sine(j + 1)), positive_sine));

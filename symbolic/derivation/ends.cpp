@@ -10,7 +10,7 @@ void ends(Book& book) {
   const Expr N = fun("N_e", params), h = fun("h_e", masses_and_e());
   const Known signs(assumed(assumptions));
   know(book["wedge.acute"]);
-  const Theorem number = book["wedge.N"], zero = linear(le(0, 0));
+  const Theorem number = book["wedge.N"];
   const Theorem enough = times(linear(lt(0, pi() / 2 - h)), 1 / h);
   know(linear(le(1, N), {number, enough}));
   for (const Expr i : {N - 1, N}) know(at(book["wedge.signs"], {{j, i}}));

@@ -53,8 +53,4 @@ Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
 void terminal_forms(Names& names, const Angle& a);
 /// When and where collision j takes place, from the sine and cosine of j psi/4.
 void collision_forms(Names& names, const Angle& a);
-/// alpha_k and beta_k from the sine of half of their angle.
-void ratio_forms(Names& names);
-/// A ball that is not lighter than a block has one collision with each: rational velocities.
-void heavy_ball(Names& names);
 }  // namespace derivation

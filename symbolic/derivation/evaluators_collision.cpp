@@ -13,14 +13,12 @@ Expr sine_of(Expr times) { return sin(times * (psi() / 2)); }
 void first_of_B(Book& book) {
   const Theorem exists = linear(lt(1, N()), {book["counting.at_least"], book["counting.shares"]});
   const Known second({exists});
-  const Theorem one = linear(le(0, 1));
   const Theorem twice =
       equation(sine_of(Expr(1) + 1), 2 * sin(psi() / 2) * cos(psi() / 2), {}, {psi() / 2});
   const Theorem once = equation(sine_of(1), sin(psi() / 2));
   for (const char* id : {"when", "apart"}) {
     const bool is_time = id == std::string("when");
-    const Theorem t =
-        cut(exists, cut(one, instantiate(book["encounters." + std::string(id)], {{j, 1}})));
+    const Theorem t = at(book["encounters." + std::string(id)], {{j, 1}}, {exists});
     const Theorem is = rewrite(once, rewrite(twice, t));
     book.show(std::string(id) + "_1", is_time ? "That of B's first is" : "and",
               equation(left(is), (is_time ? L / V : L) * (rational(1, 2) * (1 + alpha)),
@@ -67,8 +65,7 @@ void collision_forms(Names& names, const Angle& a) {
   const Theorem next_cosine = times_c(cos(next), cos(quarter) * cosine);
   const Theorem falls = cosine_falls(assume(le(pi() / 2, next)), {near});
   const Theorem below =
-      otherwise(lt(next, pi() / 2),
-                linear(lt(0, 0), {falls, axiom("cos pi/2"), next_cosine, times(c, is_positive)}));
+      otherwise(lt(next, pi() / 2), linear(lt(0, 0), {falls, next_cosine, times(c, is_positive)}));
   const Theorem room = times(linear(lt(0, 2 * pi() - (j + 1) * psi()), {below}), 1 / psi());
   const Theorem takes_place =
       book.show("takes_place", "Collision j takes place where that is positive:",
@@ -118,8 +115,7 @@ void collision_forms(Names& names, const Angle& a) {
       equation(sin(angle), sin(psi() / 2) + 2 * cos(middle) * sin(off), {}, {middle, off});
   const Theorem product =
       times(linear(le(0, cos(middle)),
-                   {cosine_falls(linear(le(middle, pi() / 2), {near}), {near, from_turn}),
-                    axiom("cos pi/2")}),
+                   {cosine_falls(linear(le(middle, pi() / 2), {near}), {near, from_turn})}),
             sine_not_negative(off_from_0, linear(le(off, pi()), {near})));
   const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
   book.show("t_at_most", "where from the second collision of A on",

@@ -100,7 +100,7 @@ void together(Book& book) {
 Theorem at_least(Book& book) {
   const Expr early = N_B() * half(), late = (N_B() + 1) * half();
   const Theorem falls = cosine_falls(linear(le(pi() / 2, late)));
-  const Theorem cos_late = linear(le(0, -cos(late)), {falls, axiom("cos pi/2")});
+  const Theorem cos_late = linear(le(0, -cos(late)), {falls});
   const Theorem form = equation(
       b_t(), 2 * V / (2 + alpha) - 2 * V * (1 + alpha) / (2 + alpha) * cos(late) * cos(early),
       {book["terminal.b"],

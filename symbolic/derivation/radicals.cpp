@@ -128,8 +128,7 @@ Theorem seventeenth(Book& book) {
   const Theorem half = book["ratios.third"];
   const Theorem E_positive =
       linear(lt(0, E), {of.falls(of.angle(1), pi() / 3), of.falls(of.angle(2), pi() / 3), half,
-                        of.falls(of.angle(4), pi() / 2), axiom("cos pi/2"),
-                        of.falls(of.angle(8), pi()), axiom("cos pi")});
+                        of.falls(of.angle(4), pi() / 2), of.falls(of.angle(8), pi())});
   const Theorem whole = of.known(eq(E + F, -1));
   const Quadratic first(whole, of.known(eq(power(E - F, 2), 17)),
                         linear(lt(F, E), {E_positive, whole}));
@@ -181,8 +180,7 @@ void radicals(Book& book) {
     const Theorem definition = at(book["ratios." + name + "k_paper"], {{k, index}});
     const Expr angle = right(definition).arg(1).arg(0).arg(0);
     const Theorem cosine = restate(eq(cos(angle), right(cosines.at(d))), cosines.at(d));
-    know(
-        linear(lt(0, right(cosine)), {cosine, Periods::falls(angle, pi() / 2), axiom("cos pi/2")}));
+    know(linear(lt(0, right(cosine)), {cosine, Periods::falls(angle, pi() / 2)}));
     Theorem value = rewrite(cosine, definition);
     if (const Expr w = right(cosine); d == 17) {  // w = (...)/4
       know(linear(lt(0, w.arg(1)), known()));

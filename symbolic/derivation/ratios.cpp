@@ -1,11 +1,161 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// The mass ratios at which the counts change: N_A = k if and only if alpha_k <= alpha <
+// alpha_(k-1); beta_k for N_B.
 // At alpha = alpha_k B takes everything (magic); at alpha = beta_k B and the ball go on together
 // (deficient).
 #include "derivation/symbols.hpp"
+#include "kernel/print.hpp"
 
 namespace derivation {
 namespace {
+const Expr edge = pi() / 2;
 Expr half() { return psi() / 2; }
+
+/// For 0 < x < pi/2: the ratio with psi/2 = x is at most alpha if and only if x <= psi/2.
+void ratio_of_angle(Book& book) {
+  const Theorem above_0 = assume(lt(0, x)), below_edge = assume(lt(x, edge));
+  const Theorem value = book["rotation.cos_half_psi"];
+  const Expr ratio = solve({eq(right(value), cos(x))}, {alpha})[0];
+  const Known range({above_0, below_edge});
+  book.show("ratio",
+            "The mass ratio at which psi/2 is an angle x between 0 and pi/2, by solving "
+            "1/(1 + alpha) = cos(x):",
+            equation(cos(half()), cos(x), {value, assume(eq(alpha, ratio))}));
+  const auto compared = [&](Expr goal, Expr angles_less, Expr cosines) {
+    return given(angles_less, [&](const Theorem& less) {
+      const Theorem falls = linear(cosines, {cosine_falls(less), value});
+      return linear(goal, {times(falls, (1 + alpha) / cos(x))});
+    });
+  };
+  const Expr cosine = 1 / (1 + alpha);
+  const Theorems cases{compared(lt(alpha, ratio), lt(half(), x), lt(cos(x), cosine)),
+                       compared(lt(ratio, alpha), lt(x, half()), lt(cosine, cos(x))),
+                       given(eq(half(), x), [&](const Theorem& same) {
+                         const Theorem is = linear(eq(cos(x), cosine), {rewrite(same, value)});
+                         return equation(ratio, alpha, {is});
+                       })};
+  book.show("reached", "Ratios from there on have psi/2 >= x, and no others:",
+            follows(iff(le(ratio, alpha), le(x, half())), cases));
+  book.show("passed",
+            "and larger ratios psi/2 > x:", follows(iff(lt(ratio, alpha), lt(x, half())), cases));
+}
+/// A larger angle is that of a larger ratio.
+void rises(Book& book) {
+  const Expr ratio = left(book["ratios.reached"]).arg(0);
+  const Known range({assume(lt(0, x)), assume(lt(x, y)), assume(lt(y, edge))});
+  const Theorem cosines = cosine_falls(assume(lt(x, y)));
+  book.show(
+      "rises", "A larger angle is that of a larger ratio:",
+      linear(lt(ratio, substitute(ratio, {{x, y}})), {times(cosines, 1 / (cos(x) * cos(y)))}));
+}
+
+struct Threshold {
+  std::string count, name, label, range_label;
+  Expr shift;  // N = ceil(pi/psi - shift)
+  Expr denominator(Expr i) const { return 2 * i + 2 * shift.value(); }
+};
+
+void threshold(Book& book, const Threshold& which) {
+  const Theorem from_1 = assume(le(1, k)), from_2 = assume(le(2, k));
+  const Theorem number = book["counting." + which.count];
+  const Expr count = left(number), d = which.denominator(k);
+  const Expr ratio = left(book["ratios.reached"]).arg(0);
+  const Theorems range = range_of(d, {from_1});
+  know(book.show(which.name + "k_cosine", "The cosine of pi/(" + text(d) + ") is positive:",
+                 positive(cos(pi() / d), range)));
+  const Theorem definition =
+      book.name(which.name, {k}, substitute(ratio, {{x, pi() / d}}), {le(1, k)},
+                "The ratio at which psi/2 = pi/(" +
+                    std::string(which.count == "N_A" ? "2k + 1" : "2k + 2") + "):",
+                "", which.name + "k");
+  const Theorem versed =
+      linear(lt(0, 1 - cos(pi() / d)), {cosine_falls(linear(lt(0, pi() / d), range), range)});
+  const Theorem above_0 = positive(right(definition), {versed});
+  know(book.show(which.name + "k_positive", "a positive one;",
+                 linear(lt(0, fun(which.name, {k})), {definition, above_0})));
+  book.show(which.name + "k_paper", which.label, "as the paper writes it:",
+            equation(fun(which.name, {k}), Expr(-1) + 1 / cos(pi() / d), {definition}));
+
+  // N = k if and only if k - 1 < pi/psi - shift <= k, that is pi/d_k <= psi/2 < pi/d_(k-1)
+  const Expr z = pi() / psi() - which.shift;
+  const auto counted = [&](Expr i) {
+    const Expr meaning = logic_and({lt(i - 1, z), le(z, i)});
+    const Theorem ceiling = instantiate(ceiling_is(), {{x, z}, {k, i}});
+    return restate(iff(eq(count, i), meaning), rewrite(turned(number), ceiling));
+  };
+  const auto side = [&](Expr i, const Theorem& from) {  // z <= i iff pi/d_i <= psi/2
+    const Expr angle = pi() / which.denominator(i);
+    const Theorem d_positive = positive(which.denominator(i), {from});
+    const auto by = [&](Expr goal, Expr relation) {
+      return given(relation, [&](const Theorem& t) {
+        const Theorem factor = positive(psi() / which.denominator(i), {d_positive});
+        return linear(goal, {times(t, factor), d_positive});
+      });
+    };
+    return tautology(iff(le(z, i), le(angle, half())),
+                     {by(le(angle, half()), le(z, i)), by(lt(half(), angle), lt(i, z))});
+  };
+  const auto reached = [&](Expr i, const Theorem& from) {  // threshold_i <= alpha iff ...
+    const Expr d_i = which.denominator(i);
+    const Theorem there = at(book["ratios.reached"], {{x, pi() / d_i}}, range_of(d_i, {from}));
+    return rewrite(turned(instantiate(definition, {{k, i}})), there);
+  };
+  const auto t = [&](Expr i) { return fun(which.name, {i}); };
+  book.show(which.count + "_range", which.range_label,
+            which.count + " = k exactly from there up to the ratio before,",
+            tautology(iff(eq(count, k), logic_and({le(t(k), alpha), lt(alpha, t(k - 1))})),
+                      {counted(k), side(k, from_2), reached(k, from_2), side(k - 1, from_2),
+                       reached(k - 1, from_2)}));
+  // k = 1: the other side always holds, as psi < pi.
+  const Theorem always =
+      linear(lt(Expr(1) - 1, z), {times(linear(lt(0, pi() - psi())), 1 / psi())});
+  book.show(
+      which.count + "_once", which.range_label, "and " + which.count + " = 1 from the first on:",
+      tautology(iff(eq(count, 1), le(t(1), alpha)), {counted(1), at(side(k, from_1), {{k, 1}}),
+                                                     at(reached(k, from_1), {{k, 1}}), always}));
+}
+
+/// ... < beta_2 < alpha_2 < beta_1 < alpha_1 = 1
+void order(Book& book) {
+  const Theorem from_1 = assume(le(1, k)), from_2 = assume(le(2, k));
+  const auto below = [&](const std::string& smaller, Expr i, Expr ds, const std::string& larger,
+                         Expr l, Expr dl, const Theorem& from) {  // pi/ds < pi/dl, as ds > dl > 2
+    const Expr gap = pi() * (ds - dl) / (ds * dl);
+    const Theorem less =
+        linear(lt(pi() / ds, pi() / dl),
+               {equation(pi() / dl - pi() / ds, gap, {from}), positive(gap, {from})});
+    const Theorem there = at(book["ratios.rises"], {{x, pi() / ds}, {y, pi() / dl}},
+                             range_of(ds, {from}) + range_of(dl, {from}) + Theorems{less});
+    const auto named = [&](const std::string& name, Expr index) {
+      const Theorem definition = instantiate(book["ratios." + name + "k"], {{k, index}});
+      return turned(cut(linear(le(1, index), {from}), definition));
+    };
+    return rewrite(named(larger, l), rewrite(named(smaller, i), there));
+  };
+  book.show("order", "Their order: for every k,",
+            below("beta_", k, 2 * k + 2, "alpha_", k, 2 * k + 1, from_1));
+  book.show("order_next", "and",
+            below("alpha_", k, 2 * k + 1, "beta_", k - 1, 2 * (k - 1) + 2, from_2));
+  // alpha_1 = 1: cos(3x) = -1 at x = pi/3, and (c + 1)(2c - 1)^2 = 0.
+  const Expr third = pi() / 3, cosine = cos(third), one_half = rational(1, 2);
+  const Theorem triple =
+      linear(eq(4 * power(cosine, 3) - 3 * cosine, -1),
+             {equation(cos(3 * third), 4 * power(cosine, 3) - 3 * cosine, {}, {third}),
+              restate(eq(cos(3 * third), -1), axiom("cos pi"))});
+  const Theorem other = given(neq(cosine, one_half), [&](const Theorem& differs) {
+    // (1 + c)(1/2 - c)(1/2 - c) = (4c^3 - 3c + 1)/4
+    return arithmetic(eq(cosine, one_half), {.equations = {{-rational(1, 4), triple}},
+                                             .multipliers = {positive(1 + cosine), differs}});
+  });
+  const Theorem is_half = tautology(eq(cosine, one_half), {other});
+  book.show("third", "The cosine of a third of pi", is_half);
+  const Expr angle = pi() / (2 * Expr(1) + 1);
+  book.show(
+      "alpha_1", "and the first is 1:",
+      equation(fun("alpha_", {1}), 1,
+               {at(book["ratios.alpha_k"], {{k, 1}}), restate(eq(cos(angle), one_half), is_half)}));
+}
+
 Expr quarter() { return psi() / 4; }
 
 /// A velocity of the chapter "power" at a threshold, where its angle is pi less `rest`.
@@ -50,6 +200,21 @@ void at_threshold(Book& book, const Kind& kind) {
   book.show("terminal", "These are the terminal velocities:", both(terminal));
 }
 }  // namespace
+
+Theorems range_of(Expr d, const Theorems& facts) {
+  const Theorem positive_angle = positive(pi() / d, facts);
+  const Theorem room = times(linear(lt(0, d - 2), facts), positive_angle);
+  return {positive_angle, linear(lt(pi() / d, edge), {room, linear(lt(0, d), facts)})};
+}
+
+void thresholds(Book& book) {
+  book.chapter("ratios", "Thresholds", {alpha_positive, V_positive});
+  ratio_of_angle(book);
+  rises(book);
+  threshold(book, {"N_A", "alpha_", "exact:ak", "NA-range", rational(1, 2)});
+  threshold(book, {"N_B", "beta_", "exact:bk", "NB-range", 1});
+  order(book);
+}
 
 void ratios(Book& book) {
   const Expr to_half = (k + rational(1, 2)) * psi();

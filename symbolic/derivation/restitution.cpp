@@ -59,7 +59,7 @@ Exprs one_collision(Book& book) {
 }
 /// The approach speed before collision j, and its recurrence.
 void recurrence(Book& book, const Theorems& motion) {
-  const Theorem from = assume(from_0), zero = linear(le(0, 0));
+  const Theorem from = assume(from_0);
   const Known signs({assume(lt(0, M_A)), assume(le(0, w_B)), assume(lt(0, M_C)), from});
   const Theorems turns = parts({book["cycle.turn"]});
   const Theorem definition = defined("closing", {M_A, w_B, M_C, e, V, j},
@@ -93,7 +93,7 @@ void recurrence(Book& book, const Theorems& motion) {
       book.show("gain", "and the ball approaches the third body faster by the rest:",
                 equation(closing(j + 1), other(j) + (1 + e) * share(j) * closing(j),
                          step + Theorems{instantiate(definition, {{j, j + 1}})}));
-  const Theorem start = at(gain, {{j, 0}}, {zero});
+  const Theorem start = at(gain, {{j, 0}});
   const Expr second = (1 + e) * (M_A / (M_A + M_C)) * V;
   book.show(
       "second", "The second speed is",

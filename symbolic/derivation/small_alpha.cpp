@@ -21,7 +21,7 @@ void theta_bounds(Book& book) {
              {book["ball.cos_theta"], positive((1 - alpha) / (1 + alpha), {assume(light)})});
   const Theorem falls = cosine_falls(assume(le(pi() / 2, theta())));
   book.show("theta_light", "for a ball lighter than a block:",
-            otherwise(lt(theta(), pi() / 2), linear(lt(0, 0), {cosine, falls, axiom("cos pi/2")})));
+            otherwise(lt(theta(), pi() / 2), linear(lt(0, 0), {cosine, falls})));
   const Theorems bounds{definition, atan_bounds(s)};
   book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
             linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));

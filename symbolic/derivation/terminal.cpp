@@ -4,7 +4,7 @@
 
 namespace derivation {
 namespace {
-const Expr from_0 = le(0, n), from_1 = le(1, n);
+const Expr from_1 = le(1, n);
 
 /// A theorem under 0 <= n, a cycle earlier.
 Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}, {assume(from_1)}); }
@@ -121,7 +121,7 @@ void recoil(Book& book) {
   const Theorem down_from = times(linear(lt(0, N_A() - rational(1, 2))), psi());
   const Theorem cos_down = positive(cos(down), {down_from});
   const Theorem falls = cosine_falls(linear(le(pi() / 2, up)));
-  const Theorem cos_up = linear(le(0, -cos(up)), {falls, axiom("cos pi/2")});
+  const Theorem cos_up = linear(le(0, -cos(up)), {falls});
   const Theorem a_is =
       chain(part(book["terminal.definitions"], 0), at(book["power.a_product"], {{n, N_A()}}));
   const Theorem mean = positive(book["power.V_CM"]);

@@ -173,7 +173,7 @@ void three_body_forms(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
   const Known signs(assumed(of_wedge({lt(0, e), V_positive, lt(0, L)})) +
-                    Theorems{at(book["wedge.signs"], {{j, 0}}, {linear(le(0, 0))})});
+                    Theorems{at(book["wedge.signs"], {{j, 0}})});
   Forms forms(book, assumptions, angle(book, definition_of_q_e(book)));
   know(book["wedge.signs"]);
   know(assume(le(0, j)));

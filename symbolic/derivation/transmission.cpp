@@ -84,13 +84,13 @@ Theorems names_of_paper(Book& book) {
 }
 /// The laws of P_n and Q_n in these names.
 void equations_of_paper(Book& book, const Theorems& names) {
-  const Theorem one = linear(lt(0, 1)), from = assume(from_1);
+  const Theorem from = assume(from_1);
   const auto earlier = [&](const Theorem& t) { return at(t, {{n, n - 1}}, {from}); };
   Theorems rules = names + parts({earlier(book["cycle.turns"])});
   for (std::size_t i = 0; i < 3; ++i) rules.push_back(earlier(names[i]));
   for (const Theorem& law : parts({book["motion.next"]}))
     for (const Expr i : {2 * n - 2, 2 * n - 1})
-      rules.push_back(use(at(at(law, equal_blocks, {one}), {{j, i}}, {from}), {}, {from}));
+      rules.push_back(use(at(at(law, equal_blocks), {{j, i}}, {from}), {}, {from}));
   for (Theorem& rule : rules) rule = canonical_form(rule);
   const Expr a_0 = with_e("a_e", n - 1), a_1 = with_e("a_e", n), b_0 = with_e("b_e", n - 1),
              b_1 = with_e("b_e", n), c_0 = with_e("c_e'", n - 1), c_1 = with_e("c_e", n),
@@ -118,16 +118,16 @@ void rises(Book& book, const std::string& name, const std::string& words, const 
 }
 /// The velocities of B after one cycle and after two, and that they rise with e.
 void first_cycles(Book& book, const Theorems& names) {
-  const Theorem one = linear(lt(0, 1)), zero = linear(le(0, 0));
-  Theorems rules = parts({book["cycle.turn"], at(book["motion.start"], equal_blocks, {one})});
-  const Theorems laws = parts({rules[1], at(book["motion.next"], equal_blocks, {one})});
+  const Theorem zero = linear(le(0, 0));
+  Theorems rules = parts({book["cycle.turn"], at(book["motion.start"], equal_blocks)});
+  const Theorems laws = parts({rules[1], at(book["motion.next"], equal_blocks)});
   rules.erase(rules.begin() + 1);
   for (int i = 0; i < 4; ++i)
     for (const Theorem& law : laws)
-      rules.push_back(canonical_form(use(at(law, {{j, i}}, {zero}), {}, {zero})));
+      rules.push_back(canonical_form(use(at(law, {{j, i}}), {}, {zero})));
   const Expr s = (1 + e) / (1 + alpha);
   const auto at_cycle = [&](const Theorem& name, int i) {
-    return canonical_form(at(name, {{n, i}}, {zero, one}));
+    return canonical_form(at(name, {{n, i}}));
   };
   const auto B_has = [&](int i, Expr value) {
     return equation(with_e("b_e", i), value, rules + Theorems{at_cycle(names[1], i)});

@@ -24,7 +24,7 @@ Theorem speeds(Book& book, const Theorem& kappa_is) {
   const auto claim = [&](Expr i) { return eq(closing(i), value(i)); };
   const auto of_motion = [&](const char* id) { return book[std::string("motion") + id]; };
   const auto U = [&](const char* id, Expr i) {
-    return at(book[std::string("chebyshev.") + id], {{x, kappa()}, {j, i}}, {zero});
+    return at(book[std::string("chebyshev.") + id], {{x, kappa()}, {j, i}});
   };
   const Theorems start = parts({U("start", 0)});
   const Theorem first =

@@ -145,11 +145,11 @@ void when_and_where(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("places", "When and where", assumptions);
   const Known signs(assumed(assumptions) + Theorems{book["wedge.signs"]});
-  const Theorem from = assume(le(0, j)), zero = linear(le(0, 0));
+  const Theorem from = assume(le(0, j));
   const Theorems motion = motion_in_space();
 
   const auto start = [&](const std::string& id, const Substitution& terms) {
-    return part(at(book[id], terms, {zero}), 0);
+    return part(at(book[id], terms), 0);
   };
   const Theorems starts{motion[0],
                         motion[1],
@@ -173,7 +173,7 @@ void when_and_where(Book& book) {
 
   const Theorem all_now = assume(all_take_place(j)), one_further = assume(all_take_place(j + 1));
   know(all_of(0, [&](Expr i, const Theorem& range) {
-    const Theorem first = at(book["motion.first"], {{j, 0}}, {zero});
+    const Theorem first = at(book["motion.first"], {{j, 0}});
     return linear(lt(0, closing(i)), {rewrite(linear(eq(0, i), {range}), first)});
   }));
   know(but_the_last(one_further));
