@@ -58,10 +58,9 @@ void unfolded(Book& book) {
   const auto here = [&](Expr t) { return substitute(t, elastic); };
   const auto of_motion = [&](const char* id) { return at(book[id], elastic); };
   const Expr all = mass_of_all(), unit = sqrt((M_A + M_C) / all);
-  const Theorem radius_is = book.name(
+  const Theorem radius_is = book.define(
       "radius", {M_A, w_B, M_C, V, L, j}, unit * side(j) * here(apart(j)), assumptions,
-      "At collision j the scaled places have, from where all three would meet, the distance", "",
-      "def_radius");
+      "At collision j the scaled places have, from where all three would meet, the distance");
   const auto radius = [&](Expr i) { return substitute(left(radius_is), {{j, i}}); };
 
   const Expr t = turn(j), A = here(at_collision("x_A", j)), B = here(at_collision("x_B", j)),
@@ -84,8 +83,7 @@ void unfolded(Book& book) {
   const Theorem blocks = of_motion("places.distance");
   const Exprs by_masses = of_wedge({});
   const auto named = [&](const char* name, Expr of, Expr value, const char* words) {
-    return book.name(name, {M_A, w_B, M_C, of}, value, by_masses, words, "",
-                     std::string("def_") + name);
+    return book.define(name, {M_A, w_B, M_C, of}, value, by_masses, words);
   };
   const Theorem L_is = named("scaled_L", L, unit * L, "With the distance at first");
   const Theorem V_is = named("scaled_V", V, unit * V * (r_A() / r_B()), "and the speed");

@@ -40,6 +40,11 @@ public:
   Theorem name(const std::string& symbol, const Exprs& params, Expr value, const Exprs& domain,
                const std::string& words, const std::string& label = "",
                const std::string& shown_as = "");
+  /// The same, shown as "def_" and the symbol.
+  Theorem define(const std::string& symbol, const Exprs& params, Expr value, const Exprs& domain,
+                 const std::string& words) {
+    return name(symbol, params, value, domain, words, "", "def_" + symbol);
+  }
   /// The theorem of an id. Throws Refused where there is none.
   Theorem operator[](const std::string& id) const;
   bool has(const std::string& id) const { return find(id) != nullptr; }

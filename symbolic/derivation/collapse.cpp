@@ -9,9 +9,9 @@ Expr U(Expr index) { return chebyshev(index, kappa()); }
 /// kappa < 1 as an inequality of masses and e without roots.
 void threshold(Book& book) {
   const Theorem kappa_is = book["wedge.kappa"];
-  const Theorem is = book.name("K", masses_and_e(),
-                               power(1 + e, 2) * M_A / (4 * e * (M_A + M_C) * (1 + w_B * M_C)),
-                               of_wedge({lt(0, e)}), "Without roots, with", "", "def_K");
+  const Theorem is = book.define("K", masses_and_e(),
+                                 power(1 + e, 2) * M_A / (4 * e * (M_A + M_C) * (1 + w_B * M_C)),
+                                 of_wedge({lt(0, e)}), "Without roots, with");
   Theorems squares = squared_shares(book);
   squares.push_back(root_squared(assume(lt(0, e))));
   const Expr K = left(is);
@@ -77,9 +77,9 @@ void in_time(Book& book) {
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
   know(linear(lt(0, U(j)), {rise, from_0}));
   const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
-  const Theorem end_is = book.name("t_end", {M_A, w_B, M_C, e, V, L}, unit * y_e,
-                                   of_wedge({lt(0, e), le(1, kappa()), V_positive, lt(0, L)}),
-                                   "there is a time", "", "def_t_end");
+  const Theorem end_is =
+      book.define("t_end", {M_A, w_B, M_C, e, V, L}, unit * y_e,
+                  of_wedge({lt(0, e), le(1, kappa()), V_positive, lt(0, L)}), "there is a time");
   const Theorem time_is = book["places.time"];
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
     return at(book["wedge.never_ends"], {{j, i}}, {range});

@@ -16,7 +16,7 @@ void ends(Book& book) {
   for (const Expr i : {N - 1, N}) know(at(book["wedge.signs"], {{j, i}}));
 
   const auto named = [&](const char* name, Expr value, const char* words) {
-    return book.name(name, params, value, assumptions, words, "", std::string("def_") + name);
+    return book.define(name, params, value, assumptions, words);
   };
   const Theorem rest_is =
       named("delta_e", pi() - N * h, "The last collision leaves of half a turn");

@@ -17,7 +17,7 @@ public:
     Exprs domain;
     for (const Expr& p : params)
       domain.push_back(p == alpha ? alpha_positive : p == V ? V_positive : le(p == k ? 1 : 0, p));
-    return book.name(name, params, value, domain, words, "", "def_" + name);
+    return book.define(name, params, value, domain, words);
   }
   Book& book;
 };

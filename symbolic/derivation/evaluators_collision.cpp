@@ -79,9 +79,8 @@ void collision_forms(Names& names, const Angle& a) {
   book.show("sine_positive", "and so is", sine_positive);
   const Known divisors({sine_positive, is_positive, takes_place});
   const auto divided = [&](const char* symbol, Expr value, const char* words) {
-    return book.name(symbol, inputs, value,
-                     {alpha_positive, le(0, j), lt(0, cosine), is_near.conclusion()}, words, "",
-                     "def_" + std::string(symbol));
+    return book.define(symbol, inputs, value,
+                       {alpha_positive, le(0, j), lt(0, cosine), is_near.conclusion()}, words);
   };
   const Theorem per_next = divided("per_next", 1 / cosine, "and");
   const Theorem ratio = divided("sine_ratio", S / sine, "and");

@@ -30,8 +30,8 @@ void doubling(Book& book, const Theorem& definition) {
 void exact_forms(Book& book) {
   book.chapter("exact", "Exact forms", {alpha_positive, le(0, n)});
   const Theorem cos_half = book["rotation.cos_half_psi"];
-  const Theorem definition = book.name("T_", {alpha, m}, cos(angle(m)), {alpha_positive},
-                                       "The cosine of m half-angles", "", "def_T_");
+  const Theorem definition =
+      book.define("T_", {alpha, m}, cos(angle(m)), {alpha_positive}, "The cosine of m half-angles");
   doubling(book, definition);
 
   const Expr d = 1 + alpha, last = n + rational(1, 2);
@@ -46,8 +46,8 @@ void exact_forms(Book& book) {
       equation(c_prime(n), (V - a(n) - b(n)) / alpha,
                {linear(eq(a(n), V - b(n) - alpha * c_prime(n)), {book["terminal.momentum_Q"]})}));
   // c_n needs b_(n-1), by a name of its own.
-  const Theorem before = book.name("b_before", {alpha, V, n}, b(n - 1), {alpha_positive, le(1, n)},
-                                   "where before Q_n B has", "", "def_b_before");
+  const Theorem before = book.define("b_before", {alpha, V, n}, b(n - 1),
+                                     {alpha_positive, le(1, n)}, "where before Q_n B has");
   const Expr earlier = left(before);
   book.show(
       "b_before", "that is,",

@@ -160,9 +160,9 @@ void restitution(Book& book) {
   book.show("start",
             "At the start A moves with V, the ball C and B are at rest; w_B is 1/M_B for a block "
             "and 0 for a wall:",
-            (both({motion[0], motion[1], motion[2]})));
+            both({motion[0], motion[1], motion[2]}));
   book.show("next", "Collision j is one of A and C, or of C and B, by turns:",
-            (both({motion[3], motion[4], motion[5]})));
+            both({motion[3], motion[4], motion[5]}));
   recurrence(book, motion);
 }
 }  // namespace derivation

@@ -50,8 +50,8 @@ private:
 
 /// q_e = 1 - K, above 0 where collisions end; the time of the collapse where they do not.
 Theorem definition_of_q_e(Book& book) {
-  const Theorem q_is = book.name("q_e", masses_and_e(), 1 - K(), of_wedge({lt(0, e)}),
-                                 "Collisions end where this is positive:", "", "def_q_e");
+  const Theorem q_is = book.define("q_e", masses_and_e(), 1 - K(), of_wedge({lt(0, e)}),
+                                   "Collisions end where this is positive:");
   const Theorem none = assume(le(q_e(), 0));
   const Theorem inside = equation(power(kappa(), 2) - 1, -q_e(), {q_is, book["collapse.square"]});
   const Theorem from_1 =
@@ -60,8 +60,8 @@ Theorem definition_of_q_e(Book& book) {
   book.show("y_e", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
   book.show("t_end", "and the time of the collapse is", cut(from_1, book["collapse.def_t_end"]));
   const auto at_end = [&](const char* symbol, const char* words, const Exprs& domain, Expr value) {
-    return book.name(symbol, {M_A, w_B, M_C, e, V, L}, value / mass_of_all(), of_wedge(domain),
-                     words, "", std::string("def_") + symbol);
+    return book.define(symbol, {M_A, w_B, M_C, e, V, L}, value / mass_of_all(), of_wedge(domain),
+                       words);
   };
   at_end("x_end", "Then all are at one place: the centre of mass is there, or the wall,",
          {lt(0, e), V_positive, lt(0, L), none.conclusion()},

@@ -19,11 +19,11 @@ void energy(Book& book) {
   const Theorem from = assume(le(0, j));
   const auto of_motion = [&](const std::string& id) { return cut(linear(le(0, w_B)), book[id]); };
   const Exprs with_j{M_A, w_B, M_C, e, V, j};
-  const Theorem is = book.name("energy", with_j,
-                               M_A * power(velocity("A", j), 2) + power(velocity("B", j), 2) / w_B +
-                                   M_C * power(velocity("C", j), 2),
-                               of_block({le(0, j)}),
-                               "Twice the kinetic energy after j collisions:", "", "def_energy");
+  const Theorem is =
+      book.define("energy", with_j,
+                  M_A * power(velocity("A", j), 2) + power(velocity("B", j), 2) / w_B +
+                      M_C * power(velocity("C", j), 2),
+                  of_block({le(0, j)}), "Twice the kinetic energy after j collisions:");
   const auto energy = [&](Expr i) { return substitute(left(is), {{j, i}}); };
   Theorems step{is, instantiate(is, {{j, j + 1}}), of_motion("motion.closing"),
                 book["motion.turn_squared"]};
