@@ -141,12 +141,6 @@ Theorem not_negative(Expr t, const Theorems& facts) {
   if (const auto s = sign_of(t, facts, false)) return linear(le(0, t), {*s});
   refuse("cannot see that 0 <= " + text(t));
 }
-Theorem not_zero(const Theorem& less) {
-  const Expr d = gap(less);
-  const Theorem above = linear(lt(0, d), {less});
-  return tautology(neq(d, 0), {use("less is not equal", {{real("x"), 0}, {real("y"), d}}, {above}),
-                               discharge(eq(d, 0), turned(assume(eq(d, 0))))});
-}
 Theorem product_of(const Theorems& factors) {
   Expr t = 1;
   bool strict = true;

@@ -16,8 +16,6 @@ Theorem positive(Expr t, const Theorems& facts = {});
 Theorem not_negative(Expr t, const Theorems& facts = {});
 /// |- 0 < t or |- 0 <= t, or nothing.
 std::optional<Theorem> sign_of(Expr t, const Theorems& facts = {}, bool strict = true);
-/// p < q gives not q - p = 0.
-Theorem not_zero(const Theorem& less);
 /// 0 < (q - p)(s - r)... from p < q, r < s, ..., 0 <= where one of them is <=.
 Theorem product_of(const Theorems& factors);
 Theorem times(const Theorem& a, const Theorem& b);
