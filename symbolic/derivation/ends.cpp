@@ -60,6 +60,7 @@ void ends(Book& book) {
   const Theorem A_is = beyond_B(A, "motion.A_B", -(opening + parting));
   const Theorem C_is = beyond_B(C, "motion.C_B", -C_B);
   const Expr mass = mass_of_all();
+  know(positive(mass));
   const Theorem B_is = equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass,
                                 {after("motion.B_velocity"), last, next});
   book.show("B", "So B has at the end", B_is);
@@ -72,6 +73,7 @@ void ends(Book& book) {
     know(times(share(one), linear(lt(0, parting))));
     know(times(share(one), linear(le(0, opening))));
   }
+  know(not_negative(C_B));
   book.show("order", "in the order of the bodies:",
             both({linear(le(A, C), {A_is, C_is}), linear(le(C, B), {C_is}),
                   linear(le(0, B), {B_is, not_negative(right(B_is))})}));
