@@ -32,12 +32,12 @@ public:
   }
   Numbers premises(std::size_t of) const {
     Numbers found;
-    std::set<coq::Content> seen;
+    std::set<coq::Sequent> seen;
     kernel::Theorems open = all[of].statement.theorem.step().premises;
     while (!open.empty()) {
       const Theorem t = open.back();
       open.pop_back();
-      if (!seen.insert(coq::content_of(t)).second) continue;
+      if (!seen.insert(coq::sequent_of(t)).second) continue;
       const auto shown = numbers.find(t.conclusion());
       if (shown != numbers.end() && shown->second != of)
         found.insert(shown->second);

@@ -10,16 +10,16 @@
 namespace coq {
 using kernel::Theorem;
 
-Content content_of(const Theorem& t) { return {t.hypotheses(), t.conclusion()}; }
+Sequent sequent_of(const Theorem& t) { return {t.hypotheses(), t.conclusion()}; }
 namespace {
 /// The first proof of each that is at its end: what it rests on was so before it.
 void choose(const Theorem& t, Proofs& chosen) {
-  if (chosen.count(content_of(t))) return;
+  if (chosen.count(sequent_of(t))) return;
   for (const Theorem& p : t.step().premises) choose(p, chosen);
-  chosen.emplace(content_of(t), t);
+  chosen.emplace(sequent_of(t), t);
 }
 void keep(const Theorem& t, const Proofs& chosen, Proofs& kept) {
-  const auto [it, is_new] = kept.emplace(content_of(t), chosen.at(content_of(t)));
+  const auto [it, is_new] = kept.emplace(sequent_of(t), chosen.at(sequent_of(t)));
   if (!is_new) return;
   for (const Theorem& p : it->second.step().premises) keep(p, chosen, kept);
 }

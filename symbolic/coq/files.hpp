@@ -11,11 +11,11 @@
 
 namespace coq {
 /// What a theorem says.
-using Content = std::pair<kernel::Exprs, kernel::Expr>;
-Content content_of(const kernel::Theorem& t);
+using Sequent = std::pair<kernel::Exprs, kernel::Expr>;
+Sequent sequent_of(const kernel::Theorem& t);
 /// All different theorems that `shown` rest on, themselves too, each with one proof, and none
 /// rests on itself.
-using Proofs = std::map<Content, kernel::Theorem>;
+using Proofs = std::map<Sequent, kernel::Theorem>;
 Proofs proofs_of(const kernel::Theorems& shown);
 
 struct Chapter {

@@ -94,7 +94,7 @@ private:
   Proofs chosen;
   std::map<std::string, kernel::Theorem> definitions = {};  ///< by the name that is defined
   std::map<std::string, bool> is_defined = {};
-  std::map<Content, std::string> lemmas = {};
+  std::map<Sequent, std::string> lemmas = {};
   std::map<std::pair<std::string, kernel::Expr>, std::string> shared_lemmas = {};
   std::string written = {};
   int serial = 0;

@@ -38,7 +38,7 @@ std::string Script::add_lemma(const std::string& kind, const std::string& statem
   return made;
 }
 std::string Script::lemma(const Theorem& wanted) {
-  const Content content = content_of(wanted);
+  const Sequent content = sequent_of(wanted);
   if (const auto it = lemmas.find(content); it != lemmas.end()) return it->second;
   const Theorem& t = chosen.at(content);
   for (const Theorem& p : t.step().premises) lemma(p);
