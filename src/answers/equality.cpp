@@ -100,7 +100,8 @@ Answer equal(const Request& request) {
         sides.push_back(with_meanings(read.term, notes));
         symbols.merge(notation::symbols_of(sides.back()));
       } catch (const kernel::Refused& r) {
-        throw InvalidInput(std::string(i == 0 ? "left" : "right") + " side, " + r.what());
+        throw InvalidInput(std::string("equal: ") + (i == 0 ? "left" : "right") + " side, " +
+                           shown_text(r.what(), 300));
       }
     }
     const equality::Domain domain = equality::read_domain(request.text("domain"), symbols, notes);

@@ -99,7 +99,7 @@ Program magicmass() {
                answers::ratios_columns(),
                answers::ratios},
               {"equal",
-               "Are two expressions equal?",
+               "Decides whether two expressions are equal",
                "magicmass equal \"cos(psi/2)\" \"1/(1 + alpha)\"",
                {{"domain", "LIST", "conditions such as \"0 < alpha <= 1, n integer\""}},
                "LEFT and RIGHT",

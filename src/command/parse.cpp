@@ -78,12 +78,12 @@ const Command& command_of(const Program& program, const std::string& word) {
 }
 
 /// `--name VALUE` as one word, so that a value may begin with a minus sign (not with two) and CLI11
-/// takes no word for one that is missing. Formulas may begin with a minus sign, too: behind "--".
+/// takes no word for one that is missing. Formulas go to `formulas`, if that is given: CLI11 would
+/// take -x for an option and [1, 2] for two words.
 std::vector<std::string> with_values_joined(const std::vector<std::string>& words,
                                             const std::vector<Option>& options,
-                                            bool takes_formulas) {
+                                            std::vector<std::string>* formulas) {
   std::vector<std::string> result;
-  std::vector<std::string> formulas;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string word = words[i] == "-o" ? "--output" : words[i];
     const std::size_t equals = word.find('=');
@@ -93,8 +93,8 @@ std::vector<std::string> with_values_joined(const std::vector<std::string>& word
     if (word.starts_with("-o="))
       throw InvalidInput("-o= is not an option; allowed: -o FILE and --output=FILE");
     if (option == options.end()) {
-      const bool is_formula = takes_formulas && !word.starts_with("--") && word != "-h";
-      (is_formula ? formulas : result).push_back(word);
+      const bool is_formula = formulas && !word.starts_with("--") && word != "-h";
+      (is_formula ? *formulas : result).push_back(word);
       continue;
     }
     const bool takes_value = !option->value.empty();
@@ -106,8 +106,6 @@ std::vector<std::string> with_values_joined(const std::vector<std::string>& word
       throw InvalidInput("--" + option->name + " has no value");
     result.push_back(is_apart ? word + "=" + next : word);
   }
-  if (!formulas.empty()) result.push_back("--");
-  result.insert(result.end(), formulas.begin(), formulas.end());
   return result;
 }
 
@@ -204,7 +202,7 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   std::vector<std::string> free_words;
   if (!command.words.empty()) app.add_option("words", free_words, command.words)->type_name("");
   std::vector<std::string> joined_words =
-      with_values_joined(words, options, command.takes_formulas);
+      with_values_joined(words, options, command.takes_formulas ? &free_words : nullptr);
   std::reverse(joined_words.begin(), joined_words.end());  // as CLI11 takes them
   try {
     app.parse(joined_words);
