@@ -72,6 +72,21 @@ Expr with_meanings(Expr e, std::vector<std::string>& notes) {
   return kernel::substitute(e, meanings);
 }
 
+Expr stated_value(const std::string& step) {
+  const std::size_t colon = step.find(": ");
+  const std::string left = colon == step.npos ? "" : step.substr(colon + 2);
+  kernel::Exprs open{derivation::the_book()[step.substr(0, colon)].conclusion()};
+  while (!open.empty()) {
+    const Expr e = open.back();
+    open.pop_back();
+    if (e.op() == Op::Imp) open.push_back(e.arg(1));
+    for (std::size_t i = e.op() == Op::And ? e.size() : 0; i > 0; --i) open.push_back(e.arg(i - 1));
+    if (e.op() == Op::Eq && (left.empty() || kernel::text(e.arg(0)) == left))
+      return typed(e.arg(1));
+  }
+  kernel::refuse(step + ": this step states no such equation");
+}
+
 std::vector<Column> equal_columns() {
   return {{"verdict", Type::text, "", "equal, different or undecided"},
           {"proof", Type::text, "", "how it is known"},

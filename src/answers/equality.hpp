@@ -16,4 +16,9 @@ std::vector<Column> equal_columns();
 /// c_n, c'_n. A line for each in `notes`: "psi = 2*atan(sqrt(alpha*(2 + alpha)))".
 kernel::Expr with_meanings(kernel::Expr typed, std::vector<std::string>& notes);
 
+/// The right side of an equation that a step states, in the symbols that people type; of several
+/// the one with this left side: "power.a", "deficient.terminal: b_(N_B)". Refused where there is
+/// none.
+kernel::Expr stated_value(const std::string& step);
+
 }  // namespace answers

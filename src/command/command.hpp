@@ -47,8 +47,6 @@ struct Program {
   std::string summary;
   std::string version;
   std::vector<Command> commands;
-  std::vector<std::string> absent;  ///< commands that come back with a later version
-  std::string absent_advice;
 };
 
 /// Answers the command line; returns the exit code.

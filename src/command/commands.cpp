@@ -10,6 +10,7 @@
 #include "command/coq.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
+#include "command/learn.hpp"
 #include "command/reproduce.hpp"
 #include "report/report.hpp"
 
@@ -169,9 +170,22 @@ Program magicmass() {
                report::columns(),
                report::report,
                300},
+              {"learn",
+               "Exercises, and what is said to answers",
+               "magicmass learn check half_angle \"1/(1 + alpha)\"",
+               {{"file", "FILE", "check: the answer is in it, - for stdin"},
+                {"folder", "FOLDER", "exercises of a folder instead of the program's"},
+                {"reveal", "", "check: the answer, too"}},
+               "list, show ID, check ID ANSWER, hint ID [N], solution ID, new FILE or test [FILE]",
+               {"text", "json", "csv"},
+               {},
+               learn_by_exercises,
+               60,
+               1024,
+               {},
+               {},
+               true},
           },
-      .absent = {"learn"},
-      .absent_advice = "not in this version yet; until then use commit 77d7ebf",
   };
 }
 

@@ -72,8 +72,6 @@ std::string help_of(const CLI::App& app) {
 const Command& command_of(const Program& program, const std::string& word) {
   for (const Command& command : program.commands)
     if (command.name == word) return command;
-  if (std::count(program.absent.begin(), program.absent.end(), word) != 0)
-    throw InvalidInput(word + ": " + program.absent_advice);
   throw InvalidInput("unknown command " + shown_text(word) + "; see " + program.name + " --help");
 }
 

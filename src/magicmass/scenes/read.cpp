@@ -9,6 +9,7 @@
 namespace magicmass::scenes {
 namespace {
 
+const std::string allowed_scene = "a scene in TOML, lines like alpha = \"magic:3\"";
 constexpr std::size_t longest_file = std::size_t{1} << 20U;
 
 /// A key of many parts, or values nested deep: the parser's recursion would not end well.
@@ -23,27 +24,6 @@ bool is_too_deep(std::string_view text) {
     if (parts > 100 || depth > 100) return true;
   }
   return false;
-}
-
-[[noreturn]] void refuse(const std::string& source, std::size_t line, const std::string& what) {
-  throw InvalidInput(source + ":" + std::to_string(line) + ": " + what +
-                     "; allowed: a scene in TOML, lines like alpha = \"magic:3\"");
-}
-
-toml::table table_of(std::string_view text, const std::string& source) {
-  const std::size_t zero = text.find('\0');
-  if (zero != text.npos) {
-    const auto line = std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n') + 1;
-    refuse(source, static_cast<std::size_t>(line), "a zero byte");
-  }
-  if (is_too_deep(text)) refuse(source, 1, "a key of more than 100 parts, or so many brackets");
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    std::string what(error.description());
-    std::replace(what.begin(), what.end(), '\n', ' ');
-    refuse(source, error.source().begin.line, what.substr(0, 200));
-  }
 }
 
 bool has_key(const Key& key, Kind kind) {
@@ -152,8 +132,27 @@ void check_meaning(const Scene& scene) {
 
 }  // namespace
 
+toml::table table_of(std::string_view text, const std::string& source, const std::string& allowed) {
+  const auto refuse = [&](std::ptrdiff_t line, const std::string& what) {
+    throw InvalidInput(source + ":" + std::to_string(line) + ": " + what + "; allowed: " + allowed);
+  };
+  const std::size_t zero = text.find('\0');
+  if (zero != text.npos)
+    refuse(std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n') + 1,
+           "a zero byte");
+  if (is_too_deep(text)) refuse(1, "a key of more than 100 parts, or so many brackets");
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    std::string what(error.description());
+    std::replace(what.begin(), what.end(), '\n', ' ');
+    refuse(error.source().begin.line, what.substr(0, 200));
+    throw;
+  }
+}
+
 Scene parse_scene(std::string_view text, const std::string& source) {
-  const toml::table table = table_of(text, source);
+  const toml::table table = table_of(text, source, allowed_scene);
   Scene scene;
   scene.source = source;
   for (const auto& [name, node] : table)
@@ -168,16 +167,21 @@ Scene parse_scene(std::string_view text, const std::string& source) {
   return scene;
 }
 
-Scene read_scene(const std::string& path) {
+std::string text_of(const std::string& path, const std::string& allowed) {
   std::ifstream file(path, std::ios::binary);
   std::string text(longest_file + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
-    throw InvalidInput("cannot read " + path + "; allowed: a scene file in TOML");
+    throw InvalidInput("cannot read " + path + "; allowed: " + allowed);
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > longest_file)
-    refuse(path, 1, "more than " + std::to_string(longest_file) + " bytes");
-  return parse_scene(text, path);
+    throw InvalidInput(path + ":1: more than " + std::to_string(longest_file) +
+                       " bytes; allowed: " + allowed);
+  return text;
+}
+
+Scene read_scene(const std::string& path) {
+  return parse_scene(text_of(path, "a scene file in TOML"), path);
 }
 
 }  // namespace magicmass::scenes

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/learn.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "command/embedded.hpp"
+#include "learn/judge.hpp"
+#include "magicmass/scenes/keys.hpp"
+
+namespace command {
+namespace {
+
+using answers::Answer;
+using answers::InvalidInput;
+using answers::Request;
+using answers::text_cell;
+using learn::Exercise;
+
+const std::string allowed_file = "a file of text";
+
+/// The program's exercises, or those of a folder or file, chapter by chapter.
+std::vector<Exercise> exercises(const std::string& place) {
+  std::map<std::string, std::string> texts;
+  if (place.empty()) {
+    for (const auto& [name, text] : all_embedded())
+      if (name.find("/exercises/") != name.npos) texts.emplace(name, text);
+  } else if (std::filesystem::is_directory(place)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
+      if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")
+        texts.emplace(entry.path(), magicmass::scenes::text_of(entry.path(), allowed_file));
+  } else {
+    texts.emplace(place, magicmass::scenes::text_of(place, allowed_file));
+  }
+  std::vector<Exercise> all;
+  std::map<std::string, std::string> sources;
+  for (const auto& [source, text] : texts) {
+    all.push_back(learn::read_exercise(text, source));
+    const auto [first, is_new] = sources.emplace(all.back().id, source);
+    if (!is_new) throw InvalidInput(source + ": the id of " + first->second + " once more");
+  }
+  if (all.empty()) throw InvalidInput("learn: no exercises in " + answers::shown_text(place));
+  return all;
+}
+
+Exercise exercise(const Request& request) {
+  if (request.words.size() < 2) throw InvalidInput("learn " + request.words[0] + ": give an ID");
+  std::vector<std::string> names;
+  for (Exercise& e : exercises(request.text("folder"))) {
+    if (e.id == request.words[1]) return e;
+    names.push_back(e.id);
+  }
+  const std::string nearest = magicmass::scenes::nearest_name(request.words[1], names);
+  throw InvalidInput("learn: no exercise " + answers::shown_text(request.words[1]) +
+                     (nearest.empty() ? "; see learn list" : "; is " + nearest + " meant?"));
+}
+
+/// A text as it is, or in a table where another format is asked for.
+Answer document(const Request& request, const Exercise& e, const std::string& text) {
+  if (request.format == "text") return {{}, text + "\n"};
+  Answer answer;
+  answer.table = {answers::named_columns({"id", "text"}), {{text_cell(e.id), text_cell(text)}}};
+  answer.table.is_list = false;
+  return answer;
+}
+
+Answer list(const Request& request) {
+  Answer answer;
+  answer.table.columns = answers::named_columns({"chapter", "id", "kind", "title"});
+  for (const Exercise& e : exercises(request.text("folder")))
+    answer.table.rows.push_back(
+        {text_cell(e.chapter), text_cell(e.id), text_cell(e.kind), text_cell(e.title)});
+  return answer;
+}
+
+Answer show(const Request& request) {
+  const Exercise e = exercise(request);
+  std::string text = e.title + "\n\n" + e.prompt + "\n";
+  for (std::size_t i = 0; i < e.choices.size(); ++i)
+    text += (i == 0 ? "\n" : "") + std::string(1, char('a' + i)) + ") " + e.choices[i] + "\n";
+  if (!e.symbols.empty()) text += "\nAn answer may use: " + answers::joined(e.symbols);
+  if (!e.form.empty()) text += "\nForm: " + e.form;
+  return document(request, e, text + "\nTry: magicmass learn check " + e.id + " \"...\"");
+}
+
+Answer check(const Request& request) {
+  const Exercise e = exercise(request);
+  const bool is_file = request.has("file");
+  if (request.words.size() != (is_file ? 2 : 3))
+    throw InvalidInput(
+        "learn check: give an ID and one answer, in quotation marks, or --file FILE");
+  const std::string file = request.text("file") == "-" ? "/dev/stdin" : request.text("file");
+  const learn::Judgement said =
+      judge(e, is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2]);
+  std::vector<std::string> notes;
+  for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
+  Answer answer;
+  answer.table.columns = answers::named_columns({"id", "verdict", "feedback", "notes"});
+  answer.table.rows = {{text_cell(e.id), text_cell(word(said.mark)), text_cell(said.feedback),
+                        notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}};
+  if (request.has("reveal")) {
+    answer.table.columns.push_back(answers::named_columns({"answer"})[0]);
+    answer.table.rows[0].push_back(text_cell(own_answer(e)));
+  }
+  answer.table.is_list = false;
+  answer.is_undecided = said.mark == learn::Mark::undecided;
+  answer.check_failed = said.mark != learn::Mark::right && !answer.is_undecided;
+  return answer;
+}
+
+Answer hint(const Request& request) {
+  const Exercise e = exercise(request);
+  const std::string which = request.words.size() > 2 ? request.words[2] : "1";
+  for (std::size_t i = 0; i < e.hints.size(); ++i)
+    if (which == std::to_string(i + 1)) return document(request, e, e.hints[i]);
+  throw InvalidInput("learn hint: " + e.id + " has hints 1 to " + std::to_string(e.hints.size()));
+}
+
+Answer solution(const Request& request) {
+  const Exercise e = exercise(request);
+  return document(request, e, own_answer(e) + "\n\n" + e.solution);
+}
+
+Answer make(const Request& request) {
+  if (request.words.size() != 2) throw InvalidInput("learn new: give the name of one new file");
+  const std::string& path = request.words[1];
+  if (std::filesystem::exists(path))
+    throw InvalidInput("learn new: " + answers::shown_text(path) + " is there already");
+  std::ofstream file(path);
+  if (!(file << embedded("new_exercise.toml") << std::flush))
+    throw InvalidInput("learn new: cannot write " + answers::shown_text(path));
+  return {{}, path + ": edit it, then run: magicmass learn test " + path + "\n"};
+}
+
+Answer test(const Request& request) {
+  Answer answer;
+  answer.table.columns = answers::named_columns({"id", "fault"});
+  const std::vector<Exercise> all =
+      exercises(request.words.size() > 1 ? request.words[1] : request.text("folder"));
+  for (const Exercise& e : all)
+    for (const std::string& fault : faults(e))
+      answer.table.rows.push_back({text_cell(e.id), text_cell(fault)});
+  answer.check_failed = !answer.table.rows.empty();
+  if (!answer.check_failed && request.format == "text")
+    return {{}, std::to_string(all.size()) + " exercises are sound\n"};
+  return answer;
+}
+
+}  // namespace
+
+Answer learn_by_exercises(const Request& request) {
+  static const std::map<std::string, Answer (*)(const Request&)> actions{
+      {"list", list}, {"show", show},         {"check", check}, {"hint", hint},
+      {"new", make},  {"solution", solution}, {"test", test}};
+  const std::string name = request.words.empty() ? "" : request.words[0];
+  if (name == "watch" || name == "grade")
+    throw InvalidInput("learn " + name + ": not in this version yet");
+  const auto found = actions.find(name);
+  if (found == actions.end())
+    throw InvalidInput("learn: " + answers::shown_text(name) +
+                       "; allowed: list, show, check, hint, solution, new, test");
+  return found->second(request);
+}
+
+}  // namespace command

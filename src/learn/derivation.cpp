@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Derivations, a line after the other: each must be true, and a small step from what stands before.
+#include <algorithm>
+#include <sstream>
+
+#include "answers/shown_text.hpp"
+#include "learn/form.hpp"
+#include "learn/terms.hpp"
+
+namespace learn {
+namespace {
+
+using kernel::Exprs;
+
+constexpr std::size_t most_lines = 40;
+
+Texts split(const std::string& text, char separator) {
+  std::istringstream stream(text);
+  Texts parts;
+  for (std::string part; std::getline(stream, part, separator);)
+    if (part.find_first_not_of(" \t\r") != part.npos) parts.push_back(part);
+  return parts;
+}
+Texts lines_of(const std::string& text) {
+  Texts lines = split(text, '\n');
+  if (lines.size() == 1) lines = split(text, ';');  // on a command line
+  if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
+  return lines;
+}
+
+std::string line_name(std::size_t i) { return "line " + std::to_string(i + 1); }
+
+/// A side of a line, or what is wrong with it by the line's number.
+Expr side(const Terms& terms, const std::string& text, std::size_t line, Texts& notes) {
+  try {
+    const Expr term = terms.typed(text, notes);
+    if (kernel::is_matrix(term)) kernel::refuse("a matrix");
+    if (const std::string foreign = terms.foreign(term); !foreign.empty()) kernel::refuse(foreign);
+    return term;
+  } catch (const kernel::Refused& r) {
+    kernel::refuse(line_name(line) + ": " + r.what());
+  }
+}
+
+/// An equation as left - right, in which the unknowns are symbols.
+class Equations {
+public:
+  explicit Equations(const Terms& terms) : terms_(terms) {
+    for (const auto& [name, step] : terms.exercise.unknowns) {
+      unknowns_.push_back(notation::symbol(name));
+      truth_.emplace(unknowns_.back(), terms.from_step(step));
+    }
+    for (const std::string& law : terms.exercise.laws) laws_.push_back(content(law));
+    for (const std::string& term : terms.exercise.not_zero)
+      not_zero_.push_back(terms.content(term));
+  }
+  Expr content(const std::string& equation) const {
+    const Texts sides = split(equation, '=');
+    if (sides.size() != 2) throw Faulty(equation + ": an equation is expected");
+    return terms_.content(sides[0]) - terms_.content(sides[1]);
+  }
+  bool says_nothing(Expr e) const { return terms_.are_equal(e, 0); }
+  Compared truth(Expr left, Expr right) const {
+    return terms_.compare(kernel::substitute(left, truth_), kernel::substitute(right, truth_));
+  }
+  bool has(Expr e, Expr unknown) const { return kernel::free_variables(e).contains(unknown); }
+  int unknowns_in(Expr e) const {
+    return int(std::count_if(unknowns_.begin(), unknowns_.end(),
+                             [&](Expr unknown) { return has(e, unknown); }));
+  }
+  /// One is the other times something without unknowns: e(v) f(w) = e(w) f(v) for all v and w.
+  bool are_proportional(Expr e, Expr f) const {
+    kernel::Substitution others;
+    for (Expr unknown : unknowns_)
+      others.emplace(unknown, notation::symbol(notation::name_of(unknown) + "_0"));
+    return terms_.are_equal(e * kernel::substitute(f, others), kernel::substitute(e, others) * f);
+  }
+  bool is_law(Expr e) const {
+    return std::any_of(laws_.begin(), laws_.end(),
+                       [&](Expr law) { return are_proportional(e, law); });
+  }
+  std::string missing_law(const Exprs& lines) const {
+    for (std::size_t i = 0; i < laws_.size(); ++i)
+      if (std::none_of(lines.begin(), lines.end(),
+                       [&](Expr line) { return are_proportional(line, laws_[i]); }))
+        return terms_.exercise.laws[i];
+    return {};
+  }
+  /// From one line before, or from two, an unknown eliminated or one divided by the other.
+  bool follows(Expr e, const Exprs& before) const {
+    for (Expr f : before) {
+      if (are_proportional(e, f)) return true;
+      for (Expr by : before)
+        for (Expr unknown : unknowns_)
+          if (f != by && eliminates(e, f, by, unknown)) return true;
+    }
+    return false;
+  }
+
+private:
+  const Terms& terms_;
+  Exprs unknowns_, laws_, not_zero_;
+  kernel::Substitution truth_;
+
+  bool eliminates(Expr e, Expr f, Expr by, Expr unknown) const {
+    const Expr at_0 = kernel::substitute(by, {{unknown, 0}});
+    const Expr slope = kernel::substitute(by, {{unknown, 1}}) - at_0;
+    if (!has(by, unknown) || says_nothing(slope) || !terms_.are_equal(by, slope * unknown + at_0))
+      return false;
+    const kernel::Substitution solved{{unknown, -at_0 / slope}};
+    const Expr left = kernel::substitute(f, solved), e_left = kernel::substitute(e, solved);
+    if (says_nothing(left) || says_nothing(e_left)) return false;
+    if (are_proportional(e_left, left)) return true;
+    // A factor may be divided out where the result keeps what is eliminated; the end is no such
+    // step.
+    return has(e, unknown) && std::any_of(not_zero_.begin(), not_zero_.end(), [&](Expr factor) {
+             return are_proportional(e_left * factor, left);
+           });
+  }
+};
+
+Judgement judge_equations(const Terms& terms, const Texts& lines) {
+  const Equations equations(terms);
+  Judgement said;
+  Exprs before;
+  Expr left, right;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Texts sides = split(lines[i], '=');
+    if (sides.size() != 2)
+      kernel::refuse(line_name(i) + " is no equation; one = is expected in each line");
+    left = side(terms, sides[0], i, said.notes);
+    right = side(terms, sides[1], i, said.notes);
+    const Expr e = left - right;
+    const auto refused = [&](Mark mark, const std::string& why) {
+      return Judgement{mark, "In " + line_name(i) + ": " + why, said.notes};
+    };
+    if (equations.says_nothing(e))
+      return refused(Mark::incomplete,
+                     "both sides are the same for all velocities, so it says nothing.");
+    if (const Compared truth = equations.truth(left, right); truth.mark != Mark::right) {
+      if (truth.mark == Mark::wrong)
+        for (const Misconception& one : terms.exercise.misconceptions)
+          for (const std::string& text : one.answers)
+            if (equations.are_proportional(e, equations.content(text)))
+              return {Mark::wrong, one.feedback, said.notes};
+      return refused(truth.mark, truth.mark == Mark::wrong
+                                     ? "it is not true of this motion."
+                                     : "it could not be decided whether it is true.");
+    }
+    if (!equations.is_law(e) && !equations.follows(e, before)) {
+      const std::string law = equations.missing_law(before);
+      return refused(
+          Mark::incomplete,
+          "it is true, but how does it follow from the lines before? " +
+              (law.empty() ? "A step is missing." : "This law is missing: " + law + "."));
+    }
+    before.push_back(e);
+  }
+  if (left != terms.content(terms.exercise.name) || equations.unknowns_in(right) != 0)
+    return {Mark::incomplete,
+            "Every line is right, but the end is missing: " + terms.exercise.name +
+                " = an expression without unknowns.",
+            said.notes};
+  return {Mark::right, "Right: each line follows, and the last one is the answer.", said.notes};
+}
+
+/// Lines that are equal to what stands before, each by an identity or by putting in the laws.
+Judgement judge_chain(const Terms& terms, const Texts& lines) {
+  const Exercise& e = terms.exercise;
+  Judgement said;
+  const Expr start = terms.content(e.start);
+  Expr before = start;
+  const auto with_laws = [&](Expr term) {
+    for (const std::string& law : e.laws) {
+      const Texts sides = split(law, '=');
+      term = kernel::replace(term, terms.content(sides.at(0)), terms.content(sides.at(1)));
+    }
+    return term;
+  };
+  // What holds whatever the mass ratio is: psi is a symbol like any other.
+  Exercise plain = e;
+  std::erase(plain.symbols, "alpha");
+  const Terms identities(plain);
+  const auto is_identity = [&](Expr a, Expr b) { return identities.are_equal(a, b); };
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (const std::string& part : split(lines[i], '=')) {
+      const Expr now = side(terms, part, i, said.notes);
+      const Compared compared = terms.compare(terms.in_full(now), terms.in_full(before));
+      if (compared.mark != Mark::right) {
+        const std::string known =
+            compared.mark == Mark::wrong ? misconception_of(terms, terms.in_full(now)) : "";
+        return {compared.mark,
+                !known.empty() ? known
+                               : "In " + line_name(i) + ": " +
+                                     (compared.mark == Mark::wrong
+                                          ? "it is not equal to what stands before."
+                                          : "it could not be decided whether it is equal to what "
+                                            "stands before."),
+                said.notes};
+      }
+      if (!is_identity(before, now) && !is_identity(with_laws(before), now))
+        return {Mark::incomplete,
+                "In " + line_name(i) + ": it is true, but a step is missing between " +
+                    notation::typed_text(before) + " and " + notation::typed_text(now) + ".",
+                said.notes};
+      before = now;
+    }
+  const std::string lack = lacking(e.form, before, terms.domain(notation::symbols_of(before)));
+  if (before == start || !lack.empty())
+    return {
+        Mark::incomplete,
+        "Every line is right, but the last one is not the end yet; asked for is: " + e.form + ".",
+        said.notes};
+  return {Mark::right, "Right: each line is equal to the one before, and the last is the answer.",
+          said.notes};
+}
+
+}  // namespace
+
+Judgement judge_derivation(const Exercise& e, const std::string& text) {
+  const Terms terms(e);
+  const Texts lines = lines_of(text);
+  return e.start.empty() ? judge_equations(terms, lines) : judge_chain(terms, lines);
+}
+
+}  // namespace learn

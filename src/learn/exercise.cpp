@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "learn/exercise.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <variant>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "learn/form.hpp"
+#include "magicmass/scenes/keys.hpp"
+
+namespace learn {
+namespace {
+
+using answers::InvalidInput;
+using Pairs = std::map<std::string, std::string>;
+using Member = std::variant<std::string Exercise::*, Texts Exercise::*, Pairs Exercise::*>;
+
+const std::map<std::string, Member>& members() {
+  static const std::map<std::string, Member> table{{"id", &Exercise::id},
+                                                   {"title", &Exercise::title},
+                                                   {"chapter", &Exercise::chapter},
+                                                   {"kind", &Exercise::kind},
+                                                   {"prompt", &Exercise::prompt},
+                                                   {"name", &Exercise::name},
+                                                   {"symbols", &Exercise::symbols},
+                                                   {"values", &Exercise::values},
+                                                   {"domain", &Exercise::domain},
+                                                   {"form", &Exercise::form},
+                                                   {"answer", &Exercise::answer},
+                                                   {"answer_from", &Exercise::answer_from},
+                                                   {"run", &Exercise::run},
+                                                   {"within", &Exercise::within},
+                                                   {"choices", &Exercise::choices},
+                                                   {"when", &Exercise::when},
+                                                   {"laws", &Exercise::laws},
+                                                   {"start", &Exercise::start},
+                                                   {"unknowns", &Exercise::unknowns},
+                                                   {"not_zero", &Exercise::not_zero},
+                                                   {"hints", &Exercise::hints},
+                                                   {"solution", &Exercise::solution}};
+  return table;
+}
+
+/// Reads keys of one file, and says where something is wrong.
+struct Reader {
+  std::string source;
+
+  [[noreturn]] void refuse(const toml::node& at, const std::string& what) const {
+    throw InvalidInput(source + ":" + std::to_string(at.source().begin.line) + ": " + what);
+  }
+  void read(const std::string& key, const toml::node& node, std::string& to) const {
+    if (!node.is_string()) refuse(node, key + ": a text is expected, in quotation marks");
+    to = node.as_string()->get();
+    while (to.ends_with('\n')) to.pop_back();
+  }
+  void read(const std::string& key, const toml::node& node, Texts& to) const {
+    if (!node.is_array()) refuse(node, key + ": texts are expected, [\"...\", \"...\"]");
+    for (const toml::node& one : *node.as_array()) read(key, one, to.emplace_back());
+  }
+  void read(const std::string& key, const toml::node& node, Pairs& to) const {
+    if (!node.is_table()) refuse(node, key + ": names and texts are expected, { V = \"1\" }");
+    for (const auto& [name, one] : *node.as_table()) read(key, one, to[std::string(name.str())]);
+  }
+  void misconceptions(const toml::node& node, Exercise& to) const {
+    if (!node.is_array_of_tables()) refuse(node, "misconceptions: [[misconceptions]] is expected");
+    for (const toml::node& one : *node.as_array()) {
+      Misconception& m = to.misconceptions.emplace_back();
+      for (const auto& [key, value] : *one.as_table()) {
+        if (key == "answers")
+          read("answers", value, m.answers);
+        else if (key == "name" || key == "feedback")
+          read(std::string(key.str()), value, key == "name" ? m.name : m.feedback);
+        else
+          refuse(value, "no such key in a misconception; allowed: name, answers, feedback");
+      }
+      if (m.answers.empty() || m.feedback.empty())
+        refuse(one, "a misconception needs answers and feedback");
+    }
+  }
+  [[noreturn]] void refuse_key(const std::string& key, const toml::node& at) const {
+    Texts names{"misconceptions"};
+    for (const auto& [name, member] : members()) names.push_back(name);
+    const std::string nearest = magicmass::scenes::nearest_name(key, names);
+    refuse(at, "no such key: " + answers::shown_text(key, 40) +
+                   (nearest.empty() ? "; allowed: " + answers::joined(names)
+                                    : "; is " + nearest + " meant?"));
+  }
+  void check(const toml::table& file, const Exercise& e) const {
+    const auto need = [&](bool is_fine, const std::string& what) {
+      if (!is_fine) refuse(file, what);
+    };
+    for (const char* key : {"id", "title", "chapter", "kind", "prompt"})
+      need(file.contains(key), std::string(key) + " is missing");
+    need(e.kind != "code", "kind: exercises in code are not in this version yet");
+    need(e.kind == "symbolic" || e.kind == "predict" || e.kind == "derivation",
+         "kind: allowed: symbolic, predict, derivation");
+    need(!e.answer.empty() || !e.answer_from.empty() || !e.when.empty(),
+         "answer is missing; allowed: answer, answer_from or, with choices, when");
+    need(e.form.empty() || std::count(forms().begin(), forms().end(), e.form) == 1,
+         "form: allowed: " + answers::joined(forms()));
+    need(e.when.empty() || e.when.size() == e.choices.size(), "when: one for each of the choices");
+    need(e.choices.size() <= 26, "choices: at most 26");
+    need(e.kind != "derivation" || !e.laws.empty(), "laws are missing");
+  }
+};
+
+}  // namespace
+
+Exercise read_exercise(std::string_view text, const std::string& source) {
+  const toml::table file = magicmass::scenes::table_of(
+      text, source, "an exercise in TOML, lines like kind = \"symbolic\"");
+  const Reader reader{source};
+  Exercise e;
+  e.source = source;
+  for (const auto& [name, node] : file) {
+    const std::string key(name.str());
+    if (key == "misconceptions") {
+      reader.misconceptions(node, e);
+      continue;
+    }
+    const auto found = members().find(key);
+    if (found == members().end()) reader.refuse_key(key, node);
+    std::visit([&](auto member) { reader.read(key, node, e.*member); }, found->second);
+  }
+  reader.check(file, e);
+  return e;
+}
+
+}  // namespace learn

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// An exercise: a file of TOML that a teacher edits.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace learn {
+using Texts = std::vector<std::string>;
+
+/// Answers that are wrong for a known reason, and what is said to them.
+struct Misconception {
+  std::string name;
+  Texts answers;
+  std::string feedback;
+};
+struct Exercise {
+  std::string source;  ///< the file, as messages name it
+  std::string id, title, chapter;
+  std::string kind;  ///< symbolic, predict, derivation
+  std::string prompt;
+  std::string name;    ///< what is asked for: "v_1"; an answer may be an equation for it
+  Texts symbols = {};  ///< that an answer may use
+  std::map<std::string, std::string> values = {};  ///< of symbols: V = "1"
+  std::string domain = {};                         ///< as `magicmass equal` reads it
+  std::string form = {};                           ///< one of forms()
+  std::string answer = {};       ///< as a student would type it; of choices the letter
+  std::string answer_from = {};  ///< a step of the derivation, "contact.v_1": its right side
+  std::string run = {};          ///< "count --alpha 3/25": its columns are names in answers
+  std::string within = {};       ///< how far a number may be off
+  Texts choices = {};            ///< a), b), ...
+  Texts when = {};               ///< for each choice: the conditions on what was run
+  Texts laws = {};               ///< equations from which a derivation may start
+  std::string start = {};        ///< of a chain: the expression with which it begins
+  std::map<std::string, std::string> unknowns = {};  ///< and the steps that tell their values
+  Texts not_zero = {};  ///< what a line of a derivation may be divided by
+  Texts hints = {};
+  std::string solution = {};  ///< what is worth saying afterwards
+  std::vector<Misconception> misconceptions = {};
+};
+
+/// Throws answers::InvalidInput, "FILE:LINE: ...", for what is no exercise.
+Exercise read_exercise(std::string_view text, const std::string& source);
+
+}  // namespace learn

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// The form in which an expression is written: factored, one fraction, and so on.
+#pragma once
+
+#include "equality/domain.hpp"
+#include "learn/exercise.hpp"
+
+namespace learn {
+
+/// The forms that an exercise may ask for.
+const Texts& forms();
+/// What a typed term lacks of a form, "" where it has it: "sqrt(2) - cos(x) is a difference".
+std::string lacking(const std::string& form, kernel::Expr typed, const equality::Domain& domain);
+
+}  // namespace learn

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What is said to an answer: never a guess, and of what was typed.
+#pragma once
+
+#include "equality/decide.hpp"
+#include "learn/exercise.hpp"
+
+namespace learn {
+
+enum class Mark { right, other_form, incomplete, wrong, unread, undecided };
+const char* word(Mark mark);
+
+struct Judgement {
+  Mark mark = Mark::undecided;
+  std::string feedback;
+  Texts notes = {};  ///< how it was read, and where it has no value
+};
+Judgement judge(const Exercise& exercise, const std::string& typed);
+
+/// The answer as it is shown.
+std::string own_answer(const Exercise& exercise);
+/// What is wrong with the exercise itself: its own answer is not right, it differs from what the
+/// program says, or the answer of a misconception is not recognised.
+Texts faults(const Exercise& exercise);
+
+}  // namespace learn

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "learn/terms.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "answers/equality.hpp"
+#include "answers/shown_text.hpp"
+#include "answers/velocities.hpp"
+
+namespace learn {
+namespace {
+
+std::set<std::string> as_set(const Texts& texts) { return {texts.begin(), texts.end()}; }
+
+/// "a, b; c, d" in brackets.
+std::string bracketed(const std::string& text) {
+  if (text.find_first_of("[{") != text.npos || text.find(';') == text.npos) return text;
+  std::istringstream rows(text);
+  std::string all;
+  for (std::string row; std::getline(rows, row, ';');)
+    all += (all.empty() ? "[" : ", [") + row + "]";
+  return "[" + all + "]";
+}
+
+/// "count --alpha 3/25": the numbers of its one row by their columns' names.
+std::map<std::string, std::string> ran(const std::string& line) {
+  static const std::map<std::string, answers::Answer (*)(const answers::Request&)> commands{
+      {"eval", answers::eval}, {"count", answers::count}, {"terminal", answers::terminal}};
+  std::map<std::string, std::string> numbers;
+  if (line.empty()) return numbers;
+  std::istringstream words(line);
+  std::string command, option, value;
+  words >> command;
+  answers::Request request;
+  while (words >> option >> value) request.options.emplace(option.erase(0, 2), value);
+  const auto found = commands.find(command);
+  if (found == commands.end()) throw Faulty("run: allowed: eval, count, terminal");
+  const answers::Table table = found->second(request).table;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const std::string& text = table.rows.at(0).at(i).text;
+    if (text.find_first_of("0123456789") != text.npos &&
+        text.find_first_not_of("-+./e0123456789") == text.npos)
+      numbers.emplace(table.columns[i].name, text);
+  }
+  return numbers;
+}
+
+/// A counterexample in words. Of constants the right value is not given away.
+std::string difference(const equality::Counterexample& c) {
+  if (c.point.empty())
+    return "Yours is " + c.left + ", which is too " +
+           (c.difference.starts_with('-') ? "small." : "large.");
+  return "At " + c.point + " yours is " + c.left + "; it should be " + c.right + ".";
+}
+
+}  // namespace
+
+Terms::Terms(const Exercise& e) : exercise(e) {
+  for (const auto& [name, text] : e.values) values.emplace(notation::symbol(name), content(text));
+  for (const auto& [name, text] : ran(e.run)) values.emplace(notation::symbol(name), content(text));
+}
+
+Expr Terms::typed(std::string text, Texts& notes) const {
+  text = bracketed(text);
+  const notation::Typed read = notation::read_typed(text, as_set(exercise.symbols));
+  notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+  return read.term;
+}
+
+Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
+  const std::size_t sign = text.find('=');
+  if (sign == text.npos) return typed(text, notes);
+  const Texts sides{text.substr(0, sign), text.substr(sign + 1)};
+  if (sides[1].find('=') != sides[1].npos) kernel::refuse("one equation is expected, with one =");
+  if (exercise.name.empty())
+    kernel::refuse("what is asked for has no name; write the expression alone, without =");
+  const Expr name = content(exercise.name);
+  for (const int side : {0, 1}) {
+    Texts ignored;
+    if (typed(sides[std::size_t(side)], ignored) == name)
+      return typed(sides[std::size_t(1 - side)], notes);
+  }
+  kernel::refuse("this is an equation for " + answers::shown_text(sides[0], 40) + "; " +
+                 exercise.name + " is asked for");
+}
+
+Expr Terms::content(const std::string& text) const {
+  try {
+    return notation::read_typed(text, as_set(exercise.symbols)).term;
+  } catch (const kernel::Refused& r) {
+    throw Faulty(text + ": " + r.what());
+  }
+}
+
+Expr Terms::from_step(const std::string& id) const {
+  try {
+    return answers::stated_value(id);
+  } catch (const kernel::Refused& r) {
+    throw Faulty(r.what());
+  }
+}
+
+Expr Terms::answer() const {
+  return exercise.answer_from.empty() ? content(exercise.answer) : from_step(exercise.answer_from);
+}
+
+std::string Terms::foreign(Expr term) const {
+  Texts names;
+  for (const std::string& name : notation::symbols_of(term))
+    if (std::count(exercise.symbols.begin(), exercise.symbols.end(), name) == 0 &&
+        exercise.values.count(name) == 0)
+      names.push_back(name);
+  if (names.empty()) return {};
+  const std::string allowed = exercise.symbols.empty()
+                                  ? "a number is asked for"
+                                  : "an answer may use " + answers::joined(exercise.symbols);
+  const auto lower = [](std::string name) {
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+    return name;
+  };
+  std::string meant;
+  for (const std::string& known : exercise.symbols)
+    if (lower(known) == lower(names[0])) meant = "; is " + known + " meant?";
+  return answers::joined(names) + (names.size() == 1 ? " has" : " have") +
+         " no place here: " + allowed + meant;
+}
+
+Expr Terms::in_full(Expr term) const {
+  // An angle stays an angle where nothing is said of the mass ratio.
+  const auto is_plain = [&](const std::string& name) {
+    return std::count(exercise.symbols.begin(), exercise.symbols.end(), name) != 0;
+  };
+  kernel::Substitution kept, back;
+  if (!is_plain("alpha"))
+    for (const std::string& name : exercise.symbols) {
+      kept.emplace(notation::symbol(name), notation::symbol(name + "_0"));
+      back.emplace(notation::symbol(name + "_0"), notation::symbol(name));
+    }
+  Texts ignored;
+  term = answers::with_meanings(kernel::substitute(term, kept), ignored);
+  return kernel::substitute(kernel::substitute(term, back), values);
+}
+
+equality::Domain Terms::domain(const std::set<std::string>& symbols) const {
+  std::set<std::string> all = symbols;
+  all.insert(exercise.symbols.begin(), exercise.symbols.end());
+  Texts ignored;
+  return equality::read_domain(exercise.domain, all, ignored);
+}
+
+Compared Terms::compare_numbers(Expr given, Expr expected) const {
+  std::set<std::string> symbols = notation::symbols_of(given);
+  symbols.merge(notation::symbols_of(expected));
+  equality::Verdict verdict;
+  try {
+    verdict = equality::decide(given, expected, domain(symbols));
+  } catch (const kernel::Refused& r) {
+    const Mark mark = symbols.empty() ? Mark::wrong : Mark::undecided;
+    return {mark, "Yours has no value, it seems: " + std::string(r.what()) + "."};
+  }
+  if (verdict.answer == equality::Answer::Undecided)
+    return {Mark::undecided, "It could not be decided whether yours is equal to the answer."};
+  if (verdict.answer == equality::Answer::Different)
+    return {Mark::wrong, difference(*verdict.counterexample)};
+  for (std::string note : verdict.notes) {
+    const std::string left = "the left side alone has no value";
+    if (!note.starts_with(left)) continue;
+    note = "yours has no value" + note.substr(left.size());
+    const bool is_gap = std::none_of(verdict.conditions.begin(), verdict.conditions.end(),
+                                     [](const std::string& c) { return c.find('>') != c.npos; });
+    if (is_gap) return {Mark::right, "", note};
+    return {Mark::wrong, "It is equal where it has a value, but " + note + "."};
+  }
+  return {Mark::right};
+}
+
+Compared Terms::compare(Expr given, Expr expected) const {
+  const bool is_matrix = kernel::is_matrix(expected);
+  if (is_matrix != kernel::is_matrix(given))
+    return {Mark::wrong, is_matrix ? "A matrix is asked for." : "A matrix is not asked for."};
+  if (!is_matrix) return compare_numbers(given, expected);
+  const auto shape = [](Expr m) {
+    return std::to_string(m.rows()) + " by " + std::to_string(m.cols());
+  };
+  if (shape(given) != shape(expected))
+    return {Mark::wrong, "Yours is " + shape(given) + " (rows by columns); " + shape(expected) +
+                             " is asked for."};
+  Compared all{Mark::right};
+  for (int row = 0; row < given.rows(); ++row)
+    for (int column = 0; column < given.cols(); ++column) {
+      Compared one =
+          compare_numbers(kernel::entry(given, row, column), kernel::entry(expected, row, column));
+      if (one.mark == Mark::right) continue;
+      one.why = "Row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) + ": " +
+                one.why;
+      if (one.mark == Mark::wrong) return one;
+      all = one;
+    }
+  return all;
+}
+
+std::string misconception_of(const Terms& terms, Expr given) {
+  for (const Misconception& one : terms.exercise.misconceptions)
+    for (const std::string& text : one.answers)
+      if (terms.are_equal(given, terms.in_full(terms.content(text)))) return one.feedback;
+  return {};
+}
+
+}  // namespace learn

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// An exercise's expressions: read, given their values, compared.
+#pragma once
+
+#include "learn/judge.hpp"
+#include "notation/typed.hpp"
+
+namespace learn {
+using kernel::Expr;
+
+/// The exercise says what nobody can read.
+struct Faulty : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Compared {
+  Mark mark = Mark::undecided;  ///< right, wrong or undecided
+  std::string why = {};         ///< "At alpha = 1 yours is 2; it should be 3."
+  std::string note = {};        ///< where yours alone has no value
+};
+
+class Terms {
+public:
+  explicit Terms(const Exercise& exercise);
+
+  /// What a student typed. Refused (kernel::Refused) where it cannot be read.
+  Expr typed(std::string text, Texts& notes) const;
+  /// An equation's sides; another name than the one that is asked for, or two signs, are Refused.
+  Expr typed_for_name(const std::string& text, Texts& notes) const;
+  /// What the exercise says. Throws Faulty.
+  Expr content(const std::string& text) const;
+  /// The answer: of the derivation's step, or typed by the teacher.
+  Expr answer() const;
+  Expr from_step(const std::string& id) const;
+  /// Names that an answer has no right to, "" where there are none: with what is allowed.
+  std::string foreign(Expr term) const;
+  Expr in_full(Expr term) const;  ///< with values and the meanings of the paper's names
+  /// Terms in full, numbers or matrices.
+  Compared compare(Expr given, Expr expected) const;
+  bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
+  equality::Domain domain(const std::set<std::string>& symbols) const;
+
+  const Exercise& exercise;
+
+private:
+  kernel::Substitution values;  // the exercise's, and what was run
+  Compared compare_numbers(Expr given, Expr expected) const;
+};
+
+/// The feedback of the misconception that has this answer, in full; "" where there is none.
+std::string misconception_of(const Terms& terms, Expr given);
+
+Judgement judge_symbolic(const Exercise& exercise, const std::string& typed);
+Judgement judge_prediction(const Exercise& exercise, const std::string& typed);
+Judgement judge_derivation(const Exercise& exercise, const std::string& typed);
+/// The letter of the right one of the choices.
+char right_choice(const Exercise& exercise);
+
+}  // namespace learn
