@@ -108,7 +108,8 @@ Judgement judge_symbolic(const Exercise& e, const std::string& text) {
   if (said.mark != Mark::wrong) return said;
   if (const std::string known = misconception_of(terms, given); !known.empty())
     said.feedback = known;
-  else if (!kernel::is_matrix(given) && terms.are_equal(given, -expected))
+  else if (!kernel::is_matrix(given) && !kernel::is_matrix(expected) &&
+           terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
   return said;
 }

@@ -2,6 +2,7 @@
 #include "learn/terms.hpp"
 
 #include <algorithm>
+#include <regex>
 #include <sstream>
 
 #include "answers/equality.hpp"
@@ -21,6 +22,34 @@ std::string bracketed(const std::string& text) {
   for (std::string row; std::getline(rows, row, ';');)
     all += (all.empty() ? "[" : ", [") + row + "]";
   return "[" + all + "]";
+}
+
+/// The names of which a word is made, with spaces: "M_2u_2" is "M_2 u_2"; "" where it is not.
+std::string parted(const std::string& word, const std::set<std::string>& names) {
+  if (names.contains(word)) return word;
+  for (const std::string& name : names) {
+    if (!word.starts_with(name)) continue;
+    const std::string rest = parted(word.substr(name.size()), names);
+    if (!rest.empty()) return name + " " + rest;
+  }
+  return {};
+}
+
+/// M_2u_2, as LaTeX has it, in two words where both are names: a power belongs to the last one.
+std::string with_spaces(const std::string& text, const std::set<std::string>& names, Texts& notes) {
+  static const std::regex words(R"(\\?[A-Za-z]([A-Za-z0-9]|_\{[A-Za-z0-9]+\}|_)*)");
+  std::string all;
+  auto rest = text.begin();
+  for (std::sregex_iterator i(text.begin(), text.end(), words), end; i != end; ++i) {
+    std::string word = i->str(), plain = word;
+    std::erase_if(plain, [](char c) { return c == '{' || c == '}'; });
+    const std::string apart = word.find('_') == word.npos ? "" : parted(plain, names);
+    all.append(rest, (*i)[0].first);
+    all += apart.empty() || apart == plain ? word : apart;
+    if (!apart.empty() && apart != plain) notes.push_back(word + " is read as " + apart);
+    rest = (*i)[0].second;
+  }
+  return all.append(rest, text.end());
 }
 
 /// "count --alpha 3/25": the numbers of its one row by their columns' names.
@@ -62,7 +91,7 @@ Terms::Terms(const Exercise& e) : exercise(e) {
 }
 
 Expr Terms::typed(std::string text, Texts& notes) const {
-  text = bracketed(text);
+  text = with_spaces(bracketed(text), as_set(exercise.symbols), notes);
   const notation::Typed read = notation::read_typed(text, as_set(exercise.symbols));
   notes.insert(notes.end(), read.notes.begin(), read.notes.end());
   return read.term;

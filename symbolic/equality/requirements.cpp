@@ -4,6 +4,16 @@
 
 namespace equality {
 using kernel::Op;
+namespace {
+// Proved for the square: 1 - sqrt(x)^2 is simpler than 1 - sqrt(x).
+bool is_at_most_one(Expr x, const Domain& domain) {
+  try {
+    return Forms(domain).holds({Requirement::Kind::NotNegative, Expr(1) - kernel::power(x, 2)});
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+}  // namespace
 
 std::vector<Requirement> requirements(Expr term, const Domain& domain) {
   using Need = Requirement::Kind;
@@ -18,7 +28,7 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
     if (name == "inv") out.push_back({Need::NotZero, x});
     if (name == "sqrt") out.push_back({Need::NotNegative, x});
     if (name == "log") out.push_back({Need::Positive, x});
-    if (name == "asin" || name == "acos")
+    if ((name == "asin" || name == "acos") && !is_at_most_one(x, domain))
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
     if (name == "nth_root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
     if (name == "raised" && !Forms(domain).is_integer(e.arg(1)))
