@@ -58,7 +58,8 @@ Judgement judge(const Exercise& e, const std::string& typed) {
            : e.kind == "predict" ? judge_prediction(e, text)
                                  : judge_derivation(e, text);
   } catch (const kernel::Refused& r) {
-    return {Mark::unread, "Not understood: " + answers::shown_text(r.what(), 300) + "."};
+    const std::string why = answers::shown_text(r.what(), 300);
+    return {Mark::unread, "Not understood: " + why + (why.ends_with('?') ? "" : ".")};
   }
 }
 

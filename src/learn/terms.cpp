@@ -110,8 +110,7 @@ Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
     if (typed(sides[std::size_t(side)], ignored) == name)
       return typed(sides[std::size_t(1 - side)], notes);
   }
-  kernel::refuse("this is an equation for " + answers::shown_text(sides[0], 40) + "; " +
-                 exercise.name + " is asked for");
+  kernel::refuse("neither side of this equation is " + exercise.name + ", which is asked for");
 }
 
 Expr Terms::content(const std::string& text) const {
@@ -186,8 +185,11 @@ Compared Terms::compare_numbers(Expr given, Expr expected) const {
   try {
     verdict = equality::decide(given, expected, domain(symbols));
   } catch (const kernel::Refused& r) {
-    const Mark mark = symbols.empty() ? Mark::wrong : Mark::undecided;
-    return {mark, "Yours has no value, it seems: " + std::string(r.what()) + "."};
+    const std::string why = r.what();
+    if (symbols.empty())
+      return {Mark::wrong,
+              "Yours has no value" + why.substr(std::min(why.rfind(": "), why.size())) + "."};
+    return {Mark::undecided, "It could not be compared: " + why + "."};
   }
   if (verdict.answer == equality::Answer::Undecided)
     return {Mark::undecided, "It could not be decided whether yours is equal to the answer."};
