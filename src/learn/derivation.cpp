@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "answers/shown_text.hpp"
+#include "answers/errors.hpp"
 #include "learn/form.hpp"
 #include "learn/terms.hpp"
 
@@ -56,28 +56,21 @@ public:
   }
   Expr content(const std::string& equation) const {
     const Texts sides = split(equation, '=');
-    if (sides.size() != 2) throw Faulty(equation + ": an equation is expected");
+    if (sides.size() != 2) throw answers::InvalidInput(equation + ": an equation is expected");
     return terms_.content(sides[0]) - terms_.content(sides[1]);
   }
-  bool says_nothing(Expr e) const { return terms_.are_equal(e, 0); }
+  bool is_zero(Expr e) const { return terms_.are_equal(e, 0); }
   Compared truth(Expr left, Expr right) const {
     return terms_.compare(kernel::substitute(left, truth_), kernel::substitute(right, truth_));
   }
   bool has(Expr e, Expr unknown) const { return kernel::free_variables(e).contains(unknown); }
-  int unknowns_in(Expr e) const {
-    return int(std::count_if(unknowns_.begin(), unknowns_.end(),
-                             [&](Expr unknown) { return has(e, unknown); }));
-  }
+  bool has_unknowns(Expr e) const { return kernel::substitute(e, truth_) != e; }
   /// One is the other times something without unknowns: e(v) f(w) = e(w) f(v) for all v and w.
   bool are_proportional(Expr e, Expr f) const {
     kernel::Substitution others;
     for (Expr unknown : unknowns_)
       others.emplace(unknown, notation::symbol(notation::name_of(unknown) + "_0"));
     return terms_.are_equal(e * kernel::substitute(f, others), kernel::substitute(e, others) * f);
-  }
-  bool is_law(Expr e) const {
-    return std::any_of(laws_.begin(), laws_.end(),
-                       [&](Expr law) { return are_proportional(e, law); });
   }
   std::string missing_law(const Exprs& lines) const {
     for (std::size_t i = 0; i < laws_.size(); ++i)
@@ -86,8 +79,10 @@ public:
         return terms_.exercise.laws[i];
     return {};
   }
-  /// From one line before, or from two, an unknown eliminated or one divided by the other.
+  /// From a law, or one line before, or two: an unknown eliminated or one divided by the other.
   bool follows(Expr e, const Exprs& before) const {
+    for (Expr law : laws_)
+      if (are_proportional(e, law)) return true;
     for (Expr f : before) {
       if (are_proportional(e, f)) return true;
       for (Expr by : before)
@@ -105,14 +100,13 @@ private:
   bool eliminates(Expr e, Expr f, Expr by, Expr unknown) const {
     const Expr at_0 = kernel::substitute(by, {{unknown, 0}});
     const Expr slope = kernel::substitute(by, {{unknown, 1}}) - at_0;
-    if (!has(by, unknown) || says_nothing(slope) || !terms_.are_equal(by, slope * unknown + at_0))
+    if (!has(by, unknown) || is_zero(slope) || !terms_.are_equal(by, slope * unknown + at_0))
       return false;
     const kernel::Substitution solved{{unknown, -at_0 / slope}};
     const Expr left = kernel::substitute(f, solved), e_left = kernel::substitute(e, solved);
-    if (says_nothing(left) || says_nothing(e_left)) return false;
+    if (is_zero(left) || is_zero(e_left)) return false;
     if (are_proportional(e_left, left)) return true;
-    // A factor may be divided out where the result keeps what is eliminated; the end is no such
-    // step.
+    // A factor may be divided out where the result keeps what is eliminated, not at the end.
     return has(e, unknown) && std::any_of(not_zero_.begin(), not_zero_.end(), [&](Expr factor) {
              return are_proportional(e_left * factor, left);
            });
@@ -122,6 +116,9 @@ private:
 Judgement judge_equations(const Terms& terms, const Texts& lines) {
   const Equations equations(terms);
   Judgement said;
+  const auto with = [&](Mark mark, const std::string& feedback) {
+    return Judgement{mark, feedback, said.notes};
+  };
   Exprs before;
   Expr left, right;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -131,37 +128,32 @@ Judgement judge_equations(const Terms& terms, const Texts& lines) {
     left = side(terms, sides[0], i, said.notes);
     right = side(terms, sides[1], i, said.notes);
     const Expr e = left - right;
-    const auto refused = [&](Mark mark, const std::string& why) {
-      return Judgement{mark, "In " + line_name(i) + ": " + why, said.notes};
-    };
-    if (equations.says_nothing(e))
-      return refused(Mark::incomplete,
-                     "both sides are the same for all velocities, so it says nothing.");
-    if (const Compared truth = equations.truth(left, right); truth.mark != Mark::right) {
-      if (truth.mark == Mark::wrong)
-        for (const Misconception& one : terms.exercise.misconceptions)
-          for (const std::string& text : one.answers)
-            if (equations.are_proportional(e, equations.content(text)))
-              return {Mark::wrong, one.feedback, said.notes};
-      return refused(truth.mark, truth.mark == Mark::wrong
-                                     ? "it is not true of this motion."
-                                     : "it could not be decided whether it is true.");
+    const std::string in_line = "In " + line_name(i) + ": ";
+    if (equations.is_zero(e))
+      return with(Mark::incomplete,
+                  in_line + "both sides are the same for all velocities, so it says nothing.");
+    const Mark mark = equations.truth(left, right).mark;
+    if (mark == Mark::undecided)
+      return with(mark, in_line + "it could not be decided whether it is true.");
+    if (mark == Mark::wrong) {
+      for (const Misconception& one : terms.exercise.misconceptions)
+        for (const std::string& text : one.answers)
+          if (equations.are_proportional(e, equations.content(text)))
+            return with(mark, one.feedback);
+      return with(mark, in_line + "it is not true of this motion.");
     }
-    if (!equations.is_law(e) && !equations.follows(e, before)) {
+    if (!equations.follows(e, before)) {
       const std::string law = equations.missing_law(before);
-      return refused(
-          Mark::incomplete,
-          "it is true, but how does it follow from the lines before? " +
-              (law.empty() ? "A step is missing." : "This law is missing: " + law + "."));
+      return with(Mark::incomplete,
+                  in_line + "it is true, but how does it follow from the lines before? " +
+                      (law.empty() ? "A step is missing." : "This law is missing: " + law + "."));
     }
     before.push_back(e);
   }
-  if (left != terms.content(terms.exercise.name) || equations.unknowns_in(right) != 0)
-    return {Mark::incomplete,
-            "Every line is right, but the end is missing: " + terms.exercise.name +
-                " = an expression without unknowns.",
-            said.notes};
-  return {Mark::right, "Right: each line follows, and the last one is the answer.", said.notes};
+  if (left != terms.content(terms.exercise.name) || equations.has_unknowns(right))
+    return with(Mark::incomplete, "Every line is right, but the end is missing: " +
+                                      terms.exercise.name + " = an expression without unknowns.");
+  return with(Mark::right, "Right: each line follows, and the last one is the answer.");
 }
 
 /// Lines that are equal to what stands before, each by an identity or by putting in the laws.
@@ -177,36 +169,31 @@ Judgement judge_chain(const Terms& terms, const Texts& lines) {
     }
     return term;
   };
-  // What holds whatever the mass ratio is: psi is a symbol like any other.
-  Exercise plain = e;
-  std::erase(plain.symbols, "alpha");
-  const Terms identities(plain);
-  const auto is_identity = [&](Expr a, Expr b) { return identities.are_equal(a, b); };
+  const auto unfinished = [&] {
+    return lacking(e.form, before, terms.domain(notation::symbols_of(before)));
+  };
   for (std::size_t i = 0; i < lines.size(); ++i)
     for (const std::string& part : split(lines[i], '=')) {
-      const Expr now = side(terms, part, i, said.notes);
-      const Compared compared = terms.compare(terms.in_full(now), terms.in_full(before));
-      if (compared.mark != Mark::right) {
-        const std::string known =
-            compared.mark == Mark::wrong ? misconception_of(terms, terms.in_full(now)) : "";
-        return {compared.mark,
-                !known.empty() ? known
-                               : "In " + line_name(i) + ": " +
-                                     (compared.mark == Mark::wrong
-                                          ? "it is not equal to what stands before."
-                                          : "it could not be decided whether it is equal to what "
-                                            "stands before."),
-                said.notes};
+      const Expr now = side(terms, part, i, said.notes), given = terms.in_full(now);
+      said.mark = terms.compare(given, terms.in_full(before)).mark;
+      said.feedback = "In " + line_name(i) + ": ";
+      if (said.mark == Mark::undecided)
+        said.feedback += "it could not be decided whether it is equal to what stands before.";
+      if (said.mark == Mark::wrong) {
+        const std::string known = unfinished().empty() ? "" : misconception_of(terms, given);
+        said.feedback =
+            known.empty() ? said.feedback + "it is not equal to what stands before." : known;
       }
-      if (!is_identity(before, now) && !is_identity(with_laws(before), now))
+      if (said.mark != Mark::right) return said;
+      // Whatever psi is, or by the laws alone.
+      if (!terms.are_equal(before, now) && !terms.are_equal(with_laws(before), now))
         return {Mark::incomplete,
-                "In " + line_name(i) + ": it is true, but a step is missing between " +
+                said.feedback + "it is true, but a step is missing between " +
                     notation::typed_text(before) + " and " + notation::typed_text(now) + ".",
                 said.notes};
       before = now;
     }
-  const std::string lack = lacking(e.form, before, terms.domain(notation::symbols_of(before)));
-  if (before == start || !lack.empty())
+  if (before == start || !unfinished().empty())
     return {
         Mark::incomplete,
         "Every line is right, but the last one is not the end yet; asked for is: " + e.form + ".",

@@ -30,17 +30,6 @@ std::string with_numbers(const Exercise& e, const std::string& text) {
   const Terms terms(e);
   return notation::typed_text(terms.in_full(terms.content(text)));
 }
-void check_misconceptions(const Exercise& e, Texts& wrong) {
-  for (const Misconception& one : e.misconceptions)
-    for (const std::string& text : one.answers) {
-      const Judgement said = judge(e, with_numbers(e, text));
-      if (said.mark != Mark::wrong)
-        wrong.push_back("the misconception " + text + " is judged " + word(said.mark) + ": " +
-                        said.feedback);
-      else if (said.feedback != one.feedback)
-        wrong.push_back("the misconception " + text + " is told: " + said.feedback);
-    }
-}
 
 }  // namespace
 
@@ -75,9 +64,15 @@ Texts faults(const Exercise& e) {
     if (own.mark != Mark::right)
       wrong.push_back("its own answer is judged " + std::string(word(own.mark)) + ": " +
                       own.feedback);
-    check_misconceptions(e, wrong);
+    for (const Misconception& one : e.misconceptions)
+      for (const std::string& text : one.answers) {
+        const Judgement said = judge(e, with_numbers(e, text));
+        if (said.mark != Mark::wrong || said.feedback != one.feedback)
+          wrong.push_back("the misconception " + text + " is judged " + word(said.mark) + ": " +
+                          said.feedback);
+      }
     if (e.hints.empty()) wrong.push_back("hints are missing");
-  } catch (const std::runtime_error& error) {
+  } catch (const std::exception& error) {
     wrong.push_back(error.what());
   }
   return wrong;

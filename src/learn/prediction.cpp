@@ -2,6 +2,7 @@
 // Predictions: a number, or one of several choices, held against what the program computes.
 #include <sstream>
 
+#include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "equality/constant.hpp"
 #include "learn/terms.hpp"
@@ -23,7 +24,7 @@ bool holds(const Terms& terms, const std::string& conditions) {
   for (std::string part; std::getline(parts, part, ',');)
     for (const auto& [left, relation, right] : notation::read_comparisons(part).comparisons) {
       const auto sign = sign_of(terms.in_full(left - right));
-      if (!sign) throw Faulty("when: " + part + ": not decided");
+      if (!sign) throw answers::InvalidInput("when: " + part + ": not decided");
       const bool is_true = *sign == 0 ? relation == "=" || relation == "<=" || relation == ">="
                                       : relation == "!=" || relation[0] == (*sign < 0 ? '<' : '>');
       if (!is_true) return false;
@@ -54,7 +55,8 @@ char right_choice(const Exercise& e) {
   for (std::size_t i = 0; i < e.when.size(); ++i)
     if (holds(terms, e.when[i])) letters += char('a' + i);
   if (letters.size() != 1)
-    throw Faulty("when: " + std::to_string(letters.size()) + " choices are right, not one");
+    throw answers::InvalidInput("when: " + std::to_string(letters.size()) +
+                                " choices are right, not one");
   return letters[0];
 }
 

@@ -2,15 +2,18 @@
 #include "learn/terms.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 #include "answers/equality.hpp"
+#include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
+#include "magicmass/scenes/keys.hpp"
 
 namespace learn {
 namespace {
+
+using answers::InvalidInput;
 
 std::set<std::string> as_set(const Texts& texts) { return {texts.begin(), texts.end()}; }
 
@@ -37,19 +40,26 @@ std::string parted(const std::string& word, const std::set<std::string>& names) 
 
 /// M_2u_2, as LaTeX has it, in two words where both are names: a power belongs to the last one.
 std::string with_spaces(const std::string& text, const std::set<std::string>& names, Texts& notes) {
-  static const std::regex words(R"(\\?[A-Za-z]([A-Za-z0-9]|_\{[A-Za-z0-9]+\}|_)*)");
-  std::string all;
-  auto rest = text.begin();
-  for (std::sregex_iterator i(text.begin(), text.end(), words), end; i != end; ++i) {
-    std::string word = i->str(), plain = word;
-    std::erase_if(plain, [](char c) { return c == '{' || c == '}'; });
-    const std::string apart = word.find('_') == word.npos ? "" : parted(plain, names);
-    all.append(rest, (*i)[0].first);
-    all += apart.empty() || apart == plain ? word : apart;
-    if (!apart.empty() && apart != plain) notes.push_back(word + " is read as " + apart);
-    rest = (*i)[0].second;
+  std::string all, word, plain;
+  for (const char c : text + " ") {
+    const bool is_letter = (c | 0x20) >= 'a' && (c | 0x20) <= 'z';
+    const bool is_brace =
+        (c == '{' && word.ends_with('_')) || (c == '}' && plain.size() < word.size());
+    if (is_letter || is_brace || (!word.empty() && (c == '_' || (c >= '0' && c <= '9')))) {
+      word += c;
+      if (!is_brace) plain += c;
+      continue;
+    }
+    const std::string apart = plain.find('_') == plain.npos ? "" : parted(plain, names);
+    if (apart.find(' ') != apart.npos) {
+      notes.push_back(word + " is read as " + apart);
+      word = apart;
+    }
+    all += word + c;
+    word = plain = "";
   }
-  return all.append(rest, text.end());
+  all.pop_back();
+  return all;
 }
 
 /// "count --alpha 3/25": the numbers of its one row by their columns' names.
@@ -64,7 +74,7 @@ std::map<std::string, std::string> ran(const std::string& line) {
   answers::Request request;
   while (words >> option >> value) request.options.emplace(option.erase(0, 2), value);
   const auto found = commands.find(command);
-  if (found == commands.end()) throw Faulty("run: allowed: eval, count, terminal");
+  if (found == commands.end()) throw InvalidInput("run: allowed: eval, count, terminal");
   const answers::Table table = found->second(request).table;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const std::string& text = table.rows.at(0).at(i).text;
@@ -78,9 +88,9 @@ std::map<std::string, std::string> ran(const std::string& line) {
 /// A counterexample in words. Of constants the right value is not given away.
 std::string difference(const equality::Counterexample& c) {
   if (c.point.empty())
-    return "Yours is " + c.left + ", which is too " +
-           (c.difference.starts_with('-') ? "small." : "large.");
-  return "At " + c.point + " yours is " + c.left + "; it should be " + c.right + ".";
+    return std::string("Yours is too ") + (c.difference.starts_with('-') ? "small." : "large.");
+  const std::string right = c.right.starts_with("too close") ? "0, or very nearly" : c.right;
+  return "At " + c.point + " yours is " + c.left + "; it should be " + right + ".";
 }
 
 }  // namespace
@@ -91,8 +101,10 @@ Terms::Terms(const Exercise& e) : exercise(e) {
 }
 
 Expr Terms::typed(std::string text, Texts& notes) const {
-  text = with_spaces(bracketed(text), as_set(exercise.symbols), notes);
-  const notation::Typed read = notation::read_typed(text, as_set(exercise.symbols));
+  const std::set<std::string> names = as_set(exercise.symbols);
+  constexpr std::size_t longest = 20000;  // more is refused by the reader
+  if (text.size() <= longest) text = with_spaces(bracketed(text), names, notes);
+  const notation::Typed read = notation::read_typed(text, names);
   notes.insert(notes.end(), read.notes.begin(), read.notes.end());
   return read.term;
 }
@@ -117,7 +129,7 @@ Expr Terms::content(const std::string& text) const {
   try {
     return notation::read_typed(text, as_set(exercise.symbols)).term;
   } catch (const kernel::Refused& r) {
-    throw Faulty(text + ": " + r.what());
+    throw InvalidInput(text + ": " + r.what());
   }
 }
 
@@ -125,7 +137,7 @@ Expr Terms::from_step(const std::string& id) const {
   try {
     return answers::stated_value(id);
   } catch (const kernel::Refused& r) {
-    throw Faulty(r.what());
+    throw InvalidInput(r.what());
   }
 }
 
@@ -135,47 +147,34 @@ Expr Terms::answer() const {
 
 std::string Terms::foreign(Expr term) const {
   Texts names;
+  const std::set<std::string> symbols = as_set(exercise.symbols);
   for (const std::string& name : notation::symbols_of(term))
-    if (std::count(exercise.symbols.begin(), exercise.symbols.end(), name) == 0 &&
-        exercise.values.count(name) == 0)
-      names.push_back(name);
+    if (!symbols.contains(name) && !exercise.values.contains(name)) names.push_back(name);
   if (names.empty()) return {};
-  const std::string allowed = exercise.symbols.empty()
-                                  ? "a number is asked for"
-                                  : "an answer may use " + answers::joined(exercise.symbols);
-  const auto lower = [](std::string name) {
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    return name;
-  };
-  std::string meant;
-  for (const std::string& known : exercise.symbols)
-    if (lower(known) == lower(names[0])) meant = "; is " + known + " meant?";
-  return answers::joined(names) + (names.size() == 1 ? " has" : " have") +
-         " no place here: " + allowed + meant;
+  const std::string meant = magicmass::scenes::nearest_name(names[0], exercise.symbols);
+  return answers::joined(names) + (names.size() == 1 ? " has" : " have") + " no place here: " +
+         (symbols.empty() ? "a number is asked for"
+                          : "an answer may use " + answers::joined(exercise.symbols)) +
+         (meant.empty() ? "" : "; is " + meant + " meant?");
 }
 
 Expr Terms::in_full(Expr term) const {
   // An angle stays an angle where nothing is said of the mass ratio.
-  const auto is_plain = [&](const std::string& name) {
-    return std::count(exercise.symbols.begin(), exercise.symbols.end(), name) != 0;
-  };
-  kernel::Substitution kept, back;
-  if (!is_plain("alpha"))
-    for (const std::string& name : exercise.symbols) {
-      kept.emplace(notation::symbol(name), notation::symbol(name + "_0"));
-      back.emplace(notation::symbol(name + "_0"), notation::symbol(name));
-    }
+  const bool has_alpha = as_set(exercise.symbols).contains("alpha");
   Texts ignored;
-  term = answers::with_meanings(kernel::substitute(term, kept), ignored);
-  return kernel::substitute(kernel::substitute(term, back), values);
+  if (has_alpha || !foreign(term).empty()) term = answers::with_meanings(term, ignored);
+  return kernel::substitute(term, values);
 }
 
 equality::Domain Terms::domain(const std::set<std::string>& symbols) const {
   std::set<std::string> all = symbols;
   all.insert(exercise.symbols.begin(), exercise.symbols.end());
   Texts ignored;
-  return equality::read_domain(exercise.domain, all, ignored);
+  equality::Domain domain = equality::read_domain(exercise.domain, all, ignored);
+  std::erase_if(domain.ranges, [&](const auto& range) {
+    return !symbols.contains(notation::name_of(range.first));
+  });
+  return domain;
 }
 
 Compared Terms::compare_numbers(Expr given, Expr expected) const {

@@ -8,11 +8,6 @@
 namespace learn {
 using kernel::Expr;
 
-/// The exercise says what nobody can read.
-struct Faulty : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 struct Compared {
   Mark mark = Mark::undecided;  ///< right, wrong or undecided
   std::string why = {};         ///< "At alpha = 1 yours is 2; it should be 3."
@@ -27,7 +22,7 @@ public:
   Expr typed(std::string text, Texts& notes) const;
   /// An equation's sides; another name than the one that is asked for, or two signs, are Refused.
   Expr typed_for_name(const std::string& text, Texts& notes) const;
-  /// What the exercise says. Throws Faulty.
+  /// What the exercise says. Throws answers::InvalidInput.
   Expr content(const std::string& text) const;
   /// The answer: of the derivation's step, or typed by the teacher.
   Expr answer() const;
