@@ -69,10 +69,13 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
 
 Answer list(const Request& request) {
   Answer answer;
-  answer.table.columns = answers::named_columns({"chapter", "id", "kind", "title"});
+  answer.table.columns = answers::named_columns({"id", "kind", "title", "chapter"});
   for (const Exercise& e : exercises(request.text("folder")))
     answer.table.rows.push_back(
-        {text_cell(e.chapter), text_cell(e.id), text_cell(e.kind), text_cell(e.title)});
+        {text_cell(e.id), text_cell(e.kind), text_cell(e.title), text_cell(e.chapter)});
+  if (request.format != "text") return answer;
+  answer.table.columns.pop_back();  // so that it fits on a screen
+  for (answers::Row& row : answer.table.rows) row.pop_back();
   return answer;
 }
 
@@ -145,7 +148,9 @@ Answer test(const Request& request) {
       answer.table.rows.push_back({text_cell(e.id), text_cell(fault)});
   answer.check_failed = !answer.table.rows.empty();
   if (!answer.check_failed && request.format == "text")
-    return {{}, std::to_string(all.size()) + " exercises are sound\n"};
+    return {{},
+            "sound: " + std::to_string(all.size()) +
+                (all.size() == 1 ? " exercise\n" : " exercises\n")};
   return answer;
 }
 
