@@ -7,6 +7,7 @@
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
 #include "answers/shown_text.hpp"
+#include "derivation/book.hpp"
 #include "kernel/print.hpp"
 
 namespace answers {
@@ -14,6 +15,7 @@ namespace {
 
 using equality::Verdict;
 using kernel::Expr;
+using kernel::Op;
 
 // A term of the book in the symbols that people type.
 Expr typed(Expr e) {
@@ -82,7 +84,7 @@ Expr stated_value(const std::string& step) {
     if (e.op() == Op::Imp) open.push_back(e.arg(1));
     for (std::size_t i = e.op() == Op::And ? e.size() : 0; i > 0; --i) open.push_back(e.arg(i - 1));
     if (e.op() == Op::Eq && (left.empty() || kernel::text(e.arg(0)) == left))
-      return typed(e.arg(1));
+      return typed(written_out(e.arg(1)));
   }
   kernel::refuse(step + ": this step states no such equation");
 }

@@ -38,7 +38,7 @@ std::string without_angle_functions(Expr e, const equality::Domain&) {
 
 /// Terms of both signs somewhere: what nearly cancels there loses digits.
 std::string without_cancellation(Expr e, const equality::Domain& domain) {
-  const std::vector<equality::Point> points = equality::points(domain, 3);
+  const std::vector<equality::Point> points = equality::points(domain, 3, {});
   const auto sign = [&](Expr term, const equality::Point& point) {
     try {
       return equality::exact_sign(equality::at(point, term)).value_or(0);
