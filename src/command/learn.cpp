@@ -84,8 +84,8 @@ Answer show(const Request& request) {
   std::string text = e.title + "\n\n" + e.prompt + "\n";
   for (std::size_t i = 0; i < e.choices.size(); ++i)
     text += (i == 0 ? "\n" : "") + std::string(1, char('a' + i)) + ") " + e.choices[i] + "\n";
-  if (!e.symbols.empty()) text += "\nAn answer may use: " + answers::joined(e.symbols);
-  if (!e.form.empty()) text += "\nForm: " + e.form;
+  if (!e.symbols.empty()) text += "\nAn answer may use: " + answers::joined(e.symbols) + "\n";
+  if (!e.form.empty()) text += "Form: " + e.form + "\n";
   return document(request, e, text + "\nTry: magicmass learn check " + e.id + " \"...\"");
 }
 

@@ -123,7 +123,7 @@ Exercise read_exercise(std::string_view text, const std::string& source) {
     }
     const auto found = members().find(key);
     if (found == members().end()) reader.refuse_key(key, node);
-    std::visit([&](auto member) { reader.read(key, node, e.*member); }, found->second);
+    std::visit([&, at = &node](auto member) { reader.read(key, *at, e.*member); }, found->second);
   }
   reader.check(file, e);
   return e;

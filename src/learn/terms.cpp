@@ -90,7 +90,9 @@ std::string difference(const equality::Counterexample& c) {
   if (c.point.empty())
     return std::string("Yours is too ") + (c.difference.starts_with('-') ? "small." : "large.");
   const std::string right = c.right.starts_with("too close") ? "0, or very nearly" : c.right;
-  return "At " + c.point + " yours is " + c.left + "; it should be " + right + ".";
+  const bool is_close = c.difference.find("e-") != c.difference.npos;
+  return "At " + c.point + " yours is " + c.left + "; it should be " + right +
+         (is_close ? ", apart by " + c.difference + "." : ".");
 }
 
 }  // namespace
