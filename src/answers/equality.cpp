@@ -19,9 +19,11 @@ using kernel::Op;
 
 // A term of the book in the symbols that people type.
 Expr typed(Expr e) {
-  kernel::Substitution symbols;
-  for (Expr v : kernel::free_variables(e)) symbols.emplace(v, notation::symbol(v.name()));
-  return kernel::substitute(e, symbols);
+  if (e.op() == Op::Var) return notation::symbol(e.name());
+  if (e.size() == 0) return e;
+  kernel::Exprs args;
+  for (Expr arg : e.args()) args.push_back(typed(arg));
+  return kernel::with_args(e, args);
 }
 
 /// Letters to insert, delete or replace to make one word the other.

@@ -199,7 +199,6 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   add_options(app, options);
   std::vector<std::string> free_words;
   if (!command.words.empty()) app.add_option("words", free_words, command.words)->type_name("");
-  std::vector<std::string> formulas;
   std::vector<std::string> joined_words =
       with_values_joined(words, options, command.takes_formulas ? &free_words : nullptr);
   std::reverse(joined_words.begin(), joined_words.end());  // as CLI11 takes them
@@ -213,7 +212,7 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   } catch (const CLI::ParseError& error) {
     throw InvalidInput(the(command, shown_text(error.what(), 200)));
   }
-  return asked_for(app, command, command.takes_formulas ? formulas : free_words);
+  return asked_for(app, command, free_words);
 }
 
 }  // namespace command

@@ -16,6 +16,7 @@ constexpr std::size_t points_exactly = 3;
 constexpr int most_certified = 24;
 constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
+constexpr int largest_denominator = 1000;
 
 struct Value {
   std::optional<Ball> ball = {};  // nothing: no value, or not certain
@@ -24,25 +25,34 @@ struct Value {
 // x^y for real y is what it is for x >= 0 alone, though (-1)^2 is 1, too.
 Value value_at(const Point& point, Expr side, const std::vector<Requirement>& needs, int bits) {
   try {
+    const Ball ball = enclosure(at(point, side), bits);
     for (const Requirement& r : needs)
       if (r.kind == Need::NotNegative && enclosure(at(point, r.term), bits).high() < 0)
-        return {.why_none = "a root or a real power of a negative number"};
-    return {.ball = enclosure(at(point, side), bits)};
+        return {.why_none = "a real power of a negative number"};
+    return {.ball = ball};
   } catch (const NotDefined& none) {
     return {.why_none = none.what()};
   } catch (const NotCertain&) {
     return {};
   }
 }
+// Exactly where it is a short fraction.
+std::optional<cln::cl_RA> fraction(Expr constant) {
+  if (const auto value = notation::rational_value(constant)) return value;
+  const Value value = value_at({}, constant, {}, 192);
+  if (!value.ball) return {};
+  for (int below = 1; below <= largest_denominator; ++below) {
+    const cln::cl_RA guess = cln::cl_RA(cln::round1(value.ball->low() * below)) / below;
+    if (cln::abs(guess - value.ball->low()) > cln::cl_RA(1) / cln::ash(cln::cl_I(1), 150)) continue;
+    if (exact_sign(constant - Expr(guess)) == 0) return guess;
+    return {};
+  }
+  return {};
+}
 std::string shown(Expr constant) {
-  try {
-    Forms forms({});
-    const Sum sum = forms.of(constant);
-    if (sum.empty()) return "0";
-    const bool is_rational = sum.size() == 1 && sum.begin()->first.empty();
-    const std::string digits = is_rational ? kernel::digits(sum.begin()->second) : "";
-    if (is_rational && digits.size() <= longest_shown) return digits;
-  } catch (const std::runtime_error&) {
+  if (const auto exact = fraction(constant)) {
+    const std::string digits = kernel::digits(*exact);
+    if (digits.size() <= longest_shown) return digits;
   }
   for (int bits = 128; bits <= 8192; bits *= 2) {
     const Value value = value_at({}, constant, {}, bits);

@@ -119,8 +119,6 @@ int main(int argc, char** argv) {
       "1.2.3",
       {echo_row, many_row, words_row, plain("check", false_check), plain("wait", wait),
        plain("other", other), plain("fill", fill), plain("deep", deep), plain("crash", crash),
-       plain("bug", bug)},
-      {"simulate"},
-      "not in this version yet"};
+       plain("bug", bug)}};
   return command::run_program(program, {argv + 1, argv + argc});
 }
