@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "codegen/exact.hpp"
+#include "codegen/operations.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {
@@ -87,6 +88,10 @@ Interval Builder::range_of(const Node& n) const {
         throw Refused("a ceiling that may be 2^51 or more");
       return {std::floor(ratio.low), std::ceil(ratio.high)};
     }
+    case Op::power:
+      return {least_power, 1};
+    case Op::turn:
+      return {-1, 1};
     case Op::step:
       return of(0) + Interval{-1, 0};
   }
@@ -157,6 +162,17 @@ int Builder::unary(Op op, int x) {
     throw Refused("an angle that is not known to be from 0 to 3 pi/4");
   }
   return add({.op = op, .of = {x}});
+}
+int Builder::power(int x, int k) {
+  const Interval base = program[x].range;
+  const Interval exponent = program[k].range;
+  if (!(base.low >= 0 && base.high <= 1 + 0x1p-40 && exponent.low >= 0) || !program[k].is_whole)
+    throw Refused("a power of what is not known to be from 0 to 1, or of no whole number");
+  return add({.op = Op::power, .of = {x, k}});
+}
+int Builder::turn(int k) {
+  if (!program[k].is_whole) throw Refused("the turn of no whole number");
+  return add({.op = Op::turn, .of = {k}, .is_exact = true, .is_whole = true});
 }
 int Builder::arc_tangent(int t, int square) {
   if (!(program[square].range.high <= 0x1.5555555555556p-2)) {

@@ -33,6 +33,8 @@ public:
   int quotient(int x, int y);
   int unary(Op op, int x);
   int arc_tangent(int t, int square);
+  int power(int x, int k);
+  int turn(int k);
   /// The whole number nearest to p/q. What must be certain for that is added to the signs:
   /// q/2 - |p - q k| > 0.
   int nearest(int p, int q);

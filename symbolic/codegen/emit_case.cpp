@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bounds of all tiers, members, stages, tests of one case.
+#include <algorithm>
 #include <set>
 
 #include "codegen/builder.hpp"
@@ -13,10 +14,10 @@ namespace codegen {
 namespace {
 const std::string inlined = "  [[gnu::always_inline]] ";
 
-/// Accurate first: it makes the plan. Ziv's bounds are reckoned at u = 2^-100, and are in units.
+/// Accurate first: it makes the plan. Ziv's bounds are reckoned at u = 2^-180, and are in units.
 std::vector<NumberType> number_types() {
   constexpr double u = 0x1p-53;
-  return {{u, &tiers()[1]}, {u, &tiers()[0]}, {u, &tiers()[2]}, {0x1p-100, nullptr}};
+  return {{u, &tiers()[1]}, {u, &tiers()[0]}, {u, &tiers()[2]}, {0x1p-180, nullptr}};
 }
 
 class CaseEmitter {
@@ -39,6 +40,7 @@ private:
   std::vector<std::string> bounds_of;  // outputs and signs, as C++
   bool has_bounds = false;
 
+  bool is_tested(const Result& r) const { return r.kind != Result::real || q.is_tested; }
   void line(const std::string& code) { result.code += code + "\n"; }
 
   void bounds() {
@@ -47,10 +49,14 @@ private:
     for (const NumberType& t : number_types()) {
       const bool is_wide = !t.is_pair();
       const Program program = is_wide ? lower(q, c, true) : p;
-      const Analysis a = analyse(program, t, plan);
+      Analysis a = analyse(program, t, plan);
+      describe(program, t, a);
       std::vector<double> constants;
       std::vector<std::string> here;
-      for (const Form& f : a.outputs) here.push_back(in_code(program, f, constants));
+      for (std::size_t i = 0; i < a.outputs.size(); ++i) {
+        if (!is_tested(p.results[i])) a.outputs[i].clear();
+        here.push_back(in_code(program, a.outputs[i], constants));
+      }
       if (t.name() == "Accurate") {
         accurate = a;
         bounds_of = here;
@@ -60,7 +66,6 @@ private:
         throw Refused("bounds of " + name + " differ in form for " + t.name() + ": " +
                       codegen::joined(here, "; "));
       }
-      describe(program, t, a);
       std::vector<std::string> printed;
       for (double x : constants) printed.push_back(hex(is_wide ? x / t.u : x));
       const std::string size = "[" + std::to_string(printed.size()) + "] = {";
@@ -115,7 +120,6 @@ private:
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;
       line("/// " + shown(q, f.formula) + ": " + why + computed);
     }
-    for (const std::string& b : result.bounds) line("/// Accurate is off by at most " + b);
     line("/// Operations: " + operation_counts(p) + ".");
     line("template <class Tier, class N>\nstruct " + name +
          " {\n  using T = typename N::Value;\n  using R = typename N::Result;");
@@ -131,9 +135,10 @@ private:
     line(fields("T", exact));
     line(fields("R", results));
     if (!numbers.empty()) line(fields("N", numbers));
-    if (has_bounds) line("  static constexpr const double* E = " + name + "Bounds<Tier>;");
+    if (has_bounds)
+      line("  static constexpr const double* E = " + name + "Bounds<typename Tier::Bounds>;");
     inputs_and_outputs();
-    if (&c == &q.cases[0]) columns();
+    if (q.has_arrays && &c == &q.cases[0]) columns();
     for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);
     line("};");
   }
@@ -212,12 +217,17 @@ private:
       }
       const std::string x = as_number(p, r.node) + ", ";
       const std::string test = "    doubt = doubt + doubt_of_";
-      if (r.kind == Result::real) {
+      if (!is_tested(r)) {
+        line("    " + r.name + " = rounded(" + as_number(p, r.node) + ");");
+      } else if (r.kind == Result::real) {
         line("    " + r.name + " = arithmetic::rounded_by<Tier>(" + x + bound_of(i) + ", doubt);");
       } else if (r.kind != Result::guard) {
         line(test + "sign(" + x + bound_of(i) + ");");
       } else {
-        line(test + "range(" + x + hex(r.range.low) + ", " + hex(r.range.high) + ");");
+        const auto is_it = [&](const Condition& g) { return g.name == r.name; };
+        const auto g = std::find_if(c.guards.begin(), c.guards.end(), is_it);
+        line(test + "range(" + x + range_in_code(g->of(false), g->of(true), "N::is_wide", ", ") +
+             ");");
       }
     }
   }
@@ -232,20 +242,22 @@ private:
 std::string fields(const std::string& type, const std::vector<std::string>& names) {
   return "  " + type + " " + joined(names, ", ") + ";";
 }
+std::string range_in_code(Interval r, Interval wide, const std::string& is_wide,
+                          const std::string& between) {
+  const auto end = [&](double narrow, double wide_end) {
+    if (narrow == wide_end) return hex(narrow);
+    return "(" + is_wide + " ? " + hex(wide_end) + " : " + hex(narrow) + ")";
+  };
+  return end(r.low, wide.low) + between + end(r.high, wide.high);
+}
 std::string condition(const Quantity& q, const Case& c) {
   std::vector<std::string> parts;
   for (const Input& i : q.inputs) {
     const std::string v = "in." + i.name();
-    const Interval r = range_of(i, c, false);
-    const Interval wide = range_of(i, c, true);
-    const auto end = [](double narrow, double wide_end) {
-      if (narrow == wide_end) return hex(narrow);
-      return "(is_wide ? " + hex(wide_end) + " : " + hex(narrow) + ")";
-    };
-    const bool is_whole = i.is_whole();
-    const std::string value = is_whole ? "double(" + v + ")" : v;
-    parts.push_back(value + " >= " + end(r.low, wide.low) + " && " + value +
-                    " <= " + end(r.high, wide.high));
+    const std::string value = i.is_whole() ? "double(" + v + ")" : v;
+    parts.push_back(value + " >= " +
+                    range_in_code(range_of(i, c, false), range_of(i, c, true), "is_wide",
+                                  " && " + value + " <= "));
   }
   return joined(parts, " && ");
 }

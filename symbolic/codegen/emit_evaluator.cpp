@@ -15,33 +15,37 @@ std::string structure(const std::string& name, const Words& members) {
 std::string structures(const Quantity& q) {
   const std::string Q = capital(q.name);
   const std::string inlined = "  [[gnu::always_inline]] ";
-  Words inputs, outputs, columns, values;
+  Words inputs, outputs, from, to, values;
   std::string set;
+  const auto field = [](bool is_whole, const std::string& name, Words& value, Words& column,
+                        const std::string& constant) {
+    const std::string type = is_whole ? "std::int64_t" : "double";
+    value.push_back(fields(type, {name}));
+    column.push_back(fields(constant + type + "*", {name}));
+  };
   for (const Input& i : q.inputs) {
-    const std::string type = i.is_whole() ? "std::int64_t" : "double";
-    inputs.push_back(fields(type, {i.name()}));
-    columns.push_back(fields("const " + type + "*", {i.name()}));
+    field(i.is_whole(), i.name(), inputs, from, "const ");
     values.push_back(i.name() + "[row]");
   }
   for (const Output& o : outputs_of(q.cases[0])) {
-    const std::string type = o.is_whole ? "std::int64_t" : "double";
-    outputs.push_back(fields(type, {o.name}));
-    columns.push_back(fields(type + "*", {o.name}));
+    field(o.is_whole, o.name, outputs, to, "");
     set += "    " + o.name + "[row] = out." + o.name + ";\n";
   }
-  columns.push_back(inlined + Q + "Inputs get(std::size_t row) const { return {" +
-                    joined(values, ", ") + "}; }");
-  columns.push_back(inlined + "void set(std::size_t row, const " + Q + "Outputs& out) const {\n" +
-                    set + "  }");
-  return structure(Q + "Inputs", inputs) + structure(Q + "Outputs", outputs) +
-         structure(Q + "Columns", columns);
+  const std::string values_of = structure(Q + "Inputs", inputs) + structure(Q + "Outputs", outputs);
+  if (!q.has_arrays) return values_of;
+  from.insert(from.end(), to.begin(), to.end());
+  from.push_back(inlined + Q + "Inputs get(std::size_t row) const { return {" +
+                 joined(values, ", ") + "}; }");
+  from.push_back(inlined + "void set(std::size_t row, const " + Q + "Outputs& out) const {\n" +
+                 set + "  }");
+  return values_of + structure(Q + "Columns", from);
 }
 }  // namespace
 
-Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
+Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
   check_outputs(q);
   const std::string Q = capital(q.name);
-  Evaluator e;
+  Emitted e{"evaluators/" + q.name + ".hpp", "", {}};
   std::string code, visits;
   std::vector<Claim> claims;
   for (const Case& c : q.cases) {
@@ -52,6 +56,11 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
               capital(c.name) + ">();\n    }\n";
     claims.push_back({c.name, domain_in_words(q, c), emitted.bounds, ids_of(c, ids)});
   }
+  const std::string of_arrays =
+      !q.has_arrays ? ""
+                    : "  using Columns = " + Q +
+                          "Columns;\n  template <class Tier, class N>\n  using Main = " + Q +
+                          capital(q.cases[0].name) + "<Tier, N>;\n";
   e.header = broken(
       opening("// " + q.name + " in DoubleDouble, from " + q.labels +
                   ". Bounds: errors.txt beside this file.\n// Only for rows whose inputs are in "
@@ -60,11 +69,8 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
                "\"magicmass/arithmetic/rounding_test.hpp\"",
                "\"magicmass/evaluators/polynomials.hpp\""}) +
       "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q) + code +
-      "/// What loops over rows need to know of " + q.name + ".\nstruct " + Q +
-      " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q +
-      "Outputs;\n  using Columns = " + Q +
-      "Columns;\n  template <class Tier, class N>\n  using Main = " + Q + capital(q.cases[0].name) +
-      "<Tier, N>;\n"
+      "/// What its callers need to know of " + q.name + ".\nstruct " + Q +
+      " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q + "Outputs;\n" + of_arrays +
       "  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain\n"
       "  /// is that of doubles, or (wide) of a number type without over- and underflow.\n"
       "  template <bool is_wide, class F>\n"
@@ -72,7 +78,7 @@ Evaluator emit_evaluator(const Quantity& q, const Ids& ids) {
       visits +
       "    return 1.0;\n  }\n};\n"
       "}  // namespace magicmass::generated::inline MAGICMASS_TARGET\n");
-  e.manifest = manifest_entry(q, "evaluator", "evaluators/" + q.name + ".hpp", claims);
+  e.manifest = {manifest_entry(q, "evaluator", e.path, claims)};
   return e;
 }
 }  // namespace codegen

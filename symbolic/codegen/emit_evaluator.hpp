@@ -17,6 +17,9 @@ struct EmittedCase {
 };
 /// "  double a, b;"
 std::string fields(const std::string& type, const std::vector<std::string>& names);
+/// Both ends as C++, with what stands between them; a wide domain's where that is so.
+std::string range_in_code(Interval narrow, Interval wide, const std::string& is_wide,
+                          const std::string& between);
 EmittedCase emit_case(const Quantity& q, const Case& c);
 /// "in.alpha >= 0x1p-300 && ..." of the case, in both domains.
 std::string condition(const Quantity& q, const Case& c);
@@ -27,10 +30,5 @@ std::string right_side(const Program& p, const Node& n);
 std::string sine_and_cosine(const Program& p, const Node& n);
 /// "3 sums, 2 products, ..."
 std::string operation_counts(const Program& p);
-struct Evaluator {
-  std::string header;    ///< evaluators/NAME.hpp
-  std::string errors;    ///< each node's error, for a reader
-  std::string manifest;  ///< a JSON object
-};
-Evaluator emit_evaluator(const Quantity& q, const Ids& ids = {});
+Emitted emit_evaluator(const Quantity& q, const Ids& ids = {});
 }  // namespace codegen

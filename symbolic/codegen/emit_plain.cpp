@@ -35,9 +35,8 @@ std::string guard_lines(const std::string& function, const Case& c) {
   for (const Condition& g : c.guards) {
     const std::string name = identifier(g.name);
     lines += "    if (!(" + name + " > Number(" + hex(g.range.low) + ") && " + name + " < Number(" +
-             hex(g.range.high) + "))) {\n      throw std::domain_error(\n          \"" + function +
-             ": " + name + " must be between " + hex(g.range.low) + " and " + hex(g.range.high) +
-             "\");\n    }\n";
+             hex(g.range.high) + ")))\n      throw std::domain_error(\"" + function + ": " + name +
+             " must be between " + hex(g.range.low) + " and " + hex(g.range.high) + "\");\n";
   }
   return lines;
 }
@@ -162,12 +161,12 @@ private:
 };
 }  // namespace
 
-PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
-                       const std::set<std::string>& wanted) {
+Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
+                   const std::set<std::string>& wanted) {
   if (forms.empty()) throw Refused("no form to print");
   const std::string& form = forms[0].form;
   const bool is_exact = form == "exact";
-  PlainHeader result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
+  Emitted result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
   std::string body;
   std::set<std::string> all;
   std::set<std::string> missing = wanted;

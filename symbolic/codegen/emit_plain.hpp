@@ -2,7 +2,6 @@
 // Formulas as plain functions of any number type, from the same quantities.
 #pragma once
 
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,13 +17,8 @@ struct PlainForm {
   Quantity quantity;
   std::string form;
 };
-struct PlainHeader {
-  std::string path;                   ///< plain/FORM.hpp, exact/FORM.hpp
-  std::string header;                 ///< one function a quantity
-  std::vector<std::string> manifest;  ///< a JSON object each
-};
 /// All forms of one name in one header, with the outputs that are wanted (none named: all) and what
 /// those need. Refused: a wanted output that there is none of; what may over- or underflow.
-PlainHeader emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
-                       const std::set<std::string>& wanted = {});
+Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
+                   const std::set<std::string>& wanted = {});
 }  // namespace codegen

@@ -17,6 +17,15 @@ constexpr double close = 0x1p-22;
 /// error is below `close` of it, then, with half of that to spare for the test's own roundings.
 constexpr double clear = 2 / close;
 
+/// Thirteen bits are enough of a bound: up.
+Form shortened(Form f) {
+  for (auto& [sizes, c] : f) {
+    const int unit = c > 0 ? std::ilogb(c) - 12 : 0;
+    c = std::ldexp(std::ceil(std::ldexp(c, -unit)), unit);
+  }
+  return f;
+}
+
 class Analyst {
 public:
   Analysis a;
@@ -60,7 +69,7 @@ public:
       if (least == f.end() || least->second < p[k].range.low) {
         throw Refused(p[k].name + " may be below its range and pass the test of a divisor");
       }
-      return a.outputs.push_back(absorber.absorbed(f));
+      return a.outputs.push_back(shortened(absorber.absorbed(f)));
     }
     const bool is_exact = f.empty() && t.is_pair() && low(k) <= t.u;
     if (r.kind == Result::sign) {
@@ -74,7 +83,7 @@ public:
     // For roundings of the bound at run time, and for high parts in place of values: both below
     // 2^-38 even for ten factors.
     for (auto& [sizes, c] : f) c *= and_more;
-    a.outputs.push_back(absorber.absorbed(f));
+    a.outputs.push_back(shortened(absorber.absorbed(f)));
   }
 
 private:
@@ -159,6 +168,11 @@ private:
       case Op::nearest:  // what is counted is what its sign tests
       case Op::step:
       case Op::whole_sum:
+      case Op::turn:
+        break;
+      case Op::power:
+        take(t.power(needed(x), p[y].range.high));
+        add(f, {{{}, least_power * 2}});
         break;
       case Op::constant:
         if (!n.is_exact) take(t.constant(lost(n)));

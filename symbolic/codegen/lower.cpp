@@ -47,8 +47,8 @@ public:
     // Guards first: a fact's hypotheses may rest on them.
     for (const Condition& g : c.guards) {
       if (g.name != name.name()) continue;
-      builder.narrow(k, g.range);
-      builder.program.results.push_back({Result::guard, g.name, k, g.range});
+      builder.narrow(k, g.of(domain.is_wide));
+      builder.program.results.push_back({Result::guard, g.name, k});
     }
     for (const std::string& d : c.divisors) {
       if (d != name.name()) continue;
@@ -70,7 +70,7 @@ public:
       for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) add(nodes.at(e));
       return;
     }
-    const int k = build(t.conclusion().arg(1));
+    const int k = nodes[left] = build(t.conclusion().arg(1));
     if (is_whole && !builder[k].is_whole) throw Refused(left.name() + " is not known to be whole");
     if (is_whole && !domain.is_wide && builder[k].range.size() > 0x1p51) {
       throw Refused(left.name() + " may be above 2^51");

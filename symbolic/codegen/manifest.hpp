@@ -21,6 +21,13 @@ struct Claim {
   std::vector<std::string> bounds;  ///< "a: 2^-73.6 |P|"; none: each operation is rounded
   std::vector<std::string> theorems;
 };
+/// A header, and what is said of it elsewhere.
+struct Emitted {
+  std::string path;  ///< evaluators/NAME.hpp, plain/FORM.hpp, exact/FORM.hpp
+  std::string header;
+  std::vector<std::string> manifest;  ///< a JSON object a quantity
+  std::string errors = {};            ///< of an evaluator: each node's, for a reader
+};
 /// A JSON object: name, form, header, labels, inputs, outputs, cases.
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
                            const std::vector<Claim>& claims);

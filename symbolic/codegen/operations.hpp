@@ -14,6 +14,8 @@ struct Loss {
 constexpr double and_more = 1 + 0x1p-20;
 /// No low part is looser: what `and_more` allows for.
 constexpr double loosest = 0x1p-40;
+/// Stands for each power below it.
+constexpr double least_power = 0x1p-200;
 
 /// DoubleDouble with a tier's polynomials, or (tier null) a type that rounds each result correctly
 /// to a unit u: MPFR, whose bounds are emitted in units of u.
@@ -52,6 +54,8 @@ struct NumberType {
   };
   SineCosine small_sine_cosine(double x) const;
   SineCosine sine_cosine(double x) const;
+  /// x^k for a whole k up to `most`, x off by `of_x`, relative.
+  Loss power(double of_x, double most) const;
   /// The roundings of the rounding test itself, relative to the result.
   double rounding_test(double x) const;
 };

@@ -6,6 +6,7 @@
 
 #include "codegen/exact.hpp"
 #include "codegen/quantity.hpp"
+#include "codegen/text.hpp"
 
 namespace codegen {
 namespace {
@@ -155,10 +156,10 @@ const std::vector<Tier>& tiers() {
 
 std::string emit_polynomials() {
   const auto list = [](const char* name, const std::vector<double>& numbers) {
-    std::string s = std::string("    static constexpr double ") + name + "[] = {";
-    std::size_t in_line = 0;
-    for (double x : numbers) s += (in_line++ % 3 == 0 ? "\n        " : " ") + hex(x) + ",";
-    return s + "};\n";
+    std::vector<std::string> words;
+    for (double x : numbers) words.push_back(hex(x));
+    return std::string("    static constexpr double ") + name + "[] = {" + joined(words, ", ") +
+           "};\n";
   };
   std::string s =
       "// SPDX-License-Identifier: MIT\n"
@@ -167,8 +168,8 @@ std::string emit_polynomials() {
       "// Each polynomial's error is proved in exact rationals, relative to its function.\n"
       "// clang-format off\n#pragma once\n\nnamespace magicmass::generated {\n";
   for (const Tier& tier : tiers()) {
-    s += "struct " + tier.name +
-         " {\n  static constexpr bool is_tested = " + (tier.is_tested ? "true" : "false") + ";\n";
+    s += "struct " + tier.name + " {\n  using Bounds = " + tier.name +
+         ";\n  static constexpr bool is_tested = " + (tier.is_tested ? "true" : "false") + ";\n";
     for (const Polynomial& p : tier.polynomials) {
       s += "  struct " + p.name + " {  // off by at most " + as_power_of_2(p.error) +
            "\n    static constexpr int size = " + std::to_string(p.high.size()) +
@@ -178,9 +179,10 @@ std::string emit_polynomials() {
     }
     s += "};\n";
   }
-  return s +
-         "/// The tier of the last number type, of as many bits as are asked for.\n"
-         "struct Ziv {\n  static constexpr bool is_tested = true;\n};\n"
-         "}  // namespace magicmass::generated\n";
+  return broken(
+      s +
+      "/// The tier of the last number type, of as many bits as are asked for.\n"
+      "struct Ziv {\n  using Bounds = Ziv;\n  static constexpr bool is_tested = true;\n};\n"
+      "}  // namespace magicmass::generated\n");
 }
 }  // namespace codegen

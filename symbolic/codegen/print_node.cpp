@@ -48,6 +48,8 @@ const std::map<Op, Spelling> spellings{
     {Op::cosine, {"of_@0.cosine", "cosines"}},
     {Op::size, {"magnitude(#0)", ""}},
     {Op::nearest, {"N::nearest(leading(#0) / leading(#1))", "roundings to whole numbers"}},
+    {Op::power, {"power(#0, $1)", "powers"}},
+    {Op::turn, {"N::turn($0)", ""}},
     {Op::step, {"$0 + (N::times_sign_of(N::all(0.5), leading(#1)) - 0.5)", ""}}};
 /// Faster ones, where ranges allow them.
 std::string pattern(const Program& p, const Node& n) {

@@ -32,6 +32,8 @@ enum class Op {
   cosine,           ///<
   size,             ///< |x|
   nearest,          ///< the whole number nearest to x/y: exact; its test is among the signs
+  power,            ///< x^k, x from 0 to 1, k an exact whole number; 2^-200 in place of less
+  turn,             ///< 1 for an even whole number, -1 for an odd one: exact
   step              ///< k, or k - 1 where the rest is negative: exact
 };
 struct Node {
@@ -58,7 +60,6 @@ struct Result {
   } kind;
   std::string name;
   int node;
-  Interval range = {0, 0};
 };
 /// |small| <= |large|, by a theorem; of computed values, too, unless that is still to be checked.
 struct SizeFact {

@@ -2,6 +2,7 @@
 // What the generator takes: quantities made of theorems, and of intervals that are data.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -28,6 +29,8 @@ struct Input {
 struct Condition {
   std::string name;
   Interval range;
+  std::optional<Interval> wide_range = {};  ///< in MPFR's numbers, where it is another
+  Interval of(bool is_wide) const { return is_wide ? wide_range.value_or(range) : range; }
 };
 /// `p <= q` about named nodes or numbers, or `p^2 = q` for the square that an arctangent needs: by
 /// a theorem, or by an argument that is printed with the evaluator.
@@ -67,8 +70,10 @@ struct Quantity {
   std::string name;
   std::string labels;  ///< of the paper's equations
   std::vector<Input> inputs;
-  std::vector<Case> cases;               ///< disjoint; the first is the one for arrays
+  std::vector<Case> cases;               ///< disjoint
   kernel::Substitution units = {};       ///< parameters that are no inputs, and their value: V is 1
   std::vector<Doubling> doublings = {};  ///< of exact forms: sequences that stand at 2*x, 2*x + 1
+  bool has_arrays = false;               ///< the first case is evaluated a register at a time, too
+  bool is_tested = true;                 ///< whether tiers that test roundings test its own
 };
 }  // namespace codegen

@@ -48,8 +48,9 @@ int Terms::made(Expr e) {
 }
 int Terms::function(Expr e) {
   static const std::map<std::string, Op> operations{
-      {"inv", Op::quotient}, {"pi", Op::constant},      {"sqrt", Op::root},   {"sin", Op::sine},
-      {"cos", Op::cosine},   {"atan", Op::arc_tangent}, {"ceil", Op::ceiling}};
+      {"inv", Op::quotient}, {"pi", Op::constant}, {"sqrt", Op::root},
+      {"sin", Op::sine},     {"cos", Op::cosine},  {"atan", Op::arc_tangent},
+      {"ceil", Op::ceiling}, {"pow", Op::power},   {"turn", Op::turn}};
   const auto found = operations.find(e.name());
   if (found == operations.end()) throw Refused("no definition of " + kernel::text(e));
   const Op op = found->second;
@@ -57,6 +58,10 @@ int Terms::function(Expr e) {
   if (builder.numbers == Numbers::field) {
     throw Refused("no operation of a field: " + kernel::text(e));
   }
+  if ((op == Op::power || op == Op::turn) && builder.is_plain())
+    throw Refused("no definition of " + kernel::text(e));
+  if (op == Op::power) return builder.power(build(e.arg(0)), build(e.arg(1)));
+  if (op == Op::turn) return builder.turn(build(e.arg(0)));
   if (op == Op::constant) return builder.constant(1, true);
   if (op == Op::root) return square_root(e.arg(0));
   if (op == Op::arc_tangent && !builder.is_plain()) return arc_tangent(e);

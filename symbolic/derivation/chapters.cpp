@@ -7,12 +7,37 @@ namespace derivation {
 Book derive() {
   Book book;
   const Known while_deriving({assume(alpha_positive), assume(V_positive)});
-  for (const auto chapter :
-       {contact,  cycle,        cycle_matrix,   rotation,    powers,     table,
-        counting, constraints,  multiples,      thresholds,  ratios,     terminal,
-        minima,   small_alpha,  restitution,    chebyshev,   wedge,      transmission,
-        ends,     digits_of_pi, when_and_where, collapse,    encounters, cradle,
-        billiard, orthogonal,   evaluators,     exact_forms, radicals,   three_body_forms})
+  for (const auto chapter : {contact,
+                             cycle,
+                             cycle_matrix,
+                             rotation,
+                             powers,
+                             table,
+                             counting,
+                             constraints,
+                             multiples,
+                             thresholds,
+                             ratios,
+                             terminal,
+                             minima,
+                             small_alpha,
+                             restitution,
+                             chebyshev,
+                             wedge,
+                             transmission,
+                             ends,
+                             digits_of_pi,
+                             when_and_where,
+                             collapse,
+                             encounters,
+                             cradle,
+                             billiard,
+                             orthogonal,
+                             evaluators,
+                             exact_forms,
+                             radicals,
+                             three_body_forms,
+                             restitution_forms})
     chapter(book);
   return book;
 }

@@ -133,9 +133,6 @@ void heavy_ball(Names& names) {
        {std::tuple{"a_t", 2U, 0U}, std::tuple{"b_t", 3U, 1U}, std::tuple{"c_t", 4U, 3U}})
     book.show(name, which == 2U ? "which are the terminal ones:" : "and",
               chain(part(end, which), cut(mass, after[velocity])));
-  book.show("rho", "with the fraction of the energy",
-            equation(fun("rho", {alpha, V}), 16 * power(f * i, 2),
-                     {book["evaluators_end.def_rho"], book["heavy.b_t"]}));
 }
 }  // namespace
 

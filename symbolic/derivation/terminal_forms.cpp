@@ -87,11 +87,8 @@ void terminal_forms(Names& names, const Angle& a) {
   const Theorem Q = in_case(true), P = in_case(false);
   book.show("terminal", "The terminal velocities are, whichever collision is the last,",
             tautology(right(Q), {Q, P, book["terminal.last"]}));
-  const Theorem transmitted = names.name("rho", inputs, power(fun("b_t", inputs) / V, 2),
-                                         "and B has of the energy the fraction");
-  book.show("rho", "that is,",
-            equation(f("rho"), power(f("b_form"), 2),
-                     {transmitted, part(book["evaluators_end.terminal"], 1)}));
+  names.name("rho", inputs, power(fun("b_t", inputs) / V, 2),
+             "and B has of the energy the fraction");
 
   // |r| <= h/2, so sin|r| <= tan(h/2) cos(r).
   const Expr half_h = of_alpha("h") / 2, z = pi() / psi(), half = rational(1, 2), q = psi() / 4;

@@ -68,5 +68,5 @@ Theorem by_two(const Claim& claim, const Theorem& at_0, const Theorem& at_1, con
               0);
 }
 WriteChapter restitution, transmission, ends, chebyshev, wedge, when_and_where, collapse,
-    encounters, digits_of_pi, cradle, billiard, three_body_forms;
+    encounters, digits_of_pi, cradle, billiard, three_body_forms, restitution_forms;
 }  // namespace derivation

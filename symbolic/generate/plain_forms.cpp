@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Plain and exact forms: a row each; then all that is generated.
-#include "codegen/generate.hpp"
+#include "codegen/emit_evaluator.hpp"
+#include "codegen/polynomials.hpp"
+#include "codegen/text.hpp"
 #include "generate/quantities.hpp"
 
 namespace generate {
@@ -41,9 +43,13 @@ std::vector<PlainForm> exact(Source& s) {
     return PlainForm{{name, labels(name), inputs, cases, s.units, {cosines}}, "exact"};
   };
   const Case shape = s.of("all", {}, "-> collapse.def_K bodies.def_q_e");
+  const Case two =
+      s.of("all", {},
+           "-> evaluators_restitution.def_ends def_two def_tie a_two b_two c_two def_rho_two");
   return {made("velocities", {any, input(kernel::integer("n"), 0, most)}, {start, later}),
           made("terminal", {any, count("N_A"), count("N_B")}, {end}),
-          {{"shape", "", three_bodies(), {shape}, s.units}, "exact"}};
+          {{"shape", "", three_bodies(), {shape}, s.units}, "exact"},
+          made("two_collisions", {any, input(kernel::real("e"), 0x1p-1000, 1)}, {two})};
 }
 /// Three bodies of any masses, or two and a wall, with restitution: q_e comes from the exact form,
 /// turn and pow are of the number of the collision.
@@ -104,6 +110,8 @@ std::string labels(const std::string& quantity) {
       {"deficient", "exact:bk"},
       {"angle", "def:psi"},
       {"collision", "def:psi"},
+      {"restitution", "eq:a-terminal eq:b-terminal eq:ct"},
+      {"two_collisions", "eq:a-terminal eq:b-terminal eq:ct"},
       {"Gamma_A", "eq:Gamma"},
       {"Gamma_B", "eq:Gamma"},
       {"Lambda", "eq:Lambda"},
@@ -147,7 +155,7 @@ std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evalu
   for (PlainForm& f : restitution(s)) all.push_back(std::move(f));
   // The evaluators' theorems where alpha < 1; they hold everywhere.
   for (Quantity q : evaluators) {
-    if (q.name == "magic" || q.name == "deficient" || q.name == "collision") continue;
+    if (q.name != "velocities" && q.name != "terminal" && q.name != "angle") continue;
     q.inputs = {q.name == "terminal" ? alpha(0x1p-100, 0x1p100) : mass};
     if (q.name == "velocities") q.inputs.push_back(n);
     q.cases = {{"all", {}, q.cases[0].definitions, q.cases[0].outputs, {}, {}}};
@@ -159,12 +167,30 @@ std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evalu
   }
   return all;
 }
-std::map<std::string, std::string> generated() {
+Texts texts(const std::vector<Quantity>& evaluators, const std::vector<PlainForm>& plain,
+            const codegen::Ids& ids) {
+  std::vector<codegen::Emitted> all;
+  for (const Quantity& q : evaluators) all.push_back(codegen::emit_evaluator(q, ids));
+  std::map<std::string, std::vector<PlainForm>> by_form;
+  for (const PlainForm& f : plain) by_form[f.form].push_back(f);
+  for (const auto& [form, forms] : by_form) all.push_back(codegen::emit_plain(forms, ids));
+  std::string errors =
+      "What each value may be off by, in sizes of computed values, tier by tier.\n";
+  std::vector<std::string> manifest;
+  Texts files{{"magicmass/evaluators/polynomials.hpp", codegen::emit_polynomials()}};
+  for (const codegen::Emitted& e : all) {
+    if (!files.insert({"magicmass/" + e.path, e.header}).second)
+      throw codegen::Refused("two files are called " + e.path);
+    errors += e.errors;
+    manifest.insert(manifest.end(), e.manifest.begin(), e.manifest.end());
+  }
+  files["magicmass/evaluators/errors.txt"] = errors;
+  files["manifest.json"] = "[\n  " + codegen::joined(manifest, ",\n  ") + "\n]\n";
+  return files;
+}
+Texts generated() {
   const Inventory& made = inventory();
-  std::map<std::string, std::string> texts;
-  for (const auto& [path, text] : codegen::generate(made.all, made.plain, made.source.ids))
-    texts[path == "manifest.json" ? path : "magicmass/" + path] = text;
-  return texts;
+  return texts(made.all, made.plain, made.source.ids);
 }
 std::string selected(const std::string& form, const std::set<std::string>& outputs) {
   std::vector<codegen::PlainForm> forms;

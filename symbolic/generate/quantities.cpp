@@ -57,7 +57,8 @@ std::vector<Quantity> evaluators(Source& source) {
   const std::string share = "heavy.def_masses def_per_mass def_share def_lead -> ";
   const auto made = [&](const std::string& name, const std::vector<codegen::Input>& inputs,
                         const std::vector<Case>& cases) {
-    return Quantity{name, labels(name), inputs, cases, source.units};
+    const bool has_arrays = name == "velocities" || name == "terminal";
+    return Quantity{name, labels(name), inputs, cases, source.units, {}, has_arrays};
   };
   const auto ratio = [&](const std::string& kind, double first) {
     const std::string name = "evaluators_ratios.def_" + kind;
@@ -77,7 +78,7 @@ std::vector<Quantity> evaluators(Source& source) {
       angle +
           "evaluators_end.def_h N_A N_B def_rest def_rest_sine def_rest_cosine def_t_cosine "
           "def_w_cosine def_t_plus def_t_minus def_w_plus def_b_form "
-          "-> evaluators_end.N_A N_B terminal/0 terminal/1 terminal/2 rho" +
+          "-> evaluators_end.N_A N_B terminal/0 terminal/1 terminal/2 def_rho" +
           about + "evaluators_end.sine_at_most t_cosine_at_most");
   Case collision = source.of(
       "small", {light, {"j", {2, 0x1p63}}},
@@ -88,13 +89,40 @@ std::vector<Quantity> evaluators(Source& source) {
           about + "evaluators_collision.t_at_most sine_positive ratio_at_most");
   collision.guards = {{"half_phase", {-0.001, 1.5708}}};
   collision.divisors = {"next_cosine"};
+  const auto restitution = [&] {
+    const std::string chapter = "evaluators_restitution.";
+    constexpr double third = 0x1.5555555555556p-2;
+    Case c = source.of(
+        "small", {},
+        chapter +
+            "def_root_e def_rise_e def_loss_e def_share_e def_gap_e def_whole_e def_z_e "
+            "def_t_e def_step_e def_sine_e N_e def_span_e def_left_e def_next_e def_power_e "
+            "def_open_ratio_e def_last_ratio_e def_kept_e def_parted_e def_odd_e def_even_e "
+            "def_second_e def_ball_e -> " +
+            chapter + "N_e a_end b_end c_end def_rho_end | " + chapter + "t_squared");
+    c.guards = {{"root_e", {0, 1 + 0x1p-42}},
+                {"loss_e", {-1, 1}},
+                {"span_e", {0, 3.1416}},
+                {"ball_e", {-1, 1.5}},
+                {"share_e", {0x1p-30, 2}, {{0x1p-80, 2}}},
+                {"z_e", {0x1p-48, third}, {{0x1p-124, third}}}};
+    for (const char* rest : {"left_e", "next_e"}) c.guards.push_back({rest, {0, 1.0473}});
+    for (const char* speed : {"kept_e", "parted_e"}) c.guards.push_back({speed, {-1, 2}});
+    const codegen::Input e{kernel::real("e"), {0x1p-100, 1}, {smallest, 1}};
+    Quantity q = made("restitution", {{alpha, {0x1p-100, 0x1p60}, {smallest, 0x1p540}}, e}, {c});
+    for (const char* name : {"M_A", "w_B"}) q.units.insert({kernel::real(name), 1});
+    q.units.insert({kernel::real("M_C"), alpha});
+    q.is_tested = false;  // fast's alone
+    return q;
+  };
   return {
       made("velocities",
            {{alpha, {0x1p-300, 0x1p300}, {smallest, largest}},
             {kernel::integer("n"), {0, 0x1p50}, {0, 0x1p63}}},
            {velocities, source.of("first", {heavy, {"n", {1, 1}}}, share + "heavy.a b c c_prime")}),
       made("terminal", {{alpha, {0x1p-100, 0x1p300}, {smallest, largest}}},
-           {terminal, source.of("first", {heavy}, share + "heavy.N_A N_B a_t b_t c_t rho")}),
+           {terminal, source.of("first", {heavy},
+                                share + "heavy.N_A N_B a_t b_t c_t evaluators_end.def_rho")}),
       ratio("magic", 2),
       ratio("deficient", 1),
       made("collision",
@@ -103,6 +131,7 @@ std::vector<Quantity> evaluators(Source& source) {
            {collision,
             source.of("first", {{"j", {1, 1}}}, "-> evaluators_collision.when_1 apart_1")}),
       made("angle", {{alpha, {0x1p-300, 1}, {smallest, 1}}},
-           {source.of("small", {}, angle + "-> evaluators.psi" + about)})};
+           {source.of("small", {}, angle + "-> evaluators.psi" + about)}),
+      restitution()};
 }
 }  // namespace generate

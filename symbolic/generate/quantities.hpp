@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "codegen/emit_plain.hpp"
+#include "generate/tree.hpp"
 
 namespace generate {
 /// Theorems of the book in units of V and L, with their ids.
@@ -28,8 +29,12 @@ std::vector<codegen::PlainForm> plain_forms(Source& source,
                                             const std::vector<codegen::Quantity>& evaluators);
 /// The labels of the paper's equations for a quantity.
 std::string labels(const std::string& quantity);
-/// Texts by path below generated/. The same bytes from every run.
-std::map<std::string, std::string> generated();
+/// evaluators/*.hpp, evaluators/errors.txt, plain/*.hpp, exact/*.hpp below magicmass/, and
+/// manifest.json. The same bytes from every run.
+Texts texts(const std::vector<codegen::Quantity>& evaluators,
+            const std::vector<codegen::PlainForm>& plain, const codegen::Ids& ids = {});
+/// All of generated/.
+Texts generated();
 /// One header with the wanted outputs alone, in a plain form: closed, product, tangent, exact,
 /// restitution.
 /// Throws codegen::Refused for a form or an output that there is none of.

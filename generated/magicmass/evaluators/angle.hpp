@@ -19,24 +19,15 @@ struct AngleInputs {
 struct AngleOutputs {
   double psi;
 };
-struct AngleColumns {
-  const double* alpha;
-  double* psi;
-  [[gnu::always_inline]] AngleInputs get(std::size_t row) const { return {alpha[row]}; }
-  [[gnu::always_inline]] void set(std::size_t row, const AngleOutputs& out) const {
-    psi[row] = out.psi;
-  }
-};
 template <class Tier> inline constexpr double AngleSmallBounds[1] = {};
-template <> inline constexpr double AngleSmallBounds<Accurate>[1] = {0x1.a6579133da022p-75};
-template <> inline constexpr double AngleSmallBounds<Fast>[1] = {0x1.7d05c96b952a8p-53};
-template <> inline constexpr double AngleSmallBounds<Slow>[1] = {0x1.7cf075a34d8ffp-98};
-template <> inline constexpr double AngleSmallBounds<Ziv>[1] = {0x1.40002800018p+4};
+template <> inline constexpr double AngleSmallBounds<Accurate>[1] = {0x1.a66p-75};
+template <> inline constexpr double AngleSmallBounds<Fast>[1] = {0x1.7d1p-53};
+template <> inline constexpr double AngleSmallBounds<Slow>[1] = {0x1.7dp-98};
+template <> inline constexpr double AngleSmallBounds<Ziv>[1] = {0x1.401p+4};
 /// angle, small: alpha from 0x1p-300 to 0x1p+0.
 /// Theorem: psi = 4*half_h
 /// z <= 1/3: a theorem
 /// t^2 = z: a theorem
-/// Accurate is off by at most psi: 2^-74.2 |half_h|
 /// Operations: arctangents: 1, products by doubles: 2, quotients: 1, reciprocal roots: 1, sums of
 ///   doubles: 1.
 template <class Tier, class N>
@@ -46,20 +37,10 @@ struct AngleSmall {
   T alpha;
   R doubt, psi;
   N half_h, of_psi;
-  static constexpr const double* E = AngleSmallBounds<Tier>;
+  static constexpr const double* E = AngleSmallBounds<typename Tier::Bounds>;
   AngleSmall() = default;
   [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }
-  [[gnu::always_inline]] void load_inputs(const AngleColumns& columns, std::size_t row) {
-    alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
-  }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const AngleColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
-    return (alpha >= 0x1p-300) & (alpha <= 0x1p+0);
-  }
-  [[gnu::always_inline]] void store_outputs(const AngleColumns& columns, std::size_t row) const {
-    arithmetic::store(columns.psi + row, psi);
-  }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
     // above = 2 + alpha
@@ -81,13 +62,10 @@ struct AngleSmall {
     psi = arithmetic::rounded_by<Tier>(of_psi, N::magnitude_of(leading(half_h)) * E[0], doubt);
   }
 };
-/// What loops over rows need to know of angle.
+/// What its callers need to know of angle.
 struct Angle {
   using Inputs = AngleInputs;
   using Outputs = AngleOutputs;
-  using Columns = AngleColumns;
-  template <class Tier, class N>
-  using Main = AngleSmall<Tier, N>;
   /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
   /// is that of doubles, or (wide) of a number type without over- and underflow.
   template <bool is_wide, class F>

@@ -21,30 +21,15 @@ struct CollisionOutputs {
   double when;
   double apart;
 };
-struct CollisionColumns {
-  const double* alpha;
-  const std::int64_t* j;
-  double* when;
-  double* apart;
-  [[gnu::always_inline]] CollisionInputs get(std::size_t row) const { return {alpha[row], j[row]}; }
-  [[gnu::always_inline]] void set(std::size_t row, const CollisionOutputs& out) const {
-    when[row] = out.when;
-    apart[row] = out.apart;
-  }
-};
 template <class Tier> inline constexpr double CollisionSmallBounds[6] = {};
-template <> inline constexpr double CollisionSmallBounds<Accurate>[6] = {0x1.11d70e5bd9242p-74,
-    0x1.7c915ac88bf38p-146, 0x1.63c67e21e5a5p-72, 0x1.11d6fd3e69504p-74, 0x1.02c5fdd6024d7p-73,
-    0x1.11d6ec20fa8e3p-51};
-template <> inline constexpr double CollisionSmallBounds<Fast>[6] = {0x1.2944ac2c4ca1cp-52,
-    0x1.c5318a8f0e96cp-102, 0x1.86479a093892ap-50, 0x1.2944999803087p-52, 0x1.1bacf3e6f446ep-51,
-    0x1.29448703ba98p-29};
-template <> inline constexpr double CollisionSmallBounds<Slow>[6] = {0x1.0b8430cb6f1e7p-95,
-    0x1.97846b81c1326p-187, 0x1.a113c11e3ad41p-92, 0x1.0b8420132d1d4p-95, 0x1.e61b22496978ap-94,
-    0x1.0b840f5aec279p-72};
-template <> inline constexpr double CollisionSmallBounds<Ziv>[6] = {0x1.034768a0fa279p+4,
-    0x1.97b08c3b03417p-90, 0x1.a5767f9865e54p+6, 0x1.0347586c84a0cp+4, 0x1.5eec3ebbbe80ep+5,
-    0x1.03474838101d4p+27};
+template <> inline constexpr double CollisionSmallBounds<Accurate>[6] = {0x1.11ep-74, 0x1.7cap-146,
+    0x1.63dp-72, 0x1.11ep-74, 0x1.02dp-73, 0x1.11ep-51};
+template <> inline constexpr double CollisionSmallBounds<Fast>[6] = {0x1.295p-52, 0x1.c54p-102,
+    0x1.865p-50, 0x1.295p-52, 0x1.1bbp-51, 0x1.295p-29};
+template <> inline constexpr double CollisionSmallBounds<Slow>[6] = {0x1.0b9p-95, 0x1.979p-187,
+    0x1.a12p-92, 0x1.0b9p-95, 0x1.e62p-94, 0x1.0b9p-72};
+template <> inline constexpr double CollisionSmallBounds<Ziv>[6] = {0x1.035p+4, 0x1.97cp-170,
+    0x1.a58p+6, 0x1.035p+4, 0x1.5efp+5, 0x1.035p+27};
 /// collision, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, j from 2 to 1125899906842624,
 ///   half_phase between -0x1.0624dd2f1a9fcp-10 and 0x1.921ff2e48e8a7p+0, next_cosine above 2^23
 ///   times its error.
@@ -55,10 +40,6 @@ template <> inline constexpr double CollisionSmallBounds<Ziv>[6] = {0x1.034768a0
 /// t <= half_sine_j: a theorem
 /// 0 < next_sine_j: a theorem
 /// sine_ratio_j <= 1: a theorem
-/// Accurate is off by at most when: 2^-73.9 |half_cosine| |per_next| |per_next| |time_ratio| +
-///   2^-145.4 |per_next| |per_next| |time_ratio| + 2^-71.5 |per_next| |time_ratio|
-/// Accurate is off by at most apart: 2^-73.9 |per_next| |per_next| |t_ratio| + 2^-72.9 |per_next|
-///   |t_ratio|
 /// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 4,
 ///   reciprocal roots: 1, sines: 1, sums: 4, sums of doubles: 1.
 template <class Tier, class N>
@@ -68,25 +49,11 @@ struct CollisionSmall {
   T alpha, j;
   R doubt, when, apart;
   N t, half_h, half_phase, half_sine, t2, t5;
-  static constexpr const double* E = CollisionSmallBounds<Tier>;
+  static constexpr const double* E = CollisionSmallBounds<typename Tier::Bounds>;
   CollisionSmall() = default;
   [[gnu::always_inline]] explicit CollisionSmall(const CollisionInputs& in) :
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
   [[gnu::always_inline]] CollisionOutputs outputs() const { return {when, apart}; }
-  [[gnu::always_inline]] void load_inputs(const CollisionColumns& columns, std::size_t row) {
-    alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
-    j = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.j + row));
-  }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const CollisionColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
-    return (alpha >= 0x1p-300) & (alpha <= 0x1.fffffffffffffp-1) & (j >= 0x1p+1) & (j <= 0x1p+50) &
-        (arithmetic::to_whole(j) == arithmetic::load<arithmetic::SimdMask>(columns.j + row));
-  }
-  [[gnu::always_inline]] void store_outputs(const CollisionColumns& columns, std::size_t row) const
-      {
-    arithmetic::store(columns.when + row, when);
-    arithmetic::store(columns.apart + row, apart);
-  }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
     // above = 2 + alpha
@@ -146,13 +113,10 @@ template <class Tier> inline constexpr double CollisionFirstBounds[2] = {};
 template <> inline constexpr double CollisionFirstBounds<Accurate>[2] = {0x0p+0, 0x0p+0};
 template <> inline constexpr double CollisionFirstBounds<Fast>[2] = {0x0p+0, 0x0p+0};
 template <> inline constexpr double CollisionFirstBounds<Slow>[2] = {0x0p+0, 0x0p+0};
-template <> inline constexpr double CollisionFirstBounds<Ziv>[2] = {0x1.00001800008p+0,
-    0x1.00001800008p+0};
+template <> inline constexpr double CollisionFirstBounds<Ziv>[2] = {0x1.001p+0, 0x1.001p+0};
 /// collision, first: alpha from 0x1p-300 to 0x1p+300, j from 1 to 1.
 /// Theorem: when_1 = 1*inv(1)*((1 + alpha)/2)
 /// Theorem: apart_1 = 1*((1 + alpha)/2)
-/// Accurate is off by at most when: 0 |t1|
-/// Accurate is off by at most apart: 0 |t1|
 /// Operations: sums of doubles: 1.
 template <class Tier, class N>
 struct CollisionFirst {
@@ -161,7 +125,7 @@ struct CollisionFirst {
   T alpha, j;
   R doubt, when, apart;
   N t1, of_when;
-  static constexpr const double* E = CollisionFirstBounds<Tier>;
+  static constexpr const double* E = CollisionFirstBounds<typename Tier::Bounds>;
   CollisionFirst() = default;
   [[gnu::always_inline]] explicit CollisionFirst(const CollisionInputs& in) :
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
@@ -178,13 +142,10 @@ struct CollisionFirst {
     apart = arithmetic::rounded_by<Tier>(of_when, N::magnitude_of(leading(t1)) * E[1], doubt);
   }
 };
-/// What loops over rows need to know of collision.
+/// What its callers need to know of collision.
 struct Collision {
   using Inputs = CollisionInputs;
   using Outputs = CollisionOutputs;
-  using Columns = CollisionColumns;
-  template <class Tier, class N>
-  using Main = CollisionSmall<Tier, N>;
   /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
   /// is that of doubles, or (wide) of a number type without over- and underflow.
   template <bool is_wide, class F>

@@ -19,22 +19,13 @@ struct DeficientInputs {
 struct DeficientOutputs {
   double beta_;
 };
-struct DeficientColumns {
-  const std::int64_t* k;
-  double* beta_;
-  [[gnu::always_inline]] DeficientInputs get(std::size_t row) const { return {k[row]}; }
-  [[gnu::always_inline]] void set(std::size_t row, const DeficientOutputs& out) const {
-    beta_[row] = out.beta_;
-  }
-};
 template <class Tier> inline constexpr double DeficientGeneralBounds[1] = {};
-template <> inline constexpr double DeficientGeneralBounds<Accurate>[1] = {0x1.cdf32347af378p-76};
-template <> inline constexpr double DeficientGeneralBounds<Fast>[1] = {0x1.493663ce8b869p-54};
-template <> inline constexpr double DeficientGeneralBounds<Slow>[1] = {0x1.83a9006ad1b85p-98};
-template <> inline constexpr double DeficientGeneralBounds<Ziv>[1] = {0x1.b74b8ee9a3cadp+3};
+template <> inline constexpr double DeficientGeneralBounds<Accurate>[1] = {0x1.cep-76};
+template <> inline constexpr double DeficientGeneralBounds<Fast>[1] = {0x1.494p-54};
+template <> inline constexpr double DeficientGeneralBounds<Slow>[1] = {0x1.83bp-98};
+template <> inline constexpr double DeficientGeneralBounds<Ziv>[1] = {0x1.b75p+3};
 /// deficient, general: k from 1 to 1125899906842624.
 /// Theorem: beta_k = deficient_versed_k/deficient_cosine_k
-/// Accurate is off by at most beta_: 2^-75.1 |of_beta_|
 /// Operations: products: 1, quotients: 2, sines: 1, sums: 1.
 template <class Tier, class N>
 struct DeficientGeneral {
@@ -43,22 +34,10 @@ struct DeficientGeneral {
   T k;
   R doubt, beta_;
   N deficient_sine, of_beta_;
-  static constexpr const double* E = DeficientGeneralBounds<Tier>;
+  static constexpr const double* E = DeficientGeneralBounds<typename Tier::Bounds>;
   DeficientGeneral() = default;
   [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] DeficientOutputs outputs() const { return {beta_}; }
-  [[gnu::always_inline]] void load_inputs(const DeficientColumns& columns, std::size_t row) {
-    k = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.k + row));
-  }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const DeficientColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
-    return (k >= 0x1p+0) & (k <= 0x1p+50) & (arithmetic::to_whole(k) ==
-        arithmetic::load<arithmetic::SimdMask>(columns.k + row));
-  }
-  [[gnu::always_inline]] void store_outputs(const DeficientColumns& columns, std::size_t row) const
-      {
-    arithmetic::store(columns.beta_ + row, beta_);
-  }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
     const T t1 = N::all(0x1p+0) + k;
@@ -84,13 +63,10 @@ struct DeficientGeneral {
         doubt);
   }
 };
-/// What loops over rows need to know of deficient.
+/// What its callers need to know of deficient.
 struct Deficient {
   using Inputs = DeficientInputs;
   using Outputs = DeficientOutputs;
-  using Columns = DeficientColumns;
-  template <class Tier, class N>
-  using Main = DeficientGeneral<Tier, N>;
   /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
   /// is that of doubles, or (wide) of a number type without over- and underflow.
   template <bool is_wide, class F>

@@ -19,22 +19,13 @@ struct MagicInputs {
 struct MagicOutputs {
   double alpha_;
 };
-struct MagicColumns {
-  const std::int64_t* k;
-  double* alpha_;
-  [[gnu::always_inline]] MagicInputs get(std::size_t row) const { return {k[row]}; }
-  [[gnu::always_inline]] void set(std::size_t row, const MagicOutputs& out) const {
-    alpha_[row] = out.alpha_;
-  }
-};
 template <class Tier> inline constexpr double MagicGeneralBounds[1] = {};
-template <> inline constexpr double MagicGeneralBounds<Accurate>[1] = {0x1.949fed1e6b7c1p-76};
-template <> inline constexpr double MagicGeneralBounds<Fast>[1] = {0x1.231952ba29691p-54};
-template <> inline constexpr double MagicGeneralBounds<Slow>[1] = {0x1.ae349aa52156ep-98};
-template <> inline constexpr double MagicGeneralBounds<Ziv>[1] = {0x1.83fd28356a40cp+3};
+template <> inline constexpr double MagicGeneralBounds<Accurate>[1] = {0x1.94ap-76};
+template <> inline constexpr double MagicGeneralBounds<Fast>[1] = {0x1.232p-54};
+template <> inline constexpr double MagicGeneralBounds<Slow>[1] = {0x1.ae4p-98};
+template <> inline constexpr double MagicGeneralBounds<Ziv>[1] = {0x1.84p+3};
 /// magic, general: k from 2 to 1125899906842624.
 /// Theorem: alpha_k = magic_versed_k/magic_cosine_k
-/// Accurate is off by at most alpha_: 2^-75.3 |of_alpha_|
 /// Operations: products: 1, quotients: 2, sines: 1, sums: 1, sums of doubles: 1.
 template <class Tier, class N>
 struct MagicGeneral {
@@ -43,21 +34,10 @@ struct MagicGeneral {
   T k;
   R doubt, alpha_;
   N magic_sine, of_alpha_;
-  static constexpr const double* E = MagicGeneralBounds<Tier>;
+  static constexpr const double* E = MagicGeneralBounds<typename Tier::Bounds>;
   MagicGeneral() = default;
   [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] MagicOutputs outputs() const { return {alpha_}; }
-  [[gnu::always_inline]] void load_inputs(const MagicColumns& columns, std::size_t row) {
-    k = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.k + row));
-  }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const MagicColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
-    return (k >= 0x1p+1) & (k <= 0x1p+50) & (arithmetic::to_whole(k) ==
-        arithmetic::load<arithmetic::SimdMask>(columns.k + row));
-  }
-  [[gnu::always_inline]] void store_outputs(const MagicColumns& columns, std::size_t row) const {
-    arithmetic::store(columns.alpha_ + row, alpha_);
-  }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
     const T t1 = k * 0x1p+1;
@@ -84,13 +64,10 @@ struct MagicGeneral {
         doubt);
   }
 };
-/// What loops over rows need to know of magic.
+/// What its callers need to know of magic.
 struct Magic {
   using Inputs = MagicInputs;
   using Outputs = MagicOutputs;
-  using Columns = MagicColumns;
-  template <class Tier, class N>
-  using Main = MagicGeneral<Tier, N>;
   /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
   /// is that of doubles, or (wide) of a number type without over- and underflow.
   template <bool is_wide, class F>

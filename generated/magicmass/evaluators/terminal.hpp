@@ -44,39 +44,30 @@ struct TerminalColumns {
   }
 };
 template <class Tier> inline constexpr double TerminalSmallBounds[12] = {};
-template <> inline constexpr double TerminalSmallBounds<Accurate>[12] = {0x1.515d8dd4b0daap-74,
-    0x1.bc9739a1c81cap-150, 0x1.052dd62b1bf42p-74, 0x1.05f8277ef1587p-74, 0x1.9cc2dee23db35p-74,
-    0x1.052de8753c275p-72, 0x1.05f837de73d06p-72, 0x1.0c13e0542624bp-148, 0x1.80003000018p-52,
-    0x1.146c296c2d73bp-75, 0x1.80003000018p-52, 0x1.ba46a8bdc28d3p-76};
-template <> inline constexpr double TerminalSmallBounds<Fast>[12] = {0x1.29f44698986dbp-52,
-    0x1.5ac8898ba5248p-106, 0x1.e07c0c64dd44ep-53, 0x1.c934406a8de26p-53, 0x1.6f4e5a5ca614ep-52,
-    0x1.e07c2a6c9e1aep-51, 0x1.c9345cfdd1e91p-51, 0x1.9845b2cef9dbcp-105, 0x1.80003000018p-52,
-    0x1.f2c205ca703e4p-54, 0x1.80003000018p-52, 0x1.8f019e423eb6cp-54};
-template <> inline constexpr double TerminalSmallBounds<Slow>[12] = {0x1.e3f2ae4d8cbf9p-97,
-    0x1.a5afb3c87242cp-195, 0x1.53cd015724ff1p-96, 0x1.2a322deeb0073p-97, 0x1.4242eafc6055p-96,
-    0x1.d19dcab52b38bp-94, 0x1.2a324091d2e62p-95, 0x1.5b58c7101eda4p-194, 0x1.80003000018p-52,
-    0x1.5490c4b26cc94p-98, 0x1.80003000018p-52, 0x1.12c42e83a6642p-98};
-template <> inline constexpr double TerminalSmallBounds<Ziv>[12] = {0x1.a1329610fde23p+5,
-    0x1.450f8239c29c5p-91, 0x1.e72925678268ap+5, 0x1.0b541a912d2ap+5, 0x1.124ba73e5718dp+6,
-    0x1.e729445a14df2p+7, 0x1.0b542b466ed31p+7, 0x1.17287999bea37p-90, 0x1.00001p+0,
-    0x1.2d97f82fdeeddp+4, 0x1.00001p+0, 0x1.f6a7f24d59f3bp+3};
+template <> inline constexpr double TerminalSmallBounds<Accurate>[12] = {0x1.516p-74, 0x1.bcap-150,
+    0x1.053p-74, 0x1.06p-74, 0x1.9cdp-74, 0x1.053p-72, 0x1.06p-72, 0x1.0c2p-148, 0x1.801p-52,
+    0x1.147p-75, 0x1.801p-52, 0x1.ba5p-76};
+template <> inline constexpr double TerminalSmallBounds<Fast>[12] = {0x1.2ap-52, 0x1.5adp-106,
+    0x1.e08p-53, 0x1.c94p-53, 0x1.6f5p-52, 0x1.e08p-51, 0x1.c94p-51, 0x1.985p-105, 0x1.801p-52,
+    0x1.f2dp-54, 0x1.801p-52, 0x1.8f1p-54};
+template <> inline constexpr double TerminalSmallBounds<Slow>[12] = {0x1.e4p-97, 0x1.a5bp-195,
+    0x1.53dp-96, 0x1.2a4p-97, 0x1.425p-96, 0x1.d1ap-94, 0x1.2a4p-95, 0x1.5b6p-194, 0x1.801p-52,
+    0x1.54ap-98, 0x1.801p-52, 0x1.12dp-98};
+template <> inline constexpr double TerminalSmallBounds<Ziv>[12] = {0x1.a14p+5, 0x1.451p-171,
+    0x1.e73p+5, 0x1.0b6p+5, 0x1.125p+6, 0x1.e73p+7, 0x1.0b6p+7, 0x1.173p-170, 0x1.001p+0,
+    0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3};
 /// terminal, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1.
 /// Theorem: N_A = ceil(pi/(2*h) - 1/2)
 /// Theorem: N_B = ceil(pi/(2*h) - 1)
 /// Theorem: a_t = 1*(-t_minus*t_plus)
 /// Theorem: b_t = 1*b_form
 /// Theorem: c_t = 1*(2*t_minus*w_cosine)
-/// Theorem: rho = b_form^2
+/// Theorem: rho = (b_t*inv(1))^2
 /// z <= 1/3: a theorem
 /// t^2 = z: a theorem
 /// rest_sine <= t_cosine: a theorem; and: rest < h/2 is tested of computed values, and both are of
 ///   the computed rest
 /// t_cosine <= w_cosine: a theorem
-/// Accurate is off by at most a_t: 2^-149.2 + 2^-73.6 |t_plus|
-/// Accurate is off by at most b_t: 2^-73.9 |t_cosine| + 2^-73.9 |t_cosine| |w_plus|
-/// Accurate is off by at most c_t: 2^-73.3 |w_cosine|
-/// Accurate is off by at most rho: 2^-147.9 |t_cosine| |t_cosine| + 2^-71.9 |t_cosine| |t_cosine|
-///   |w_plus| + 2^-71.9 |t_cosine| |t_cosine| |w_plus| |w_plus|
 /// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 1,
 ///   reciprocal roots: 1, roundings to whole numbers: 1, sines: 1, sums: 5, sums of doubles: 1.
 template <class Tier, class N>
@@ -86,7 +77,7 @@ struct TerminalSmall {
   T alpha, N_A, N_B;
   R doubt, a_t, b_t, c_t, rho;
   N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
-  static constexpr const double* E = TerminalSmallBounds<Tier>;
+  static constexpr const double* E = TerminalSmallBounds<typename Tier::Bounds>;
   TerminalSmall() = default;
   [[gnu::always_inline]] explicit TerminalSmall(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}
@@ -175,25 +166,21 @@ struct TerminalSmall {
   }
 };
 template <class Tier> inline constexpr double TerminalFirstBounds[4] = {};
-template <> inline constexpr double TerminalFirstBounds<Accurate>[4] = {0x1.0000270001f8p-101,
-    0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95};
-template <> inline constexpr double TerminalFirstBounds<Fast>[4] = {0x1.0000270001f8p-101,
-    0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95};
-template <> inline constexpr double TerminalFirstBounds<Slow>[4] = {0x1.0000270001f8p-101,
-    0x1.1c0035400418p-98, 0x1.44003b40043cp-99, 0x1.d20078e00f28p-95};
-template <> inline constexpr double TerminalFirstBounds<Ziv>[4] = {0x1.4000200001p+2,
-    0x1.c000300001cp+4, 0x1.00001a0000ep+4, 0x1.c0002e0001ap+7};
+template <> inline constexpr double TerminalFirstBounds<Accurate>[4] = {0x1.001p-101, 0x1.1c1p-98,
+    0x1.441p-99, 0x1.d21p-99};
+template <> inline constexpr double TerminalFirstBounds<Fast>[4] = {0x1.001p-101, 0x1.1c1p-98,
+    0x1.441p-99, 0x1.d21p-99};
+template <> inline constexpr double TerminalFirstBounds<Slow>[4] = {0x1.001p-101, 0x1.1c1p-98,
+    0x1.441p-99, 0x1.d21p-99};
+template <> inline constexpr double TerminalFirstBounds<Ziv>[4] = {0x1.401p+2, 0x1.c01p+4,
+    0x1.001p+4, 0x1.c01p+3};
 /// terminal, first: alpha from 0x1p+0 to 0x1p+300.
 /// Theorem: N_A = 1
 /// Theorem: N_B = 1
 /// Theorem: a_t = 1*(lead*per_mass)
 /// Theorem: b_t = 1*(4*share*per_mass)
 /// Theorem: c_t = 1*(-2*lead*per_mass^2)
-/// Theorem: rho = 16*(share*per_mass)^2
-/// Accurate is off by at most a_t: 2^-100.9 |of_a_t|
-/// Accurate is off by at most b_t: 2^-97.8 |t2|
-/// Accurate is off by at most c_t: 2^-98.6 |t4|
-/// Accurate is off by at most rho: 2^-94.1 |t5|
+/// Theorem: rho = (b_t*inv(1))^2
 /// Operations: products: 5, products by doubles: 1, quotients: 1, sums of doubles: 2.
 template <class Tier, class N>
 struct TerminalFirst {
@@ -201,8 +188,8 @@ struct TerminalFirst {
   using R = typename N::Result;
   T alpha;
   R doubt, a_t, b_t, c_t, rho;
-  N of_a_t, t2, of_b_t, t4, of_c_t, t5, of_rho;
-  static constexpr const double* E = TerminalFirstBounds<Tier>;
+  N of_a_t, t2, of_b_t, t4, of_c_t, of_rho;
+  static constexpr const double* E = TerminalFirstBounds<typename Tier::Bounds>;
   TerminalFirst() = default;
   [[gnu::always_inline]] explicit TerminalFirst(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}
@@ -225,8 +212,7 @@ struct TerminalFirst {
     const N t3 = per_mass * per_mass;
     t4 = lead * t3;
     of_c_t = scaled(t4, -0x1p+1);
-    t5 = t2 * t2;
-    of_rho = scaled(t5, 0x1p+4);
+    of_rho = of_b_t * of_b_t;
   }
   [[gnu::always_inline]] void stage_2() {
   }
@@ -234,10 +220,10 @@ struct TerminalFirst {
     a_t = arithmetic::rounded_by<Tier>(of_a_t, N::magnitude_of(leading(of_a_t)) * E[0], doubt);
     b_t = arithmetic::rounded_by<Tier>(of_b_t, N::magnitude_of(leading(t2)) * E[1], doubt);
     c_t = arithmetic::rounded_by<Tier>(of_c_t, N::magnitude_of(leading(t4)) * E[2], doubt);
-    rho = arithmetic::rounded_by<Tier>(of_rho, N::magnitude_of(leading(t5)) * E[3], doubt);
+    rho = arithmetic::rounded_by<Tier>(of_rho, N::magnitude_of(leading(of_rho)) * E[3], doubt);
   }
 };
-/// What loops over rows need to know of terminal.
+/// What its callers need to know of terminal.
 struct Terminal {
   using Inputs = TerminalInputs;
   using Outputs = TerminalOutputs;

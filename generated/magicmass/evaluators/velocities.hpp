@@ -41,18 +41,14 @@ struct VelocitiesColumns {
   }
 };
 template <class Tier> inline constexpr double VelocitiesSmallBounds[7] = {};
-template <> inline constexpr double VelocitiesSmallBounds<Accurate>[7] = {0x1.33dfd476dc981p-74,
-    0x1.33dfd459c5484p-74, 0x1.724283decb77ep-148, 0x1.4b21b65557d6ep-73, 0x1.79d9c98c0b9e1p-73,
-    0x1.1c83d023bc906p-72, 0x1.e64309be4700bp-73};
-template <> inline constexpr double VelocitiesSmallBounds<Fast>[7] = {0x1.47f903cb250e4p-52,
-    0x1.47f903cb250ddp-52, 0x1.a42dffa679eb5p-104, 0x1.6a692b62d0dedp-51, 0x1.948f25a315aeap-51,
-    0x1.32e60c54a727p-50, 0x1.059b00e232829p-50};
-template <> inline constexpr double VelocitiesSmallBounds<Slow>[7] = {0x1.19695a2c2512p-95,
-    0x1.15c670312bf75p-95, 0x1.2d66f5c5b703ep-190, 0x1.472c053435e24p-94, 0x1.64f71237b7c4ep-94,
-    0x1.0dfa3e42aa2cep-93, 0x1.c8dcc8771a2e3p-94};
-template <> inline constexpr double VelocitiesSmallBounds<Ziv>[7] = {0x1.5954eab56e94cp+4,
-    0x1.36da7d631261dp+4, 0x1.7975ca8e5e014p-92, 0x1.81878b6f82503p+5, 0x1.985356b27ec5dp+5,
-    0x1.3374a0a566442p+6, 0x1.0345eb42d3711p+6};
+template <> inline constexpr double VelocitiesSmallBounds<Accurate>[7] = {0x1.33ep-74, 0x1.33ep-74,
+    0x1.725p-148, 0x1.4b3p-73, 0x1.79ep-73, 0x1.1c9p-72, 0x1.e65p-73};
+template <> inline constexpr double VelocitiesSmallBounds<Fast>[7] = {0x1.48p-52, 0x1.48p-52,
+    0x1.a43p-104, 0x1.6a7p-51, 0x1.949p-51, 0x1.32fp-50, 0x1.05ap-50};
+template <> inline constexpr double VelocitiesSmallBounds<Slow>[7] = {0x1.197p-95, 0x1.15dp-95,
+    0x1.2d7p-190, 0x1.473p-94, 0x1.65p-94, 0x1.0ep-93, 0x1.c8ep-94};
+template <> inline constexpr double VelocitiesSmallBounds<Ziv>[7] = {0x1.596p+4, 0x1.36ep+4,
+    0x1.798p-172, 0x1.819p+5, 0x1.986p+5, 0x1.338p+6, 0x1.035p+6};
 /// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0 to 1125899906842624,
 ///   phase between -0x1.0624dd2f1a9fcp-10 and 0x1.0c189374bc6a8p+1.
 /// Theorem: a_n = 1*(plus_n*minus_n)
@@ -62,10 +58,6 @@ template <> inline constexpr double VelocitiesSmallBounds<Ziv>[7] = {0x1.5954eab
 /// z <= 1/3: a theorem
 /// t^2 = z: a theorem
 /// t_sine_n <= w_sine_n: a theorem
-/// Accurate is off by at most a: 2^-147.4 + 2^-73.7 |plus| + 2^-73.7 |minus|
-/// Accurate is off by at most b: 2^-72.4 |t_sine| + 2^-72.6 |t_sine| |w_sine|
-/// Accurate is off by at most c: 2^-71.8 |w_sine|
-/// Accurate is off by at most c_prime: 2^-72.0 |w_sine|
 /// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 1,
 ///   reciprocal roots: 1, sines: 1, sums: 3, sums of doubles: 1.
 template <class Tier, class N>
@@ -75,7 +67,7 @@ struct VelocitiesSmall {
   T alpha, n, t2;
   R doubt, a, b, c, c_prime;
   N w, t, half_h, phase, sine, cosine;
-  static constexpr const double* E = VelocitiesSmallBounds<Tier>;
+  static constexpr const double* E = VelocitiesSmallBounds<typename Tier::Bounds>;
   VelocitiesSmall() = default;
   [[gnu::always_inline]] explicit VelocitiesSmall(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
@@ -150,23 +142,19 @@ struct VelocitiesSmall {
   }
 };
 template <class Tier> inline constexpr double VelocitiesFirstBounds[4] = {};
-template <> inline constexpr double VelocitiesFirstBounds<Accurate>[4] = {0x1.0000270001f8p-101,
-    0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99};
-template <> inline constexpr double VelocitiesFirstBounds<Fast>[4] = {0x1.0000270001f8p-101,
-    0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99};
-template <> inline constexpr double VelocitiesFirstBounds<Slow>[4] = {0x1.0000270001f8p-101,
-    0x1.1c0035400418p-98, 0x1.40002b0001ap-101, 0x1.44003b40043cp-99};
-template <> inline constexpr double VelocitiesFirstBounds<Ziv>[4] = {0x1.4000200001p+2,
-    0x1.c000300001cp+4, 0x1.8000300002p+2, 0x1.00001a0000ep+4};
+template <> inline constexpr double VelocitiesFirstBounds<Accurate>[4] = {0x1.001p-101, 0x1.1c1p-98,
+    0x1.401p-101, 0x1.441p-99};
+template <> inline constexpr double VelocitiesFirstBounds<Fast>[4] = {0x1.001p-101, 0x1.1c1p-98,
+    0x1.401p-101, 0x1.441p-99};
+template <> inline constexpr double VelocitiesFirstBounds<Slow>[4] = {0x1.001p-101, 0x1.1c1p-98,
+    0x1.401p-101, 0x1.441p-99};
+template <> inline constexpr double VelocitiesFirstBounds<Ziv>[4] = {0x1.401p+2, 0x1.c01p+4,
+    0x1.801p+2, 0x1.001p+4};
 /// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 1 to 1.
 /// Theorem: a_1 = 1*(lead*per_mass)
 /// Theorem: b_1 = 1*(4*share*per_mass)
 /// Theorem: c_1 = 1*(2*per_mass)
 /// Theorem: c'_1 = 1*(-2*lead*per_mass^2)
-/// Accurate is off by at most a: 2^-100.9 |of_a|
-/// Accurate is off by at most b: 2^-97.8 |t2|
-/// Accurate is off by at most c: 2^-100.6 |per_mass|
-/// Accurate is off by at most c_prime: 2^-98.6 |t4|
 /// Operations: products: 4, products by doubles: 1, quotients: 1, sums of doubles: 2.
 template <class Tier, class N>
 struct VelocitiesFirst {
@@ -175,7 +163,7 @@ struct VelocitiesFirst {
   T alpha, n;
   R doubt, a, b, c, c_prime;
   N per_mass, of_a, t2, of_b, of_c, t4, of_c_prime;
-  static constexpr const double* E = VelocitiesFirstBounds<Tier>;
+  static constexpr const double* E = VelocitiesFirstBounds<typename Tier::Bounds>;
   VelocitiesFirst() = default;
   [[gnu::always_inline]] explicit VelocitiesFirst(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
@@ -208,7 +196,7 @@ struct VelocitiesFirst {
     c_prime = arithmetic::rounded_by<Tier>(of_c_prime, N::magnitude_of(leading(t4)) * E[3], doubt);
   }
 };
-/// What loops over rows need to know of velocities.
+/// What its callers need to know of velocities.
 struct Velocities {
   using Inputs = VelocitiesInputs;
   using Outputs = VelocitiesOutputs;

@@ -118,4 +118,41 @@ ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Numbe
   throw std::domain_error("shape_exact: allowed: "
       "M_A > 0, w_B > 0, M_C > 0, e > 0");
 }
+template <class Number>
+struct TwoCollisionsExact {
+  Number ends, two, tie, a_two, b_two, c_two, rho_two;
+};
+/// two_collisions (eq:a-terminal eq:b-terminal eq:ct): ends, two, tie, a_two, b_two, c_two,
+///   rho_two. Domain: alpha > 0, e > 0.
+/// Theorems: evaluators_restitution.def_ends, evaluators_restitution.def_two,
+///   evaluators_restitution.def_tie, evaluators_restitution.a_two, evaluators_restitution.b_two,
+///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two.
+template <class Number>
+TwoCollisionsExact<Number> two_collisions_exact(const Number& alpha, const Number& e) {
+  if (true) {
+    const Number t2 = Number(1) + alpha;
+    const Number t3 = t2 * t2;
+    const Number t5 = Number(1) + e;
+    const Number t6 = t5 * t5;
+    // ends = 4*e*(1 + alpha)^2 - (1 + e)^2
+    const Number ends = Number(4) * e * t3 - t6;
+    // two = 1*e*(1 + alpha)^2 - (1 + e)^2
+    const Number two = e * t3 - t6;
+    // tie = 2*e*(1 + alpha)^2 - (1 + e)^2
+    const Number tie = Number(2) * e * t3 - t6;
+    // a_two = 1*((1 - e*alpha)/(1 + alpha))
+    const Number a_two = (Number(1) - e * alpha) / t2;
+    const Number t15 = Number(1) / t2;
+    const Number t16 = t15 * t15;
+    // b_two = 1*((1 + e)^2*alpha/(1 + alpha)^2)
+    const Number b_two = t6 * alpha * t16;
+    // c_two = 1*((alpha - e)*(1 + e)/(1 + alpha)^2)
+    const Number c_two = (alpha - e) * t5 * t16;
+    // rho_two = (b_two*inv(1))^2
+    const Number rho_two = b_two * b_two;
+    return {ends, two, tie, a_two, b_two, c_two, rho_two};
+  }
+  throw std::domain_error("two_collisions_exact: allowed: "
+      "alpha > 0, e > 0");
+}
 }  // namespace magicmass::generated

@@ -121,14 +121,10 @@ AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B,
     const Number A_next = B_next + (after - t28);
     // C_next_j = B_next_j + ((1 + turn_j)*after_j/2 - (1 - turn_j)*(e*before_j)/2)
     const Number C_next = B_next + t36;
-    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1))) {
-      throw std::domain_error(
-          "after_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
-    }
-    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128))) {
-      throw std::domain_error(
-          "after_restitution: now_side must be between 0x1p-128 and 0x1p+128");
-    }
+    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
+      throw std::domain_error("after_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
+      throw std::domain_error("after_restitution: now_side must be between 0x1p-128 and 0x1p+128");
     return {B_next, A_next, C_next};
   }
   throw std::domain_error("after_restitution: allowed: "
@@ -186,22 +182,14 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     //   turn_j)*(w_B*M_A*blocks_j)/2)/(1 + w_B*(M_A + M_C))
     const Number place = (Number(1) + t24 * moment - t6 * blocks / Number(2) + t9 * (t24 * blocks) /
         Number(2)) / (Number(1) + w_B * t1);
-    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1))) {
-      throw std::domain_error(
-          "at_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
-    }
-    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128))) {
-      throw std::domain_error(
-          "at_restitution: now_side must be between 0x1p-128 and 0x1p+128");
-    }
-    if (!(now_sine > Number(0x1p-128) && now_sine < Number(0x1p+1))) {
-      throw std::domain_error(
-          "at_restitution: now_sine must be between 0x1p-128 and 0x1p+1");
-    }
-    if (!(rest_e > Number(0x1p-128) && rest_e < Number(0x1p+2))) {
-      throw std::domain_error(
-          "at_restitution: rest_e must be between 0x1p-128 and 0x1p+2");
-    }
+    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
+      throw std::domain_error("at_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
+      throw std::domain_error("at_restitution: now_side must be between 0x1p-128 and 0x1p+128");
+    if (!(now_sine > Number(0x1p-128) && now_sine < Number(0x1p+1)))
+      throw std::domain_error("at_restitution: now_sine must be between 0x1p-128 and 0x1p+1");
+    if (!(rest_e > Number(0x1p-128) && rest_e < Number(0x1p+2)))
+      throw std::domain_error("at_restitution: rest_e must be between 0x1p-128 and 0x1p+2");
     return {moment, blocks, place};
   }
   throw std::domain_error("at_restitution: allowed: "

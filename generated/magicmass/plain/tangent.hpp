@@ -76,7 +76,7 @@ struct TerminalTangent {
 ///   evaluators_end.def_rest_sine, evaluators_end.def_rest_cosine, evaluators_end.def_t_cosine,
 ///   evaluators_end.def_w_cosine, evaluators_end.def_t_plus, evaluators_end.def_t_minus,
 ///   evaluators_end.def_w_plus, evaluators_end.def_b_form, evaluators_end.N_B,
-///   evaluators_end.terminal, evaluators_end.rho.
+///   evaluators_end.terminal, evaluators_end.def_rho.
 template <class Number>
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   using std::abs;
@@ -123,7 +123,7 @@ TerminalTangent<Number> terminal_tangent(const Number& alpha) {
     const Number a_t = -t_minus * t_plus;
     // c_t = 1*(2*t_minus*w_cosine)
     const Number c_t = Number(2) * t_minus * w_cosine;
-    // rho = b_form^2
+    // rho = (b_t*inv(1))^2
     const Number rho = b_form * b_form;
     return {N_A, N_B, a_t, b_form, c_t, rho};
   }

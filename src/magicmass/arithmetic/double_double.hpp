@@ -20,12 +20,17 @@ template <class T>
 struct DoubleDouble {
   using Value = T;   // of inputs, counts and error bounds
   using Result = T;  // of rounded outputs
+  static constexpr bool is_wide = false;
   T high, low;
 
   [[gnu::always_inline]] static T all(double x) { return arithmetic::all<T>(x); }
   [[gnu::always_inline]] static T whole(std::int64_t n) { return all(double(n)); }
   [[gnu::always_inline]] static std::int64_t to_whole(T n) { return arithmetic::to_whole(n); }
   [[gnu::always_inline]] static T to_result(T x) { return x; }
+  /// 1 for an even whole number, -1 for an odd one.
+  [[gnu::always_inline]] static T turn(T n) {
+    return 1.0 - 2.0 * magnitude(n - 2.0 * arithmetic::nearest(0.5 * n));
+  }
   [[gnu::always_inline]] static T nearest(T x) { return arithmetic::nearest(x); }
   [[gnu::always_inline]] static T magnitude_of(T x) { return magnitude(x); }
   [[gnu::always_inline]] static T times_sign_of(T x, T y) {

@@ -56,6 +56,21 @@ template <class Tier, class T>
   return t * polynomial<P>(less_centre(z, P::centre));
 }
 
+/// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-200 down that.
+inline DoubleDouble<double> power(DoubleDouble<double> x, double n) {
+  const auto times_or_least = [](DoubleDouble<double> a, DoubleDouble<double> b) {
+    const DoubleDouble<double> p = a * b;
+    return p.high > 0x1p-200 ? fast_two_sum(p.high, p.low) : DoubleDouble<double>{0x1p-200, 0.0};
+  };
+  DoubleDouble<double> result{1.0, 0.0};
+  x = fast_two_sum(x.high, x.low);
+  for (std::int64_t left = std::int64_t(n); left > 0; left /= 2) {
+    if (left % 2 != 0) result = times_or_least(result, x);
+    x = times_or_least(x, x);
+  }
+  return result;
+}
+
 template <class N>
 struct SineCosine {
   N sine, cosine;

@@ -22,6 +22,12 @@ Velocities velocities(double alpha, std::int64_t n);
 /// Counts, a_t, b_t, c_t, unit V, and rho. nullopt: N_A + N_B is 2^63 or more, alpha below about
 /// 5.8e-38.
 std::optional<Terminal> terminal(double alpha);
+/// The same where each collision has restitution e, 0 < e <= 1, else InvalidInput: errors are at
+/// most 4 envelopes of max(1/2, (|alpha y_alpha| + |e y_e|)/|2 y|) ulp, counts are exact. nullopt:
+/// the collisions never end (inelastic collapse; decided exactly), or as above where e is 1.
+/// Throws Undecided where 1 - (1 - e)^2/(4 e alpha (2 + alpha)), which is 0 where collapse begins,
+/// is above 0 and below 2^-80, or where more than 2^62 collisions take place with e < 1.
+std::optional<Terminal> terminal(double alpha, double e);
 /// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1 (j = 0: 0
 /// and 1), else throws InvalidInput.
 Collision collision(double alpha, std::int64_t j);

@@ -5,6 +5,7 @@
 #include "magicmass/evaluators/collision.hpp"
 #include "magicmass/evaluators/deficient.hpp"
 #include "magicmass/evaluators/magic.hpp"
+#include "magicmass/evaluators/restitution.hpp"
 #include "magicmass/evaluators/terminal.hpp"
 #include "magicmass/evaluators/velocities.hpp"
 #include "magicmass/numbers/kernels.hpp"
@@ -60,6 +61,16 @@ bool terminal(Terminal& result, double alpha) {
   generated::TerminalOutputs v{};
   const double doubt = attempt<generated::Terminal, Tier>({alpha}, v);
   result = {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
+  return doubt == 0.0;
+}
+/// What is in doubt is counts, not roundings: up to the last sums, which lose 2^-96 of the largest
+/// velocity, the losses are those of inputs that are off by less than 2^-90. share_e, h and h N
+/// lose a few 2^-98 of loss_e, h and h N; a change of alpha changes each at least half as much,
+/// relatively. The power loses less than N 2^-100; a change of e changes it by N/2 as much.
+bool restitution(Terminal& result, double alpha, double e) {
+  generated::RestitutionOutputs v{};
+  const double doubt = attempt<generated::Restitution, generated::Slow>({alpha, e}, v);
+  result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
   return doubt == 0.0;
 }
 bool counts(Counts& result, double alpha) {
@@ -152,6 +163,7 @@ const Kernels table{lanes == 8   ? "avx512"
                                  : "baseline",
                     {velocities<Fast>, velocities<Accurate>, velocities<Slow>},
                     {terminal<Fast>, terminal<Accurate>, terminal<Slow>},
+                    restitution,
                     counts,
                     {collision<Fast>, collision<Accurate>, collision<Slow>},
                     {angle<Fast>, angle<Accurate>, angle<Slow>},

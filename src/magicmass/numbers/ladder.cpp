@@ -141,6 +141,15 @@ std::optional<Terminal> accurate::terminal(double alpha) {
 std::optional<Terminal> fast::terminal(double alpha) {
   return numbers::terminal_or_throw(numbers::fast, alpha);
 }
+std::optional<Terminal> fast::terminal(double alpha, double e) {
+  numbers::check(alpha);
+  if (!(e > 0.0 && e <= 1.0))
+    throw InvalidInput("e must be above 0 and at most 1, got " + std::to_string(e));
+  if (e == 1.0) return terminal(alpha);
+  std::optional<Terminal> t(std::in_place);
+  if (!numbers::kernels().restitution(*t, alpha, e)) t = numbers::restitution_by_mpfr(alpha, e);
+  return t;
+}
 Collision accurate::collision(double alpha, std::int64_t j) {
   return numbers::collision(numbers::accurate, alpha, j);
 }

@@ -245,3 +245,19 @@ TEST_CASE("a polynomial with a spoiled coefficient is seen by its own proof and 
     }
   }
 }
+
+TEST_CASE("powers lose what the table allows, are cut off at 2^-200, and end where it does not") {
+  using Pair = magicmass::arithmetic::DoubleDouble<double>;
+  const NumberType t{u, &codegen::tiers()[1]};
+  for (const double x : {0.9, 0.999, 0x1.fffffffffffffp-1}) {
+    for (const int n : {1, 2, 7, 100, 1023}) {
+      const Pair p = magicmass::arithmetic::power(Pair{x, 0}, n);
+      const cl_RA wanted = cln::expt(codegen::exact(x), n);
+      const cl_RA off = codegen::exact(p.high) + codegen::exact(p.low) - wanted;
+      CHECK(size(off) <= t.power(0, n).loss * size(wanted));
+    }
+  }
+  CHECK(magicmass::arithmetic::power(Pair{0.5, 0}, 1e6).high == 0x1p-200);
+  CHECK_THROWS_WITH(t.power(0x1p-60, 0x1p40),
+                    Catch::Matchers::Equals("a power of too high an exponent"));
+}

@@ -40,6 +40,9 @@ operations.cpp|s/const Loss either{/const Loss either{0.5 * /
 operations.cpp|s/, std::max(sine.loose, cosine.loose)}/, 0.5 * std::max(sine.loose, cosine.loose)}/
 operations.cpp|s/and_more, spill};/and_more, 0.5 * spill};/
 operations.cpp|s/return (is_pair() ? u \* x : u)/return 0.5 * (is_pair() ? u * x : u)/
+operations.cpp|s/const double off = most \*/const double off = 0.5 * most */
+errors.cpp|s/needed(x), p\[y\].range.high));/needed(x), 0.4 * p[y].range.high));/
+errors.cpp|s/add(f, {{{}, least_power \* 2}});/;/
 errors.cpp|s/^ *add(f, error(o));/;/
 errors.cpp|s/add_loss(f, \*of_x + \*of_y + \*of_x \* \*of_y, k);/add_loss(f, *of_x, k);/
 errors.cpp|s/add_loss(f, \*r, k);/;/

@@ -42,6 +42,7 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
   const json manifest = json::parse(read(fs::path(GENERATED) / "manifest.json"));
   const std::set<std::string> forms{"evaluator", "closed",   "product",    "tangent",
                                     "exact",     "matrices", "restitution"};
+  const std::string errors = read(fs::path(GENERATED) / "magicmass/evaluators/errors.txt");
   std::set<std::string> headers, seen;
   for (const json& entry : manifest) {
     const std::string path = entry.at("header");
@@ -58,7 +59,7 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
       check_says(header, std::string(c.at("domain")));
       CHECK_FALSE(c.at("theorems").empty());
       CHECK(c.at("bounds").empty() == (form != "evaluator"));
-      for (const std::string bound : c.at("bounds")) check_says(header, bound);
+      for (const std::string bound : c.at("bounds")) check_says(errors, bound);
       if (form == "evaluator") continue;
       for (const std::string id : c.at("theorems")) check_says(header, id);
     }

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Evaluated forms of the terminal velocities with restitution, of two blocks and a ball.
+#include "derivation/evaluators.hpp"
+#include "derivation/wedge.hpp"
+
+namespace derivation {
+namespace {
+const Substitution blocks{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
+Expr of_e(const std::string& name) { return fun(name, {alpha, e}); }
+
+class Form {
+public:
+  explicit Form(Book& the_book) : book(the_book) {}
+  Theorem name(const std::string& symbol, Expr value, const std::string& words = "and") {
+    return book.name(symbol, params, value, domain, words, "", "def_" + symbol);
+  }
+  /// A name of what is known to be positive.
+  Theorem positive_name(const std::string& symbol, Expr value, const std::string& words = "and") {
+    const Theorem is = name(symbol, value, words);
+    know(linear(lt(0, fun(symbol, params)), {is, positive(value)}));
+    return is;
+  }
+  /// A theorem of other chapters.
+  Theorem known(const std::string& id, const Substitution& terms = {}) const {
+    Substitution all = blocks;
+    all.insert(terms.begin(), terms.end());
+    return at(book[id], all);
+  }
+  Book& book;
+  Exprs params{alpha, e}, domain{alpha_positive, lt(0, e)};
+};
+
+/// t = tan(h_e/2), without cancellation but in `share_e`, which is 1 or less. |- h_e = step_e.
+Theorem angle(Form& f) {
+  const Theorem rise = f.positive_name("rise_e", 4 * e * (alpha * (2 + alpha)), "With");
+  f.name("root_e", sqrt(e));
+  const Theorem loss = f.name("loss_e", power(1 - e, 2) / of_e("rise_e"));
+  const Theorem share = f.name("share_e", 1 - of_e("loss_e"));
+  const Theorem ends = assume(lt(0, of_e("share_e")));
+  know(ends);
+  f.domain.push_back(ends.conclusion());
+  const Theorem whole = f.positive_name("whole_e", 2 * sqrt(e) * (1 + alpha) + (1 + e));
+  const Theorem gap_e = f.positive_name("gap_e", of_e("rise_e") * of_e("share_e"));
+  const Expr gap = of_e("gap_e"), W = of_e("whole_e");
+  const Theorem z = f.positive_name("z_e", gap / power(W, 2));
+  const Theorem t = f.positive_name("t_e", sqrt(gap) / W);
+  const Expr T = t.conclusion().arg(0);
+  const Theorem square =
+      f.book.show("t_squared", "", "t^2 is",
+                  equation(power(T, 2), of_e("z_e"), {t, z, root_squared(positive(gap))}));
+  // gap = (2 sqrt(e)(1 + alpha))^2 - (1 + e)^2
+  const Theorem gap_is = equation(gap, power(2 * sqrt(e) * (1 + alpha), 2) - power(1 + e, 2),
+                                  {gap_e, rise, share, loss, root_squared(assume(lt(0, e)))});
+  const Theorem q = f.known("bodies.def_q_e"), K = f.known("collapse.def_K");
+  const Expr q_e = q.conclusion().arg(0), D = 4 * e * power(1 + alpha, 2);
+  const Theorem q_positive = linear(
+      lt(0, q_e), {equation(q_e, gap / D, {q, K, gap_e, rise, share, loss}), positive(gap / D)});
+  know(q_positive);
+  const Expr kappa_e = substitute(kappa(), blocks);
+  know(tautology(lt(kappa_e, 1), {f.known("collapse.threshold"),
+                                  linear(lt(K.conclusion().arg(0), 1), {q, q_positive})}));
+  // (1 - t^2)/(1 + t^2) = kappa
+  const Theorem step = f.positive_name("step_e", 2 * atan(T));
+  const Expr half = atan(T);
+  const Theorem parts_of_kappa =
+      equation(kappa_e, (1 + e) / (2 * sqrt(e) * (1 + alpha)),
+               {f.known("wedge.kappa"), f.known("wedge.r_A"), f.known("wedge.r_B"),
+                root_squared(positive(1 / (1 + alpha)))});
+  const Theorems of_half{use("cos atan", {{x, T}}), use("sin atan", {{x, T}}), square};
+  const Theorem cosine = equation(
+      cos(2 * half), kappa_e,
+      of_half + Theorems{z, gap_is, whole, parts_of_kappa, root_squared(assume(lt(0, e)))}, {half});
+  const Theorem sine = f.positive_name("sine_e", 2 * T / (1 + of_e("z_e")));
+  f.book.show("sine", "", "the sine of step_e:",
+              rewrite(turned(step),
+                      equation(sin(2 * half), of_e("sine_e"), of_half + Theorems{sine}, {half})));
+  const Theorem same =
+      same_angle(chain(cosine, turned(f.known("wedge.cosine"))),
+                 {positive(half), use("atan range", {{x, T}}), f.known("wedge.acute")});
+  return f.book.show("h_e", "", "the angle is",
+                     linear(eq(of_e("step_e"), same.conclusion().arg(1)), {same, step}));
+}
+
+/// Both speeds with which bodies part after the last collision, then the velocities.
+void velocities(Form& f, const Theorem& step) {
+  Book& book = f.book;
+  const Expr N = substitute(fun("N_e", {M_A, w_B, M_C, e, V}), blocks), h = of_e("step_e");
+  const Theorem count = book.show("N_e", "", "the number of collisions",
+                                  rewrite(turned(step), f.known("bodies.N_e")));
+  const Theorem some = assume(lt(0, N));
+  know(some);
+  know(linear(le(1, N), {next_integer(some)}));
+  f.domain = {alpha_positive, lt(0, e), V_positive, lt(0, of_e("share_e")), some.conclusion()};
+  f.params = {alpha, e, V};
+  const auto of_V = [&](const std::string& symbol) { return fun(symbol, f.params); };
+  const Theorem span = f.name("span_e", h * N, "With");
+  const Theorem left = f.name("left_e", pi() - of_V("span_e"));
+  const Theorem next = f.name("next_e", h - of_V("left_e"));
+  const Theorem sine_is = book["evaluators_restitution.sine"];
+  const Theorem power_is = f.name("power_e", root_power(N));
+  const Expr Power = of_V("power_e"), S = of_e("sine_e");
+  const Theorem open_ratio = f.name("open_ratio_e", sin(of_V("next_e")) / S);
+  const Theorem last_ratio = f.name("last_ratio_e", sin(of_V("left_e")) / S);
+  const Theorem kept = f.name("kept_e", Power * of_V("open_ratio_e"));
+  const Theorem parted = f.name("parted_e", sqrt(e) * Power * of_V("last_ratio_e"));
+  const Expr v = of_V("kept_e"), u = of_V("parted_e");
+  const Theorem ball_is = f.name("ball_e", alpha / (2 + alpha));
+  const Theorem odd = f.name("odd_e", 1 - turn(N)), even = f.name("even_e", 1 + turn(N));
+  const Theorem second = f.name("second_e", of_V("odd_e") / 2 * v + of_V("even_e") / 2 * u);
+
+  const Theorem r_A_is = f.known("wedge.r_A"), r_B_is = f.known("wedge.r_B");
+  const Theorem sides =
+      linear(eq(r_B_is.conclusion().arg(0), r_A_is.conclusion().arg(0)), {r_A_is, r_B_is});
+  know(linear(lt(0, r_A_is.conclusion().arg(0)), {r_A_is, positive(sqrt(1 / (1 + alpha)))}));
+  const auto at_e = [](Expr t) { return substitute(t, blocks); };
+  const auto closing_is = [&](Expr i) {
+    return canonical_form(
+        rewrite(sides, rewrite(turned(step), f.known("wedge.speed_sine", {{j, i}}))));
+  };
+  const Exprs bases{pi() / 2, h * N, h};
+  const Theorem to_turn = rewrite(span, left), to_next = rewrite(to_turn, next);
+  const Theorem of_before = closing_is(N - 1), of_after = closing_is(N);
+  const Theorem power_next =
+      canonical_form(use(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1), {{j, N - 1}},
+                         {linear(le(0, N - 1))}));
+  const Expr before = of_before.conclusion().arg(0), after = of_after.conclusion().arg(0);
+  const Theorem last = book.show(
+      "last", "", "After the last collision its bodies part with the speed",
+      equation(e * before, V * u,
+               {rewrite(sine_is, of_before), rewrite(to_turn, rewrite(last_ratio, parted)),
+                power_is, power_next, root_squared(assume(lt(0, e)))},
+               bases));
+  const Theorem open = book.show(
+      "open", "", "and the other two approach with",
+      equation(after, -V * v,
+               {rewrite(sine_is, of_after), rewrite(to_next, rewrite(open_ratio, kept)), power_is},
+               bases));
+  const auto motion = [&](const char* id) { return canonical_form(f.known(id, {{j, N - 1}})); };
+  const Expr both_speeds = v + u, s = of_V("second_e"), per = 1 / (2 + alpha),
+             ball = of_V("ball_e");
+  const auto show = [&](const char* symbol, const char* body, Expr form, const Theorems& more) {
+    const Theorem is = f.name(symbol, at_e(velocity(body, N)), "and so");
+    return book.show(
+        symbol, "", "is",
+        under(f.domain, equation(of_V(symbol), V * form,
+                                 more + Theorems{is, last, open, second, odd, even, ball_is})));
+  };
+  const Theorem of_B = motion("motion.B_velocity");
+  show("b_end", "B", (1 + both_speeds) * per + ball * s, {of_B});
+  const auto against_B = [&](const char* id, const char* body) {
+    const Expr own = at_e(velocity(body, N)), B = at_e(velocity("B", N));
+    const Theorem difference = motion(id);
+    return linear(eq(own, B + (difference.conclusion().arg(1))), {difference});
+  };
+  show("a_end", "A", (1 - both_speeds) * per + ball * (s - both_speeds),
+       {against_B("motion.A_B", "A"), of_B});
+  show("c_end", "C", (1 + both_speeds - 2 * s) * per, {against_B("motion.C_B", "C"), of_B});
+  f.name("rho_end", power(of_V("b_end") / V, 2), "B has of the energy the fraction");
+}
+/// Where two are all: e (1 + alpha)^2 >= (1 + e)^2.
+void two_collisions(Form& f) {
+  Book& book = f.book;
+  const Theorem K = f.known("collapse.def_K");
+  const auto compare = [&](const char* symbol, int factor, const char* words) {
+    const Expr below = 4 * e * power(1 + alpha, 2);
+    const Theorem is = f.name(symbol, factor * e * power(1 + alpha, 2) - power(1 + e, 2));
+    book.show(symbol, "", words,
+              equation(K.conclusion().arg(0), rational(factor, 4) - of_e(symbol) / below, {K, is}));
+  };
+  compare("ends", 4, "the square of kappa is below 1 where this is positive:");
+  compare("two", 1, "and below 1/4, the square of the cosine of pi/3,");
+  compare("tie", 2, "or 1/2, that of pi/4,");
+  Theorems facts = parts({f.known("motion.start"), book["cycle.turn"]});
+  facts.pop_back();
+  for (int i : {0, 1}) {
+    const Theorem from = linear(le(0, i));
+    const Theorem motion = instantiate(book["motion.next"], blocks);
+    for (std::size_t k : {0, 1, 2})
+      facts.push_back(canonical_form(use(part(motion, k), {{j, i}}, {from})));
+    facts.push_back(canonical_form(use(part(book["cycle.turn"], 1), {{j, i}}, {from})));
+  }
+  f.params = {alpha, e, V};
+  f.domain.push_back(V_positive);
+  const auto show = [&](const char* symbol, const char* body, Expr form) {
+    const Theorem is =
+        f.name(symbol, substitute(velocity(body, 2), blocks), "After two collisions");
+    book.show(symbol, "", "is", equation(is.conclusion().arg(0), V * form, facts + Theorems{is}));
+  };
+  show("a_two", "A", (1 - e * alpha) / (1 + alpha));
+  show("b_two", "B", power(1 + e, 2) * alpha / power(1 + alpha, 2));
+  show("c_two", "C", (alpha - e) * (1 + e) / power(1 + alpha, 2));
+  f.name("rho_two", power(fun("b_two", f.params) / V, 2), "B has of the energy the fraction");
+}
+}  // namespace
+
+void restitution_forms(Book& book) {
+  const Exprs assumptions{alpha_positive, lt(0, e), V_positive, lt(0, L)};
+  book.chapter("evaluators_restitution",
+               "Forms for evaluation: terminal velocities that lose energy", assumptions);
+  const Known signs(assumed(assumptions));
+  Form f(book);
+  two_collisions(f);
+  Form many(book);
+  velocities(many, angle(many));
+}
+}  // namespace derivation

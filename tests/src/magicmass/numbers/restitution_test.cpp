@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Terminal velocities with restitution against the law of a collision, in rationals.
+#include <array>
+#include <cmath>
+#include <random>
+
+#include <cln/integer.h>
+#include <cln/rational.h>
+#include <cln/real.h>
+
+#include "catch.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/oracle/rational.hpp"
+
+using namespace magicmass;
+using cln::cl_RA;
+
+namespace {
+using Values = std::array<cl_RA, 4>;  // a, b, c, rho
+struct Motion {
+  int collisions;
+  Values values;
+};
+/// Until none takes place, or `most` have.
+Motion motion(const cl_RA& alpha, const cl_RA& e, int most) {
+  Values v{1, 0, 0, 0};
+  int j = 0;
+  for (; j < most; ++j) {
+    cl_RA& block = v[j % 2 == 0 ? 0 : 1];
+    const cl_RA closing = j % 2 == 0 ? block - v[2] : v[2] - block;
+    if (closing <= 0) break;
+    const cl_RA gain = (1 + e) * (v[2] - block) / (1 + alpha);
+    block = block + gain * alpha;
+    v[2] = v[2] - gain;
+  }
+  v[3] = v[1] * v[1];
+  return {j, v};
+}
+double size(const cl_RA& x) { return std::fabs(cln::double_approx(x)); }
+/// The largest error in envelopes, or -1 where counts differ.
+double envelopes(double alpha, double e, int most = 120) {
+  const std::optional<Terminal> got = fast::terminal(alpha, e);
+  const cl_RA x = oracle::exact(alpha), y = oracle::exact(e), more = 1 + oracle::exact(0x1p-60);
+  const Motion m = motion(x, y, most);
+  if (!got) return m.collisions == most ? 0 : -1;
+  const auto [N_A, N_B] = got->counts;
+  if (N_A + N_B != m.collisions || N_A - N_B != m.collisions % 2) return -1;
+  const Values by_alpha = motion(x * more, y, m.collisions).values;
+  const Values by_e = motion(x, y * more, m.collisions).values;
+  const double numbers[] = {got->a_t, got->b_t, got->c_t, got->rho};
+  double worst = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const cl_RA& exact = m.values[i];
+    const double off = size(exact - oracle::exact(numbers[i])), value = size(exact);
+    const double moved = (size(by_alpha[i] - exact) + size(by_e[i] - exact)) * 0x1p60;
+    const double ulp = value == 0 ? 0 : std::ldexp(1.0, std::ilogb(value) - 52);
+    const double envelope =
+        value == 0 ? moved * 0x1p-53 : ulp * std::fmax(0.5, moved / (2 * value));
+    worst = std::fmax(worst, off == 0 ? 0 : off / envelope);
+  }
+  return worst;
+}
+/// How many take place, by the angle h alone.
+std::int64_t by_angle(double alpha, double e) {
+  const cln::cl_R y = cln::cl_float(oracle::exact(e), cln::float_format(100));
+  const cln::cl_R cosine = (1 + y) / (2 * cln::sqrt(y) * (1 + oracle::exact(alpha)));
+  const cln::cl_R h = cln::atan(cosine, cln::sqrt(1 - cosine * cosine));
+  return cln::cl_I_to_long(cln::ceiling1(cln::pi(cln::float_format(100)) / h) - 1);
+}
+double worst_of(double alpha, double e) {
+  double worst = 0;
+  for (const double a : {std::nextafter(alpha, 0.0), alpha, std::nextafter(alpha, 1e308)}) {
+    const double here = envelopes(a, e);
+    INFO("alpha " << a << " e " << e << ": " << here);
+    CHECK(here >= 0);
+    CHECK(here <= 4);
+    worst = std::fmax(worst, here);
+  }
+  return worst;
+}
+}  // namespace
+
+TEST_CASE("with restitution errors are at most 4 envelopes, and counts exact") {
+  std::mt19937_64 random(20);
+  const auto number = [&] { return double(random() >> 11) * 0x1p-53; };
+  double worst = 0;
+  for (int i = 0; i < 150; ++i) {
+    const double e = i % 3 == 0 ? 1 - std::ldexp(number(), -i % 50) : number();
+    const double collapse = (1 - e) * (1 - e) / (4 * e);  // alpha (2 + alpha) there
+    const double from = std::fmax(std::sqrt(1 + collapse) - 1, 0.003);
+    worst = std::fmax(worst, worst_of(from * (1.01 + 5 * number()), e));
+  }
+  CHECK(worst > 0.5);
+}
+
+TEST_CASE("counts change where they do, collapse begins where it does") {
+  CHECK(fast::terminal(0.5, 0.5).value().counts == Counts{2, 1});  // pi/4
+  CHECK(worst_of(0.5, 0.5) >= 0);
+  CHECK(worst_of(1.25, 0.125) >= 0);
+  CHECK(worst_of(1.5, 0.25) >= 0);  // pi/3
+  CHECK_FALSE(fast::terminal(0.25, 0.25));
+  CHECK_FALSE(fast::terminal(1.0, 0.07));
+  CHECK(fast::terminal(1.0, 0.072));
+  CHECK_FALSE(fast::terminal(0x1p-1074, 0.999));
+  for (const double e : {0.3, 0.9, 0x1p-301})  // pi/3 and collapse, and the doubles around them
+    for (const double factor : {1.0, 2.0}) {
+      const double near = (1 + e) / (factor * std::sqrt(e)) - 1;
+      for (const double alpha : {near * (1 - 1e-15), near, near * (1 + 1e-15)}) {
+        INFO("alpha " << alpha << " e " << e);
+        const double d = factor * factor;
+        const cln::cl_RA x = 1 + oracle::exact(alpha), y = oracle::exact(e);
+        const bool above = oracle::exact(d) * y * x * x > (1 + y) * (1 + y);
+        if (factor == 1) CHECK((fast::terminal(alpha, e).value().counts == Counts{1, 1}) == above);
+        const std::optional<Terminal> got = fast::terminal(alpha, e);
+        CHECK(got.has_value() == (factor == 1 || above));
+        if (got) CHECK(got->counts.N_A + got->counts.N_B == by_angle(alpha, e));
+      }
+    }
+}
+
+TEST_CASE("close to collapse counts are exact, or refused") {
+  const double e = 0x1.0000008000001p-2;  // (1 + 2^-26)^2/4: collapse is 2^-76 below this alpha
+  const double alpha = (0x1p26 - 3 + 0x1p-24) / 0x1p28;
+  const Terminal t = fast::terminal(alpha, e).value();
+  CHECK(t.counts.N_A + t.counts.N_B == by_angle(alpha, e));
+  CHECK(t.counts.N_A > 500000000000);
+  for (const double velocity : {t.a_t, t.b_t, t.c_t})  // nothing is left to part with
+    CHECK_THAT(velocity, Catch::Matchers::WithinRel(1 / (2 + alpha), 1e-15));
+  CHECK_FALSE(fast::terminal(std::nextafter(alpha, 0.0), e));
+  CHECK_THROWS_AS(fast::terminal(0x1.0000000000001p-109, 1 - 0x1p-53), Undecided);
+}
+
+TEST_CASE("e = 1 loses nothing, and other e are refused") {
+  for (const double alpha : {0x1p-1074, 1e-30, 0.3, 1.0, 1e300})
+    CHECK(fast::terminal(alpha, 1.0) == fast::terminal(alpha));
+  for (const double e : {0.0, -1.0, 1.0000000000000002, std::nan("")})
+    CHECK_THROWS_WITH(fast::terminal(0.3, e),
+                      Catch::Matchers::StartsWith("e must be above 0 and at most 1, got "));
+  CHECK_THROWS_AS(fast::terminal(0.0, 0.5), InvalidInput);
+  CHECK(fast::terminal(1e308, 0x1p-1074).value().counts == Counts{1, 1});
+}
