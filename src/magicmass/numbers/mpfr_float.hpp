@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A float of MPFR's with as many bits as are asked for, as generated code takes it. Bounds are in
-// units of 2^-bits; there are some more bits than that, so that an operation may round some times.
+// A float of MPFR's with as many bits as are asked for.
 #pragma once
 
 #include <cfloat>
@@ -9,18 +8,12 @@
 
 #include <mpfr.h>
 
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
+#include "magicmass/numbers/big.hpp"
 
 namespace magicmass::numbers {
 static_assert(LDBL_MIN_EXP < -8000, "sizes of error bounds need the exponents of long double");
-class MpfrFloat {
+class MpfrFloat : public Big<MpfrFloat, long double> {
 public:
-  using Size = long double;
-  using Value = MpfrFloat;
-  using Result = double;
-  static constexpr bool is_wide = true;
-
   static inline thread_local long bits = 182;
   static constexpr long spare = 8;
   /// For inputs whose results are computed without rounding: bounds are 0 then.
@@ -46,6 +39,7 @@ public:
   static std::int64_t to_whole(const MpfrFloat& x) { return mpfr_get_sj(x.v, MPFR_RNDN); }
   static MpfrFloat nearest(const MpfrFloat& x) { return of(mpfr_rint, x.v); }
   static MpfrFloat pi() { return of(mpfr_const_pi); }
+  static MpfrFloat inverse(long n) { return of(mpfr_si_div, 1L, MpfrFloat(double(n)).v); }
   static Size magnitude_of(const MpfrFloat& x) {
     long exponent = 0;
     const double part = mpfr_get_d_2exp(&exponent, x.v, MPFR_RNDN);
@@ -57,6 +51,11 @@ public:
     const MpfrFloat part = static_cast<double>(std::frexp(x, &exponent));
     return of(mpfr_mul_2si, part.v, exponent - bits);
   }
+  static MpfrFloat arc_tangent(const MpfrFloat& x) { return of(mpfr_atan, x.v); }
+  static arithmetic::SineCosine<MpfrFloat> sine_cosine(const MpfrFloat& x) {
+    return {of(mpfr_sin, x.v), of(mpfr_cos, x.v)};
+  }
+
   bool is_positive() const { return mpfr_sgn(v) > 0; }
   friend MpfrFloat operator-(const MpfrFloat& x) { return of(mpfr_neg, x.v); }
   friend MpfrFloat operator+(const MpfrFloat& x, const MpfrFloat& y) {
@@ -82,62 +81,8 @@ public:
     return {top, top == rounded(x - e) ? 0.0 : 1.0};
   }
   friend double rounded(const MpfrFloat& x) { return mpfr_get_d(x.v, MPFR_RNDN); }
-
-  static MpfrFloat all(double x) { return x; }
-  static const MpfrFloat& exact(const MpfrFloat& x) { return x; }
-  static MpfrFloat two_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
-  static MpfrFloat fast_two_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
-  /// p and q are whole.
-  static MpfrFloat rational(double p, double q, double, double) {
-    return MpfrFloat(p) / MpfrFloat(q);
-  }
-  static MpfrFloat pi_times(double p, double q, double, double) {
-    return pi() * MpfrFloat(p) / MpfrFloat(q);
-  }
-  static MpfrFloat times_sign_of(const MpfrFloat& x, const MpfrFloat& y) {
-    return (-y).is_positive() ? -x : x;
-  }
-
-  static MpfrFloat turn(const MpfrFloat& n) { return to_whole(n) % 2 == 0 ? 1.0 : -1.0; }
-  /// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-200 down that.
-  friend MpfrFloat power(MpfrFloat x, const MpfrFloat& n) {
-    const auto times_or_least = [](const MpfrFloat& a, const MpfrFloat& b) {
-      const MpfrFloat product = a * b;
-      return is_above(product, 0x1p-200) ? product : MpfrFloat(0x1p-200);
-    };
-    MpfrFloat result = 1.0;
-    for (std::int64_t left = to_whole(n); left > 0; left /= 2) {
-      if (left % 2 != 0) result = times_or_least(result, x);
-      x = times_or_least(x, x);
-    }
-    return result;
-  }
-
-  friend MpfrFloat near_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
-  friend MpfrFloat cancelling_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
-  friend MpfrFloat times(const MpfrFloat& x, const MpfrFloat& y) { return x * y; }
-  friend MpfrFloat quotient(const MpfrFloat& x, const MpfrFloat& y) { return x / y; }
-  friend MpfrFloat magnitude(const MpfrFloat& x) { return (-x).is_positive() ? -x : x; }
-  friend const MpfrFloat& leading(const MpfrFloat& x) { return x; }
-
-  template <class Tier>
-  friend MpfrFloat arc_tangent(const MpfrFloat& t, const MpfrFloat&) {
-    return of(mpfr_atan, t.v);
-  }
-  template <class Tier>
-  friend arithmetic::SineCosine<MpfrFloat> sine_cosine(const MpfrFloat& x) {
-    return {of(mpfr_sin, x.v), of(mpfr_cos, x.v)};
-  }
-  template <class Tier>
-  friend arithmetic::SineCosine<MpfrFloat> sine_cosine_small(const MpfrFloat& x) {
-    return sine_cosine<Tier>(x);
-  }
-
-  friend double doubt_of_sign(const MpfrFloat& x, Size error) {
-    return is_above(x, in_units(error)) ? 0.0 : 1.0;
-  }
-  friend double doubt_of_range(const MpfrFloat& x, double low, double high) {
-    return is_above(x, low) && is_above(high, x) ? 0.0 : 1.0;
+  friend long exponent(const MpfrFloat& x) {
+    return mpfr_zero_p(x.v) ? -bits - spare : mpfr_get_exp(x.v);
   }
 
 private:

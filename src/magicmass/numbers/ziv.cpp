@@ -42,15 +42,21 @@
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/errors.hpp"
 #include "magicmass/numbers/mpfr_float.hpp"
+#if defined(__SIZEOF_INT128__)
+#include "magicmass/numbers/three_words.hpp"
+#endif
 
 namespace magicmass::numbers {
 namespace {
 using generated::Ziv;
 
-/// Numbers of 190 bits first: enough for counts of 62 bits, a double and 40 more, in the number.
+/// Numbers of 190 bits first: three words, enough for counts of 62 bits, a double and 40 more.
 /// The last is enough for the smallest alpha: its square has 2^-2148.
 constexpr long first_bits = 190 - MpfrFloat::spare;
 constexpr long last_bits = 8192;
+
+/// Where series of a few terms are enough.
+constexpr double three_words_below = 0x1p-30;
 
 /// MPFR keeps pi, for each thread.
 struct Cache {
@@ -76,18 +82,21 @@ double run(Case& k) {
   k.stage_3();
   return k.doubt;
 }
+/// The doubt that F leaves.
+template <class Q, class F>
+double attempt(const typename Q::Inputs& in, typename Q::Outputs& out) {
+  return Q::template visit<true>(in, [&]<template <class, class> class Case>() {
+    Case<Ziv, F> k(in);
+    const double doubt = run(k);
+    out = k.outputs();
+    return doubt;
+  });
+}
 template <class Q>
 typename Q::Outputs settled(const char* what, double x, bool is_exact,
                             const typename Q::Inputs& in) {
   typename Q::Outputs out{};
-  until_certain(what, x, is_exact, [&] {
-    return Q::template visit<true>(in, [&]<template <class, class> class Case>() {
-      Case<Ziv, MpfrFloat> k(in);
-      const double doubt = run(k);
-      out = k.outputs();
-      return doubt;
-    });
-  });
+  until_certain(what, x, is_exact, [&] { return attempt<Q, MpfrFloat>(in, out); });
   return out;
 }
 /// Whether 1 + alpha is a power of 2, alpha >= 1.
@@ -118,18 +127,23 @@ Velocities velocities_by_mpfr(double alpha, std::int64_t n) {
   return {v.a, v.b, v.c, v.c_prime};
 }
 Terminal terminal_by_mpfr(double alpha) {
-  const auto v =
-      settled<generated::Terminal>("terminal", alpha, has_dyadic_velocities(alpha), {alpha});
+  generated::TerminalOutputs v{};
+#if defined(__SIZEOF_INT128__)
+  const bool is_settled =
+      alpha < three_words_below && attempt<generated::Terminal, ThreeWords>({alpha}, v) == 0.0;
+#else
+  const bool is_settled = false;
+#endif
+  if (!is_settled)
+    v = settled<generated::Terminal>("terminal", alpha, has_dyadic_velocities(alpha), {alpha});
   return {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
 }
-/// Signs of polynomials first. pi/h is a whole number only where the
+/// Signs first: of polynomials, exact in the last precision. pi/h is a whole number only where the
 /// cosine of h, whose square is rational, is that of pi/3, pi/4 or pi/6 (Niven), and the last asks
 /// for an e that 3 divides. At pi/3 two collisions are all. At pi/4 the next alpha has the same
 /// counts, and is off by two envelopes at the most.
 std::optional<Terminal> restitution_by_mpfr(double alpha, double e) {
-  // 4 e (1 + alpha)^2 has 460 bits there, 4200 anywhere: its sign and the others are exact.
-  const bool is_everyday = alpha > 0x1p-60 && alpha < 0x1p60 && e > 0x1p-60;
-  MpfrFloat::bits = is_everyday ? 512 : 4400;
+  MpfrFloat::bits = last_bits;
   const auto two = generated::two_collisions_exact<MpfrFloat>(alpha, e);
   if (!two.ends.is_positive()) return std::nullopt;
   if (!(-two.two).is_positive())
