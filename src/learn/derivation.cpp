@@ -60,8 +60,8 @@ public:
     return terms_.content(sides[0]) - terms_.content(sides[1]);
   }
   bool is_zero(Expr e) const { return terms_.are_equal(e, 0); }
-  Compared truth(Expr left, Expr right) const {
-    return terms_.compare(kernel::substitute(left, truth_), kernel::substitute(right, truth_));
+  Mark truth(Expr left, Expr right) const {
+    return terms_.compare(kernel::substitute(left, truth_), kernel::substitute(right, truth_)).mark;
   }
   bool has(Expr e, Expr unknown) const { return kernel::free_variables(e).contains(unknown); }
   bool has_unknowns(Expr e) const { return kernel::substitute(e, truth_) != e; }
@@ -132,7 +132,7 @@ Judgement judge_equations(const Terms& terms, const Texts& lines) {
     if (equations.is_zero(e))
       return with(Mark::incomplete,
                   in_line + "both sides are the same for all velocities, so it says nothing.");
-    const Mark mark = equations.truth(left, right).mark;
+    const Mark mark = equations.truth(left, right);
     if (mark == Mark::undecided)
       return with(mark, in_line + "it could not be decided whether it is true.");
     if (mark == Mark::wrong) {

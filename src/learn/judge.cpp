@@ -89,11 +89,11 @@ Judgement judge_symbolic(const Exercise& e, const std::string& text) {
     said.mark = Mark::wrong;
     return said;
   }
-  const Expr answer = terms.answer(), expected = terms.in_full(answer);
-  const Compared compared = terms.compare(given, expected);
+  const Expr expected = terms.in_full(terms.answer());
+  const Judgement compared = terms.compare(given, expected);
   said.mark = compared.mark;
-  said.feedback = compared.why;
-  if (!compared.note.empty()) said.notes.push_back(compared.note);
+  said.feedback = compared.feedback;
+  said.notes.insert(said.notes.end(), compared.notes.begin(), compared.notes.end());
   if (said.mark == Mark::right) {
     const std::string lack = lacking(e.form, typed, terms.domain(notation::symbols_of(typed)));
     if (lack.empty()) return {Mark::right, "Right.", said.notes};

@@ -68,9 +68,9 @@ Judgement judge_prediction(const Exercise& e, const std::string& text) {
   if (const std::string foreign = terms.foreign(typed); !foreign.empty()) kernel::refuse(foreign);
   if (kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
   const Expr given = terms.in_full(typed), expected = terms.in_full(terms.answer());
-  const Compared compared = terms.compare(given, expected);
+  const Judgement compared = terms.compare(given, expected);
   said.mark = compared.mark;
-  said.feedback = said.mark == Mark::right ? "Right: this is what happens." : compared.why;
+  said.feedback = said.mark == Mark::right ? "Right: this is what happens." : compared.feedback;
   if (said.mark != Mark::wrong) return said;
   if (!e.within.empty()) {
     const Expr gap = notation::call("abs", given - expected);

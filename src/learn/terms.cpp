@@ -179,7 +179,7 @@ equality::Domain Terms::domain(const std::set<std::string>& symbols) const {
   return domain;
 }
 
-Compared Terms::compare_numbers(Expr given, Expr expected) const {
+Judgement Terms::compare_numbers(Expr given, Expr expected) const {
   std::set<std::string> symbols = notation::symbols_of(given);
   symbols.merge(notation::symbols_of(expected));
   equality::Verdict verdict;
@@ -202,13 +202,13 @@ Compared Terms::compare_numbers(Expr given, Expr expected) const {
     note = "yours has no value" + note.substr(left.size());
     const bool is_gap = std::none_of(verdict.conditions.begin(), verdict.conditions.end(),
                                      [](const std::string& c) { return c.find('>') != c.npos; });
-    if (is_gap) return {Mark::right, "", note};
+    if (is_gap) return {Mark::right, "", {note}};
     return {Mark::wrong, "It is equal where it has a value, but " + note + "."};
   }
-  return {Mark::right};
+  return {Mark::right, ""};
 }
 
-Compared Terms::compare(Expr given, Expr expected) const {
+Judgement Terms::compare(Expr given, Expr expected) const {
   const bool is_matrix = kernel::is_matrix(expected);
   if (is_matrix != kernel::is_matrix(given))
     return {Mark::wrong, is_matrix ? "A matrix is asked for." : "A matrix is not asked for."};
@@ -219,14 +219,14 @@ Compared Terms::compare(Expr given, Expr expected) const {
   if (shape(given) != shape(expected))
     return {Mark::wrong, "Yours is " + shape(given) + " (rows by columns); " + shape(expected) +
                              " is asked for."};
-  Compared all{Mark::right};
+  Judgement all{Mark::right, ""};
   for (int row = 0; row < given.rows(); ++row)
     for (int column = 0; column < given.cols(); ++column) {
-      Compared one =
+      Judgement one =
           compare_numbers(kernel::entry(given, row, column), kernel::entry(expected, row, column));
       if (one.mark == Mark::right) continue;
-      one.why = "Row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) + ": " +
-                one.why;
+      one.feedback = "Row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) +
+                     ": " + one.feedback;
       if (one.mark == Mark::wrong) return one;
       all = one;
     }

@@ -8,12 +8,6 @@
 namespace learn {
 using kernel::Expr;
 
-struct Compared {
-  Mark mark = Mark::undecided;  ///< right, wrong or undecided
-  std::string why = {};         ///< "At alpha = 1 yours is 2; it should be 3."
-  std::string note = {};        ///< where yours alone has no value
-};
-
 class Terms {
 public:
   explicit Terms(const Exercise& exercise);
@@ -30,8 +24,9 @@ public:
   /// Names that an answer has no right to, "" where there are none: with what is allowed.
   std::string foreign(Expr term) const;
   Expr in_full(Expr term) const;  ///< with values and the meanings of the paper's names
-  /// Terms in full, numbers or matrices.
-  Compared compare(Expr given, Expr expected) const;
+  /// Terms in full, numbers or matrices: right, wrong or undecided. "At alpha = 1 yours is 2; it
+  /// should be 3."
+  Judgement compare(Expr given, Expr expected) const;
   bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
   equality::Domain domain(const std::set<std::string>& symbols) const;
 
@@ -39,7 +34,7 @@ public:
 
 private:
   kernel::Substitution values;  // the exercise's, and what was run
-  Compared compare_numbers(Expr given, Expr expected) const;
+  Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
 /// The feedback of the misconception that has this answer, in full; "" where there is none.
