@@ -44,8 +44,7 @@ TEST_CASE("Every figure has a name of its own, and full rows") {
 }
 
 TEST_CASE("Less is transmitted where more energy is lost, nothing shown where it never ends") {
-  int of_collapses = 0;
-  int of_ones = 0;
+  int of_collapses = 0, of_ones = 0;
   for (const Row& row : named("transmission").data().rows) {
     const double alpha = number(row, 0);
     of_ones += number(row, 1) == 1 ? 1 : 0;

@@ -24,32 +24,28 @@ oracle::MassRatio same(const notation::Alpha& alpha) {
 TEST_CASE("counts are the oracle's, at any size and beside thresholds") {
   for (const char* text :
        {"1", "2", "1e300", "0.5", "1/7", "0.12", "1e-9", "1e-60", "1e-300", "5e-324", "1/3",
-        "0x1.1c7397cb68b7ep-18", "0x1.bc7fb47556f22p-29", "0x1.fffffffffffffp-1", "1e-19/3e7"}) {
+        "0x1.1c7397cb68b7ep-18", "0x1.bc7fb47556f22p-29", "0x1.fffffffffffffp-1"}) {
     INFO(text);
-    if (std::string(text).find("e7") != std::string::npos) {
-      CHECK_THROWS_AS(alpha_of(text), InvalidInput);
-      continue;
-    }
     const notation::Alpha alpha = alpha_of(text);
     const LargeCounts counts = count_collisions(alpha);
     const oracle::Counts expected = oracle::count_collisions(*same(alpha).rational);
     CHECK(counts.N_A == expected.N_A);
     CHECK(counts.N_B == expected.N_B);
   }
+  CHECK_THROWS_AS(alpha_of("1e-19/3e7"), InvalidInput);
 }
 
 TEST_CASE("velocities are the doubles nearest to the oracle's") {
-  struct Row {
-    const char* alpha;
-    int n;
-  };
-  for (const Row& row : {Row{"1/7", 0}, Row{"1/7", 3}, Row{"0.12", 2}, Row{"1e-9", 30000},
-                         Row{"5", 1}, Row{"1", 1}, Row{"magic:3", 3}, Row{"magic:3", 2},
-                         Row{"deficient:2", 3}, Row{"magic:1000", 700}, Row{"1e-300", 5}}) {
-    INFO(row.alpha << " " << row.n);
-    const notation::Alpha alpha = alpha_of(row.alpha);
-    const auto got = rounded([&] { return velocities(alpha, row.n); });
-    const auto expected = oracle::certain(same(alpha), oracle::OfCycle(row.n), oracle::to_double());
+  const std::pair<const char*, int> rows[] = {
+      {"1/7", 0},   {"1/7", 3},     {"0.12", 2},    {"1e-9", 30000},    {"5", 1},
+      {"1", 1},     {"magic:3", 3}, {"magic:3", 2}, {"deficient:2", 3}, {"magic:1000", 700},
+      {"1e-300", 5}};
+  for (const auto& row : rows) {
+    INFO(row.first << " " << row.second);
+    const notation::Alpha alpha = alpha_of(row.first);
+    const int n = row.second;
+    const auto got = rounded([&] { return velocities(alpha, n); });
+    const auto expected = oracle::certain(same(alpha), oracle::OfCycle(n), oracle::to_double());
     for (std::size_t i = 0; i < 4; ++i) CHECK(got[i].text == real_cell(expected[i]).text);
   }
 }

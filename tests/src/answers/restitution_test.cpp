@@ -6,31 +6,16 @@
 #include "answers/motion.hpp"
 #include "answers/velocities.hpp"
 #include "catch.hpp"
+#include "law_of_collision.hpp"
 
 using namespace answers;
 using cln::cl_RA;
 
 namespace {
-/// Blocks of mass 1, a ball of mass alpha, restitution e, B at 1 from A and C.
-struct Steps {
-  cl_RA alpha, e, a = 1, b = 0, c = 0, time = 0, x_a = 0, x_b = 1, x_c = 0;
-  int N = 0;
-  bool goes_on() const { return N % 2 == 0 ? a > c : c > b; }
-  void collide() {
-    cl_RA& block = N % 2 == 0 ? a : b;
-    const cl_RA centre = (block + alpha * c) / (1 + alpha);
-    block = (1 + e) * centre - e * block;
-    c = (1 + e) * centre - e * c;
-    ++N;
-  }
-  void wait() {
-    const cl_RA t = N % 2 == 0 ? (x_c - x_a) / (a - c) : (x_b - x_c) / (c - b);
-    time = time + t;
-    x_a = x_a + t * a;
-    x_b = x_b + t * b;
-    x_c = x_c + t * c;
-  }
-};
+/// Blocks of mass 1, a ball of mass alpha, B at 1 from A and C.
+law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha, const cl_RA& e) {
+  return {1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
+}
 std::string shown(const cl_RA& exact) { return real_cell(cln::double_approx(exact)).text; }
 Answer asked(const char* alpha, const char* e) {
   Request request;
@@ -48,8 +33,8 @@ TEST_CASE("counts and terminal velocities are those of exact steps") {
   for (int row = 0; row < 60; ++row) {
     const cl_RA alpha = cl_RA(int(random() % 20 + 1)) / int(random() % 20 + 1);
     const cl_RA e = cl_RA(int(random() % 18 + 1)) / 20;
-    Steps steps{alpha, e};
-    while (steps.goes_on() && steps.N < 300) steps.collide();
+    auto steps = bodies(alpha, e);
+    while (steps.approach() > 0 && steps.N < 300) steps.collide();
     const Trio trio = with_restitution(alpha, e);
     const auto N = trio.count();
     INFO("alpha = " << cln::double_approx(alpha) << ", e = " << cln::double_approx(e));
@@ -60,9 +45,9 @@ TEST_CASE("counts and terminal velocities are those of exact steps") {
     ++ended;
     REQUIRE(*N == steps.N);
     const auto got = rounded([&] { return answers::terminal(trio, *N); });
-    const std::string exact[]{shown(steps.a), shown(steps.b), shown(steps.c),
-                              shown(steps.b * steps.b)};
-    for (std::size_t i = 0; i < 4; ++i) CHECK(got[i].text == exact[i]);
+    const auto& [a, b, c] = steps.v;
+    const cl_RA exact[]{a, b, c, b * b};
+    for (std::size_t i = 0; i < 4; ++i) CHECK(got[i].text == shown(exact[i]));
   }
   CHECK(ended > 20);
 }
@@ -79,7 +64,7 @@ TEST_CASE("collisions that never end come to an end in time") {
     const Row row = asked(alpha, e).table.rows[0];
     CHECK(row[2].json == "null");
     const double end = std::stod(row[8].text);
-    Steps steps{std::get<cl_RA>(alpha_of(alpha)), std::get<cl_RA>(alpha_of(e))};
+    auto steps = bodies(std::get<cl_RA>(alpha_of(alpha)), std::get<cl_RA>(alpha_of(e)));
     for (int i = 0; i < 60; ++i) {
       steps.collide();
       steps.wait();

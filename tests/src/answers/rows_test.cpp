@@ -2,7 +2,6 @@
 // A block of rows says what each row alone does, or leaves it open.
 #include "answers/rows.hpp"
 
-#include "answers/errors.hpp"
 #include "answers/velocities.hpp"
 #include "catch.hpp"
 

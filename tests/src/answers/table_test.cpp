@@ -65,9 +65,7 @@ TEST_CASE("blocks are what the whole is", "[check]") {
   for (const Format format : {Format::json, Format::csv}) {
     Writer writer(format, table.columns, true);
     std::string text;
-    for (const Row& row : table.rows) {
-      text += writer.rows({&row, 1});
-    }
+    for (const Row& row : table.rows) text += writer.rows({&row, 1});
     CHECK(text + writer.end() == written(table, format));
   }
   Writer text(Format::text, table.columns, true);

@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "command/embedded.hpp"
+#include "refusal.hpp"
 
 using command::Comparison;
 using command::comparisons;
@@ -46,12 +47,11 @@ TEST_CASE("A spoiled number or reason is named, and nothing else", "[check]") {
   CHECK(wrong(with("c_t,terminal", "a_t,terminal")) == Names{"b_t at beta_1" + nobody});
   CHECK(wrong(with("cut off\n", "\n")) == Names{"alpha_6" + nobody});
   const std::string fails = ": The reason given does not hold: ";
+  const std::string beta_1 = "shift of beta_1 in %" + fails;
   CHECK(wrong(with("0.029927", "0.029926")) == Names{"alpha_6" + fails + "cut off."});
   CHECK(wrong(with("cut off\n", "full moon\n")) == Names{"alpha_6" + fails + "full moon."});
-  CHECK(wrong(with("rounded extremum\n", "cut off\n")) ==
-        Names{"shift of beta_1 in %" + fails + "cut off."});
-  CHECK(wrong(with("0.43,", "0.44,")) ==
-        Names{"shift of beta_1 in %" + fails + "rounded extremum."});
+  CHECK(wrong(with("rounded extremum\n", "cut off\n")) == Names{beta_1 + "cut off."});
+  CHECK(wrong(with("0.43,", "0.44,")) == Names{beta_1 + "rounded extremum."});
   CHECK(wrong(with("9/10,shift,\n", "9/10,shift,rounded extremum\n")) ==
         Names{"shift of alpha_1 in %: It agrees: no reason is needed."});
 }
@@ -76,19 +76,14 @@ TEST_CASE("Decimals agree to the digits printed, all else exactly") {
 }
 
 TEST_CASE("A row without a meaning is named", "[check]") {
-  const auto refusal = [](const std::string& row) -> std::string {
-    try {
-      one(row);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "read without a word";
+  const auto refused = [](const std::string& row, const std::string& because) {
+    CHECK_THAT(refusal<std::runtime_error>([&] { one(row); }), ContainsSubstring(because));
   };
-  CHECK_THAT(refusal("x,x,1"), ContainsSubstring("paper_numbers.csv: x,x,1: six fields"));
-  CHECK_THAT(refusal("x,x,1,guess --alpha 1,N_A,"), ContainsSubstring("nobody answers guess"));
-  CHECK_THAT(refusal("x,x,1,count --alpha 1,N_C,"), ContainsSubstring("no column N_C"));
-  CHECK_THAT(refusal("x,x,1,extremum --near 0.1 --restitution 9/10,alpha,"),
-             ContainsSubstring("near: 0.1; allowed: magic:k, deficient:k"));
-  CHECK_THAT(refusal("x,x,1,extremum --near magic:1 --restitution 1,alpha,"),
-             ContainsSubstring("restitution: allowed: a fraction below 1"));
+  refused("x,x,1", "paper_numbers.csv: x,x,1: six fields");
+  refused("x,x,1,guess --alpha 1,N_A,", "nobody answers guess");
+  refused("x,x,1,count --alpha 1,N_C,", "no column N_C");
+  refused("x,x,1,extremum --near 0.1 --restitution 9/10,alpha,",
+          "near: 0.1; allowed: magic:k, deficient:k");
+  refused("x,x,1,extremum --near magic:1 --restitution 1,alpha,",
+          "restitution: allowed: a fraction below 1");
 }

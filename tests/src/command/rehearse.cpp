@@ -27,9 +27,7 @@ const std::vector<answers::Column> echo_columns = {{"text", Type::text, "", "wha
 
 Answer echo(const Request& request) {
   const auto times = request.whole("times", 1, 99);
-  if (request.text("text") == "hard") {
-    throw answers::Undecided("hard is not decided");
-  }
+  if (request.text("text") == "hard") throw answers::Undecided("hard is not decided");
   Answer answer;
   answer.table = {echo_columns,
                   {{answers::text_cell(answers::shown_text(request.text("text"))),
@@ -41,9 +39,7 @@ Answer echo(const Request& request) {
 Answer many(const Request& request) {
   const auto lines = request.whole("lines", 0, 100'000'000).value_or(0);
   std::string text;
-  for (std::int64_t line = 1; line <= lines; ++line) {
-    text += std::to_string(line) + "\n";
-  }
+  for (std::int64_t line = 1; line <= lines; ++line) text += std::to_string(line) + "\n";
   return document(text);
 }
 

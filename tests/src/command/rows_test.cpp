@@ -8,6 +8,7 @@
 
 #include "answers/errors.hpp"
 #include "catch.hpp"
+#include "refusal.hpp"
 
 using command::CsvReader;
 using Rows = std::vector<std::map<std::string, std::string>>;
@@ -34,15 +35,6 @@ public:
       }
     }
     return all;
-  }
-
-  std::string refusal() const {
-    try {
-      rows();
-    } catch (const answers::InvalidInput& error) {
-      return error.what();
-    }
-    return "read without a word";
   }
 
 private:
@@ -72,7 +64,8 @@ TEST_CASE("what is read", "[exam]") {
 TEST_CASE("what is refused, and where", "[exam]") {
   const std::string file = "rows_test.csv:";
   const auto refuses = [&](const std::string& text, const std::string& message) {
-    CHECK(Csv(text).refusal() == file + message);
+    const Csv csv(text);
+    CHECK(refusal<answers::InvalidInput>([&] { csv.rows(); }) == file + message);
   };
   refuses("", "1: the first line must name a column, got (nothing); allowed: alpha, n");
   refuses("beta\n1\n", "1: the first line must name a column, got beta; allowed: alpha, n");

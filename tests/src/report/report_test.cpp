@@ -2,11 +2,9 @@
 // Times beside naive, and the report as an answer.
 #include "report/report.hpp"
 
-#include <algorithm>
 #include <map>
 #include <sstream>
 
-#include "answers/errors.hpp"
 #include "catch.hpp"
 
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The statements in the emitted files are those of the kernel: read back, they are the same terms.
 // So what writes them need not be trusted for what the theorems say.
+#include <cmath>
 #include <regex>
 
 #include "catch.hpp"
@@ -39,13 +40,11 @@ public:
         parts.push_back(part());
     } while (takes("->"));
     REQUIRE(peek() == "");
+    std::set<Expr> expected;
+    for (Expr v : free_variables(logic_and(parts)))
+      if (v.sort() == Sort::Int) expected.insert(v);
     const Expr conclusion = parts.back();
     parts.pop_back();
-    std::set<Expr> variables = free_variables(conclusion);
-    for (Expr h : parts) variables.merge(free_variables(h));
-    std::set<Expr> expected;
-    for (Expr v : variables)
-      if (v.sort() == Sort::Int) expected.insert(v);
     return {parts, conclusion, integers == expected};
   }
 
@@ -67,8 +66,7 @@ private:
   }
   /// The file does not say it: columns are 1 unless the matrix is square.
   static int columns_of(std::size_t entries) {
-    int n = 1;
-    while (std::size_t(n) * std::size_t(n) < entries) ++n;
+    const int n = int(std::sqrt(double(entries)));
     return std::size_t(n) * std::size_t(n) == entries ? n : 1;
   }
   Expr part() {
@@ -104,35 +102,24 @@ private:
     const cln::cl_RA quotient = above / number();
     return Expr(quotient);
   }
+  /// How many sizes stand before the matrix.
+  inline static const std::map<std::string, std::size_t> of_matrices = {
+      {"mtimes", 3}, {"mtranspose", 2}, {"mpow", 1}, {"entry", 0}, {"det", 1}};
   bool is_application() const {
-    static const std::set<std::string> matrices = {"mtimes", "mtranspose", "mpow", "entry", "det"};
     const Signature* s = signature(kernel_name(peek()));
-    return matrices.count(peek()) != 0 || (s != nullptr && !s->args.empty());
+    return of_matrices.count(peek()) != 0 || (s != nullptr && !s->args.empty());
   }
   Expr application() {
     const std::string head = next();
-    if (head == "mtimes") {
-      at += 3;
-      const Expr l = part();
-      return times(l, part());
-    }
-    if (head == "mtranspose") {
-      at += 2;
-      return transpose(part());
-    }
-    if (head == "det") {
-      at += 1;
-      return det(part());
-    }
-    if (head == "mpow") {
-      at += 1;
-      const Expr base = part();
-      at += 2;  // (toN
-      return closed(power(base, part()));
-    }
-    if (head == "entry") {
+    if (const auto shape = of_matrices.find(head); shape != of_matrices.end()) {
+      at += shape->second;
       const Expr of = part();
-      return make({.op = Op::Entry, .args = {of}, .index = small()});
+      if (head == "det") return det(of);
+      if (head == "mtranspose") return transpose(of);
+      if (head == "mtimes") return times(of, part());
+      if (head == "entry") return make({.op = Op::Entry, .args = {of}, .index = small()});
+      at += 2;  // (toN
+      return closed(power(of, part()));
     }
     Exprs args;
     while (peek() != ")") args.push_back(part());
@@ -198,8 +185,7 @@ TEST_CASE("each shown theorem is read back from its file as the kernel's terms")
   }
 }
 TEST_CASE("a weaker statement is read as another one") {
-  const Expr x = real("x");
-  const Expr n = integer("n");
+  const Expr x = real("x"), n = integer("n");
   const auto is = [](const std::string& statement, const Exprs& hypotheses, Expr conclusion) {
     const auto read = Reader(statement).statement();
     return read.hypotheses == hypotheses && read.conclusion == conclusion && read.has_sorts;

@@ -2,14 +2,13 @@
 // Values of terms, the truth of formulas, and points at which hypotheses are true.
 #include "net.hpp"
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <sstream>
 
 #include <cln/complex.h>
 #include <cln/float.h>
-
-#include "kernel/print.hpp"
 
 namespace net {
 namespace {
@@ -93,33 +92,29 @@ std::vector<cl_R> values(Expr e, const Point& point) {
   return out;
 }
 Matrix matrix_value(Expr e, const Point& point) {
-  Matrix out;
-  switch (e.op()) {
-    case Op::Matrix:
-      for (std::size_t i = 0; i < e.size(); ++i) {
-        if (i % std::size_t(e.cols()) == 0) out.emplace_back();
-        out.back().push_back(value(e.arg(i), point));
-      }
-      return out;
-    case Op::Times:
-      out = matrix_value(e.arg(0), point);
-      for (std::size_t i = 1; i < e.size(); ++i) out = product(out, matrix_value(e.arg(i), point));
-      return out;
-    case Op::Transpose:
-      return transposed(matrix_value(e.arg(0), point));
-    case Op::MatrixPower: {
-      const Matrix m = matrix_value(e.arg(0), point);
-      const cl_R n = value(e.arg(1), point);
-      if (n < 0) throw Undefined();
-      out = product(m, m);
-      for (std::size_t i = 0; i < m.size(); ++i)
-        for (std::size_t j = 0; j < m.size(); ++j) out[i][j] = exact(i == j ? 1 : 0);
-      for (int i = 0; i < n; ++i) out = product(m, out);
-      return out;
-    }
-    default:
-      return matrix_function(e.name(), values(e, point));
+  const auto part = [&](std::size_t i) { return matrix_value(e.arg(i), point); };
+  const std::size_t columns = std::size_t(e.cols());
+  if (e.op() == Op::Matrix) {
+    const std::vector<cl_R> entries = values(e, point);
+    Matrix out;
+    for (auto row = entries.begin(); row != entries.end(); row += e.cols())
+      out.emplace_back(row, row + e.cols());
+    return out;
   }
+  if (e.op() == Op::Transpose) return transposed(part(0));
+  if (e.op() == Op::Times) {
+    Matrix out = part(0);
+    for (std::size_t i = 1; i < e.size(); ++i) out = product(out, part(i));
+    return out;
+  }
+  if (e.op() != Op::MatrixPower) return matrix_function(e.name(), values(e, point));
+  const cl_R n = value(e.arg(1), point);
+  if (n < 0) throw Undefined();
+  const Matrix m = part(0);
+  Matrix out(columns, std::vector<cl_R>(columns, exact(0)));
+  for (std::size_t i = 0; i < columns; ++i) out[i][i] = exact(1);
+  for (int i = 0; i < n; ++i) out = product(m, out);
+  return out;
 }
 cl_R determinant(const Matrix& m) {
   if (m.size() == 1) return m[0][0];
@@ -177,62 +172,44 @@ bool hits(const std::vector<cl_R>& x) {
 }  // namespace
 
 cl_R value(Expr e, const Point& point) {
-  cl_R out = exact(e.op() == Op::Mul ? 1 : 0);
-  switch (e.op()) {
-    case Op::Num:
-      return e.value();
-    case Op::Var:
-      return point.at(e);
-    case Op::Add:
-      for (const cl_R& x : values(e, point)) out = out + x;
-      return out;
-    case Op::Mul:
-      for (const cl_R& x : values(e, point)) out = out * x;
-      return out;
-    case Op::Pow:
-      return cln::expt(value(e.arg(0), point), e.exponent());
-    case Op::Entry: {
-      const Matrix m = matrix_value(e.arg(0), point);
-      return m[std::size_t(e.index()) / m[0].size()][std::size_t(e.index()) % m[0].size()];
-    }
-    case Op::Det:
-      return determinant(matrix_value(e.arg(0), point));
-    default:
-      if (const Expr definition = defined(e)) return value(definition, point);
-      return of_function(e, values(e, point));
+  const Op op = e.op();
+  if (op == Op::Num) return e.value();
+  if (op == Op::Var) return point.at(e);
+  if (op == Op::Pow) return cln::expt(value(e.arg(0), point), e.exponent());
+  if (op == Op::Det) return determinant(matrix_value(e.arg(0), point));
+  if (op == Op::Entry) {
+    const Matrix m = matrix_value(e.arg(0), point);
+    return m[std::size_t(e.index()) / m[0].size()][std::size_t(e.index()) % m[0].size()];
   }
+  if (op == Op::Add || op == Op::Mul) {
+    cl_R out = exact(op == Op::Mul ? 1 : 0);
+    for (const cl_R& x : values(e, point)) out = op == Op::Mul ? out * x : out + x;
+    return out;
+  }
+  const Expr definition = defined(e);
+  return definition ? value(definition, point) : of_function(e, values(e, point));
 }
 bool truth(Expr f, const Point& point) {
-  switch (f.op()) {
-    case Op::Eq:
-      return same(f.arg(0), f.arg(1), point);
-    case Op::Lt:
-      return sign(value(f.arg(0), point), value(f.arg(1), point)) < 0;
-    case Op::Le:
-      return sign(value(f.arg(0), point), value(f.arg(1), point)) <= 0;
-    case Op::Not:
-      return !truth(f.arg(0), point);
-    case Op::And:
-      for (const Expr& g : f.args())
-        if (!truth(g, point)) return false;
-      return true;
-    case Op::Or:
-      for (const Expr& g : f.args())
-        if (truth(g, point)) return true;
-      return false;
-    case Op::Imp:
-      return !truth(f.arg(0), point) || truth(f.arg(1), point);
-    case Op::Iff:
-      return truth(f.arg(0), point) == truth(f.arg(1), point);
-    case Op::All:  // at some values, those of an index among them
-      for (int x = -2; x <= 12; ++x)
-        if (!truth(kernel::open(f, x), point)) return false;
-      return true;
-    default:
-      if (f.name() == "impact") return hits(values(f, point));
-      if (f.name() == "rebound") return rebounds(values(f, point));
-      return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
+  const Op op = f.op();
+  const Exprs parts = f.args();
+  const auto holds = [&](Expr g) { return truth(g, point); };
+  const auto order = [&] { return sign(value(parts[0], point), value(parts[1], point)); };
+  if (op == Op::Eq) return same(parts[0], parts[1], point);
+  if (op == Op::Lt) return order() < 0;
+  if (op == Op::Le) return order() <= 0;
+  if (op == Op::Not) return !holds(parts[0]);
+  if (op == Op::And) return std::all_of(parts.begin(), parts.end(), holds);
+  if (op == Op::Or) return std::any_of(parts.begin(), parts.end(), holds);
+  if (op == Op::Imp) return !holds(parts[0]) || holds(parts[1]);
+  if (op == Op::Iff) return holds(parts[0]) == holds(parts[1]);
+  if (op == Op::All) {  // at some values, those of an index among them
+    for (int x = -2; x <= 12; ++x)
+      if (!holds(kernel::open(f, x))) return false;
+    return true;
   }
+  if (f.name() == "impact") return hits(values(f, point));
+  if (f.name() == "rebound") return rebounds(values(f, point));
+  return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
 }
 
 Point random_point(const Exprs& hypotheses, Expr conclusion) {
@@ -256,43 +233,30 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
     o = product(product(r, matrix_function("lambda_3", {angle})), transposed(r));
   const std::map<char, Matrix> of{{'o', o}, {'r', r}, {'m', product(product(transposed(r), o), r)}};
   cl_R last = exact(1);
-  for (const Expr& v : variables) {
+  const auto drawn = [&](Expr v) -> cl_R {
     const std::string name = v.name();
     const int kind = any_of(8);
-    if (v.sort() == kernel::Sort::Int)
-      point[v] = any_of(12) - (name == "k" ? 0 : 1);
-    else if (name.size() == 4 && of.count(name[0]))
-      point[v] = of.at(name[0])[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
-    else if (name == "alpha" && kind < 2)
-      point[v] = function(kind == 0 ? "alpha_" : "beta_", {1 + any_of(8)});
-    else if (name == "alpha")
-      point[v] = cln::exp(between(-4, 2.5));
-    else if (name == "w_B" && kind < 2)
-      point[v] = 0;
-    else if (name[0] == 'M' || name == "w_B")
-      point[v] = between(0.1, 4);
-    else if (name[0] == 'e')
-      point[v] = kind < 4 ? between(0.01, 0.1) : between(0.1, 1.2);
-    else if (kind == 0)
-      point[v] = circle() * (any_of(9) - 2) / 2;
-    else if (kind == 1)
-      point[v] = cl_R(any_of(8) - 1) / (1 + any_of(3));
-    else
-      point[v] = kind == 2 ? last : between(-2.5, 5.5);
-    last = point[v];
-  }
+    if (v.sort() == kernel::Sort::Int) return any_of(12) - (name == "k" ? 0 : 1);
+    if (name.size() == 4 && of.count(name[0]))
+      return of.at(name[0])[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
+    if (name == "alpha" && kind < 2)
+      return function(kind == 0 ? "alpha_" : "beta_", {1 + any_of(8)});
+    if (name == "alpha") return cln::exp(between(-4, 2.5));
+    if (name == "w_B" && kind < 2) return 0;
+    if (name[0] == 'M' || name == "w_B") return between(0.1, 4);
+    if (name[0] == 'e') return kind < 4 ? between(0.01, 0.1) : between(0.1, 1.2);
+    if (kind == 0) return circle() * (any_of(9) - 2) / 2;
+    if (kind == 1) return cl_R(any_of(8) - 1) / (1 + any_of(3));
+    return kind == 2 ? last : between(-2.5, 5.5);
+  };
+  for (const Expr& v : variables) last = point[v] = drawn(v);
   for (const Expr& h : hypotheses) {
-    if (h.op() == Op::Fun && h.name() == "contact") {
-      const auto x = values(h, point);
-      const cl_R centre = 2 * (x[0] * x[2] + x[1] * x[3]) / (x[0] + x[1]);
-      point[h.arg(4)] = centre - x[2];
-      point[h.arg(5)] = centre - x[3];
-    }
-    if (h.op() == Op::Fun && h.name() == "impact") {
-      const auto x = values(h, point);
+    if (h.op() == Op::Fun && (h.name() == "contact" || h.name() == "impact")) {
+      auto x = values(h, point);
+      if (h.name() == "contact") x.insert(x.begin(), 1);
       const cl_R centre = (x[1] * x[3] + x[2] * x[4]) / (x[1] + x[2]);
-      point[h.arg(5)] = (1 + x[0]) * centre - x[0] * x[3];
-      point[h.arg(6)] = (1 + x[0]) * centre - x[0] * x[4];
+      point[h.arg(h.size() - 2)] = (1 + x[0]) * centre - x[0] * x[3];
+      point[h.arg(h.size() - 1)] = (1 + x[0]) * centre - x[0] * x[4];
     }
     if (h.op() == Op::Fun && h.name() == "rebound") {
       const auto x = values(h, point);
@@ -319,15 +283,13 @@ Tried tried(const Exprs& hypotheses, Expr conclusion, int wanted) {
       continue;
     }
     ++out.points;
-    bool good = false;
     try {
-      good = truth(conclusion, point);
+      if (truth(conclusion, point)) {
+        if (point.empty()) break;
+        continue;
+      }
     } catch (const Undefined&) {
       out.false_at = "no value ";
-    }
-    if (good) {
-      if (point.empty()) break;
-      continue;
     }
     std::ostringstream words;
     for (const auto& [v, x] : point) words << v.name() << " = " << cln::double_approx(x) << " ";

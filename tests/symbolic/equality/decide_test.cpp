@@ -12,10 +12,7 @@ using namespace equality;
 
 namespace {
 struct Pair {
-  std::string left;
-  std::string right;
-  std::string domain;
-  std::string verdict;
+  std::string left, right, domain, verdict;
 };
 std::vector<Pair> pairs_of(const std::string& file) {
   std::ifstream in(std::string(MAGICMASS_TEST_FOLDER) + "/" + file);

@@ -6,15 +6,13 @@ using namespace kernel;
 using namespace attacked;
 
 namespace {
-const Theorem not_0 = assume(neq(x, 0));
-const Theorem at_least_0 = assume(le(0, x));
-const Theorem y_at_least_0 = assume(le(0, y));
+const Theorem not_0 = assume(neq(x, 0)), at_least_0 = assume(le(0, x));
+const Theorem y_at_least_0 = assume(le(0, y)), xy = assume(eq(x * y, 0));
 const Expr loose = all(x, eq(x, 0)).arg(0).arg(0);
 
-void not_proved(const std::string& name, const std::string& because, Expr goal,
-                const Certificate& certificate) {
-  INFO(name);
-  CHECK_THROWS_WITH(arithmetic(goal, certificate), ContainsSubstring(because));
+void refuses(const std::string& name, const std::string& because, Expr goal,
+             const Certificate& certificate) {
+  refused(name, because, [&] { arithmetic(goal, certificate); });
 }
 void proves(std::size_t hypotheses, Expr goal, const Certificate& certificate) {
   const Theorem t = arithmetic(goal, certificate);
@@ -24,54 +22,49 @@ void proves(std::size_t hypotheses, Expr goal, const Certificate& certificate) {
 }  // namespace
 
 TEST_CASE("no certificate proves what is false") {
-  not_proved("0 = 1", "does not add up", eq(0, 1), {});
-  not_proved("0 < 0", "no product is proved positive", lt(0, 0), {});
-  not_proved("x/x = 1", "does not add up", eq(x / x, 1), {});
-  not_proved("x/x = 1, 0 <= x", "divisor must be", eq(x / x, 1), {.nonzero = {at_least_0}});
-  not_proved("y/y = 1, x != 0", "does not add up", eq(y / y, 1), {.nonzero = {not_0}});
-  not_proved("x/x = 1, x = 0", "divisor must be", eq(x / x, 1), {.nonzero = {nought}});
-  not_proved("x/x = 1, not 0 < x", "divisor must be", eq(x / x, 1),
-             {.nonzero = {assume(logic_not(lt(0, x)))}});
-  not_proved("x/x^2 = 1, x != 0", "does not add up", eq(x / power(x, 2), 1), {.nonzero = {not_0}});
-  not_proved("y = 0, x*y = 0", "does not add up", eq(y, 0),
-             {.equations = {{1, assume(eq(x * y, 0))}}});
-  not_proved("y = 0, x*y = 0, 0 <= x", "multiplier must be", eq(y, 0),
-             {.equations = {{1, assume(eq(x * y, 0))}}, .multipliers = {at_least_0}});
-  not_proved("y < 0, x*y < 0, x != 0", "multiplier must be", lt(y, 0),
-             {.products = {{1, {assume(lt(x * y, 0))}}}, .multipliers = {not_0}});
-  not_proved("y = 1, x*y = 0, 0 < x", "does not add up", eq(y, 1),
-             {.equations = {{-1, assume(eq(x * y, 0))}}, .multipliers = {positive}});
-  not_proved("0 < x, 0 <= x", "no product", lt(0, x), {.products = {{1, {at_least_0}}}});
-  not_proved("0 < x*y, 0 < x, 0 <= y", "no product", lt(0, x * y),
-             {.products = {{1, {positive, y_at_least_0}}}});
-  not_proved("0 < x^2", "no product", lt(0, power(x, 2)), {.products = {{1, {}, {x}}}});
-  not_proved("0 < 0*x", "no product", lt(0, 0), {.products = {{0, {positive}}}});
-  not_proved("x <= 0, 0 < x", "must be >= 0", le(x, 0), {.products = {{-1, {positive}}}});
-  not_proved("x = 0, 0 <= x", "equations only", eq(0, x), {.products = {{1, {at_least_0}}}});
-  not_proved("x <= 0, x = 0 as a factor", "an inequality", le(x, 0), {.products = {{1, {nought}}}});
-  not_proved("x <= 0, 0 < x as an equation", "an equation", le(x, 0),
-             {.equations = {{-1, positive}}});
-  not_proved("x = 0, x != 0", "an equation", eq(x, 0), {.equations = {{1, not_0}}});
-  not_proved("x != 0 by arithmetic", "proves =, < and <=", neq(x, 0), {});
-  not_proved("a disjunction", "proves =, < and <=", logic_or({lt(0, 1), lt(1, 0)}), {});
-  not_proved("sqrt(x)^2 = x", "does not add up", eq(power(sqrt(x), 2), x), {});
-  not_proved("sqrt(x^2) = x", "does not add up", eq(sqrt(power(x, 2)), x), {});
-  not_proved("sin(atan(x)) = x", "does not add up", eq(sin(atan(x)), x), {});
-  not_proved("1/0 = 0", "does not add up", eq(fun("inv", {0}), 0), {});
-  not_proved("inv(x - x) = 0", "does not add up", eq(Expr(1) / (x - x), 0), {});
-  not_proved("1/(2*x) = 1/2*1/x is unknown", "does not add up",
-             eq(fun("inv", {2 * x}), Expr(1) / 2 / x), {});
-  not_proved("a loose cofactor", "must be a term", eq(0, 0), {.equations = {{loose, nought}}});
-  not_proved("a formula as cofactor", "must be a term", eq(0, 0),
-             {.equations = {{eq(x, 0), nought}}});
-  not_proved("a loose square", "only a term", le(0, 0), {.products = {{1, {}, {loose}}}});
-  not_proved("x^2 = x^3", "does not add up", eq(power(x, 2), power(x, 3)), {});
-  not_proved("x*y = x", "does not add up", eq(x * y, x), {});
-  not_proved("2*x = x", "does not add up", eq(2 * x, x), {});
+  refuses("0 = 1", "does not add up", eq(0, 1), {});
+  refuses("0 < 0", "no product is proved positive", lt(0, 0), {});
+  refuses("x/x = 1", "does not add up", eq(x / x, 1), {});
+  refuses("x/x = 1, 0 <= x", "divisor must be", eq(x / x, 1), {.nonzero = {at_least_0}});
+  refuses("y/y = 1, x != 0", "does not add up", eq(y / y, 1), {.nonzero = {not_0}});
+  refuses("x/x = 1, x = 0", "divisor must be", eq(x / x, 1), {.nonzero = {nought}});
+  refuses("x/x = 1, not 0 < x", "divisor must be", eq(x / x, 1),
+          {.nonzero = {assume(logic_not(lt(0, x)))}});
+  refuses("x/x^2 = 1, x != 0", "does not add up", eq(x / power(x, 2), 1), {.nonzero = {not_0}});
+  refuses("y = 0, x*y = 0", "does not add up", eq(y, 0), {.equations = {{1, xy}}});
+  refuses("y = 0, x*y = 0, 0 <= x", "multiplier must be", eq(y, 0),
+          {.equations = {{1, xy}}, .multipliers = {at_least_0}});
+  refuses("y < 0, x*y < 0, x != 0", "multiplier must be", lt(y, 0),
+          {.products = {{1, {assume(lt(x * y, 0))}}}, .multipliers = {not_0}});
+  refuses("y = 1, x*y = 0, 0 < x", "does not add up", eq(y, 1),
+          {.equations = {{-1, xy}}, .multipliers = {positive}});
+  refuses("0 < x, 0 <= x", "no product", lt(0, x), {.products = {{1, {at_least_0}}}});
+  refuses("0 < x*y, 0 < x, 0 <= y", "no product", lt(0, x * y),
+          {.products = {{1, {positive, y_at_least_0}}}});
+  refuses("0 < x^2", "no product", lt(0, power(x, 2)), {.products = {{1, {}, {x}}}});
+  refuses("0 < 0*x", "no product", lt(0, 0), {.products = {{0, {positive}}}});
+  refuses("x <= 0, 0 < x", "must be >= 0", le(x, 0), {.products = {{-1, {positive}}}});
+  refuses("x = 0, 0 <= x", "equations only", eq(0, x), {.products = {{1, {at_least_0}}}});
+  refuses("x <= 0, x = 0 as a factor", "an inequality", le(x, 0), {.products = {{1, {nought}}}});
+  refuses("x <= 0, 0 < x as an equation", "an equation", le(x, 0), {.equations = {{-1, positive}}});
+  refuses("x = 0, x != 0", "an equation", eq(x, 0), {.equations = {{1, not_0}}});
+  refuses("x != 0 by arithmetic", "proves =, < and <=", neq(x, 0), {});
+  refuses("a disjunction", "proves =, < and <=", logic_or({lt(0, 1), lt(1, 0)}), {});
+  refuses("sqrt(x)^2 = x", "does not add up", eq(power(sqrt(x), 2), x), {});
+  refuses("sqrt(x^2) = x", "does not add up", eq(sqrt(power(x, 2)), x), {});
+  refuses("sin(atan(x)) = x", "does not add up", eq(sin(atan(x)), x), {});
+  refuses("1/0 = 0", "does not add up", eq(fun("inv", {0}), 0), {});
+  refuses("inv(x - x) = 0", "does not add up", eq(Expr(1) / (x - x), 0), {});
+  refuses("1/(2*x) = 1/2*1/x", "does not add up", eq(fun("inv", {2 * x}), Expr(1) / 2 / x), {});
+  refuses("a loose cofactor", "must be a term", eq(0, 0), {.equations = {{loose, nought}}});
+  refuses("a formula as cofactor", "must be a term", eq(0, 0), {.equations = {{eq(x, 0), nought}}});
+  refuses("a loose square", "only a term", le(0, 0), {.products = {{1, {}, {loose}}}});
+  refuses("x^2 = x^3", "does not add up", eq(power(x, 2), power(x, 3)), {});
+  refuses("x*y = x", "does not add up", eq(x * y, x), {});
+  refuses("2*x = x", "does not add up", eq(2 * x, x), {});
 }
 
 TEST_CASE("what a certificate does prove, under all its hypotheses") {
-  const Theorem xy = assume(eq(x * y, 0));
   const Theorem below = assume(lt(x * y, 0));
   proves(0, eq(power(x + y, 2), power(x, 2) + 2 * x * y + power(y, 2)), {});
   proves(1, eq(x / x, 1), {.nonzero = {not_0}});

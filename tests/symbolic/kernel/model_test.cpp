@@ -76,8 +76,7 @@ bool truth(Expr f, const Values& at) {
 TEST_CASE("a canonical form has the same value, a substitution the value at the terms") {
   Model model(1);
   for (int round = 0; round < 4000; ++round) {
-    const Expr e = model.term(1 + round % 4);
-    const Expr t = model.term(2);
+    const Expr e = model.term(1 + round % 4), t = model.term(2);
     const Values at = model.point();
     INFO(text(e));
     CHECK(value(canonical(e), at) == value(e, at));

@@ -15,10 +15,7 @@ using notation::read;
 
 namespace {
 struct Words {
-  Expr x = real("x");
-  Expr y = real("y'");
-  Expr n = integer("n");
-  Expr k = integer("k_1");
+  Expr x = real("x"), y = real("y'"), n = integer("n"), k = integer("k_1");
   Expr T = integer("T");
   Words() {
     if (is_known("a")) return;
@@ -134,9 +131,7 @@ TEST_CASE("thousands of random trees are read back") {
 
 TEST_CASE("a textbook's way of writing") {
   const Words w;
-  const Expr x = w.x;
-  const Expr n = w.n;
-  const Expr a = fun("a", {x, n - 1});
+  const Expr x = w.x, n = w.n, a = fun("a", {x, n - 1});
   for (const auto& [e, words] : std::vector<std::pair<Expr, std::string>>{
            {2 * x / (3 * w.y), "2*x/(3*y')"},
            {-pi() / 2, "-pi/2"},

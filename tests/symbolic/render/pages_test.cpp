@@ -10,8 +10,7 @@ using namespace kernel;
 
 namespace {
 std::vector<render::Section> sections() {
-  const Expr x = real("x"), y = real("y");
-  const Expr product = eq(x * y, y * x);
+  const Expr x = real("x"), y = real("y"), product = eq(x * y, y * x);
   return {{"A chapter",
            {lt(0, x)},
            {{"a.first", "eq:first", "In words,", product, {}, "arithmetic", {}},

@@ -43,8 +43,7 @@ struct Sample {
     const D angle = arc_tangent<Tier>(root, z);
     const SineCosine<D> large = sine_cosine<Tier>(b);
     const SineCosine<D> small = sine_cosine_small<Tier>(scaled(a, 0.125));
-    const D rest = cancelling_sum(a, -b);
-    const D size = magnitude(times(rest, x));
+    const D rest = cancelling_sum(a, -b), size = magnitude(times(rest, x));
     std::vector<T> all_of_them;
     for (const D& d : {a + b, root, t, z, angle, large.sine, large.cosine, small.sine, small.cosine,
                        rest, size, near_sum(b, -b), quotient(x, b)}) {
@@ -70,8 +69,7 @@ std::uint64_t fingerprint() {
   std::uint64_t sum = 0;
   for (int row = 0; row < 2000; ++row) {
     constexpr int all_lanes = 8;
-    double x[all_lanes];
-    double y[all_lanes];
+    double x[all_lanes], y[all_lanes];
     for (int k = 0; k < all_lanes; ++k) {
       x[k] = uniform();
       y[k] = uniform();

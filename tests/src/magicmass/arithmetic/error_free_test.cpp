@@ -43,8 +43,7 @@ TEST_CASE("fast_two_sum loses at most an ulp's half of y where |x| < |y|") {
   REQUIRE(two_sum(1.0, 0x1.fffffffffffffp53).low != sum.low);
   std::mt19937_64 random(2);
   for (int row = 0; row < 100000; ++row) {
-    const double x = draw(random);
-    const double y = draw(random) * 4.0;
+    const double x = draw(random), y = draw(random) * 4.0;
     if (y == 0.0) continue;
     const D s = fast_two_sum(x, y);
     const Whole lost = whole(x) + whole(y) - whole(s.high) - whole(s.low);
@@ -55,8 +54,7 @@ TEST_CASE("fast_two_sum loses at most an ulp's half of y where |x| < |y|") {
 TEST_CASE("veltkamp_split gives two numbers of 26 bits, two_product is exact") {
   std::mt19937_64 random(3);
   for (int row = 0; row < 100000; ++row) {
-    const double x = draw(random);
-    const double y = draw(random);
+    const double x = draw(random), y = draw(random);
     const D parts = veltkamp_split(x);
     REQUIRE(parts.high + parts.low == x);
     REQUIRE(float(parts.low) == float(parts.low * 1.0));
@@ -84,8 +82,7 @@ TEST_CASE("less_product has one rounding, where the product is near") {
     const double x = std::fabs(draw(random)) + 1.0;
     const double y = std::fabs(draw(random)) + 1.0;
     const double z = x * y * (0.5 + 1.5 * double(random() >> 11) * 0x1p-53);
-    if (z < x * y / 2 || z > 2 * (x * y)) continue;
-    if (z != std::floor(z)) continue;
+    if (z < x * y / 2 || z > 2 * (x * y) || z != std::floor(z)) continue;
     REQUIRE(less_product(z, x, y) == double(whole(z) - whole(x) * whole(y)));
   }
 }

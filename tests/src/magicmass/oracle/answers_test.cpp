@@ -25,9 +25,7 @@ struct Ends {
 Ends ends_of(const Cycle<cl_RA>& cycle, const cl_RA& alpha, int most) {
   magicmass::simulator::ThreeBodies<cl_RA> bodies(alpha);
   int collisions = 0;
-  while (collisions < most && bodies.step()) {
-    ++collisions;
-  }
+  while (collisions < most && bodies.step()) ++collisions;
   const Velocity<cl_RA> v = after_collisions(cycle, cl_I(collisions));
   const auto& [A, C, B] = bodies.bodies();
   return {{v(0), v(1), v(2)}, {A.velocity, B.velocity, C.velocity}};
@@ -133,8 +131,7 @@ TEST_CASE("long numbers are rounded as the exact ones are", "[check]") {
 }
 
 TEST_CASE("a rounding is certain up to a width", "[exam]") {
-  const cl_RA step = exact(0x1p-10);
-  const cl_RA tiny = exact(0x1p-200);
+  const cl_RA step = exact(0x1p-10), tiny = exact(0x1p-200);
   CHECK(to_within(10).common(1, 1 + step - tiny) == cl_RA(1));
   CHECK_FALSE(to_within(10).common(1, 1 + step));
   CHECK_FALSE(to_within(10).common(-tiny, tiny));

@@ -51,9 +51,7 @@ TEST_CASE("known counts", "[exam]") {
 TEST_CASE("doubles beside a threshold fall on its two sides", "[exam]") {
   const double magic_2 = std::sqrt(5.0) - 2;
   double below = magic_2;
-  while (is_above(below, magic(2))) {
-    below = std::nextafter(below, 0.0);
-  }
+  while (is_above(below, magic(2))) below = std::nextafter(below, 0.0);
   CHECK(of_double(below) == Counts{3, 2});
   const double above = std::nextafter(below, 1.0);
   CHECK(is_above(above, magic(2)));
@@ -74,15 +72,12 @@ TEST_CASE("bisection and stepping agree", "[check]") {
     const cl_RA alpha = cl_RA(static_cast<long>(1 + random() % 4)) / below;
     CHECK(count_collisions(alpha) == stepped(alpha));
   }
-  for (int i = 1; i < 60; ++i) {
-    CHECK(count_collisions(cl_RA(i) / 20) == stepped(cl_RA(i) / 20));
-  }
+  for (int i = 1; i < 60; ++i) CHECK(count_collisions(cl_RA(i) / 20) == stepped(cl_RA(i) / 20));
 }
 
 TEST_CASE("the simulator in doubles counts right or says that it may not", "[check]") {
   std::mt19937_64 random(7);
-  int wrong = 0;
-  int silent = 0;
+  int wrong = 0, silent = 0;
   for (int i = 0; i < 300; ++i) {
     const auto k = static_cast<long>(2 + random() % 400);
     const MassRatio threshold = i % 2 == 0 ? magic(k) : deficient(k);
@@ -91,9 +86,7 @@ TEST_CASE("the simulator in doubles counts right or says that it may not", "[che
     const double alpha = beside * (1 + steps * 0x1p-52);
     magicmass::simulator::ThreeBodies<double> bodies(alpha);
     int collisions = 0;
-    while (bodies.step()) {
-      ++collisions;
-    }
+    while (bodies.step()) ++collisions;
     const Counts counts = of_double(alpha);
     const bool is_right = counts.N_A + counts.N_B == collisions;
     wrong += is_right ? 0 : 1;

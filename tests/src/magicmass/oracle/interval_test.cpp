@@ -31,19 +31,14 @@ TEST_CASE("an operation encloses the exact result", "[check]") {
     return cl_RA(above) / static_cast<long>(1 + random() % 97);
   };
   for (int i = 0; i < 500; ++i) {
-    const cl_RA x = draw();
-    const cl_RA y = draw();
-    const Interval u(x, 40);
-    const Interval v(y, 60);
+    const cl_RA x = draw(), y = draw();
+    const Interval u(x, 40), v(y, 60);
     CHECK((holds(u + v, x + y) && is_tight(u + v, x + y, 21)));
     CHECK((holds(u - v, x - y) && is_tight(u - v, x - y, 21)));
     CHECK((holds(u * v, x * y) && is_tight(u * v, x * y, 31)));
-    if (v.sign() == Sign::positive || v.sign() == Sign::negative) {
-      CHECK(holds(u / v, x / y));
-    }
+    if (v.sign() == Sign::positive || v.sign() == Sign::negative) CHECK(holds(u / v, x / y));
     const Interval wide(cln::min(x, y), cln::max(x, y), 10);
-    const cl_RA z = draw();
-    const cl_RA w = draw();
+    const cl_RA z = draw(), w = draw();
     const Interval other(cln::min(z, w), cln::max(z, w), 12);
     for (const cl_RA& corner : {x, y}) {
       CHECK((holds(wide * other, corner * z) && holds(wide * other, corner * w)));

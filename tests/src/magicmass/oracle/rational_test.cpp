@@ -4,7 +4,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <random>
 
@@ -26,16 +25,14 @@ TEST_CASE("every finite double comes back from its exact value", "[check]") {
     }
   }
   CHECK(finite > 2000);
-  for (const double x : {0.0, Limits::denorm_min(), Limits::min(), Limits::max(), -1.5}) {
+  for (const double x : {0.0, Limits::denorm_min(), Limits::min(), Limits::max(), -1.5})
     CHECK(nearest(exact(x)) == x);
-  }
   CHECK_THROWS_AS(exact(Limits::infinity()), std::invalid_argument);
   CHECK_THROWS_AS(exact(Limits::quiet_NaN()), std::invalid_argument);
 }
 
 TEST_CASE("rounding is to nearest, ties to even", "[exam]") {
-  const cl_RA ulp = exact(0x1p-52);
-  const cl_RA tiny = exact(Limits::denorm_min());
+  const cl_RA ulp = exact(0x1p-52), tiny = exact(Limits::denorm_min());
   CHECK(nearest(1 + ulp / 2) == 1);
   CHECK(nearest(1 + 3 * ulp / 2) == 1 + 0x1p-51);
   CHECK(nearest(1 + ulp / 2 + tiny) == 1 + 0x1p-52);

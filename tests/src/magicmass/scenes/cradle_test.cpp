@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "catch.hpp"
-#include "magicmass/numbers/errors.hpp"
 #include "magicmass/scenes/trajectory.hpp"
 #include "runs.hpp"
 

@@ -96,8 +96,7 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
     const std::string text = text_of(line, false);
     const std::string mirrored_text = text_of(line, true);
     INFO(text);
-    const Result result = result_of(text);
-    const Result mirrored = result_of(mirrored_text);
+    const Result result = result_of(text), mirrored = result_of(mirrored_text);
     REQUIRE(result.plan.model == "theorem");
     REQUIRE(mirrored.plan.model == "theorem");
     const std::vector<Step> rows = stepped(line, 120);

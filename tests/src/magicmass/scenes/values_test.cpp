@@ -9,12 +9,7 @@
 using namespace magicmass::scenes;
 
 TEST_CASE("values are kept as what they are", "[exam]") {
-  struct Row {
-    const char* text;
-    const char* exact;
-    double value;
-  };
-  const Row rows[] = {
+  const std::tuple<const char*, const char*, double> rows[] = {
       {"1/7", "1/7", 1.0 / 7},
       {"-1/4", "-1/4", -0.25},
       {"100^6", "1000000000000", 1e12},
@@ -32,22 +27,21 @@ TEST_CASE("values are kept as what they are", "[exam]") {
       {"25e-2", "1/4", 0.25},
       {"0", "0", 0},
   };
-  for (const Row& row : rows) {
-    INFO(row.text);
-    const Value value = read_value(row.text);
-    CHECK(value.text == row.text);
+  for (const auto& [text, exact, number] : rows) {
+    INFO(text);
+    const Value value = read_value(text);
+    CHECK(value.text == text);
     REQUIRE(value.exact() != nullptr);
-    CHECK(value.exact()->text() == row.exact);
-    CHECK(value.to_double() == row.value);
+    CHECK(value.exact()->text() == exact);
+    CHECK(value.to_double() == number);
   }
   CHECK(read_value("0.1").exact()->text() == "3602879701896397/36028797018963968");
   CHECK(read_value("magic:3").exact() == nullptr);
   CHECK_THAT(read_value("magic:2").to_double(), WithinULP(0.2360679774997897, 0));
   CHECK_THAT(read_value("deficient:1").to_double(), WithinULP(0.41421356237309503, 0));
-  CHECK_THROWS_WITH(read_value("10^400").to_double(),
-                    "10^400 does not fit a double; --exact may do");
-  CHECK_THROWS_WITH(read_value("1/10^400").to_double(),
-                    "1/10^400 does not fit a double; --exact may do");
+  const std::string says = " does not fit a double; --exact may do";
+  for (const std::string text : {"10^400", "1/10^400"})
+    CHECK_THROWS_WITH(read_value(text).to_double(), text + says);
 }
 
 TEST_CASE("what is no value is refused", "[exam]") {
@@ -70,18 +64,15 @@ TEST_CASE("what is no value is refused", "[exam]") {
       {"1.5.2", "not a number"},
       {"--1.5", "not a number"},
       {"0x", "not a number"},
-      {"1/7 ", ""},
       {"magic:0", "k must be"},
       {"magic:x", "k must be"},
       {"magic:9999999999999999999", "k must be"},
   };
   for (const auto& [text, part] : rows) {
     INFO(text);
-    if (*part == '\0')
-      CHECK_NOTHROW(read_value(text));
-    else
-      CHECK_THROWS_WITH(read_value(text), ContainsSubstring(part));
+    CHECK_THROWS_WITH(read_value(text), ContainsSubstring(part));
   }
+  CHECK_NOTHROW(read_value("1/7 "));
   CHECK_THROWS_WITH(read_value(std::string(5000, '1')), "5000 characters, at most 4096");
   CHECK_THROWS_WITH(value_of(INFINITY), "not a finite number");
 }

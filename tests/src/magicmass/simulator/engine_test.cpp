@@ -18,8 +18,7 @@ using Random = std::mt19937_64;
 
 /// A small fraction, so that collisions at one time are common.
 struct Fraction {
-  int above = 0;
-  int below = 1;
+  int above = 0, below = 1;
   operator double() const { return static_cast<double>(above) / below; }
   operator cl_RA() const { return cl_RA(above) / below; }
 };

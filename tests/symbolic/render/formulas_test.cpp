@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Formulas in LaTeX: parentheses where the reading would change, and nowhere else.
-#include "render/latex.hpp"
-
+// Formulas in LaTeX, with parentheses where the reading would change, and nowhere else; in MathML,
+// what is set above, below or beside what.
 #include "catch.hpp"
+#include "render/latex.hpp"
+#include "render/mathml.hpp"
 
 using namespace kernel;
 
+namespace {
+const Expr a = real("alpha"), x = real("x"), y = real("y"), n = integer("n");
+using Rows = std::vector<std::pair<Expr, std::string>>;
+}  // namespace
+
 TEST_CASE("LaTeX of terms and formulas") {
-  const Expr a = real("alpha"), x = real("x"), y = real("y"), n = integer("n");
-  struct Row {
-    Expr formula;
-    std::string latex;
-  };
-  const Row rows[] = {
+  const Rows rows{
       {a, "\\alpha"},
       {real("u_1"), "u_{1}"},
       {real("V_CM"), "V_{\\mathrm{CM}}"},
@@ -44,5 +45,28 @@ TEST_CASE("LaTeX of terms and formulas") {
       {transpose(matrix(1, {x, y})), "\\begin{pmatrix}x \\\\ y\\end{pmatrix}^{T}"},
       {all(x, le(0, power(x, 2))), "\\text{for every real }x: 0 \\le x^{2}"},
   };
-  for (const Row& row : rows) CHECK(render::latex(row.formula) == row.latex);
+  for (const auto& [formula, latex] : rows) CHECK(render::latex(formula) == latex);
+}
+
+TEST_CASE("MathML of terms and formulas") {
+  const Rows rows{
+      {a, "<mi>α</mi>"},
+      {real("u_1"), "<msub><mrow><mi>u</mi></mrow><mrow><mn>1</mn></mrow></msub>"},
+      {x / y, "<mfrac><mrow><mi>x</mi></mrow><mrow><mi>y</mi></mrow></mfrac>"},
+      {-power(x, 2), "<mo>−</mo><msup><mrow><mi>x</mi></mrow><mrow><mn>2</mn></mrow></msup>"},
+      {x - y, "<mi>x</mi><mo>−</mo><mi>y</mi>"},
+      {2 * x, "<mn>2</mn><mo>&#x2062;</mo><mi>x</mi>"},
+      {lt(x, y), "<mi>x</mi><mo>&lt;</mo><mi>y</mi>"},
+      {sqrt(x), "<msqrt><mi>x</mi></msqrt>"},
+      {cos(x), "<mi>cos</mi><mo>&#x2061;</mo><mrow><mo>(</mo><mi>x</mi><mo>)</mo></mrow>"},
+      {logic_and({lt(x, y), lt(y, a)}),
+       "<mi>x</mi><mo>&lt;</mo><mi>y</mi><mtext>&#xa0;and&#xa0;</mtext>"
+       "<mi>y</mi><mo>&lt;</mo><mi>α</mi>"},
+      {matrix(1, {1, x}),
+       "<mrow><mo>(</mo><mtable><mtr><mtd><mn>1</mn></mtd></mtr><mtr><mtd><mi>x</mi></mtd></mtr>"
+       "</mtable><mo>)</mo></mrow>"},
+  };
+  for (const auto& [formula, mathml] : rows)
+    CHECK(render::mathml(formula, false) == "<math>" + mathml + "</math>");
+  CHECK(render::mathml(x, true) == "<math display=\"block\"><mi>x</mi></math>");
 }
