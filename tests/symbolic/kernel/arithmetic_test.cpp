@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks on arithmetic: certificates that do not certify.
 #include "attack.hpp"
+#include "kernel/print.hpp"
 
 using namespace kernel;
 using namespace attacked;
@@ -22,9 +23,12 @@ void proves(std::size_t hypotheses, Expr goal, const Certificate& certificate) {
 }  // namespace
 
 TEST_CASE("no certificate proves what is false") {
-  refuses("0 = 1", "does not add up", eq(0, 1), {});
+  for (Expr goal : {eq(0, 1), eq(x / x, 1), eq(power(sqrt(x), 2), x), eq(sqrt(power(x, 2)), x),
+                    eq(sin(atan(x)), x), eq(fun("inv", {0}), 0), eq(Expr(1) / (x - x), 0),
+                    eq(fun("inv", {2 * x}), Expr(1) / 2 / x), eq(power(x, 2), power(x, 3)),
+                    eq(x * y, x), eq(2 * x, x)})
+    refuses(text(goal), "does not add up", goal, {});
   refuses("0 < 0", "no product is proved positive", lt(0, 0), {});
-  refuses("x/x = 1", "does not add up", eq(x / x, 1), {});
   refuses("x/x = 1, 0 <= x", "divisor must be", eq(x / x, 1), {.nonzero = {at_least_0}});
   refuses("y/y = 1, x != 0", "does not add up", eq(y / y, 1), {.nonzero = {not_0}});
   refuses("x/x = 1, x = 0", "divisor must be", eq(x / x, 1), {.nonzero = {nought}});
@@ -50,18 +54,9 @@ TEST_CASE("no certificate proves what is false") {
   refuses("x = 0, x != 0", "an equation", eq(x, 0), {.equations = {{1, not_0}}});
   refuses("x != 0 by arithmetic", "proves =, < and <=", neq(x, 0), {});
   refuses("a disjunction", "proves =, < and <=", logic_or({lt(0, 1), lt(1, 0)}), {});
-  refuses("sqrt(x)^2 = x", "does not add up", eq(power(sqrt(x), 2), x), {});
-  refuses("sqrt(x^2) = x", "does not add up", eq(sqrt(power(x, 2)), x), {});
-  refuses("sin(atan(x)) = x", "does not add up", eq(sin(atan(x)), x), {});
-  refuses("1/0 = 0", "does not add up", eq(fun("inv", {0}), 0), {});
-  refuses("inv(x - x) = 0", "does not add up", eq(Expr(1) / (x - x), 0), {});
-  refuses("1/(2*x) = 1/2*1/x", "does not add up", eq(fun("inv", {2 * x}), Expr(1) / 2 / x), {});
   refuses("a loose cofactor", "must be a term", eq(0, 0), {.equations = {{loose, nought}}});
   refuses("a formula as cofactor", "must be a term", eq(0, 0), {.equations = {{eq(x, 0), nought}}});
   refuses("a loose square", "only a term", le(0, 0), {.products = {{1, {}, {loose}}}});
-  refuses("x^2 = x^3", "does not add up", eq(power(x, 2), power(x, 3)), {});
-  refuses("x*y = x", "does not add up", eq(x * y, x), {});
-  refuses("2*x = x", "does not add up", eq(2 * x, x), {});
 }
 
 TEST_CASE("what a certificate does prove, under all its hypotheses") {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "law_of_collision.hpp"
 #include "magicmass/numbers/errors.hpp"
 #include "runs.hpp"
 
@@ -11,14 +12,7 @@ using namespace magicmass::scenes;
 using cln::cl_RA;
 
 namespace {
-struct Body {
-  cl_RA mass, x, v;
-};
-struct Line {
-  std::vector<Body> bodies;
-  bool has_wall = false;  // the last body is one
-  cl_RA e = 1;
-};
+using Line = law::ThreeBodies<cl_RA>;
 struct Step {
   std::size_t left;
   cl_RA time, x, v_left, v_right;
@@ -26,64 +20,52 @@ struct Step {
 /// The first collisions, at most so many; the line is then as after them.
 std::vector<Step> stepped(Line& line, int most) {
   std::vector<Step> rows;
-  cl_RA time = 0;
-  std::vector<Body>& b = line.bodies;
-  while (int(rows.size()) < most) {
-    std::optional<std::pair<cl_RA, std::size_t>> next;
-    for (std::size_t i = 0; i + 1 < b.size(); ++i) {
-      const cl_RA closing = b[i].v - b[i + 1].v;
-      if (closing <= 0) continue;
-      const cl_RA wait = (b[i + 1].x - b[i].x) / closing;
-      if (!next || wait < next->first) next = {wait, i};
-    }
-    if (!next) break;
-    const auto [wait, i] = *next;
-    for (Body& body : b) body.x = body.x + body.v * wait;
-    time = time + wait;
-    Body &l = b[i], &r = b[i + 1];
-    const bool is_wall = line.has_wall && i + 2 == b.size();
-    const cl_RA centre = is_wall ? r.v : (l.mass * l.v + r.mass * r.v) / (l.mass + r.mass);
-    for (Body* body : {&l, &r}) body->v = (1 + line.e) * centre - line.e * body->v;
-    rows.push_back({i, time, l.x, l.v, r.v});
+  const auto& [A, B, C] = line.v;
+  while (line.N < most && line.approach() > 0) {
+    line.wait();
+    const bool is_left = line.A_next();
+    line.collide();
+    rows.push_back(
+        {is_left ? std::size_t(0) : 1, line.time, line.place[2], is_left ? A : C, is_left ? C : B});
   }
   return rows;
 }
 std::string quoted(const cl_RA& q) { return '"' + Quadratic(q).text() + '"'; }
 /// The scene, as it is or in a mirror.
 std::string text_of(const Line& line, bool is_mirrored) {
-  std::vector<Body> bodies = line.bodies;
-  std::string wall;
+  const bool has_wall = line.per_B == 0;
   const int sign = is_mirrored ? -1 : 1;
-  if (line.has_wall) {
-    wall =
-        std::string(is_mirrored ? "left" : "right") + "_wall = " + quoted(sign * bodies.back().x);
-    bodies.pop_back();
-  }
-  if (is_mirrored) std::reverse(bodies.begin(), bodies.end());
+  std::vector<std::size_t> order{0, 2, 1};
+  if (has_wall) order.pop_back();
+  if (is_mirrored) std::reverse(order.begin(), order.end());
+  const cl_RA mass[]{line.A_mass, has_wall ? cl_RA(0) : 1 / line.per_B, line.ball};
   std::string masses, positions, velocities;
-  for (const Body& b : bodies) {
-    masses += quoted(b.mass) + ",";
-    positions += quoted(sign * b.x) + ",";
-    velocities += quoted(sign * b.v) + ",";
+  for (const std::size_t i : order) {
+    masses += quoted(mass[i]) + ",";
+    positions += quoted(sign * line.place[i]) + ",";
+    velocities += quoted(sign * line.v[i]) + ",";
   }
-  return std::string("kind = '") + (line.has_wall ? "wall" : "three-body") + "'\nmasses = [" +
-         masses + "]\npositions = [" + positions + "]\nvelocities = [" + velocities +
-         "]\nrestitution = " + quoted(line.e) + "\n" + wall + "\n";
+  const std::string side = is_mirrored ? "left" : "right";
+  return std::string("kind = '") + (has_wall ? "wall" : "three-body") + "'\nmasses = [" + masses +
+         "]\npositions = [" + positions + "]\nvelocities = [" + velocities +
+         "]\nrestitution = " + quoted(line.e) + "\n" +
+         (has_wall ? side + "_wall = " + quoted(sign * line.place[1]) : "") + "\n";
 }
 Line random_line(std::mt19937_64& random) {
   const auto fraction = [&](int from, int to, int below) {
     return cl_RA(from + int(random() % std::uint64_t(to - from + 1))) / below;
   };
-  Line line;
-  line.has_wall = random() % 3 == 0;
-  line.e = random() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
-  const cl_RA drift = line.has_wall ? cl_RA(0) : fraction(-6, 6, 4);
+  const bool has_wall = random() % 3 == 0;
+  const cl_RA e = random() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
+  const cl_RA drift = has_wall ? cl_RA(0) : fraction(-6, 6, 4);
   const cl_RA start = fraction(-8, 8, 4), free = fraction(0, 4, 3), L = fraction(0, 9, 7);
-  const int below = random() % 4 == 0 ? 400 : 12;
-  line.bodies = {{fraction(1, 40, 6), start, drift + fraction(1, 12, 4)},
-                 {fraction(1, 24, below), start + free, drift},
-                 {fraction(1, 40, 6), start + free + L, drift}};
-  return line;
+  const cl_RA per_B = has_wall ? cl_RA(0) : 1 / fraction(1, 40, 6);
+  return {fraction(1, 40, 6),
+          per_B,
+          fraction(1, 24, random() % 4 == 0 ? 400 : 12),
+          e,
+          {drift + fraction(1, 12, 4), drift, drift},
+          {start, start + free + L, start + free}};
 }
 double near(const cl_RA& x) { return Quadratic(x).to_double().value_or(0.0); }
 }  // namespace
@@ -120,9 +102,10 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
     REQUIRE(engine.plan.model == "events");
     REQUIRE((engine.events == result.events || engine.status == Status::limited));
     for (std::size_t k = 0; k < bodies; ++k) {
-      REQUIRE(number(result.terminal[k]) == near(line.bodies[k].v));
+      const double v = near(line.v[(2 * k) % 3]);  // A, C, B
+      REQUIRE(number(result.terminal[k]) == v);
       if (engine.status == Status::complete)
-        REQUIRE_THAT(number(engine.terminal[k]), WithinAbs(near(line.bodies[k].v), 1e-9));
+        REQUIRE_THAT(number(engine.terminal[k]), WithinAbs(v, 1e-9));
     }
   }
   CHECK(ended > 3000);
@@ -131,9 +114,12 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
 
 TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[check]") {
   for (const bool has_wall : {false, true}) {
-    Line line{{{2, cl_RA(-1) / 3, 1}, {cl_RA(1) / 900, cl_RA(1) / 5, 0}, {3, cl_RA(5) / 7, 0}},
-              has_wall,
-              cl_RA(999) / 1000};
+    Line line{2,
+              cl_RA(has_wall ? 0 : 1) / 3,
+              cl_RA(1) / 900,
+              cl_RA(999) / 1000,
+              {1, 0, 0},
+              {cl_RA(-1) / 3, cl_RA(5) / 7, cl_RA(1) / 5}};
     const Scene scene = scene_of(text_of(line, false));
     const Result result = run(scene);
     REQUIRE_FALSE(result.plan.is_exact);
