@@ -60,8 +60,7 @@ private:
   cln::cl_RA number() { return cln::cl_I(next().c_str()); }
   int small() { return std::stoi(next()); }
   Expr closed(Expr e) {
-    const std::string close = next();
-    REQUIRE(close == ")");
+    REQUIRE(next() == ")");
     return e;
   }
   /// The file does not say it: columns are 1 unless the matrix is square.
@@ -98,9 +97,7 @@ private:
     return make({.op = operations.at(op), .args = all});
   }
   Expr rational(const cln::cl_RA& above) {
-    if (!takes("/")) return Expr(above);
-    const cln::cl_RA quotient = above / number();
-    return Expr(quotient);
+    return takes("/") ? Expr(above / number()) : Expr(above);
   }
   /// How many sizes stand before the matrix.
   inline static const std::map<std::string, std::size_t> of_matrices = {

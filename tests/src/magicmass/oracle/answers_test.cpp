@@ -16,13 +16,9 @@ using Texts = std::vector<std::string>;
 
 namespace {
 
-/// Velocities (a, b, c) after all collisions of a cycle's two maps, and as the simulator sees them.
-struct Ends {
-  Rationals by_powers;
-  Rationals by_steps;
-};
-
-Ends ends_of(const Cycle<cl_RA>& cycle, const cl_RA& alpha, int most) {
+/// Velocities (a, b, c) after collisions: by powers of a cycle's two maps, and as the simulator
+/// steps.
+std::pair<Rationals, Rationals> ends_of(const Cycle<cl_RA>& cycle, const cl_RA& alpha, int most) {
   magicmass::simulator::ThreeBodies<cl_RA> bodies(alpha);
   int collisions = 0;
   while (collisions < most && bodies.step()) ++collisions;
@@ -53,11 +49,11 @@ TEST_CASE("powers of the collision map are what stepping gives", "[check]") {
     const Cycle<cl_RA> cycle = cycle_of(alpha);
     CHECK(conserves(cycle.with_A, alpha));
     CHECK(conserves(cycle.with_B, alpha));
-    const Ends ends = ends_of(cycle, alpha, i);
-    CHECK(ends.by_powers == ends.by_steps);
+    const auto [by_powers, by_steps] = ends_of(cycle, alpha, i);
+    CHECK(by_powers == by_steps);
     const Counts counts = count_collisions(alpha);
     const Rationals terminal = exactly(alpha, AtEnd(counts));
-    const Rationals last = ends_of(cycle, alpha, 1000).by_steps;
+    const Rationals last = ends_of(cycle, alpha, 1000).second;
     CHECK(terminal == Rationals{last[0], last[1], last[2], last[1] * last[1]});
   }
 }
@@ -70,8 +66,8 @@ TEST_CASE("a wrong law is seen", "[exam]") {
   wrong_sign.with_B(1, 2) = -wrong_sign.with_B(1, 2);
   const Cycle<cl_RA> wrong_order{right.with_B, right.with_A};
   for (const Cycle<cl_RA>& wrong : {wrong_mass, wrong_sign, wrong_order}) {
-    const Ends ends = ends_of(wrong, alpha, 5);
-    CHECK(ends.by_powers != ends.by_steps);
+    const auto [by_powers, by_steps] = ends_of(wrong, alpha, 5);
+    CHECK(by_powers != by_steps);
   }
   CHECK_FALSE(conserves(wrong_mass.with_A, alpha));
   CHECK_FALSE(conserves(wrong_sign.with_B, alpha));
