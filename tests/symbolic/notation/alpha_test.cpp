@@ -7,10 +7,9 @@
 using namespace notation;
 
 TEST_CASE("decimals and hex floats are the nearest double, p/q is exact") {
-  CHECK(std::get<double>(read_alpha("0.1")) == 0.1);
-  CHECK(std::get<double>(read_alpha("1e-9")) == 1e-9);
-  CHECK(std::get<double>(read_alpha("0x1.8p-3")) == 0.1875);
-  CHECK(std::get<double>(read_alpha(".5")) == 0.5);
+  for (const auto& [words, value] :
+       {std::pair{"0.1", 0.1}, {"1e-9", 1e-9}, {"0x1.8p-3", 0.1875}, {".5", 0.5}})
+    CHECK(std::get<double>(read_alpha(words)) == value);
   CHECK(std::get<double>(read_alpha("5e-324")) > 0);
   CHECK(std::get<cln::cl_RA>(read_alpha("2/14")) == cln::cl_RA("1/7"));
   CHECK(std::get<Magic>(read_alpha("magic:3")).k == 3);
