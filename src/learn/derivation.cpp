@@ -194,10 +194,11 @@ Judgement judge_chain(const Terms& terms, const Texts& lines) {
       before = now;
     }
   if (before == start || !unfinished().empty())
-    return {
-        Mark::incomplete,
-        "Every line is right, but the last one is not the end yet; asked for is: " + e.form + ".",
-        said.notes};
+    return {Mark::incomplete,
+            "Every line is right, but the last one is not the end yet; the form that is asked for "
+            "is: " +
+                e.form + ".",
+            said.notes};
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer.",
           said.notes};
 }

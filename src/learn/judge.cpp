@@ -48,7 +48,8 @@ Judgement judge(const Exercise& e, const std::string& typed) {
                                  : judge_derivation(e, text);
   } catch (const kernel::Refused& r) {
     const std::string why = answers::shown_text(r.what(), 300);
-    return {Mark::unread, "Not understood: " + why + (why.ends_with('?') ? "" : ".")};
+    return {Mark::unread,
+            "Not understood: " + why + (why.ends_with('?') || why.ends_with('.') ? "" : ".")};
   }
 }
 
@@ -98,7 +99,8 @@ Judgement judge_symbolic(const Exercise& e, const std::string& text) {
     const std::string lack = lacking(e.form, typed, terms.domain(notation::symbols_of(typed)));
     if (lack.empty()) return {Mark::right, "Right.", said.notes};
     return {Mark::other_form,
-            "Equal to the answer, but asked for is: " + e.form + ". Here " + lack + ".",
+            "Equal to the answer, but the form that is asked for is: " + e.form +
+                ". Yours: " + lack + ".",
             said.notes};
   }
   if (said.mark != Mark::wrong) return said;

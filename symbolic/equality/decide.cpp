@@ -91,7 +91,7 @@ public:
     if (!is_different_exactly() && verdict.proof.empty())
       verdict.proof =
           "neither a proof nor a counterexample was found; both sides agree to 50 digits at " +
-          std::to_string(common.size()) + " points";
+          std::to_string(common.size()) + (common.size() == 1 ? " point" : " points");
     return verdict;
   }
 

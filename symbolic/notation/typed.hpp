@@ -18,7 +18,7 @@ struct Typed {
 };
 /// Numbers (decimals exactly: 0.1 is 1/10), + - * / ^, names, |x|, sqrt cbrt root abs sin cos tan
 /// sec csc cot asin acos atan exp log sinh cosh tanh, matrices [[a, b], [c, d]] or \begin{pmatrix};
-/// M₁, c'_n, a signs's usual spellings; a product's sign may be left out where that is clear.
+/// M₁, c'_n, the usual spellings of signs; a product's sign may be left out where that is clear.
 /// A name before a bracket is a function unless it is in `factors`, alpha or one letter of x, y, z.
 /// Refused (kernel::Refused, "column 7: ..."): anything else, more than 20,000 characters, brackets
 /// more than 200 deep, numbers of more than 70,000 bits, exponents above 10,000.
