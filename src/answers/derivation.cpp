@@ -97,7 +97,7 @@ kernel::Exprs beyond(const kernel::Exprs& hypotheses, const kernel::Exprs& assum
   return out;
 }
 
-std::vector<render::Section> sections(const Numbers& wanted, const Index& index) {
+std::vector<render::Section> sections_of(const Numbers& wanted, const Index& index) {
   std::vector<render::Section> out;
   const Chapter* last = nullptr;
   for (const std::size_t k : wanted) {
@@ -112,6 +112,11 @@ std::vector<render::Section> sections(const Numbers& wanted, const Index& index)
 }
 
 }  // namespace
+
+std::vector<render::Section> derivation_sections() {
+  const Index index(derivation::the_book());
+  return sections_of(asked_for({}, index), index);
+}
 
 std::vector<Column> derive_columns() {
   return {{"id", Type::text, "", "chapter and name"},
@@ -133,7 +138,7 @@ Answer derive(const Request& request) {
       {"html", render::html_page}};
   const auto page = pages.find(request.format);
   const bool is_list = request.format == "text" && request.has("list");
-  if (page != pages.end() && !is_list) return {{}, page->second(sections(wanted, index))};
+  if (page != pages.end() && !is_list) return {{}, page->second(sections_of(wanted, index))};
   Table table{derive_columns(), {}};
   std::string list;
   for (const std::size_t k : wanted) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "answers/request.hpp"
+#include "render/pages.hpp"
 
 namespace answers {
 
@@ -11,6 +12,8 @@ namespace answers {
 /// a name that is neither a chapter nor a step.
 Answer derive(const Request& request);
 std::vector<Column> derive_columns();
+/// The whole derivation, to be rendered.
+std::vector<render::Section> derivation_sections();
 
 /// Proves everything again: how many theorems are shown, how many failed, kernel steps.
 Answer verify(const Request& request);

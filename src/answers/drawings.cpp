@@ -101,6 +101,16 @@ Table wedge_data() {
   return table;
 }
 
+Table way_data() {
+  Table table{named_columns({"t", "x_block", "x_ball"}), {}};
+  Places all = places("kind = \"wall\"\nmass_ratio = 100\nuntil = 3\n");
+  for (std::vector<double>& place : all) {
+    place[0] += 1;  // they touch at time 0
+    table.rows.push_back(real_cells(place));
+  }
+  return table;
+}
+
 Table cradle_data() {
   Table table{
       named_columns({"t", "x_A1", "x_C1", "x_A2", "x_C2", "x_A3", "x_C3", "x_A4", "x_C4", "x_A5"}),

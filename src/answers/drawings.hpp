@@ -14,6 +14,8 @@ Table trajectories_data();
 Table sphere_data();
 /// Distance of A and B at each collision, and the direction of its ray in the unfolded wedge.
 Table wedge_data();
+/// Places of a block and of the ball between it and a wall, from collision to collision.
+Table way_data();
 /// Places of five blocks and four balls at magic ratios from collision to collision, there and
 /// back.
 Table cradle_data();

@@ -48,6 +48,16 @@ Table terminal_data() {
   return table;
 }
 
+Table velocities_data() {
+  const Alpha alpha = cln::cl_RA(1) / 1000;
+  Table table{named_columns({"n", "a", "b", "c", "c_prime"}), {}};
+  for (int n = 0; n <= count_collisions(alpha).N_A; ++n) {
+    table.rows.push_back(rounded([&] { return velocities(alpha, n); }));
+    table.rows.back().insert(table.rows.back().begin(), whole_cell(n));
+  }
+  return table;
+}
+
 Table transmission_data() {
   Table table{named_columns({"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"}), {}};
   for (const Alpha& alpha : alphas()) {
@@ -79,8 +89,10 @@ const std::vector<Figure>& figures() {
                                        {"trajectories", trajectories_data},
                                        {"terminal", terminal_data},
                                        {"transmission", transmission_data},
+                                       {"velocities", velocities_data},
                                        {"sphere", sphere_data},
                                        {"wedge", wedge_data},
+                                       {"way", way_data},
                                        {"cradle", cradle_data}};
   return all;
 }

@@ -115,10 +115,11 @@ std::string in_dollars(Expr e) { return "$" + latex(e) + "$"; }
 std::string in_latex(const std::string& text) {
   return escaped(text, {{'_', "\\_"}, {'^', "\\^{}"}, {'&', "\\&"}, {'%', "\\%"}, {'#', "\\#"}});
 }
-std::string in_html(const std::string& text) {
-  return escaped(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
-}
 }  // namespace
+
+std::string html_text(const std::string& words) {
+  return escaped(words, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+}
 
 std::string markdown_page(const std::vector<Section>& sections) {
   return page(sections, {.head = "",
@@ -149,18 +150,13 @@ std::string latex_page(const std::vector<Section>& sections) {
        .link = in_latex,
        .reason = [](const std::string& inside) { return "{\\footnotesize " + inside + "}\n"; }});
 }
-std::string html_page(const std::vector<Section>& sections) {
+std::string html_body(const std::vector<Section>& sections) {
   const auto link = [](const std::string& id) { return "<a href=\"#" + id + "\">" + id + "</a>"; };
   return page(
       sections,
-      {.head = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-               "<meta name=\"viewport\" content=\"width=device-width\">\n"
-               "<title>Derivation</title>\n<style>\n"
-               "body { max-width: 50em; margin: auto; padding: 1em; font-family: serif; }\n"
-               "math[display] { overflow: auto hidden; }\n"
-               ".reason { font-size: smaller; color: #444; }\n</style>\n</head>\n<body>\n",
-       .foot = "</body>\n</html>\n",
-       .escaped = in_html,
+      {.head = "",
+       .foot = "",
+       .escaped = html_text,
        .heading = [](const std::string& title) { return "<h2>" + title + "</h2>\n"; },
        .paragraph =
            [](const std::string& inside, const std::string& id) {
@@ -172,5 +168,14 @@ std::string html_page(const std::vector<Section>& sections) {
        .link = link,
        .reason =
            [](const std::string& inside) { return "<p class=\"reason\">" + inside + "</p>\n"; }});
+}
+std::string html_page(const std::vector<Section>& sections) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width\">\n"
+         "<title>Derivation</title>\n<style>\n"
+         "body { max-width: 50em; margin: auto; padding: 1em; font-family: serif; }\n"
+         "math[display] { overflow: auto hidden; }\n"
+         ".reason { font-size: smaller; color: #444; }\n</style>\n</head>\n<body>\n" +
+         html_body(sections) + "</body>\n</html>\n";
 }
 }  // namespace render

@@ -28,4 +28,8 @@ std::string markdown_page(const std::vector<Section>& sections);
 std::string latex_page(const std::vector<Section>& sections);
 /// A page of its own, formulas in MathML; premises are links.
 std::string html_page(const std::vector<Section>& sections);
+/// What stands between its <body> tags.
+std::string html_body(const std::vector<Section>& sections);
+/// Words as HTML has them: &amp; for &.
+std::string html_text(const std::string& words);
 }  // namespace render

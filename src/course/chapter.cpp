@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "course/chapter.hpp"
+
+#include <cctype>
+#include <cstdlib>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include <cmark.h>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "course/printed.hpp"
+#include "render/mathml.hpp"
+
+namespace course {
+namespace {
+
+using answers::InvalidInput;
+using render::html_text;
+
+const std::string sections =
+    "Goal, Derivation, Check it yourself, Figure, Exercises, Possibilities for extensions";
+
+/// What cannot break from the sign after it.
+std::string in_words(kernel::Expr e) { return render::mathml(e, false) + "&#x2060;"; }
+
+std::string display(const kernel::Exprs& lines) {
+  std::string out = "<div class=\"equation\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">";
+  for (const kernel::Expr& line : lines) out += render::mathml(line, true);
+  return out + "</div>";
+}
+
+std::string proof_link(const std::string& id, const std::string& inside) {
+  return "<a href=\"derivation.html#" + id + "\">" + inside + "</a>";
+}
+
+std::string theorem(const render::Step& s) {
+  const bool has_parts = s.formula.op() == kernel::Op::And;
+  std::string conditions;
+  for (const kernel::Expr& c : s.conditions)
+    conditions += (conditions.empty() ? " if " : " and ") + in_words(c);
+  return "\n<div class=\"theorem\" data-theorem=\"" + s.id + "\">" +
+         display(has_parts ? s.formula.args() : kernel::Exprs{s.formula}) + "<p class=\"source\">" +
+         proof_link(s.id, s.id) + conditions + "</p></div>";
+}
+
+/// From Markdown with references to HTML. What is looked up stands in the Markdown as one character
+/// of Unicode's private area, so that cmark leaves it alone, and is put in afterwards.
+class Expansion {
+public:
+  Expansion(const Chapter& chapter, const Surroundings& around)
+      : chapter_(chapter), around_(around) {}
+
+  std::string html() {
+    std::istringstream lines(chapter_.text);
+    std::string markdown, line, found;
+    int number = 1;
+    bool in_code = false;
+    try {
+      printed_ = read_printed(chapter_.printed);
+      session_ = read_session(chapter_.session);
+      for (const auto* all : {&printed_, &session_})
+        for (const auto& [name, text] : *all) not_shown_.insert(name);
+      std::getline(lines, line);  // the title
+      while (std::getline(lines, line)) {
+        ++number;
+        if (line.starts_with("## ")) found += (found.empty() ? "" : ", ") + line.substr(3);
+        const bool is_fence = line.starts_with("```");
+        in_code = in_code != is_fence;
+        markdown += (in_code || is_fence ? line : expanded(line)) + "\n";
+      }
+      if (found != sections) throw InvalidInput("its sections (##) must be: " + sections);
+      if (!not_shown_.empty())
+        throw InvalidInput("never shown, though printed: " + *not_shown_.begin());
+    } catch (const InvalidInput& error) {
+      throw InvalidInput(chapter_.source + ":" + std::to_string(number) + ": " + error.what());
+    }
+    return with_pieces(html_of(markdown));
+  }
+
+private:
+  const Chapter& chapter_;
+  const Surroundings& around_;
+  Texts printed_, session_;
+  std::set<std::string> not_shown_;
+  std::vector<std::string> pieces_;  ///< a block begins with a line's end
+
+  std::string piece(const std::string& html) {
+    pieces_.push_back(html);
+    const std::size_t code = 0xE000 + pieces_.size() - 1;
+    return {char(0xE0 | code >> 12), char(0x80 | (code >> 6 & 0x3F)), char(0x80 | (code & 0x3F))};
+  }
+  std::string with_pieces(std::string html) const {
+    const auto bits = [&](std::size_t at) { return static_cast<unsigned char>(html[at]) & 0x3F; };
+    for (std::size_t at = html.find('\xEE'); at != html.npos; at = html.find('\xEE', at)) {
+      const std::string& text = pieces_.at(std::size_t(bits(at + 1) << 6 | bits(at + 2)));
+      const bool is_block = text.starts_with("\n");  // a paragraph of its own in Markdown
+      html.replace(at - (is_block ? 3 : 0), is_block ? 10 : 3, text);
+    }
+    return html;
+  }
+
+  std::string expanded(const std::string& line) {
+    const bool is_alone = line.starts_with("{{") && line.find("}}") == line.size() - 2;
+    std::size_t at = line.find_first_not_of(" 0123456789");
+    if (at == line.npos || line.compare(at, 2, ". ") != 0) at = 0;  // else a list's number
+    std::string out = line.substr(0, at);
+    const auto up_to = [&](const std::string& end, std::size_t from) {
+      const std::size_t found = line.find(end, from);
+      if (found == line.npos) throw InvalidInput(line.substr(at, from - at) + " without " + end);
+      at = found + end.size();
+      return line.substr(from, found - from);
+    };
+    while (at < line.size()) {
+      const std::size_t begin = at;
+      if (line.compare(at, 2, "{{") == 0) {
+        out += piece(reference(up_to("}}", at + 2), is_alone));
+      } else if (line[at] == '$') {
+        out += piece(term_html(up_to("$", at + 1)));
+      } else if (line[at] == '`' || line.compare(at, 2, "](") == 0) {
+        up_to(line[at] == '`' ? "`" : ")", at + 1);
+        out += line.substr(begin, at - begin);
+      } else if (std::isdigit(static_cast<unsigned char>(line[at])) != 0) {
+        throw InvalidInput("a number is typed: " + answers::shown_text(line.substr(at), 12) +
+                           "; print it in tutorial.cpp and refer to it as {{name}}");
+      } else {
+        out += line[at++];
+      }
+    }
+    return out;
+  }
+
+  std::string reference(const std::string& what, bool is_alone) {
+    const std::size_t colon = what.find(':');
+    const std::string kind = colon == what.npos ? "" : what.substr(0, colon);
+    const std::string name = what.substr(colon == what.npos ? 0 : colon + 1);
+    if (kind == "theorem") {
+      const render::Step& s = found(around_.theorems, name, "theorem");
+      return is_alone ? theorem(s) : proof_link(name, in_words(s.formula));
+    }
+    if (kind == "left" || kind == "right") {
+      const kernel::Expr formula = found(around_.theorems, name, "theorem").formula;
+      if (formula.op() != kernel::Op::Eq) throw InvalidInput(name + " is no equation");
+      const kernel::Expr side = formula.arg(kind == "left" ? 0 : 1);
+      return is_alone ? "\n" + display({side}) : in_words(side);
+    }
+    if (kind == "chapter")
+      return "<a href=\"" + name + ".html\">" +
+             html_text(found(around_.chapters, name, "chapter")) + "</a>";
+    if (kind == "figure")
+      return "<span class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"figure\"><img "
+             "src=\"figures/" +
+             name + ".svg\" alt=\"" + html_text(found(around_.figures, name, "figure")) +
+             "\"/></span>";
+    const bool has_block = kind == "run" || what == "program" || what == "exercises" ||
+                           (kind.empty() && found(printed_, name, "printed value").ends_with("\n"));
+    if (!kind.empty() && kind != "run") throw InvalidInput("{{" + what + "}} is of no known kind");
+    if (has_block && !is_alone) throw InvalidInput("{{" + what + "}} needs a line of its own");
+    not_shown_.erase(name);
+    if (kind == "run")
+      return "\n" + code_html("$ " + name + "\n" + found(session_, name, "command of session.txt"),
+                              " data-run=\"" + html_text(name) + "\"");
+    if (what == "program") return "\n" + code_html(chapter_.program);
+    if (what == "exercises") return exercises();
+    const std::string& value = printed_.at(name);
+    return has_block ? "\n" + block_html(value)
+                     : "<span data-value=\"" + name + "\">" + value_html(value) + "</span>";
+  }
+  template <class T>
+  const T& found(const std::map<std::string, T>& all, const std::string& name,
+                 const std::string& what) const {
+    const auto place = all.find(name);
+    if (place == all.end()) throw InvalidInput("no " + what + " is called " + name);
+    return place->second;
+  }
+  std::string exercises() const {
+    std::string list = "\n";
+    for (const Exercise& e : chapter_.exercises)
+      list += "<details data-exercise=\"" + e.id + "\"><summary>" + html_text(e.title) +
+              "</summary>" + html_of(e.prompt) + code_html("magicmass learn show " + e.id) +
+              "</details>\n";
+    return list;
+  }
+};
+
+}  // namespace
+
+std::string title_of(const Chapter& chapter) {
+  const std::string line = chapter.text.substr(0, chapter.text.find('\n'));
+  if (!line.starts_with("# ")) throw InvalidInput(chapter.source + ":1: \"# Title\" is expected");
+  return line.substr(2);
+}
+
+std::string chapter_html(const Chapter& chapter, const Surroundings& surroundings) {
+  return Expansion(chapter, surroundings).html();
+}
+
+std::string html_of(const std::string& markdown) {
+  const std::unique_ptr<char, decltype(&std::free)> html(
+      cmark_markdown_to_html(markdown.data(), markdown.size(), CMARK_OPT_SMART), &std::free);
+  return html.get();
+}
+
+}  // namespace course

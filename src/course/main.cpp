@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// magicmass_course TUTORIALS OUT: the course's pages from the tutorials and OUT/figures/*.svg.
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+
+#include "answers/derivation.hpp"
+#include "answers/errors.hpp"
+#include "course/chapter.hpp"
+#include "course/page.hpp"
+#include "learn/exercise.hpp"
+#include "magicmass/scenes/keys.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using course::Chapter;
+
+std::string read(const fs::path& path) {
+  return magicmass::scenes::text_of(path, "a file of text");
+}
+
+std::set<fs::path> files_in(const fs::path& folder) {
+  std::set<fs::path> all;
+  for (const auto& entry : fs::directory_iterator(folder)) all.insert(entry.path());
+  return all;
+}
+
+/// Of a drawing, for those who cannot see it.
+std::string description(const std::string& svg) {
+  const std::string begin = "<desc id=\"desc\">";
+  const std::size_t from = svg.find(begin);
+  if (from == svg.npos) return "";
+  return svg.substr(from + begin.size(), svg.find("</desc>") - from - begin.size());
+}
+
+Chapter read_chapter(const fs::path& folder) {
+  Chapter chapter{folder.filename(),
+                  folder / "intro.md",
+                  read(folder / "intro.md"),
+                  read(folder / "tutorial.cpp"),
+                  read(folder / "expected_output.txt"),
+                  fs::exists(folder / "session.txt") ? read(folder / "session.txt") : "",
+                  {}};
+  for (const fs::path& file : files_in(folder / "exercises")) {
+    const learn::Exercise e = learn::read_exercise(read(file), file);
+    chapter.exercises.push_back({e.id, e.title, e.prompt});
+  }
+  return chapter;
+}
+
+void make_course(const fs::path& tutorials, const fs::path& out) {
+  std::vector<Chapter> chapters;
+  for (const fs::path& folder : files_in(tutorials))
+    if (fs::exists(folder / "intro.md")) chapters.push_back(read_chapter(folder));
+  course::Surroundings around;
+  for (const Chapter& c : chapters) around.chapters.emplace(c.name, title_of(c));
+  for (const fs::path& file : files_in(out / "figures"))
+    around.figures[file.stem()] = description(read(file));
+  const std::vector<render::Section> derivation = answers::derivation_sections();
+  for (const render::Section& section : derivation)
+    for (const render::Step& step : section.steps) around.theorems.emplace(step.id, step);
+  std::vector<course::Page> pages;
+  for (const Chapter& c : chapters) pages.push_back({c.name, title_of(c), chapter_html(c, around)});
+  const std::string welcome = course::html_of(read(tutorials / "course/index.md"));
+  for (const auto& [name, text] : files_of(pages, welcome, render::html_body(derivation)))
+    if (!(std::ofstream(out / name) << text << std::flush))
+      throw std::runtime_error("cannot write " + (out / name).string());
+  std::cout << "the course: " << (out / "index.html").string() << "\n";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 3) throw answers::InvalidInput("usage: magicmass_course TUTORIALS OUT");
+    make_course(argv[1], argv[2]);
+  } catch (const answers::InvalidInput& error) {
+    std::cerr << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "magicmass_course: " << error.what() << "\n";
+    return 1;
+  }
+}

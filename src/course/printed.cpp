@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "course/printed.hpp"
+
+#include <regex>
+#include <sstream>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "notation/read.hpp"
+#include "render/mathml.hpp"
+#include "render/pages.hpp"
+
+namespace course {
+namespace {
+
+using answers::InvalidInput;
+using render::html_text;
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+/// The head of a column: a formula, or words.
+std::string heading(const std::string& text) {
+  try {
+    return render::mathml(notation::read(text), false);
+  } catch (const kernel::Refused&) {
+    return html_text(text);
+  }
+}
+
+}  // namespace
+
+Texts read_printed(const std::string& output) {
+  static const std::regex named("([A-Za-z_0-9]+):(.*)");
+  Texts all;
+  std::istringstream lines(output);
+  std::string* block = nullptr;
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch part;
+    if (line.starts_with("#")) continue;
+    if (block != nullptr && line.starts_with("  ")) {
+      *block += line.substr(2) + "\n";
+    } else if (std::regex_match(line, part, named)) {
+      const auto [place, is_new] = all.emplace(part[1], trimmed(part[2]));
+      if (!is_new) throw InvalidInput("the program prints the name " + place->first + " twice");
+      block = place->second.empty() ? &place->second : nullptr;
+    } else {
+      throw InvalidInput("the program prints " + answers::shown_text(line) +
+                         "; allowed: \"name: value\", \"name:\" above lines that begin with two "
+                         "blanks, \"# ...\"");
+    }
+  }
+  return all;
+}
+
+Texts read_session(const std::string& session) {
+  Texts all;
+  std::istringstream lines(session);
+  std::string command;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("$ "))
+      all[command = line.substr(2)];
+    else if (!command.empty())
+      all[command] += line + "\n";
+  }
+  return all;
+}
+
+std::string term_html(const std::string& text) {
+  if (text.size() == 1 && std::isupper(static_cast<unsigned char>(text[0])) != 0)
+    return "<math><mi>" + text + "</mi></math>&#x2060;";
+  kernel::Expr term;
+  try {
+    term = notation::read(text);
+  } catch (const kernel::Refused& refused) {
+    throw InvalidInput("$" + text + "$ is not in the derivation's notation: " + refused.what());
+  }
+  if (kernel::is_formula(term))
+    throw InvalidInput("$" + text + "$ claims something; a claim is a theorem: {{theorem:id}}");
+  return render::mathml(term, false) + "&#x2060;";
+}
+
+std::string value_html(const std::string& text) {
+  static const std::regex number("-?[0-9.]+(e([+-])0*([0-9]+))?");
+  std::smatch part;
+  if (!std::regex_match(text, part, number)) return html_text(text);
+  std::string value = text.substr(0, text.find('e'));
+  if (value.starts_with('-')) value.replace(0, 1, "−");
+  if (!part[1].matched) return value;
+  const std::string power = "10<sup>" + std::string(part[2] == "-" ? "−" : "") + part[3].str();
+  return (value == "1" ? "" : value + "·") + power + "</sup>";
+}
+
+std::string block_html(const std::string& text) {
+  if (text.find(" | ") == text.npos) return code_html(text);
+  std::string table;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_head = table.empty();
+    std::string cells;
+    std::size_t bar = 0;
+    for (std::size_t from = 0; bar != line.npos; from = bar + 3) {
+      bar = line.find(" | ", from);
+      const std::string cell = trimmed(line.substr(from, bar == line.npos ? bar : bar - from));
+      cells += is_head                       ? "<th scope=\"col\">" + heading(cell) + "</th>"
+               : cell.find(' ') != cell.npos ? "<td class=\"words\">" + html_text(cell) + "</td>"
+                                             : "<td>" + value_html(cell) + "</td>";
+    }
+    table += (is_head ? "<thead><tr>" + cells + "</tr></thead><tbody>" : "<tr>" + cells + "</tr>");
+    table += "\n";
+  }
+  return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\"><table>" +
+         table + "</tbody></table></div>";
+}
+
+std::string code_html(const std::string& text, const std::string& attributes) {
+  return "<pre tabindex=\"0\"" + attributes + "><code>" + html_text(text) + "</code></pre>";
+}
+
+}  // namespace course
