@@ -11,13 +11,13 @@
 
 // Collisions of one run, one by one, each with the speed at which the next pair approaches.
 void print_run(double alpha) {
-  std::printf("collision | a | b | ball | approach speed before the next\n");
+  std::printf("clock:\n  collision | a | b | ball | approach speed before the next\n");
   magicmass::simulator::ThreeBodies<double> motion(alpha);
   for (int j = 0; const auto event = motion.step(); ++j) {
     const auto& [A, C, B] = motion.bodies();
     const bool with_A = event->left == 0;
     const double approach = with_A ? C.velocity - B.velocity : A.velocity - C.velocity;
-    std::printf("%c %d | %.4f | %.4f | %.4f | %.4f\n", with_A ? 'P' : 'Q', j / 2 + 1, A.velocity,
+    std::printf("  %c %d | %.4f | %.4f | %.4f | %.4f\n", with_A ? 'P' : 'Q', j / 2 + 1, A.velocity,
                 B.velocity, C.velocity, approach);
   }
 }
@@ -25,10 +25,10 @@ void print_run(double alpha) {
 int main() {
   print_run(0.12);
   // If the counts grow as one over the root of the mass ratio, the last column tends to a number.
-  std::printf("alpha | N_A | N_B | N_A sqrt(alpha)\n");
-  for (const double alpha : {10.0, 1.0, 0.12, 1e-4, 1e-8, 1e-16, 1e-30}) {
+  std::printf("light_balls:\n  alpha | N_A | N_B | N_A*sqrt(alpha)\n");
+  for (const double alpha : {10.0, 1.0, 0.5, 0.12, 1e-2, 1e-4, 1e-8, 1e-16, 1e-30}) {
     const auto counts = magicmass::count_collisions(alpha).value();
-    std::printf("%g | %lld | %lld | %.6f\n", alpha, static_cast<long long>(counts.N_A),
+    std::printf("  %g | %lld | %lld | %.6f\n", alpha, static_cast<long long>(counts.N_A),
                 static_cast<long long>(counts.N_B), double(counts.N_A) * std::sqrt(alpha));
   }
   // The paper's formula in doubles, at the doubles nearest to the thresholds and their neighbours.
@@ -44,6 +44,6 @@ int main() {
     }
   }
   // How often exactly depends on the C library, so only roughly.
-  std::printf("asked near thresholds: %d, wrong: %s\n", asked,
+  std::printf("asked_near_thresholds: %d\nwrong_near_thresholds: %s\n", asked,
               5 * wrong >= asked ? "more than one in five" : "fewer");
 }
