@@ -28,20 +28,22 @@ double angle_about(const Vector& axis, const Vector& x, const Vector& y) {
 }
 
 int main() {
-  std::printf("alpha | psi in degrees | half of psi | cycles in a full turn\n");
-  for (const double alpha : {10.0, 1.0, 0.5, 0.1, 0.01, 0.0001}) {
+  std::printf("angles:\n  alpha | psi in degrees | half of psi | cycles in a full turn\n");
+  for (const double alpha : {1e9, 10.0, 1.0, 0.5, 0.1, 0.01, 0.0001}) {
     const double psi = magicmass::accurate::angle(alpha);
-    std::printf("%g | %.4f | %.4f | %.4f\n", alpha, degrees(psi), degrees(psi / 2),
+    std::printf("  %g | %.4f | %.4f | %.4f\n", alpha, degrees(psi), degrees(psi / 2),
                 2 * std::numbers::pi / psi);
   }
   const double alpha = 0.1;
   const Vector e_3 = axis(alpha);
-  std::printf("alpha = %g: n | a | b | along the axis | turned in degrees\n", alpha);
+  std::printf("chosen_alpha: %g\nchosen_angle: %.4f\n", alpha,
+              degrees(magicmass::accurate::angle(alpha)));
+  std::printf("turning:\n  n | a | b | along the axis | turned in degrees\n");
   Vector before{};
   for (int n = 0; n <= magicmass::count_collisions(alpha)->N_B; ++n) {
     const auto v = magicmass::accurate::velocities(alpha, n);
     const Vector V_n{v.a, v.b, std::sqrt(alpha) * v.c_prime};
-    std::printf("%d | %.6f | %.6f | %.6f | ", n, V_n[0], V_n[1], dot(V_n, e_3));
+    std::printf("  %d | %.6f | %.6f | %.6f | ", n, V_n[0], V_n[1], dot(V_n, e_3));
     if (n == 0)
       std::printf("start\n");
     else
