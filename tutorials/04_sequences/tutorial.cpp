@@ -15,7 +15,7 @@ using cln::cl_RA;
 
 // Velocities as fractions by the exact form, and whether stepping gives the same ones.
 void print_fractions(const cl_RA& alpha) {
-  std::printf("n | a | b | c | c' | stepping agrees\n");
+  std::printf("fractions:\n  n | a | b | c | c' | stepping agrees\n");
   magicmass::simulator::ThreeBodies<cl_RA> motion(alpha);
   for (std::int64_t n = 1; motion.step(); ++n) {
     const cl_RA c = motion.bodies()[1].velocity;
@@ -24,7 +24,7 @@ void print_fractions(const cl_RA& alpha) {
     const auto& bodies = motion.bodies();
     const bool same = v.a == bodies[0].velocity && v.b == bodies[2].velocity && v.c == c &&
                       v.c_prime == bodies[1].velocity;
-    std::printf("%lld", static_cast<long long>(n));
+    std::printf("  %lld", static_cast<long long>(n));
     for (const cl_RA& number : {v.a, v.b, v.c, v.c_prime})
       std::printf(" | %s", kernel::digits(number).c_str());
     std::printf(" | %s\n", same ? "yes" : "no");
@@ -32,11 +32,13 @@ void print_fractions(const cl_RA& alpha) {
 }
 
 int main() {
-  print_fractions(cl_RA(1) / 7);
+  const cl_RA alpha = cl_RA(1) / 7;
+  std::printf("alpha: %s\n", kernel::digits(alpha).c_str());
+  print_fractions(alpha);
   // A leap into the middle of a long story: no step before it has to be taken.
   const double feather = 1e-20;
   const std::int64_t middle = magicmass::count_collisions(feather)->N_B / 2;
   const auto v = magicmass::accurate::velocities(feather, middle);
-  std::printf("alpha = %g, n = %lld: %.6g | %.6g | %.6g | %.6g\n", feather,
-              static_cast<long long>(middle), v.a, v.b, v.c, v.c_prime);
+  std::printf("feather: %g\nmiddle: %lld\n", feather, static_cast<long long>(middle));
+  std::printf("leap:\n  a | b | c | c'\n  %.6g | %.6g | %.6g | %.6g\n", v.a, v.b, v.c, v.c_prime);
 }
