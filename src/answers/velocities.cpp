@@ -8,6 +8,7 @@
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
 #include "answers/motion.hpp"
+#include "answers/polynomial.hpp"
 #include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
@@ -227,14 +228,19 @@ std::vector<Column> ratios_columns() {
 Answer ratios(const Request& request) {
   const auto most = request.whole("count", 1, 1'000'000'000);
   const auto digits = digits_wanted(request);
-  constexpr std::int64_t at_once = 100'000;
+  const bool has_polynomials = request.has("polynomials");
+  const std::int64_t at_once = has_polynomials ? 200 : 100'000;
   if (most.value_or(10) > at_once) {
     throw Undecided("ratios: " + std::to_string(*most) +
                     " rows are more than are answered at once; "
                     "at most --count " +
-                    std::to_string(at_once));
+                    std::to_string(at_once) + (has_polynomials ? " with polynomials" : ""));
   }
   Table table{ratios_columns(), {}};
+  if (has_polynomials) {
+    table.columns.push_back({"magic_polynomial", Type::text, "1", "whose root alpha_k is"});
+    table.columns.push_back({"deficient_polynomial", Type::text, "1", "whose root beta_k is"});
+  }
   for (std::int64_t k = 1; k <= most.value_or(10); ++k) {
     Row row{whole_cell(k)};
     Row radicals;
@@ -250,6 +256,9 @@ Answer ratios(const Request& request) {
                                                         : missing_cell());
     }
     row.insert(row.end(), radicals.begin(), radicals.end());
+    for (const bool is_magic : {true, false})
+      if (has_polynomials)
+        row.push_back(text_cell(text_of(polynomial_of_ratio(static_cast<int>(k), is_magic))));
     table.rows.push_back(row);
   }
   return {table, ""};

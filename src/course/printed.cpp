@@ -21,8 +21,7 @@ std::string trimmed(const std::string& text) {
   return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
 }
 
-/// The head of a column: a formula, or words.
-std::string heading(const std::string& text) {
+std::string formula_or_words(const std::string& text) {
   try {
     return render::mathml(notation::read(text), false);
   } catch (const kernel::Refused&) {
@@ -85,7 +84,7 @@ std::string term_html(const std::string& text) {
 std::string value_html(const std::string& text) {
   static const std::regex number("-?[0-9.]+(e([+-])0*([0-9]+))?");
   std::smatch part;
-  if (!std::regex_match(text, part, number)) return html_text(text);
+  if (!std::regex_match(text, part, number)) return formula_or_words(text);
   std::string value = text.substr(0, text.find('e'));
   if (value.starts_with('-')) value.replace(0, 1, "−");
   if (!part[1].matched) return value;
@@ -104,7 +103,7 @@ std::string block_html(const std::string& text) {
     for (std::size_t from = 0; bar != line.npos; from = bar + 3) {
       bar = line.find(" | ", from);
       const std::string cell = trimmed(line.substr(from, bar == line.npos ? bar : bar - from));
-      cells += is_head                       ? "<th scope=\"col\">" + heading(cell) + "</th>"
+      cells += is_head                       ? "<th scope=\"col\">" + formula_or_words(cell) + "</th>"
                : cell.find(' ') != cell.npos ? "<td class=\"words\">" + html_text(cell) + "</td>"
                                              : "<td>" + value_html(cell) + "</td>";
     }

@@ -19,7 +19,7 @@ Texts read_session(const std::string& session);
 /// A term in the derivation's notation, or the letter of a body, as MathML. Throws
 /// answers::InvalidInput for what cannot be read and for what claims something.
 std::string term_html(const std::string& text);
-/// -1e-20 as a power of ten with a sign of its own.
+/// -1e-20 as a power of ten with a sign of its own; a formula; words.
 std::string value_html(const std::string& text);
 /// A table where lines have cells, "a | b"; else the lines as they are.
 std::string block_html(const std::string& lines);

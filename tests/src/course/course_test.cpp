@@ -133,7 +133,7 @@ TEST_CASE("a text that would drift is refused, with its place") {
 
 TEST_CASE("pages lead to each other") {
   const auto files = course::files_of({{"01_a", "A & B", "<p>a</p>"}, {"02_c", "C", "<p>c</p>"}},
-                              "<p>Begin.</p>", "<p>Proofs.</p>");
+                                      "<p>Begin.</p>", "<p>Proofs.</p>");
   CHECK(files.size() == 5);
   const auto contains = [&](const std::string& name, const std::string& part) {
     return files.at(name).find(part) != std::string::npos;

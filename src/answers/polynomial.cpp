@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "answers/polynomial.hpp"
+
+#include <stdexcept>
+
+#include "answers/evaluate.hpp"
+#include "kernel/print.hpp"
+
+namespace answers {
+namespace {
+
+/// times (x^d - 1).
+Polynomial times_power_less_one(const Polynomial& p, std::size_t d) {
+  Polynomial out(p.size() + d, 0);
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    out[i + d] = out[i + d] + p[i];
+    out[i] = out[i] - p[i];
+  }
+  return out;
+}
+/// over (x^d - 1), which divides it.
+Polynomial over_power_less_one(Polynomial p, std::size_t d) {
+  for (std::size_t i = p.size(); i-- > d;) p[i - d] = p[i - d] + p[i];
+  return {p.begin() + static_cast<std::ptrdiff_t>(d), p.end()};
+}
+/// 1, -1, or 0 where a square divides n.
+int moebius(int n) {
+  int sign = 1;
+  for (int p = 2; n > 1; ++p) {
+    if (n % p != 0) continue;
+    n /= p;
+    if (n % p == 0) return 0;
+    sign = -sign;
+  }
+  return sign;
+}
+/// Whose roots are the primitive m-th roots of 1: the product of all (x^d - 1)^moebius(m/d).
+Polynomial cyclotomic(int m) {
+  Polynomial p{1};
+  for (const int sign : {1, -1})
+    for (int d = 1; d <= m; ++d)
+      if (m % d == 0 && moebius(m / d) == sign)
+        p = sign == 1 ? times_power_less_one(p, std::size_t(d))
+                      : over_power_less_one(p, std::size_t(d));
+  return p;
+}
+cln::cl_RA value(const Polynomial& p, const cln::cl_RA& x) {
+  cln::cl_RA sum = 0;
+  for (std::size_t i = p.size(); i-- > 0;) sum = sum * x + p[i];
+  return sum;
+}
+
+}  // namespace
+
+// z = e^(2 pi i/m) is a root of the cyclotomic polynomial, which is irreducible and reads the same
+// from both ends: it is z^D times a sum of z^j + z^-j, and so a polynomial of degree D in
+// y = z + 1/z = 2 cos(2 pi/m), which is irreducible as well (D = phi(m)/2 is the degree of y). Then
+// x = 2/y - 1 is a root of the sum of c_j 2^j (x + 1)^(D - j), irreducible since x generates the
+// same field.
+Polynomial polynomial_of_secant(int m) {
+  const Polynomial circle = cyclotomic(m);
+  const std::size_t degree = circle.size() / 2;
+  Polynomial next(degree + 1, 0), last(degree + 1, 0);  // by Clenshaw: z^j + z^-j in y
+  for (std::size_t j = degree + 1; j-- > 0;) {
+    Polynomial now(degree + 1, 0);
+    for (std::size_t i = 0; i <= degree; ++i)
+      now[i] = (i == 0 ? circle[degree + j] : next[i - 1]) - (j == 0 ? 2 : 1) * last[i];
+    last = next;
+    next = now;
+  }
+  Polynomial p{0};
+  for (std::size_t j = 0; j <= degree; ++j) {  // times (x + 1), plus the next coefficient
+    p.push_back(0);
+    for (std::size_t i = p.size() - 1; i > 0; --i) p[i] = p[i] + p[i - 1];
+    p[0] = p[0] + cln::ash(next[j], static_cast<long>(j));
+  }
+  p.pop_back();
+  cln::cl_I factor = 0;
+  for (const cln::cl_I& c : p) factor = cln::gcd(factor, c);
+  if (p.back() < 0) factor = -factor;
+  for (cln::cl_I& c : p) c = cln::exquo(c, factor);
+  return p;
+}
+
+Polynomial polynomial_of_ratio(int k, bool is_magic) {
+  const Polynomial p = polynomial_of_secant(is_magic ? 4 * k + 2 : 4 * k + 4);
+  const std::string id = is_magic ? "ratios.alpha_k" : "ratios.beta_k";
+  const Ball root = evaluate(right_side(id), {{kernel::integer("k"), Ball(k)}});
+  if (value(p, root.low()) * value(p, root.high()) > 0)
+    throw std::logic_error("no root: " + id + " at " + std::to_string(k));
+  return p;
+}
+
+std::string text_of(const Polynomial& p) {
+  std::string out;
+  for (std::size_t i = p.size(); i-- > 0;) {
+    if (p[i] == 0) continue;
+    const std::string power = i == 0 ? "" : i == 1 ? "x" : "x^" + std::to_string(i);
+    const std::string size = kernel::digits(cln::abs(p[i]));
+    out += out.empty() ? (p[i] < 0 ? "-" : "") : (p[i] < 0 ? " - " : " + ");
+    out += power.empty() ? size : size == "1" ? power : size + "*" + power;
+  }
+  return out;
+}
+
+}  // namespace answers

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Minimal polynomials: their roots by doubles next to them, their degree and irreducibility by
+// means that know nothing of how they were made.
+#include "answers/polynomial.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include <ginac/ginac.h>
+
+#include "answers/velocities.hpp"
+#include "balls/ball.hpp"
+#include "catch.hpp"
+#include "magicmass/numbers/accurate.hpp"
+
+using answers::Polynomial;
+
+namespace {
+
+cln::cl_RA value(const Polynomial& p, double x) {
+  cln::cl_RA sum = 0;
+  for (std::size_t i = p.size(); i-- > 0;) sum = sum * balls::exact(x) + p[i];
+  return sum;
+}
+bool changes_sign(const Polynomial& p, double x) {
+  const cln::cl_RA at = value(p, x);
+  return value(p, std::nextafter(x, 0)) * at <= 0 || at * value(p, std::nextafter(x, 2)) <= 0;
+}
+int coprime_to(int m) {
+  int count = 0;
+  for (int i = 1; i <= m; ++i) count += std::gcd(i, m) == 1 ? 1 : 0;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("each ratio is a root of its polynomial, and no other one is") {
+  for (const int k : {1, 2, 3, 4, 7, 16, 52, 99, 200}) {
+    for (const bool is_magic : {true, false}) {
+      CAPTURE(k, is_magic);
+      const Polynomial p = answers::polynomial_of_ratio(k, is_magic);
+      const magicmass::Ratios here = magicmass::accurate::ratios(k);
+      const magicmass::Ratios next = magicmass::accurate::ratios(k + 1);
+      CHECK(changes_sign(p, is_magic ? here.magic : here.deficient));
+      CHECK_FALSE(changes_sign(p, is_magic ? here.deficient : here.magic));
+      CHECK_FALSE(changes_sign(p, is_magic ? next.magic : next.deficient));
+      CHECK(2 * (p.size() - 1) == std::size_t(coprime_to(is_magic ? 4 * k + 2 : 4 * k + 4)));
+    }
+  }
+}
+
+TEST_CASE("GiNaC finds no factor in them") {
+  const GiNaC::symbol x("x");
+  for (int k = 2; k <= 12; ++k)
+    for (const bool is_magic : {true, false}) {
+      GiNaC::ex sum = 0;
+      const Polynomial p = answers::polynomial_of_ratio(k, is_magic);
+      for (std::size_t i = 0; i < p.size(); ++i) sum += GiNaC::numeric(p[i]) * pow(x, int(i));
+      CAPTURE(answers::text_of(p));
+      CHECK_FALSE(GiNaC::is_a<GiNaC::mul>(GiNaC::factor(sum)));
+    }
+  CHECK(answers::text_of({-1, 0, 1, 2}) == "2*x^3 + x^2 - 1");
+  CHECK(answers::text_of({0, -3}) == "-3*x");
+}
