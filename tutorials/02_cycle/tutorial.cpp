@@ -40,7 +40,7 @@ int main() {
 
   // V_n = Lambda^n V_0. Its third component is the ball's velocity times the root of alpha.
   Vector V_n{1, 0, 0};
-  std::printf("cycles:\n  n | a | b | third | sum of squares | does a collision follow?\n");
+  std::printf("cycles:\n  n | a_n | b_n | third | sum of squares | does a collision follow?\n");
   for (int n = 0; n <= 4; ++n) {
     const bool catches_up = V_n[0] > V_n[2] / std::sqrt(alpha);
     std::printf("  %d | %.8g | %.8g | %.8g | %.8g | %s\n", n, V_n[0], V_n[1], V_n[2], dot(V_n, V_n),

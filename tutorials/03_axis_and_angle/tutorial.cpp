@@ -38,7 +38,7 @@ int main() {
   const Vector e_3 = axis(alpha);
   std::printf("chosen_alpha: %g\nchosen_angle: %.4f\n", alpha,
               degrees(magicmass::accurate::angle(alpha)));
-  std::printf("turning:\n  n | a | b | along the axis | turned in degrees\n");
+  std::printf("turning:\n  n | a_n | b_n | along the axis | turned in degrees\n");
   Vector before{};
   for (int n = 0; n <= magicmass::count_collisions(alpha)->N_B; ++n) {
     const auto v = magicmass::accurate::velocities(alpha, n);

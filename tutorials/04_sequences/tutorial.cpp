@@ -15,7 +15,7 @@ using cln::cl_RA;
 
 // Velocities as fractions by the exact form, and whether stepping gives the same ones.
 void print_fractions(const cl_RA& alpha) {
-  std::printf("fractions:\n  n | a | b | c | c' | stepping agrees\n");
+  std::printf("fractions:\n  n | a_n | b_n | c_n | c'_n | stepping agrees\n");
   magicmass::simulator::ThreeBodies<cl_RA> motion(alpha);
   for (std::int64_t n = 1; motion.step(); ++n) {
     const cl_RA c = motion.bodies()[1].velocity;
@@ -40,5 +40,6 @@ int main() {
   const std::int64_t middle = magicmass::count_collisions(feather)->N_B / 2;
   const auto v = magicmass::accurate::velocities(feather, middle);
   std::printf("feather: %g\nmiddle: %lld\n", feather, static_cast<long long>(middle));
-  std::printf("leap:\n  a | b | c | c'\n  %.6g | %.6g | %.6g | %.6g\n", v.a, v.b, v.c, v.c_prime);
+  std::printf("leap:\n  a_n | b_n | c_n | c'_n\n  %.6g | %.6g | %.6g | %.6g\n", v.a, v.b, v.c,
+              v.c_prime);
 }

@@ -11,7 +11,7 @@
 
 // Collisions of one run, one by one, each with the speed at which the next pair approaches.
 void print_run(double alpha) {
-  std::printf("clock:\n  collision | a | b | ball | approach speed before the next\n");
+  std::printf("clock:\n  collision | A | B | ball | approach speed before the next\n");
   magicmass::simulator::ThreeBodies<double> motion(alpha);
   for (int j = 0; const auto event = motion.step(); ++j) {
     const auto& [A, C, B] = motion.bodies();

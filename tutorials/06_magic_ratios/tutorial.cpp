@@ -5,7 +5,7 @@
 #include "magicmass/numbers/accurate.hpp"
 
 int main() {
-  std::printf("ratios:\n  k | alpha_k | its b_t | beta_k | its b_t\n");
+  std::printf("ratios:\n  k | alpha_k | b_t | beta_k | b_t\n");
   for (int k = 1; k <= 8; ++k) {
     const auto ratios = magicmass::accurate::ratios(k);
     std::printf("  %d | %.6f | %.6f | %.6f | %.6f\n", k, ratios.magic,
