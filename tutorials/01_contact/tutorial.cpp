@@ -47,7 +47,7 @@ int main() {
   std::printf("collisions:\n  M_1 | M_2 | v_1 | v_2 | v_2 - v_1 | energy that moved\n");
   for (const cl_RA& mass : {cl_RA(1), cl_RA(1) / 7, cl_RA(1) / 100, cl_RA(7), cl_RA(1000)})
     print_collision(1, mass);
-  std::printf("from_energy:\n  %s\n", relative_velocity(2).c_str());
+  std::printf("from_energy: %s\n", relative_velocity(2).c_str());
   // Suppose that nature kept M v^4 instead of M v^2.
   std::printf("from_fourth_powers: %s\n", relative_velocity(4).c_str());
 }
