@@ -28,7 +28,14 @@ std::string in_words(kernel::Expr e) { return render::mathml(e, false) + "&#x206
 
 std::string display(const kernel::Exprs& lines) {
   std::string out = "<div class=\"equation\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">";
-  for (const kernel::Expr& line : lines) out += render::mathml(line, true);
+  for (const kernel::Expr& line : lines) {
+    const bool is_long = line.op() == kernel::Op::Iff && line.arg(1).op() == kernel::Op::And;
+    for (const kernel::Expr& part : is_long ? line.arg(1).args() : kernel::Exprs{line}) {
+      if (is_long && part == line.arg(1).arg(0))
+        out += render::mathml(line.arg(0), true) + "<p>if and only if</p>";
+      out += render::mathml(part, true);
+    }
+  }
   return out + "</div>";
 }
 

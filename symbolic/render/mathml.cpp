@@ -35,7 +35,11 @@ public:
   }
   std::string number(const std::string& digits) const override { return element("mn", digits); }
   std::string indexed(const std::string& base, const std::string& index) const override {
-    return element("msub", row(base) + row(index));
+    static const std::string prime = "<mo>′</mo>";
+    const std::size_t at = base.find(prime);  // above the index, not before it
+    if (at == base.npos) return element("msub", row(base) + row(index));
+    const std::string plain = base.substr(6, at - 6);
+    return element("msubsup", plain + row(index) + prime);
   }
   std::string call(const std::string& function, const std::string& arguments) const override {
     return function + "<mo>&#x2061;</mo>" + parentheses(arguments);

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-2.0-or-later
-# Replays sessions: sessions.sh [--update] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt: after each line
-# "$ COMMAND" what it prints, stderr too, and "[exit N]" where N is not 0. --update writes what is printed now.
+# Replays sessions: sessions.sh [--update] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt, or session.txt of a
+# chapter of tutorials/, which is at hand: after each line "$ COMMAND" what it prints, stderr too, and "[exit N]" where N is
+# not 0. --update writes what is printed now.
 # FOLDER/refusals.tsv: a command, a tab, a part of its message: one line on stderr, exit code 2, nothing on stdout, no file.
 set -euo pipefail
 export LC_ALL=C
@@ -11,6 +12,7 @@ if [[ ${1-} == --update ]]; then
   shift
 fi
 folder=$(cd "$1" && pwd)
+tutorials=$(cd "$folder/../../../tutorials" && pwd)
 shift
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -18,6 +20,7 @@ mkdir "$scratch/bin" "$scratch/place"
 for program in "$@"; do ln -s "$(realpath "${program#*=}")" "$scratch/bin/${program%%=*}"; done
 PATH=$scratch/bin:$PATH
 cd "$scratch/place"
+ln -s "$tutorials"
 failed=0
 
 replay() { # session
@@ -34,7 +37,7 @@ replay() { # session
     esac
   done <"$1"
 }
-for session in "$folder"/sessions/*.txt; do
+for session in "$folder"/sessions/*.txt "$tutorials"/*/session.txt; do
   # AddressSanitizer takes terabytes of addresses and has words of its own for a crash.
   [[ -z ${ASAN_OPTIONS-} || $session != */bounds.txt ]] || continue
   replay "$session" >"$scratch/seen"
