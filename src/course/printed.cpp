@@ -103,7 +103,7 @@ std::string block_html(const std::string& text) {
     for (std::size_t from = 0; bar != line.npos; from = bar + 3) {
       bar = line.find(" | ", from);
       const std::string cell = trimmed(line.substr(from, bar == line.npos ? bar : bar - from));
-      cells += is_head                       ? "<th scope=\"col\">" + formula_or_words(cell) + "</th>"
+      cells += is_head ? "<th scope=\"col\">" + formula_or_words(cell) + "</th>"
                : cell.find(' ') != cell.npos ? "<td class=\"words\">" + html_text(cell) + "</td>"
                                              : "<td>" + value_html(cell) + "</td>";
     }
