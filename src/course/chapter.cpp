@@ -21,7 +21,7 @@ using answers::InvalidInput;
 using render::html_text;
 
 const std::string sections =
-    "Goal, Derivation, Check it yourself, Figure, Exercises, Possibilities for extensions";
+    "Goal, Derivation, Check it yourself, Exercises, Possibilities for extensions";
 
 /// What cannot break from the sign after it.
 std::string in_words(kernel::Expr e) { return render::mathml(e, false) + "&#x2060;"; }

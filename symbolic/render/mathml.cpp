@@ -72,7 +72,9 @@ public:
     std::string out;
     for (const std::string& f : factors) {
       const bool is_number = f.starts_with("<mn>");
+      const bool is_call = f.starts_with("<mi>") && f.find("</mi><mo>&#x2061;") == f.find("</mi>");
       out += out.empty() ? "" : is_number ? "<mo>⋅</mo>" : "<mo>&#x2062;</mo>";
+      if (!out.empty() && is_call) out += "<mspace width=\"0.17em\"/>";
       out += f;
     }
     return out;

@@ -117,7 +117,7 @@ TEST_CASE("a text that would drift is refused, with its place") {
        "no command of session.txt is called magicmass count --alpha 2"},
       {"figure:setup", "figure:setpu", "no figure is called setpu"},
       {"02_next", "03_next", "no chapter is called 03_next"},
-      {"## Figure", "## Picture", "its sections (##) must be: Goal, "}};
+      {"## Exercises", "## Exercise", "its sections (##) must be: Goal, "}};
   for (const auto& one : cases) {
     CAPTURE(one[0], one[1]);
     CHECK_THAT(refusal(spoiled(one[0], one[1])), ContainsSubstring(one[2]));
