@@ -103,7 +103,7 @@ private:
     const auto bits = [&](std::size_t at) { return static_cast<unsigned char>(html[at]) & 0x3F; };
     for (std::size_t at = html.find('\xEE'); at != html.npos; at = html.find('\xEE', at)) {
       const std::string& text = pieces_.at(std::size_t(bits(at + 1) << 6 | bits(at + 2)));
-      const bool is_block = text.starts_with("\n");  // a paragraph of its own in Markdown
+      const bool is_block = text.starts_with("\n");  // without its <p> and </p>
       html.replace(at - (is_block ? 3 : 0), is_block ? 10 : 3, text);
     }
     return html;
@@ -136,7 +136,7 @@ private:
         out += line[at++];
       }
     }
-    return out;
+    return is_alone ? "\n" + out + "\n" : out;  // a paragraph of its own
   }
 
   std::string reference(const std::string& what, bool is_alone) {

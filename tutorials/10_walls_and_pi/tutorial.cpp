@@ -12,7 +12,7 @@
 using magicmass::simulator::Body;
 using Matrix = std::array<cln::cl_R, 4>;
 
-// One by one, velocities alone: the block comes in with 1, the ball rests, the wall is on its right.
+// One by one, velocities alone: the block comes with 1, the ball rests, the wall is on the right.
 int counted(double mass) {
   Body<double> block{mass, 0, 1}, ball{1, 0, 0};
   for (int collisions = 0;; ++collisions) {

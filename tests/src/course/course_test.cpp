@@ -27,7 +27,6 @@ Chapter small_chapter() {
               "{{table}}\n\n"
               "{{run:magicmass count --alpha 1}}\n\n"
               "{{program}}\n"
-              "## Figure\n"
               "{{figure:setup}} Three bodies,\n"
               "in a *line*.\n"
               "\n"
