@@ -79,7 +79,7 @@ TEST_CASE("a chapter becomes HTML in which all that is computed is marked") {
   for (const std::string part :
        {"<div class=\"theorem\" data-theorem=\"power.a\"><div class=\"equation\"",
         "<a href=\"derivation.html#power.a\">power.a</a>",
-        "<math><msub><mrow><msup><mi>c</mi><mo>′</mo></msup></mrow>",
+        "<math><msubsup><mi>c</mi><mrow><mi>n</mi></mrow><mo>′</mo></msubsup></math>&#x2060;,",
         "of <math><mi>A</mi></math>&#x2060;.", "<a href=\"02_next.html\">The next &amp; last</a>",
         "data-value=\"speed\">−2·10<sup>−5</sup></span>",
         "<th scope=\"col\"><math><msub><mrow><mi>a</mi></mrow>",
