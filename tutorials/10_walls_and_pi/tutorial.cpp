@@ -9,12 +9,11 @@
 #include "kernel/print.hpp"
 #include "magicmass/simulator/contact.hpp"
 
-using magicmass::simulator::Body;
 using Matrix = std::array<cln::cl_R, 4>;
 
 // One by one, velocities alone: the block comes with 1, the ball rests, the wall is on the right.
 int counted(double mass) {
-  Body<double> block{mass, 0, 1}, ball{1, 0, 0};
+  magicmass::simulator::Body<double> block{mass, 0, 1}, ball{1, 0, 0};
   for (int collisions = 0;; ++collisions) {
     if (ball.velocity < block.velocity)
       collide(block, ball);
@@ -33,7 +32,7 @@ Matrix operator*(const Matrix& x, const Matrix& y) {
 cln::cl_I counted_by_squaring(const cln::cl_RA& mass) {
   Matrix cycle;
   for (int i : {0, 1}) {
-    Body<cln::cl_RA> block{mass, 0, 1 - i}, ball{1, 0, i};
+    magicmass::simulator::Body<cln::cl_RA> block{mass, 0, 1 - i}, ball{1, 0, i};
     collide(block, ball);
     cycle[std::size_t(i)] = cln::cl_float(block.velocity, cln::float_format(200));
     cycle[std::size_t(i) + 2] = cln::cl_float(-ball.velocity, cln::float_format(200));

@@ -23,8 +23,7 @@ double error(double got, const cln::cl_RA& wanted) {
   return cln::double_approx(cln::abs(exact(got) - wanted) / unit);
 }
 // The worst of these cycles, in words that are far apart: the last digits depend on the C library.
-template <class Evaluate>
-void print_worst(const Evaluate& evaluate, double alpha, std::int64_t first, std::int64_t last) {
+void print_worst(const auto& evaluate, double alpha, std::int64_t first, std::int64_t last) {
   double ulp = 0;
   for (std::int64_t n = first; n <= last; ++n) {
     const auto got = evaluate(alpha, n);
@@ -49,7 +48,7 @@ void print_row(const char* what, double alpha, std::int64_t first, std::int64_t 
 }
 
 int main() {
-  const double closest = 0x1.1c7397cb68b7ep-18;  // very close to alpha_539.
+  const double closest = 0x1.1c7397cb68b7ep-18;  // very close to alpha_539: the ball nearly stops
   std::printf("errors:\n  input | paper | products | tangents | fast | accurate\n");
   print_row("one half, first cycle", 0.5, 1, 1);
   print_row("one thousandth, all cycles", 0.001, 1, 35);
@@ -58,7 +57,6 @@ int main() {
   print_row("closest to a threshold, last cycle", closest, 539, 539);
   print_row("one million, first cycle", 1e6, 1, 1);
 
-  // The ball after its last collision has nearly stopped. What do the evaluators say?
   const auto c_prime = [](double x) { return generated::velocities_exact(exact(x), 539).c_prime; };
   std::printf("by_fast: %.17g\nby_accurate: %.17g\n", fast::velocities(closest, 539).c_prime,
               accurate::velocities(closest, 539).c_prime);
