@@ -42,30 +42,32 @@ std::string guard_lines(const std::string& function, const Case& c) {
 }
 std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
 
-/// The outputs that are wanted (none named: all) and the definitions those need.
+/// The outputs that are wanted (none named: all) and the definitions those need, other outputs
+/// among them.
 Quantity wanted_part(const Quantity& q, const std::set<std::string>& wanted) {
   Quantity r = q;
   for (Case& c : r.cases) {
     const Case whole = c;
+    kernel::Theorems definitions = whole.definitions;
     c = {c.name, c.where, {}, {}, {}, {}};
     std::set<Expr> live;
     const auto visit = [&](const auto& self, Expr e) -> void {
-      live.insert(e);
+      live.insert(kernel::substitute(e, q.units));
       for (Expr a : e.args()) self(self, a);
     };
     for (const Theorem& t : whole.outputs) {
-      if (!wanted.empty() && wanted.count(output_name(t)) == 0) continue;
-      c.outputs.push_back(t);
-      visit(visit, t.conclusion().arg(1));
+      const bool is_wanted = wanted.empty() || wanted.count(output_name(t)) != 0;
+      (is_wanted ? c.outputs : definitions).push_back(t);
+      if (is_wanted) visit(visit, t.conclusion().arg(1));
     }
     if (!c.outputs.empty()) c.guards = whole.guards;
     const auto is_guarded = [&](Expr head) {
       return std::any_of(c.guards.begin(), c.guards.end(),
                          [&](const Condition& g) { return g.name == head.name(); });
     };
-    for (auto t = whole.definitions.rbegin(); t != whole.definitions.rend(); ++t) {
+    for (auto t = definitions.rbegin(); t != definitions.rend(); ++t) {
       const Expr head = t->conclusion().arg(0);
-      if (live.count(head) == 0 && !is_guarded(head)) continue;
+      if (live.count(kernel::substitute(head, q.units)) == 0 && !is_guarded(head)) continue;
       visit(visit, t->conclusion().arg(1));
       c.definitions.insert(c.definitions.begin(), *t);
     }

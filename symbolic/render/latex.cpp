@@ -79,7 +79,8 @@ std::string latex_name(const std::string& name) {
   const std::size_t underscore = plain.find('_');
   const std::string head = plain.substr(0, underscore);
   std::string out;
-  if (is_among(head, {"alpha", "beta", "theta", "psi", "pi", "Gamma", "Lambda", "lambda", "rho"}))
+  if (is_among(head, {"alpha", "beta", "theta", "psi", "pi", "Gamma", "Lambda", "lambda", "rho",
+                      "kappa"}))
     out = "\\" + head;
   else if (is_among(head, {"sin", "cos", "det"}))
     out = "\\" + head;
