@@ -2,12 +2,7 @@
 // The reader of what people type: one function for each level of binding.
 #include "notation/typed.hpp"
 
-#include <map>
-
-#include <cln/integer_io.h>
-#include <cln/rational.h>
-
-#include "kernel/print.hpp"
+#include "notation/operations.hpp"
 #include "notation/tokens.hpp"
 
 namespace notation {
@@ -15,90 +10,6 @@ using namespace kernel;
 namespace {
 using Kind = Token::Kind;
 constexpr int deepest = 200;
-constexpr int largest_exponent = 10000;
-constexpr std::size_t most_bits = 70000;
-
-using Function = Expr (*)(Expr);
-const std::map<std::string, Function>& functions() {
-  static const std::map<std::string, Function> table{
-      {"sqrt", [](Expr x) { return kernel::sqrt(x); }},
-      {"cbrt", [](Expr x) { return root(3, x); }},
-      {"abs", [](Expr x) { return call("abs", x); }},
-      {"sin", [](Expr x) { return kernel::sin(x); }},
-      {"cos", [](Expr x) { return kernel::cos(x); }},
-      {"tan", [](Expr x) { return kernel::sin(x) / kernel::cos(x); }},
-      {"sec", [](Expr x) { return Expr(1) / kernel::cos(x); }},
-      {"csc", [](Expr x) { return Expr(1) / kernel::sin(x); }},
-      {"cosec", [](Expr x) { return Expr(1) / kernel::sin(x); }},
-      {"cot", [](Expr x) { return kernel::cos(x) / kernel::sin(x); }},
-      {"asin", [](Expr x) { return call("asin", x); }},
-      {"arcsin", [](Expr x) { return call("asin", x); }},
-      {"acos", [](Expr x) { return call("acos", x); }},
-      {"arccos", [](Expr x) { return call("acos", x); }},
-      {"atan", [](Expr x) { return kernel::atan(x); }},
-      {"arctan", [](Expr x) { return kernel::atan(x); }},
-      {"exp", [](Expr x) { return call("exp", x); }},
-      {"log", [](Expr x) { return call("log", x); }},
-      {"ln", [](Expr x) { return call("log", x); }},
-      {"sinh", [](Expr x) { return (call("exp", x) - call("exp", -x)) / Expr(2); }},
-      {"cosh", [](Expr x) { return (call("exp", x) + call("exp", -x)) / Expr(2); }},
-      {"tanh",
-       [](Expr x) {
-         return (call("exp", x) - call("exp", -x)) / (call("exp", x) + call("exp", -x));
-       }},
-  };
-  return table;
-}
-bool is_function(const std::string& name) { return name == "root" || functions().contains(name); }
-
-/// "sin" of sinx and sqrt5, where what is left is an argument.
-std::string hidden_function(const std::string& name) {
-  for (const auto& [function, make] : functions()) {
-    if (!name.starts_with(function) || name == function) continue;
-    const std::string rest = name.substr(function.size());
-    if (rest.size() == 1 || is_greek_name(rest) ||
-        rest.find_first_not_of("0123456789") == rest.npos)
-      return function + "(" + rest + ")";
-  }
-  return "";
-}
-
-std::size_t bits(const cln::cl_RA& q) {
-  return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
-}
-cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
-
-cln::cl_RA number_of(const Token& token) {
-  const std::size_t mark = token.text.find('E');
-  std::string digits = token.text.substr(0, mark);
-  if (digits.size() > 20000) refuse_at(token.column, "a number of more than 20000 digits");
-  int exponent = 0;
-  if (mark != token.text.npos) {
-    const std::string word = token.text.substr(mark + 1);
-    if (word.size() > 6) refuse_at(token.column, "an exponent above 10000");
-    exponent = std::stoi(word);
-  }
-  if (std::abs(exponent) > largest_exponent) refuse_at(token.column, "an exponent above 10000");
-  if (const std::size_t point = digits.find('.'); point != digits.npos) {
-    exponent -= int(digits.size() - point - 1);
-    digits.erase(point, 1);
-  }
-  return cln::cl_RA(cln::cl_I(("0" + digits).c_str())) * ten_to(exponent);
-}
-
-Expr scaled(Expr scalar, Expr grid) {
-  Exprs out;
-  for (Expr e : entries(grid)) out.push_back(scalar * e);
-  return matrix(grid.cols(), out);
-}
-Expr added(Expr a, Expr b) {
-  Exprs out = entries(a);
-  const Exprs more = entries(b);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = out[i] + more[i];
-  return matrix(a.cols(), out);
-}
-bool is_grid(Expr e) { return e.sort() == Sort::Matrix; }
-
 class Parser {
 public:
   Parser(std::string_view text, const std::set<std::string>& the_factors)
@@ -181,11 +92,7 @@ private:
       const bool minus = words[place++].text == "-";
       const Expr next = term();
       if (is_grid(next) != is_grid(e)) refuse_at(column, "a matrix and a number cannot be added");
-      if (is_grid(e)) {
-        if (next.rows() != e.rows() || next.cols() != e.cols())
-          refuse_at(column, "matrices of different shapes");
-        e = added(e, minus ? scaled(-1, next) : next);
-      }
+      if (is_grid(e)) e = added(e, minus ? scaled(-1, next) : next, column);
       terms.push_back(minus && !is_grid(next) ? -next : next);
     }
     --depth;
@@ -243,20 +150,6 @@ private:
     note(left + " " + now().text + "... is read as (" + left + ")*" + now().text + "...");
   }
 
-  Expr times(Expr a, Expr b, std::size_t column) {
-    if (!is_grid(a) && !is_grid(b)) return a * b;
-    if (!is_grid(a)) return scaled(a, b);
-    if (!is_grid(b)) return scaled(b, a);
-    if (a.cols() != b.rows()) refuse_at(column, "matrices of these shapes have no product");
-    const Expr product = kernel::times(a, b);
-    return matrix(b.cols(), entries(product));
-  }
-  Expr quotient(Expr a, Expr b, std::size_t column) {
-    if (is_grid(b)) refuse_at(column, "division by a matrix");
-    if (b == Expr(0)) refuse_at(column, "division by zero");
-    return is_grid(a) ? scaled(Expr(1) / b, a) : a / b;
-  }
-
   Expr signed_factor() {
     bool minus = false;
     while (is("+") || is("-")) minus = minus != (words[place++].text == "-");
@@ -272,28 +165,6 @@ private:
     --depth;
     return e;
   }
-  static Expr raised_to(Expr base, Expr exponent, std::size_t column) {
-    if (is_grid(base) || is_grid(exponent)) refuse_at(column, "a power of a matrix");
-    const auto number = rational_value(exponent);
-    if (!number) return raised(base, exponent);
-    if (bits(*number) > 40 || cln::abs(cln::numerator(*number)) > largest_exponent ||
-        cln::denominator(*number) > 1000)
-      refuse_at(column, "an exponent with a number above 10000");
-    const int above = cln::cl_I_to_int(cln::numerator(*number));
-    const int below = cln::cl_I_to_int(cln::denominator(*number));
-    if (const auto value = rational_value(base)) {
-      if (*value == 0 && above <= 0) refuse_at(column, "a power of 0 that has no value");
-      if (bits(*value) * std::size_t(std::abs(above)) > most_bits)
-        refuse_at(column, "a number of more than 70000 bits");
-    }
-    if (above == 0) return 1;
-    if (below > 2) return raised(base, Expr(*number));
-    const Expr root = below == 2 ? kernel::sqrt(base) : base;
-    const int size = std::abs(above);
-    const Expr whole = size == 1 ? root : kernel::power(root, size);
-    return above > 0 ? whole : Expr(1) / whole;
-  }
-
   Expr primary() {
     const Token token = now();
     if (token.kind == Kind::End) refuse_at(token.column, "the expression ends too early");
@@ -351,13 +222,6 @@ private:
     if (token.text == "begin") return environment(token);
     refuse_at(token.column, "unexpected \\" + token.text);
   }
-  static Expr ordered_root(Expr order, Expr x, std::size_t column) {
-    const auto value = rational_value(order);
-    if (!value || *value < 2 || *value > 100 || cln::denominator(*value) != 1)
-      refuse_at(column, "a root's order is a whole number from 2 to 100");
-    return root(cln::cl_I_to_int(cln::numerator(*value)), x);
-  }
-
   // \begin{pmatrix} a & b \\ c & d \end{pmatrix}
   Expr environment(const Token& token) {
     for (int brace = 0; brace < 2 || !takes("}"); ++brace) {
@@ -399,18 +263,6 @@ private:
     while (takes(",")) out.push_back(sum());
     return out;
   }
-  static Expr grid_of(const std::vector<Exprs>& rows, std::size_t column) {
-    Exprs all;
-    for (const Exprs& row : rows) {
-      if (row.size() != rows[0].size()) refuse_at(column, "rows of different lengths");
-      all.insert(all.end(), row.begin(), row.end());
-    }
-    for (Expr e : all)
-      if (is_grid(e)) refuse_at(column, "a matrix inside of a matrix");
-    if (all.size() > 100) refuse_at(column, "a matrix of more than 100 entries");
-    return matrix(int(rows[0].size()), all);
-  }
-
   bool is_factor(const std::string& name) const {
     static const std::set<std::string> usual{"x", "y", "z", "t", "u", "V", "L",
                                              "M", "m", "e", "n", "k", "j"};
@@ -443,7 +295,7 @@ private:
                               "(x) for the quotient");
     }
     const Expr value =
-        token.text == "root" ? root_call(token) : functions().at(token.text)(argument(token));
+        token.text == "root" ? root_call(token) : applied(token.text, argument(token));
     return exponent ? raised_to(value, exponent, column) : value;
   }
   Expr root_call(const Token& token) {
