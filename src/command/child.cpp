@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/child.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 
+#include <fcntl.h>
+#include <linux/close_range.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 namespace command {
 namespace {
 
-constexpr int not_there = 127;  // as shells say it
-
 /// A file without a name.
 class Memory {
 public:
-  explicit Memory(const char* what) : descriptor(::memfd_create(what, MFD_CLOEXEC)) {
+  explicit Memory(const char* what) {
+    const int low = ::memfd_create(what, MFD_CLOEXEC);
+    descriptor = ::fcntl(low, F_DUPFD_CLOEXEC, 10);  // above those that the other program gets
+    ::close(low);
     if (descriptor < 0) throw std::runtime_error("no memory for another program");
   }
   ~Memory() { ::close(descriptor); }
@@ -45,37 +50,96 @@ public:
       text.append(block, static_cast<std::size_t>(count));
     return text;
   }
-  int descriptor;
+  int descriptor = -1;
 };
+
+struct Streams {
+  Memory given{"input"}, output{"output"}, errors{"errors"}, results{"results"}, refused{"refused"};
+};
+
+void limit(__rlimit_resource resource, rlim_t value) {
+  rlimit limits{};
+  ::getrlimit(resource, &limits);
+  limits.rlim_max = std::min(value, limits.rlim_max);
+  limits.rlim_cur = std::min(value, limits.rlim_max);
+  ::setrlimit(resource, &limits);
+}
+
+[[noreturn]] void become(const std::vector<char*>& words, const Bounds& bounds,
+                         const Streams& streams) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  ::dup2(streams.given.descriptor, STDIN_FILENO);
+  ::dup2(streams.output.descriptor, STDOUT_FILENO);
+  ::dup2(streams.errors.descriptor, STDERR_FILENO);
+  ::dup2(streams.results.descriptor, results_descriptor);
+  ::close_range(results_descriptor + 1, ~0U, CLOSE_RANGE_CLOEXEC);
+  for (const int ours : {SIGPIPE, SIGXFSZ, SIGALRM, SIGTERM}) std::signal(ours, SIG_DFL);
+  if (bounds.seconds > 0) {
+    limit(RLIMIT_CORE, 0);
+    limit(RLIMIT_CPU, bounds.seconds);
+    limit(RLIMIT_AS, bounds.bytes);
+    limit(RLIMIT_STACK, rlim_t{8} << 20U);
+    limit(RLIMIT_FSIZE, bounds.file_bytes);
+  }
+  const bool is_there = bounds.folder.empty() || ::chdir(bounds.folder.c_str()) == 0;
+  if (is_there && (!bounds.confine || bounds.confine(words[0])))
+    ::execvp(words[0], words.data());
+  else [[maybe_unused]]
+    const ssize_t ignored = ::write(streams.refused.descriptor, "x", 1);
+  ::_exit(not_there);
+}
+
+void end_group(int) { ::kill(0, SIGKILL); }
+
+/// Between this program and the other: ends with all that was started when time is up, or when this
+/// one is gone.
+[[noreturn]] void watch(const std::vector<char*>& words, const Bounds& bounds,
+                        const Streams& streams, pid_t parent) {
+  ::setsid();  // a group of its own, and no terminal
+  for (const int signal : {SIGALRM, SIGTERM}) std::signal(signal, end_group);
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent) ::_exit(not_there);
+  ::alarm(bounds.seconds);
+  const pid_t child = ::fork();
+  if (child == 0) become(words, bounds, streams);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  ::_exit(WIFEXITED(status) ? WEXITSTATUS(status) : of_signal + WTERMSIG(status));
+}
 
 }  // namespace
 
-std::optional<Said> said_by(std::vector<std::string> words, const std::string& input) {
-  const Memory given("input");
-  const Memory output("output");
-  const Memory errors("errors");
-  given.write(input);
+End end_of(std::vector<std::string> words, const std::string& input, const Bounds& bounds) {
+  const Streams streams;
+  streams.given.write(input);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const pid_t parent = ::getpid();
-  const pid_t child = ::fork();
-  if (child < 0) throw std::runtime_error("no process for " + words[0]);
-  if (child == 0) {
-    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent) ::_exit(not_there);
-    ::dup2(given.descriptor, STDIN_FILENO);
-    ::dup2(output.descriptor, STDOUT_FILENO);
-    ::dup2(errors.descriptor, STDERR_FILENO);
-    for (const int ours : {SIGPIPE, SIGXFSZ}) std::signal(ours, SIG_DFL);
-    ::execvp(arguments[0], arguments.data());
-    ::_exit(not_there);
+  const pid_t watcher = ::fork();
+  if (watcher < 0) throw std::runtime_error("no process for " + words[0]);
+  if (watcher == 0) watch(arguments, bounds, streams, parent);
+  siginfo_t ignored{};
+  while (::waitid(P_PID, static_cast<id_t>(watcher), &ignored, WEXITED | WNOWAIT) < 0 &&
+         errno == EINTR) {
   }
+  ::kill(-watcher, SIGKILL);  // whom it left behind
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == not_there) return {};
-  return Said{WIFEXITED(status) && WEXITSTATUS(status) == 0, output.read(), errors.read()};
+  ::waitpid(watcher, &status, 0);
+  const bool is_late = !WIFEXITED(status) || WEXITSTATUS(status) == of_signal + SIGXCPU;
+  return {streams.refused.read().empty(),
+          is_late,
+          is_late ? -1 : WEXITSTATUS(status),
+          streams.output.read(),
+          streams.errors.read(),
+          streams.results.read()};
+}
+
+std::optional<Said> said_by(std::vector<std::string> words, const std::string& input) {
+  End end = end_of(std::move(words), input);
+  if (end.code == not_there) return {};
+  return Said{end.code == 0, std::move(end.output), std::move(end.errors)};
 }
 
 TemporaryFolder::TemporaryFolder(const std::string& name) {

@@ -2,18 +2,42 @@
 // Another program, its input and output in memory, its files in a folder for the time being.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace command {
 
+constexpr int results_descriptor = 3;  // of the other program
+constexpr int not_there = 127;         // as shells say it
+constexpr int of_signal = 128;         // and this, with the signal added
+
+/// What another program may take; without seconds there are no bounds.
+struct Bounds {
+  unsigned seconds = 0;        ///< on the clock, and of the processor
+  std::size_t bytes = 0;       ///< of memory
+  std::size_t file_bytes = 0;  ///< in each file, output too
+  std::string folder = {};     ///< where it runs; "": here
+  /// Called last, in the process that becomes the program `word`; where it says false, none runs.
+  std::function<bool(const char* word)> confine = {};
+};
+struct End {
+  bool was_confined;  ///< false: it was not run
+  bool is_late;
+  int code;  ///< exit code, or of_signal + the signal that ended it
+  std::string output, errors, results;
+};
+/// How the program words[0] ends; with it ends whatever it started. They end where this one does.
+End end_of(std::vector<std::string> words, const std::string& input = "",
+           const Bounds& bounds = {});
+
 struct Said {
   bool is_done;  ///< exit code 0
   std::string output;
   std::string errors;
 };
-/// What the program words[0] says; nothing where it is not installed. It ends where this one does.
+/// What it says; nothing where it is not installed.
 std::optional<Said> said_by(std::vector<std::string> words, const std::string& input = "");
 
 /// A folder that goes with all that is in it, however this process ends: another one waits for

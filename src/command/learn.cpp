@@ -8,6 +8,7 @@
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "command/embedded.hpp"
+#include "command/sandbox.hpp"
 #include "learn/judge.hpp"
 #include "magicmass/scenes/keys.hpp"
 
@@ -67,6 +68,14 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
   return answer;
 }
 
+/// Runs each program once, however often its results are needed.
+learn::Ran run_once(const Exercise& e, const std::string& code, const learn::Rows& inputs) {
+  static std::map<std::string, learn::Ran> known;
+  const std::string key = e.source + '\0' + e.id + '\0' + code;
+  if (const auto found = known.find(key); found != known.end()) return found->second;
+  return known[key] = run_code(e, code, inputs);
+}
+
 Answer list(const Request& request) {
   Answer answer;
   answer.table.columns = answers::named_columns({"id", "kind", "title", "chapter"});
@@ -86,6 +95,10 @@ Answer show(const Request& request) {
     text += (i == 0 ? "\n" : "") + std::string(1, char('a' + i)) + ") " + e.choices[i] + "\n";
   if (!e.symbols.empty()) text += "\nAn answer may use: " + answers::joined(e.symbols) + "\n";
   if (!e.form.empty()) text += "Form: " + e.form + "\n";
+  if (e.kind == "code")
+    return document(request, e,
+                    text + "\nBegin with this in a file, answer.cpp:\n\n" + e.starter +
+                        "\n\nTry: magicmass learn check " + e.id + " --file answer.cpp");
   return document(request, e, text + "\nTry: magicmass learn check " + e.id + " \"...\"");
 }
 
@@ -96,8 +109,8 @@ Answer check(const Request& request) {
     throw InvalidInput(
         "learn check: give an ID and one answer, in quotation marks, or --file FILE");
   const std::string file = request.text("file") == "-" ? "/dev/stdin" : request.text("file");
-  const learn::Judgement said =
-      judge(e, is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2]);
+  const learn::Judgement said = judge(
+      e, is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2], run_once);
   std::vector<std::string> notes;
   for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
   Answer answer;
@@ -144,7 +157,7 @@ Answer test(const Request& request) {
   const std::vector<Exercise> all =
       exercises(request.words.size() > 1 ? request.words[1] : request.text("folder"));
   for (const Exercise& e : all)
-    for (const std::string& fault : faults(e))
+    for (const std::string& fault : faults(e, run_once))
       answer.table.rows.push_back({text_cell(e.id), text_cell(fault)});
   answer.check_failed = !answer.table.rows.empty();
   if (!answer.check_failed && request.format == "text")

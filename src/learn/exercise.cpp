@@ -16,7 +16,9 @@ namespace {
 
 using answers::InvalidInput;
 using Pairs = std::map<std::string, std::string>;
-using Member = std::variant<std::string Exercise::*, Texts Exercise::*, Pairs Exercise::*>;
+using Lists = std::vector<Texts>;
+using Member =
+    std::variant<std::string Exercise::*, Texts Exercise::*, Pairs Exercise::*, Lists Exercise::*>;
 
 const std::map<std::string, Member>& members() {
   static const std::map<std::string, Member> table{{"id", &Exercise::id},
@@ -39,6 +41,13 @@ const std::map<std::string, Member>& members() {
                                                    {"start", &Exercise::start},
                                                    {"unknowns", &Exercise::unknowns},
                                                    {"not_zero", &Exercise::not_zero},
+                                                   {"starter", &Exercise::starter},
+                                                   {"driver", &Exercise::driver},
+                                                   {"solution_code", &Exercise::solution_code},
+                                                   {"inputs", &Exercise::inputs},
+                                                   {"cases", &Exercise::cases},
+                                                   {"outputs", &Exercise::outputs},
+                                                   {"words", &Exercise::words},
                                                    {"hints", &Exercise::hints},
                                                    {"solution", &Exercise::solution}};
   return table;
@@ -60,6 +69,10 @@ struct Reader {
     if (!node.is_array()) refuse(node, key + ": texts are expected, [\"...\", \"...\"]");
     for (const toml::node& one : *node.as_array()) read(key, one, to.emplace_back());
   }
+  void read(const std::string& key, const toml::node& node, Lists& to) const {
+    if (!node.is_array()) refuse(node, key + ": lists are expected, [[\"...\", \"...\"]]");
+    for (const toml::node& one : *node.as_array()) read(key, one, to.emplace_back());
+  }
   void read(const std::string& key, const toml::node& node, Pairs& to) const {
     if (!node.is_table()) refuse(node, key + ": names and texts are expected, { V = \"1\" }");
     for (const auto& [name, one] : *node.as_table()) read(key, one, to[std::string(name.str())]);
@@ -71,14 +84,29 @@ struct Reader {
       for (const auto& [key, value] : *one.as_table()) {
         if (key == "answers")
           read("answers", value, m.answers);
+        else if (key == "replace")
+          read("replace", value, m.replace);
         else if (key == "name" || key == "feedback")
           read(std::string(key.str()), value, key == "name" ? m.name : m.feedback);
         else
-          refuse(value, "no such key in a misconception; allowed: name, answers, feedback");
+          refuse(value,
+                 "no such key in a misconception; allowed: name, answers, replace, feedback");
       }
-      if (m.answers.empty() || m.feedback.empty())
-        refuse(one, "a misconception needs answers and feedback");
+      if ((m.answers.empty() && m.replace.empty()) || m.feedback.empty())
+        refuse(one, "a misconception needs answers (or, of code, replace) and feedback");
     }
+  }
+  /// The solution with these edits.
+  std::string edited(const toml::table& file, std::string code, const Lists& edits) const {
+    for (const Texts& edit : edits) {
+      if (edit.size() != 2 || edit[0].empty() || code.find(edit[0]) == code.npos)
+        refuse(*file.get("misconceptions"), "replace: what is in solution_code, and by what, got " +
+                                                answers::shown_text(answers::joined(edit), 80));
+      for (std::size_t at = code.find(edit[0]); at != code.npos;
+           at = code.find(edit[0], at + edit[1].size()))
+        code.replace(at, edit[0].size(), edit[1]);
+    }
+    return code;
   }
   [[noreturn]] void refuse_key(const std::string& key, const toml::node& at) const {
     Texts names{"misconceptions"};
@@ -94,9 +122,19 @@ struct Reader {
     };
     for (const char* key : {"id", "title", "chapter", "kind", "prompt"})
       need(file.contains(key), std::string(key) + " is missing");
-    need(e.kind != "code", "kind: exercises in code are not in this version yet");
-    need(e.kind == "symbolic" || e.kind == "predict" || e.kind == "derivation",
-         "kind: allowed: symbolic, predict, derivation");
+    need(e.kind == "symbolic" || e.kind == "predict" || e.kind == "derivation" || e.kind == "code",
+         "kind: allowed: symbolic, predict, derivation, code");
+    if (e.kind == "code") {
+      for (const char* key :
+           {"starter", "driver", "solution_code", "inputs", "cases", "outputs", "words", "within"})
+        need(file.contains(key), std::string(key) + " is missing");
+      need(e.inputs.size() <= 16 && e.outputs.size() <= 16, "inputs and outputs: at most 16");
+      need(e.words.size() == e.outputs.size(), "words: one text for each of the outputs");
+      for (const Texts& one : e.cases)
+        need(one.size() == e.inputs.size(), "cases: one text for each of the inputs");
+      need(!e.cases.empty(), "cases: at least one");
+      return;
+    }
     need(!e.answer.empty() || !e.answer_from.empty() || !e.when.empty(),
          "answer is missing; allowed: answer, answer_from or, with choices, when");
     need(e.form.empty() || std::count(forms().begin(), forms().end(), e.form) == 1,
@@ -126,6 +164,8 @@ Exercise read_exercise(std::string_view text, const std::string& source) {
     std::visit([&, at = &node](auto member) { reader.read(key, *at, e.*member); }, found->second);
   }
   reader.check(file, e);
+  for (Misconception& m : e.misconceptions)
+    if (!m.replace.empty()) m.answers.push_back(reader.edited(file, e.solution_code, m.replace));
   return e;
 }
 

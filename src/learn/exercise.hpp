@@ -15,11 +15,12 @@ struct Misconception {
   std::string name;
   Texts answers;
   std::string feedback;
+  std::vector<Texts> replace = {};  ///< in code: what in the solution, by what; makes an answer
 };
 struct Exercise {
   std::string source;  ///< the file, as messages name it
   std::string id, title, chapter;
-  std::string kind;  ///< symbolic, predict, derivation
+  std::string kind;  ///< symbolic, predict, derivation, code
   std::string prompt;
   std::string name;    ///< what is asked for: "v_1"; an answer may be an equation for it
   Texts symbols = {};  ///< that an answer may use
@@ -35,7 +36,16 @@ struct Exercise {
   Texts laws = {};               ///< equations from which a derivation may start
   std::string start = {};        ///< of a chain: the expression with which it begins
   std::map<std::string, std::string> unknowns = {};  ///< and the steps that tell their values
-  Texts not_zero = {};  ///< what a line of a derivation may be divided by
+  Texts not_zero = {};             ///< what a line of a derivation may be divided by
+  std::string starter = {};        ///< of code: what a student begins with, in C++
+  std::string driver = {};         ///< call(), which calls the student's function
+  std::string solution_code = {};  ///< the answer
+  Texts inputs = {};               ///< names of call()'s inputs
+  std::vector<Texts> cases = {};   ///< of each input; "above x" is the double after x
+  Texts outputs =
+      {};            ///< what call() should give: expressions with inputs, columns of what was run
+                     ///< with {alpha} and so on, steps of the derivation; "" is the solution's
+  Texts words = {};  ///< for each output: "velocity of A"
   Texts hints = {};
   std::string solution = {};  ///< what is worth saying afterwards
   std::vector<Misconception> misconceptions = {};

@@ -26,7 +26,7 @@ std::string plain(std::string text) {
 
 /// As a student would type it, where the exercise has names of what was run.
 std::string with_numbers(const Exercise& e, const std::string& text) {
-  if (e.run.empty() || !e.choices.empty()) return text;
+  if (e.run.empty() || !e.choices.empty() || e.kind == "code") return text;
   const Terms terms(e);
   return notation::typed_text(terms.in_full(terms.content(text)));
 }
@@ -39,13 +39,14 @@ const char* word(Mark mark) {
   return words[static_cast<std::size_t>(mark)];
 }
 
-Judgement judge(const Exercise& e, const std::string& typed) {
-  const std::string text = plain(typed);
+Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
+  const std::string text = e.kind == "code" ? typed : plain(typed);
   if (text.empty()) return {Mark::unread, "The answer is empty."};
   try {
-    return e.kind == "symbolic"  ? judge_symbolic(e, text)
-           : e.kind == "predict" ? judge_prediction(e, text)
-                                 : judge_derivation(e, text);
+    return e.kind == "code"       ? judge_code(e, text, run)
+           : e.kind == "symbolic" ? judge_symbolic(e, text)
+           : e.kind == "predict"  ? judge_prediction(e, text)
+                                  : judge_derivation(e, text);
   } catch (const kernel::Refused& r) {
     const std::string why = answers::shown_text(r.what(), 300);
     return {Mark::unread,
@@ -54,24 +55,30 @@ Judgement judge(const Exercise& e, const std::string& typed) {
 }
 
 std::string own_answer(const Exercise& e) {
+  if (e.kind == "code") return e.solution_code;
   if (!e.when.empty()) return std::string(1, right_choice(e));
   return e.answer.empty() ? notation::typed_text(Terms(e).answer()) : with_numbers(e, e.answer);
 }
 
-Texts faults(const Exercise& e) {
+Texts faults(const Exercise& e, const Run& run) {
   Texts wrong;
   try {
-    const Judgement own = judge(e, own_answer(e));
+    const Judgement own = judge(e, own_answer(e), run);
     if (own.mark != Mark::right)
       wrong.push_back("its own answer is judged " + std::string(word(own.mark)) + ": " +
                       own.feedback);
     for (const Misconception& one : e.misconceptions)
       for (const std::string& text : one.answers) {
-        const Judgement said = judge(e, with_numbers(e, text));
+        const Judgement said = judge(e, with_numbers(e, text), run);
+        const std::string& name = e.kind == "code" ? one.name : text;
         if (said.mark != Mark::wrong || said.feedback != one.feedback)
-          wrong.push_back("the misconception " + text + " is judged " + word(said.mark) + ": " +
+          wrong.push_back("the misconception " + name + " is judged " + word(said.mark) + ": " +
                           said.feedback);
       }
+    if (e.kind == "code")
+      if (const Judgement said = judge(e, e.starter, run); said.mark != Mark::wrong)
+        wrong.push_back("the starter is judged " + std::string(word(said.mark)) + ": " +
+                        said.feedback);
     if (e.hints.empty()) wrong.push_back("hints are missing");
   } catch (const std::exception& error) {
     wrong.push_back(error.what());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "equality/decide.hpp"
-#include "learn/exercise.hpp"
+#include "learn/code.hpp"
 
 namespace learn {
 
@@ -15,12 +15,13 @@ struct Judgement {
   std::string feedback;
   Texts notes = {};  ///< how it was read, and where it has no value
 };
-Judgement judge(const Exercise& exercise, const std::string& typed);
+/// What is said to one answer; of kind code it is a program, which `run` runs.
+Judgement judge(const Exercise& exercise, const std::string& typed, const Run& run = {});
 
 /// The answer as it is shown.
 std::string own_answer(const Exercise& exercise);
 /// What is wrong with the exercise itself: its own answer is not right, it differs from what the
-/// program says, or the answer of a misconception is not recognised.
-Texts faults(const Exercise& exercise);
+/// program says, the answer of a misconception is not recognised, or a starter is not wrong.
+Texts faults(const Exercise& exercise, const Run& run = {});
 
 }  // namespace learn

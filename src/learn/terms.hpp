@@ -43,6 +43,7 @@ std::string misconception_of(const Terms& terms, Expr given);
 Judgement judge_symbolic(const Exercise& exercise, const std::string& typed);
 Judgement judge_prediction(const Exercise& exercise, const std::string& typed);
 Judgement judge_derivation(const Exercise& exercise, const std::string& typed);
+Judgement judge_code(const Exercise& exercise, const std::string& code, const Run& run);
 /// The letter of the right one of the choices.
 char right_choice(const Exercise& exercise);
 

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Programs, held against exact results at just the doubles that they are given.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include <cln/real.h>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "answers/table.hpp"
+#include "balls/ball.hpp"
+#include "equality/constant.hpp"
+#include "learn/terms.hpp"
+
+namespace learn {
+namespace {
+
+using answers::InvalidInput;
+using cln::cl_RA;
+
+/// A constant's value, with 80 bits at least.
+cl_RA value_of(Expr constant, const std::string& text) {
+  for (int bits = 128; bits <= 8192; bits *= 2) {
+    try {
+      const equality::Ball ball = equality::enclosure(constant, bits);
+      const cl_RA low = ball.low(), width = ball.high() - low;
+      if (width * cln::expt_pos(cl_RA(2), 80) <= cln::abs(low)) return low;
+      if (const auto q = notation::rational_value(constant)) return *q;
+      if (equality::exact_sign(constant) == 0) return 0;
+    } catch (const balls::NotCertain&) {
+    } catch (const equality::NotDefined& undefined) {
+      throw InvalidInput(text + ": " + undefined.what());
+    }
+  }
+  throw InvalidInput(text + ": its value is not found");
+}
+
+std::string text_of(double value) { return answers::real_cell(value).text; }
+
+/// "1/7", the nearest double; "above sqrt(5) - 2", the one after it.
+double input(const Terms& terms, std::string text) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double towards = 0;
+  for (const auto& [word, end] : {std::pair{"above ", infinity}, {"below ", -infinity}})
+    if (text.starts_with(word)) {
+      towards = end;
+      text.erase(0, 6);
+    }
+  const cl_RA exact = value_of(terms.in_full(terms.content(text)), text);
+  const double nearest = cln::double_approx(exact);
+  return towards == 0 ? nearest : std::nextafter(nearest, towards);
+}
+
+/// "8 ulp or 1e-15": how far a result may be off.
+struct Within {
+  double ulps = 0, absolute = 0;
+  explicit Within(const std::string& text) {
+    std::istringstream words(text + " or");
+    std::string word;
+    for (double value = 0; words >> value;) {
+      words >> word;
+      (word == "ulp" ? ulps : absolute) = value;
+      if (word == "ulp") words >> word;
+      if (value < 0 || word != "or") break;
+    }
+    if (!words.eof() || word != "or" || text.empty())
+      throw InvalidInput("within: allowed: \"4 ulp\", \"1e-15\" or \"4 ulp or 1e-15\"");
+  }
+};
+
+double ulp_of(double value) {
+  value = std::abs(value);
+  return std::nextafter(value, std::numeric_limits<double>::infinity()) - value;
+}
+
+const std::string own_results = "solution_code";
+
+/// The cases of an exercise: what goes in, and what should come out.
+struct Cases {
+  Rows inputs = {};
+  std::vector<std::vector<cl_RA>> expected = {};
+};
+
+std::string filled(std::string text, const std::string& name, const std::string& by) {
+  for (std::size_t at; (at = text.find("{" + name + "}")) != text.npos;)
+    text.replace(at, name.size() + 2, by);
+  return text;
+}
+
+bool is_step(const std::string& text) {
+  return text.find('.') != text.npos && !std::isdigit(static_cast<unsigned char>(text[0])) &&
+         text.find_first_of(" +-*/^()") == text.npos;
+}
+
+Cases cases_of(const Exercise& e, const Run& run) {
+  Cases cases;
+  Exercise plain = e;  // without what depends on a case
+  plain.run = "";
+  plain.symbols = {};
+  const Terms constants(plain);
+  for (const Texts& one : e.cases) {
+    Exercise at_case = e;
+    at_case.symbols = e.inputs;
+    Numbers& row = cases.inputs.emplace_back();
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      row.push_back(input(constants, one[i]));
+      at_case.values[e.inputs[i]] = notation::typed_text(Expr(balls::exact(row[i])));
+      // The program takes a decimal for the nearest double, and a whole number where one is needed.
+      at_case.run = filled(at_case.run, e.inputs[i], text_of(row[i]));
+    }
+    const Terms terms(at_case);
+    std::vector<cl_RA>& expected = cases.expected.emplace_back();
+    for (const std::string& output : e.outputs) {
+      if (output == own_results) continue;
+      const Expr term = is_step(output) ? terms.from_step(output) : terms.content(output);
+      expected.push_back(value_of(terms.in_full(term), output));
+    }
+  }
+  if (e.outputs != Texts(e.outputs.size(), own_results)) return cases;
+  const Ran own = run(e, e.solution_code, cases.inputs);
+  for (std::size_t i = 0; i < own.rows.size(); ++i)
+    for (const double result : own.rows[i]) cases.expected[i].push_back(balls::exact(result));
+  return cases;
+}
+
+/// "At alpha = 1/8, j = 3: "
+std::string place(const Exercise& e, std::size_t which) {
+  Texts parts;
+  for (std::size_t i = 0; i < e.inputs.size(); ++i)
+    parts.push_back(e.inputs[i] + " = " + e.cases[which][i]);
+  return "At " + answers::joined(parts) + ": ";
+}
+
+/// Where the results first differ from what is expected; "" where they do not.
+std::string difference(const Exercise& e, const Cases& cases, const Rows& rows) {
+  const Within within(e.within);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (std::size_t k = 0; k < e.outputs.size(); ++k) {
+      const double got = rows[i].at(k), nearest = cln::double_approx(cases.expected[i].at(k));
+      const double ulp = ulp_of(nearest);
+      const double error =
+          std::isfinite(got)
+              ? cln::double_approx(cln::abs(balls::exact(got) - cases.expected[i][k]))
+              : std::numeric_limits<double>::infinity();
+      if (error <= within.ulps * ulp || error <= within.absolute) continue;
+      const std::string ulps = answers::real_cell(std::round(error / ulp)).text;
+      return place(e, i) + "your " + e.words[k] + " is " +
+             (std::isfinite(got) ? text_of(got)
+              : std::isnan(got)  ? "nan"
+                                 : "infinite") +
+             "; it should be " + text_of(nearest) +
+             (error < 1e-6 * std::abs(nearest) ? ", which is " + ulps + " ulp off." : ".");
+    }
+  return {};
+}
+
+bool are_alike(const Rows& left, const Rows& right, double absolute) {
+  return std::equal(
+      left.begin(), left.end(), right.begin(), right.end(), [&](const auto& l, const auto& r) {
+        return std::equal(l.begin(), l.end(), r.begin(), r.end(), [&](double x, double y) {
+          return x == y || (std::isnan(x) && std::isnan(y)) ||
+                 std::abs(x - y) <= std::max(absolute, 1e-9 * std::abs(x));
+        });
+      });
+}
+
+}  // namespace
+
+Judgement judge_code(const Exercise& e, const std::string& code, const Run& run) {
+  if (!run) return {Mark::undecided, "Programs are judged by magicmass learn check alone."};
+  const Cases cases = cases_of(e, run);
+  Ran ran = run(e, code, cases.inputs);
+  if (!ran.unread.empty()) return {Mark::unread, "Not compiled: " + ran.unread};
+  const std::size_t done = std::min(ran.rows.size(), cases.inputs.size() - 1);
+  const bool has_all = ran.rows.size() == cases.inputs.size() &&
+                       std::all_of(ran.rows.begin(), ran.rows.end(), [&](const Numbers& row) {
+                         return row.size() == e.outputs.size();
+                       });
+  if (ran.stopped.empty() && !has_all)
+    ran.stopped = "it gave another number of results than is asked for";
+  if (!ran.stopped.empty()) return {Mark::wrong, place(e, done) + ran.stopped + "."};
+  const std::string different = difference(e, cases, ran.rows);
+  if (different.empty()) return {Mark::right, "Right, in all cases."};
+  for (const Misconception& one : e.misconceptions)
+    for (const std::string& known : one.answers)
+      if (are_alike(run(e, known, cases.inputs).rows, ran.rows, Within(e.within).absolute))
+        return {Mark::wrong, one.feedback};
+  return {Mark::wrong, different};
+}
+
+}  // namespace learn
