@@ -23,20 +23,26 @@ constexpr std::size_t mebibyte = std::size_t{1} << 20U;
 constexpr unsigned compile_seconds = 10;
 constexpr unsigned run_seconds = 3;
 
+std::string first_line(const std::string& text) {
+  return answers::shown_text(text.substr(0, text.find('\n')), 160);
+}
+
 /// The first errors alone: a page of notes on templates teaches nobody.
-std::string first_errors(const End& compiled) {
+std::string first_errors(const End& compiled, const std::string& folder) {
   if (compiled.is_late) return "compiling took more than " + std::to_string(compile_seconds) + " s";
+  if (compiled.errors.find("File size limit") != std::string::npos)
+    return "the program would be larger than 64 MiB";
   std::istringstream lines(compiled.errors);
   std::string line, kept;
-  for (int errors = 0; errors < 2 && std::getline(lines, line);) {
+  for (int errors = 0; errors < 2 && std::getline(lines, line);)
     for (const char* sign : {"error: ", "undefined reference", "multiple definition", "memory"})
       if (line.find(sign) != line.npos) {
+        while (line.find(folder) != line.npos) line.erase(line.find(folder), folder.size() + 1);
         kept += (kept.empty() ? "" : "; ") + answers::shown_text(line, 200);
         ++errors;
         break;
       }
-  }
-  return kept.empty() ? answers::shown_text(compiled.errors, 200) : kept;
+  return kept.empty() ? first_line(compiled.errors) : kept;
 }
 
 /// Why a program did not come to its end; "" where it did.
@@ -59,7 +65,7 @@ std::string why_stopped(const End& end) {
     case SIGFPE:
       return "it divided a whole number by zero";
     case SIGABRT:
-      return "it gave up: " + answers::shown_text(end.errors.substr(0, end.errors.find('\n')), 160);
+      return "it gave up" + (end.errors.empty() ? "" : ": " + first_line(end.errors));
     default:
       return end.code == 0          ? ""
              : end.code > of_signal ? "signal " + std::to_string(end.code - of_signal) + " ended it"
@@ -156,7 +162,8 @@ learn::Ran run_code(const learn::Exercise& e, const std::string& code, const lea
        .folder = folder.path});
   if (compiled.code == not_there)
     throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
-  if (compiled.is_late || compiled.code != 0) return {.unread = first_errors(compiled)};
+  if (compiled.is_late || compiled.code != 0)
+    return {.unread = first_errors(compiled, folder.path)};
 
   std::random_device random;
   std::string seal;

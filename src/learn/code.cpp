@@ -180,7 +180,8 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
                        });
   if (ran.stopped.empty() && !has_all)
     ran.stopped = "it gave another number of results than is asked for";
-  if (!ran.stopped.empty()) return {Mark::wrong, place(e, done) + ran.stopped + "."};
+  if (!ran.stopped.empty())
+    return {Mark::wrong, place(e, done) + ran.stopped + (ran.stopped.ends_with('?') ? "" : ".")};
   const std::string different = difference(e, cases, ran.rows);
   if (different.empty()) return {Mark::right, "Right, in all cases."};
   for (const Misconception& one : e.misconceptions)

@@ -77,10 +77,12 @@ std::map<std::string, std::string> ran(const std::string& line) {
   if (found == commands.end()) throw InvalidInput("run: allowed: eval, count, terminal");
   const answers::Table table = found->second(request).table;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    const std::string& text = table.rows.at(0).at(i).text;
+    std::string text = table.rows.at(0).at(i).text;
     if (text.find_first_of("0123456789") != text.npos &&
-        text.find_first_not_of("-+./e0123456789") == text.npos)
+        text.find_first_not_of("-+./e0123456789") == text.npos) {
+      std::replace(text.begin(), text.end(), 'e', 'E');  // 1e-12 has two readings
       numbers.emplace(table.columns[i].name, text);
+    }
   }
   return numbers;
 }
