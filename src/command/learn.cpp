@@ -68,14 +68,6 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
   return answer;
 }
 
-/// Runs each program once, however often its results are needed.
-learn::Ran run_once(const Exercise& e, const std::string& code, const learn::Rows& inputs) {
-  static std::map<std::string, learn::Ran> known;
-  const std::string key = e.source + '\0' + e.id + '\0' + code;
-  if (const auto found = known.find(key); found != known.end()) return found->second;
-  return known[key] = run_code(e, code, inputs);
-}
-
 Answer list(const Request& request) {
   Answer answer;
   answer.table.columns = answers::named_columns({"id", "kind", "title", "chapter"});
@@ -110,7 +102,7 @@ Answer check(const Request& request) {
         "learn check: give an ID and one answer, in quotation marks, or --file FILE");
   const std::string file = request.text("file") == "-" ? "/dev/stdin" : request.text("file");
   const learn::Judgement said = judge(
-      e, is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2], run_once);
+      e, is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2], run_code);
   std::vector<std::string> notes;
   for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
   Answer answer;
@@ -146,7 +138,8 @@ Answer make(const Request& request) {
   if (std::filesystem::exists(path))
     throw InvalidInput("learn new: " + answers::shown_text(path) + " is there already");
   std::ofstream file(path);
-  if (!(file << embedded("new_exercise.toml") << std::flush))
+  if (!(file << embedded(request.has("kind") ? "new_code.toml" : "new_exercise.toml")
+             << std::flush))
     throw InvalidInput("learn new: cannot write " + answers::shown_text(path));
   return {{}, path + ": edit it, then run: magicmass learn test " + path + "\n"};
 }
@@ -157,7 +150,7 @@ Answer test(const Request& request) {
   const std::vector<Exercise> all =
       exercises(request.words.size() > 1 ? request.words[1] : request.text("folder"));
   for (const Exercise& e : all)
-    for (const std::string& fault : faults(e, run_once))
+    for (const std::string& fault : faults(e, run_code))
       answer.table.rows.push_back({text_cell(e.id), text_cell(fault)});
   answer.check_failed = !answer.table.rows.empty();
   if (!answer.check_failed && request.format == "text")

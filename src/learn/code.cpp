@@ -22,12 +22,12 @@ using cln::cl_RA;
 
 /// A constant's value, with 80 bits at least.
 cl_RA value_of(Expr constant, const std::string& text) {
+  if (const auto q = notation::rational_value(constant)) return *q;
   for (int bits = 128; bits <= 8192; bits *= 2) {
     try {
       const equality::Ball ball = equality::enclosure(constant, bits);
       const cl_RA low = ball.low(), width = ball.high() - low;
       if (width * cln::expt_pos(cl_RA(2), 80) <= cln::abs(low)) return low;
-      if (const auto q = notation::rational_value(constant)) return *q;
       if (equality::exact_sign(constant) == 0) return 0;
     } catch (const balls::NotCertain&) {
     } catch (const equality::NotDefined& undefined) {
@@ -59,13 +59,14 @@ struct Within {
   explicit Within(const std::string& text) {
     std::istringstream words(text + " or");
     std::string word;
-    for (double value = 0; words >> value;) {
+    double value = 0;
+    while (value >= 0 && words >> value) {
       words >> word;
       (word == "ulp" ? ulps : absolute) = value;
       if (word == "ulp") words >> word;
-      if (value < 0 || word != "or") break;
+      if (word != "or") break;
     }
-    if (!words.eof() || word != "or" || text.empty())
+    if (!words.eof() || word != "or" || value < 0)
       throw InvalidInput("within: allowed: \"4 ulp\", \"1e-15\" or \"4 ulp or 1e-15\"");
   }
 };
@@ -125,11 +126,14 @@ Cases cases_of(const Exercise& e, const Run& run) {
   return cases;
 }
 
-/// "At alpha = 1/8, j = 3: "
+/// "At alpha = the double above 1/8, n = 3: "
 std::string place(const Exercise& e, std::size_t which) {
   Texts parts;
-  for (std::size_t i = 0; i < e.inputs.size(); ++i)
-    parts.push_back(e.inputs[i] + " = " + e.cases[which][i]);
+  for (std::size_t i = 0; i < e.inputs.size(); ++i) {
+    const std::string& text = e.cases[which][i];
+    const bool is_next = text.starts_with("above ") || text.starts_with("below ");
+    parts.push_back(e.inputs[i] + (is_next ? " = the double " : " = ") + text);
+  }
   return "At " + answers::joined(parts) + ": ";
 }
 

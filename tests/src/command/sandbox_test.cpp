@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Programs of others: each attack ends with a line that says why, and leaves nothing behind.
+#include "command/sandbox.hpp"
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <seccomp.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "answers/errors.hpp"
+#include "catch.hpp"
+#include "command/child.hpp"
+#include "command/embedded.hpp"
+#include "learn/judge.hpp"
+
+namespace {
+
+/// Where all temporary files go, and none may stay.
+const command::TemporaryFolder place("sandbox");
+const bool is_set = ::setenv("TMPDIR", place.path.c_str(), 1) == 0;
+bool is_empty() { return is_set && std::filesystem::is_empty(place.path); }
+
+const learn::Exercise doubled{
+    .source = "x",
+    .id = "x",
+    .title = "x",
+    .chapter = "x",
+    .kind = "code",
+    .prompt = "x",
+    .name = "",
+    .within = "1 ulp",
+    .driver = "double f(double); void call(const double* in, double* out) { *out = f(*in); }",
+    .inputs = {"x"},
+    .cases = {{"1"}, {"3"}},
+    .outputs = {"2*x"},
+    .words = {"f"},
+};
+/// With the headers that attacks need.
+learn::Judgement judged(const std::string& code) {
+  return judge(doubled,
+               "#include <cstdio>\n#include <cstdlib>\n#include <vector>\n#include <fcntl.h>\n"
+               "#include <signal.h>\n#include <sys/socket.h>\n#include <unistd.h>\n" +
+                   code,
+               command::run_code);
+}
+std::string body(const std::string& statements) {
+  return "double f(double x) { " + statements + " return 2 * x; }";
+}
+
+}  // namespace
+
+TEST_CASE("A program is judged by what its function returns, not by what it prints") {
+  CHECK(judged(body("std::puts(\"0x1p+0\");")).mark == learn::Mark::right);
+  CHECK(judged("double f(double x) { return x; }").feedback ==
+        "At x = 1: your f is 1; it should be 2.");
+  CHECK(is_empty());
+}
+
+TEST_CASE("An attack ends with a line that says why, and leaves nothing behind") {
+  const std::string compute = "an exercise may only compute";
+  const auto [code, why] = GENERATE_COPY(table<std::string, std::string>({
+      {body("for (volatile int i = 0;; i = i + 1) {}"), "did not come to an end within 3 s"},
+      {body("for (;;) fork();"), compute},
+      {body("kill(getppid(), SIGKILL);"), compute},
+      {body("open(\"/dev/tty\", O_RDWR);"), compute},
+      {body("socket(AF_INET, SOCK_STREAM, 0);"), compute},
+      {body("execl(\"/bin/true\", \"true\", nullptr);"), compute},
+      {body("for (;;) std::fputs(\"a line of output\\n\", stdout);"), "more than 1 MiB of output"},
+      {"double f(double x) { volatile double y[99] = {x}; return f(x + 1) + y[0]; }",
+       "it crashed: it used memory that is not its own, or called itself without end"},
+      {body("std::vector<double> v(1L << 30, x);"), "more memory than the 512 MiB"},
+      {body("std::abort();"), "At x = 1: it gave up."},
+      {body("throw 3;"), "it gave up: terminate called after throwing an instance of 'int'."},
+      {body("volatile int zero = 0; x = 7 / zero;"), "divided a whole number by zero"},
+      {body("std::puts(\"0x1p+1\"); std::exit(0);"), "it ended the program by itself"},
+      {body("write(3, \"0x1p+1\\n\", 7);"), "it wrote results by itself"},
+      {"struct Early { Early() { write(3, \"0x1p+1\\n0x1.8p+2\\n\", 16); _exit(0); } } early;" +
+           body(""),
+       "it wrote results by itself"},
+      {"struct Early { Early() { char t[99]; if (read(0, t, 99) > 0) write(3, t, 9); _exit(0); } };"
+       "Early early;" +
+           body(""),
+       "At x = 1: it ended the program by itself"},
+      {"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"},
+      {"#include \"/dev/zero\"\n" + body(""), "out of memory"},
+      {"int big[1 << 30] = {1};" + body(""), "larger than 64 MiB"},
+      {"template <int a, int b> struct X { static constexpr int v = X<a + 1, b>::v; };"
+       "int x = X<0, 0>::v;" +
+           body(""),
+       "template instantiation depth exceeds"},
+      {"constexpr long slow() { long s = 0; for (long i = 0; i < 1L << 40; ++i) s += i; return s; }"
+       "static_assert(slow() > 0);" +
+           body(""),
+       "Not compiled: "},
+      {"int main() {}" + body(""), "multiple definition of `main'"},
+      {"", "undefined reference to `f(double)'"},
+  }));
+  INFO(code);
+  const learn::Judgement said = judged(code);
+  CHECK(said.mark ==
+        (said.feedback.starts_with("Not compiled: ") ? learn::Mark::unread : learn::Mark::wrong));
+  CHECK_THAT(said.feedback, ContainsSubstring(why));
+  CHECK(said.feedback.find('\n') == std::string::npos);
+  CHECK(said.feedback.find("magicmass-") == std::string::npos);
+  CHECK(is_empty());
+}
+
+TEST_CASE("Whoever ends this program ends all that it started") {
+  const command::TemporaryFolder folder("fifo");
+  const std::string fifo = folder.path + "/fifo";
+  REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    command::end_of({"sh", "-c", "exec 9>" + fifo + "; sleep 100 & sleep 100"});
+    ::_exit(0);
+  }
+  pollfd all_of_them{::open(fifo.c_str(), O_RDONLY), 0, 0};  // waits for sh
+  CHECK(::poll(&all_of_them, 1, 300) == 0);
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  CHECK(::poll(&all_of_them, 1, 5000) == 1);
+  CHECK(all_of_them.revents == POLLHUP);
+  ::close(all_of_them.fd);
+}
+
+TEST_CASE("Where the system has no filter, nothing is run") {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
+    seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(seccomp), 0);
+    const scmp_arg_cmp set{0, SCMP_CMP_EQ, PR_SET_SECCOMP, 0};
+    seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1, &set);
+    if (seccomp_load(filter) != 0) ::_exit(2);
+    try {
+      command::run_code(doubled, "double f(double x) { return x; }", {{1}});
+    } catch (const answers::Undecided&) {
+      ::_exit(7);
+    }
+    ::_exit(3);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WEXITSTATUS(status) == 7);
+}
+
+TEST_CASE("Each exercise in code is sound") {
+  int count = 0;
+  for (const auto& [name, text] : command::all_embedded()) {
+    if (text.find("\nkind = \"code\"") == text.npos) continue;
+    INFO(name);
+    CHECK(learn::faults(learn::read_exercise(text, name), command::run_code) == learn::Texts{});
+    ++count;
+  }
+  CHECK(count >= 8);
+}
