@@ -57,10 +57,7 @@ struct Streams {
 };
 
 void limit(__rlimit_resource resource, rlim_t value) {
-  rlimit limits{};
-  ::getrlimit(resource, &limits);
-  limits.rlim_max = std::min(value, limits.rlim_max);
-  limits.rlim_cur = std::min(value, limits.rlim_max);
+  const rlimit limits{value, value};
   ::setrlimit(resource, &limits);
 }
 
@@ -73,18 +70,22 @@ void limit(__rlimit_resource resource, rlim_t value) {
   ::dup2(streams.results.descriptor, results_descriptor);
   ::close_range(results_descriptor + 1, ~0U, CLOSE_RANGE_CLOEXEC);
   for (const int ours : {SIGPIPE, SIGXFSZ, SIGALRM, SIGTERM}) std::signal(ours, SIG_DFL);
+  rlimit memory{};
+  ::getrlimit(RLIMIT_AS, &memory);
   if (bounds.seconds > 0) {
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_CPU, bounds.seconds);
-    limit(RLIMIT_AS, bounds.bytes);
+    limit(RLIMIT_CPU, bounds.seconds + 1);  // should the watcher be gone
     limit(RLIMIT_STACK, rlim_t{8} << 20U);
     limit(RLIMIT_FSIZE, bounds.file_bytes);
+    memory.rlim_cur = memory.rlim_max = std::min(bounds.bytes, memory.rlim_max);
   }
   const bool is_there = bounds.folder.empty() || ::chdir(bounds.folder.c_str()) == 0;
-  if (is_there && (!bounds.confine || bounds.confine(words[0])))
-    ::execvp(words[0], words.data());
-  else [[maybe_unused]]
-    const ssize_t ignored = ::write(streams.refused.descriptor, "x", 1);
+  if (!is_there || (bounds.confine && !bounds.confine(words[0], &memory))) {
+    [[maybe_unused]] const ssize_t ignored = ::write(streams.refused.descriptor, "x", 1);
+    ::_exit(not_there);
+  }
+  // From here on nothing asks for memory: AddressSanitizer has none within such a limit.
+  if (::setrlimit(RLIMIT_AS, &memory) == 0) ::execvp(words[0], words.data());
   ::_exit(not_there);
 }
 
@@ -126,7 +127,7 @@ End end_of(std::vector<std::string> words, const std::string& input, const Bound
   ::kill(-watcher, SIGKILL);  // whom it left behind
   int status = 0;
   ::waitpid(watcher, &status, 0);
-  const bool is_late = !WIFEXITED(status) || WEXITSTATUS(status) == of_signal + SIGXCPU;
+  const bool is_late = !WIFEXITED(status);
   return {streams.refused.read().empty(),
           is_late,
           is_late ? -1 : WEXITSTATUS(status),

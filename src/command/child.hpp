@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <sys/resource.h>
+
 namespace command {
 
 constexpr int results_descriptor = 3;  // of the other program
@@ -15,12 +17,13 @@ constexpr int of_signal = 128;         // and this, with the signal added
 
 /// What another program may take; without seconds there are no bounds.
 struct Bounds {
-  unsigned seconds = 0;        ///< on the clock, and of the processor
-  std::size_t bytes = 0;       ///< of memory
-  std::size_t file_bytes = 0;  ///< in each file, output too
-  std::string folder = {};     ///< where it runs; "": here
-  /// Called last, in the process that becomes the program `word`; where it says false, none runs.
-  std::function<bool(const char* word)> confine = {};
+  unsigned seconds = 0;     ///< on the clock
+  rlim_t bytes = 0;         ///< of memory
+  rlim_t file_bytes = 0;    ///< in each file, output too
+  std::string folder = {};  ///< where it runs; "": here
+  /// Called in the process that then sets this limit and becomes the program `word`, and does
+  /// nothing else; where it says false, none runs.
+  std::function<bool(const char* word, const rlimit* memory)> confine = {};
 };
 struct End {
   bool was_confined;  ///< false: it was not run

@@ -104,8 +104,9 @@ std::string hex(double value) {
 
 /// From now on the system ends this process (SIGSYS) with whatever a statically linked program that
 /// computes does not ask for: it opens no file, starts no process, signals none, sees no network.
-/// It may become `program`, by this very pointer. False where the system has no such filter.
-bool compute_only(const char* program) {
+/// It may set the limit `memory` and become `program`, by these very pointers. False where the system
+/// has no such filter.
+bool compute_only(const char* program, const rlimit* memory) {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
   bool is_good = filter != nullptr;
   const auto rule = [&](const std::string& call, std::vector<scmp_arg_cmp> where = {},
@@ -125,13 +126,12 @@ bool compute_only(const char* program) {
   rule("read", {is(0, STDIN_FILENO)});
   for (const char* call : {"write", "writev"})
     rule(call, {{0, SCMP_CMP_LE, results_descriptor, 0}});
-  rule("prlimit64", {is(0, 0), is(2, 0)});             // asks, sets nothing
+  rule("prlimit64", {is(0, 0), is(2, 0)});  // asks, sets nothing
+  rule("prlimit64", {is(0, 0), is(1, RLIMIT_AS), is(2, std::uint64_t(memory))});
   rule("tgkill", {is(0, std::uint64_t(::getpid()))});  // abort()
   for (const char* call : {"readlink", "readlinkat"}) rule(call, {}, SCMP_ACT_ERRNO(ENOENT));
   rule("execve", {is(0, std::uint64_t(program))});
-  is_good = is_good && seccomp_load(filter) == 0;
-  seccomp_release(filter);
-  return is_good;
+  return is_good && seccomp_load(filter) == 0;  // it goes with this process
 }
 
 learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,

@@ -130,6 +130,12 @@ TEST_CASE("Whoever ends this program ends all that it started") {
   ::close(all_of_them.fd);
 }
 
+TEST_CASE("A program has its time") {
+  const rlim_t much = rlim_t{1} << 30U;
+  CHECK(command::end_of({"sleep", "9"}, "", {1, much, much}).is_late);
+  CHECK(command::end_of({"sh", "-c", "exit 3"}).code == 3);
+}
+
 TEST_CASE("Where the system has no filter, nothing is run") {
   const pid_t child = ::fork();
   if (child == 0) {
