@@ -104,8 +104,8 @@ std::string hex(double value) {
 
 /// From now on the system ends this process (SIGSYS) with whatever a statically linked program that
 /// computes does not ask for: it opens no file, starts no process, signals none, sees no network.
-/// It may set the limit `memory` and become `program`, by these very pointers. False where the system
-/// has no such filter.
+/// It may set the limit `memory` and become `program`, by these very pointers. False where the
+/// system has no such filter.
 bool compute_only(const char* program, const rlimit* memory) {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
   bool is_good = filter != nullptr;
