@@ -59,7 +59,7 @@ std::string why_stopped(const End& end) {
     case SIGXFSZ:
       return "it wrote more than 1 MiB of output";
     case SIGSYS:
-      return "it tried to use a file, another process, a clock or the network; an exercise may "
+      return "it tried to use a file, another process or thread, or the network; an exercise may "
              "only compute";
     case SIGSEGV:
     case SIGBUS:

@@ -132,7 +132,7 @@ struct Reader {
       need(e.words.size() == e.outputs.size(), "words: one text for each of the outputs");
       for (const Texts& one : e.cases)
         need(one.size() == e.inputs.size(), "cases: one text for each of the inputs");
-      need(!e.cases.empty(), "cases: at least one");
+      need(!e.cases.empty() && e.cases.size() <= 100, "cases: 1 to 100");
       return;
     }
     need(!e.answer.empty() || !e.answer_from.empty() || !e.when.empty(),

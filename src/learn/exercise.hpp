@@ -41,10 +41,10 @@ struct Exercise {
   std::string driver = {};         ///< call(), which calls the student's function
   std::string solution_code = {};  ///< the answer
   Texts inputs = {};               ///< names of call()'s inputs
-  std::vector<Texts> cases = {};   ///< of each input; "above x" is the double after x
-  Texts outputs =
-      {};            ///< what call() should give: expressions with inputs, columns of what was run
-                     ///< with {alpha} and so on, steps of the derivation; "" is the solution's
+  std::vector<Texts> cases = {};   ///< an input each: "1/7" is a double, "above 1/7" the next
+  /// What call() should give: expressions in the inputs and the columns of what was run (with
+  /// {alpha} for an input), steps of the derivation, or "solution_code": what that gives.
+  Texts outputs = {};
   Texts words = {};  ///< for each output: "velocity of A"
   Texts hints = {};
   std::string solution = {};  ///< what is worth saying afterwards

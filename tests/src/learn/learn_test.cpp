@@ -253,8 +253,9 @@ TEST_CASE("Right results come from a command, a step or the solution") {
   const double right = 2 * std::atan(std::sqrt(0.125 * 2.125));
   CHECK(mark(psi, "", {right, right}) == learn::Mark::right);
   CHECK(mark(psi, "", {1, right}) == learn::Mark::wrong);
-  const std::string own = "outputs = [\"solution_code\", \"solution_code\"]";
-  CHECK(mark(own, "", {5, 6}) == learn::Mark::right);
+  const std::string own = "outputs = [\"n\", \"solution_code\"]";
+  CHECK(mark(own, "", {2, 6}) == learn::Mark::right);
+  CHECK(mark(own, "", {3, 6}) == learn::Mark::wrong);
 }
 
 TEST_CASE("What is spoilt in an exercise in code is a fault of it, or refused by line") {
@@ -269,6 +270,10 @@ TEST_CASE("What is spoilt in an exercise in code is a fault of it, or refused by
   CHECK_THAT(fault("\"2*x\"", "\"3*x\""), ContainsSubstring("its own answer is judged wrong"));
   CHECK_THAT(fault("\"2*x\"", "\"log(n - 9)\""), ContainsSubstring("log(n - 9): "));
   CHECK_THAT(fault("\"2*x\"", "\"z\""), ContainsSubstring("z: "));
+  Exercise own = code_exercise("\"2*x\"", "\"solution_code\"");
+  CHECK(learn::faults(own, fake).empty());
+  own.solution_code = "nan";
+  CHECK_THAT(learn::faults(own, fake)[0], ContainsSubstring("solution_code gives no result"));
   for (const char* wrong : {"", "ulp", "2 ulps", "2 ulp or", "-1", "2 ulp 3"})
     CHECK_THAT(fault("2 ulp or 1e-300", wrong), ContainsSubstring("within: allowed"));
   const auto refused = [](const std::string& from, const std::string& to) {
@@ -278,6 +283,12 @@ TEST_CASE("What is spoilt in an exercise in code is a fault of it, or refused by
   CHECK_THAT(refused("[\"1/8\", \"0\"]", "[\"1/8\"]"), ContainsSubstring("cases: one text"));
   CHECK_THAT(refused("[[\"1/8\"", "[\"1\", [\"1/8\""),
              ContainsSubstring("x.toml:10: cases: texts"));
+  std::string many;
+  for (int i = 0; i < 100; ++i) many += "[\"1\", \"1\"], ";
+  CHECK_THAT(refused("cases = [", "cases = [" + many), ContainsSubstring("cases: 1 to 100"));
+  many = "";
+  for (int i = 0; i < 15; ++i) many += "\"n\", ";
+  CHECK_THAT(refused("inputs = [", "inputs = [" + many), ContainsSubstring("at most 16"));
   CHECK_THAT(refused("[[\"2 x\", ", "[[\"3 x\", "), ContainsSubstring("replace: what is in"));
   CHECK_THAT(refused("[[\"2 x\", \"x/2\"]]", "[[\"2 x\"]]"), ContainsSubstring("got 2 x"));
   CHECK_THAT(refused("within = \"2 ulp or 1e-300\"\n", ""), ContainsSubstring("within is missing"));
