@@ -40,7 +40,7 @@ TEST_CASE("Every figure has a name of its own, and full rows") {
     CHECK(table.rows.size() >= 3);
     for (const Row& row : table.rows) REQUIRE(row.size() == table.columns.size());
   }
-  CHECK(names.size() == 8);
+  CHECK(names.size() == 10);
 }
 
 TEST_CASE("Less is transmitted where more energy is lost, nothing shown where it never ends") {
@@ -60,6 +60,27 @@ TEST_CASE("Less is transmitted where more energy is lost, nothing shown where it
   }
   CHECK(of_collapses > 0);
   CHECK(of_ones == 10);  // alpha_1 to alpha_10
+}
+
+TEST_CASE("Velocities keep the energy; the block turns before the wall and leaves as fast") {
+  for (const Row& row : named("velocities").data().rows) {
+    const double a = number(row, 1), b = number(row, 2), ball = number(row, 4);
+    CHECK_THAT(a * a + b * b + ball * ball / 1000, WithinAbs(1, 1e-14));
+  }
+  const Table way = named("way").data();
+  double last = 0, nearest = 0;
+  for (const Row& row : way.rows) {
+    nearest = std::max(nearest, number(row, 1));
+    CHECK(number(row, 1) <= number(row, 2));
+    if (number(row, 0) <= 1) CHECK(number(row, 1) >= last);
+    last = number(row, 1);
+  }
+  CHECK(nearest < 1);
+  const auto speed = [&](std::size_t i) {
+    return (number(way.rows[i + 1], 1) - number(way.rows[i], 1)) /
+           (number(way.rows[i + 1], 0) - number(way.rows[i], 0));
+  };
+  CHECK_THAT(speed(way.rows.size() - 2), WithinAbs(-1, 0.03));
 }
 
 TEST_CASE("Two bodies meet at each collision of the trajectories; B takes all in panel a") {
