@@ -140,7 +140,10 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
                             const learn::Rows& inputs) {
   const TemporaryFolder folder("learn");
   std::ofstream(folder.path + "/answer.cpp") << code;
-  std::ofstream(folder.path + "/driver.cpp") << embedded("exercise_driver.hpp") << e.driver;
+  for (const auto& [name, text] : all_embedded())
+    if (name.ends_with(".hpp"))
+      std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
+  std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n" << e.driver;
   const End compiled = end_of(
       {"env", "LC_ALL=C", "TMPDIR=" + folder.path, "c++", "-std=c++20", "-O1", "-ffp-contract=off",
        "-w", "-fmax-errors=2", "-static", "-o", "program", "driver.cpp", "answer.cpp"},
