@@ -28,7 +28,8 @@ std::vector<Exercise> exercises(const std::string& place) {
   std::map<std::string, std::string> texts;
   if (place.empty()) {
     for (const auto& [name, text] : all_embedded())
-      if (name.find("/exercises/") != name.npos) texts.emplace(name, text);
+      if (name.find("/exercises/") != name.npos && name.ends_with(".toml"))
+        texts.emplace(name, text);
   } else if (std::filesystem::is_directory(place)) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
       if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")

@@ -44,6 +44,7 @@ Chapter read_chapter(const fs::path& folder) {
                   fs::exists(folder / "session.txt") ? read(folder / "session.txt") : "",
                   {}};
   for (const fs::path& file : files_in(folder / "exercises")) {
+    if (file.extension() != ".toml") continue;
     const learn::Exercise e = learn::read_exercise(read(file), file);
     chapter.exercises.push_back({e.id, e.title, e.prompt});
   }

@@ -27,7 +27,8 @@ const std::map<std::string, Exercise>& exercises() {
   static const std::map<std::string, Exercise> all = [] {
     std::map<std::string, Exercise> found;
     for (const auto& file : std::filesystem::recursive_directory_iterator(source + "/tutorials"))
-      if (file.path().parent_path().filename() == "exercises") {
+      if (file.path().parent_path().filename() == "exercises" &&
+          file.path().extension() == ".toml") {
         const Exercise e = learn::read_exercise(text_of(file.path()), file.path());
         found.emplace(e.id, e);
       }

@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-// One operation. `does` is 'a' for alpha, 'n' for n, '=' for the constant `value`; '+', '-', '*', '/'
-// of the nodes left and right; 'r' for the root, 's' sine, 'c' cosine, 't' arctangent of left.
-// What is not used is 0.
+// One operation. `does` is 'a' for alpha, 'n' for n, '=' for the constant `value`; '+', '-', '*'
+// and '/' of the nodes left and right; 'r' for the root, 's' sine, 'c' cosine, 't' arctangent of
+// left. What is not used is 0.
 struct Node {
   char does;
   int left, right;
   double value;
 };
 
-// Node 0, node 1, ...: each uses nodes with smaller numbers alone. The outputs are numbers of nodes.
+// Node 0, node 1, ...: each uses nodes with smaller numbers alone. Outputs are numbers of nodes.
 struct Program {
   std::vector<Node> nodes;
   std::vector<int> outputs;
