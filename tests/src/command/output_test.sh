@@ -123,7 +123,7 @@ for signal in INT KILL none; do
   "$program" other --time-limit $([[ $signal == none ]] && echo 1 || echo 60) 2>../errors &
   set +m
   until [[ -e $(echo magicmass-*/file) ]]; do sleep 0.01; done
-  sleeper=$(pgrep -f 'sleep 60' -P "$(pgrep -P $!)")
+  sleeper=$(pgrep -f 'sleep 60' -P "$(pgrep -d, -P "$(pgrep -P $!)")") # its watcher's child
   if [[ $signal == none ]]; then
     status=0
     wait $! || status=$?
