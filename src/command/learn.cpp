@@ -90,8 +90,9 @@ Answer show(const Request& request) {
   if (!e.form.empty()) text += "Form: " + e.form + "\n";
   if (e.kind == "code")
     return document(request, e,
-                    text + "\nBegin with this in a file, answer.cpp:\n\n" + e.starter +
-                        "\n\nTry: magicmass learn check " + e.id + " --file answer.cpp");
+                    text + "\nBegin with this in a file, answer.cpp, for c++ -std=c++20:\n\n" +
+                        e.starter + "\n\nTry: magicmass learn check " + e.id +
+                        " --file answer.cpp");
   return document(request, e, text + "\nTry: magicmass learn check " + e.id + " \"...\"");
 }
 

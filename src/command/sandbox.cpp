@@ -83,7 +83,7 @@ learn::Ran read_results(const End& end, const std::string& seal) {
   bool is_complete = false;
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with(seal + " ") || is_complete) {
-      ran.stopped = "it wrote results by itself, past the function that is asked for";
+      ran.stopped = "it wrote to descriptor 3 by itself; what the function returns is its result";
       return ran;
     }
     is_complete = line == seal + " end";
@@ -92,7 +92,8 @@ learn::Ran read_results(const End& end, const std::string& seal) {
     learn::Numbers& row = ran.rows.emplace_back();
     for (std::string word; words >> word;) row.push_back(std::strtod(word.c_str(), nullptr));
   }
-  if (ran.stopped.empty() && !is_complete) ran.stopped = "it ended the program by itself";
+  if (ran.stopped.empty() && !is_complete)
+    ran.stopped = "it ended the program before the last case was done";
   return ran;
 }
 

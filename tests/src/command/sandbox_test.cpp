@@ -79,15 +79,15 @@ TEST_CASE("An attack ends with a line that says why, and leaves nothing behind")
       {body("std::abort();"), "At x = 1: it gave up."},
       {body("throw 3;"), "it gave up: terminate called after throwing an instance of 'int'."},
       {body("volatile int zero = 0; x = 7 / zero;"), "divided a whole number by zero"},
-      {body("std::puts(\"0x1p+1\"); std::exit(0);"), "it ended the program by itself"},
-      {body("write(3, \"0x1p+1\\n\", 7);"), "it wrote results by itself"},
+      {body("std::puts(\"0x1p+1\"); std::exit(0);"), "it ended the program before the last case"},
+      {body("write(3, \"0x1p+1\\n\", 7);"), "it wrote to descriptor 3 by itself"},
       {"struct Early { Early() { write(3, \"0x1p+1\\n0x1.8p+2\\n\", 16); _exit(0); } } early;" +
            body(""),
-       "it wrote results by itself"},
+       "it wrote to descriptor 3 by itself"},
       {"struct Early { Early() { char t[99]; if (read(0, t, 99) > 0) write(3, t, 9); _exit(0); } };"
        "Early early;" +
            body(""),
-       "At x = 1: it ended the program by itself"},
+       "At x = 1: it ended the program before the last case"},
       {"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"},
       {"#include \"/dev/zero\"\n" + body(""), "out of memory"},
       {"int big[1 << 30] = {1};" + body(""), "larger than 64 MiB"},
