@@ -53,9 +53,15 @@ const std::map<std::string, Member>& members() {
   return table;
 }
 
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
 /// Reads keys of one file, and says where something is wrong.
 struct Reader {
   std::string source;
+  Pairs variant = {};  // that fills the texts
 
   [[noreturn]] void refuse(const toml::node& at, const std::string& what) const {
     throw InvalidInput(source + ":" + std::to_string(at.source().begin.line) + ": " + what);
@@ -64,6 +70,7 @@ struct Reader {
     if (!node.is_string()) refuse(node, key + ": a text is expected, in quotation marks");
     to = node.as_string()->get();
     while (to.ends_with('\n')) to.pop_back();
+    for (const auto& [name, value] : variant) replace_all(to, "{" + name + "}", value);
   }
   void read(const std::string& key, const toml::node& node, Texts& to) const {
     if (!node.is_array()) refuse(node, key + ": texts are expected, [\"...\", \"...\"]");
@@ -76,6 +83,20 @@ struct Reader {
   void read(const std::string& key, const toml::node& node, Pairs& to) const {
     if (!node.is_table()) refuse(node, key + ": names and texts are expected, { V = \"1\" }");
     for (const auto& [name, one] : *node.as_table()) read(key, one, to[std::string(name.str())]);
+  }
+  /// Each has the same names, and each name is in a text.
+  std::vector<Pairs> variants(const toml::node& node, std::string_view text) const {
+    if (!node.is_array() || node.as_array()->empty())
+      refuse(node, "variants: at least one is expected, [{ alpha = \"1/7\" }, ...]");
+    std::vector<Pairs> all;
+    for (const toml::node& one : *node.as_array()) {
+      read("variants", one, all.emplace_back());
+      for (const auto& [name, value] : all.back())
+        if (!all[0].contains(name) || text.find("{" + name + "}") == text.npos)
+          refuse(one, "variants: {" + name + "} is not in each variant and in a text");
+      if (all.back().size() != all[0].size()) refuse(one, "variants: a name is missing");
+    }
+    return all;
   }
   void misconceptions(const toml::node& node, Exercise& to) const {
     if (!node.is_array_of_tables()) refuse(node, "misconceptions: [[misconceptions]] is expected");
@@ -102,14 +123,12 @@ struct Reader {
       if (edit.size() != 2 || edit[0].empty() || code.find(edit[0]) == code.npos)
         refuse(*file.get("misconceptions"), "replace: what is in solution_code, and by what, got " +
                                                 answers::shown_text(answers::joined(edit), 80));
-      for (std::size_t at = code.find(edit[0]); at != code.npos;
-           at = code.find(edit[0], at + edit[1].size()))
-        code.replace(at, edit[0].size(), edit[1]);
+      replace_all(code, edit[0], edit[1]);
     }
     return code;
   }
   [[noreturn]] void refuse_key(const std::string& key, const toml::node& at) const {
-    Texts names{"misconceptions"};
+    Texts names{"misconceptions", "variants"};
     for (const auto& [name, member] : members()) names.push_back(name);
     const std::string nearest = magicmass::scenes::nearest_name(key, names);
     refuse(at, "no such key: " + answers::shown_text(key, 40) +
@@ -122,9 +141,13 @@ struct Reader {
     };
     for (const char* key : {"id", "title", "chapter", "kind", "prompt"})
       need(file.contains(key), std::string(key) + " is missing");
+    need(e.id.find_first_not_of(
+             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == e.id.npos,
+         "id: allowed: letters, digits and _, since answers are in files of that name");
     need(e.kind == "symbolic" || e.kind == "predict" || e.kind == "derivation" || e.kind == "code",
          "kind: allowed: symbolic, predict, derivation, code");
     if (e.kind == "code") {
+      need(e.variants.empty(), "variants: not of code, which has cases");
       for (const char* key :
            {"starter", "driver", "solution_code", "inputs", "cases", "outputs", "words", "within"})
         need(file.contains(key), std::string(key) + " is missing");
@@ -147,14 +170,19 @@ struct Reader {
 
 }  // namespace
 
-Exercise read_exercise(std::string_view text, const std::string& source) {
+Exercise read_exercise(std::string_view text, const std::string& source, std::size_t variant) {
   const toml::table file = magicmass::scenes::table_of(
       text, source, "an exercise in TOML, lines like kind = \"symbolic\"");
-  const Reader reader{source};
+  Reader reader{source};
   Exercise e;
   e.source = source;
+  if (const toml::node* node = file.get("variants")) {
+    e.variants = reader.variants(*node, text);
+    reader.variant = e.variants[variant % e.variants.size()];
+  }
   for (const auto& [name, node] : file) {
     const std::string key(name.str());
+    if (key == "variants") continue;
     if (key == "misconceptions") {
       reader.misconceptions(node, e);
       continue;

@@ -49,9 +49,11 @@ struct Exercise {
   Texts hints = {};
   std::string solution = {};  ///< what is worth saying afterwards
   std::vector<Misconception> misconceptions = {};
+  std::vector<std::map<std::string, std::string>> variants = {};  ///< of what {name} is in texts
 };
 
-/// Throws answers::InvalidInput, "FILE:LINE: ...", for what is no exercise.
-Exercise read_exercise(std::string_view text, const std::string& source);
+/// The variant of this number, counted round and round, fills {name} in all texts. Throws
+/// answers::InvalidInput, "FILE:LINE: ...", for what is no exercise.
+Exercise read_exercise(std::string_view text, const std::string& source, std::size_t variant = 0);
 
 }  // namespace learn

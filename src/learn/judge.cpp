@@ -43,10 +43,13 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
   const std::string text = e.kind == "code" ? typed : plain(typed);
   if (text.empty()) return {Mark::unread, "The answer is empty."};
   try {
-    return e.kind == "code"       ? judge_code(e, text, run)
-           : e.kind == "symbolic" ? judge_symbolic(e, text)
-           : e.kind == "predict"  ? judge_prediction(e, text)
-                                  : judge_derivation(e, text);
+    Judgement said = e.kind == "code"       ? judge_code(e, text, run)
+                     : e.kind == "symbolic" ? judge_symbolic(e, text)
+                     : e.kind == "predict"  ? judge_prediction(e, text)
+                                            : judge_derivation(e, text);
+    for (const Misconception& one : e.misconceptions)
+      if (said.feedback == one.feedback) said.misconception = one.name;
+    return said;
   } catch (const kernel::Refused& r) {
     const std::string why = answers::shown_text(r.what(), 300);
     return {Mark::unread,

@@ -13,7 +13,8 @@ const char* word(Mark mark);
 struct Judgement {
   Mark mark = Mark::undecided;
   std::string feedback;
-  Texts notes = {};  ///< how it was read, and where it has no value
+  Texts notes = {};                ///< how it was read, and where it has no value
+  std::string misconception = {};  ///< the name of the one that it shows
 };
 /// What is said to one answer; of kind code it is a program, which `run` runs.
 Judgement judge(const Exercise& exercise, const std::string& typed, const Run& run = {});
