@@ -34,7 +34,7 @@ struct Answer {
   std::string document;       ///< instead of the table where it is not empty
   bool check_failed = false;  ///< not proved, stale: exit code 1
   bool is_undecided = false;  ///< exit code 3, with what is known
-  /// Instead of both: hands on what is printed, piece by piece.
+  /// Instead of both: hands on what is printed, piece by piece; an empty one has it seen at once.
   std::function<void(const std::function<void(std::string_view)>&)> stream = {};
 };
 

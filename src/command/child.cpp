@@ -79,6 +79,10 @@ void limit(__rlimit_resource resource, rlim_t value) {
     limit(RLIMIT_FSIZE, bounds.file_bytes);
     memory.rlim_cur = memory.rlim_max = std::min(bounds.bytes, memory.rlim_max);
   }
+  if (bounds.instead) {
+    streams.output.write(bounds.instead());
+    ::_exit(0);
+  }
   const bool is_there = bounds.folder.empty() || ::chdir(bounds.folder.c_str()) == 0;
   if (!is_there || (bounds.confine && !bounds.confine(words[0], &memory))) {
     [[maybe_unused]] const ssize_t ignored = ::write(streams.refused.descriptor, "x", 1);
@@ -158,6 +162,7 @@ TemporaryFolder::TemporaryFolder(const std::string& name) {
   }
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(signal, SIG_IGN);
   ::prctl(PR_SET_PDEATHSIG, 0);
+  ::setsid();  // what ends a group of processes does not end this one
   ::close(alive_);
   char nothing = 0;
   while (::read(pipe[0], &nothing, 1) < 0 && errno == EINTR) {

@@ -24,6 +24,8 @@ struct Bounds {
   /// Called in the process that then sets this limit and becomes the program `word`, and does
   /// nothing else; where it says false, none runs.
   std::function<bool(const char* word, const rlimit* memory)> confine = {};
+  /// Instead of a program, with the memory of this one; what it returns is the output.
+  std::function<std::string()> instead = {};
 };
 struct End {
   bool was_confined;  ///< false: it was not run

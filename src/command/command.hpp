@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct Command {
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
   /// The same answers for many rows of --input; those without one are handed to `run`.
   std::function<answers::Block(const answers::Rows&)> run_block = {};
-  bool takes_formulas = false;  ///< its words may begin with a minus sign
+  bool takes_formulas = false;                          ///< its words may begin with a minus sign
+  std::map<std::string, std::int64_t> seconds_of = {};  ///< by its first word, instead of `seconds`
 };
 
 /// The program: all that differs between magicmass and a test's.

@@ -178,8 +178,13 @@ Program magicmass() {
                {{"file", "FILE", "check: the answer is in it, - for stdin"},
                 {"folder", "FOLDER", "exercises of a folder instead of the program's"},
                 {"reveal", "", "check: the answer, too"},
-                {"kind", "KIND", "new: code, for an exercise in C++", {"code"}}},
-               "list, show ID, check ID ANSWER, hint ID [N], solution ID, new FILE or test [FILE]",
+                {"kind", "KIND", "new: code, for an exercise in C++", {"code"}},
+                {"seed", "N", "other numbers in exercises that have variants"},
+                {"only", "LIST", "grade: these exercises, such as half_angle,axis"},
+                {"why", "", "grade: what is said to each answer"},
+                {"summary", "", "grade: how many students had which misconception"}},
+               "list, show ID, check ID ANSWER, hint ID [N], solution ID, watch [FOLDER], grade "
+               "CLASS, new FILE or test [FILE]",
                {"text", "json", "csv"},
                {},
                learn_by_exercises,
@@ -187,7 +192,8 @@ Program magicmass() {
                1024,
                {},
                {},
-               true},
+               true,
+               {{"grade", 3600}, {"watch", 1'000'000'000}}},
           },
   };
 }

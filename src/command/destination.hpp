@@ -26,6 +26,8 @@ public:
 
   /// Throws ClosedPipe, too.
   void write(std::string_view text);
+  /// What was written goes on its way.
+  void flush();
   /// Last call: what was written is there, under its name.
   void finish();
 
@@ -38,7 +40,6 @@ private:
   std::function<void()> before_writing_;
 
   void open_atomic();
-  void flush();
   [[noreturn]] void refuse(int error) const;
 };
 

@@ -7,9 +7,12 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
+#include "command/answer_file.hpp"
+#include "command/attempts.hpp"
 #include "command/embedded.hpp"
+#include "command/grade.hpp"
 #include "command/sandbox.hpp"
-#include "learn/judge.hpp"
+#include "command/watch.hpp"
 #include "magicmass/scenes/keys.hpp"
 
 namespace command {
@@ -24,7 +27,7 @@ using learn::Exercise;
 const std::string allowed_file = "a file of text";
 
 /// The program's exercises, or those of a folder or file, chapter by chapter.
-std::vector<Exercise> exercises(const std::string& place) {
+std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
   std::map<std::string, std::string> texts;
   if (place.empty()) {
     for (const auto& [name, text] : all_embedded())
@@ -40,7 +43,7 @@ std::vector<Exercise> exercises(const std::string& place) {
   std::vector<Exercise> all;
   std::map<std::string, std::string> sources;
   for (const auto& [source, text] : texts) {
-    all.push_back(learn::read_exercise(text, source));
+    all.push_back(learn::read_exercise(text, source, variant));
     const auto [first, is_new] = sources.emplace(all.back().id, source);
     if (!is_new) throw InvalidInput(source + ": the id of " + first->second + " once more");
   }
@@ -48,16 +51,14 @@ std::vector<Exercise> exercises(const std::string& place) {
   return all;
 }
 
+std::vector<Exercise> exercises(const Request& request) {
+  const std::int64_t seed = request.whole("seed", 0, 1'000'000'000).value_or(0);
+  return exercises(request.text("folder"), static_cast<std::size_t>(seed));
+}
+
 Exercise exercise(const Request& request) {
   if (request.words.size() < 2) throw InvalidInput("learn " + request.words[0] + ": give an ID");
-  std::vector<std::string> names;
-  for (Exercise& e : exercises(request.text("folder"))) {
-    if (e.id == request.words[1]) return e;
-    names.push_back(e.id);
-  }
-  const std::string nearest = magicmass::scenes::nearest_name(request.words[1], names);
-  throw InvalidInput("learn: no exercise " + answers::shown_text(request.words[1]) +
-                     (nearest.empty() ? "; see learn list" : "; is " + nearest + " meant?"));
+  return named(exercises(request), request.words[1]);
 }
 
 /// A text as it is, or in a table where another format is asked for.
@@ -71,10 +72,16 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
 
 Answer list(const Request& request) {
   Answer answer;
-  answer.table.columns = answers::named_columns({"id", "kind", "title", "chapter"});
-  for (const Exercise& e : exercises(request.text("folder")))
-    answer.table.rows.push_back(
-        {text_cell(e.id), text_cell(e.kind), text_cell(e.title), text_cell(e.chapter)});
+  answer.table.columns = answers::named_columns({"id", "kind", "done", "title", "chapter"});
+  const std::map<std::string, Attempts> before = attempts();
+  for (const Exercise& e : exercises(request)) {
+    const auto found = before.find(e.id);
+    answer.table.rows.push_back({text_cell(e.id), text_cell(e.kind),
+                                 found == before.end()
+                                     ? answers::missing_cell()
+                                     : text_cell(found->second.is_right ? "right" : "tried"),
+                                 text_cell(e.title), text_cell(e.chapter)});
+  }
   if (request.format != "text") return answer;
   answer.table.columns.pop_back();  // so that it fits on a screen
   for (answers::Row& row : answer.table.rows) row.pop_back();
@@ -93,7 +100,10 @@ Answer show(const Request& request) {
                     text + "\nBegin with this in a file, answer.cpp, for c++ -std=c++20:\n\n" +
                         e.starter + "\n\nTry: magicmass learn check " + e.id +
                         " --file answer.cpp");
-  return document(request, e, text + "\nTry: magicmass learn check " + e.id + " \"...\"");
+  return document(
+      request, e,
+      text + "\nTry: magicmass learn check " + e.id + " \"...\"" +
+          (e.variants.empty() || !request.has("seed") ? "" : " --seed " + request.text("seed")));
 }
 
 Answer check(const Request& request) {
@@ -103,19 +113,16 @@ Answer check(const Request& request) {
     throw InvalidInput(
         "learn check: give an ID and one answer, in quotation marks, or --file FILE");
   const std::string file = request.text("file") == "-" ? "/dev/stdin" : request.text("file");
-  const learn::Judgement said = judge(
-      e, is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2], run_code);
-  std::vector<std::string> notes;
-  for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
+  const std::string text =
+      is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2];
+  learn::Judgement said = judge(e, text, run_code);
+  remember(e, text, said);
   Answer answer;
-  answer.table.columns = answers::named_columns({"id", "verdict", "feedback", "notes"});
-  answer.table.rows = {{text_cell(e.id), text_cell(word(said.mark)), text_cell(said.feedback),
-                        notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}};
+  answer.table = told(e, said);
   if (request.has("reveal")) {
     answer.table.columns.push_back(answers::named_columns({"answer"})[0]);
     answer.table.rows[0].push_back(text_cell(own_answer(e)));
   }
-  answer.table.is_list = false;
   answer.is_undecided = said.mark == learn::Mark::undecided;
   answer.check_failed = said.mark != learn::Mark::right && !answer.is_undecided;
   return answer;
@@ -125,7 +132,10 @@ Answer hint(const Request& request) {
   const Exercise e = exercise(request);
   const std::string which = request.words.size() > 2 ? request.words[2] : "1";
   for (std::size_t i = 0; i < e.hints.size(); ++i)
-    if (which == std::to_string(i + 1)) return document(request, e, e.hints[i]);
+    if (which == std::to_string(i + 1)) {
+      remember_hint(e, i + 1);
+      return document(request, e, e.hints[i]);
+    }
   throw InvalidInput("learn hint: " + e.id + " has hints 1 to " + std::to_string(e.hints.size()));
 }
 
@@ -133,6 +143,19 @@ Answer solution(const Request& request) {
   const Exercise e = exercise(request);
   return document(request, e, own_answer(e) + "\n\n" + e.solution);
 }
+
+Answer watch_folder(const Request& request) {
+  if (request.words.size() > 2) throw InvalidInput("learn watch: give one folder, or none");
+  if (request.format == "csv") throw InvalidInput("learn watch: --format: allowed: text, json");
+  const std::string folder = request.words.size() > 1 ? request.words[1] : ".";
+  Answer answer;
+  answer.stream = [=, all = exercises(request)](const auto& say) {
+    watch(all, folder, request.format, run_code, say);
+  };
+  return answer;
+}
+
+Answer grade_class(const Request& request) { return grade(request, exercises(request), run_code); }
 
 Answer make(const Request& request) {
   if (request.words.size() != 2) throw InvalidInput("learn new: give the name of one new file");
@@ -149,11 +172,16 @@ Answer make(const Request& request) {
 Answer test(const Request& request) {
   Answer answer;
   answer.table.columns = answers::named_columns({"id", "fault"});
-  const std::vector<Exercise> all =
-      exercises(request.words.size() > 1 ? request.words[1] : request.text("folder"));
-  for (const Exercise& e : all)
-    for (const std::string& fault : faults(e, run_code))
-      answer.table.rows.push_back({text_cell(e.id), text_cell(fault)});
+  const std::string place = request.words.size() > 1 ? request.words[1] : request.text("folder");
+  const std::vector<Exercise> all = exercises(place, 0);
+  std::size_t most_variants = 1;
+  for (const Exercise& e : all) most_variants = std::max(most_variants, e.variants.size());
+  for (std::size_t variant = 0; variant < most_variants; ++variant)
+    for (const Exercise& e : exercises(place, variant)) {
+      if (variant >= std::max<std::size_t>(1, e.variants.size())) continue;
+      for (const std::string& fault : faults(e, run_code))
+        answer.table.rows.push_back({text_cell(e.id), text_cell(fault)});
+    }
   answer.check_failed = !answer.table.rows.empty();
   if (!answer.check_failed && request.format == "text")
     return {{},
@@ -166,15 +194,14 @@ Answer test(const Request& request) {
 
 Answer learn_by_exercises(const Request& request) {
   static const std::map<std::string, Answer (*)(const Request&)> actions{
-      {"list", list}, {"show", show},         {"check", check}, {"hint", hint},
-      {"new", make},  {"solution", solution}, {"test", test}};
+      {"list", list}, {"show", show},          {"check", check},
+      {"hint", hint}, {"watch", watch_folder}, {"grade", grade_class},
+      {"new", make},  {"solution", solution},  {"test", test}};
   const std::string name = request.words.empty() ? "" : request.words[0];
-  if (name == "watch" || name == "grade")
-    throw InvalidInput("learn " + name + ": not in this version yet");
   const auto found = actions.find(name);
   if (found == actions.end())
     throw InvalidInput("learn: " + answers::shown_text(name) +
-                       "; allowed: list, show, check, hint, solution, new, test");
+                       "; allowed: list, show, check, hint, solution, watch, grade, new, test");
   return found->second(request);
 }
 

@@ -146,7 +146,11 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
   asked.request.options = values_of(app, command);
   asked.request.words = std::move(words);
   asked.request.format = command.formats.front();
-  asked.seconds = asked.request.whole("time-limit", 1, longest).value_or(command.seconds);
+  const auto seconds =
+      command.seconds_of.find(asked.request.words.empty() ? "" : asked.request.words[0]);
+  asked.seconds =
+      asked.request.whole("time-limit", 1, longest)
+          .value_or(seconds == command.seconds_of.end() ? command.seconds : seconds->second);
   asked.mebibytes = asked.request.whole("memory-limit", 16, longest).value_or(command.mebibytes);
   asked.output = asked.request.text("output");
   if (asked.request.has("format")) asked.request.format = asked.request.text("format");

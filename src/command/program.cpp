@@ -145,7 +145,10 @@ ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
   } else {
     const answers::Answer given = asked.command->run(asked.request);
     if (given.stream)
-      given.stream([&](std::string_view text) { output.write(text); });
+      given.stream([&](std::string_view text) {
+        output.write(text);
+        if (text.empty()) output.flush();
+      });
     else if (given.document.empty())
       output.write(answers::written(given.table, table_format(asked.request.format)));
     else

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/answer_file.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <new>
+#include <set>
+#include <sstream>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "command/child.hpp"
+
+namespace command {
+namespace {
+
+using answers::InvalidInput;
+using learn::Exercise;
+using learn::Judgement;
+using learn::Mark;
+
+constexpr std::size_t most_bytes = std::size_t{1} << 16U;
+constexpr std::size_t mebibyte = std::size_t{1} << 20U;
+
+struct Descriptor {
+  int number;
+  ~Descriptor() { ::close(number); }
+};
+
+/// Follows no link, waits for no writer. Nothing where there is no such file.
+std::optional<std::string> text_in(const std::string& folder, const std::string& name) {
+  constexpr int careful = O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_NOCTTY | O_CLOEXEC;
+  const auto refuse = [] {
+    throw InvalidInput(errno == ELOOP || errno == ENOTDIR ? "a link" : std::strerror(errno));
+  };
+  const Descriptor place{::open(folder.c_str(), careful | O_DIRECTORY)};
+  if (place.number < 0) refuse();
+  const Descriptor file{::openat(place.number, name.c_str(), careful)};
+  if (file.number < 0 && errno == ENOENT) return {};
+  if (file.number < 0) refuse();
+  struct stat about {};
+  if (::fstat(file.number, &about) != 0) refuse();
+  if (!S_ISREG(about.st_mode)) throw InvalidInput("not a file with text");
+  std::string text(most_bytes + 1, '\0');
+  std::size_t size = 0;
+  for (ssize_t count = 1; count > 0 && size < text.size();
+       size += static_cast<std::size_t>(count)) {
+    count = ::read(file.number, text.data() + size, text.size() - size);
+    if (count < 0) refuse();
+  }
+  if (size > most_bytes) throw InvalidInput("more than 64 KiB");
+  text.resize(size);
+  if (text.find('\0') != text.npos) throw InvalidInput("it has a zero byte, so it is no text");
+  return text;
+}
+
+/// The judgement as one text, and back.
+std::string packed(const Judgement& said) {
+  learn::Texts fields{std::to_string(static_cast<int>(said.mark)), said.feedback,
+                      said.misconception};
+  fields.insert(fields.end(), said.notes.begin(), said.notes.end());
+  return answers::joined(fields, std::string_view("\0", 1));
+}
+Judgement unpacked(const std::string& text) {
+  Judgement said;
+  std::istringstream fields(text);
+  std::string field;
+  std::getline(fields, field, '\0');
+  said.mark = static_cast<Mark>(std::stoi(field));
+  std::getline(fields, said.feedback, '\0');
+  std::getline(fields, said.misconception, '\0');
+  while (std::getline(fields, field, '\0')) said.notes.push_back(field);
+  return said;
+}
+
+Judgement judged_apart(const Exercise& e, const std::string& text, const learn::Run& run,
+                       unsigned seconds) {
+  static std::set<std::string> prepared;  // the derivation is proved, own programs are run
+  if (prepared.insert(e.source + '\0' + e.id).second) faults(e, run);
+  const End end = end_of({"an answer"}, "",
+                         {.seconds = seconds, .file_bytes = 64 * mebibyte, .instead = [&] {
+                            try {
+                              return packed(judge(e, text, run));
+                            } catch (const std::bad_alloc&) {
+                              return packed({Mark::undecided, "It does not fit into memory."});
+                            } catch (const std::exception& error) {
+                              return packed({Mark::undecided, error.what()});
+                            }
+                          }});
+  if (end.is_late)
+    return {Mark::undecided, "It was not judged within " + std::to_string(seconds) + " s."};
+  if (end.code != 0 || end.output.empty())
+    return {Mark::undecided,
+            "Judging it came to no end: exit code " + std::to_string(end.code) + "."};
+  return unpacked(end.output);
+}
+
+}  // namespace
+
+std::string answer_file(const Exercise& e) { return e.id + (e.kind == "code" ? ".cpp" : ".txt"); }
+
+std::optional<AnswerInFile> judged_file(const Exercise& e, const std::string& folder,
+                                        const learn::Run& run, unsigned seconds) {
+  AnswerInFile answer;
+  try {
+    const std::optional<std::string> text = text_in(folder, answer_file(e));
+    if (!text) return {};
+    answer.text = *text;
+  } catch (const InvalidInput& error) {
+    answer.said = {Mark::unread, std::string("Not read: ") + error.what() + "."};
+    return answer;
+  }
+  answer.said = judged_apart(e, answer.text, run, seconds);
+  return answer;
+}
+
+answers::Table told(const Exercise& e, const Judgement& said) {
+  std::vector<std::string> notes;
+  for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
+  answers::Table table{answers::named_columns({"id", "verdict", "feedback", "notes"}),
+                       {{answers::text_cell(e.id), answers::text_cell(word(said.mark)),
+                         answers::text_cell(said.feedback),
+                         notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}}};
+  table.is_list = false;
+  return table;
+}
+
+}  // namespace command

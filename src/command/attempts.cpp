@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/attempts.hpp"
+
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include "answers/shown_text.hpp"
+
+namespace command {
+namespace {
+
+constexpr std::size_t misses_without_hint = 2;
+
+/// "" where the environment names no place.
+std::filesystem::path memory() {
+  const char* const state = std::getenv("XDG_STATE_HOME");
+  const char* const home = std::getenv("HOME");
+  if (state != nullptr && *state == '/') return std::filesystem::path(state) / "magicmass";
+  if (home == nullptr || *home == '\0') return {};
+  return std::filesystem::path(home) / ".local/state/magicmass";
+}
+
+/// In one write, so that lines of programs that run at once do not mix.
+void keep(const learn::Texts& fields) {
+  const std::filesystem::path folder = memory();
+  if (folder.empty()) return;
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  const int file = ::open((folder / "answers.tsv").c_str(),
+                          O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
+  if (file < 0) return;
+  const std::string line = answers::joined(fields, "\t") + "\n";
+  [[maybe_unused]] const ssize_t ignored = ::write(file, line.data(), line.size());
+  ::close(file);
+}
+
+/// Alike for answers that differ in spaces alone (FNV-1a).
+std::string fingerprint(const std::string& answer) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : answer)
+    if (c != ' ' && c != '\t' && c != '\r' && c != '\n')
+      hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return std::to_string(hash);
+}
+
+bool is_miss(const std::string& verdict) {
+  return verdict == "wrong" || verdict == "incomplete" || verdict == "other form";
+}
+
+}  // namespace
+
+std::map<std::string, Attempts> attempts() {
+  std::map<std::string, Attempts> all;
+  const std::filesystem::path path = memory() / "answers.tsv";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return all;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream fields(line);
+    std::string id, said, misconception, answer;
+    std::getline(fields, id, '\t');
+    std::getline(fields, said, '\t');
+    std::getline(fields, misconception, '\t');
+    std::getline(fields, answer);
+    Attempts& one = all[id];
+    if (said == "right") one.is_right = true;
+    if (said.starts_with("hint ")) one.shown.insert(said);
+    if (is_miss(said)) one.misses.insert(answer);
+  }
+  return all;
+}
+
+void remember(const learn::Exercise& e, const std::string& answer, learn::Judgement& said) {
+  const std::string verdict = word(said.mark), print = fingerprint(answer);
+  Attempts before = attempts()[e.id];
+  keep({e.id, verdict, said.misconception.empty() ? "" : answers::shown_text(said.misconception),
+        print});
+  const bool is_new = is_miss(verdict) && before.misses.insert(print).second;
+  // Without a memory nothing was missed before.
+  if (!is_new || before.misses.size() <= misses_without_hint) return;
+  for (std::size_t i = 1; i <= e.hints.size(); ++i) {
+    if (before.shown.contains("hint " + std::to_string(i))) continue;
+    said.feedback += " Hint " + std::to_string(i) + ": " + e.hints[i - 1];
+    remember_hint(e, i);
+    return;
+  }
+  said.feedback += " There are no more hints: magicmass learn solution " + e.id;
+}
+
+void remember_hint(const learn::Exercise& e, std::size_t number) {
+  keep({e.id, "hint " + std::to_string(number)});
+}
+
+}  // namespace command

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "command/grade.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "command/answer_file.hpp"
+#include "magicmass/scenes/keys.hpp"
+
+namespace command {
+namespace {
+
+using answers::InvalidInput;
+using answers::text_cell;
+using learn::Exercise;
+
+/// Letters in UTF-8, such as names of people have: none that directs the text around it.
+bool is_letters(const std::string& text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const unsigned first = static_cast<unsigned char>(text[at++]);
+    const std::size_t more = first < 0x80 ? 0 : first < 0xE0 ? 1 : 2;
+    unsigned code = more == 0 ? first : first & (more == 1 ? 0x1FU : 0x0FU);
+    for (std::size_t i = 0; i < more; ++i, ++at) {
+      const unsigned next = at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
+      if ((next & 0xC0U) != 0x80) return false;
+      code = code << 6U | (next & 0x3FU);
+    }
+    const bool is_ascii = more == 0 && code >= 0x20 && code < 0x7F;
+    const bool is_short = more == 1 && first >= 0xC3 && code != 0x61C;
+    const bool is_long = more == 2 && first < 0xF0 &&
+                         ((code >= 0x800 && code < 0x2000) || (code >= 0x3000 && code < 0xD800));
+    if (!is_ascii && !is_short && !is_long) return false;
+  }
+  return true;
+}
+
+/// Text of others: in CSV none begins as a formula of a spreadsheet does.
+answers::Cell cell_of(const answers::Request& request, const std::string& text) {
+  const bool is_formula = !text.empty() && std::string("=+-@").find(text[0]) != std::string::npos;
+  return text_cell(request.format == "csv" && is_formula ? "'" + text : text);
+}
+
+/// Folders, and links to some, of which nothing is read.
+std::vector<std::filesystem::path> students_of(const std::string& place) {
+  std::error_code error;
+  std::vector<std::filesystem::path> students;
+  for (const auto& entry : std::filesystem::directory_iterator(place, error)) {
+    std::error_code ignored;  // a link to itself
+    if (entry.is_directory(ignored) && !entry.path().filename().string().starts_with('.'))
+      students.push_back(entry.path());
+  }
+  if (students.empty())
+    throw InvalidInput("learn grade: no folders of students in " + answers::shown_text(place, 200) +
+                       (error ? ": " + error.message() : ""));
+  std::sort(students.begin(), students.end());
+  return students;
+}
+
+std::vector<Exercise> chosen(const std::vector<Exercise>& all, const std::string& ids) {
+  std::set<std::string> names;
+  std::istringstream list(ids);
+  for (std::string id; std::getline(list, id, ',');) names.insert(named(all, id).id);
+  std::vector<Exercise> some;
+  for (const Exercise& e : all)
+    if (names.empty() || names.contains(e.id)) some.push_back(e);
+  return some;
+}
+
+}  // namespace
+
+const Exercise& named(const std::vector<Exercise>& all, const std::string& id) {
+  std::vector<std::string> names;
+  for (const Exercise& e : all) {
+    if (e.id == id) return e;
+    names.push_back(e.id);
+  }
+  const std::string nearest = magicmass::scenes::nearest_name(id, names);
+  throw InvalidInput("learn: no exercise " + answers::shown_text(id) +
+                     (nearest.empty() ? "; see learn list" : "; is " + nearest + " meant?"));
+}
+
+answers::Answer grade(const answers::Request& request, const std::vector<Exercise>& all,
+                      const learn::Run& run) {
+  if (request.words.size() != 2)
+    throw InvalidInput("learn grade: give one folder, which has a folder for each student");
+  const bool is_why = request.has("why"), is_summary = request.has("summary");
+  if (is_why && is_summary) throw InvalidInput("learn grade: --why or --summary, not both");
+  const std::vector<Exercise> exercises = chosen(all, request.text("only"));
+  answers::Table marks{answers::named_columns({"student"}), {}};
+  answers::Table why{
+      answers::named_columns({"student", "id", "verdict", "feedback", "misconception"}), {}};
+  answers::Table summary{answers::named_columns({"id", "misconception", "students"}), {}};
+  for (const Exercise& e : exercises)
+    marks.columns.push_back(answers::named_columns({e.id}).front());
+  std::vector<std::map<std::string, int>> had(exercises.size());
+  for (const std::filesystem::path& student : students_of(request.words[1])) {
+    const std::string name = student.filename();
+    const answers::Cell shown =
+        cell_of(request, is_letters(name) ? name : answers::shown_text(name));
+    answers::Row& row = marks.rows.emplace_back(answers::Row{shown});
+    for (std::size_t i = 0; i < exercises.size(); ++i) {
+      const std::optional<AnswerInFile> answer = judged_file(exercises[i], student, run);
+      row.push_back(text_cell(answer ? word(answer->said.mark) : "missing"));
+      if (!answer) continue;
+      const std::string& misconception = answer->said.misconception;
+      if (!misconception.empty()) ++had[i][misconception];
+      why.rows.push_back(
+          {shown, text_cell(exercises[i].id), row.back(), cell_of(request, answer->said.feedback),
+           misconception.empty() ? answers::missing_cell() : cell_of(request, misconception)});
+    }
+  }
+  for (std::size_t i = 0; i < exercises.size(); ++i)
+    for (const auto& [misconception, students] : had[i])
+      summary.rows.push_back({text_cell(exercises[i].id), cell_of(request, misconception),
+                              answers::whole_cell(students)});
+  std::stable_sort(summary.rows.begin(), summary.rows.end(), [](const auto& a, const auto& b) {
+    return std::stoi(a[2].text) > std::stoi(b[2].text);
+  });
+  answers::Answer answer;
+  answer.table = is_why ? why : is_summary ? summary : marks;
+  return answer;
+}
+
+}  // namespace command

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Looks at the times of change: that works on every file system, for every way to save.
+#include "command/watch.hpp"
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <thread>
+#include <tuple>
+#include <utility>
+
+#include <sys/stat.h>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "answers/table.hpp"
+#include "command/answer_file.hpp"
+#include "command/attempts.hpp"
+#include "magicmass/scenes/keys.hpp"
+
+namespace command {
+namespace {
+
+using learn::Exercise;
+
+constexpr std::chrono::milliseconds between_looks{150};
+
+/// File, size and time of change: another one where it was saved, or something was renamed over it.
+using Stamp = std::tuple<ino_t, off_t, time_t, long>;
+
+struct Seen {
+  Stamp last = {}, judged = {};
+};
+
+/// Nothing where there is no text, as for a moment while an editor saves.
+std::optional<Stamp> stamp_of(const std::filesystem::path& file) {
+  struct stat about {};
+  if (::lstat(file.c_str(), &about) != 0 || about.st_size == 0) return {};
+  return Stamp{about.st_ino, about.st_size, about.st_mtim.tv_sec, about.st_mtim.tv_nsec};
+}
+
+}  // namespace
+
+void watch(const std::vector<Exercise>& all, const std::string& folder, const std::string& format,
+           const learn::Run& run, const std::function<void(std::string_view)>& say) {
+  std::error_code error;
+  const std::string place = std::filesystem::canonical(folder, error);
+  std::map<std::string, const Exercise*> files;
+  std::vector<std::string> names;
+  for (const Exercise& e : all) {
+    files.emplace(answer_file(e), &e);
+    names.push_back(answer_file(e));
+  }
+  const auto tell = [&](const std::string& text) {
+    say(text + "\n");
+    say("");
+  };
+  std::map<std::string, Seen> seen;
+  std::set<std::string> unknown;
+  for (bool is_first = true;; is_first = false) {
+    const std::filesystem::directory_iterator entries(place, error);
+    if (error)
+      throw answers::InvalidInput("learn watch: cannot read the folder " +
+                                  answers::shown_text(folder, 200) + ": " + error.message());
+    if (is_first && format == "text")
+      tell("Watching " + answers::shown_text(place, 200) +
+           ": save an answer as ID.txt, or ID.cpp for code. Ctrl-C ends this.");
+    for (const auto& entry : entries) {
+      const std::string name = entry.path().filename();
+      const auto found = files.find(name);
+      if (found == files.end()) {
+        const bool may_be_answer = name.ends_with(".txt") || name.ends_with(".cpp");
+        if (!may_be_answer || name.starts_with('.') || !unknown.insert(name).second) continue;
+        const std::string nearest = magicmass::scenes::nearest_name(name, names);
+        if (format == "text")
+          tell("\n" + answers::shown_text(name) + ": no exercise has this file" +
+               (nearest.empty() ? "; see learn list" : "; is " + nearest + " meant?"));
+        continue;
+      }
+      const std::optional<Stamp> now = stamp_of(entry.path());
+      if (!now) continue;
+      Seen& file = seen[name];
+      if (is_first) file.judged = *now;
+      // One that still changes is written to.
+      const bool is_saved = std::exchange(file.last, *now) == *now;
+      if (!is_saved || std::exchange(file.judged, *now) == *now) continue;
+      const Exercise& e = *found->second;
+      std::optional<AnswerInFile> answer = judged_file(e, place, run);
+      if (!answer) continue;
+      remember(e, answer->text, answer->said);
+      const bool is_text = format == "text";
+      say((is_text ? "\n" : "") +
+          answers::written(told(e, answer->said),
+                           is_text ? answers::Format::text : answers::Format::json));
+      say("");
+    }
+    std::this_thread::sleep_for(between_looks);
+  }
+}
+
+}  // namespace command
