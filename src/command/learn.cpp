@@ -146,11 +146,11 @@ Answer solution(const Request& request) {
 
 Answer watch_folder(const Request& request) {
   if (request.words.size() > 2) throw InvalidInput("learn watch: give one folder, or none");
-  if (request.format == "csv") throw InvalidInput("learn watch: --format: allowed: text, json");
+  if (request.format != "text") throw InvalidInput("learn watch: --format: allowed: text");
   const std::string folder = request.words.size() > 1 ? request.words[1] : ".";
   Answer answer;
-  answer.stream = [=, all = exercises(request)](const auto& say) {
-    watch(all, folder, request.format, run_code, say);
+  answer.stream = [folder, all = exercises(request)](const auto& say) {
+    watch(all, folder, run_code, say);
   };
   return answer;
 }

@@ -31,9 +31,10 @@ std::vector<Option> options_of(const Command& command) {
     options.push_back({"input", "FILE", "CSV whose columns are options, a row each; - is stdin"});
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
-  options.push_back(
-      {"time-limit", "SECONDS",
-       "give up after so long, " + std::to_string(command.seconds) + " unless told otherwise"});
+  std::string limits = std::to_string(command.seconds) + " unless told otherwise";
+  for (const auto& [word, seconds] : command.seconds_of)
+    limits += ", " + word + " " + std::to_string(seconds);
+  options.push_back({"time-limit", "SECONDS", "give up after so long, " + limits});
   options.push_back(
       {"memory-limit", "MIB",
        "at most so much memory, " + std::to_string(command.mebibytes) + " unless told otherwise"});

@@ -42,59 +42,53 @@ std::optional<Stamp> stamp_of(const std::filesystem::path& file) {
 
 }  // namespace
 
-void watch(const std::vector<Exercise>& all, const std::string& folder, const std::string& format,
-           const learn::Run& run, const std::function<void(std::string_view)>& say) {
+void watch(const std::vector<Exercise>& all, const std::string& folder, const learn::Run& run,
+           const std::function<void(std::string_view)>& say) {
   std::error_code error;
   const std::string place = std::filesystem::canonical(folder, error);
-  std::map<std::string, const Exercise*> files;
+  std::map<std::string, const Exercise*> exercises;
   std::vector<std::string> names;
   for (const Exercise& e : all) {
-    files.emplace(answer_file(e), &e);
     names.push_back(answer_file(e));
+    exercises.emplace(names.back(), &e);
   }
   const auto tell = [&](const std::string& text) {
-    say(text + "\n");
+    say(text);
     say("");
   };
-  std::map<std::string, Seen> seen;
+  std::map<std::string, Seen> files;
   std::set<std::string> unknown;
   for (bool is_first = true;; is_first = false) {
     const std::filesystem::directory_iterator entries(place, error);
     if (error)
       throw answers::InvalidInput("learn watch: cannot read the folder " +
                                   answers::shown_text(folder, 200) + ": " + error.message());
-    if (is_first && format == "text")
-      tell("Watching " + answers::shown_text(place, 200) +
-           ": save an answer as ID.txt, or ID.cpp for code. Ctrl-C ends this.");
     for (const auto& entry : entries) {
       const std::string name = entry.path().filename();
-      const auto found = files.find(name);
-      if (found == files.end()) {
+      const auto found = exercises.find(name);
+      if (found == exercises.end()) {
         const bool may_be_answer = name.ends_with(".txt") || name.ends_with(".cpp");
         if (!may_be_answer || name.starts_with('.') || !unknown.insert(name).second) continue;
         const std::string nearest = magicmass::scenes::nearest_name(name, names);
-        if (format == "text")
-          tell("\n" + answers::shown_text(name) + ": no exercise has this file" +
-               (nearest.empty() ? "; see learn list" : "; is " + nearest + " meant?"));
+        tell(answers::shown_text(name) + ": no exercise has this file" +
+             (nearest.empty() ? "; see learn list\n" : "; is " + nearest + " meant?\n"));
         continue;
       }
       const std::optional<Stamp> now = stamp_of(entry.path());
       if (!now) continue;
-      Seen& file = seen[name];
+      Seen& file = files[name];
       if (is_first) file.judged = *now;
-      // One that still changes is written to.
-      const bool is_saved = std::exchange(file.last, *now) == *now;
-      if (!is_saved || std::exchange(file.judged, *now) == *now) continue;
+      const bool is_written = std::exchange(file.last, *now) != *now;  // perhaps it goes on
+      if (is_written || std::exchange(file.judged, *now) == *now) continue;
       const Exercise& e = *found->second;
       std::optional<AnswerInFile> answer = judged_file(e, place, run);
       if (!answer) continue;
       remember(e, answer->text, answer->said);
-      const bool is_text = format == "text";
-      say((is_text ? "\n" : "") +
-          answers::written(told(e, answer->said),
-                           is_text ? answers::Format::text : answers::Format::json));
-      say("");
+      tell("\n" + answers::written(told(e, answer->said), answers::Format::text));
     }
+    if (is_first)
+      tell("Watching " + answers::shown_text(place, 200) +
+           ": save an answer as ID.txt, or ID.cpp for code. Ctrl-C ends this.\n");
     std::this_thread::sleep_for(between_looks);
   }
 }

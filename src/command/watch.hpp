@@ -9,10 +9,9 @@
 
 namespace command {
 
-/// Says what it watches, then each verdict as `format` has it, text or json; an empty piece ends
-/// what is to be seen at once. Goes on until say() throws, or the program ends.
+/// Says what it watches, then a block for each answer; after an empty piece all is to be seen.
+/// Goes on until say() throws, or the program ends.
 [[noreturn]] void watch(const std::vector<learn::Exercise>& all, const std::string& folder,
-                        const std::string& format, const learn::Run& run,
-                        const std::function<void(std::string_view)>& say);
+                        const learn::Run& run, const std::function<void(std::string_view)>& say);
 
 }  // namespace command

@@ -219,8 +219,8 @@ TEST_CASE("A saved answer is judged, once, however it was saved") {
   save(place.path + "/hlaf.txt", "x");
   save(place.path + "/notes.md", "x");
   const std::vector<std::pair<std::string, std::function<void()>>> steps{
-      {"Watching " + place.path, [] {}},
-      {"\nhlaf.txt: no exercise has this file; is half.txt meant?\n",
+      {"hlaf.txt: no exercise has this file; is half.txt meant?\n", [] {}},
+      {"Watching " + place.path,
        [&] {
          save(file, "");  // for a moment
          ::usleep(400000);
@@ -235,7 +235,7 @@ TEST_CASE("A saved answer is judged, once, however it was saved") {
       {"wrong\nfeedback  At x = 1: your double is 0", [] { throw std::out_of_range("seen"); }}};
   std::string all;
   std::size_t step = 0;
-  CHECK_THROWS_AS(command::watch({half, twice}, place.path, "text", run,
+  CHECK_THROWS_AS(command::watch({half, twice}, place.path, run,
                                  [&](std::string_view text) {
                                    all += text;
                                    if (!text.empty()) return;
@@ -246,7 +246,7 @@ TEST_CASE("A saved answer is judged, once, however it was saved") {
                   std::out_of_range);
   CHECK(step == steps.size());
   CHECK(lines_of(place.memory()).size() == 3);
-  CHECK_THAT(refusal<answers::InvalidInput>(
-                 [&] { command::watch({half}, place.path + "/no", "text", run, {}); }),
-             ContainsSubstring("cannot read the folder"));
+  CHECK_THAT(
+      refusal<answers::InvalidInput>([&] { command::watch({half}, place.path + "/no", run, {}); }),
+      ContainsSubstring("cannot read the folder"));
 }

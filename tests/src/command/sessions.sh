@@ -16,7 +16,9 @@ tutorials=$(cd "$folder/../../../tutorials" && pwd)
 shift
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-mkdir "$scratch/bin" "$scratch/place"
+mkdir "$scratch/bin" "$scratch/place" "$scratch/home"
+export HOME=$scratch/home
+unset XDG_STATE_HOME
 for program in "$@"; do ln -s "$(realpath "${program#*=}")" "$scratch/bin/${program%%=*}"; done
 PATH=$scratch/bin:$PATH
 cd "$scratch/place"
