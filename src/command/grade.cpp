@@ -38,10 +38,13 @@ bool is_letters(const std::string& text) {
   return true;
 }
 
-/// Text of others: in CSV none begins as a formula of a spreadsheet does.
-answers::Cell cell_of(const answers::Request& request, const std::string& text) {
-  const bool is_formula = !text.empty() && std::string("=+-@").find(text[0]) != std::string::npos;
-  return text_cell(request.format == "csv" && is_formula ? "'" + text : text);
+/// Text of others: in CSV no field begins as a formula of a spreadsheet does, nor would one where
+/// semicolons part fields.
+answers::Cell cell_of(const answers::Request& request, std::string text) {
+  if (request.format != "csv") return text_cell(text);
+  if (text.find_first_of("=+-@") == 0) text.insert(0, "'");
+  std::replace(text.begin(), text.end(), ';', ',');
+  return text_cell(text);
 }
 
 /// Folders, and links to some, of which nothing is read.

@@ -50,8 +50,10 @@ within = "1 ulp"
 
 /// Some answers do what programs of students do.
 learn::Ran run(const Exercise&, const std::string& code, const learn::Rows&) {
-  if (code == "loop")
+  if (code == "loop") {
+    const command::TemporaryFolder folder("loop");
     for (;;) ::usleep(1000);
+  }
   if (code == "abort") std::abort();
   if (code == "end") ::_exit(0);
   if (code == "memory") throw std::bad_alloc();
@@ -166,6 +168,7 @@ TEST_CASE("A class is graded, whatever its files are") {
   save(room + "h/twice.txt", "2 x");
   save(room + "h/half.txt", "\xFF");
   save(room + "i/half.txt", "");
+  std::filesystem::create_directories(room + "n;=1");
   save(room + "not a student", "x");
   save(room + ".hidden/half.txt", "x");
   std::filesystem::create_directories(room + "j");
@@ -184,7 +187,7 @@ TEST_CASE("A class is graded, whatever its files are") {
         "student,half,twice\n'=bob,wrong,undecided\nZo\xC3\xAB,wrong,missing\nanna,right,right\n"
         "c\\x1b[2J,missing,undecided\nd\\xe2\\x80\\xae,missing,undecided\ne\\xc3,unread,missing\n"
         "f,unread,missing\ng,unread,missing\nh,unread,missing\ni,unread,missing\n"
-        "j,unread,unread\nk,unread,unread\nm,unread,missing\n");
+        "j,unread,unread\nk,unread,unread\nm,unread,missing\n\"n,=1\",missing,missing\n");
   CHECK(graded({{"only", "twice"}}, "json").starts_with("{\"student\": \"=bob\", \"twice\": "));
   CHECK(graded({{"summary", ""}}, "csv") == "id,misconception,students\nhalf,'=upside down,2\n");
   const std::string why = graded({{"why", ""}}, "csv");
@@ -204,7 +207,14 @@ TEST_CASE("A class is graded, whatever its files are") {
 TEST_CASE("An answer that never ends is undecided, one that ends the judge too") {
   const Place place;
   save(place.path + "/twice.cpp", "loop");
+  ::setenv("TMPDIR", place.path.c_str(), 1);
   const auto late = command::judged_file(twice, place.path, run, 1).value();
+  ::unsetenv("TMPDIR");
+  const auto files = [&] {
+    return std::distance(std::filesystem::directory_iterator(place.path), {});
+  };
+  for (int i = 0; i < 50 && files() > 1; ++i) ::usleep(100000);
+  CHECK(files() == 1);  // the answer's folder is gone
   CHECK(late.said.mark == Mark::undecided);
   CHECK(late.said.feedback == "It was not judged within 1 s.");
   save(place.path + "/twice.cpp", "end");
