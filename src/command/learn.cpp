@@ -72,19 +72,19 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
 
 Answer list(const Request& request) {
   Answer answer;
-  answer.table.columns = answers::named_columns({"id", "kind", "done", "title", "chapter"});
+  answer.table.columns = answers::named_columns({"id", "done", "title", "kind", "chapter"});
   const std::map<std::string, Attempts> before = attempts();
   for (const Exercise& e : exercises(request)) {
     const auto found = before.find(e.id);
-    answer.table.rows.push_back({text_cell(e.id), text_cell(e.kind),
+    answer.table.rows.push_back({text_cell(e.id),
                                  found == before.end()
                                      ? answers::missing_cell()
                                      : text_cell(found->second.is_right ? "right" : "tried"),
-                                 text_cell(e.title), text_cell(e.chapter)});
+                                 text_cell(e.title), text_cell(e.kind), text_cell(e.chapter)});
   }
   if (request.format != "text") return answer;
-  answer.table.columns.pop_back();  // so that it fits on a screen
-  for (answers::Row& row : answer.table.rows) row.pop_back();
+  answer.table.columns.resize(3);  // so that it fits on a screen
+  for (answers::Row& row : answer.table.rows) row.resize(3);
   return answer;
 }
 

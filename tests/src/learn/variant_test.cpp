@@ -73,7 +73,8 @@ TEST_CASE("Each variant of the exercises is sound") {
   int variants = 0;
   for (const auto& file :
        std::filesystem::recursive_directory_iterator(MAGICMASS_SOURCE "/tutorials")) {
-    if (file.path().parent_path().filename() != "exercises") continue;
+    if (file.path().parent_path().filename() != "exercises" || file.path().extension() != ".toml")
+      continue;
     std::stringstream text;
     text << std::ifstream(file.path()).rdbuf();
     const std::size_t count = read_exercise(text.str(), file.path()).variants.size();
