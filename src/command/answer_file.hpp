@@ -20,7 +20,7 @@ struct AnswerInFile {
 /// what is too long or no text are unread. Each is judged in a process of its own: one that is
 /// late, or ends that process, is undecided. What all answers need is computed once, before.
 std::optional<AnswerInFile> judged_file(const learn::Exercise& exercise, const std::string& folder,
-                                        const learn::Run& run, unsigned seconds = 30);
+                                        const learn::Run& run, unsigned seconds = 20);
 
 /// The table of what is said to one answer.
 answers::Table told(const learn::Exercise& exercise, const learn::Judgement& said);

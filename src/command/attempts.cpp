@@ -19,21 +19,19 @@ constexpr std::size_t misses_without_hint = 2;
 
 /// "" where the environment names no place.
 std::filesystem::path memory() {
-  const char* const state = std::getenv("XDG_STATE_HOME");
-  const char* const home = std::getenv("HOME");
-  if (state != nullptr && *state == '/') return std::filesystem::path(state) / "magicmass";
-  if (home == nullptr || *home == '\0') return {};
-  return std::filesystem::path(home) / ".local/state/magicmass";
+  for (const auto& [name, rest] : {std::pair{"XDG_STATE_HOME", ""}, {"HOME", ".local/state"}})
+    if (const char* const place = std::getenv(name); place != nullptr && *place == '/')
+      return std::filesystem::path(place) / rest / "magicmass/answers.tsv";
+  return {};
 }
 
 /// In one write, so that lines of programs that run at once do not mix.
 void keep(const learn::Texts& fields) {
-  const std::filesystem::path folder = memory();
-  if (folder.empty()) return;
+  const std::filesystem::path path = memory();
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  const int file = ::open((folder / "answers.tsv").c_str(),
-                          O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
+  std::filesystem::create_directories(path.parent_path(), error);
+  const int file =
+      ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
   if (file < 0) return;
   const std::string line = answers::joined(fields, "\t") + "\n";
   [[maybe_unused]] const ssize_t ignored = ::write(file, line.data(), line.size());
@@ -57,7 +55,7 @@ bool is_miss(const std::string& verdict) {
 
 std::map<std::string, Attempts> attempts() {
   std::map<std::string, Attempts> all;
-  const std::filesystem::path path = memory() / "answers.tsv";
+  const std::filesystem::path path = memory();
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) return all;
   std::ifstream file(path);
@@ -69,9 +67,11 @@ std::map<std::string, Attempts> attempts() {
     std::getline(fields, misconception, '\t');
     std::getline(fields, answer);
     Attempts& one = all[id];
-    if (said == "right") one.is_right = true;
-    if (said.starts_with("hint ")) one.shown.insert(said);
     if (is_miss(said)) one.misses.insert(answer);
+    if (said.starts_with("hint "))
+      one.shown.insert(said);
+    else if (one.done != "right")
+      one.done = said == "right" ? said : "tried";
   }
   return all;
 }

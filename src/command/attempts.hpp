@@ -11,7 +11,7 @@
 namespace command {
 
 struct Attempts {
-  bool is_right = false;              ///< once, at least
+  std::string done = {};              ///< "right" where it was once, "tried", or ""
   std::set<std::string> misses = {};  ///< different ones
   std::set<std::string> shown = {};   ///< "hint 1" and so on
 };

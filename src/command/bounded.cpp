@@ -53,8 +53,9 @@ public:
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(so_far).count();
     if (may_show_ && seconds > shown_) {
       shown_ = seconds;
-      write_to_terminal("\r" + name_ + ": " + std::to_string(seconds) + " s of at most " +
-                        std::to_string(limit_) + " s\033[K");
+      const std::string limit =
+          limit_ == no_limit ? "" : " of at most " + std::to_string(limit_) + " s";
+      write_to_terminal("\r" + name_ + ": " + std::to_string(seconds) + " s" + limit + "\033[K");
     }
   }
   void hide() {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,8 @@
 namespace command {
 
 enum class ExitCode { done = 0, check_failed = 1, bad_input = 2, undecided = 3 };
+
+constexpr std::int64_t no_limit = 1'000'000'000;  // seconds
 
 /// --name VALUE, or a flag.
 struct Option {
@@ -39,8 +40,8 @@ struct Command {
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
   /// The same answers for many rows of --input; those without one are handed to `run`.
   std::function<answers::Block(const answers::Rows&)> run_block = {};
-  bool takes_formulas = false;                          ///< its words may begin with a minus sign
-  std::map<std::string, std::int64_t> seconds_of = {};  ///< by its first word, instead of `seconds`
+  bool takes_formulas = false;            ///< its words may begin with a minus sign
+  std::vector<std::string> endless = {};  ///< first words for which that time is no_limit
 };
 
 /// The program: all that differs between magicmass and a test's.

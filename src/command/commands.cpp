@@ -193,7 +193,7 @@ Program magicmass() {
                {},
                {},
                true,
-               {{"grade", 3600}, {"watch", 1'000'000'000}}},
+               {"watch", "grade"}},
           },
   };
 }

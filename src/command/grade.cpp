@@ -123,9 +123,7 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   std::stable_sort(summary.rows.begin(), summary.rows.end(), [](const auto& a, const auto& b) {
     return std::stoi(a[2].text) > std::stoi(b[2].text);
   });
-  answers::Answer answer;
-  answer.table = is_why ? why : is_summary ? summary : marks;
-  return answer;
+  return {is_why ? why : is_summary ? summary : marks, {}};
 }
 
 }  // namespace command

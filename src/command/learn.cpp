@@ -73,13 +73,11 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
 Answer list(const Request& request) {
   Answer answer;
   answer.table.columns = answers::named_columns({"id", "done", "title", "kind", "chapter"});
-  const std::map<std::string, Attempts> before = attempts();
+  std::map<std::string, Attempts> before = attempts();
   for (const Exercise& e : exercises(request)) {
-    const auto found = before.find(e.id);
+    const std::string& done = before[e.id].done;
     answer.table.rows.push_back({text_cell(e.id),
-                                 found == before.end()
-                                     ? answers::missing_cell()
-                                     : text_cell(found->second.is_right ? "right" : "tried"),
+                                 done.empty() ? answers::missing_cell() : text_cell(done),
                                  text_cell(e.title), text_cell(e.kind), text_cell(e.chapter)});
   }
   if (request.format != "text") return answer;

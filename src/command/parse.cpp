@@ -31,10 +31,10 @@ std::vector<Option> options_of(const Command& command) {
     options.push_back({"input", "FILE", "CSV whose columns are options, a row each; - is stdin"});
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
-  std::string limits = std::to_string(command.seconds) + " unless told otherwise";
-  for (const auto& [word, seconds] : command.seconds_of)
-    limits += ", " + word + " " + std::to_string(seconds);
-  options.push_back({"time-limit", "SECONDS", "give up after so long, " + limits});
+  const std::string endless = command.endless.empty() ? "" : "; none: " + joined(command.endless);
+  options.push_back({"time-limit", "SECONDS",
+                     "give up after so long, " + std::to_string(command.seconds) +
+                         " unless told otherwise" + endless});
   options.push_back(
       {"memory-limit", "MIB",
        "at most so much memory, " + std::to_string(command.mebibytes) + " unless told otherwise"});
@@ -141,18 +141,18 @@ std::map<std::string, std::string> values_of(const CLI::App& app, const Command&
 }
 
 Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::string> words) {
-  constexpr long longest = 1'000'000'000;
   Asked asked;
   asked.command = &command;
   asked.request.options = values_of(app, command);
   asked.request.words = std::move(words);
   asked.request.format = command.formats.front();
-  const auto seconds =
-      command.seconds_of.find(asked.request.words.empty() ? "" : asked.request.words[0]);
+  const auto& endless = command.endless;
+  const bool has_end = asked.request.words.empty() ||
+                       std::count(endless.begin(), endless.end(), asked.request.words[0]) == 0;
   asked.seconds =
-      asked.request.whole("time-limit", 1, longest)
-          .value_or(seconds == command.seconds_of.end() ? command.seconds : seconds->second);
-  asked.mebibytes = asked.request.whole("memory-limit", 16, longest).value_or(command.mebibytes);
+      asked.request.whole("time-limit", 1, no_limit).value_or(has_end ? command.seconds : no_limit);
+  asked.mebibytes =
+      asked.request.whole("memory-limit", 16, 1'000'000'000).value_or(command.mebibytes);
   asked.output = asked.request.text("output");
   if (asked.request.has("format")) asked.request.format = asked.request.text("format");
   if (asked.request.has("input")) asked.input = asked.request.text("input");
