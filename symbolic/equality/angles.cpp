@@ -17,17 +17,18 @@ void collect(Expr e, std::set<Expr>& angles) {
   for (Expr arg : e.args()) collect(arg, angles);
   if (is_inverse_angle(e)) angles.insert(e);
 }
-// The denominator of all multiples, 0 where the sum has other parts than angles.
+// The denominator of all multiples of angles, 0 where there are none.
 int parts_of(const Sum& sum) {
   cln::cl_I parts = 1;
+  bool has_angles = false;
   for (const auto& [product, q] : sum) {
-    const bool is_angle =
-        product.size() == 1 && number_of(product.begin()->second) == cln::cl_RA(1) &&
-        (is_inverse_angle(product.begin()->first) || product.begin()->first == kernel::pi());
-    if (!is_angle) return 0;
-    parts = cln::lcm(parts, cln::denominator(q));
+    if (product.size() != 1 || number_of(product.begin()->second) != cln::cl_RA(1)) continue;
+    const Expr atom = product.begin()->first;
+    has_angles = has_angles || is_inverse_angle(atom);
+    if (is_inverse_angle(atom) || atom == kernel::pi())
+      parts = cln::lcm(parts, cln::denominator(q));
   }
-  return parts <= most_parts ? cln::cl_I_to_int(parts) : 0;
+  return has_angles && parts <= most_parts ? cln::cl_I_to_int(parts) : 0;
 }
 // Where the requirements hold is the inside of a box with any part of its boundary.
 bool is_connected(const Domain& domain, const std::vector<Requirement>& needs) {

@@ -68,6 +68,7 @@ private:
   Ball function(Expr e) {
     const std::string name = e.name();
     if (name == "pi") return Ball::pi();
+    if (e.size() == 0) throw NotCertain("the name " + name);
     const Expr x = e.arg(0);
     if (name == "inv") {
       if (sign(x) == 0) throw NotDefined("division by zero");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "equality/decide.hpp"
 
+#include <algorithm>
+
 #include "algebra/equations.hpp"
 #include "equality/angles.hpp"
 #include "equality/atoms.hpp"
@@ -12,6 +14,7 @@ using kernel::Op;
 using Need = Requirement::Kind;
 namespace {
 constexpr std::size_t points_tried = 60;
+constexpr std::size_t points_inside = 16;
 constexpr std::size_t points_exactly = 3;
 constexpr int most_certified = 24;
 constexpr int digits_shown = 16;
@@ -22,13 +25,20 @@ struct Value {
   std::optional<Ball> ball = {};  // nothing: no value, or not certain
   std::string why_none = {};      // where it is certain that there is none
 };
-// x^y for real y is what it is for x >= 0 alone, though (-1)^2 is 1, too.
-Value value_at(const Point& point, Expr side, const std::vector<Requirement>& needs, int bits) {
+// x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
+// power is, though (-1/2)^y has a value by accident at some fractions.
+bool has_accident(const Point& point, Expr e, int bits) {
+  if (is_function(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
+    for (Expr symbol : kernel::free_variables(e.arg(1)))
+      if (!is_whole(point.at(symbol))) return true;
+  const Exprs parts = e.args();
+  return std::any_of(parts.begin(), parts.end(),
+                     [&](Expr part) { return has_accident(point, part, bits); });
+}
+Value value_at(const Point& point, Expr side, int bits) {
   try {
     const Ball ball = enclosure(at(point, side), bits);
-    for (const Requirement& r : needs)
-      if (r.kind == Need::NotNegative && enclosure(at(point, r.term), bits).high() < 0)
-        return {.why_none = "a real power of a negative number"};
+    if (has_accident(point, side, bits)) return {.why_none = "a real power of a negative number"};
     return {.ball = ball};
   } catch (const NotDefined& none) {
     return {.why_none = none.what()};
@@ -39,7 +49,7 @@ Value value_at(const Point& point, Expr side, const std::vector<Requirement>& ne
 // Exactly where it is a short fraction.
 std::optional<cln::cl_RA> fraction(Expr constant) {
   if (const auto value = notation::rational_value(constant)) return value;
-  const Value value = value_at({}, constant, {}, 192);
+  const Value value = value_at({}, constant, 192);
   if (!value.ball) return {};
   for (int below = 1; below <= largest_denominator; ++below) {
     const cln::cl_RA guess = cln::cl_RA(cln::round1(value.ball->low() * below)) / below;
@@ -55,7 +65,7 @@ std::string shown(Expr constant) {
     if (digits.size() <= longest_shown) return digits;
   }
   for (int bits = 128; bits <= 8192; bits *= 2) {
-    const Value value = value_at({}, constant, {}, bits);
+    const Value value = value_at({}, constant, bits);
     if (!value.ball) continue;
     if (const auto text = balls::decimal(value.ball->low(), value.ball->high(), digits_shown))
       return *text;
@@ -71,14 +81,9 @@ std::string text(const Requirement& r) {
 class Question {
 public:
   Question(Expr the_left, Expr the_right, const Domain& the_domain)
-      : left(the_left),
-        right(the_right),
-        domain(the_domain),
-        left_needs(requirements(left, domain)),
-        right_needs(requirements(right, domain)) {
+      : left(the_left), right(the_right), domain(the_domain), needs(requirements(left, domain)) {
     verdict.domain = texts(domain);
-    needs = left_needs;
-    needs.insert(needs.end(), right_needs.begin(), right_needs.end());
+    for (const Requirement& r : requirements(right, domain)) needs.push_back(r);
   }
   Verdict answer() {
     if (is_different_somewhere()) return verdict;
@@ -100,8 +105,6 @@ private:
   Expr right;
   Domain domain;
   Verdict verdict;
-  std::vector<Requirement> left_needs;
-  std::vector<Requirement> right_needs;
   std::vector<Requirement> needs;  // of both
   std::vector<Point> common;       // where both sides have a value, and agree
 
@@ -113,15 +116,17 @@ private:
                        shown(at(point, left - right))};
   }
   bool is_different_somewhere() {
-    const std::vector<Point> all = points(domain, points_tried, {left, right});
+    std::vector<Point> all = points(domain, points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
+    for (const Point& point : points(narrowed(domain, needs), points_inside, {}, true))
+      if (std::find(all.begin(), all.end(), point) == all.end()) all.push_back(point);
     std::string why_none;
     for (const Point& point : all) {
       Value a;
       Value b;
       for (int bits = 192; bits <= 3072; bits *= 4) {
-        a = value_at(point, left, left_needs, bits);
-        b = value_at(point, right, right_needs, bits);
+        a = value_at(point, left, bits);
+        b = value_at(point, right, bits);
         if ((a.ball || !a.why_none.empty()) && (b.ball || !b.why_none.empty())) break;
       }
       for (const Value& v : {a, b})
@@ -159,11 +164,41 @@ private:
     if (is_same_form(right)) return true;
     const Expr other = with_one_angle(left, right, domain, common);
     if (other != right && is_same_form(other)) return true;
-    if (!is_same_angle(left, right, domain, needs, common)) return false;
-    verdict.proof =
-        "angles: both sides have the same cosine and sine, both are continuous, and at " +
-        equality::text(common[0]) + " they agree";
+    if (!is_same_angle(left, right, domain, needs, common)) return prove_by_cases();
+    const std::string point = equality::text(common[0]);
+    verdict.proof = "angles: both sides have the same cosine and sine, " +
+                    (point.empty() ? "and they are less than a turn apart"
+                                   : "both are continuous, and at " + point + " they agree");
     return true;
+  }
+  /// |x| is x or -x: on either side of 0.
+  bool prove_by_cases() {
+    static bool is_case = false;
+    if (is_case) return false;
+    for (const auto& [x, range] : domain.ranges) {
+      const Expr modulus = absolute(x);
+      if (range.low || range.high || kernel::replace(left - right, modulus, 0) == left - right)
+        continue;
+      is_case = true;
+      bool is_proved = true;
+      for (const bool is_high : {true, false}) {
+        Domain part = domain;
+        part.ranges[x] = is_high
+                             ? Range{.is_integer = range.is_integer, .low = 0, .has_low = true}
+                             : Range{.is_integer = range.is_integer, .high = 0, .has_high = true};
+        try {
+          is_proved = is_proved && decide(left, right, part).answer == Answer::Equal;
+        } catch (const kernel::Refused&) {  // no point
+          is_proved = false;
+        }
+      }
+      is_case = false;
+      if (!is_proved) continue;
+      const std::string name = notation::name_of(x);
+      verdict.proof = "cases: " + name + " >= 0 and " + name + " <= 0";
+      return true;
+    }
+    return false;
   }
   bool is_same_form(Expr other) {
     try {

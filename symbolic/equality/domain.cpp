@@ -101,8 +101,8 @@ std::string shown(const std::string& name, const Range& range) {
   return bounds.empty() ? name + " real" : bounds;
 }
 
-// The values of a range to try, the simplest first.
-std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count) {
+// The values of a range to try, the simplest first, or those inside of an interval first.
+std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count, bool is_inside) {
   std::vector<cln::cl_RA> values;
   const auto add = [&](const cln::cl_RA& value) {
     if (values.size() < count && range.contains(value) &&
@@ -110,6 +110,7 @@ std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count) {
       values.push_back(value);
   };
   for (int value : {1, 2, 0, 3}) {
+    if (is_inside) break;
     add(value);
     add(-value);
   }
@@ -147,6 +148,9 @@ void collect_numbers(Expr e, std::set<cln::cl_RA>& found) {
       const cln::cl_RA value = sign * e.value() + cln::cl_RA(beside);
       found.insert(value);
     }
+  // sin(n/1000) turns at some thousands
+  for (int multiple : {1, 2, 4})
+    if (e.value() != 0 && cln::abs(e.value()) < 1) found.insert(multiple / cln::abs(e.value()));
 }
 }  // namespace
 
@@ -228,7 +232,8 @@ std::vector<std::string> texts(const Domain& domain) {
   return out;
 }
 
-std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& terms) {
+std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& terms,
+                          bool is_inside) {
   std::set<cln::cl_RA> special;
   for (Expr e : terms) collect_numbers(e, special);
   std::vector<Expr> symbols;
@@ -236,7 +241,7 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   std::size_t last = 0;
   for (const auto& [symbol, range] : domain.ranges) {
     symbols.push_back(symbol);
-    values.push_back(simple_values(range, domain.ranges.size() == 1 ? count : 24));
+    values.push_back(simple_values(range, domain.ranges.size() == 1 ? count : 24, is_inside));
     for (const cln::cl_RA& value : special)
       if (range.contains(value) && values.back().size() < count + most_special &&
           std::find(values.back().begin(), values.back().end(), value) == values.back().end())

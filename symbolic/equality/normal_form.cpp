@@ -2,6 +2,8 @@
 // From terms to normal forms.
 #include "equality/normal_form.hpp"
 
+#include <algorithm>
+
 #include "equality/atoms.hpp"
 
 namespace equality {
@@ -96,7 +98,7 @@ Sum Forms::function(Expr term) {
     return is_integer(e) ? symbolic_power(x, e) : real_power(x, e);
   }
   Exprs args;
-  for (Expr arg : term.args()) args.push_back(expression(of(arg)));
+  for (Expr arg : term.args()) args.push_back(real_expression(of(arg)).value_or(arg));
   return atom(kernel::fun(name, args));
 }
 
@@ -179,9 +181,33 @@ Sum Forms::exponential(const Sum& sum) {
   return from(out);
 }
 
-Sum Forms::turned(const Sum& angle) {
+// (2 k - 1)/(2 k + 1) is 1 - 2/(2 k + 1): no symbol is left above what divides it.
+Sum Forms::divided(Sum sum) {
+  for (auto term = sum.begin(); term != sum.end();) {
+    const auto [product, q] = *term++;
+    for (const auto& [divisor, power] : product) {
+      const auto composite = composites.find(divisor);
+      if (composite == composites.end() || number_of(power) != cln::cl_RA(-1)) continue;
+      const Sum& whole = composite->second;
+      // One symbol for each divisor, so that this comes to an end.
+      const auto above = std::find_if(whole.begin(), whole.end(), [](const auto& part) {
+        return part.first.size() == 1 && part.first.begin()->second == exponent(1);
+      });
+      if (above == whole.end() || !product.contains(above->first.begin()->first)) continue;
+      Product rest = product;
+      multiply(rest, divisor, exponent(1));
+      multiply(rest, above->first.begin()->first, exponent(-1));
+      const Sum others = whole - Sum{{above->first, above->second}};
+      const Sum quotient = number(1) - times(others, {{Product{{divisor, exponent(-1)}}, 1}});
+      return divided(sum - Sum{{product, q}} + times({{rest, q / above->second}}, quotient));
+    }
+  }
+  return sum;
+}
+Sum Forms::turned(const Sum& whole_angle) {
   Sum out = number(1);
   Factors plain;
+  const Sum angle = divided(whole_angle);
   for (const auto& [product, q] : angle) {
     const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
                             number_of(product.begin()->second) == cln::cl_RA(1);
@@ -214,11 +240,12 @@ Sum Forms::turned_by_inverse(Expr inverse, const cln::cl_RA& multiple) {
 Sum Forms::inverse_angle(const std::string& name, const Sum& sum) {
   if (sum.empty()) return {};
   if (sum.begin()->second < 0) return scaled(inverse_angle(name, scaled(sum, -1)), -1);
-  const Expr x = expression(sum);
+  const std::optional<Expr> real = real_expression(sum);
+  const Expr x = real ? *real : expression(sum);
   const auto call = [&](Expr e) {
     return name == "atan" ? kernel::atan(e) : notation::call(name, e);
   };
-  if (!kernel::free_variables(x).empty() || !is_algebraic(x)) return atom(call(x));
+  if (!real || !kernel::free_variables(x).empty() || !is_algebraic(x)) return atom(call(x));
   if (exact_sign(x) == 0) return {};
   Ball turns;
   try {

@@ -51,6 +51,9 @@ public:
   /// Whether the term is an integer all over the domain.
   bool is_integer(Expr term) { return is_integer(exponent_of(of(term))); }
   Expr expression(const Sum& sum);
+  /// The same where the sum is real, with cos(u) for z^u; else nothing. This alone is a term of
+  /// real numbers: in the other one z is just a name.
+  std::optional<Expr> real_expression(const Sum& sum);
 
 private:
   struct Factors {
@@ -78,6 +81,7 @@ private:
   Sum modulus(const Sum& sum);
   Sum logarithm(const Sum& sum);
   Sum exponential(const Sum& sum);
+  Sum divided(Sum sum);
   Sum turned(const Sum& angle);  // z^angle
   Sum turned_by_inverse(Expr inverse, const cln::cl_RA& multiple);
   Sum inverse_angle(const std::string& name, const Sum& sum);
@@ -93,6 +97,7 @@ private:
   Sum sum_of(const Exponent& exponent);
   bool is_integer(const Exponent& exponent) const;
   bool is_integer_symbol(Expr atom) const;
+  bool is_half_turn(const kernel::Monomial& monomial) const;
   bool is_complex(Expr atom);
   Sum conjugated(const Sum& sum);
   Expr expression(const Product& product);

@@ -105,11 +105,9 @@ int Forms::sign_by_terms(const Sum& sum) {
   return total;
 }
 int Forms::sign_of_number(const Sum& sum) {
-  for (const auto& [powers, q] : sum)
-    if (powers.contains(circle())) return 0;
-  const Expr e = expression(sum);
-  if (!kernel::free_variables(e).empty()) return 0;
-  return 2 * exact_sign(e).value_or(0);
+  const std::optional<Expr> e = real_expression(sum);
+  if (!e || !kernel::free_variables(*e).empty()) return 0;
+  return 2 * exact_sign(*e).value_or(0);
 }
 // c + sum of c_i z^u_i is at least c - sum of |c_i|, where it is real.
 int Forms::sign_of_trigonometric(const Sum& sum) {
@@ -143,8 +141,9 @@ int Forms::sign_of_two(const Sum& sum) {
 }
 // x = low + s, high - s or (low + high s)/(1 + s) for s >= 0 shows signs term by term.
 int Forms::sign_by_shift(const Sum& sum) {
-  const Expr e = expression(sum);
-  for (const Expr& x : kernel::free_variables(e)) {
+  const std::optional<Expr> e = real_expression(sum);
+  if (!e) return 0;
+  for (const Expr& x : kernel::free_variables(*e)) {
     const auto it = where.ranges.find(x);
     if (it == where.ranges.end()) continue;
     const Range& range = it->second;
@@ -162,7 +161,7 @@ int Forms::sign_by_shift(const Sum& sum) {
     Forms forms_of_s(inner);
     forms_of_s.depth = depth + 1;
     const bool ends_open = !range.high || !range.low || !range.has_high;
-    const Sum shifted = forms_of_s.of(kernel::substitute(e, {{x, value}}));
+    const Sum shifted = forms_of_s.of(kernel::substitute(*e, {{x, value}}));
     if (forms_of_s.has_sign(shifted, 1, false))
       return ends_open && forms_of_s.has_sign(shifted, 1, true) ? 2 : 1;
     if (forms_of_s.has_sign(shifted, -1, false))

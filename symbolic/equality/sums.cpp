@@ -128,27 +128,36 @@ void Forms::reduce(Product& product, cln::cl_RA& number) {
       multiply(product, atom, exponent(-whole));
     }
     if (atom != circle()) continue;
+    const kernel::Monomial pi{{kernel::pi(), 1}};
+    Exponent flat;  // n^2 is n, up to an even number
     for (const auto& [monomial, q] : e) {
-      Exponent whole{{monomial, 1}};
-      const kernel::Monomial pi{{kernel::pi(), 1}};
-      bool is_turn = false;  // pi times an integer
-      for (const auto& [part, k] : monomial) {
-        if (part == kernel::pi() && k == 1)
-          is_turn = true;
-        else if (!is_integer_symbol(part)) {
-          is_turn = false;
-          break;
-        }
-      }
-      if (!is_turn) continue;
+      kernel::Monomial once = monomial;
+      if (is_half_turn(monomial) && is_whole(q))
+        for (auto& [part, k] : once) k = 1;
+      flat = flat + Exponent{{once, q}};
+    }
+    multiply(product, atom, flat + kernel::scaled(e, -1));
+    for (const auto& [monomial, q] : flat) {
+      if (!is_half_turn(monomial)) continue;
       cln::cl_RA turns = 2 * cln::floor1(q / 2);
       if (monomial == pi && q - turns >= 1) {
         turns = turns + 1;
         number = -number;
       }
-      if (turns != 0) multiply(product, atom, kernel::scaled(whole, -turns));
+      if (turns != 0) multiply(product, atom, {{monomial, -turns}});
     }
   }
+}
+/// pi times an integer.
+bool Forms::is_half_turn(const kernel::Monomial& monomial) const {
+  bool has_pi = false;
+  for (const auto& [part, k] : monomial) {
+    if (part == kernel::pi() && k == 1)
+      has_pi = true;
+    else if (!is_integer_symbol(part))
+      return false;
+  }
+  return has_pi;
 }
 bool Forms::is_complex(Expr atom) {
   if (atom == circle()) return true;
@@ -223,5 +232,27 @@ Expr Forms::expression(const Sum& sum) {
       terms.push_back(q == 1 ? expression(product) : Expr(q) * expression(product));
   }
   return terms.empty() ? Expr(0) : terms.size() == 1 ? terms[0] : kernel::sum(terms);
+}
+// The parts that are not real cancel.
+std::optional<Expr> Forms::real_expression(const Sum& sum) {
+  if (conjugated(sum) != sum) return {};
+  Exprs terms{0};
+  for (const auto& [product, q] : sum) {
+    Exprs factors{Expr(q)};
+    for (const auto& [atom, e] : product) {
+      const auto composite = composites.find(atom);
+      const auto base =
+          composite == composites.end() ? std::optional(atom) : real_expression(composite->second);
+      if (!base) return {};
+      const Expr exponent = kernel::expression(e);
+      factors.push_back(atom == circle()      ? kernel::cos(exponent)
+                        : exponent == Expr(1) ? *base
+                                              : notation::raised(*base, exponent));
+    }
+    terms.push_back(kernel::product(factors));
+  }
+  const Expr out = kernel::sum(terms);
+  const bool is_real = kernel::replace(out, circle(), 0) == out;
+  return is_real ? std::optional(out) : std::nullopt;
 }
 }  // namespace equality

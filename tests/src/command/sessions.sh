@@ -35,7 +35,7 @@ replay() { # session
         bash -c "${line#??}" </dev/null 2>&1 || status=$?
         ((status == 0)) || echo "[exit $status]"
         ;;
-      '#'*) printf '%s\n' "$line" ;;
+      '# '*) printf '%s\n' "$line" ;;
     esac
   done <"$1"
 }
