@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Whatever is called equal agrees at random points, far from those that were tried to decide it.
+#include <cstdlib>
+#include <random>
+
+#include "catch.hpp"
+#include "equality/constant.hpp"
+#include "equality/decide.hpp"
+
+using namespace equality;
+
+namespace {
+
+class Writer {
+public:
+  explicit Writer(unsigned seed) : random(seed) {}
+  int below(int n) { return int(random() % unsigned(n)); }
+  /// Of the symbols x and n.
+  std::string term(int depth) {
+    const std::vector<std::string> leaves{"x", "n", "2", "3", "1/2", "pi", "x", "n"};
+    if (depth == 0) return leaves[std::size_t(below(int(leaves.size())))];
+    const std::string a = term(depth - 1), b = term(depth - 1);
+    switch (below(12)) {
+      case 0:
+        return "(" + a + "+" + b + ")";
+      case 1:
+        return "(" + a + "-" + b + ")";
+      case 2:
+        return a + "*" + b;
+      case 3:
+        return "(" + a + ")/(" + b + ")";
+      case 4:
+        return "(" + a + ")^2";
+      case 5:
+        return "sqrt(" + a + ")";
+      case 6:
+        return "abs(" + a + ")";
+      case 7:
+        return "exp(-(" + a + "))";
+      case 8:
+        return "log(" + a + ")";
+      case 9:
+        return "atan(" + a + ")";
+      default:
+        return (below(2) == 0 ? "sin(" : "cos(") + a + ")";
+    }
+  }
+  std::mt19937 random;
+};
+
+/// Where the values certainly differ; "" at a point where they agree or one has none.
+bool is_apart(Expr left, Expr right, const Point& point) {
+  try {
+    const Ball a = enclosure(at(point, left), 192), b = enclosure(at(point, right), 192);
+    return a.high() < b.low() || b.high() < a.low();
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+TEST_CASE("What is called equal agrees at random points") {
+  const char* const longer = std::getenv("MAGICMASS_PAIRS");
+  const int pairs = longer == nullptr ? 30 : std::atoi(longer);
+  Writer writer(20261125);
+  int equal = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const std::string f = writer.term(2), g = writer.term(1);
+    const std::vector<std::pair<std::string, std::string>> forms{
+        {"abs(" + f + ")", f},
+        {"sqrt(x-3)*abs(" + f + ")", "sqrt(x-3)*(" + f + ")"},
+        {"sqrt((" + f + ")^2)", f},
+        {"log((" + f + ")^2)", "2*log(" + f + ")"},
+        {"sqrt((" + f + ")*(" + g + "))", "sqrt(" + f + ")*sqrt(" + g + ")"},
+        {"(" + f + ")^(" + g + ")*(" + f + ")^2", "(" + f + ")^(2+" + g + ")"},
+        {"atan(tan(" + f + "))", f},
+        {"abs(" + f + ")*abs(" + g + ")", "(" + f + ")*(" + g + ")"}};
+    const auto& [one, other] = forms[std::size_t(writer.below(int(forms.size())))];
+    const std::string domain =
+        std::vector<std::string>{"", "0 < x < 1", "x >= 2, n integer, n >= 1",
+                                 "n integer, 0 <= x < 1.571"}[std::size_t(writer.below(4))];
+    CAPTURE(i, one, other, domain);
+    Expr left, right;
+    Domain where;
+    Verdict verdict;
+    try {
+      left = notation::read_typed(one).term;
+      right = notation::read_typed(other).term;
+      std::set<std::string> symbols = notation::symbols_of(left);
+      symbols.merge(notation::symbols_of(right));
+      std::vector<std::string> unused;
+      where = read_domain(domain, symbols, unused);
+      verdict = decide(left, right, where);
+    } catch (const kernel::Refused&) {
+      continue;
+    }
+    if (verdict.answer != Answer::Equal) continue;
+    ++equal;
+    for (int k = 0; k < 40; ++k) {
+      Point point;
+      for (const auto& [symbol, range] : where.ranges) {
+        const int scale = std::vector<int>{1, 7, 1000}[std::size_t(writer.below(3))];
+        cln::cl_RA value = cln::cl_RA(writer.below(9000) - 3000) / scale;
+        if (range.is_integer) value = cln::floor1(value);
+        if (range.contains(value)) point[symbol] = value;
+      }
+      if (point.size() == where.ranges.size()) CHECK_FALSE(is_apart(left, right, point));
+    }
+  }
+  CHECK(equal > pairs / 10);
+}
