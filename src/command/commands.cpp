@@ -6,11 +6,11 @@
 #include "answers/equality.hpp"
 #include "answers/scene.hpp"
 #include "answers/velocities.hpp"
+#include "classroom/learn.hpp"
 #include "command/comparison.hpp"
 #include "command/coq.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
-#include "command/learn.hpp"
 #include "command/reproduce.hpp"
 #include "report/report.hpp"
 
@@ -187,7 +187,7 @@ Program magicmass() {
                "CLASS, new FILE or test [FILE]",
                {"text", "json", "csv"},
                {},
-               learn_by_exercises,
+               classroom::learn_by_exercises,
                60,
                1024,
                {},

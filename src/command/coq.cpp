@@ -4,10 +4,10 @@
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/child.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
 #include "generate/tree.hpp"
+#include "host/child.hpp"
 
 namespace command {
 namespace {
@@ -49,12 +49,12 @@ answers::Answer verify(const answers::Request& request) {
   answers::Answer answer = answers::verify(request);
   if (!request.has("with") || answer.check_failed) return answer;
   const coq::Files files = all_files();
-  const TemporaryFolder folder("verify");
+  const host::TemporaryFolder folder("verify");
   generate::write(folder.path, {files.texts.begin(), files.texts.end()});
   std::string problem;
   std::string last;
   for (const auto& [name, text] : files.texts) {
-    const auto said = said_by(
+    const auto said = host::said_by(
         {"coqc", "-q", "-w", "none", "-R", folder.path, "Magicmass", folder.path + "/" + name});
     if (!said)
       throw InvalidInput("verify: --with coq needs coqc (Debian: coq); allowed: no --with");

@@ -7,8 +7,8 @@
 #include "answers/errors.hpp"
 #include "answers/figures.hpp"
 #include "answers/shown_text.hpp"
-#include "command/embedded.hpp"
 #include "command/gnuplot.hpp"
+#include "host/embedded.hpp"
 #include "report/report.hpp"
 
 namespace command {
@@ -16,7 +16,9 @@ namespace {
 
 using answers::Figure;
 
-std::string script_of(const std::string& figure) { return embedded("figures/" + figure + ".gp"); }
+std::string script_of(const std::string& figure) {
+  return host::embedded("figures/" + figure + ".gp");
+}
 
 /// What a script says of its figure in lines "# KEY ...": title, description, size.
 std::string told(const std::string& script, const std::string& key) {

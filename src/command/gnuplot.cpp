@@ -5,12 +5,12 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/child.hpp"
+#include "host/child.hpp"
 
 namespace command {
 
 std::string drawn(const std::string& script) {
-  const auto said = said_by({"gnuplot", "-d", "-"}, script);
+  const auto said = host::said_by({"gnuplot", "-d", "-"}, script);
   if (!said) {
     throw answers::InvalidInput(
         "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");

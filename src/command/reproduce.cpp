@@ -11,9 +11,9 @@
 #include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
 #include "command/comparison.hpp"
-#include "command/embedded.hpp"
 #include "command/figure.hpp"
 #include "generate/tree.hpp"
+#include "host/embedded.hpp"
 #include "report/report.hpp"
 
 namespace command {
@@ -63,7 +63,7 @@ void write(const std::string& folder, const std::vector<Comparison>& all) {
 }  // namespace
 
 Answer reproduce(const Request& request) {
-  const std::vector<Comparison> all = comparisons(embedded("paper_numbers.csv"));
+  const std::vector<Comparison> all = comparisons(host::embedded("paper_numbers.csv"));
   if (request.has("out")) write(request.text("out"), all);
   return page_of(all, request.format);
 }

@@ -3,7 +3,7 @@
 #include "command/comparison.hpp"
 
 #include "catch.hpp"
-#include "command/embedded.hpp"
+#include "host/embedded.hpp"
 #include "refusal.hpp"
 
 using command::Comparison;
@@ -17,7 +17,7 @@ Comparison one(const std::string& row) { return comparisons(header + row + "\n")
 
 /// The paper's numbers with a text in place of another.
 std::vector<Comparison> with(const std::string& text, const std::string& other) {
-  std::string all = command::embedded("paper_numbers.csv");
+  std::string all = host::embedded("paper_numbers.csv");
   all.replace(all.find(text), text.size(), other);
   return comparisons(all);
 }
@@ -33,7 +33,7 @@ std::vector<std::string> wrong(const std::vector<Comparison>& all) {
 }  // namespace
 
 TEST_CASE("Every number of the paper agrees or differs for a reason that holds") {
-  const std::vector<Comparison> all = comparisons(command::embedded("paper_numbers.csv"));
+  const std::vector<Comparison> all = comparisons(host::embedded("paper_numbers.csv"));
   REQUIRE(all.size() == 94);
   REQUIRE(wrong(all).empty());
 }
@@ -58,7 +58,7 @@ TEST_CASE("A spoiled number or reason is named, and nothing else", "[check]") {
 
 TEST_CASE("A page names what is spoiled, and the check has failed", "[check]") {
   const auto page = [](const std::vector<Comparison>& all) { return page_of(all, "text"); };
-  CHECK_FALSE(page(comparisons(command::embedded("paper_numbers.csv"))).check_failed);
+  CHECK_FALSE(page(comparisons(host::embedded("paper_numbers.csv"))).check_failed);
   const answers::Answer spoiled = page(with("0.064178", "0.064187"));
   CHECK(spoiled.check_failed);
   CHECK_THAT(spoiled.document, ContainsSubstring("89 agree, 4 differ for the reason given, 1"));

@@ -7,8 +7,8 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/child.hpp"
 #include "command/command.hpp"
+#include "host/child.hpp"
 
 namespace {
 
@@ -56,9 +56,8 @@ Answer wait(const Request&) {
 
 /// Another program that takes too long, with a folder.
 Answer other(const Request&) {
-  const command::TemporaryFolder folder("other");
-  const auto said =
-      command::said_by({"bash", "-c", "touch \"$0\"/file; exec sleep 60", folder.path});
+  const host::TemporaryFolder folder("other");
+  const auto said = host::said_by({"bash", "-c", "touch \"$0\"/file; exec sleep 60", folder.path});
   return document(said ? said->output : "no bash\n");
 }
 

@@ -12,11 +12,11 @@
 
 #include "answers/errors.hpp"
 #include "catch.hpp"
-#include "command/answer_file.hpp"
-#include "command/attempts.hpp"
-#include "command/child.hpp"
-#include "command/grade.hpp"
-#include "command/watch.hpp"
+#include "classroom/answer_file.hpp"
+#include "classroom/attempts.hpp"
+#include "classroom/grade.hpp"
+#include "classroom/watch.hpp"
+#include "host/child.hpp"
 #include "refusal.hpp"
 
 using learn::Exercise;
@@ -51,7 +51,7 @@ within = "1 ulp"
 /// Some answers do what programs of students do.
 learn::Ran run(const Exercise&, const std::string& code, const learn::Rows&) {
   if (code == "loop") {
-    const command::TemporaryFolder folder("loop");
+    const host::TemporaryFolder folder("loop");
     for (;;) ::usleep(1000);
   }
   if (code == "abort") std::abort();
@@ -67,7 +67,7 @@ void save(const std::filesystem::path& file, const std::string& text) {
 }
 
 /// A place for the time of a test, and the memory in it.
-struct Place : command::TemporaryFolder {
+struct Place : host::TemporaryFolder {
   Place() : TemporaryFolder("test") {
     ::setenv("XDG_STATE_HOME", (path + "/state").c_str(), 1);
     ::alarm(60);  // what waits for ever is ended
@@ -78,7 +78,7 @@ struct Place : command::TemporaryFolder {
 
 std::string feedback_of(const std::string& answer, const Exercise& e = half) {
   learn::Judgement said = judge(e, answer, run);
-  command::remember(e, answer, said);
+  classroom::remember(e, answer, said);
   return said.feedback;
 }
 
@@ -100,16 +100,16 @@ TEST_CASE("The third miss and those after it show a hint that is new") {
   CHECK(feedback_of("1 + alpha") == "=Upside down.");
   CHECK(feedback_of("1+alpha\n") == "=Upside down.");
   CHECK(feedback_of("(") == judge(half, "(").feedback);
-  command::remember_hint(half, 1);
+  classroom::remember_hint(half, 1);
   CHECK(feedback_of("4") == wrong("4") + " Hint 2: two");
   CHECK(feedback_of("4") == wrong("4"));
   CHECK(feedback_of("5") == wrong("5") + " There are no more hints: magicmass learn solution half");
-  CHECK(command::attempts().at("half").done == "tried");
+  CHECK(classroom::attempts().at("half").done == "tried");
   CHECK(feedback_of("1/(1 + alpha)") == "Right.");
-  command::remember_hint(twice, 1);
+  classroom::remember_hint(twice, 1);
   feedback_of("6");
-  CHECK(command::attempts().at("half").done == "right");
-  CHECK(command::attempts().at("twice").done == "");
+  CHECK(classroom::attempts().at("half").done == "right");
+  CHECK(classroom::attempts().at("twice").done == "");
   CHECK(lines_of(place.memory()).at(1).starts_with("half\twrong\t=upside down\t"));
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("Checks at once lose no line of the memory") {
   for (const std::string& line : lines_of(place.memory()))
     answers += line.starts_with("twice\twrong\t\t") ? 1 : 0;
   CHECK(answers == 200);
-  CHECK(command::attempts().at("twice").misses.size() == 200);
+  CHECK(classroom::attempts().at("twice").misses.size() == 200);
 }
 
 TEST_CASE("Without a memory nothing is remembered, and nothing is said") {
@@ -134,7 +134,7 @@ TEST_CASE("Without a memory nothing is remembered, and nothing is said") {
   const auto forgets = [] {
     for (const char* answer : {"3", "4", "5", "6"})
       if (feedback_of(answer).find("Hint") != std::string::npos) return false;
-    return command::attempts().empty();
+    return classroom::attempts().empty();
   };
   save(place.path + "/file", "x");
   ::mkfifo((place.path + "/pipe").c_str(), 0600);
@@ -186,7 +186,7 @@ TEST_CASE("A class is graded, whatever its files are") {
   ::mkfifo((room + "m/half.txt").c_str(), 0600);
   const auto graded = [&](std::map<std::string, std::string> options, const std::string& format) {
     const answers::Request request{std::move(options), {"grade", room}, format};
-    return answers::written(command::grade(request, {half, twice}, run).table,
+    return answers::written(classroom::grade(request, {half, twice}, run).table,
                             format == "csv" ? answers::Format::csv : answers::Format::json_lines);
   };
   CHECK(graded({}, "csv") ==
@@ -214,7 +214,7 @@ TEST_CASE("An answer that never ends is undecided, one that ends the judge too")
   const Place place;
   save(place.path + "/twice.cpp", "loop");
   ::setenv("TMPDIR", place.path.c_str(), 1);
-  const auto late = command::judged_file(twice, place.path, run, 1).value();
+  const auto late = classroom::judged_file(twice, place.path, run, 1).value();
   ::unsetenv("TMPDIR");
   const auto files = [&] {
     return std::distance(std::filesystem::directory_iterator(place.path), {});
@@ -224,8 +224,8 @@ TEST_CASE("An answer that never ends is undecided, one that ends the judge too")
   CHECK(late.said.mark == Mark::undecided);
   CHECK(late.said.feedback == "It was not judged within 1 s.");
   save(place.path + "/twice.cpp", "end");
-  CHECK(command::judged_file(twice, place.path, run).value().said.mark == Mark::undecided);
-  CHECK_FALSE(command::judged_file(half, place.path, run));
+  CHECK(classroom::judged_file(twice, place.path, run).value().said.mark == Mark::undecided);
+  CHECK_FALSE(classroom::judged_file(half, place.path, run));
 }
 
 TEST_CASE("A saved answer is judged, once, however it was saved") {
@@ -251,18 +251,18 @@ TEST_CASE("A saved answer is judged, once, however it was saved") {
       {"wrong\nfeedback  At x = 1: your double is 0", [] { throw std::out_of_range("seen"); }}};
   std::string all;
   std::size_t step = 0;
-  CHECK_THROWS_AS(command::watch({half, twice}, place.path, run,
-                                 [&](std::string_view text) {
-                                   all += text;
-                                   if (!text.empty()) return;
-                                   CHECK_THAT(all, ContainsSubstring(steps.at(step).first));
-                                   all.clear();
-                                   steps.at(step++).second();
-                                 }),
+  CHECK_THROWS_AS(classroom::watch({half, twice}, place.path, run,
+                                   [&](std::string_view text) {
+                                     all += text;
+                                     if (!text.empty()) return;
+                                     CHECK_THAT(all, ContainsSubstring(steps.at(step).first));
+                                     all.clear();
+                                     steps.at(step++).second();
+                                   }),
                   std::out_of_range);
   CHECK(step == steps.size());
   CHECK(lines_of(place.memory()).size() == 3);
-  CHECK_THAT(
-      refusal<answers::InvalidInput>([&] { command::watch({half}, place.path + "/no", run, {}); }),
-      ContainsSubstring("cannot read the folder"));
+  CHECK_THAT(refusal<answers::InvalidInput>(
+                 [&] { classroom::watch({half}, place.path + "/no", run, {}); }),
+             ContainsSubstring("cannot read the folder"));
 }

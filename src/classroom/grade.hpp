@@ -5,7 +5,7 @@
 #include "answers/request.hpp"
 #include "learn/judge.hpp"
 
-namespace command {
+namespace classroom {
 
 /// `learn grade CLASS [--only ID,ID] [--why or --summary]` of these exercises.
 answers::Answer grade(const answers::Request& request, const std::vector<learn::Exercise>& all,
@@ -13,4 +13,4 @@ answers::Answer grade(const answers::Request& request, const std::vector<learn::
 /// The exercise of this name; refused where there is none, with the one that may be meant.
 const learn::Exercise& named(const std::vector<learn::Exercise>& all, const std::string& id);
 
-}  // namespace command
+}  // namespace classroom

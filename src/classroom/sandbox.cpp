@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/sandbox.hpp"
+#include "classroom/sandbox.hpp"
 
 #include <cerrno>
 #include <csignal>
@@ -15,11 +15,13 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/child.hpp"
-#include "command/embedded.hpp"
+#include "host/child.hpp"
+#include "host/embedded.hpp"
 
-namespace command {
+namespace classroom {
 namespace {
+
+using host::End;
 
 constexpr std::size_t mebibyte = std::size_t{1} << 20U;
 constexpr unsigned compile_seconds = 10;
@@ -55,7 +57,7 @@ std::string why_stopped(const End& end) {
     return "it did not come to an end within " + std::to_string(run_seconds) +
            " s: is there a loop that never stops?";
   if (had_no_memory) return "it asked for more memory than the 512 MiB that it may have";
-  switch (end.code - of_signal) {
+  switch (end.code - host::of_signal) {
     case SIGXFSZ:
       return "it wrote more than 1 MiB of output";
     case SIGSYS:
@@ -69,9 +71,10 @@ std::string why_stopped(const End& end) {
     case SIGABRT:
       return "it gave up" + (end.errors.empty() ? "" : ": " + first_line(end.errors));
     default:
-      return end.code == 0          ? ""
-             : end.code > of_signal ? "signal " + std::to_string(end.code - of_signal) + " ended it"
-                                    : "it ended with exit code " + std::to_string(end.code);
+      return end.code == 0 ? ""
+             : end.code > host::of_signal
+                 ? "signal " + std::to_string(end.code - host::of_signal) + " ended it"
+                 : "it ended with exit code " + std::to_string(end.code);
   }
 }
 
@@ -128,7 +131,7 @@ bool compute_only(const char* program, const rlimit* memory) {
     rule(call);
   rule("read", {is(0, STDIN_FILENO)});
   for (const char* call : {"write", "writev"})
-    rule(call, {{0, SCMP_CMP_LE, results_descriptor, 0}});
+    rule(call, {{0, SCMP_CMP_LE, host::results_descriptor, 0}});
   rule("prlimit64", {is(0, 0), is(2, 0)});  // asks, sets nothing
   rule("prlimit64", {is(0, 0), is(1, RLIMIT_AS), is(2, std::uint64_t(memory))});
   rule("tgkill", {is(0, std::uint64_t(::getpid()))});  // abort()
@@ -139,13 +142,13 @@ bool compute_only(const char* program, const rlimit* memory) {
 
 learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
                             const learn::Rows& inputs) {
-  const TemporaryFolder folder("learn");
+  const host::TemporaryFolder folder("learn");
   std::ofstream(folder.path + "/answer.cpp") << code;
-  for (const auto& [name, text] : all_embedded())
+  for (const auto& [name, text] : host::all_embedded())
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
   std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n" << e.driver;
-  const End compiled = end_of(
+  const End compiled = host::end_of(
       {"env", "LC_ALL=C", "TMPDIR=" + folder.path, "c++", "-std=c++20", "-O1", "-ffp-contract=off",
        "-w", "-fmax-errors=2", "-static", "-o", "program", "driver.cpp", "answer.cpp"},
       "",
@@ -153,7 +156,7 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
        .bytes = 1024 * mebibyte,
        .file_bytes = 64 * mebibyte,
        .folder = folder.path});
-  if (compiled.code == not_there)
+  if (compiled.code == host::not_there)
     throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
   if (compiled.is_late || compiled.code != 0)
     return {.unread = first_errors(compiled, folder.path)};
@@ -165,12 +168,12 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
       seal + " " + std::to_string(e.outputs.size()) + " " + std::to_string(e.inputs.size());
   for (const learn::Numbers& row : inputs)
     for (const double value : row) text += hex(value);
-  const End end = end_of({"./program"}, text,
-                         {.seconds = run_seconds,
-                          .bytes = 512 * mebibyte,
-                          .file_bytes = mebibyte,
-                          .folder = folder.path,
-                          .confine = compute_only});
+  const End end = host::end_of({"./program"}, text,
+                               {.seconds = run_seconds,
+                                .bytes = 512 * mebibyte,
+                                .file_bytes = mebibyte,
+                                .folder = folder.path,
+                                .confine = compute_only});
   if (!end.was_confined)
     throw answers::Undecided(
         "learn: this system cannot confine a program to computing (seccomp), so none is run");
@@ -187,4 +190,4 @@ learn::Ran run_code(const learn::Exercise& e, const std::string& code, const lea
   return known[key] = compiled_and_run(e, code, inputs);
 }
 
-}  // namespace command
+}  // namespace classroom

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Programs of others: each attack ends with a line that says why, and leaves nothing behind.
-#include "command/sandbox.hpp"
+#include "classroom/sandbox.hpp"
 
 #include <csignal>
 #include <cstdlib>
@@ -16,14 +16,14 @@
 
 #include "answers/errors.hpp"
 #include "catch.hpp"
-#include "command/child.hpp"
-#include "command/embedded.hpp"
+#include "host/child.hpp"
+#include "host/embedded.hpp"
 #include "learn/judge.hpp"
 
 namespace {
 
 /// Where all temporary files go, and none may stay.
-const command::TemporaryFolder place("sandbox");
+const host::TemporaryFolder place("sandbox");
 const bool is_set = ::setenv("TMPDIR", place.path.c_str(), 1) == 0;
 bool is_empty() { return is_set && std::filesystem::is_empty(place.path); }
 
@@ -48,7 +48,7 @@ learn::Judgement judged(const std::string& code) {
                "#include <cstdio>\n#include <cstdlib>\n#include <vector>\n#include <fcntl.h>\n"
                "#include <signal.h>\n#include <sys/socket.h>\n#include <unistd.h>\n" +
                    code,
-               command::run_code);
+               classroom::run_code);
 }
 std::string body(const std::string& statements) {
   return "double f(double x) { " + statements + " return 2 * x; }";
@@ -116,7 +116,7 @@ namespace {
 
 /// A pipe that the shell script of another program opens by name: who has it is alive.
 struct Fifo {
-  command::TemporaryFolder folder{"fifo"};
+  host::TemporaryFolder folder{"fifo"};
   std::string name = folder.path + "/fifo";
   bool is_made = ::mkfifo(name.c_str(), 0600) == 0;
   pollfd reader{::open(name.c_str(), O_RDONLY | O_NONBLOCK), 0, 0};
@@ -136,7 +136,7 @@ TEST_CASE("Whoever ends this program ends all that it started") {
   Fifo fifo;
   const pid_t child = ::fork();
   if (child == 0) {
-    command::end_of(fifo.script("sleep 100 & sleep 100"));
+    host::end_of(fifo.script("sleep 100 & sleep 100"));
     ::_exit(0);
   }
   fifo.reader.events = POLLIN;
@@ -150,9 +150,9 @@ TEST_CASE("Whoever ends this program ends all that it started") {
 TEST_CASE("What a program started ends with it, or when its time is up") {
   const rlim_t much = rlim_t{1} << 30U;
   Fifo fifo;
-  CHECK(command::end_of(fifo.script("sleep 100 & exit 3")).code == 3);
+  CHECK(host::end_of(fifo.script("sleep 100 & exit 3")).code == 3);
   CHECK(fifo.is_left(1000));
-  CHECK(command::end_of(fifo.script("sleep 100 & sleep 100"), "", {1, much, much}).is_late);
+  CHECK(host::end_of(fifo.script("sleep 100 & sleep 100"), "", {1, much, much}).is_late);
   CHECK(fifo.is_left(1000));
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("Where the system has no filter, nothing is run") {
     seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(prctl), 1, &set);
     if (seccomp_load(filter) != 0) ::_exit(2);
     try {
-      command::run_code(doubled, "double f(double x) { return x; }", {{1}});
+      classroom::run_code(doubled, "double f(double x) { return x; }", {{1}});
     } catch (const answers::Undecided&) {
       ::_exit(7);
     }
@@ -178,10 +178,10 @@ TEST_CASE("Where the system has no filter, nothing is run") {
 
 TEST_CASE("Each exercise in code is sound") {
   int count = 0;
-  for (const auto& [name, text] : command::all_embedded()) {
+  for (const auto& [name, text] : host::all_embedded()) {
     if (text.find("\nkind = \"code\"") == text.npos) continue;
     INFO(name);
-    CHECK(learn::faults(learn::read_exercise(text, name), command::run_code) == learn::Texts{});
+    CHECK(learn::faults(learn::read_exercise(text, name), classroom::run_code) == learn::Texts{});
     ++count;
   }
   CHECK(count >= 8);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/learn.hpp"
+#include "classroom/learn.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -7,15 +7,15 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/answer_file.hpp"
-#include "command/attempts.hpp"
-#include "command/embedded.hpp"
-#include "command/grade.hpp"
-#include "command/sandbox.hpp"
-#include "command/watch.hpp"
+#include "classroom/answer_file.hpp"
+#include "classroom/attempts.hpp"
+#include "classroom/grade.hpp"
+#include "classroom/sandbox.hpp"
+#include "classroom/watch.hpp"
+#include "host/embedded.hpp"
 #include "magicmass/scenes/keys.hpp"
 
-namespace command {
+namespace classroom {
 namespace {
 
 using answers::Answer;
@@ -30,7 +30,7 @@ const std::string allowed_file = "a file of text";
 std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
   std::map<std::string, std::string> texts;
   if (place.empty()) {
-    for (const auto& [name, text] : all_embedded())
+    for (const auto& [name, text] : host::all_embedded())
       if (name.find("/exercises/") != name.npos && name.ends_with(".toml"))
         texts.emplace(name, text);
   } else if (std::filesystem::is_directory(place)) {
@@ -161,7 +161,7 @@ Answer make(const Request& request) {
   if (std::filesystem::exists(path))
     throw InvalidInput("learn new: " + answers::shown_text(path) + " is there already");
   std::ofstream file(path);
-  if (!(file << embedded(request.has("kind") ? "new_code.toml" : "new_exercise.toml")
+  if (!(file << host::embedded(request.has("kind") ? "new_code.toml" : "new_exercise.toml")
              << std::flush))
     throw InvalidInput("learn new: cannot write " + answers::shown_text(path));
   return {{}, path + ": edit it, then run: magicmass learn test " + path + "\n"};
@@ -203,4 +203,4 @@ Answer learn_by_exercises(const Request& request) {
   return found->second(request);
 }
 
-}  // namespace command
+}  // namespace classroom

@@ -4,7 +4,7 @@
 
 #include "learn/code.hpp"
 
-namespace command {
+namespace classroom {
 
 /// Compiles the answer with the exercise's driver and runs it with these inputs, once however often
 /// the results are asked for. No file of it is left, no process. Throws answers::Undecided where
@@ -12,4 +12,4 @@ namespace command {
 learn::Ran run_code(const learn::Exercise& exercise, const std::string& code,
                     const learn::Rows& inputs);
 
-}  // namespace command
+}  // namespace classroom

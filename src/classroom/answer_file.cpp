@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/answer_file.hpp"
+#include "classroom/answer_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -13,9 +13,9 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/child.hpp"
+#include "host/child.hpp"
 
-namespace command {
+namespace classroom {
 namespace {
 
 using answers::InvalidInput;
@@ -81,8 +81,8 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
                        unsigned seconds) {
   static std::set<std::string> prepared;  // the derivation is proved, own programs are run
   if (prepared.insert(e.source + '\0' + e.id).second) faults(e, run);
-  const End end = end_of({"an answer"}, "",
-                         {.seconds = seconds, .file_bytes = 64 * mebibyte, .instead = [&] {
+  const host::End end = host::end_of(
+      {"an answer"}, "", {.seconds = seconds, .file_bytes = 64 * mebibyte, .instead = [&] {
                             try {
                               return packed(judge(e, text, run));
                             } catch (const std::bad_alloc&) {
@@ -129,4 +129,4 @@ answers::Table told(const Exercise& e, const Judgement& said) {
   return table;
 }
 
-}  // namespace command
+}  // namespace classroom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/child.hpp"
+#include "host/child.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace command {
+namespace host {
 namespace {
 
 /// A file without a name.
@@ -176,4 +176,4 @@ TemporaryFolder::~TemporaryFolder() {
   ::waitpid(cleaner_, nullptr, 0);
 }
 
-}  // namespace command
+}  // namespace host

@@ -9,7 +9,7 @@
 
 #include <sys/resource.h>
 
-namespace command {
+namespace host {
 
 constexpr int results_descriptor = 3;  // of the other program
 constexpr int not_there = 127;         // as shells say it
@@ -61,4 +61,4 @@ private:
   int cleaner_ = -1;
 };
 
-}  // namespace command
+}  // namespace host

@@ -5,10 +5,10 @@
 #include <map>
 #include <string>
 
-namespace command {
+namespace host {
 
 /// The text of a file by its path below this folder. Throws std::out_of_range where there is none.
 std::string embedded(const std::string& file);
 const std::map<std::string, std::string>& all_embedded();
 
-}  // namespace command
+}  // namespace host

@@ -8,7 +8,7 @@
 
 #include "learn/judge.hpp"
 
-namespace command {
+namespace classroom {
 
 struct Attempts {
   std::string done = {};              ///< "right" where it was once, "tried", or ""
@@ -24,4 +24,4 @@ void remember(const learn::Exercise& exercise, const std::string& answer, learn:
 /// Keeps that a hint, counted from 1, was shown.
 void remember_hint(const learn::Exercise& exercise, std::size_t number);
 
-}  // namespace command
+}  // namespace classroom

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/grade.hpp"
+#include "classroom/grade.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -8,10 +8,10 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/answer_file.hpp"
+#include "classroom/answer_file.hpp"
 #include "magicmass/scenes/keys.hpp"
 
-namespace command {
+namespace classroom {
 namespace {
 
 using answers::InvalidInput;
@@ -126,4 +126,4 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   return {is_why ? why : is_summary ? summary : marks, {}};
 }
 
-}  // namespace command
+}  // namespace classroom

@@ -7,7 +7,7 @@
 #include "answers/request.hpp"
 #include "learn/judge.hpp"
 
-namespace command {
+namespace classroom {
 
 /// "half_angle.txt", or "collide.cpp" for code.
 std::string answer_file(const learn::Exercise& exercise);
@@ -25,4 +25,4 @@ std::optional<AnswerInFile> judged_file(const learn::Exercise& exercise, const s
 /// The table of what is said to one answer.
 answers::Table told(const learn::Exercise& exercise, const learn::Judgement& said);
 
-}  // namespace command
+}  // namespace classroom

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Looks at the times of change: that works on every file system, for every way to save.
-#include "command/watch.hpp"
+#include "classroom/watch.hpp"
 
 #include <chrono>
 #include <filesystem>
@@ -15,11 +15,11 @@
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "answers/table.hpp"
-#include "command/answer_file.hpp"
-#include "command/attempts.hpp"
+#include "classroom/answer_file.hpp"
+#include "classroom/attempts.hpp"
 #include "magicmass/scenes/keys.hpp"
 
-namespace command {
+namespace classroom {
 namespace {
 
 using learn::Exercise;
@@ -93,4 +93,4 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
   }
 }
 
-}  // namespace command
+}  // namespace classroom

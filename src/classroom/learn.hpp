@@ -4,8 +4,8 @@
 
 #include "answers/request.hpp"
 
-namespace command {
+namespace classroom {
 
 answers::Answer learn_by_exercises(const answers::Request& request);
 
-}  // namespace command
+}  // namespace classroom

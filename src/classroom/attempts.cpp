@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/attempts.hpp"
+#include "classroom/attempts.hpp"
 
 #include <cstdint>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 
 #include "answers/shown_text.hpp"
 
-namespace command {
+namespace classroom {
 namespace {
 
 constexpr std::size_t misses_without_hint = 2;
@@ -97,4 +97,4 @@ void remember_hint(const learn::Exercise& e, std::size_t number) {
   keep({e.id, "hint " + std::to_string(number)});
 }
 
-}  // namespace command
+}  // namespace classroom
