@@ -3,46 +3,38 @@
 
 #include <stdexcept>
 
-#include "answers/evaluate.hpp"
+#include "answers/motion.hpp"
 #include "kernel/print.hpp"
 
 namespace answers {
 namespace {
 
-/// times (x^d - 1).
-Polynomial times_power_less_one(const Polynomial& p, std::size_t d) {
-  Polynomial out(p.size() + d, 0);
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    out[i + d] = out[i + d] + p[i];
-    out[i] = out[i] - p[i];
+/// p over q, which divides it and whose first coefficient is 1.
+Polynomial quotient(Polynomial p, const Polynomial& q) {
+  Polynomial out(p.size() - q.size() + 1, 0);
+  for (std::size_t i = out.size(); i-- > 0;) {
+    out[i] = p[i + q.size() - 1];
+    for (std::size_t j = 0; j < q.size(); ++j) p[i + j] = p[i + j] - out[i] * q[j];
   }
   return out;
 }
-/// over (x^d - 1), which divides it.
-Polynomial over_power_less_one(Polynomial p, std::size_t d) {
-  for (std::size_t i = p.size(); i-- > d;) p[i - d] = p[i - d] + p[i];
-  return {p.begin() + static_cast<std::ptrdiff_t>(d), p.end()};
+/// p(x^n)
+Polynomial at_power(const Polynomial& p, std::size_t n) {
+  Polynomial out((p.size() - 1) * n + 1, 0);
+  for (std::size_t i = 0; i < p.size(); ++i) out[i * n] = p[i];
+  return out;
 }
-/// 1, -1, or 0 where a square divides n.
-int moebius(int n) {
-  int sign = 1;
-  for (int p = 2; n > 1; ++p) {
-    if (n % p != 0) continue;
-    n /= p;
-    if (n % p == 0) return 0;
-    sign = -sign;
-  }
-  return sign;
-}
-/// Whose roots are the primitive m-th roots of 1: the product of all (x^d - 1)^moebius(m/d).
+/// Phi_m, whose roots are the primitive m-th roots of 1: for a prime p, Phi_np(x) is Phi_n(x^p) if
+/// p divides n, else Phi_n(x^p)/Phi_n(x).
 Polynomial cyclotomic(int m) {
-  Polynomial p{1};
-  for (const int sign : {1, -1})
-    for (int d = 1; d <= m; ++d)
-      if (m % d == 0 && moebius(m / d) == sign)
-        p = sign == 1 ? times_power_less_one(p, std::size_t(d))
-                      : over_power_less_one(p, std::size_t(d));
-  return p;
+  Polynomial phi{-1, 1};
+  for (int n = 1, p = 2; n < m; ++p) {
+    for (; m / n % p == 0; n *= p) {
+      const Polynomial of_power = at_power(phi, std::size_t(p));
+      phi = n % p == 0 ? of_power : quotient(of_power, phi);
+    }
+  }
+  return phi;
 }
 cln::cl_RA value(const Polynomial& p, const cln::cl_RA& x) {
   cln::cl_RA sum = 0;
@@ -84,10 +76,10 @@ Polynomial polynomial_of_secant(int m) {
 
 Polynomial polynomial_of_ratio(int k, bool is_magic) {
   const Polynomial p = polynomial_of_secant(is_magic ? 4 * k + 2 : 4 * k + 4);
-  const std::string id = is_magic ? "ratios.alpha_k" : "ratios.beta_k";
-  const Ball root = evaluate(right_side(id), {{kernel::integer("k"), Ball(k)}});
+  const Ball root =
+      ball_of(is_magic ? notation::Alpha(notation::Magic{k}) : notation::Deficient{k});
   if (value(p, root.low()) * value(p, root.high()) > 0)
-    throw std::logic_error("no root: " + id + " at " + std::to_string(k));
+    throw std::logic_error("no root: " + text_of(p) + " at " + std::to_string(k));
   return p;
 }
 
