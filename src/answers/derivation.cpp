@@ -119,13 +119,7 @@ std::vector<render::Section> derivation_sections() {
 }
 
 std::vector<Column> derive_columns() {
-  return {{"id", Type::text, "", "chapter and name"},
-          {"formula", Type::text, "", "what is proved"},
-          {"hypotheses", Type::list, "", "under which conditions"},
-          {"label", Type::text, "", "the paper's equations"},
-          {"rule", Type::text, "", "the kernel's rule of the last step"},
-          {"premises", Type::list, "", "the steps that it was made from"},
-          {"verdict", Type::text, "", "proved"}};
+  return named_columns({"id", "formula", "hypotheses", "label", "rule", "premises", "verdict"});
 }
 
 Answer derive(const Request& request) {
@@ -154,11 +148,7 @@ Answer derive(const Request& request) {
   return {table, is_list ? list : ""};
 }
 
-std::vector<Column> verify_columns() {
-  return {{"proved", Type::whole, "1", "theorems that are shown"},
-          {"failed", Type::whole, "1", "theorems whose proof was refused"},
-          {"steps", Type::whole, "1", "different steps of the kernel"}};
-}
+std::vector<Column> verify_columns() { return named_columns({"proved", "failed", "steps"}); }
 
 Answer verify(const Request&) {
   const derivation::Book* book = nullptr;

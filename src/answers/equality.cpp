@@ -57,11 +57,6 @@ Cell counterexample_cell(const Verdict& verdict) {
           "{\"at\": " + json(c.point) + ", \"left\": " + json(c.left) +
               ", \"right\": " + json(c.right) + ", \"difference\": " + json(c.difference) + "}"};
 }
-Cell list_or_missing(const std::vector<std::string>& texts) {
-  Cell cell = list_cell(texts);
-  if (texts.empty()) cell.text = missing_cell().text;
-  return cell;
-}
 
 }  // namespace
 
@@ -92,13 +87,8 @@ Expr stated_value(const std::string& step) {
 }
 
 std::vector<Column> equal_columns() {
-  return {{"verdict", Type::text, "", "equal, different or undecided"},
-          {"proof", Type::text, "", "how it is known"},
-          {"counterexample", Type::text, "", "a point where the sides differ"},
-          {"domain", Type::list, "", "where they were compared"},
-          {"conditions", Type::list, "", "where both sides have a value"},
-          {"theorem", Type::text, "", "what the kernel certified"},
-          {"notes", Type::list, "", "how it was read, and where one side alone has a value"}};
+  return named_columns(
+      {"verdict", "proof", "counterexample", "domain", "conditions", "theorem", "notes"});
 }
 
 Answer equal(const Request& request) {
@@ -124,20 +114,19 @@ Answer equal(const Request& request) {
       }
     }
     const equality::Domain domain = equality::read_domain(request.text("domain"), symbols, notes);
-    Verdict verdict = equality::decide(sides[0], sides[1], domain);
-    for (const std::string& note : verdict.notes) notes.push_back(note);
-    Answer answer;
-    answer.table.columns = equal_columns();
-    answer.table.is_list = false;
-    answer.check_failed = verdict.answer == equality::Answer::Different;
-    answer.is_undecided = verdict.answer == equality::Answer::Undecided;
-    answer.table.rows.push_back(
-        {text_cell(equality::word(verdict.answer)), text_cell(verdict.proof),
-         counterexample_cell(verdict), list_or_missing(verdict.domain),
-         list_or_missing(verdict.conditions),
-         verdict.theorem.empty() ? missing_cell() : text_cell(verdict.theorem),
-         list_or_missing(notes)});
-    return answer;
+    const Verdict verdict = equality::decide(sides[0], sides[1], domain);
+    notes.insert(notes.end(), verdict.notes.begin(), verdict.notes.end());
+    const Row row{text_cell(equality::word(verdict.answer)),
+                  text_cell(verdict.proof),
+                  counterexample_cell(verdict),
+                  list_cell(verdict.domain),
+                  list_cell(verdict.conditions),
+                  verdict.theorem.empty() ? missing_cell() : text_cell(verdict.theorem),
+                  list_cell(notes)};
+    return {{equal_columns(), {row}, false},
+            "",
+            verdict.answer == equality::Answer::Different,
+            verdict.answer == equality::Answer::Undecided};
   } catch (const kernel::Refused& r) {
     throw InvalidInput(std::string("equal: ") + shown_text(r.what(), 300));
   }

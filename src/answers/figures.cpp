@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "answers/drawings.hpp"
 #include "answers/motion.hpp"
 #include "kernel/print.hpp"
+#include "magicmass/scenes/trajectory.hpp"
 
 namespace answers {
 namespace {
@@ -38,22 +38,75 @@ std::vector<Alpha> alphas() {
   return all;
 }
 
+/// The time and the places of all bodies, at the start, at each collision and at the end.
+using Places = std::vector<std::vector<double>>;
+
+/// Of a scene in TOML that has `until`; times as if it began at `start`.
+Places places(const std::string& text, double start) {
+  using namespace magicmass::scenes;
+  Scene scene = parse_scene(text, "a scene of the figures");
+  const Result result = run(scene);
+  scene.times = {value_of(0), *scene.until};
+  stream(scene, result.plan, [&](const magicmass::scenes::Row& row) {
+    const auto* time = std::get_if<double>(&row.time);
+    scene.times.push_back({"", time ? Quadratic(*time) : std::get<Quadratic>(row.time)});
+  });
+  Places all;
+  trajectory(scene, result, [&](const Point& point) {
+    if (point.body == 0) all.push_back({double_of(point.time).value() + start});
+    all.back().push_back(double_of(point.position).value());
+  });
+  return all;
+}
+
+/// A and C are a length apart, so that the first collision is at time 0 of the paper.
+Places three_bodies(const std::string& alpha) {
+  return places("alpha = " + alpha + "\npositions = [-1, 0, 1]\nuntil = 6\n", -1);
+}
+
+/// Each place is a row.
+Table table_of(const std::vector<std::string>& names, const Places& all) {
+  Table table{named_columns(names), {}};
+  for (const std::vector<double>& place : all) table.rows.push_back(real_cells(place));
+  return table;
+}
+
+/// A body a row: its place, its velocity before the first collision.
+Table setup_data() {
+  const Row v = rounded([] { return velocities(Magic{3}, 0); });
+  return {named_columns({"body", "x", "v"}),
+          {{text_cell("A"), real_cell(-1), v[0]},
+           {text_cell("C"), real_cell(0), v[2]},
+           {text_cell("B"), real_cell(1), v[1]}}};
+}
+
+Table counts_data() {
+  Table table{named_columns({"alpha", "N_A", "N_B"}), {}};
+  std::vector<Alpha> steps = thresholds_above(0.01);
+  steps.insert(steps.begin(), 2.0);
+  steps.emplace_back(0.01);
+  for (auto alpha = steps.rbegin(); alpha != steps.rend(); ++alpha)
+    table.rows.push_back(
+        concatenated({{real_cell(nearest(*alpha))}, count_cells(count_collisions(*alpha))}));
+  return table;
+}
+
+/// Places of A, C, B from collision to collision, one panel after the other.
+Table trajectories_data() {
+  Table table{named_columns({"panel", "t", "x_A", "x_C", "x_B"}), {}};
+  for (const auto& [panel, alpha] :
+       {std::pair{"a", "\"magic:3\""}, {"b", "\"12/100\""}, {"c", "\"10/100\""}})
+    for (const std::vector<double>& place : three_bodies(alpha))
+      table.rows.push_back(concatenated({{text_cell(panel)}, real_cells(place)}));
+  return table;
+}
+
 Table terminal_data() {
   Table table{named_columns({"alpha", "a_t", "b_t", "c_t"}), {}};
   for (const Alpha& alpha : alphas()) {
     const LargeCounts counts = count_collisions(alpha);
     const Row v = rounded([&] { return terminal(alpha, counts); });
     table.rows.push_back({real_cell(nearest(alpha)), v[0], v[1], v[2]});
-  }
-  return table;
-}
-
-Table velocities_data() {
-  const Alpha alpha = cln::cl_RA(1) / 1000;
-  Table table{named_columns({"n", "a", "b", "c", "c_prime"}), {}};
-  for (int n = 0; n <= count_collisions(alpha).N_A; ++n) {
-    table.rows.push_back(rounded([&] { return velocities(alpha, n); }));
-    table.rows.back().insert(table.rows.back().begin(), whole_cell(n));
   }
   return table;
 }
@@ -68,17 +121,70 @@ Table transmission_data() {
   return table;
 }
 
-Table counts_data() {
-  Table table{named_columns({"alpha", "N_A", "N_B"}), {}};
-  std::vector<Alpha> steps = thresholds_above(0.01);
-  steps.insert(steps.begin(), 2.0);
-  steps.emplace_back(0.01);
-  for (auto alpha = steps.rbegin(); alpha != steps.rend(); ++alpha) {
-    const LargeCounts counts = count_collisions(*alpha);
-    const auto cell = [](const cln::cl_I& n) { return whole_cell(kernel::digits(n)); };
-    table.rows.push_back({real_cell(nearest(*alpha)), cell(counts.N_A), cell(counts.N_B)});
+Table velocities_data() {
+  const Alpha alpha = cln::cl_RA(1) / 1000;
+  Table table{named_columns({"n", "a", "b", "c", "c_prime"}), {}};
+  for (int n = 0; n <= count_collisions(alpha).N_A; ++n)
+    table.rows.push_back(
+        concatenated({{whole_cell(n)}, rounded([&] { return velocities(alpha, n); })}));
+  return table;
+}
+
+/// V_n at alpha_5, then the circle on which they lie.
+Table sphere_data() {
+  constexpr int cycles = 5;
+  constexpr int steps = 24;  // from one V_n to the next
+  Table table{named_columns({"part", "n", "a", "b", "sqrt_alpha_c_prime"}), {}};
+  const auto add = [&](const char* part, const cln::cl_RA& n) {
+    Row row = rounded([&] {
+      const Ball alpha = ball_of(Magic{cycles});
+      // Far from 0 each: what is 0 has no nearest double that digits could show.
+      const Ball shift = 4;
+      return Balls{n, right_side_at("power.a", alpha, n) + shift,
+                   right_side_at("power.b", alpha, n) + shift,
+                   sqrt(alpha) * right_side_at("power.c_prime", alpha, n) + shift};
+    });
+    for (std::size_t i = 1; i < row.size(); ++i) row[i] = real_cell(std::stod(row[i].text) - 4);
+    table.rows.push_back(concatenated({{text_cell(part)}, row}));
+  };
+  for (int n = 0; n <= cycles; ++n) add("V_n", n);
+  for (int i = 0; i <= (2 * cycles + 1) * steps; ++i) add("circle", cln::cl_RA(i) / steps);
+  return table;
+}
+
+/// Distance of A and B at each collision, and the direction of its ray in the unfolded wedge.
+Table wedge_data() {
+  Table table{named_columns({"collision", "t", "s", "angle"}), {}};
+  const Places all = three_bodies("\"magic:3\"");
+  for (std::size_t j = 1; j + 1 < all.size(); ++j) {
+    const std::vector<double>& at = all[j];
+    const std::string name = (j % 2 == 1 ? "P_" : "Q_") + std::to_string((j + 1) / 2);
+    const cln::cl_RA cycles = cln::cl_RA(static_cast<int>(j)) / 2;
+    const Row angle = rounded(
+        [&] { return Balls{right_side_at("rotation.psi", ball_of(Magic{3})) * Ball(cycles)}; });
+    table.rows.push_back({text_cell(name), real_cell(at[0]), real_cell(at[3] - at[1]), angle[0]});
   }
   return table;
+}
+
+/// Places of a block and of the ball between it and a wall, from collision to collision; they touch
+/// at time 0.
+Table way_data() {
+  return table_of({"t", "x_block", "x_ball"},
+                  places("kind = \"wall\"\nmass_ratio = 100\nuntil = 3\n", 0));
+}
+
+/// Places of five blocks and four balls at magic ratios from collision to collision, there and
+/// back.
+Table cradle_data() {
+  return table_of(
+      {"t", "x_A1", "x_C1", "x_A2", "x_C2", "x_A3", "x_C3", "x_A4", "x_C4", "x_A5"},
+      places("kind = \"chain\"\n"
+             "masses = [1, \"magic:1\", 1, \"magic:2\", 1, \"magic:3\", 1, \"magic:4\", 1]\n"
+             "positions = [-1, 0, 1, 2, 3, 4, 5, 6, 7]\n"
+             "velocities = [1, 0, 0, 0, 0, 0, 0, 0, 0]\n"
+             "right_wall = 8\nuntil = 20\n",
+             -1));
 }
 
 }  // namespace

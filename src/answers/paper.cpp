@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "answers/errors.hpp"
-#include "answers/evaluate.hpp"
 #include "answers/motion.hpp"
 #include "magicmass/scenes/value.hpp"
 
 namespace answers {
 namespace {
 
-using cln::cl_I;
 using notation::Alpha;
 using notation::Deficient;
 using notation::Magic;
@@ -48,10 +46,9 @@ double rho_at(double alpha, const cln::cl_RA& e) {
 Answer angle(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
   const auto turns = [&] {
-    const Values at{{kernel::real("alpha"), ball_of(alpha)}};
-    return Balls{evaluate(right_side("rotation.psi"), at) / Ball::pi()};
+    return Balls{right_side_at("rotation.psi", ball_of(alpha)) / Ball::pi()};
   };
-  return {{{{"psi_over_pi", Type::real, "1", "angle of a cycle"}}, {rounded(turns)}, false}, ""};
+  return {{named_columns({"psi_over_pi"}), {rounded(turns)}, false}, ""};
 }
 
 Answer extremum(const Request& request) {
@@ -70,10 +67,8 @@ Answer extremum(const Request& request) {
   const double elastic = nearest(near);
   const double place = std::round((low + high) / 2 * scale) / scale;
   const double percent = std::round(1e5 * (place - elastic) / elastic) / 1e3;
-  return {{{{"alpha", Type::real, "1", "place of the extremum"},
-            {"elastic", Type::real, "1", "its place for e = 1"},
-            {"shift", Type::real, "%", "of the place"}},
-           {{real_cell(place), real_cell(elastic), real_cell(percent)}},
+  return {{named_columns({"alpha", "elastic", "shift"}),
+           {real_cells({place, elastic, percent})},
            false},
           ""};
 }

@@ -7,7 +7,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "magicmass/numbers/errors.hpp"
 #include "magicmass/scenes/trajectory.hpp"
 
 namespace answers {
@@ -54,22 +53,23 @@ Cell short_cell(const Number& number, bool exact) {
   return {std::string(digits.data(), end), cell.json};
 }
 
-/// Columns and their cells; together the one row of a table.
-using Fields = std::vector<std::pair<Column, Cell>>;
+/// Names and their cells.
+using Fields = std::vector<std::pair<std::string, Cell>>;
 
+/// Together the one row of a table.
 Table table_of(const Fields& fields) {
   Table table{{}, {{}}, false};
-  for (const auto& [column, cell] : fields) {
-    table.columns.push_back(column);
+  for (const auto& [name, cell] : fields) {
+    table.columns.push_back({name});
     table.rows[0].push_back(cell);
   }
   return table;
 }
 
 /// "A 0, C 0.5" and {"A": 0, "C": 0.5}
-Cell object_cell(const std::vector<std::pair<std::string, Cell>>& members) {
+Cell object_cell(const Fields& fields) {
   std::vector<std::string> texts, pairs;
-  for (const auto& [name, cell] : members) {
+  for (const auto& [name, cell] : fields) {
     texts.push_back(name + " " + cell.text);
     pairs.push_back(text_cell(name).json + ": " + cell.json);
   }
@@ -77,16 +77,15 @@ Cell object_cell(const std::vector<std::pair<std::string, Cell>>& members) {
 }
 
 Fields plan_fields(const Result& result) {
-  return {{{"model", Type::text, "", "theorem, transfers: counted; events: collision by collision"},
-           text_cell(result.plan.model)},
-          {{"reason", Type::text, "", "why that one"}, text_cell(result.plan.reason)},
-          {{"events", Type::whole, "", "collisions; none where they never end"},
-           result.status == Status::collapse ? missing_cell() : whole_cell(result.events)}};
+  const bool never_end = result.status == Status::collapse;
+  return {{"model", text_cell(result.plan.model)},
+          {"reason", text_cell(result.plan.reason)},
+          {"events", never_end ? missing_cell() : whole_cell(result.events)}};
 }
 
 Cell counts_cell(const Scene& scene, const Result& result) {
   const bool never_end = result.status == Status::collapse;
-  std::vector<std::pair<std::string, Cell>> counts;
+  Fields counts;
   for (std::size_t gap = 0; gap < result.counts.size(); ++gap) {
     const bool is_open =
         (gap == 0 && !scene.left_wall) || (gap + 1 == result.counts.size() && !scene.right_wall);
@@ -98,7 +97,7 @@ Cell counts_cell(const Scene& scene, const Result& result) {
 }
 
 Cell terminal_cell(const Scene& scene, const Result& result, bool exact) {
-  std::vector<std::pair<std::string, Cell>> terminal;
+  Fields terminal;
   for (std::size_t i = 0; i < result.terminal.size(); ++i)
     terminal.emplace_back(body_name(scene, i), number_cell(result.terminal[i], exact));
   if (scene.kind == Kind::three_body)
@@ -110,104 +109,81 @@ Cell terminal_cell(const Scene& scene, const Result& result, bool exact) {
 Fields head_fields(const Asked& asked) {
   const Result& result = asked.result;
   const Scene& scene = asked.scene;
-  const bool exact = asked.scene.is_exact;
-  Cell plan{result.plan.model + ": " + result.plan.reason,
-            written(table_of(plan_fields(result)), Format::json)};
-  plan.json.pop_back();  // a line feed
-  Fields fields;
-  const auto add = [&](const char* name, Type type, const char* words, const Cell& cell) {
-    fields.push_back({{name, type, "", words}, cell});
-  };
-  const auto shown = [&](const Number& number) { return number_cell(number, exact); };
-  add("status", Type::text, "complete, limited or collapse", text_cell(status_name(result.status)));
-  if (!result.why.empty()) add("why", Type::text, "it is limited", text_cell(result.why));
-  add("plan", Type::text, "model, reason, number of collisions", plan);
+  const auto shown = [&](const Number& number) { return number_cell(number, scene.is_exact); };
+  const std::string plan = result.plan.model + ": " + result.plan.reason;
+  Fields fields{{"status", text_cell(status_name(result.status))}};
+  if (!result.why.empty()) fields.emplace_back("why", text_cell(result.why));
+  fields.emplace_back("plan", Cell{plan, object_cell(plan_fields(result)).json});
   if (result.collapse_time)
-    add("collapse", Type::real, "when and where collisions come to an end",
-        object_cell({{"time", shown(*result.collapse_time)},
-                     {"position", shown(*result.collapse_position)}}));
-  if (scene.wants("counts")) add("counts", Type::whole, "collisions", counts_cell(scene, result));
+    fields.emplace_back("collapse", object_cell({{"time", shown(*result.collapse_time)},
+                                                 {"position", shown(*result.collapse_position)}}));
+  if (scene.wants("counts")) fields.emplace_back("counts", counts_cell(scene, result));
   if (scene.wants("terminal"))
-    add("terminal", Type::real, "velocities at the end; rho: B's part of energy",
-        terminal_cell(scene, result, exact));
+    fields.emplace_back("terminal", terminal_cell(scene, result, scene.is_exact));
   if (scene.wants("energy"))
-    add("energy", Type::real, "kinetic",
-        object_cell({{"before", shown(result.energy_before)}, {"after", shown(result.energy)}}));
+    fields.emplace_back("energy", object_cell({{"before", shown(result.energy_before)},
+                                               {"after", shown(result.energy)}}));
   return fields;
 }
 
+using Shown = std::function<Cell(const Number&)>;
+using AddRow = std::function<void(Row)>;
 using Write = std::function<void(std::string_view)>;
 
-/// Rows as they come, written some thousand at a time.
-class Rows {
-public:
-  Rows(Format format, const std::vector<Column>& columns, Write write)
-      : writer_(format, columns, true),
-        write_(std::move(write)),
-        cell_(format == Format::text ? short_cell : number_cell) {}
-  Cell number(const Number& value, bool exact) const { return cell_(value, exact); }
-  void add(Row row) {
-    constexpr std::size_t rows_at_once = 4096;
-    block_.push_back(std::move(row));
-    if (block_.size() == rows_at_once) flush();
-  }
-  void end() {
-    if (is_first_ || !block_.empty()) flush();
-    write_(writer_.end());
-  }
-
-private:
-  Writer writer_;
-  Write write_;
-  Cell (*cell_)(const Number&, bool exact);
-  std::vector<Row> block_;
-  bool is_first_ = true;
-
-  void flush() {
-    write_(writer_.rows(block_));
-    block_.clear();
-    is_first_ = false;
-  }
-};
-
 /// Of all collisions those that the scene wants to see.
-void write_events(const Asked& asked, Rows rows) {
+void add_events(const Asked& asked, const Shown& shown, const AddRow& add) {
   const Scene& scene = asked.scene;
-  const auto shown = [&](const Number& value) { return rows.number(value, asked.scene.is_exact); };
   stream(scene, asked.result.plan, [&](const auto& event) {
     if (event.number % scene.every != 0) return;
     const auto name = [&](std::size_t body, bool is_there) {
       return text_cell(is_there ? body_name(scene, body) : "wall");
     };
-    rows.add({whole_cell(event.number), name(event.gap - 1, event.gap > 0),
-              name(event.gap, event.gap < scene.masses.size()), shown(event.time),
-              shown(event.position), shown(event.v_left), shown(event.v_right)});
+    add({whole_cell(event.number), name(event.gap - 1, event.gap > 0),
+         name(event.gap, event.gap < scene.masses.size()), shown(event.time), shown(event.position),
+         shown(event.v_left), shown(event.v_right)});
   });
-  rows.end();
 }
 
-void write_trajectory(const Asked& asked, Rows rows) {
-  const auto shown = [&](const Number& value) { return rows.number(value, asked.scene.is_exact); };
+void add_points(const Asked& asked, const Shown& shown, const AddRow& add) {
   trajectory(asked.scene, asked.result, [&](const Point& point) {
-    rows.add(
-        {shown(point.time), text_cell(body_name(asked.scene, point.body)), shown(point.position)});
+    add({shown(point.time), text_cell(body_name(asked.scene, point.body)), shown(point.position)});
   });
-  rows.end();
+}
+
+/// A list of rows that a scene may ask for.
+struct List {
+  const char* name;
+  std::vector<Column> columns;
+  void (*add_rows)(const Asked&, const Shown&, const AddRow&);
+};
+
+/// Rows as they come, some thousand at a time.
+void write_list(const List& list, const Asked& asked, Format format, const Write& write) {
+  constexpr std::size_t rows_at_once = 4096;
+  Writer writer(format, list.columns, true);
+  std::vector<Row> block;
+  const auto flush = [&] {
+    write(writer.rows(block));
+    block.clear();
+  };
+  const auto shown = [&](const Number& number) {
+    return (format == Format::text ? short_cell : number_cell)(number, asked.scene.is_exact);
+  };
+  list.add_rows(asked, shown, [&](Row row) {
+    block.push_back(std::move(row));
+    if (block.size() == rows_at_once) flush();
+  });
+  flush();
+  write(writer.end());
 }
 
 void write_all(const Asked& asked, const std::string& format, const Write& write) {
-  struct List {
-    const char* name;
-    std::vector<Column> columns;
-    void (*write)(const Asked&, Rows);
-  };
-  const List events{"events", simulate_columns(), write_events};
-  const List points{"trajectory", trajectory_columns(), write_trajectory};
+  const List events{"events", simulate_columns(), add_events};
+  const List points{"trajectory", named_columns({"time", "body", "position"}), add_points};
   if (format == "csv" || format == "jsonl") {
     const bool is_points = asked.scene.wants("trajectory") && !asked.scene.wants("events");
-    const List& list = is_points ? points : events;
     const Format as = format == "csv" ? Format::csv : Format::json_lines;
-    return list.write(asked, Rows(as, list.columns, write));
+    return write_list(is_points ? points : events, asked, as, write);
   }
   const Format as = format == "json" ? Format::json : Format::text;
   std::string head = written(table_of(head_fields(asked)), as);
@@ -219,7 +195,7 @@ void write_all(const Asked& asked, const std::string& format, const Write& write
     const auto without_end = [&](std::string_view text) {
       write(text == "\n]\n" || text == "]\n" ? text.substr(0, text.size() - 1) : text);
     };
-    list.write(asked, Rows(as, list.columns, as == Format::text ? write : without_end));
+    write_list(list, asked, as, as == Format::text ? write : without_end);
   }
   if (as == Format::json) write("}\n");
 }
@@ -229,19 +205,7 @@ void write_all(const Asked& asked, const std::string& format, const Write& write
 std::vector<Column> plan_columns() { return table_of(plan_fields({})).columns; }
 
 std::vector<Column> simulate_columns() {
-  return {{"number", Type::whole, "", "1 for the first collision"},
-          {"left", Type::text, "", "name of the left body, or wall"},
-          {"right", Type::text, "", "of the right one"},
-          {"time", Type::real, "", "of the collision"},
-          {"position", Type::real, "", "of the collision"},
-          {"v_left", Type::real, "", "velocity of the left body after it"},
-          {"v_right", Type::real, "", "of the right one"}};
-}
-
-std::vector<Column> trajectory_columns() {
-  return {{"time", Type::real, "", ""},
-          {"body", Type::text, "", "its name"},
-          {"position", Type::real, "", "where it is then"}};
+  return named_columns({"number", "left", "right", "time", "position", "v_left", "v_right"});
 }
 
 Answer plan(const Request& request) {

@@ -8,7 +8,6 @@ namespace answers {
 
 std::vector<Column> plan_columns();
 std::vector<Column> simulate_columns();
-std::vector<Column> trajectory_columns();
 
 /// The model that one scene's file needs, and why.
 Answer plan(const Request& request);

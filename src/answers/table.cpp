@@ -112,7 +112,7 @@ std::string block_of(const std::vector<Column>& columns, const Row& row) {
 
 std::vector<Column> named_columns(const std::vector<std::string>& names) {
   std::vector<Column> columns;
-  for (const std::string& name : names) columns.push_back({name, Type::real, "", ""});
+  for (const std::string& name : names) columns.push_back({name});
   return columns;
 }
 
@@ -128,6 +128,12 @@ Cell real_cell(double value) {
 Row real_cells(const std::vector<double>& values) {
   Row row;
   for (const double value : values) row.push_back(real_cell(value));
+  return row;
+}
+
+Row concatenated(std::initializer_list<Row> parts) {
+  Row row;
+  for (const Row& part : parts) row.insert(row.end(), part.begin(), part.end());
   return row;
 }
 
@@ -223,17 +229,13 @@ std::string written(const Table& table, Format format) {
 }
 
 std::string markdown(const Table& table) {
-  std::string names = "|";
-  std::string text = "\n|";
-  for (const Column& column : table.columns) {
-    names.append(" ").append(column.name).append(" |");
-    text += "---|";
-  }
+  std::string text = "| " + joined(names_of(table.columns), " | ") + " |\n|";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) text += "---|";
   for (const Row& row : table.rows) {
     text += "\n|";
-    for (const Cell& cell : row) text += " " + (cell.text.empty() ? "-" : cell.text) + " |";
+    for (const Cell& cell : row) text += " " + shown(cell) + " |";
   }
-  return names + text + "\n";
+  return text + "\n";
 }
 
 }  // namespace answers

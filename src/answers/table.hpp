@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,12 +17,11 @@ enum class Type { text, real, whole, exact, list };
 
 struct Column {
   std::string name;
-  Type type;
-  std::string unit;   ///< "V", "1", or "" for what has none
-  std::string words;  ///< what it is, in a few words
+  Type type = Type::real;
+  std::string unit = {};   ///< "V", "1", or "" for what has none
+  std::string words = {};  ///< what it is, in a few words
 };
 
-/// Columns that no table of a command has: the data of a figure.
 std::vector<Column> named_columns(const std::vector<std::string>& names);
 
 /// A value as text and CSV write it, and as JSON does.
@@ -47,6 +47,8 @@ Cell missing_cell();
 
 using Row = std::vector<Cell>;  ///< as long as there are columns
 Row real_cells(const std::vector<double>& values);
+/// The cells of one row after those of the other.
+Row concatenated(std::initializer_list<Row> parts);
 
 /// Many rows as columns of numbers, which are written without a cell for each.
 struct Block {

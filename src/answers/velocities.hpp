@@ -7,14 +7,16 @@
 namespace answers {
 
 /// Velocities after n cycles: options alpha, n, tier (fast, accurate, exact), digits. Throws
-/// InvalidInput for n above N_A, Undecided for exact fractions that would be too long.
+/// InvalidInput for n above N_A, Undecided for exact fractions that would be too long. Columns a
+/// and c: just after P_n, in units of V; b and c_prime: just after Q_n.
 Answer eval(const Request& request);
 std::vector<Column> eval_columns();
 
 Answer count(const Request& request);
 std::vector<Column> count_columns();
 
-/// Terminal velocities: options alpha, tier, digits.
+/// Terminal velocities in units of V and rho, B's share of the energy: options alpha, tier, digits,
+/// restitution. Where collisions never end, collapse_time is when they do, in units of L/V.
 Answer terminal(const Request& request);
 std::vector<Column> terminal_columns();
 

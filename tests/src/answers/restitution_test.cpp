@@ -23,7 +23,7 @@ Answer asked(const char* alpha, const char* e) {
   return answers::terminal(request);
 }
 std::optional<std::int64_t> count(const cl_RA& alpha, const cl_RA& e) {
-  return with_restitution(alpha, e).count();
+  return Trio::equal_blocks(value_of(notation::Alpha(alpha)), e).count();
 }
 }  // namespace
 
@@ -35,7 +35,7 @@ TEST_CASE("counts and terminal velocities are those of exact steps") {
     const cl_RA e = cl_RA(int(random() % 18 + 1)) / 20;
     auto steps = bodies(alpha, e);
     while (steps.approach() > 0 && steps.N < 300) steps.collide();
-    const Trio trio = with_restitution(alpha, e);
+    const Trio trio = Trio::equal_blocks(value_of(notation::Alpha(alpha)), e);
     const auto N = trio.count();
     INFO("alpha = " << cln::double_approx(alpha) << ", e = " << cln::double_approx(e));
     if (!N) {
