@@ -2,10 +2,11 @@
 // Balls for mass ratios that are no rationals, with as many bits as it takes.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 
 #include "balls/ball.hpp"
+#include "magicmass/numbers/errors.hpp"
 
 namespace magicmass::scenes {
 
@@ -15,18 +16,20 @@ using balls::exact;
 using balls::nearest_double;
 using balls::NotCertain;
 
-/// Calls with more and more bits until it says that all is certain; throws Undecided, so
-/// many "bits would be needed" and `otherwise`, where that is not so with many times the bits of
-/// `digits` decimal digits.
-void until_certain(int digits, const std::function<bool()>& is_certain,
-                   const std::string& otherwise);
-/// What is computed with enough bits: until it is something, and does not throw Undecided.
+/// What is computed, with more and more bits until it is something. Throws Undecided, so many "bits
+/// would be needed" and `otherwise`, where many times the bits of `digits` decimal digits do not do.
 template <class Compute>
 auto with_bits(int digits, const Compute& compute, const std::string& otherwise = "") {
-  decltype(std::optional(compute())) result;
-  until_certain(
-      digits, [&] { return (result = compute()).has_value(); }, otherwise);
-  return *result;
+  const int wanted = 4 * digits;
+  const int most = 8192 + 4 * wanted;  // a double near 2^-1074 with its count takes some 3,000
+  for (int bits = 128 + wanted; bits <= most; bits *= 2) {
+    Ball::set_bits(bits);
+    try {
+      if (const auto result = std::optional(compute())) return *result;
+    } catch (const NotCertain&) {
+    }
+  }
+  throw Undecided("more than " + std::to_string(most) + " bits would be needed" + otherwise);
 }
 
 }  // namespace magicmass::scenes

@@ -84,15 +84,12 @@ std::size_t Quadratic::bits() const { return length(a_) + (cln::zerop(b_) ? 0 : 
 
 std::optional<double> Quadratic::to_double() const {
   if (sign() == 0) return 0.0;
-  cl_RA near = a_;
-  for (int places = 128; !cln::zerop(b_); places *= 2) {
-    const cl_I scale = cln::ash(cl_I(1), places);
-    cl_I root;
-    cln::isqrt(d_ * scale * scale, &root);
-    near = a_ + b_ * root / scale;
-    const cl_RA error = cln::abs(b_) / scale;
-    if (error * cln::ash(cl_I(1), 75) < cln::abs(near)) break;
-  }
+  cl_I root;
+  cln::isqrt(cln::ash(d_, 256), &root);
+  const cl_RA part = b_ * root / cln::ash(cl_I(1), 128);
+  // Of two parts that cancel, the norm over their difference.
+  const cl_RA near =
+      cln::minusp(a_ * b_) ? (a_ * a_ - b_ * b_ * d_) / (a_ - part) : cl_RA(a_ + part);
   const cl_RA size = cln::abs(near);
   if (size > Quadratic(std::numeric_limits<double>::max()).a_) return std::nullopt;
   if (size < Quadratic(std::numeric_limits<double>::min()).a_) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "magicmass/scenes/run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <concepts>
 #include <span>
@@ -14,7 +15,6 @@ namespace {
 
 using simulator::Collision;
 using simulator::Engine;
-using simulator::Line;
 
 constexpr std::int64_t events_unless_told = 1'000'000;
 constexpr std::size_t most_bits = 1U << 17U;
@@ -52,12 +52,10 @@ private:
   double work_ = 0;
 };
 
-/// Why a motion ended where it did, and whether more is to come. The one place where that is
-/// decided: a model that knows collapse says so here.
+/// Why a motion ended where it did, if nothing stopped it, and whether more is to come.
 template <class Scalar>
-void decide_status(const Engine<Scalar>& engine, const std::string& stopped, Result& result) {
-  result.why = stopped;
-  if (stopped.empty() && std::floating_point<Scalar> && engine.has_lost())
+void decide_status(const Engine<Scalar>& engine, Result& result) {
+  if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost())
     result.why = "bodies have become too slow for doubles";
   if (result.why.empty() && result.ties.near > 0) {
     result.why = "decisions closer than doubles can tell: " + std::to_string(result.ties.near) +
@@ -67,24 +65,23 @@ void decide_status(const Engine<Scalar>& engine, const std::string& stopped, Res
 }
 
 template <class Scalar>
-Result motion(const Scene& scene, std::int64_t limit, const Sink& sink, double work = most_work) {
-  const Line<Scalar> line = line_of<Scalar>(scene);
+Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
+              double work = most_work) {
   std::optional<Scalar> until;
   if (scene.until) until = number_of<Scalar>(*scene.until);
-  Engine<Scalar> engine(line);
-  Lengths lengths(work, line.masses.size());
+  Engine<Scalar> engine(line_of<Scalar>(scene));
+  Lengths lengths(work, scene.masses.size());
   Result result;
-  result.counts.resize(line.masses.size() + 1);
+  result.counts.resize(scene.masses.size() + 1);
   const Scalar before = simulator::kinetic_energy<Scalar>(engine.bodies());
-  std::string stopped;
   while (engine.next()) {
     if (until && !engine.is_due_by(*until)) {
-      stopped = at_until;
+      result.why = at_until;
       result.known_until = *until;
       break;
     }
     if (result.events == limit) {
-      stopped = at_limit(limit);
+      result.why = at_limit(limit);
       result.known_until = *engine.next();
       break;
     }
@@ -101,7 +98,7 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink, double w
   const Scalar last = simulator::kinetic_energy<Scalar>(std::span(&engine.bodies().back(), 1));
   result.transmitted = before == Scalar(0) ? before : Scalar(last / before);
   result.ties = engine.ties();
-  decide_status(engine, stopped, result);
+  decide_status(engine, result);
   return result;
 }
 
@@ -115,7 +112,7 @@ std::optional<Result> theorem(const Scene& scene, bool has_exact) {
   const auto N = trio->motion.count();
   if (N && (scene.is_exact || scene.max_events.value_or(*N) < *N)) return {};
   const bool is_exact = N && has_exact && *N <= few;
-  Result result = is_exact ? motion<Quadratic>(scene, few, {}) : trio->after(N);
+  Result result = is_exact ? motion<Quadratic>(scene, few) : trio->after(N);
   result.plan = {"theorem", is_exact, "one body meets a ball at rest before a block or a wall"};
   return result;
 }
@@ -133,7 +130,7 @@ std::optional<Result> transfers(const Scene& scene, bool has_exact) try {
   if (!cradle) return {};
   const std::int64_t limit = most_events(scene), events = within(cradle->motion, scene);
   const bool is_exact = has_exact && events <= few;
-  Result result = is_exact ? motion<Quadratic>(scene, limit, {}) : cradle->after(events);
+  Result result = is_exact ? motion<Quadratic>(scene, limit) : cradle->after(events);
   if (!is_exact && cradle->motion.count() != events) {
     const bool is_limit = events == limit;
     result.status = Status::limited;
@@ -164,9 +161,8 @@ std::optional<double> double_of(const Number& number) {
 }
 
 std::string status_name(Status status) {
-  return status == Status::complete  ? "complete"
-         : status == Status::limited ? "limited"
-                                     : "collapse";
+  constexpr std::array names{"complete", "limited", "collapse"};
+  return names[static_cast<std::size_t>(status)];
 }
 
 Result run(const Scene& scene) {
@@ -178,13 +174,15 @@ Result run(const Scene& scene) {
                        ": --exact: values that are not of one quadratic field; "
                        "allowed: fractions and one square root");
   }
-  Result result =
-      scene.is_exact ? motion<Quadratic>(scene, limit, {}) : motion<double>(scene, limit, {});
-  if (scene.is_exact) result.plan = {"events", true, "exact numbers are asked for"};
-  if (scene.is_exact) return result;
+  if (scene.is_exact) {
+    Result result = motion<Quadratic>(scene, limit);
+    result.plan = {"events", true, "exact numbers are asked for"};
+    return result;
+  }
+  Result result = motion<double>(scene, limit);
   result.plan = {"events", false, "no decision is closer than doubles can tell"};
-  const std::string close = "decisions are closer than doubles can tell";
   if (result.ties.near == 0) return result;
+  const std::string close = "decisions are closer than doubles can tell";
   result.plan.reason = close + "; the scene has no exact numbers";
   if (!has_exact) return result;
   try {
@@ -199,10 +197,7 @@ Result run(const Scene& scene) {
 void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
   constexpr std::int64_t many = 100'000;  // from here on stepping in doubles is worth its error
   std::int64_t limit = most_events(scene);
-  if (plan.is_exact) {
-    motion<Quadratic>(scene, limit, sink);
-    return;
-  }
+  if (plan.is_exact) return void(motion<Quadratic>(scene, limit, sink));
   if (plan.model == "transfers") {
     const auto cradle = Seen<Cradle>::of(scene);
     return cradle->stream(within(cradle->motion, scene), sink);

@@ -14,7 +14,7 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 
-constexpr std::int64_t most_collisions = std::int64_t(1) << 62;
+const cl_I most_collisions = cln::ash(cl_I(1), 62);
 
 Ball ball_of(const Value& value) {
   const auto number = [](const cl_I& k) -> std::int64_t { return cln::cl_I_to_long(k); };
@@ -65,11 +65,11 @@ Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
   return *of({{block, alpha, block}, {{}, {0, 0, 1}, {1, 0, 0}, {}, {}, e}});
 }
 
-std::optional<Quadratic> Trio::exact_K() const {
+std::optional<Quadratic> Trio::exact_q_e() const {
   if (!A_.exact() || !C_.exact() || (B_ && !B_->exact())) return {};
   try {
     const Quadratic per_B = B_ ? Quadratic(1) / *B_->exact() : Quadratic(0);
-    return generated::shape_exact(*A_.exact(), per_B, *C_.exact(), e_).K;
+    return generated::shape_exact(*A_.exact(), per_B, *C_.exact(), e_).q_e;
   } catch (const std::domain_error&) {
     return {};
   }
@@ -77,8 +77,8 @@ std::optional<Quadratic> Trio::exact_K() const {
 Trio::Shape Trio::shape() const {
   const Ball C = ball_of(C_);
   Shape s{ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), 1, ball_of(e_), 0};
-  const auto K = exact_K();
-  s.q_e = K ? ball_of(Quadratic(1) - *K) : generated::shape_exact(s.A, s.per_B, s.C, s.e).q_e;
+  const auto q_e = exact_q_e();
+  s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact(s.A, s.per_B, s.C, s.e).q_e;
   if (s.q_e > 0) s.h_e = generated::angle_restitution(s.A, s.per_B, s.C, s.e, s.q_e).h_e;
   return s;
 }
@@ -93,12 +93,11 @@ std::optional<std::int64_t> Trio::by_theorem() const {
 }
 std::optional<std::int64_t> Trio::count() const {
   if (const auto known = by_theorem()) return known;
-  const auto K = exact_K();
-  if (K && !(*K < Quadratic(1))) return {};
-  // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
-  const Quadratic least(cl_RA(1) / cln::square(cl_I(static_cast<long long>(most_collisions))));
-  if (K && Quadratic(1) - *K < least) too_many();
-  if (K) {  // a tie of pi/h_e with a whole number is decided collision by collision
+  if (const auto q_e = exact_q_e()) {
+    if (!(Quadratic(0) < *q_e)) return {};
+    // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
+    if (*q_e < Quadratic(cl_RA(1) / cln::square(most_collisions))) too_many();
+    // A tie of pi/h_e with a whole number is decided collision by collision.
     simulator::Line<Quadratic> line{{*A_.exact(), *C_.exact()}, {0, 0}, {1, 0}, {}, {}, e_};
     if (B_) {
       line.masses.push_back(*B_->exact());
@@ -119,7 +118,7 @@ std::optional<std::int64_t> Trio::count() const {
   };
   const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
   if (N == 0) return {};
-  if (N > cl_I(static_cast<long long>(most_collisions))) too_many();
+  if (N > most_collisions) too_many();
   return cln::cl_I_to_long(cln::numerator(N));
 }
 

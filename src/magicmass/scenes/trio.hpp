@@ -70,7 +70,7 @@ private:
   Quadratic drift_;        ///< velocity of C and B before that
   bool is_paper_ = false;  ///< equal blocks of mass 1, nothing lost
 
-  std::optional<Quadratic> exact_K() const;
+  std::optional<Quadratic> exact_q_e() const;
   std::optional<std::int64_t> by_theorem() const;
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/value.hpp"
 
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -118,9 +117,7 @@ Value value_of(const notation::Alpha& ratio) {
 
 Value value_of(double number) {
   if (!std::isfinite(number)) refuse("not a finite number");
-  std::array<char, 32> digits{};
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-  return {std::string(digits.data(), end), Quadratic(number)};
+  return value_of(notation::Alpha(number));
 }
 
 }  // namespace magicmass::scenes
