@@ -14,8 +14,6 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 
-const cl_I most_collisions = cln::ash(cl_I(1), 62);
-
 Ball ball_of(const Value& value) {
   const auto number = [](const cl_I& k) -> std::int64_t { return cln::cl_I_to_long(k); };
   if (const auto* magic = std::get_if<notation::Magic>(&value.number))
@@ -93,10 +91,11 @@ std::optional<std::int64_t> Trio::by_theorem() const {
 }
 std::optional<std::int64_t> Trio::count() const {
   if (const auto known = by_theorem()) return known;
+  const cl_I most = cln::ash(cl_I(1), 62);
   if (const auto q_e = exact_q_e()) {
     if (!(Quadratic(0) < *q_e)) return {};
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
-    if (*q_e < Quadratic(cl_RA(1) / cln::square(most_collisions))) too_many();
+    if (*q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision.
     simulator::Line<Quadratic> line{{*A_.exact(), *C_.exact()}, {0, 0}, {1, 0}, {}, {}, e_};
     if (B_) {
@@ -118,7 +117,7 @@ std::optional<std::int64_t> Trio::count() const {
   };
   const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
   if (N == 0) return {};
-  if (N > most_collisions) too_many();
+  if (N > most) too_many();
   return cln::cl_I_to_long(cln::numerator(N));
 }
 
