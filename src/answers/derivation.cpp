@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/derivation.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include "answers/errors.hpp"
@@ -24,6 +23,7 @@ class Index {
 public:
   explicit Index(const derivation::Book& book) {
     for (const Chapter& chapter : book.chapters()) {
+      chapters.push_back(chapter.name);
       for (const Statement& s : chapter.statements) {
         numbers.emplace(s.theorem.conclusion(), all.size());
         all.push_back({chapter, s});
@@ -56,6 +56,7 @@ public:
     const Statement& statement;
   };
   std::vector<Shown> all;
+  std::vector<std::string> chapters;
 
 private:
   std::map<kernel::Expr, std::size_t> numbers;  // a definition may be shown under more hypotheses
@@ -67,20 +68,14 @@ Numbers asked_for(const Request& request, const Index& index) {
   std::vector<std::string> words = request.words;
   if (request.has("from")) words.push_back(request.text("from"));
   for (const std::string& word : words) {
-    bool is_found = false;
-    std::vector<std::string> chapters;
-    for (std::size_t k = 0; k < index.all.size(); ++k) {
-      const auto& [chapter, statement] = index.all[k];
-      if (statement.id == word || chapter.name == word) {
-        wanted.insert(k);
-        is_found = true;
-      }
-      if (chapters.empty() || chapters.back() != chapter.name) chapters.push_back(chapter.name);
-    }
-    if (!is_found) {
+    Numbers named;
+    for (std::size_t k = 0; k < index.all.size(); ++k)
+      if (index.all[k].statement.id == word || index.all[k].chapter.name == word) named.insert(k);
+    if (named.empty()) {
       throw InvalidInput("derive: no chapter or step " + shown_text(word) +
-                         "; chapters: " + joined(chapters) + "; steps: derive --list");
+                         "; chapters: " + joined(index.chapters) + "; steps: derive --list");
     }
+    wanted.merge(named);
   }
   const bool takes_all = words.empty();
   for (std::size_t k = index.all.size(); k-- > 0;) {  // from the last to the first
@@ -90,13 +85,6 @@ Numbers asked_for(const Request& request, const Index& index) {
   return wanted;
 }
 
-kernel::Exprs beyond(const kernel::Exprs& hypotheses, const kernel::Exprs& assumptions) {
-  kernel::Exprs out;
-  for (const kernel::Expr& h : hypotheses)
-    if (std::find(assumptions.begin(), assumptions.end(), h) == assumptions.end()) out.push_back(h);
-  return out;
-}
-
 std::vector<render::Section> sections_of(const Numbers& wanted, const Index& index) {
   std::vector<render::Section> out;
   const Chapter* last = nullptr;
@@ -104,8 +92,9 @@ std::vector<render::Section> sections_of(const Numbers& wanted, const Index& ind
     const auto& [chapter, s] = index.all[k];
     if (last != &chapter) out.push_back({chapter.title, chapter.assumptions, {}});
     last = &chapter;
-    out.back().steps.push_back({s.id, s.label, s.words, s.theorem.conclusion(),
-                                beyond(s.theorem.hypotheses(), chapter.assumptions),
+    kernel::Exprs conditions = s.theorem.hypotheses();
+    for (const kernel::Expr& assumption : chapter.assumptions) std::erase(conditions, assumption);
+    out.back().steps.push_back({s.id, s.label, s.words, s.theorem.conclusion(), conditions,
                                 s.theorem.step().rule, index.ids(index.premises(k))});
   }
   return out;

@@ -42,8 +42,7 @@ cln::cl_RA value(const Polynomial& p, const cln::cl_RA& x) {
   return sum;
 }
 
-}  // namespace
-
+/// The polynomial of least degree that sec(2 pi/m) - 1 is a root of, for m >= 5.
 // z = e^(2 pi i/m) is a root of the cyclotomic polynomial, which is irreducible and reads the same
 // from both ends: it is z^D times a sum of z^j + z^-j, and so a polynomial of degree D in
 // y = z + 1/z = 2 cos(2 pi/m), which is irreducible as well (D = phi(m)/2 is the degree of y). Then
@@ -73,6 +72,8 @@ Polynomial polynomial_of_secant(int m) {
   for (cln::cl_I& c : p) c = cln::exquo(c, factor);
   return p;
 }
+
+}  // namespace
 
 Polynomial polynomial_of_ratio(int k, bool is_magic) {
   const Polynomial p = polynomial_of_secant(is_magic ? 4 * k + 2 : 4 * k + 4);

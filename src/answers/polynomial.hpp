@@ -12,11 +12,9 @@ namespace answers {
 /// Whole coefficients, of x^0 first.
 using Polynomial = std::vector<cln::cl_I>;
 
-/// The polynomial of least degree that sec(2 pi/m) - 1 is a root of, for m >= 5: without a common
-/// factor, its first coefficient positive.
-Polynomial polynomial_of_secant(int m);
-/// Of alpha_k (`is_magic`) or beta_k, 1 <= k. Throws std::logic_error where the theorem's value
-/// would be no root.
+/// The polynomial of least degree that alpha_k (`is_magic`) or beta_k is a root of, 1 <= k: without
+/// a common factor, its first coefficient positive. Throws std::logic_error where the theorem's
+/// value would be no root.
 Polynomial polynomial_of_ratio(int k, bool is_magic);
 /// "x^2 + 4*x - 1".
 std::string text_of(const Polynomial& p);

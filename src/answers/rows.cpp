@@ -19,6 +19,7 @@ namespace {
 using Reals = std::vector<double>;
 using Wholes = std::vector<std::int64_t>;
 
+/// NaN where it is no double.
 double alpha_of_row(std::string_view text) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   try {
@@ -30,22 +31,24 @@ double alpha_of_row(std::string_view text) {
   }
 }
 
-Reals alphas_of(const Rows& rows) {
-  Reals alphas(rows.fields.size());
-  for (std::size_t row = 0; row < alphas.size(); ++row)
-    alphas[row] = alpha_of_row(rows.text("alpha", row));
-  return alphas;
+/// -1 where it is none.
+std::int64_t cycles_of_row(std::string_view digits) {
+  std::int64_t cycles = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [read_to, error] = std::from_chars(digits.data(), end, cycles);
+  return error == std::errc() && read_to == end ? cycles : -1;
 }
 
-Wholes cycles_of(const Rows& rows) {
-  Wholes cycles(rows.fields.size());
-  for (std::size_t row = 0; row < cycles.size(); ++row) {
-    const std::string_view digits = rows.text("n", row);
-    const char* const end = digits.data() + digits.size();
-    const auto [read_to, error] = std::from_chars(digits.data(), end, cycles[row]);
-    if (error != std::errc() || read_to != end) cycles[row] = -1;
-  }
-  return cycles;
+/// An option of each row: its field, or what all share.
+template <class Number>
+std::vector<Number> option_of(const Rows& rows, const std::string& option,
+                              Number (*read)(std::string_view)) {
+  const auto column = std::find(rows.columns.begin(), rows.columns.end(), option);
+  const auto at = static_cast<std::size_t>(column - rows.columns.begin());
+  std::vector<Number> all;
+  for (const std::vector<std::string>& fields : rows.fields)
+    all.push_back(read(at < fields.size() ? fields[at] : rows.shared.text(option)));
+  return all;
 }
 
 /// Whether the array functions answer for it.
@@ -61,18 +64,10 @@ Request Rows::request(std::size_t row) const {
   return all;
 }
 
-std::string_view Rows::text(const std::string& option, std::size_t row) const {
-  const auto column = std::find(columns.begin(), columns.end(), option);
-  if (column != columns.end())
-    return fields[row][static_cast<std::size_t>(column - columns.begin())];
-  const auto found = shared.options.find(option);
-  return found == shared.options.end() ? std::string_view() : found->second;
-}
-
 Block eval_block(const Rows& rows) {
   if (!is_of_arrays(rows.shared)) return {};
-  const Reals alpha = alphas_of(rows);
-  const Wholes n = cycles_of(rows);
+  const Reals alpha = option_of(rows, "alpha", alpha_of_row);
+  const Wholes n = option_of(rows, "n", cycles_of_row);
   const std::size_t size = alpha.size();
   Reals a(size), b(size), c(size), c_prime(size);
   const bool is_fast = rows.shared.text("tier") == "fast";
@@ -89,7 +84,7 @@ Block eval_block(const Rows& rows) {
 }
 
 Block count_block(const Rows& rows) {
-  const Reals alpha = alphas_of(rows);
+  const Reals alpha = option_of(rows, "alpha", alpha_of_row);
   const std::size_t size = alpha.size();
   Wholes N_A(size), N_B(size);
   magicmass::count_collisions(alpha, N_A, N_B);

@@ -17,8 +17,6 @@ struct Rows {
   std::vector<std::vector<std::string>> fields = {};
 
   Request request(std::size_t row) const;
-  /// An option of a row: its field, or what all share.
-  std::string_view text(const std::string& option, std::size_t row) const;
 };
 
 /// The same answers as of eval, count and terminal, bit for bit, where a mass ratio is a double and
