@@ -10,8 +10,7 @@
 namespace answers {
 
 std::string Request::text(const std::string& option) const {
-  const auto found = options.find(option);
-  return found == options.end() ? "" : found->second;
+  return has(option) ? options.at(option) : "";
 }
 
 std::optional<std::int64_t> Request::whole(const std::string& option, std::int64_t least,

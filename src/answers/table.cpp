@@ -154,12 +154,8 @@ Writer::Writer(Format format, std::vector<Column> columns, bool is_list)
     before_.push_back(before_.empty() ? "" : format == Format::csv ? "," : ", ");
     if (format != Format::csv) before_.back() += json_string(column.name) + ": ";
   }
-}
-
-std::string Writer::opening() {
-  if (std::exchange(is_open_, true)) return "";
-  if (format_ == Format::csv) return joined(names_of(columns_), ",") + "\n";
-  return is_list_ && format_ == Format::json ? "[" : "";
+  if (format == Format::csv) opening_ = joined(names_of(columns_), ",") + "\n";
+  if (format == Format::json && is_list) opening_ = "[";
 }
 
 template <class AppendField>
@@ -176,7 +172,7 @@ void Writer::append_row(std::string& text, const AppendField& append_field) {
 
 std::string Writer::rows(std::span<const Row> block) {
   if (format_ == Format::text) return text_rows(block);
-  std::string text = opening();
+  std::string text = std::exchange(opening_, "");
   for (const Row& row : block) {
     append_row(text, [&](std::size_t i) {
       const Cell& cell = row.at(i);

@@ -82,13 +82,12 @@ private:
   Format format_;
   std::vector<Column> columns_;
   bool is_list_;
-  bool is_open_ = false;             // the header is written
-  bool is_first_ = true;             // no row is
+  std::string opening_;              // not yet written
+  bool is_first_ = true;             // no row is written
   std::vector<std::string> before_;  // each field, such as its name in JSON
   std::vector<std::size_t> widths_;  // empty: a block of lines a row
 
   std::string text_rows(std::span<const Row> block);
-  std::string opening();
   template <class AppendField>
   void append_row(std::string& text, const AppendField& append_field);
 };
