@@ -77,7 +77,7 @@ bool are_equal(const std::string& one, const std::string& other) {
   const auto left = magicmass::scenes::read_value(one);
   const auto right = magicmass::scenes::read_value(other);
   if (other.find('.') != std::string::npos) return left.to_double() == right.to_double();
-  return left.exact() != nullptr && right.exact() != nullptr && *left.exact() == *right.exact();
+  return right.exact() != nullptr && left.is(*right.exact());
 }
 
 }  // namespace answers

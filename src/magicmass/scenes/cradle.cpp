@@ -42,7 +42,7 @@ std::optional<Cradle> Cradle::of(const Places& places) {
   const std::size_t bodies = masses.size();
   if (bodies < 3 || bodies % 2 == 0 || !(line.restitution == 1)) return {};
   for (std::size_t i = 0; i < bodies; i += 2)
-    if (masses[i].exact() == nullptr || !(*masses[i].exact() == 1)) return {};
+    if (!masses[i].is(1)) return {};
   if (!(Quadratic(0) < v[0])) return {};
   if (std::any_of(v.begin() + 1, v.end(), [](const Quadratic& u) { return !(u == 0); })) return {};
   Cradle cradle;

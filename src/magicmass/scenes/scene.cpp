@@ -44,10 +44,8 @@ bool has_exact_numbers(const Scene& scene) {
 
 template <class Scalar>
 simulator::Line<Scalar> line_of(const Scene& scene) {
-  constexpr bool is_double = std::same_as<Scalar, double>;
   const auto rounds = [](const Value& value) {
-    return is_double &&
-           (value.exact() == nullptr || !(Quadratic(value.to_double()) == *value.exact()));
+    return std::same_as<Scalar, double> && !value.is(Quadratic(value.to_double()));
   };
   bool is_rounded = false;
   const auto number = [&](const Value& value) {

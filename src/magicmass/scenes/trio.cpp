@@ -54,8 +54,7 @@ std::optional<Trio> Trio::of(const Places& places) {
   t.A_ = masses[0];
   t.C_ = masses[1];
   if (!wall) t.B_ = masses[2];
-  const auto is_one = [](const Value& m) { return m.exact() && *m.exact() == 1; };
-  t.is_paper_ = t.B_ && is_one(t.A_) && is_one(*t.B_) && t.e_ == 1;
+  t.is_paper_ = t.B_ && t.A_.is(1) && t.B_->is(1) && t.e_ == 1;
   return t;
 }
 Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {

@@ -19,6 +19,7 @@ struct Value {
 
   /// Nothing for a ratio of the paper, which is no number of a quadratic field.
   const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
+  bool is(const Quadratic& x) const { return exact() != nullptr && *exact() == x; }
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
 };
