@@ -2,13 +2,13 @@
 #include "answers/equality.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
 #include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
+#include "magicmass/scenes/keys.hpp"
 
 namespace answers {
 namespace {
@@ -26,36 +26,25 @@ Expr typed(Expr e) {
   return kernel::with_args(e, args);
 }
 
-/// Letters to insert, delete or replace to make one word the other.
-std::size_t edit_distance(const std::string& from, const std::string& to) {
-  std::vector<std::size_t> row(to.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < to.size(); ++j) {
-      const std::size_t replaced = diagonal + (from[i] == to[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
 void note_misspellings(const std::set<std::string>& names, std::vector<std::string>& notes) {
-  for (const std::string& name : names)
-    for (const std::string known : {"alpha", "theta", "psi", "V_CM"})
-      if (name.size() >= 3 && name != known && edit_distance(name, known) <= known.size() / 2 - 1)
-        notes.push_back(name + " is taken as a symbol of its own; " + known + "?");
+  const std::vector<std::string> usual{"alpha", "beta", "eta", "theta", "zeta", "V_CM"};
+  for (const std::string& name : names) {
+    const std::string meant = magicmass::scenes::nearest_name(name, usual);
+    if (name.size() >= 3 && !meant.empty() && std::count(usual.begin(), usual.end(), name) == 0)
+      notes.push_back(name + " is taken as a symbol of its own; " + meant + "?");
+  }
 }
 
 Cell counterexample_cell(const Verdict& verdict) {
   if (!verdict.counterexample) return missing_cell();
-  const auto& c = *verdict.counterexample;
-  const auto json = [](const std::string& text) { return text_cell(text).json; };
-  return {(c.point.empty() ? "" : "at " + c.point + ": ") + c.left + " and " + c.right +
-              ", apart by " + c.difference,
-          "{\"at\": " + json(c.point) + ", \"left\": " + json(c.left) +
-              ", \"right\": " + json(c.right) + ", \"difference\": " + json(c.difference) + "}"};
+  const auto& [point, left, right, difference] = *verdict.counterexample;
+  const Cell all = object_cell({{"at", text_cell(point)},
+                                {"left", text_cell(left)},
+                                {"right", text_cell(right)},
+                                {"difference", text_cell(difference)}});
+  return {(point.empty() ? "" : "at " + point + ": ") + left + " and " + right + ", apart by " +
+              difference,
+          all.json};
 }
 
 }  // namespace

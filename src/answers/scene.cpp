@@ -53,10 +53,7 @@ Cell short_cell(const Number& number, bool exact) {
   return {std::string(digits.data(), end), cell.json};
 }
 
-/// Names and their cells.
-using Fields = std::vector<std::pair<std::string, Cell>>;
-
-/// Together the one row of a table.
+/// The one row of a table.
 Table table_of(const Fields& fields) {
   Table table{{}, {{}}, false};
   for (const auto& [name, cell] : fields) {
@@ -64,16 +61,6 @@ Table table_of(const Fields& fields) {
     table.rows[0].push_back(cell);
   }
   return table;
-}
-
-/// "A 0, C 0.5" and {"A": 0, "C": 0.5}
-Cell object_cell(const Fields& fields) {
-  std::vector<std::string> texts, pairs;
-  for (const auto& [name, cell] : fields) {
-    texts.push_back(name + " " + cell.text);
-    pairs.push_back(text_cell(name).json + ": " + cell.json);
-  }
-  return {joined(texts), "{" + joined(pairs) + "}"};
 }
 
 Fields plan_fields(const Result& result) {

@@ -148,6 +148,15 @@ Cell list_cell(const std::vector<std::string>& texts) {
   return {joined(texts, "; "), "[" + joined(quoted) + "]"};
 }
 
+Cell object_cell(const Fields& fields) {
+  std::vector<std::string> texts, pairs;
+  for (const auto& [name, cell] : fields) {
+    texts.push_back(name + " " + cell.text);
+    pairs.push_back(json_string(name) + ": " + cell.json);
+  }
+  return {joined(texts), "{" + joined(pairs) + "}"};
+}
+
 Writer::Writer(Format format, std::vector<Column> columns, bool is_list)
     : format_(format), columns_(std::move(columns)), is_list_(is_list) {
   for (const Column& column : columns_) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,10 @@ Cell whole_cell(const std::string& digits);
 Cell exact_cell(const std::string& value);
 /// Several texts: "a; b" and ["a", "b"].
 Cell list_cell(const std::vector<std::string>& texts);
+/// Cells with names.
+using Fields = std::vector<std::pair<std::string, Cell>>;
+/// "A 0, C 0.5" and {"A": 0, "C": 0.5}
+Cell object_cell(const Fields& fields);
 /// There is none: "-" in text, nothing in CSV, null in JSON.
 Cell missing_cell();
 
