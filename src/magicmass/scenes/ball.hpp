@@ -17,7 +17,8 @@ using balls::nearest_double;
 using balls::NotCertain;
 
 /// What is computed, with more and more bits until it is something. Throws Undecided, so many "bits
-/// would be needed" and `otherwise`, where many times the bits of `digits` decimal digits do not do.
+/// would be needed" and `otherwise`, where many times the bits of `digits` decimal digits are too
+/// few.
 template <class Compute>
 auto with_bits(int digits, const Compute& compute, const std::string& otherwise = "") {
   const int wanted = 4 * digits;

@@ -90,6 +90,15 @@ void read_alpha(const Field& f) {
   if (f.scene.kind == Kind::three_body) f.scene.masses.push_back(value_of(1));
 }
 
+void read_mass_ratio(const Field& f) { f.scene.masses = {value_at(f), value_of(1)}; }
+
+void read_blocks(const Field& f) {
+  const auto blocks = static_cast<std::size_t>(whole_at(f, 1, most_blocks));
+  f.scene.masses.assign(2 * blocks - 1, value_of(1));
+}
+
+void read_walls(const Field& f) { f.scene.walls = sides[word_at(f, sides)]; }
+
 void read_outputs(const Field& f) {
   const std::string array = "an array of ";
   f.scene.outputs.clear();
@@ -120,28 +129,20 @@ void read_list(const Field& f) {
 }  // namespace
 
 const std::vector<Key>& keys() {
-  const auto blocks = [](const Field& f) {
-    f.scene.masses.assign(2 * static_cast<std::size_t>(whole_at(f, 1, most_blocks)) - 1,
-                          value_of(1));
-  };
   static const std::vector<Key> all{
       {"kind", [](const Field& f) { f.scene.kind = static_cast<Kind>(word_at(f, kinds)); }},
-      {"title", [](const Field& f) { f.scene.title = text_at(f, "a text"); }},
-      {"alpha", read_alpha, {Kind::three_body, Kind::wall}},
-      {"mass_ratio",
-       [](const Field& f) {
-         f.scene.masses = {value_at(f), value_of(1)};
-       },
-       {Kind::wall}},
+      {"title", [](const Field& f) { text_at(f, "a text"); }},
+      {"alpha", read_alpha, {Kind::three_body, Kind::wall}, {"masses", "mass_ratio"}},
+      {"mass_ratio", read_mass_ratio, {Kind::wall}, {"masses"}},
       {"masses", read_list<&Scene::masses>},
-      {"blocks", blocks, {Kind::chain}},
+      {"blocks", read_blocks, {Kind::chain}, {"masses"}},
       {"balls", read_balls, {Kind::chain}},
       {"positions", read_list<&Scene::positions>},
       {"velocities", read_list<&Scene::velocities>},
-      {"V", read<&Scene::V>},
-      {"L", read<&Scene::L>},
-      {"gap", read<&Scene::gap>, {Kind::chain}},
-      {"walls", [](const Field& f) { f.scene.walls = sides[word_at(f, sides)]; }, {Kind::chain}},
+      {"V", read<&Scene::V>, {}, {"velocities"}},
+      {"L", read<&Scene::L>, {}, {"positions"}},
+      {"gap", read<&Scene::gap>, {Kind::chain}, {"positions"}},
+      {"walls", read_walls, {Kind::chain}, {"positions", "left_wall", "right_wall"}},
       {"left_wall", read<&Scene::left_wall>, {Kind::wall, Kind::chain}},
       {"right_wall", read<&Scene::right_wall>, {Kind::wall, Kind::chain}},
       {"restitution", read<&Scene::restitution>},

@@ -21,7 +21,8 @@ struct Field {
 struct Key {
   std::string name;
   void (*read)(const Field&);
-  std::vector<Kind> kinds = {};  ///< that have it; none: all
+  std::vector<Kind> kinds = {};            ///< that have it; none: all
+  std::vector<std::string> excludes = {};  ///< keys that it does not go with
 };
 
 /// In the order in which they are read.

@@ -46,16 +46,12 @@ void check_names(const Scene& scene) {
 
 /// What is there together, and how many.
 void check_together(const Scene& scene) {
-  const std::vector<std::pair<std::string, std::string>> excluded{
-      {"alpha", "masses"},    {"mass_ratio", "masses"}, {"alpha", "mass_ratio"},
-      {"L", "positions"},     {"V", "velocities"},      {"blocks", "masses"},
-      {"gap", "positions"},   {"walls", "positions"},   {"walls", "left_wall"},
-      {"walls", "right_wall"}};
   const auto exclude = [&](const std::string& one, const std::string& other) {
     if (scene.has(one) && scene.has(other))
       refuse_key(scene, one, "does not go with " + other, "one of the two");
   };
-  for (const auto& [one, other] : excluded) exclude(one, other);
+  for (const Key& key : keys())
+    for (const std::string& other : key.excludes) exclude(key.name, other);
   if (scene.kind != Kind::chain)
     for (const char* const wall : {"left_wall", "right_wall"}) exclude("L", wall);
   for (const auto& [one, other] : std::initializer_list<std::pair<const char*, const char*>>{

@@ -18,7 +18,6 @@ namespace magicmass::scenes {
 enum class Kind { three_body, wall, chain };
 
 struct Scene {
-  std::string title;
   std::string source;  ///< the file, for messages
   Kind kind = Kind::three_body;
   std::vector<Value> masses;  ///< from left to right
