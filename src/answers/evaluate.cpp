@@ -10,22 +10,13 @@ using kernel::Expr;
 
 /// By the name that people type: theorems f(params) = term.
 const std::map<std::string, Expr>& definitions() {
-  static const auto all = [] {
-    std::map<std::string, Expr> found;
-    for (const auto& [name, id] :
-         std::map<std::string, std::string>{{"psi", "rotation.psi"},
-                                            {"theta", "ball.theta"},
-                                            {"V_CM", "power.V_CM"},
-                                            {"alpha_k", "ratios.alpha_k"},
-                                            {"beta_k", "ratios.beta_k"},
-                                            {"rho", "evaluators_end.def_rho"},
-                                            {"a_n", "power.a"},
-                                            {"b_n", "power.b"},
-                                            {"c_n", "power.c"},
-                                            {"c_prime_n", "power.c_prime"}})
-      found.emplace(name, derivation::the_book()[id].conclusion());
-    return found;
-  }();
+  const auto of = [](const char* id) { return derivation::the_book()[id].conclusion(); };
+  static const std::map<std::string, Expr> all{
+      {"psi", of("rotation.psi")},     {"theta", of("ball.theta")},
+      {"V_CM", of("power.V_CM")},      {"alpha_k", of("ratios.alpha_k")},
+      {"beta_k", of("ratios.beta_k")}, {"rho", of("evaluators_end.def_rho")},
+      {"a_n", of("power.a")},          {"b_n", of("power.b")},
+      {"c_n", of("power.c")},          {"c_prime_n", of("power.c_prime")}};
   return all;
 }
 

@@ -26,14 +26,11 @@ bool is_too_deep(std::string_view text) {
   return false;
 }
 
-bool has_key(const Key& key, Kind kind) {
-  return key.kinds.empty() || std::count(key.kinds.begin(), key.kinds.end(), kind) != 0;
-}
-
 void check_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Key& key : keys())
-    if (has_key(key, scene.kind)) names.push_back(key.name);
+    if (key.kinds.empty() || std::count(key.kinds.begin(), key.kinds.end(), scene.kind) != 0)
+      names.push_back(key.name);
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   for (const auto& [name, line] : scene.lines) {
