@@ -49,8 +49,7 @@ TEST_CASE("Less is transmitted where more energy is lost, nothing shown where it
     const double alpha = number(row, 0);
     of_ones += number(row, 1) == 1 ? 1 : 0;
     for (std::size_t column = 2; column < row.size(); ++column) {
-      const Trio trio =
-          Trio::equal_blocks(value_of(alpha), cln::cl_RA(11 - static_cast<int>(column)) / 10);
+      const Trio trio = Trio::equal_blocks(value_of(alpha), cln::cl_RA(11 - int(column)) / 10);
       const bool is_collapse = !trio.count().has_value();
       REQUIRE(row[column].text.empty() == is_collapse);
       if (is_collapse)
