@@ -64,7 +64,8 @@ private:
   std::map<Expr, Sum> forms;       // of terms
   std::map<Expr, Sum> composites;  // what an atom stands for
   std::map<Sum, Factors> factored;
-  std::map<Expr, int> assumed_signs;  // 1: not negative, 2: positive, -1, -2 likewise
+  std::map<Sum, std::pair<int, int>> signs;  // of composites, and the depth where that was asked
+  std::map<Expr, int> assumed_signs;         // 1: not negative, 2: positive, -1, -2 likewise
   std::map<Expr, bool> assumed_not_zero;
   std::vector<std::pair<Sum, bool>> assumed;  // not negative; positive if true
   int depth = 0;                              // of questions for signs
@@ -118,6 +119,7 @@ private:
   int sign_by_shift(const Sum& sum);
   int sign_of_two(const Sum& sum);
   int sign_of_trigonometric(const Sum& sum);
+  int sign_of_cosine(const Sum& sum);
 };
 
 /// The box made smaller by those requirements that bound one symbol: x >= 1 for sqrt(x - 1).

@@ -86,19 +86,32 @@ bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
 
 int Forms::sign_of_composite(const Sum& sum) {
   if (depth >= deepest) return 0;
+  const auto known = signs.find(sum);  // not known from as deep is not known from here
+  if (known != signs.end() && (known->second.first != 0 || known->second.second <= depth))
+    return known->second.first;
   ++depth;
   int sign = 0;
   for (int (Forms::*rule)(const Sum&) :
        {&Forms::sign_by_terms, &Forms::sign_of_number, &Forms::sign_of_trigonometric,
-        &Forms::sign_by_shift, &Forms::sign_of_two})
+        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_two})
     if (sign == 0) sign = (this->*rule)(sum);
   --depth;
+  signs[sum] = {sign, depth};
   return sign;
 }
 int Forms::sign_by_terms(const Sum& sum) {
-  int total = 0;
+  std::map<Product, Sum> coefficients;  // pi/2 - 1 of pi/2 s - s
   for (const auto& [powers, q] : sum) {
-    const int sign = product(sign_of_powers(powers), q > 0 ? 2 : -2);
+    Product function, constant;
+    for (const auto& [atom, e] : powers)
+      (atom != circle() && kernel::free_variables(atom).empty() && number_of(e) ? constant
+                                                                                : function)[atom] =
+          e;
+    coefficients[function][constant] = q;
+  }
+  int total = 0;
+  for (const auto& [powers, coefficient] : coefficients) {
+    const int sign = product(sign_of_powers(powers), sign_of_number(coefficient));
     if (sign == 0 || product(total, sign) < 0) return 0;
     total = std::abs(sign) > std::abs(total) ? sign : total;
   }
@@ -123,6 +136,26 @@ int Forms::sign_of_trigonometric(const Sum& sum) {
   }
   if (cln::abs(constant) < others || constant == 0) return 0;
   return (constant > 0 ? 1 : -1) * (cln::abs(constant) > others ? 2 : 1);
+}
+// z^u + z^-u is positive for u between -pi/2 and pi/2; z^(u + pi) is -z^u.
+int Forms::sign_of_cosine(const Sum& sum) {
+  if (sum.size() != 2) return 0;
+  Product there = sum.begin()->first, back = sum.rbegin()->first;
+  const cln::cl_RA q = sum.begin()->second;
+  const Exponent u = there[circle()], both = u + back[circle()];
+  const cln::cl_RA turns = both.empty() ? cln::cl_RA(0) : both.begin()->second;  // by pi
+  const Exponent whole{{kernel::Monomial{{kernel::pi(), 1}}, turns}};
+  if (!is_whole(turns) || (turns != 0 && both != whole)) return 0;
+  there.erase(circle());
+  back.erase(circle());
+  if (there != back || sum.rbegin()->second != (is_even(turns) ? q : -q)) return 0;
+  const Sum quarter = scaled(atom(kernel::pi()), cln::cl_RA(1) / 2);
+  for (int shift : {0, 1, -1}) {
+    const Sum angle = sum_of(u) + scaled(quarter, 2 * shift);
+    if (is_positive(quarter - angle) && is_positive(quarter + angle))
+      return product(sign_of_powers(there), (q > 0) == (shift == 0) ? 2 : -2);
+  }
+  return 0;
 }
 // a - b for positive a and b has the sign of log(a/b).
 int Forms::sign_of_two(const Sum& sum) {
@@ -193,6 +226,7 @@ void Forms::assume(const Requirement& requirement) {
   }
   forms.clear();
   factored.clear();
+  signs.clear();
 }
 bool Forms::holds(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
