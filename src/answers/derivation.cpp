@@ -107,10 +107,6 @@ std::vector<render::Section> derivation_sections() {
   return sections_of(asked_for({}, index), index);
 }
 
-std::vector<Column> derive_columns() {
-  return named_columns({"id", "formula", "hypotheses", "label", "rule", "premises", "verdict"});
-}
-
 Answer derive(const Request& request) {
   const Index index(derivation::the_book());
   const Numbers wanted = asked_for(request, index);
@@ -122,7 +118,7 @@ Answer derive(const Request& request) {
   const auto page = pages.find(request.format);
   const bool is_list = request.format == "text" && request.has("list");
   if (page != pages.end() && !is_list) return {{}, page->second(sections_of(wanted, index))};
-  Table table{derive_columns(), {}};
+  Table table{{"id", "formula", "hypotheses", "label", "rule", "premises", "verdict"}, {}};
   std::string list;
   for (const std::size_t k : wanted) {
     const Statement& s = index.all[k].statement;
@@ -137,21 +133,20 @@ Answer derive(const Request& request) {
   return {table, is_list ? list : ""};
 }
 
-std::vector<Column> verify_columns() { return named_columns({"proved", "failed", "steps"}); }
-
 Answer verify(const Request&) {
+  const Names columns{"proved", "failed", "steps"};
   const derivation::Book* book = nullptr;
   try {
     book = &derivation::the_book();
   } catch (const kernel::Refused& refused) {
-    Table failed{verify_columns(), {{whole_cell(0), whole_cell(1), whole_cell(0)}}, false};
+    Table failed{columns, {{whole_cell(0), whole_cell(1), whole_cell(0)}}, false};
     return {failed, "not proved: " + std::string(refused.what()) + "\n", true};
   }
   kernel::Theorems shown;
   for (const auto& entry : Index(*book).all) shown.push_back(entry.statement.theorem);
   const auto steps = static_cast<std::int64_t>(coq::proofs_of(shown).size());
   const auto proved = static_cast<std::int64_t>(shown.size());
-  return {{verify_columns(), {{whole_cell(proved), whole_cell(0), whole_cell(steps)}}, false}, ""};
+  return {{columns, {{whole_cell(proved), whole_cell(0), whole_cell(steps)}}, false}, ""};
 }
 
 }  // namespace answers

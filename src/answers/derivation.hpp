@@ -11,12 +11,10 @@ namespace answers {
 /// on; "list": labels, theorems and formulas; formats text, markdown, json. Throws InvalidInput for
 /// a name that is neither a chapter nor a step.
 Answer derive(const Request& request);
-std::vector<Column> derive_columns();
 /// The whole derivation, to be rendered.
 std::vector<render::Section> derivation_sections();
 
 /// Proves everything again: how many theorems are shown, how many failed, kernel steps.
 Answer verify(const Request& request);
-std::vector<Column> verify_columns();
 
 }  // namespace answers

@@ -75,11 +75,6 @@ Expr stated_value(const std::string& step) {
   kernel::refuse(step + ": this step states no such equation");
 }
 
-std::vector<Column> equal_columns() {
-  return named_columns(
-      {"verdict", "proof", "counterexample", "domain", "conditions", "theorem", "notes"});
-}
-
 Answer equal(const Request& request) {
   if (request.words.size() != 2)
     throw InvalidInput(
@@ -112,7 +107,9 @@ Answer equal(const Request& request) {
                   list_cell(verdict.conditions),
                   verdict.theorem.empty() ? missing_cell() : text_cell(verdict.theorem),
                   list_cell(notes)};
-    return {{equal_columns(), {row}, false},
+    return {{{"verdict", "proof", "counterexample", "domain", "conditions", "theorem", "notes"},
+             {row},
+             false},
             "",
             verdict.answer == equality::Answer::Different,
             verdict.answer == equality::Answer::Undecided};

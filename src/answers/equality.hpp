@@ -10,7 +10,6 @@ namespace answers {
 /// Two words, and the option domain. The check fails where they differ; undecided has exit code 3.
 /// Throws InvalidInput for what cannot be read.
 Answer equal(const Request& request);
-std::vector<Column> equal_columns();
 
 /// What the paper's names stand for, from the book: psi, theta, V_CM, alpha_k, beta_k, a_n, b_n,
 /// c_n, c'_n. A line for each in `notes`: "psi = 2*atan(sqrt(alpha*(2 + alpha)))".

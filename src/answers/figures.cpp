@@ -66,7 +66,7 @@ Places three_bodies(const std::string& alpha) {
 
 /// Each place is a row.
 Table table_of(const std::vector<std::string>& names, const Places& all) {
-  Table table{named_columns(names), {}};
+  Table table{names, {}};
   for (const std::vector<double>& place : all) table.rows.push_back(real_cells(place));
   return table;
 }
@@ -74,14 +74,14 @@ Table table_of(const std::vector<std::string>& names, const Places& all) {
 /// A body a row: its place, its velocity before the first collision.
 Table setup_data() {
   const Row v = rounded([] { return velocities(Magic{3}, 0); });
-  return {named_columns({"body", "x", "v"}),
+  return {{"body", "x", "v"},
           {{text_cell("A"), real_cell(-1), v[0]},
            {text_cell("C"), real_cell(0), v[2]},
            {text_cell("B"), real_cell(1), v[1]}}};
 }
 
 Table counts_data() {
-  Table table{named_columns({"alpha", "N_A", "N_B"}), {}};
+  Table table{{"alpha", "N_A", "N_B"}, {}};
   std::vector<Alpha> steps = thresholds_above(0.01);
   steps.insert(steps.begin(), 2.0);
   steps.emplace_back(0.01);
@@ -93,7 +93,7 @@ Table counts_data() {
 
 /// Places of A, C, B from collision to collision, one panel after the other.
 Table trajectories_data() {
-  Table table{named_columns({"panel", "t", "x_A", "x_C", "x_B"}), {}};
+  Table table{{"panel", "t", "x_A", "x_C", "x_B"}, {}};
   for (const auto& [panel, alpha] :
        {std::pair{"a", "\"magic:3\""}, {"b", "\"12/100\""}, {"c", "\"10/100\""}})
     for (const std::vector<double>& place : three_bodies(alpha))
@@ -102,7 +102,7 @@ Table trajectories_data() {
 }
 
 Table terminal_data() {
-  Table table{named_columns({"alpha", "a_t", "b_t", "c_t"}), {}};
+  Table table{{"alpha", "a_t", "b_t", "c_t"}, {}};
   for (const Alpha& alpha : alphas()) {
     const LargeCounts counts = count_collisions(alpha);
     const Row v = rounded([&] { return terminal(alpha, counts); });
@@ -112,7 +112,7 @@ Table terminal_data() {
 }
 
 Table transmission_data() {
-  Table table{named_columns({"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"}), {}};
+  Table table{{"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"}, {}};
   for (const Alpha& alpha : alphas()) {
     table.rows.push_back({real_cell(nearest(alpha))});
     for (const int tenths : {10, 9, 8, 7})
@@ -123,7 +123,7 @@ Table transmission_data() {
 
 Table velocities_data() {
   const Alpha alpha = cln::cl_RA(1) / 1000;
-  Table table{named_columns({"n", "a", "b", "c", "c_prime"}), {}};
+  Table table{{"n", "a", "b", "c", "c_prime"}, {}};
   for (int n = 0; n <= count_collisions(alpha).N_A; ++n)
     table.rows.push_back(
         concatenated({{whole_cell(n)}, rounded([&] { return velocities(alpha, n); })}));
@@ -134,7 +134,7 @@ Table velocities_data() {
 Table sphere_data() {
   constexpr int cycles = 5;
   constexpr int steps = 24;  // from one V_n to the next
-  Table table{named_columns({"part", "n", "a", "b", "sqrt_alpha_c_prime"}), {}};
+  Table table{{"part", "n", "a", "b", "sqrt_alpha_c_prime"}, {}};
   const auto add = [&](const char* part, const cln::cl_RA& n) {
     Row row = rounded([&] {
       const Ball alpha = ball_of(Magic{cycles});
@@ -154,7 +154,7 @@ Table sphere_data() {
 
 /// Distance of A and B at each collision, and the direction of its ray in the unfolded wedge.
 Table wedge_data() {
-  Table table{named_columns({"collision", "t", "s", "angle"}), {}};
+  Table table{{"collision", "t", "s", "angle"}, {}};
   const Places all = three_bodies("\"magic:3\"");
   for (std::size_t j = 1; j + 1 < all.size(); ++j) {
     const std::vector<double>& at = all[j];

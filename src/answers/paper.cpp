@@ -48,7 +48,7 @@ Answer angle(const Request& request) {
   const auto turns = [&] {
     return Balls{right_side_at("rotation.psi", ball_of(alpha)) / Ball::pi()};
   };
-  return {{named_columns({"psi_over_pi"}), {rounded(turns)}, false}, ""};
+  return {{{"psi_over_pi"}, {rounded(turns)}, false}, ""};
 }
 
 Answer extremum(const Request& request) {
@@ -67,10 +67,7 @@ Answer extremum(const Request& request) {
   const double elastic = nearest(near);
   const double place = std::round((low + high) / 2 * scale) / scale;
   const double percent = std::round(1e5 * (place - elastic) / elastic) / 1e3;
-  return {{named_columns({"alpha", "elastic", "shift"}),
-           {real_cells({place, elastic, percent})},
-           false},
-          ""};
+  return {{{"alpha", "elastic", "shift"}, {real_cells({place, elastic, percent})}, false}, ""};
 }
 
 bool are_equal(const std::string& one, const std::string& other) {

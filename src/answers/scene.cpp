@@ -57,7 +57,7 @@ Cell short_cell(const Number& number, bool exact) {
 Table table_of(const Fields& fields) {
   Table table{{}, {{}}, false};
   for (const auto& [name, cell] : fields) {
-    table.columns.push_back({name});
+    table.columns.push_back(name);
     table.rows[0].push_back(cell);
   }
   return table;
@@ -140,7 +140,7 @@ void add_points(const Asked& asked, const Shown& shown, const AddRow& add) {
 /// A list of rows that a scene may ask for.
 struct List {
   const char* name;
-  std::vector<Column> columns;
+  Names columns;
   void (*add_rows)(const Asked&, const Shown&, const AddRow&);
 };
 
@@ -165,8 +165,9 @@ void write_list(const List& list, const Asked& asked, Format format, const Write
 }
 
 void write_all(const Asked& asked, const std::string& format, const Write& write) {
-  const List events{"events", simulate_columns(), add_events};
-  const List points{"trajectory", named_columns({"time", "body", "position"}), add_points};
+  const List events{
+      "events", {"number", "left", "right", "time", "position", "v_left", "v_right"}, add_events};
+  const List points{"trajectory", {"time", "body", "position"}, add_points};
   if (format == "csv" || format == "jsonl") {
     const bool is_points = asked.scene.wants("trajectory") && !asked.scene.wants("events");
     const Format as = format == "csv" ? Format::csv : Format::json_lines;
@@ -188,12 +189,6 @@ void write_all(const Asked& asked, const std::string& format, const Write& write
 }
 
 }  // namespace
-
-std::vector<Column> plan_columns() { return table_of(plan_fields({})).columns; }
-
-std::vector<Column> simulate_columns() {
-  return named_columns({"number", "left", "right", "time", "position", "v_left", "v_right"});
-}
 
 Answer plan(const Request& request) {
   return {table_of(plan_fields(asked(request, "plan").result)), ""};

@@ -6,9 +6,6 @@
 
 namespace answers {
 
-std::vector<Column> plan_columns();
-std::vector<Column> simulate_columns();
-
 /// The model that one scene's file needs, and why.
 Answer plan(const Request& request);
 /// A scene's motion. CSV and JSON Lines are its collisions, a row each, or where it wants no events

@@ -56,18 +56,12 @@ std::string line_of(const std::vector<std::string>& texts, const std::vector<std
   return line.erase(line.find_last_not_of(' ') + 1) + "\n";
 }
 
-std::vector<std::string> names_of(const std::vector<Column>& columns) {
-  std::vector<std::string> names;
-  for (const Column& column : columns) names.push_back(column.name);
-  return names;
-}
-
 /// The width of each column, or none where they do not fit together.
-std::vector<std::size_t> widths_of(const std::vector<Column>& columns, std::span<const Row> rows) {
+std::vector<std::size_t> widths_of(const Names& columns, std::span<const Row> rows) {
   std::vector<std::size_t> widths;
   std::size_t all = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    std::size_t widest = width(columns[i].name);
+    std::size_t widest = width(columns[i]);
     for (const Row& row : rows) widest = std::max(widest, width(shown(row.at(i))));
     widths.push_back(widest);
     all += widest + between_columns;
@@ -98,23 +92,17 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return lines + rest;
 }
 
-std::string block_of(const std::vector<Column>& columns, const Row& row) {
+std::string block_of(const Names& columns, const Row& row) {
   std::size_t widest = 0;
-  for (const Column& column : columns) widest = std::max(widest, width(column.name));
+  for (const std::string& column : columns) widest = std::max(widest, width(column));
   std::string text;
   for (std::size_t i = 0; i < columns.size(); ++i)
-    text += padded(columns[i].name, widest + between_columns) +
+    text += padded(columns[i], widest + between_columns) +
             wrapped(shown(row.at(i)), widest + between_columns) + "\n";
   return text;
 }
 
 }  // namespace
-
-std::vector<Column> named_columns(const std::vector<std::string>& names) {
-  std::vector<Column> columns;
-  for (const std::string& name : names) columns.push_back({name});
-  return columns;
-}
 
 Cell text_cell(std::string_view text) { return {std::string(text), json_string(text)}; }
 
@@ -157,13 +145,13 @@ Cell object_cell(const Fields& fields) {
   return {joined(texts), "{" + joined(pairs) + "}"};
 }
 
-Writer::Writer(Format format, std::vector<Column> columns, bool is_list)
+Writer::Writer(Format format, Names columns, bool is_list)
     : format_(format), columns_(std::move(columns)), is_list_(is_list) {
-  for (const Column& column : columns_) {
+  for (const std::string& column : columns_) {
     before_.push_back(before_.empty() ? "" : format == Format::csv ? "," : ", ");
-    if (format != Format::csv) before_.back() += json_string(column.name) + ": ";
+    if (format != Format::csv) before_.back() += json_string(column) + ": ";
   }
-  if (format == Format::csv) opening_ = joined(names_of(columns_), ",") + "\n";
+  if (format == Format::csv) opening_ = joined(columns_, ",") + "\n";
   if (format == Format::json && is_list) opening_ = "[";
 }
 
@@ -206,7 +194,7 @@ std::string Writer::text_rows(std::span<const Row> block) {
   std::string text;
   if (is_first_ && is_list_) {
     widths_ = widths_of(columns_, block);
-    text = widths_.empty() ? "" : line_of(names_of(columns_), widths_);
+    text = widths_.empty() ? "" : line_of(columns_, widths_);
   }
   for (const Row& row : block) {
     if (widths_.empty()) {
@@ -234,7 +222,7 @@ std::string written(const Table& table, Format format) {
 }
 
 std::string markdown(const Table& table) {
-  std::string text = "| " + joined(names_of(table.columns), " | ") + " |\n|";
+  std::string text = "| " + joined(table.columns, " | ") + " |\n|";
   for (std::size_t i = 0; i < table.columns.size(); ++i) text += "---|";
   for (const Row& row : table.rows) {
     text += "\n|";

@@ -13,17 +13,7 @@
 
 namespace answers {
 
-/// What a column holds, for those who read it by program.
-enum class Type { text, real, whole, exact, list };
-
-struct Column {
-  std::string name;
-  Type type = Type::real;
-  std::string unit = {};   ///< "V", "1", or "" for what has none
-  std::string words = {};  ///< what it is, in a few words
-};
-
-std::vector<Column> named_columns(const std::vector<std::string>& names);
+using Names = std::vector<std::string>;
 
 /// A value as text and CSV write it, and as JSON does.
 struct Cell {
@@ -64,7 +54,7 @@ struct Block {
 };
 
 struct Table {
-  std::vector<Column> columns;
+  Names columns;
   std::vector<Row> rows;
   bool is_list = true;  ///< else the one row is the answer: a JSON object, a block of text
 };
@@ -75,7 +65,7 @@ enum class Format { text, json, json_lines, csv };  // JSON Lines: an object a l
 /// shows to be wider becomes a block of lines a row, and later blocks keep the first one's widths.
 class Writer {
 public:
-  Writer(Format format, std::vector<Column> columns, bool is_list);
+  Writer(Format format, Names columns, bool is_list);
   /// What follows for these rows; the first call writes the header too.
   std::string rows(std::span<const Row> block);
   /// Appends a row of the block to what rows() wrote before; JSON and CSV alone.
@@ -85,7 +75,7 @@ public:
 
 private:
   Format format_;
-  std::vector<Column> columns_;
+  Names columns_;
   bool is_list_;
   std::string opening_;              // not yet written
   bool is_first_ = true;             // no row is written

@@ -83,15 +83,13 @@ struct Asked {
   const double* number;  // the double that tiers fast and accurate answer for
 };
 /// One row, the answer.
-Answer answer(std::vector<Column> columns, std::initializer_list<Row> parts) {
+Answer answer(Names columns, std::initializer_list<Row> parts) {
   return {{std::move(columns), {concatenated(parts)}, false}, ""};
 }
 
 }  // namespace
 
-std::vector<Column> eval_columns() {
-  return named_columns({"alpha", "n", "tier", "a", "b", "c", "c_prime"});
-}
+Names eval_columns() { return {"alpha", "n", "tier", "a", "b", "c", "c_prime"}; }
 
 Answer eval(const Request& request) {
   const Asked in(request);
@@ -115,16 +113,14 @@ Answer eval(const Request& request) {
   return answer(eval_columns(), {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
 }
 
-std::vector<Column> count_columns() { return named_columns({"alpha", "N_A", "N_B"}); }
+Names count_columns() { return {"alpha", "N_A", "N_B"}; }
 
 Answer count(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
   return answer(count_columns(), {{alpha_cell(alpha)}, count_cells(count_collisions(alpha))});
 }
 
-std::vector<Column> terminal_columns() {
-  return named_columns({"alpha", "N_A", "N_B", "a_t", "b_t", "c_t", "rho"});
-}
+Names terminal_columns() { return {"alpha", "N_A", "N_B", "a_t", "b_t", "c_t", "rho"}; }
 
 /// The restitution of a request, written as a mass ratio is.
 Alpha restitution_of(const Request& request) {
@@ -144,8 +140,8 @@ Answer inelastic_terminal(const Request& request, const Alpha& e) {
   tier_of(request);  // refuses what does not go together
   const Alpha alpha = alpha_of(request.text("alpha"));
   const auto digits = digits_wanted(request);
-  const std::vector<Column> columns = named_columns(
-      {"alpha", "restitution", "N_A", "N_B", "a_t", "b_t", "c_t", "rho", "collapse_time"});
+  const Names columns{"alpha", "restitution", "N_A", "N_B",          "a_t",
+                      "b_t",   "c_t",         "rho", "collapse_time"};
   const Row asked{alpha_cell(alpha), alpha_cell(e)};
   const Trio trio = Trio::equal_blocks(value_of(alpha), *fraction_of(e));
   try {
@@ -184,10 +180,6 @@ Answer terminal(const Request& request) {
   return answer(terminal_columns(), {{alpha_cell(in.alpha)}, count_cells(in.counts), four});
 }
 
-std::vector<Column> ratios_columns() {
-  return named_columns({"k", "magic", "deficient", "magic_radicals", "deficient_radicals"});
-}
-
 Answer ratios(const Request& request) {
   const auto most = request.whole("count", 1, 1'000'000'000);
   const auto digits = digits_wanted(request);
@@ -199,10 +191,9 @@ Answer ratios(const Request& request) {
                     "at most --count " +
                     std::to_string(at_once) + (has_polynomials ? " with polynomials" : ""));
   }
-  Table table{ratios_columns(), {}};
+  Table table{{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"}, {}};
   if (has_polynomials)
-    for (const char* name : {"magic_polynomial", "deficient_polynomial"})
-      table.columns.push_back({name});
+    table.columns.insert(table.columns.end(), {"magic_polynomial", "deficient_polynomial"});
   for (int k = 1; k <= most.value_or(10); ++k) {
     Row numbers, radicals, polynomials;
     for (const Alpha& ratio : {Alpha(notation::Magic{k}), Alpha(notation::Deficient{k})}) {

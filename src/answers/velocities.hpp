@@ -10,19 +10,18 @@ namespace answers {
 /// InvalidInput for n above N_A, Undecided for exact fractions that would be too long. Columns a
 /// and c: just after P_n, in units of V; b and c_prime: just after Q_n.
 Answer eval(const Request& request);
-std::vector<Column> eval_columns();
+Names eval_columns();
 
 Answer count(const Request& request);
-std::vector<Column> count_columns();
+Names count_columns();
 
 /// Terminal velocities in units of V and rho, B's share of the energy: options alpha, tier, digits,
 /// restitution. Where collisions never end, collapse_time is when they do, in units of L/V.
 Answer terminal(const Request& request);
-std::vector<Column> terminal_columns();
+Names terminal_columns();
 
 /// Magic and deficient mass ratios 1 to count, as doubles or with digits, in radicals where the
 /// book has them.
 Answer ratios(const Request& request);
-std::vector<Column> ratios_columns();
 
 }  // namespace answers

@@ -121,7 +121,7 @@ std::optional<AnswerInFile> judged_file(const Exercise& e, const std::string& fo
 answers::Table told(const Exercise& e, const Judgement& said) {
   std::vector<std::string> notes;
   for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
-  answers::Table table{answers::named_columns({"id", "verdict", "feedback", "notes"}),
+  answers::Table table{{"id", "verdict", "feedback", "notes"},
                        {{answers::text_cell(e.id), answers::text_cell(word(said.mark)),
                          answers::text_cell(said.feedback),
                          notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}}};

@@ -93,12 +93,10 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   const bool is_why = request.has("why"), is_summary = request.has("summary");
   if (is_why && is_summary) throw InvalidInput("learn grade: --why or --summary, not both");
   const std::vector<Exercise> exercises = chosen(all, request.text("only"));
-  answers::Table marks{answers::named_columns({"student"}), {}};
-  answers::Table why{
-      answers::named_columns({"student", "id", "verdict", "feedback", "misconception"}), {}};
-  answers::Table summary{answers::named_columns({"id", "misconception", "students"}), {}};
-  for (const Exercise& e : exercises)
-    marks.columns.push_back(answers::named_columns({e.id}).front());
+  answers::Table marks{{"student"}, {}};
+  answers::Table why{{"student", "id", "verdict", "feedback", "misconception"}, {}};
+  answers::Table summary{{"id", "misconception", "students"}, {}};
+  for (const Exercise& e : exercises) marks.columns.push_back(e.id);
   std::vector<std::map<std::string, int>> had(exercises.size());
   for (const std::filesystem::path& student : students_of(request.words[1])) {
     const std::string name = student.filename();

@@ -65,14 +65,14 @@ Exercise exercise(const Request& request) {
 Answer document(const Request& request, const Exercise& e, const std::string& text) {
   if (request.format == "text") return {{}, text + "\n"};
   Answer answer;
-  answer.table = {answers::named_columns({"id", "text"}), {{text_cell(e.id), text_cell(text)}}};
+  answer.table = {{"id", "text"}, {{text_cell(e.id), text_cell(text)}}};
   answer.table.is_list = false;
   return answer;
 }
 
 Answer list(const Request& request) {
   Answer answer;
-  answer.table.columns = answers::named_columns({"id", "done", "title", "kind", "chapter"});
+  answer.table.columns = {"id", "done", "title", "kind", "chapter"};
   std::map<std::string, Attempts> before = attempts();
   for (const Exercise& e : exercises(request)) {
     const std::string& done = before[e.id].done;
@@ -118,7 +118,7 @@ Answer check(const Request& request) {
   Answer answer;
   answer.table = told(e, said);
   if (request.has("reveal")) {
-    answer.table.columns.push_back(answers::named_columns({"answer"})[0]);
+    answer.table.columns.push_back("answer");
     answer.table.rows[0].push_back(text_cell(own_answer(e)));
   }
   answer.is_undecided = said.mark == learn::Mark::undecided;
@@ -169,7 +169,7 @@ Answer make(const Request& request) {
 
 Answer test(const Request& request) {
   Answer answer;
-  answer.table.columns = answers::named_columns({"id", "fault"});
+  answer.table.columns = {"id", "fault"};
   const std::string place = request.words.size() > 1 ? request.words[1] : request.text("folder");
   const std::vector<Exercise> all = exercises(place, 0);
   std::size_t most_variants = 1;

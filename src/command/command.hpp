@@ -32,8 +32,8 @@ struct Command {
   std::string example;  ///< a line to try, with which help begins
   std::vector<Option> options;
   std::string words;  ///< how help calls the words that no option takes; "" where there are none
-  std::vector<std::string> formats;      ///< of --format, the first one unless told otherwise
-  std::vector<answers::Column> columns;  ///< of the table that it answers with
+  std::vector<std::string> formats;  ///< of --format, the first one unless told otherwise
+  answers::Names columns;            ///< of answers to --input, where it may have no row
   std::function<answers::Answer(const answers::Request&)> run;
   std::int64_t seconds = 30;       ///< of --time-limit unless told otherwise
   std::int64_t mebibytes = 1024;   ///< of --memory-limit unless told otherwise

@@ -47,7 +47,7 @@ std::map<std::string, std::string> answer_to(const std::string& question) {
   const answers::Table table = found->second(request).table;
   std::map<std::string, std::string> cells;
   for (std::size_t i = 0; i < table.columns.size(); ++i)
-    cells[table.columns[i].name] = table.rows.back()[i].text;
+    cells[table.columns[i]] = table.rows.back()[i].text;
   return cells;
 }
 

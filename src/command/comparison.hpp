@@ -24,7 +24,6 @@ struct Comparison {
 /// naming the row, for one that has no meaning.
 std::vector<Comparison> comparisons(std::string_view paper_numbers);
 
-std::vector<answers::Column> comparison_columns();
 /// For text and markdown a page with a table for each label. The check has failed where one is not
 /// fine.
 answers::Answer page_of(const std::vector<Comparison>& all, const std::string& format);

@@ -14,7 +14,7 @@ std::string verdict(const Comparison& one) {
 }
 
 Table table_of(const std::vector<Comparison>& all) {
-  Table table{comparison_columns(), {}};
+  Table table{{"label", "number", "printed", "ours", "verdict", "reason"}, {}};
   for (const Comparison& one : all) {
     table.rows.push_back({text_cell(one.label), text_cell(one.number), text_cell(one.printed),
                           text_cell(one.ours), text_cell(verdict(one)),
@@ -58,15 +58,6 @@ std::string document_of(const std::vector<Comparison>& all, bool is_markdown) {
 }
 
 }  // namespace
-
-std::vector<Column> comparison_columns() {
-  return {{"label", Type::text, "", "of the paper's equation, table or figure"},
-          {"number", Type::text, "", "what it is"},
-          {"printed", Type::text, "", "in the paper"},
-          {"ours", Type::text, "", "all digits"},
-          {"verdict", Type::text, "", "agrees, explained (differs for a reason), differs"},
-          {"reason", Type::text, "", "why it differs"}};
-}
 
 Answer page_of(const std::vector<Comparison>& all, const std::string& format) {
   Answer answer{table_of(all), ""};

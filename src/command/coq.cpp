@@ -38,13 +38,6 @@ answers::Answer derive(const answers::Request& request) {
   return {{}, std::to_string(files.texts.size()) + " files written to " + folder + "\n"};
 }
 
-std::vector<answers::Column> verify_columns() {
-  std::vector<answers::Column> columns = answers::verify_columns();
-  columns.push_back({"checked_by_coq", answers::Type::whole, "1", "steps that coqc proved again"});
-  columns.push_back({"kernel_only", answers::Type::whole, "1", "steps that Coq takes for granted"});
-  return columns;
-}
-
 answers::Answer verify(const answers::Request& request) {
   answers::Answer answer = answers::verify(request);
   if (!request.has("with") || answer.check_failed) return answer;
@@ -66,7 +59,8 @@ answers::Answer verify(const answers::Request& request) {
   if (problem.empty()) problem = coq::foreign_assumption(last);
   if (!problem.empty())
     return {{}, "not checked by Coq: " + answers::shown_text(problem, 400) + "\n", true};
-  answer.table.columns = verify_columns();
+  // Steps that coqc proved again, and those that Coq takes for granted.
+  answer.table.columns.insert(answer.table.columns.end(), {"checked_by_coq", "kernel_only"});
   answer.table.rows[0].push_back(answers::whole_cell(files.steps));
   answer.table.rows[0].push_back(answers::whole_cell(0));
   return answer;

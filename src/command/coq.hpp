@@ -12,7 +12,5 @@ answers::Answer derive(const answers::Request& request);
 /// answers::verify, and --with coq: then coqc checks each step, too. Throws InvalidInput where
 /// there is no coqc.
 answers::Answer verify(const answers::Request& request);
-/// All columns, those of --with coq too.
-std::vector<answers::Column> verify_columns();
 
 }  // namespace command

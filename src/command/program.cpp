@@ -87,7 +87,7 @@ private:
   Destination& output_;
   answers::Format format_;
   std::optional<answers::Writer> writer_ = {};  // knows its columns from the first answer
-  std::vector<answers::Column> columns_ = command_.columns;
+  answers::Names columns_ = command_.columns;
   std::vector<answers::Row> alone_ = {};
   std::size_t bytes_ = 0;  // of these
   std::string text_ = {};

@@ -81,7 +81,7 @@ std::map<std::string, std::string> ran(const std::string& line) {
     if (text.find_first_of("0123456789") != text.npos &&
         text.find_first_not_of("-+./e0123456789") == text.npos) {
       std::replace(text.begin(), text.end(), 'e', 'E');  // 1e-12 has two readings
-      numbers.emplace(table.columns[i].name, text);
+      numbers.emplace(table.columns[i], text);
     }
   }
   return numbers;

@@ -35,9 +35,7 @@ Table error_data() {
       for (int i = 7; i <= 49; i += 2) alphas.insert(threshold * (1 + std::ldexp(side, -i)));
   std::vector<Input> inputs;
   std::vector<Truth> truths;
-  Table table{answers::named_columns(
-                  {"alpha", "threshold", "envelope", "naive", "tangent", "fast", "accurate"}),
-              {}};
+  Table table{{"alpha", "threshold", "envelope", "naive", "tangent", "fast", "accurate"}, {}};
   for (const double alpha : alphas) {
     inputs.push_back({alpha, 0});
     truths.push_back(truth(Quantity::terminal, inputs.back()));

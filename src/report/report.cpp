@@ -69,30 +69,15 @@ std::optional<Measurement> over_families(const std::vector<Measurement>& measure
 
 Plan quick_plan() { return {.draws = 60, .rounds = {.shortest_ns = 1e5}}; }
 
-std::vector<Column> columns() {
-  return {{"evaluator", Type::text, "", "the implementation"},
-          {"quantity", Type::text, "", "what it computes"},
-          {"family", Type::text, "", "the kind of inputs"},
-          {"samples", Type::whole, "1", "different inputs"},
-          {"max_ulp", Type::real, "ulp", "largest error; of counts |got - exact|"},
-          {"worst_alpha", Type::text, "1", "where, in hex"},
-          {"worst_index", Type::whole, "1", "n or k there"},
-          {"over_envelope", Type::real, "1", "largest error over max(1/2, cond/2) ulp"},
-          {"misrounded", Type::whole, "1", "values other than the nearest double"},
-          {"wrong", Type::whole, "1", "wrong counts and signs"},
-          {"ns", Type::real, "ns", "time of one evaluation"},
-          {"ratio", Type::real, "1", "time over naive's"},
-          {"ratio_low", Type::real, "1", "least of the rounds"},
-          {"ratio_high", Type::real, "1", "largest of the rounds"}};
-}
-
 Table table_of(const std::vector<Measurement>& measurements,
                const std::vector<std::string>& names) {
   Table table;
-  const std::vector<Column> all = columns();
+  const Names all{"evaluator",   "quantity",    "family",        "samples",    "max_ulp",
+                  "worst_alpha", "worst_index", "over_envelope", "misrounded", "wrong",
+                  "ns",          "ratio",       "ratio_low",     "ratio_high"};
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!names.empty() && std::count(names.begin(), names.end(), all[i].name) == 0) continue;
+    if (!names.empty() && std::count(names.begin(), names.end(), all[i]) == 0) continue;
     places.push_back(i);
     table.columns.push_back(all[i]);
   }

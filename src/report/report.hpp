@@ -14,7 +14,6 @@ namespace report {
 /// What --quick asks for: fewer inputs and shorter measurements.
 Plan quick_plan();
 
-std::vector<answers::Column> columns();
 /// The columns of these names, all where there are none.
 answers::Table table_of(const std::vector<Measurement>& measurements,
                         const std::vector<std::string>& names);

@@ -23,7 +23,7 @@ std::string alone(const Rows& rows, std::size_t row, Answer (*run)(const Request
 
 /// How many rows the block answers; each as alone.
 std::size_t checked(const Rows& rows, Block (*run_block)(const Rows&),
-                    Answer (*run)(const Request&), const std::vector<Column>& columns) {
+                    Answer (*run)(const Request&), const Names& columns) {
   const Block block = run_block(rows);
   std::size_t count = 0;
   for (std::size_t row = 0; row < block.is_answered.size(); ++row) {

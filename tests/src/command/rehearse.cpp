@@ -14,7 +14,6 @@ namespace {
 
 using answers::Answer;
 using answers::Request;
-using answers::Type;
 
 Answer document(const std::string& text) {
   Answer answer;
@@ -22,8 +21,7 @@ Answer document(const std::string& text) {
   return answer;
 }
 
-const std::vector<answers::Column> echo_columns = {{"text", Type::text, "", "what was said"},
-                                                   {"times", Type::whole, "1", "how often"}};
+const answers::Names echo_columns{"text", "times"};
 
 Answer echo(const Request& request) {
   const auto times = request.whole("times", 1, 99);

@@ -66,7 +66,7 @@ TEST_CASE("What is asked for alone must be there", "[exam]") {
 TEST_CASE("The figure of errors: accurate below half an ulp, and every threshold", "[check]") {
   REQUIRE(figures().size() == 2);
   const answers::Table table = figures()[1].data();
-  REQUIRE(table.columns.back().name == "accurate");
+  REQUIRE(table.columns.back() == "accurate");
   int thresholds = 0;
   for (const answers::Row& row : table.rows) {
     thresholds += row[1].text.empty() ? 0 : 1;
