@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
 #include "learn/form.hpp"
 #include "learn/terms.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 using kernel::Exprs;
 
 constexpr std::size_t most_lines = 40;
+constexpr std::size_t longest_shown = 80;
 
 Texts split(const std::string& text, char separator) {
   std::istringstream stream(text);
@@ -119,37 +121,51 @@ Judgement judge_equations(const Terms& terms, const Texts& lines) {
   const auto with = [&](Mark mark, const std::string& feedback) {
     return Judgement{mark, feedback, said.notes};
   };
-  Exprs before;
-  Expr left, right;
+  std::vector<std::pair<Expr, Expr>> all;
+  Exprs differences;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const Texts sides = split(lines[i], '=');
+    if (const auto signs = std::count(lines[i].begin(), lines[i].end(), '='); signs > 1)
+      kernel::refuse(line_name(i) + " has " + std::to_string(signs) +
+                     " equals signs; write one equation a line");
     if (sides.size() != 2)
       kernel::refuse(line_name(i) + " is no equation; one = is expected in each line");
-    left = side(terms, sides[0], i, said.notes);
-    right = side(terms, sides[1], i, said.notes);
-    const Expr e = left - right;
-    const std::string in_line = "In " + line_name(i) + ": ";
+    const Expr left = side(terms, sides[0], i, said.notes);
+    all.emplace_back(left, side(terms, sides[1], i, said.notes));
+    differences.push_back(left - all.back().second);
+  }
+  Exprs before;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto [left, right] = all[i];
+    const Expr e = differences[i];
+    const std::string the_line = "L" + line_name(i).substr(1);
     if (equations.is_zero(e))
       return with(Mark::incomplete,
-                  in_line + "both sides are the same for all velocities, so it says nothing.");
+                  the_line + " says nothing: both sides are the same for all velocities.");
     const Mark mark = equations.truth(left, right);
     if (mark == Mark::undecided)
-      return with(mark, in_line + "it could not be decided whether it is true.");
+      return with(mark, "It could not be decided whether " + line_name(i) + " is true.");
     if (mark == Mark::wrong) {
       for (const Misconception& one : terms.exercise.misconceptions)
         for (const std::string& text : one.answers)
           if (equations.are_proportional(e, equations.content(text)))
             return with(mark, one.feedback);
-      return with(mark, in_line + "it is not true of this motion.");
+      return with(mark, the_line + " is not true of this motion.");
     }
     if (!equations.follows(e, before)) {
-      const std::string law = equations.missing_law(before);
+      const std::string missing = equations.missing_law(differences);
+      const std::string later = equations.missing_law(before);
       return with(Mark::incomplete,
-                  in_line + "it is true, but how does it follow from the lines before? " +
-                      (law.empty() ? "A step is missing." : "This law is missing: " + law + "."));
+                  the_line +
+                      (i == 0 ? " is true, but a derivation begins with a law. "
+                              : " is true, but how does it follow from the lines before it? ") +
+                      (!missing.empty() ? "This law is missing: " + missing + "."
+                       : !later.empty() ? "This law must stand before it: " + later + "."
+                                        : "A step is missing."));
     }
     before.push_back(e);
   }
+  const auto [left, right] = all.back();
   if (left != terms.content(terms.exercise.name) || equations.has_unknowns(right))
     return with(Mark::incomplete, "Every line is right, but the end is missing: " +
                                       terms.exercise.name + " = an expression without unknowns.");
@@ -175,30 +191,35 @@ Judgement judge_chain(const Terms& terms, const Texts& lines) {
   for (std::size_t i = 0; i < lines.size(); ++i)
     for (const std::string& part : split(lines[i], '=')) {
       const Expr now = side(terms, part, i, said.notes), given = terms.in_full(now);
+      const std::string what =
+          before == start ? e.start + ", with which the chain begins" : "what comes before it";
+      const std::size_t begin = part.find_first_not_of(" \t");
+      const std::string shown = answers::shown_text(
+          part.substr(begin, part.find_last_not_of(" \t") + 1 - begin), longest_shown);
       said.mark = terms.compare(given, terms.in_full(before)).mark;
-      said.feedback = "In " + line_name(i) + ": ";
       if (said.mark == Mark::undecided)
-        said.feedback += "it could not be decided whether it is equal to what stands before.";
+        said.feedback = "It could not be decided whether " + shown + " in " + line_name(i) +
+                        " is equal to " + what + ".";
       if (said.mark == Mark::wrong) {
-        const std::string known = unfinished().empty() ? "" : misconception_of(terms, given);
-        said.feedback =
-            known.empty() ? said.feedback + "it is not equal to what stands before." : known;
+        said.feedback = unfinished().empty() ? "" : misconception_of(terms, given);
+        if (said.feedback.empty())
+          said.feedback = "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
       }
       if (said.mark != Mark::right) return said;
       // Whatever psi is, or by the laws alone.
       if (!terms.are_equal(before, now) && !terms.are_equal(with_laws(before), now))
         return {Mark::incomplete,
-                said.feedback + "it is true, but a step is missing between " +
-                    notation::typed_text(before) + " and " + notation::typed_text(now) + ".",
+                "In " + line_name(i) + " a step is missing between " +
+                    notation::typed_text(before) + " and " + notation::typed_text(now) +
+                    ", though they are equal.",
                 said.notes};
       before = now;
     }
   if (before == start || !unfinished().empty())
-    return {Mark::incomplete,
-            "Every line is right, but the last one is not the end yet; the form that is asked for "
-            "is: " +
-                e.form + ".",
-            said.notes};
+    return {
+        Mark::incomplete,
+        "Every line is right, but the last one is not yet in the form asked for: " + e.form + ".",
+        said.notes};
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer.",
           said.notes};
 }

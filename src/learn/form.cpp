@@ -30,9 +30,9 @@ std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack) {
 
 std::string without_angle_functions(Expr e, const equality::Domain&) {
   const auto part = found(e, is_angle_function);
-  if (part) return notation::typed_text(*part) + " is in it";
+  if (part) return notation::typed_text(*part) + " is still in it";
   for (const std::string& name : notation::symbols_of(e))
-    if (name == "psi" || name == "theta") return name + " is in it";
+    if (name == "psi" || name == "theta") return name + " is still in it";
   return {};
 }
 

@@ -106,11 +106,14 @@ Judgement judge_symbolic(const Exercise& e, const std::string& text) {
   said.feedback = compared.feedback;
   said.notes.insert(said.notes.end(), compared.notes.begin(), compared.notes.end());
   if (said.mark == Mark::right) {
-    const std::string lack = lacking(e.form, typed, terms.domain(notation::symbols_of(typed)));
+    std::string lack = lacking(e.form, typed, terms.domain(notation::symbols_of(typed)));
     if (lack.empty()) return {Mark::right, "Right.", said.notes};
+    // All of it is quoted as it was typed: + (-1) would be shown as - 1.
+    const std::string all = notation::typed_text(typed) + " ";
+    if (lack.starts_with(all) && text.find('=') == text.npos)
+      lack.replace(0, all.size() - 1, answers::shown_text(text));
     return {Mark::other_form,
-            "Equal to the answer, but the form that is asked for is: " + e.form +
-                ". Yours: " + lack + ".",
+            "Equal to the answer, but not in the form asked for (" + e.form + "): " + lack + ".",
             said.notes};
   }
   if (said.mark != Mark::wrong) return said;

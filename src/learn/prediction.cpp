@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Predictions: a number, or one of several choices, held against what the program computes.
+#include <algorithm>
 #include <sstream>
 
 #include "answers/errors.hpp"
@@ -33,9 +34,10 @@ bool holds(const Terms& terms, const std::string& conditions) {
 }
 
 Judgement judge_choice(const Exercise& e, const std::string& text) {
-  const char letter = char(text[0] | 0x20);
+  const std::size_t first = std::min(text.find_first_not_of("( "), text.size() - 1);
+  const bool is_letter = text.find_first_not_of(") .,:;", first + 1) == text.npos;  // (a), b., c
+  const char letter = char(text[first] | 0x20);
   const char last = char('a' + e.choices.size() - 1);
-  const bool is_letter = text.size() == 1 || (text.size() == 2 && text[1] == ')');
   if (!is_letter || letter < 'a' || letter > last)
     kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got " +
                    answers::shown_text(text));

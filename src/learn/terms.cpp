@@ -8,7 +8,9 @@
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
+#include "equality/constant.hpp"
 #include "magicmass/scenes/keys.hpp"
+#include "notation/tokens.hpp"
 
 namespace learn {
 namespace {
@@ -17,14 +19,45 @@ using answers::InvalidInput;
 
 std::set<std::string> as_set(const Texts& texts) { return {texts.begin(), texts.end()}; }
 
-/// "a, b; c, d" in brackets.
-std::string bracketed(const std::string& text) {
-  if (text.find_first_of("[{") != text.npos || text.find(';') == text.npos) return text;
-  std::istringstream rows(text);
-  std::string all;
-  for (std::string row; std::getline(rows, row, ';');)
-    all += (all.empty() ? "[" : ", [") + row + "]";
-  return "[" + all + "]";
+/// What stands between separators that are in no brackets.
+Texts parts(const std::string& text, char separator) {
+  Texts all{""};
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view brackets = "([{)]}";
+    const std::size_t bracket = brackets.find(text[i]);
+    depth += bracket == brackets.npos ? 0 : bracket < 3 ? 1 : -1;
+    if (text[i] == separator && depth == 0) {
+      all.emplace_back();
+      continue;
+    }
+    all.back() += text[i];
+    if (text[i] == '\\' && i + 1 < text.size()) all.back() += text[++i];  // \; is a space
+  }
+  return all;
+}
+
+/// The inside of parentheses around all of it; else nothing.
+std::string inside(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  if (begin == text.npos || text[begin] != '(' || text[end] != ')') return {};
+  const std::string within = text.substr(begin + 1, end - begin - 1);
+  int depth = 0;
+  for (const char c : within)
+    if ((depth += c == '(' ? 1 : c == ')' ? -1 : 0) < 0) return {};
+  return within;
+}
+
+/// "a, b; c, d" in brackets, (a; b) too; and (a, b) where a column is asked for.
+std::string bracketed(const std::string& text, bool is_column) {
+  const std::string within = inside(text);
+  Texts rows = parts(within, ';');
+  if (rows.size() == 1 && is_column) rows = parts(within, ',');
+  if (rows.size() == 1) rows = parts(text, ';');
+  if (rows.size() == 1 && is_column && parts(text, ',').size() > 1)
+    kernel::refuse("a column is written with semicolons: [a; b; c]");
+  if (rows.size() == 1) return text;
+  return "[[" + answers::joined(rows, "], [") + "]]";
 }
 
 /// The names of which a word is made, with spaces: "M_2u_2" is "M_2 u_2"; "" where it is not.
@@ -87,14 +120,52 @@ std::map<std::string, std::string> ran(const std::string& line) {
   return numbers;
 }
 
+/// "V = 1, alpha = 2": by name, whatever was named first.
+std::string by_name(const std::string& point) {
+  Texts each = parts(point, ',');
+  for (std::string& one : each) one.erase(0, one.find_first_not_of(' '));
+  std::sort(each.begin(), each.end());
+  return answers::joined(each);
+}
+
 /// A counterexample in words. Of constants the right value is not given away.
 std::string difference(const equality::Counterexample& c) {
   if (c.point.empty())
     return std::string("Yours is too ") + (c.difference.starts_with('-') ? "small." : "large.");
-  const std::string right = c.right.starts_with("too close") ? "0, or very nearly" : c.right;
+  const auto shown = [](const std::string& value) {
+    return value.starts_with("too close") ? "0, or very nearly" : value;
+  };
   const bool is_close = c.difference.find("e-") != c.difference.npos;
-  return "At " + c.point + " yours is " + c.left + "; it should be " + right +
-         (is_close ? ", apart by " + c.difference + "." : ".");
+  return "At " + by_name(c.point) + " yours is " + shown(c.left) + "; it should be " +
+         shown(c.right) + (is_close ? ", apart by " + c.difference + "." : ".");
+}
+
+/// ", for instance at alpha = 1: why" where yours certainly has no value at most of the points
+/// where the right answer has one; else nothing.
+std::string without_value(Expr given, Expr expected, const equality::Domain& domain) {
+  constexpr std::size_t tried = 60;
+  const auto why_none = [](Expr constant) -> std::optional<std::string> {
+    try {
+      equality::enclosure(constant, 192);
+      return "";
+    } catch (const equality::NotDefined& none) {
+      return none.what();
+    } catch (const equality::NotCertain&) {
+      return {};
+    }
+  };
+  std::string first;
+  int all = 0, gaps = 0;
+  for (const equality::Point& point : equality::points(domain, tried, {given, expected})) {
+    if (why_none(equality::at(point, expected)) != "") continue;
+    ++all;
+    const std::string why = why_none(equality::at(point, given)).value_or("");
+    if (why.empty()) continue;
+    if (++gaps > 1) continue;
+    first =
+        (point.empty() ? "" : ", for instance at " + by_name(equality::text(point))) + ": " + why;
+  }
+  return 2 * gaps > all ? first : "";
 }
 
 }  // namespace
@@ -104,10 +175,45 @@ Terms::Terms(const Exercise& e) : exercise(e) {
   for (const auto& [name, text] : ran(e.run)) values.emplace(notation::symbol(name), content(text));
 }
 
+int Terms::columns() const {
+  if (exercise.kind != "symbolic") return 0;
+  const Expr expected = answer();
+  return kernel::is_matrix(expected) ? expected.cols() : 0;
+}
+
+/// The unit at the end, m/s, where the exercise has no such symbol; else nothing.
+std::string Terms::unit(const std::string& text) const {
+  static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
+                                           "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
+  std::vector<notation::Token> words = notation::tokens(text);
+  words.pop_back();  // the end
+  std::erase_if(words, [](const auto& word) { return word.text == "{" || word.text == "}"; });
+  const std::set<std::string> symbols = as_set(exercise.symbols);
+  const auto is_unit = [&](std::size_t i) {
+    return units.contains(words[i].text) && !symbols.contains(words[i].text) &&
+           !exercise.values.contains(words[i].text);
+  };
+  std::size_t first = words.size();
+  if (first > 2 && words[first - 2].text == "^") first -= 2;  // m/s^2
+  const std::size_t last = first;
+  while (first > 0 && is_unit(first - 1))
+    first -= first > 2 && words[first - 2].text == "/" && is_unit(first - 3) ? 2 : 1;
+  if (first == 0 || first == last) return {};
+  const notation::Token& before = words[first - 1];
+  if (before.kind == notation::Token::Kind::Sign && before.text != ")") return {};
+  std::string all;
+  for (std::size_t i = first; i < words.size(); ++i) all += words[i].text;
+  return all;
+}
+
 Expr Terms::typed(std::string text, Texts& notes) const {
   const std::set<std::string> names = as_set(exercise.symbols);
   constexpr std::size_t longest = 20000;  // more is refused by the reader
-  if (text.size() <= longest) text = with_spaces(bracketed(text), names, notes);
+  if (text.size() <= longest) text = with_spaces(bracketed(text, columns() == 1), names, notes);
+  if (const std::string the_unit = unit(text); !the_unit.empty())
+    kernel::refuse(
+        "an answer is written without a unit such as " + the_unit + ": " +
+        (names.empty() ? "it is a number, in units of V and L" : "its symbols have their own"));
   const notation::Typed read = notation::read_typed(text, names);
   notes.insert(notes.end(), read.notes.begin(), read.notes.end());
   return read.term;
@@ -155,7 +261,10 @@ std::string Terms::foreign(Expr term) const {
   for (const std::string& name : notation::symbols_of(term))
     if (!symbols.contains(name) && !exercise.values.contains(name)) names.push_back(name);
   if (names.empty()) return {};
-  const std::string meant = magicmass::scenes::nearest_name(names[0], exercise.symbols);
+  std::string meant = notation::alike(names[0], symbols);
+  if (meant.empty()) meant = parted(names[0], symbols);
+  if (meant.empty()) meant = magicmass::scenes::nearest_name(names[0], exercise.symbols);
+  std::replace(meant.begin(), meant.end(), ' ', '*');
   return answers::joined(names) + (names.size() == 1 ? " has" : " have") + " no place here: " +
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
@@ -178,6 +287,14 @@ equality::Domain Terms::domain(const std::set<std::string>& symbols) const {
   std::erase_if(domain.ranges, [&](const auto& range) {
     return !symbols.contains(notation::name_of(range.first));
   });
+  for (notation::Comparison& c : domain.further) {
+    c.left = in_full(c.left);
+    c.right = in_full(c.right);
+  }
+  std::erase_if(domain.further, [&](const notation::Comparison& c) {
+    const std::set<std::string> needed = notation::symbols_of(c.left - c.right);
+    return !std::includes(symbols.begin(), symbols.end(), needed.begin(), needed.end());
+  });
   return domain;
 }
 
@@ -185,23 +302,26 @@ Judgement Terms::compare_numbers(Expr given, Expr expected) const {
   std::set<std::string> symbols = notation::symbols_of(given);
   symbols.merge(notation::symbols_of(expected));
   equality::Verdict verdict;
+  equality::Domain where;
+  std::string why = "It could not be decided whether yours is equal to the answer.";
   try {
-    verdict = equality::decide(given, expected, domain(symbols));
+    where = domain(symbols);
+    verdict = equality::decide(given, expected, where);
   } catch (const kernel::Refused& r) {
-    const std::string why = r.what();
-    if (symbols.empty())
-      return {Mark::wrong,
-              "Yours has no value" + why.substr(std::min(why.rfind(": "), why.size())) + "."};
-    return {Mark::undecided, "It could not be compared: " + why + "."};
+    why = "It could not be compared: " + std::string(r.what()) + ".";
   }
-  if (verdict.answer == equality::Answer::Undecided)
-    return {Mark::undecided, "It could not be decided whether yours is equal to the answer."};
+  if (verdict.answer == equality::Answer::Undecided) {
+    const std::string none = without_value(given, expected, where);
+    if (none.empty()) return {Mark::undecided, why};
+    return {Mark::wrong, "Yours has no real value" + none + "."};
+  }
   if (verdict.answer == equality::Answer::Different)
     return {Mark::wrong, difference(*verdict.counterexample)};
   for (std::string note : verdict.notes) {
     const std::string left = "the left side alone has no value";
     if (!note.starts_with(left)) continue;
-    note = "yours has no value" + note.substr(left.size());
+    const std::size_t begin = left.size() + 4, end = note.find(": ");  // " at "
+    note = "yours has no value at " + by_name(note.substr(begin, end - begin)) + note.substr(end);
     const bool is_gap = std::none_of(verdict.conditions.begin(), verdict.conditions.end(),
                                      [](const std::string& c) { return c.find('>') != c.npos; });
     if (is_gap) return {Mark::right, "", {note}};

@@ -34,6 +34,8 @@ public:
 
 private:
   kernel::Substitution values;  // the exercise's, and what was run
+  int columns() const;          // of the matrix that is asked for; 0 of a number
+  std::string unit(const std::string& text) const;
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 

@@ -122,6 +122,18 @@ std::string name_of(Expr e) {
   if (e.op() != Op::Var || !e.name().starts_with(mark)) return "";
   return e.name().substr(mark.size());
 }
+std::string alike(const std::string& name, const std::set<std::string>& names) {
+  const auto plain = [](const std::string& text) {
+    std::string out;
+    for (const char c : text)
+      if (c != '_') out += c >= 'A' && c <= 'Z' ? char(c | 0x20) : c;
+    return out;
+  };
+  if (name.size() == 1) return "";  // M and m are two masses
+  for (const std::string& other : names)
+    if (plain(other) == plain(name)) return other;
+  return "";
+}
 std::set<std::string> symbols_of(Expr e) {
   std::set<std::string> out;
   for (Expr v : free_variables(e))

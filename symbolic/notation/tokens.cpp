@@ -198,7 +198,13 @@ private:
     add(Kind::Number, word, column);
   }
 
-  // _n, _{n}, _{\rm CM}, and subscript characters.
+  // \rm, \text, \mathrm: letters stand upright.
+  bool skips_font() {
+    if (!follows(U"\\rm") && !follows(U"\\text") && !follows(U"\\mathrm")) return false;
+    for (++at; is_letter(peek());) ++at;
+    return true;
+  }
+  // _n, _{n}, _{\rm CM}, _{\mathrm{CM}}, and subscript characters.
   std::string index() {
     std::string found;
     if (subscripts.contains(peek())) {
@@ -208,22 +214,32 @@ private:
     if (peek() != U'_') return "";
     ++at;
     if (is_greek(peek())) return "_" + spellings().at(text[at++]);
+    skips_font();
     if (peek() != U'{') {
       while (is_plain(peek()) || (peek() == U'_' && is_plain(peek(1)))) found += char(text[at++]);
+      if (peek() == U'(' && found.empty()) refuse_index();
+      if (peek() == U'_') refuse_index();
       return "_" + found;
     }
     const std::size_t column = at + 1;
-    for (++at; peek() != U'}'; ++at) {
+    int depth = 0;
+    do {
       if (at >= text.size()) refuse_at(column, "the } for a { is missing");
-      if (follows(U"\\rm") || follows(U"\\text") || follows(U"\\mathrm"))
-        while (is_letter(peek(1))) ++at;
-      else if (is_plain(peek()))
-        found += char(peek());
-      else if (peek() == U'+' || peek() == U'-')
-        refuse_at(column, "an index with a sign has no name here");
-    }
-    ++at;
+      if (skips_font()) continue;
+      const char32_t c = text[at];
+      depth += c == U'{' ? 1 : c == U'}' ? -1 : 0;
+      if (is_plain(c) || c == U'_')
+        found += char(c);
+      else if (is_greek(c))
+        found += spellings().at(c);
+      else if (c != U'{' && c != U'}' && !is_blank(c))
+        refuse_index();
+      ++at;
+    } while (depth > 0);
     return "_" + found;
+  }
+  [[noreturn]] void refuse_index() const {
+    refuse_at(at + 1, "an index is a name or a number, as in T_m and T_2");
   }
   std::string prime() {
     for (const std::u32string_view mark : {U"'", U"′", U"’", U"^\\prime", U"^{\\prime}"})
@@ -296,8 +312,8 @@ private:
       return;
     }
     if (structures().contains(word)) return add(Kind::Command, word, column);
-    if (functions().contains(word)) return add(Kind::Name, word, column);
-    if (!is_greek_name(word)) refuse_at(column, "unknown command \\" + word);
+    if (!functions().contains(word) && !is_greek_name(word))
+      refuse_at(column, "unknown command \\" + word);
     indexed_name(word, column);
   }
 

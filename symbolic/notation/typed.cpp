@@ -2,6 +2,8 @@
 // The reader of what people type: one function for each level of binding.
 #include "notation/typed.hpp"
 
+#include <algorithm>
+
 #include "notation/operations.hpp"
 #include "notation/tokens.hpp"
 
@@ -71,7 +73,10 @@ private:
   std::string typed(std::size_t from, std::size_t to) const {
     std::string out;
     for (std::size_t i = from; i < to; ++i)
-      out += (i > from && (words[i].is_spaced || words[i].kind == Kind::Name) ? " " : "") +
+      out += (i > from && (words[i].is_spaced ||
+                           (words[i].kind == Kind::Name && words[i - 1].kind != Kind::Sign))
+                  ? " "
+                  : "") +
              words[i].text;
     return out;
   }
@@ -275,11 +280,48 @@ private:
     if (word == "pi" || word == "Pi" || word == "PI") return kernel::pi();
     if (const std::string meant = hidden_function(word); !meant.empty() && !factors.contains(word))
       refuse_at(token.column, word + ": is " + meant + " meant?");
-    if (is("(") && !is_factor(word))
-      refuse_at(token.column, "unknown function " + word + "; write * for a product, and " + word +
-                                  "_n for " + word + "(n)");
+    if (!factors.contains(word)) refuse_function(token);
     if (!token.typed.empty()) note(token.typed + " is read as " + word);
+    const bool is_word = word.size() > 1 && word.find('_') == word.npos && !is_greek_name(word);
+    if (is_word && !factors.contains(word)) note_word(word);
     return symbol(word);
+  }
+  void note_word(const std::string& word) {
+    const std::string product =
+        word.size() == 2 ? word.substr(0, 1) + "*" + word.substr(1) : "with *";
+    const std::string how = word + " is read as one name; a product is written " + product;
+    if (std::find(notes.begin(), notes.end(), how) == notes.end()) note(how);
+  }
+  // log_2(8), sin_2 and f(x): no functions here.
+  void refuse_function(const Token& token) const {
+    static const std::set<std::string> rounding{"ceil", "floor", "round", "trunc", "int"};
+    const std::string& word = token.text;
+    const std::size_t mark = word.find('_');
+    const std::string stem = word.substr(0, mark);
+    if (mark != word.npos && is_function(stem)) {
+      if (stem != "log" && stem != "ln") refuse_at(token.column, "unknown function " + word);
+      const std::string base = word.substr(mark + 1), of = argument_ahead();
+      refuse_at(token.column, word + (of.empty() ? "" : "(" + of + ")") + ": write log(" +
+                                  (of.empty() ? "x" : of) + ")/log(" + base +
+                                  ") for the logarithm to base " + base);
+    }
+    if (!is("(") || is_factor(word)) return;
+    if (rounding.contains(word))
+      refuse_at(token.column, word + ": there are no rounding functions here");
+    const std::string meant = alike(word, factors);
+    refuse_at(token.column,
+              "unknown function " + word +
+                  (meant.empty() ? "; write * for a product, and " + word + "_n for " + word + "(n)"
+                                 : "; is " + meant + " meant?"));
+  }
+  // What stands in the brackets that begin here, as typed; "" where none do.
+  std::string argument_ahead() const {
+    int open = 0;
+    for (std::size_t i = place; i < words.size(); ++i) {
+      open += words[i].text == "(" ? 1 : words[i].text == ")" ? -1 : 0;
+      if (open == 0) return i == place ? "" : typed(place + 1, i);
+    }
+    return "";
   }
 
   bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }

@@ -39,6 +39,8 @@ TypedComparisons read_comparisons(std::string_view text, const std::set<std::str
 /// The variable that stands for a typed name: whatever the name means elsewhere, here it is a real
 /// number of which nothing is known. c'_n is called c_prime_n.
 kernel::Expr symbol(const std::string& name);
+/// Of these names the one that differs in _ and in small and capital letters alone; "" of none.
+std::string alike(const std::string& name, const std::set<std::string>& names);
 /// The typed name, or "" of what is no such variable.
 std::string name_of(kernel::Expr symbol);
 std::set<std::string> symbols_of(kernel::Expr e);

@@ -35,6 +35,8 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
       {"c'_n", "c_prime_n"},
       {"c^{\\prime}_n", "c_prime_n"},
       {"V_{\\rm CM}", "V_CM"},
+      {"V_{\\mathrm{CM}} + V_{\\text{CM}} + V_\\mathrm{CM}", "V_CM + V_CM + V_CM"},
+      {"M_{A} + M_{α} + b_{N_B}", "M_A + M_alpha + b_N_B"},
       {"\\cos n\\psi", "cos(n*psi)"},
       {"cos 2 theta", "cos(2*theta)"},
       {"sin^2(x)", "sin(x)^2"},
@@ -81,6 +83,14 @@ TEST_CASE("Slips are named, with their column") {
       {"0x1F", "a hexadecimal number?"},
       {"0,5", "column 2: unexpected comma; decimals are written 0.5"},
       {"a(n)", "a_n for a(n)"},
+      {"2 floor(x)", "column 3: floor: there are no rounding functions here"},
+      {"log_2(1+alpha)", "write log(1+alpha)/log(2) for the logarithm to base 2"},
+      {"\\ln_3 x", "ln_3: write log(x)/log(3) for"},
+      {"x sin_2(y)", "column 3: unknown function sin_2"},
+      {"T_(m+1)", "column 3: an index is a name or a number"},
+      {"T_1T_(m+1)", "column 5: an index is a name or a number"},
+      {"T_{m+1}", "column 5: an index is a name or a number"},
+      {"V_{\\mathrm{CM}", "column 3: the } for a { is missing"},
       {"", "the expression is empty"},
       {"(x", "column 1: the ) for this one is missing"},
       {"x)", "a ( is missing for this )"},
@@ -116,7 +126,19 @@ TEST_CASE("A reading that was chosen is said") {
   CHECK(read_typed("\\cos n\\psi").notes ==
         std::vector<std::string>{"cos n psi is read as cos(n psi)"});
   CHECK(read_typed("M1").notes == std::vector<std::string>{"M1 is read as M_1"});
-  CHECK(read_typed("cos(n*psi)").notes.empty());
+  CHECK(read_typed("xy + 2xy").notes ==
+        std::vector<std::string>{"xy is read as one name; a product is written x*y"});
+  CHECK(read_typed("ylnx").notes ==
+        std::vector<std::string>{"ylnx is read as one name; a product is written with *"});
+  CHECK(read_typed("cos(n*psi)*V_CM*Gamma").notes.empty());
+  CHECK(read_typed("xy", {"xy"}).notes.empty());
+}
+
+TEST_CASE("A name that is nearly known is named") {
+  CHECK_THROWS_WITH(read_typed("VCM(x)", {"V_CM"}), ContainsSubstring("is V_CM meant?"));
+  CHECK_THROWS_WITH(read_typed("VCN(x)", {"V_CM"}), ContainsSubstring("VCN_n for VCN(n)"));
+  CHECK(alike("vcm", {"V", "V_CM"}) == "V_CM");
+  CHECK(alike("M", {"m"}).empty());
 }
 
 TEST_CASE("What is shown of a term is read back as the same term") {
