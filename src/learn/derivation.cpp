@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "learn/form.hpp"
 #include "learn/terms.hpp"
 
@@ -14,7 +13,6 @@ namespace {
 using kernel::Exprs;
 
 constexpr std::size_t most_lines = 40;
-constexpr std::size_t longest_shown = 80;
 
 Texts split(const std::string& text, char separator) {
   std::istringstream stream(text);
@@ -138,7 +136,7 @@ Judgement judge_equations(const Terms& terms, const Texts& lines) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto [left, right] = all[i];
     const Expr e = differences[i];
-    const std::string the_line = "L" + line_name(i).substr(1);
+    const std::string the_line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
       return with(Mark::incomplete,
                   the_line + " says nothing: both sides are the same for all velocities.");
@@ -193,9 +191,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines) {
       const Expr now = side(terms, part, i, said.notes), given = terms.in_full(now);
       const std::string what =
           before == start ? e.start + ", with which the chain begins" : "what comes before it";
-      const std::size_t begin = part.find_first_not_of(" \t");
-      const std::string shown = answers::shown_text(
-          part.substr(begin, part.find_last_not_of(" \t") + 1 - begin), longest_shown);
+      const std::string shown = quoted(part, now);
       said.mark = terms.compare(given, terms.in_full(before)).mark;
       if (said.mark == Mark::undecided)
         said.feedback = "It could not be decided whether " + shown + " in " + line_name(i) +

@@ -111,7 +111,7 @@ Judgement judge_symbolic(const Exercise& e, const std::string& text) {
     // All of it is quoted as it was typed: + (-1) would be shown as - 1.
     const std::string all = notation::typed_text(typed) + " ";
     if (lack.starts_with(all) && text.find('=') == text.npos)
-      lack.replace(0, all.size() - 1, answers::shown_text(text));
+      lack.replace(0, all.size() - 1, quoted(text, typed));
     return {Mark::other_form,
             "Equal to the answer, but not in the form asked for (" + e.form + "): " + lack + ".",
             said.notes};

@@ -9,8 +9,8 @@
 #include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
 #include "equality/constant.hpp"
+#include "learn/spelling.hpp"
 #include "magicmass/scenes/keys.hpp"
-#include "notation/tokens.hpp"
 
 namespace learn {
 namespace {
@@ -18,82 +18,6 @@ namespace {
 using answers::InvalidInput;
 
 std::set<std::string> as_set(const Texts& texts) { return {texts.begin(), texts.end()}; }
-
-/// What stands between separators that are in no brackets.
-Texts parts(const std::string& text, char separator) {
-  Texts all{""};
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const std::string_view brackets = "([{)]}";
-    const std::size_t bracket = brackets.find(text[i]);
-    depth += bracket == brackets.npos ? 0 : bracket < 3 ? 1 : -1;
-    if (text[i] == separator && depth == 0) {
-      all.emplace_back();
-      continue;
-    }
-    all.back() += text[i];
-    if (text[i] == '\\' && i + 1 < text.size()) all.back() += text[++i];  // \; is a space
-  }
-  return all;
-}
-
-/// The inside of parentheses around all of it; else nothing.
-std::string inside(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
-  if (begin == text.npos || text[begin] != '(' || text[end] != ')') return {};
-  const std::string within = text.substr(begin + 1, end - begin - 1);
-  int depth = 0;
-  for (const char c : within)
-    if ((depth += c == '(' ? 1 : c == ')' ? -1 : 0) < 0) return {};
-  return within;
-}
-
-/// "a, b; c, d" in brackets, (a; b) too; and (a, b) where a column is asked for.
-std::string bracketed(const std::string& text, bool is_column) {
-  const std::string within = inside(text);
-  Texts rows = parts(within, ';');
-  if (rows.size() == 1 && is_column) rows = parts(within, ',');
-  if (rows.size() == 1) rows = parts(text, ';');
-  if (rows.size() == 1 && is_column && parts(text, ',').size() > 1)
-    kernel::refuse("a column is written with semicolons: [a; b; c]");
-  if (rows.size() == 1) return text;
-  return "[[" + answers::joined(rows, "], [") + "]]";
-}
-
-/// The names of which a word is made, with spaces: "M_2u_2" is "M_2 u_2"; "" where it is not.
-std::string parted(const std::string& word, const std::set<std::string>& names) {
-  if (names.contains(word)) return word;
-  for (const std::string& name : names) {
-    if (!word.starts_with(name)) continue;
-    const std::string rest = parted(word.substr(name.size()), names);
-    if (!rest.empty()) return name + " " + rest;
-  }
-  return {};
-}
-
-/// M_2u_2, as LaTeX has it, in two words where both are names: a power belongs to the last one.
-std::string with_spaces(const std::string& text, const std::set<std::string>& names, Texts& notes) {
-  std::string all, word, plain;
-  for (const char c : text + " ") {
-    const bool is_letter = (c | 0x20) >= 'a' && (c | 0x20) <= 'z';
-    const bool is_brace =
-        (c == '{' && word.ends_with('_')) || (c == '}' && plain.size() < word.size());
-    if (is_letter || is_brace || (!word.empty() && (c == '_' || (c >= '0' && c <= '9')))) {
-      word += c;
-      if (!is_brace) plain += c;
-      continue;
-    }
-    const std::string apart = plain.find('_') == plain.npos ? "" : parted(plain, names);
-    if (apart.find(' ') != apart.npos) {
-      notes.push_back(word + " is read as " + apart);
-      word = apart;
-    }
-    all += word + c;
-    word = plain = "";
-  }
-  all.pop_back();
-  return all;
-}
 
 /// "count --alpha 3/25": the numbers of its one row by their columns' names.
 std::map<std::string, std::string> ran(const std::string& line) {
@@ -181,36 +105,13 @@ int Terms::columns() const {
   return kernel::is_matrix(expected) ? expected.cols() : 0;
 }
 
-/// The unit at the end, m/s, where the exercise has no such symbol; else nothing.
-std::string Terms::unit(const std::string& text) const {
-  static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
-                                           "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
-  std::vector<notation::Token> words = notation::tokens(text);
-  words.pop_back();  // the end
-  std::erase_if(words, [](const auto& word) { return word.text == "{" || word.text == "}"; });
-  const std::set<std::string> symbols = as_set(exercise.symbols);
-  const auto is_unit = [&](std::size_t i) {
-    return units.contains(words[i].text) && !symbols.contains(words[i].text) &&
-           !exercise.values.contains(words[i].text);
-  };
-  std::size_t first = words.size();
-  if (first > 2 && words[first - 2].text == "^") first -= 2;  // m/s^2
-  const std::size_t last = first;
-  while (first > 0 && is_unit(first - 1))
-    first -= first > 2 && words[first - 2].text == "/" && is_unit(first - 3) ? 2 : 1;
-  if (first == 0 || first == last) return {};
-  const notation::Token& before = words[first - 1];
-  if (before.kind == notation::Token::Kind::Sign && before.text != ")") return {};
-  std::string all;
-  for (std::size_t i = first; i < words.size(); ++i) all += words[i].text;
-  return all;
-}
-
 Expr Terms::typed(std::string text, Texts& notes) const {
   const std::set<std::string> names = as_set(exercise.symbols);
   constexpr std::size_t longest = 20000;  // more is refused by the reader
   if (text.size() <= longest) text = with_spaces(bracketed(text, columns() == 1), names, notes);
-  if (const std::string the_unit = unit(text); !the_unit.empty())
+  std::set<std::string> known = names;
+  for (const auto& [name, value] : exercise.values) known.insert(name);
+  if (const std::string the_unit = unit(text, known); !the_unit.empty())
     kernel::refuse(
         "an answer is written without a unit such as " + the_unit + ": " +
         (names.empty() ? "it is a number, in units of V and L" : "its symbols have their own"));
@@ -353,6 +254,13 @@ Judgement Terms::compare(Expr given, Expr expected) const {
       all = one;
     }
   return all;
+}
+
+std::string quoted(const std::string& typed, Expr read) {
+  constexpr std::size_t longest = 80;
+  const std::size_t begin = typed.find_first_not_of(" \t"), end = typed.find_last_not_of(" \t");
+  const std::string text = typed.substr(begin, end + 1 - begin);
+  return answers::shown_text(text, longest) == text ? text : notation::typed_text(read);
 }
 
 std::string misconception_of(const Terms& terms, Expr given) {

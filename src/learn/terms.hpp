@@ -35,10 +35,11 @@ public:
 private:
   kernel::Substitution values;  // the exercise's, and what was run
   int columns() const;          // of the matrix that is asked for; 0 of a number
-  std::string unit(const std::string& text) const;
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
+/// What was typed, where it is short and all ASCII; else the term that was read.
+std::string quoted(const std::string& typed, Expr read);
 /// The feedback of the misconception that has this answer, in full; "" where there is none.
 std::string misconception_of(const Terms& terms, Expr given);
 

@@ -110,6 +110,9 @@ TEST_CASE("What is spoilt in an exercise is a fault of it") {
   const auto faults = [](const std::string& from, const std::string& to) {
     return all_faults(changed(sound + misconception, from, to));
   };
+  // A condition counts only where all of its symbols are.
+  CHECK(faults("[\"alpha\"]\nanswer = \"1",
+               "[\"alpha\", \"n\"]\ndomain = \"n*alpha < 3\"\nanswer = \"n") == "");
   CHECK_THAT(faults("1 + alpha\"]", "1/(alpha + 1)\"]"), ContainsSubstring("is judged right"));
   CHECK_THAT(faults("1 + alpha\"]", "1 + alpha\", \"1 - (\"]"),
              ContainsSubstring("1 - ( is judged unread"));
