@@ -57,10 +57,10 @@ public:
     if (nothing_rests && plus) return {equation(cos(b), cos(b)), equation(sin(b), sin(b))};
     const Pair before = pair(rest_of);
     const Substitution terms{{real("x"), rest}, {real("y"), step}};
-    const Theorems rules{use("cos sum", terms),
-                         use("sin sum", terms),
-                         use("cos minus", {{real("x"), b}}),
-                         use("sin minus", {{real("x"), b}}),
+    const Theorems rules{at("cos sum", terms),
+                         at("sin sum", terms),
+                         at("cos minus", {{real("x"), b}}),
+                         at("sin minus", {{real("x"), b}}),
                          before.cosine,
                          before.sine};
     const Expr c = right(before.cosine);
@@ -104,7 +104,7 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   if (!circle) return rules;
   for (const Expr& b : bases) {
     rules.push_back(arithmetic(eq(power(sin(b), 2), 1 - power(cos(b), 2)),
-                               {.equations = {{1, use("circle", {{real("x"), b}})}}}));
+                               {.equations = {{1, at("circle", {{real("x"), b}})}}}));
   }
   return rules;
 }
@@ -122,7 +122,7 @@ Theorem cosine_falls(const Theorem& less, const Theorems& facts) {
   const Expr p = left(less), q = right(less);
   const Theorem from = linear(le(0, p), facts), to = linear(le(q, pi()), facts);
   const auto falls = [&](const Theorem& below) {
-    return use("cos falls", {{real("x"), p}, {real("y"), q}}, {from, below, to});
+    return at("cos falls", {{real("x"), p}, {real("y"), q}}, {from, below, to});
   };
   if (less.conclusion().op() == Op::Lt) return falls(less);
   const Expr goal = le(cos(q), cos(p));

@@ -113,6 +113,12 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
       certificate.equations.emplace_back(expression(search.cofactors[i]), rules[i]);
   return arithmetic(goal, certificate);
 }
+Exprs entry_equations(Expr e) {
+  const Exprs l = entries(e.arg(0)), r = entries(e.arg(1));
+  Exprs out;
+  for (std::size_t i = 0; i < l.size(); ++i) out.push_back(eq(l[i], r[i]));
+  return out;
+}
 /// Squares of the roots and divisors that are seen to be positive.
 Given found_in(Expr goal, const Given& given) {
   Given out = given;
@@ -141,6 +147,13 @@ Given found_in(Expr goal, const Given& given) {
 }  // namespace
 
 Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts, const Exprs& bases) {
+  if (goal.op() == Op::And) {
+    Theorems all;
+    for (const Expr& g : goal.args()) all.push_back(cancel(g, factors, facts, bases));
+    return both(all);
+  }
+  if (is_matrix(goal.arg(0)))
+    return restate(goal, cancel(logic_and(entry_equations(goal)), factors, facts, bases));
   Given given;
   for (const Theorem& t : parts(facts))
     (t.conclusion().op() == Op::Eq ? given.rules : given.divisors).push_back(t);
@@ -173,34 +186,22 @@ Theorem turned(const Theorem& e) {
   return arithmetic(eq(right(e), left(e)), {.equations = {{-1, e}}});
 }
 Theorems entries(const Theorem& e) {
-  const Expr l = left(e);
-  const Expr r = right(e);
-  Exprs equations;
-  for (int i = 0; i < l.rows(); ++i)
-    for (int j = 0; j < l.cols(); ++j) equations.push_back(eq(entry(l, i, j), entry(r, i, j)));
+  const Exprs equations = entry_equations(e.conclusion());
   const Theorem all_entries = restate(logic_and(equations), e);
   if (equations.size() == 1) return {all_entries};
   Theorems out;
   for (std::size_t i = 0; i < equations.size(); ++i) out.push_back(part(all_entries, i));
   return out;
 }
-Theorem matrix_equation(Expr l, Expr r, const Theorems& facts, const Exprs& bases) {
-  const Theorems rules = parts(facts);
-  Theorems equations;
-  for (int i = 0; i < l.rows(); ++i)
-    for (int j = 0; j < l.cols(); ++j)
-      equations.push_back(equation(entry(l, i, j), entry(r, i, j), rules, bases));
-  return restate(eq(l, r), both(equations));
-}
 Theorem root_squared(const Theorem& not_negative) {
   const Expr x = right(not_negative);
-  return use("root squared", {{real("x"), x}}, {linear(le(0, x), {not_negative})});
+  return at("root squared", {{real("x"), x}}, {linear(le(0, x), {not_negative})});
 }
 Theorem root_of(const Theorem& square, const Theorem& t_positive) {
   const Expr t = left(square).arg(0), x = right(square);
   const Theorem not_negative =
       arithmetic(le(0, x), {.equations = {{1, square}}, .products = {{1, {}, {t}}}});
-  const Theorem root_sign = use("root not negative", {{real("x"), x}}, {not_negative});
+  const Theorem root_sign = at("root not negative", {{real("x"), x}}, {not_negative});
   // (sqrt(x) + t)(t - sqrt(x)) = (t^2 - x) - (sqrt(x)^2 - x)
   return arithmetic(eq(sqrt(x), t),
                     {.equations = {{-1, square}, {1, root_squared(not_negative)}},

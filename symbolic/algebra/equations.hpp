@@ -11,7 +11,7 @@ namespace algebra {
 std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by);
 /// q - p of p = q, p < q, p <= q or not p = q.
 Expr gap(const Theorem& relation);
-/// `goal` (l = r): each equation of `facts` (monomial = term) rewrites a monomial; denominators are
+/// `goal` (l = r, of terms or of matrices, or several of them): each equation of `facts` (monomial = term) rewrites a monomial; denominators are
 /// cleared that `facts` (0 < d, not d = 0) or `positive` say not to be 0; squares of roots are
 /// rewritten; sines and cosines are expanded in those of the angles `bases`, if there are any.
 /// Throws Refused, with what is left over, where that does not end in 0 = 0.
@@ -28,8 +28,6 @@ Theorem chain(const Theorem& a, const Theorem& b);
 Theorem turned(const Theorem& e);
 /// The equations of the entries of an equation of matrices, row by row.
 Theorems entries(const Theorem& matrix_equation);
-/// l = r for matrices, entry by entry by `equation`.
-Theorem matrix_equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs& bases = {});
 /// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
 Theorem root_squared(const Theorem& not_negative);
 /// |- sqrt(x) = t from t^2 = x and 0 < t.

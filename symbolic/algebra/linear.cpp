@@ -194,7 +194,7 @@ private:
     if (f == "pi") facts.push_back(axiom("pi positive"));
     if (f == "ceil" || f == "atan")
       for (const Theorem& t :
-           parts({use(f == "ceil" ? "ceiling" : "atan range", {{real("x"), a.arg(0)}})}))
+           parts({at(f == "ceil" ? "ceiling" : "atan range", {{real("x"), a.arg(0)}})}))
         add(t);
     for (const auto& [name, angle] : {std::pair{" 0", Expr(0)}, {" pi", pi()}, {" pi/2", pi() / 2}})
       if ((f == "cos" || f == "sin") && canonical(a.arg(0)) == canonical(angle))
@@ -250,10 +250,11 @@ Proof linear_if(Expr goal, const Theorems& given_facts) {
   const Deeper deeper;
   Occurring occurring(difference(goal), facts);
   if (const Proof p = relation(goal, occurring.facts)) return p;
-  std::vector<bool> taken(known().size(), false);
+  const Theorems all_known = known();
+  std::vector<bool> taken(all_known.size(), false);
   for (int round = 0; round < 2; ++round) {
     for (std::size_t i = 0; i < taken.size(); ++i) {
-      const Theorem& t = known()[i];
+      const Theorem& t = all_known[i];
       if (taken[i] || !is_relation(t) || !occurring.shares_an_atom(gap(t))) continue;
       taken[i] = true;
       occurring.add(t);

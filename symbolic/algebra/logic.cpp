@@ -8,9 +8,9 @@
 
 namespace algebra {
 namespace {
-Theorems& all_known() {
-  static Theorems facts;
-  return facts;
+AllKnown& all_known() {
+  static AllKnown all;
+  return all;
 }
 using Sides = std::set<std::pair<Expr, Expr>>;
 /// The sides of each equation of terms in f, or else of each inequality.
@@ -28,16 +28,16 @@ Exprs conjuncts(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
 bool is_among(Expr f, const Exprs& formulas) {
   return std::find(formulas.begin(), formulas.end(), f) != formulas.end();
 }
-Known::Known(const Theorems& facts) : before(all_known().size()) {
+Known::Known(const Theorems& facts) : before(all_known()) {
   for (const Theorem& t : facts) know(t);
 }
-Known::~Known() {
-  all_known().erase(all_known().begin() + std::ptrdiff_t(before), all_known().end());
+Known::~Known() { all_known() = before; }
+void know(const Theorem& fact) { all_known().here = all_known().here + parts({fact}); }
+void know_for_good(const Theorem& fact) {
+  all_known().for_good = all_known().for_good + parts({fact});
 }
-void know(const Theorem& fact) {
-  for (const Theorem& t : parts({fact})) all_known().push_back(t);
-}
-const Theorems& known() { return all_known(); }
+void suppose(const Exprs& assumptions) { all_known().here = parts(assumed(assumptions)); }
+Theorems known() { return all_known().for_good + all_known().here; }
 Theorems parts(const Theorems& theorems) {
   Theorems out;
   for (const Theorem& t : theorems) {
@@ -51,25 +51,27 @@ Theorems parts(const Theorems& theorems) {
   }
   return out;
 }
-Theorem use(const Theorem& rule, const Substitution& terms, const Theorems& premises) {
-  const Theorem t = terms.empty() ? rule : instantiate(rule, terms);
-  if (t.conclusion().op() != Op::Imp || premises.empty()) return t;
-  const Theorems given = parts(premises);
-  Theorems from = premises;
+Theorem at(const Theorem& rule, const Substitution& terms, const Theorems& facts) {
+  Theorem t = terms.empty() ? rule : instantiate(rule, terms);
+  const Theorems given = parts(facts);
+  const auto proof = [&](Expr f) {
+    const auto it = std::find_if(given.begin(), given.end(),
+                                 [&](const Theorem& g) { return g.conclusion() == f; });
+    return it == given.end() ? linear(f, given) : *it;
+  };
+  const auto is_relation = [](Expr f) {
+    return f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq;
+  };
+  for (const Expr& h : t.hypotheses())
+    if (!is_among(h, rule.hypotheses()) && is_relation(h)) t = cut(proof(h), t);
+  if (t.conclusion().op() != Op::Imp) return t;
+  Theorems from = given + Theorems{t};
   for (const Expr& f : conjuncts(left(t)))
-    if (std::none_of(given.begin(), given.end(),
-                     [&](const Theorem& g) { return g.conclusion() == f; }) &&
-        (f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq))
-      from.push_back(linear(f, premises));
-  return tautology(right(t), from + Theorems{t});
+    if (is_relation(f)) from.push_back(proof(f));
+  return tautology(right(t), from);
 }
-Theorem at(const Theorem& t, const Substitution& terms, const Theorems& facts) {
-  Theorem out = instantiate(t, terms);
-  const Exprs before = t.hypotheses();
-  for (const Expr& h : out.hypotheses())
-    if (!is_among(h, before) && (h.op() == Op::Lt || h.op() == Op::Le || h.op() == Op::Eq))
-      out = cut(linear(h, facts), out);
-  return out;
+Theorem at(const std::string& axiom_name, const Substitution& terms, const Theorems& facts) {
+  return at(axiom(axiom_name), terms, facts);
 }
 Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body) {
   return discharge(f, body(assume(f)));
@@ -86,7 +88,7 @@ Theorem follows(Expr goal, const Theorems& from) {
   }
   Theorems all = from;
   for (const auto& [l, r] : sides) {
-    all.push_back(use("equal or less or greater", {{real("x"), l}, {real("y"), r}}));
+    all.push_back(at("equal or less or greater", {{real("x"), l}, {real("y"), r}}));
     const auto weaker = [&, l = l, r = r](Expr f) {
       const Expr up = le(l, r), down = le(r, l);
       const Expr goal_of_f = f.op() == Op::Eq ? logic_and({up, down}) : f == lt(l, r) ? up : down;
@@ -96,8 +98,10 @@ Theorem follows(Expr goal, const Theorems& from) {
   }
   return tautology(goal, all);
 }
-Theorem use(const std::string& axiom_name, const Substitution& terms, const Theorems& premises) {
-  return use(axiom(axiom_name), terms, premises);
+Theorems assumed(const Exprs& formulas) {
+  Theorems out;
+  for (const Expr& f : formulas) out.push_back(assume(f));
+  return out;
 }
 Theorem part(const Theorem& conjunction, std::size_t i) {
   return tautology(conjunction.conclusion().arg(i), {conjunction});
@@ -112,21 +116,29 @@ Theorems operator+(Theorems a, const Theorems& b) {
   return a;
 }
 Theorem never() {
-  static const Theorem result = tautology(
-      logic_not(lt(0, 0)),
-      {use("less is not equal", {{real("x"), 0}, {real("y"), 0}}), arithmetic(eq(0, 0), {})});
+  static const Theorem result =
+      tautology(logic_not(lt(0, 0)),
+                {instantiate(axiom("less is not equal"), {{real("x"), 0}, {real("y"), 0}}),
+                 arithmetic(eq(0, 0), {})});
   return result;
 }
 Theorem refute(Expr f, const Theorem& absurd) {
   return tautology(logic_not(f), {discharge(f, absurd), never()});
 }
 Theorem by_induction(Expr n, Expr f, const Theorem& base,
-                     const std::function<Theorem(const Theorem&, const Theorem&)>& step) {
+                     const std::function<Theorem(const Theorem&)>& step) {
   const Expr premise = logic_and({le(0, n), f});
-  const Theorem known = assume(premise);
-  const Theorem next =
-      discharge(premise, cut(part(known, 0), step(part(known, 0), part(known, 1))));
-  return tautology(f, {induction(n, 0, f, base, next), assume(le(0, n))});
+  const Theorem now = assume(premise), from_0 = assume(le(0, n));
+  const Known in_step({from_0});
+  const Theorem next = discharge(premise, cut(part(now, 0), step(part(now, 1))));
+  return tautology(f, {induction(n, 0, f, base, next), from_0});
+}
+Theorem by_induction(Expr n, Expr f, const Theorems& start, const Theorems& next,
+                     const Exprs& bases) {
+  return by_induction(n, f, equation(substitute(f, {{n, 0}}), start, bases),
+                      [&](const Theorem& now) {
+                        return equation(substitute(f, {{n, n + 1}}), next + Theorems{now}, bases);
+                      });
 }
 Theorem otherwise(Expr goal, const Theorem& absurd) {
   const Expr l = goal.arg(0), r = goal.arg(1);
@@ -144,6 +156,6 @@ Theorem cut(const Theorem& proof, const Theorem& theorem) {
 Theorem next_integer(const Theorem& less) {
   const Expr i = left(less);
   const Expr j = right(less);
-  return tautology(le(i + 1, j), {use("discrete", {{integer("i"), i}, {integer("j"), j}}), less});
+  return tautology(le(i + 1, j), {at("discrete", {{integer("i"), i}, {integer("j"), j}}), less});
 }
 }  // namespace algebra

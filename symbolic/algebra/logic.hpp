@@ -10,14 +10,11 @@
 namespace algebra {
 using namespace kernel;
 
-/// `rule` with terms for its variables; where it is an implication, its conclusion, from
-/// `premises` that say its premise, or from which `linear` gives each part of it.
-Theorem use(const Theorem& rule, const Substitution& terms, const Theorems& premises = {});
+/// `rule` with terms for its variables. What it then asks for, hypotheses that change and the
+/// premise of an implication, is among `facts` or proved by `linear`.
+Theorem at(const Theorem& rule, const Substitution& terms = {}, const Theorems& facts = {});
 /// The same for an axiom, by its name.
-Theorem use(const std::string& axiom_name, const Substitution& terms,
-            const Theorems& premises = {});
-/// `t` with terms for its variables; each hypothesis that changes is proved by `linear`.
-Theorem at(const Theorem& t, const Substitution& terms, const Theorems& facts = {});
+Theorem at(const std::string& axiom_name, const Substitution& terms, const Theorems& facts = {});
 /// f implies what `body` proves from f |- f.
 Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body);
 /// |- f if and only if g
@@ -35,19 +32,28 @@ Theorem both(const Theorems& theorems);
 Theorems operator+(Theorems a, const Theorems& b);
 /// Conjunctions and equations of matrices in parts.
 Theorems parts(const Theorems& theorems);
-/// What all tactics may use, besides what they are given, until `Known` ends; `know` for good.
+/// f |- f for each.
+Theorems assumed(const Exprs& formulas);
+/// What all tactics may use, besides what they are given.
+struct AllKnown {
+  Theorems for_good, here;
+};
+void know_for_good(const Theorem& fact);
+void know(const Theorem& fact);
+/// Knows the assumptions, and no more what was known by `know`.
+void suppose(const Exprs& assumptions);
+Theorems known();
+/// What is known from now on is known until `Known` ends.
 class Known {
 public:
-  explicit Known(const Theorems& facts);
+  explicit Known(const Theorems& facts = {});
   ~Known();
   Known(const Known&) = delete;
   Known& operator=(const Known&) = delete;
 
 private:
-  std::size_t before;
+  AllKnown before;
 };
-void know(const Theorem& fact);
-const Theorems& known();
 /// What f says, conjunct by conjunct.
 Exprs conjuncts(Expr f);
 bool is_among(Expr f, const Exprs& formulas);
@@ -55,9 +61,13 @@ bool is_among(Expr f, const Exprs& formulas);
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f
 Theorem refute(Expr f, const Theorem& absurd);
-/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use 0 <= n and f.
+/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use f and, as it is
+/// known then, 0 <= n.
 Theorem by_induction(Expr n, Expr f, const Theorem& base,
-                     const std::function<Theorem(const Theorem&, const Theorem&)>& step);
+                     const std::function<Theorem(const Theorem&)>& step);
+/// The same where `equation` shows f at 0 from `start` and at n + 1 from `next` and f.
+Theorem by_induction(Expr n, Expr f, const Theorems& start, const Theorems& next,
+                     const Exprs& bases = {});
 /// l < r from r <= l, H |- 0 < 0, or l <= r from r < l, H |- 0 < 0.
 Theorem otherwise(Expr goal, const Theorem& absurd);
 /// The same conclusion under more hypotheses, so that a chapter shows what it means by a name.

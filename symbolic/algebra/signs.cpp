@@ -20,7 +20,7 @@ const Theorem& root_positive() {  // |- 0 < x implies 0 < sqrt(x)
     const Expr x = real("x");
     const Theorem x_positive = assume(lt(0, x)), none = assume(le(sqrt(x), 0));
     const Theorem weak = linear(le(0, x), {x_positive});
-    const Theorem square = times(use("root not negative", {}, {weak}), none);
+    const Theorem square = times(at("root not negative", {}, {weak}), none);
     return discharge(
         lt(0, x),
         otherwise(lt(0, sqrt(x)), linear(lt(0, 0), {square, x_positive, root_squared(weak)})));
@@ -33,7 +33,7 @@ std::optional<Theorem> sign(Expr t, const Theorems& facts, bool strict);
 std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool strict) {
   if (t.name() == "pi") return axiom("pi positive");
   if (t.size() != 1) return {};
-  const Substitution at{{real("x"), t.arg(0)}};
+  const Substitution of_t{{real("x"), t.arg(0)}};
   if (t.name() == "inv") {
     const auto s = sign(t.arg(0), facts, true);
     if (!s) return {};
@@ -42,12 +42,12 @@ std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool stri
   if (t.name() == "sqrt") {
     const auto s = sign(t.arg(0), facts, strict);
     if (!s) return {};
-    return strict ? use(root_positive(), at, {*s}) : use("root not negative", at, {*s});
+    return strict ? at(root_positive(), of_t, {*s}) : at("root not negative", of_t, {*s});
   }
   if (t.name() == "atan" && strict) {
     const auto s = sign(t.arg(0), facts, true);
     if (!s) return {};
-    return use("atan positive", at, {*s});
+    return at("atan positive", of_t, {*s});
   }
   if (t.name() == "sin" || t.name() == "cos") {
     const Expr y = t.arg(0);
@@ -55,7 +55,7 @@ std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool stri
     if (!from) return {};
     const auto below = linear_if(lt(y, t.name() == "sin" ? pi() : pi() / 2), facts);
     if (!below) return {};
-    const Theorem above = t.name() == "sin" ? use("sin positive", at, {*from, *below})
+    const Theorem above = t.name() == "sin" ? at("sin positive", of_t, {*from, *below})
                                             : cosine_positive(*from, *below);
     return strict ? above : linear(le(0, t), {above});
   }
@@ -114,12 +114,11 @@ std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
   }
 }
 std::optional<Theorem> sign(Expr t, const Theorems& facts, bool strict) {
-  for (const Theorems* some : {&facts, &known()})
-    for (const Theorem& f : *some) {
-      const Op op = f.conclusion().op();
-      if (op != Op::Lt && (strict || op != Op::Le)) continue;
-      if (canonical(gap(f)) == canonical(t)) return shown(t, strict, {{1, {f}}});
-    }
+  for (const Theorem& f : facts + known()) {
+    const Op op = f.conclusion().op();
+    if (op != Op::Lt && (strict || op != Op::Le)) continue;
+    if (canonical(gap(f)) == canonical(t)) return shown(t, strict, {{1, {f}}});
+  }
   if (auto s = by_shape(t, facts, strict)) return s;
   if (t.op() == Op::Num) return {};
   return linear_if(strict ? lt(0, t) : le(0, t), facts);

@@ -9,8 +9,6 @@ namespace {
 void mirror(Book& book) {
   const Expr M_1 = real("M_1"), M_2 = real("M_2"), s_1 = sqrt(M_1), s_2 = sqrt(M_2);
   const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
-  const Theorem one = linear(lt(0, M_1), {assume(lt(0, M_1))}), two = assume(lt(0, M_2));
-  const Known masses({one, two});
   book.chapter("billiard", "Redner's billiard", {lt(0, M_1), lt(0, M_2)});
   const Expr sum = M_1 + M_2, across = 2 * s_1 * s_2 / sum;
   const Theorem is = book.name("mirror", {M_1, M_2},
@@ -21,12 +19,12 @@ void mirror(Book& book) {
   const Theorems after{elastic("restitution.v_1"), elastic("restitution.v_2")};
   const Expr along = column({s_1, s_2}), normal = column({s_2, -s_1});
   book.show("line", "leaves the line on which both are at one place,",
-            matrix_equation(times(m, along), along, {is}));
+            equation(times(m, along), along, {is}));
   book.show("normal", "and turns what is across it: it is a mirror.",
-            matrix_equation(times(m, normal), column({-s_2, s_1}), {is}));
+            equation(times(m, normal), column({-s_2, s_1}), {is}));
   const Expr image = column({s_1 * v_1, s_2 * v_2}), before = column({s_1 * u_1, s_2 * u_2});
   book.show("collision", "Velocities times the roots of the masses are reflected by it,",
-            matrix_equation(image, times(m, before), Theorems{is} + after));
+            equation(image, times(m, before), Theorems{is} + after));
   book.show("speed", "and the speed in that plane is kept:",
             equation(M_1 * power(v_1, 2) + M_2 * power(v_2, 2),
                      M_1 * power(u_1, 2) + M_2 * power(u_2, 2), after));
@@ -50,8 +48,7 @@ void unfolded(Book& book) {
   const Expr going = substitute(all_take_place(j), elastic);
   const Exprs assumptions = of_wedge({le(0, j), V_positive, lt(0, L), going});
   book.chapter("unfolded", "The unfolded wedge", assumptions);
-  const Theorem all_now = assume(going), from = assume(le(0, j));
-  const Known signs(assumed(assumptions) + Theorems{at(book["wedge.signs"], elastic)});
+  know(at(book["wedge.signs"], elastic));
   const Theorem cosine = kappa_is_cosine(book);
   const Expr h = right(cosine).arg(0);
   const Theorems lossless = without_losses(book, cosine);
@@ -75,9 +72,9 @@ void unfolded(Book& book) {
                M_A * power(A - B, 2) + w_B * M_A * M_C * power(A - C, 2) + M_C * power(B - C, 2),
                squared_shares(book) + Theorems{radius_is, C_is, square}));
 
-  const Theorem takes_place = tautology(
-      lt(0, chebyshev(j, here(kappa()))),
-      {of_motion("wedge.takes_place"), use(specialize(all_now, j), {}, {from, linear(le(j, j))})});
+  const Theorem takes_place =
+      tautology(lt(0, chebyshev(j, here(kappa()))),
+                {of_motion("wedge.takes_place"), at(specialize(assume(going), j))});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
   const Theorem blocks = of_motion("places.distance");

@@ -23,6 +23,7 @@ bool is_part(Expr part, Expr of) {
 }  // namespace
 void Book::chapter(const std::string& name, const std::string& title, const Exprs& assumptions) {
   all.push_back({name, title, assumptions, {}});
+  algebra::suppose(assumptions);
 }
 Theorem Book::show(const std::string& name, const std::string& label, const std::string& words,
                    const Theorem& theorem) {

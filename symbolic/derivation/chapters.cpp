@@ -6,7 +6,8 @@
 namespace derivation {
 Book derive() {
   Book book;
-  const Known while_deriving({assume(alpha_positive), assume(V_positive)});
+  const Known while_deriving;
+  for (const Expr& f : {alpha_positive, V_positive}) know_for_good(assume(f));
   for (const auto chapter : {contact,
                              cycle,
                              cycle_matrix,

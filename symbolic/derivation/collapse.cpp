@@ -43,7 +43,7 @@ void special_cases(Book& book) {
 }
 /// Where they never end, all times are below one that they come arbitrarily close to.
 void in_time(Book& book) {
-  const Theorem from_1 = assume(le(1, kappa())), from_0 = assume(le(0, j));
+  const Theorem from_1 = assume(le(1, kappa()));
   const Expr inside = power(kappa(), 2) - 1, root = sqrt(inside), sum = kappa() + root;
   const Theorem not_negative_inside =
       linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1})), from_1});
@@ -53,7 +53,7 @@ void in_time(Book& book) {
                 "Where they never end, with");
   const Expr y_e = left(definition);
   const Theorem square = root_squared(not_negative_inside);
-  const Theorem root_sign = use("root not negative", {{x, inside}}, {not_negative_inside});
+  const Theorem root_sign = at("root not negative", {{x, inside}}, {not_negative_inside});
   know(linear(lt(0, sum), {from_1, root_sign}));
   const Theorem inverse = equation(y_e, 1 / sum, {definition, square});
   const Theorem quadratic = equation(power(y_e, 2), 2 * kappa() * y_e - 1, {definition, square});
@@ -65,17 +65,15 @@ void in_time(Book& book) {
             both({quadratic, at_most_1}));
 
   const auto power_of = [&](Expr index) { return fun("pow", {y_e, index}); };
-  const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, y_e}})});
+  const Theorems powers = parts({at(book["multiples.pow"], {{y, y_e}})});
+  const auto in_range = [&](Expr i) { return logic_and({lt(0, power_of(i)), le(power_of(i), 1)}); };
   const Theorem powers_from_0_to_1 =
-      by_induction(j, logic_and({lt(0, power_of(j)), le(power_of(j), 1)}),
-                   linear(logic_and({lt(0, power_of(0)), le(power_of(0), 1)}), {powers[0]}),
-                   [&](const Theorem& from, const Theorem& now) {
-                     return linear(logic_and({lt(0, power_of(j + 1)), le(power_of(j + 1), 1)}),
-                                   {use(powers[1], {}, {from}), times(part(now, 0), y_e),
-                                    times(part(now, 1), y_e), at_most_1});
-                   });
+      by_induction(j, in_range(j), linear(in_range(0), {powers[0]}), [&](const Theorem& now) {
+        return linear(in_range(j + 1), {at(powers[1]), times(part(now, 0), y_e),
+                                        times(part(now, 1), y_e), at_most_1});
+      });
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
-  know(linear(lt(0, U(j)), {rise, from_0}));
+  know(linear(lt(0, U(j)), {rise}));
   const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
   const Theorem end_is =
       book.define("t_end", {M_A, w_B, M_C, e, V, L}, unit * y_e,
@@ -91,15 +89,13 @@ void in_time(Book& book) {
   know(all_of_them);
   book.show("time_left", "before which all collisions take place,",
             equation(left(end_is) - left(time), rest, {end_is, time, turned(distance)}));
-  const Theorem powers_next = at(powers_from_0_to_1, {{j, j + 1}}, {from_0});
+  const Theorem powers_next = at(powers_from_0_to_1, {{j, j + 1}});
   know(part(powers_next, 0));
   const Expr per = unit / U(j);
-  book.show(
-      "in_time", "and come as close to it as you like:",
-      both({positive(rest),
-            linear(le((j + 1) * rest, unit),
-                   {times(part(rise, 0), per),
-                    times(times(part(powers_next, 1), linear(lt(0, j + 1), {from_0})), per)})}));
+  book.show("in_time", "and come as close to it as you like:",
+            both({positive(rest),
+                  linear(le((j + 1) * rest, unit), {times(part(rise, 0), per),
+                                                    times(part(powers_next, 1), (j + 1) * per)})}));
 }
 /// Blocks of one mass M, a ball of mass alpha M.
 void equal_blocks(Book& book) {
@@ -130,10 +126,8 @@ void equal_blocks(Book& book) {
 }  // namespace
 
 void collapse(Book& book) {
-  const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
-  book.chapter("collapse", "Collapse", assumptions);
-  const Known signs(assumed(of_wedge({lt(0, e), V_positive, lt(0, L)})) +
-                    Theorems{at(book["wedge.signs"], {{j, 0}})});
+  book.chapter("collapse", "Collapse", of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)}));
+  know(at(book["wedge.signs"], {{j, 0}}));
   threshold(book);
   special_cases(book);
   in_time(book);

@@ -26,7 +26,7 @@ void last_collision(Book& book, const Last& last) {
       last.name == "N_A" ? "pi lies between two angles near N_A psi," : "For B it is N_B psi:",
       both({scaled(lt(early, pi()), lt(0, z - last.before)),
             scaled(le(pi(), late), le(0, last.after - z))}));
-  know(around);
+  know_for_good(around);
   const Theorem above_0 = linear(lt(0, early), {times(linear(lt(0, last.before)), psi())});
   const Theorem sine_before = positive(sin(early), {above_0});
   const Theorem sine_after =

@@ -91,15 +91,15 @@ void contact(Book& book) {
       book.name("Gamma", {alpha}, scaled_matrix, {alpha_positive},
                 "With the ball's velocities times sqrt(alpha), the coefficients form the matrix");
   book.show("collision", "so that a collision is a linear map:",
-            matrix_equation(column({v_1, s * v_2}), times(Gamma(), column({u_1, s * u_2})),
-                            velocities + Theorems{gamma}));
+            equation(column({v_1, s * v_2}), times(Gamma(), column({u_1, s * u_2})),
+                     velocities + Theorems{gamma}));
   book.show("Gamma_paper", "eq:Gamma", "As the paper writes it:",
-            matrix_equation(Gamma(),
-                            matrix(2, {(1 - alpha) / (1 + alpha), 2 * s / (1 + alpha),
-                                       2 * s / (1 + alpha), -(1 - alpha) / (1 + alpha)}),
-                            {gamma}));
+            equation(Gamma(),
+                     matrix(2, {(1 - alpha) / (1 + alpha), 2 * s / (1 + alpha), 2 * s / (1 + alpha),
+                                -(1 - alpha) / (1 + alpha)}),
+                     {gamma}));
   book.show("Gamma_orthogonal", "It is orthogonal,",
-            matrix_equation(times(Gamma(), transpose(Gamma())), identity(2), {gamma}));
+            equation(times(Gamma(), transpose(Gamma())), identity(2), {gamma}));
   book.show("Gamma_determinant", "with determinant -1:", equation(det(Gamma()), -1, {gamma}));
 
   // theta
@@ -108,7 +108,7 @@ void contact(Book& book) {
   const Theorem half = linear(eq(atan(s), theta() / 2), {angle});
   const Theorem inside = equation(1 + power(s, 2), 1 + alpha);
   const auto at_half = [&](const std::string& axiom_name) {
-    return rewrite(inside, rewrite(half, use(axiom_name, {{x, s}})));
+    return rewrite(inside, rewrite(half, at(axiom_name, {{x, s}})));
   };
   const Theorem cos_half =
       book.show("cos_half_theta", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
@@ -126,12 +126,10 @@ void contact(Book& book) {
   const Theorem mirror = book.name("P_2", {}, matrix(2, {1, 0, 0, -1}), {}, "and a reflection:");
   const Theorems turned_rules{gamma, cos_theta, sin_theta, instantiate(plane, {{x, theta()}}),
                               mirror};
-  book.show(
-      "Gamma_theta", "def:gamma", "With it Gamma is",
-      matrix_equation(Gamma(), matrix(2, {cos(theta()), sin(theta()), sin(theta()), -cos(theta())}),
-                      turned_rules));
-  book.show(
-      "Gamma_rotation", "def:gamma", "a rotation after a reflection:",
-      matrix_equation(Gamma(), times(fun("lambda", {theta()}), fun("P_2", {})), turned_rules));
+  book.show("Gamma_theta", "def:gamma", "With it Gamma is",
+            equation(Gamma(), matrix(2, {cos(theta()), sin(theta()), sin(theta()), -cos(theta())}),
+                     turned_rules));
+  book.show("Gamma_rotation", "def:gamma", "a rotation after a reflection:",
+            equation(Gamma(), times(fun("lambda", {theta()}), fun("P_2", {})), turned_rules));
 }
 }  // namespace derivation

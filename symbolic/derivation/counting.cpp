@@ -88,8 +88,9 @@ void shares(Book& book) {
   const Theorem number = book["counting.N"];
   const Theorem enough = linear(lt(1, z), {times(linear(lt(0, pi() - psi())), 1 / psi())});
   const Theorem N_from_2 = linear(le(2, N()), {enough, number});
-  know(book.show("at_least", "each at least once:",
-                 linear(logic_and({le(1, N_A()), le(1, N_B())}), {def_A, def_B, N_from_2})));
+  know_for_good(
+      book.show("at_least", "each at least once:",
+                linear(logic_and({le(1, N_A()), le(1, N_B())}), {def_A, def_B, N_from_2})));
   const Theorem N_up = linear(le(2 * z - 1, N()), {number});
   const Theorem N_down = linear(lt(N(), 2 * z), {number});
   // K = ceil(z - 1/2): 2K - 2 < N < 2K + 1, so K - 1 < N/2 <= K.
@@ -119,11 +120,11 @@ void count(Book& book, const Count& c) {
   const Theorem reached = linear(le(pi(), end), {per_turn(le(0, ceil(c.turns) - c.turns))});
   const Theorem within = linear(le(end, 2 * pi()), {per_turn(lt(0, c.turns + 1 - ceil(c.turns)))});
   const Theorem K_from_0 = linear(le(0, K), {positive(c.turns)});
-  const Theorem sine_end = tautology(
-      le(sin(end), 0), {use(sine_not_positive(), {{x, end}}, {reached}), reached, within});
+  const Theorem sine_end =
+      tautology(le(sin(end), 0), {at(sine_not_positive(), {{x, end}}, {reached}), reached, within});
   const Theorem at_K =
       tautology(substitute(none, {{j, K}}), {at(c.sign, {{j, K}}, {K_from_0}), sine_end});
-  const Theorem found = use(least, {{j, K}}, {K_from_0, at_K});
+  const Theorem found = at(least, {{j, K}}, {K_from_0, at_K});
   know(part(found, 0));
   const auto before = [&](Expr i, const Theorem& i_from_0, const Theorem& below) {  // i < K
     const Theorem room = times(linear(lt(0, c.turns - 1 - i), {below}), c.step);

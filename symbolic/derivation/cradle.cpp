@@ -8,16 +8,14 @@ namespace {
 /// When and where the last collision takes place at a magic ratio.
 void last_collision(Book& book) {
   const Expr last = 2 * k - 1, half = psi() / 2;
-  const Theorem from_1 = assume(le(1, k));
   const Theorem number =
       book.show("number", "At a magic ratio there are 2k collisions,",
                 linear(eq(N(), 2 * k), {book["counting.shares"], book["magic.counts"]}));
-  const Theorem whole_turn =
-      equation((2 * k + 1) * psi(), 2 * pi(),
-               {linear(eq(psi(), 2 * (pi() / (2 * k + 1))), {book["magic.angle"]}), from_1});
-  const Theorem fewer = linear(lt(last, N()), {number});
-  know(fewer);
-  const auto at_last = [&](const char* id) { return at(book[id], {{j, last}}, {from_1, fewer}); };
+  const Theorem whole_turn = equation(
+      (2 * k + 1) * psi(), 2 * pi(),
+      {linear(eq(psi(), 2 * (pi() / (2 * k + 1))), {book["magic.angle"]}), assume(le(1, k))});
+  know(linear(lt(last, N()), {number}));
+  const auto at_last = [&](const char* id) { return at(book[id], {{j, last}}); };
   const Theorem mirrored = equation(sin(pi() - half), sin(half), {}, {pi(), half});
   const Theorem before = linear(eq((last + 1) * half, pi() - half), {whole_turn});
   const Theorem two_before = linear(eq(last * half, pi() - 2 * half), {whole_turn});
@@ -30,10 +28,12 @@ void last_collision(Book& book) {
   book.show("last", "the last of them when and where", both({when, apart}));
   // Where B is: from the centre of mass, as it is with the ball and at a distance L from A.
   const Theorem going = at_last("encounters.all");
-  const Substitution paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}, {e, 1}, {j, last}};
-  const auto in_paper = [&](const char* id) { return cut(going, at(book[id], paper, {from_1})); };
+  const Substitution no_loss{{e, 1}, {j, last}};
+  const auto in_paper = [&](const char* id) { return cut(going, for_blocks(book[id], no_loss)); };
   know(going);
-  const auto in_place = [&](const char* name) { return substitute(at_collision(name, j), paper); };
+  const auto in_place = [&](const char* name) {
+    return substitute(substitute(at_collision(name, last), blocks_of_paper), {{e, 1}});
+  };
   const Expr x_B = in_place("x_B"), x_C = in_place("x_C"), time = in_place("time");
   const Theorem names = at_last("encounters.definitions");
   const Theorem is_Q = restate(eq(turn(last), -1), at(part(book["cycle.turns"], 1), {{n, k - 1}}));
@@ -45,13 +45,13 @@ void last_collision(Book& book) {
   const Theorem time_is = chain(turned(part(names, 0)), when);
   const Theorem B_is = divided(x_B, place, {2 + alpha},
                                equation(x_B * (2 + alpha), place * (2 + alpha), {centre, time_is}));
-  const Theorem short_way = times(assume(alpha_positive), 2 * L / (1 + alpha));
+  const Theorem short_way = positive(alpha * (2 * L / (1 + alpha)));
   book.show("room", "B has moved by less than L, so a next ball at a distance L waits untouched:",
             both({B_is, linear(lt(x_B, 2 * L), {B_is, short_way})}));
 }
 /// B is the next A: velocities and collisions of the whole cradle, ball k of the ratio alpha_k.
 void hand_on(Book& book) {
-  const Theorem from = assume(le(0, j));
+  know(assume(le(0, j)));
   const Expr ratio = fun("alpha_", {j + 1});
   const auto with = [&](const char* name, Expr speed) { return fun(name, {ratio, speed}); };
   const Theorems motion =
@@ -65,9 +65,9 @@ void hand_on(Book& book) {
             "In a cradle of blocks with ball k of the ratio alpha_k behind block k, the speed with "
             "which block j + 1 sets off, and the number of collisions until then:",
             both({motion[0], motion[1]}));
-  know(at(book["ratios.alpha_k_positive"], {{k, j + 1}}, {from}));
+  know(at(book["ratios.alpha_k_positive"], {{k, j + 1}}));
   const auto there = [&](const char* id, const Theorem& known) {
-    return at(book[id], {{alpha, ratio}, {V, speed(j)}, {k, j + 1}}, {from, known});
+    return at(book[id], {{alpha, ratio}, {V, speed(j)}, {k, j + 1}}, {known});
   };
   // How it goes on for a speed that is V.
   const auto all_handed_on = [&](const Theorem& known) {
@@ -76,10 +76,9 @@ void hand_on(Book& book) {
     const Theorem a_is = chain(names[0], velocities[0]), b_is = chain(names[1], velocities[1]);
     return Theorems{a_is, b_is, equation(with("c_t", speed(j)), 0, {names[2], a_is, b_is})};
   };
-  const Theorem speeds =
-      by_induction(j, eq(speed(j), V), motion[0], [&](const Theorem& now, const Theorem& known) {
-        return chain(chain(use(motion[2], {}, {now}), all_handed_on(known)[1]), known);
-      });
+  const Theorem speeds = by_induction(j, eq(speed(j), V), motion[0], [&](const Theorem& now) {
+    return chain(chain(at(motion[2]), all_handed_on(now)[1]), now);
+  });
   know(linear(lt(0, speed(j)), {speeds}));
   book.show("next", "As the next ball waits untouched, each pair is as before,",
             both({motion[2], motion[3]}));
@@ -88,21 +87,15 @@ void hand_on(Book& book) {
   book.show("left", "and the block and the ball before it are left at rest,",
             both({ends[0], ends[2]}));
   book.show("collisions", "after k collisions of each with ball k:",
-            by_induction(j, eq(count(j), j * (j + 1)),
-                         equation(count(0), Expr(0) * (Expr(0) + 1), {motion[1]}),
-                         [&](const Theorem& now, const Theorem& known) {
-                           return equation(
-                               count(j + 1), (j + 1) * (j + 1 + 1),
-                               {use(motion[3], {}, {now}), known, there("cradle.number", speeds)});
-                         }));
+            by_induction(j, eq(count(j), j * (j + 1)), {motion[1]},
+                         {at(motion[3]), there("cradle.number", speeds)}));
 }
 }  // namespace
 
 void cradle(Book& book) {
   const Theorem magic = assume(eq(alpha, fun("alpha_", {k})));
-  const Exprs assumptions{alpha_positive, V_positive, lt(0, L), le(1, k), magic.conclusion()};
-  book.chapter("cradle", "A cradle of magic ratios", assumptions);
-  const Known signs(assumed(assumptions));
+  book.chapter("cradle", "A cradle of magic ratios",
+               {alpha_positive, V_positive, lt(0, L), le(1, k), magic.conclusion()});
   last_collision(book);
   hand_on(book);
 }

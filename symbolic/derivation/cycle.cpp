@@ -43,19 +43,15 @@ Sequence sequence(Book& book, const Collision& collide) {
             "Collision j changes the two bodies that take part, by the law of one collision:",
             both({motion[3], motion[4], motion[5]}));
 
-  const Expr even = eq(turn(2 * n), 1);
   const Theorem n_from_0 = assume(le(0, n));
-  const auto turn_after = [&](Expr i) { return use(whose_turn[1], {{j, i}}, {n_from_0}); };
-  const Theorem turn_0 = by_induction(
-      n, even, restate(eq(turn(Expr(2) * Expr(0)), 1), whose_turn[0]),
-      [&](const Theorem&, const Theorem& now) {
-        return equation(turn(2 * (n + 1)), 1, {turn_after(2 * n + 1), turn_after(2 * n), now});
-      });
+  const auto turn_after = [&](Expr i) { return at(whose_turn[1], {{j, i}}, {n_from_0}); };
+  const Theorem turn_0 = by_induction(n, eq(turn(2 * n), 1), {whose_turn[0]},
+                                      {turn_after(2 * n + 1), turn_after(2 * n)});
   const Theorem turn_1 = equation(turn(2 * n + 1), -1, {turn_after(2 * n), turn_0});
   const auto after = [&](Expr i, const Theorem& whose) {
     Theorems steps;
     for (std::size_t body = 3; body < 6; ++body)
-      steps.push_back(rewrite(whose, use(motion[body], {{j, i}}, {n_from_0})));
+      steps.push_back(rewrite(whose, at(motion[body], {{j, i}}, {n_from_0})));
     return steps;
   };
   book.show("turns", "So collision 2n is one with A, and collision 2n + 1 one with B:",
@@ -133,7 +129,7 @@ void cycle(Book& book) {
   Theorems all_steps;
   for (const Theorem& t : s.first + s.second) all_steps.push_back(in_cycle(t));
   const Theorem def_c = equation(
-      c(n), C(2 * n - 1), Theorems{in_cycle(use(within[1], {}, {assume(le(0, n))}))} + all_steps);
+      c(n), C(2 * n - 1), Theorems{in_cycle(at(within[1], {}, {assume(le(0, n))}))} + all_steps);
   book.show("c_start", "and the ball's within the n-th, 0 before the first:", within[0]);
   book.show("name_c", "so that", def_c);
   Theorems names{turned(def_c)};
@@ -168,11 +164,11 @@ void cycle_matrix(Book& book) {
   const Theorems moved = steps + Theorems{gamma};
   const auto entry_of_gamma = [](int row, int col) { return entry(Gamma(), row, col); };
   book.show("at_P", "eq:abc-n", "In terms of Gamma,",
-            matrix_equation(column({a(n), s * c(n)}),
-                            times(Gamma(), column({a(n - 1), s * c_prime(n - 1)})), moved));
+            equation(column({a(n), s * c(n)}),
+                     times(Gamma(), column({a(n - 1), s * c_prime(n - 1)})), moved));
   book.show("at_Q", "eq:abcp-n", "and",
-            matrix_equation(column({b(n), s * c_prime(n)}),
-                            times(Gamma(), column({b(n - 1), s * c(n)})), moved));
+            equation(column({b(n), s * c_prime(n)}), times(Gamma(), column({b(n - 1), s * c(n)})),
+                     moved));
   const Exprs domain{alpha_positive};
   const Theorem of_P =
       book.name("Gamma_A", {alpha},
@@ -192,36 +188,34 @@ void cycle_matrix(Book& book) {
       book.name("Lambda", {alpha}, simplified(in_alpha), domain, "Multiplied out, a cycle is");
   const Theorems all_rules{of_cycle, of_P, of_Q, gamma};
   book.show("Lambda_product", "eq:Lam-G-G Lam-GAM", "the product of both,",
-            matrix_equation(Lambda(), times(Gamma_B(), Gamma_A()), all_rules));
+            equation(Lambda(), times(Gamma_B(), Gamma_A()), all_rules));
   const Expr d = 1 + alpha, less = 1 - alpha, d2 = power(1 + alpha, 2);
-  book.show("Lambda_paper", "eq:Lambda", "as the paper writes it:",
-            matrix_equation(
-                Lambda(),
-                matrix(3, {less / d, 0, 2 * s / d, 4 * alpha / d2, less / d, -2 * less * s / d2,
-                           -2 * less * s / d2, 2 * s / d, power(less, 2) / d2}),
-                all_rules));
-  const Expr ct = cos(theta()), st = sin(theta());
   book.show(
-      "Lambda_theta", "eq:Lambda-app", "In terms of theta,",
-      matrix_equation(
-          Lambda(), matrix(3, {ct, 0, st, power(st, 2), ct, -st * ct, -st * ct, st, power(ct, 2)}),
-          all_rules + Theorems{book["ball.cos_theta"], book["ball.sin_theta"]}));
+      "Lambda_paper", "eq:Lambda", "as the paper writes it:",
+      equation(Lambda(),
+               matrix(3, {less / d, 0, 2 * s / d, 4 * alpha / d2, less / d, -2 * less * s / d2,
+                          -2 * less * s / d2, 2 * s / d, power(less, 2) / d2}),
+               all_rules));
+  const Expr ct = cos(theta()), st = sin(theta());
+  book.show("Lambda_theta", "eq:Lambda-app", "In terms of theta,",
+            equation(Lambda(),
+                     matrix(3, {ct, 0, st, power(st, 2), ct, -st * ct, -st * ct, st, power(ct, 2)}),
+                     all_rules + Theorems{book["ball.cos_theta"], book["ball.sin_theta"]}));
   const Theorem vector =
       book.name("V_", {alpha, V, n}, column({a(n), b(n), s * c_prime(n)}),
                 {alpha_positive, le(0, n)}, "The velocities as a vector:", "def:Vn", "vector");
   const Theorems vectors{vector, instantiate(vector, {{n, n - 1}})};
   const Theorem recurrence = book.show(
       "recurrence", "eq:V-n eq:V-n-app", "A cycle takes it to the next:",
-      matrix_equation(V_vector(n), times(Lambda(), V_vector(n - 1)), vectors + steps + all_rules));
+      equation(V_vector(n), times(Lambda(), V_vector(n - 1)), vectors + steps + all_rules));
   book.show("Lambda_orthogonal", "Lambda is orthogonal,",
-            matrix_equation(times(Lambda(), transpose(Lambda())), identity(3), all_rules));
+            equation(times(Lambda(), transpose(Lambda())), identity(3), all_rules));
   for (const auto& [name, matrix_term, value] : {std::tuple{"Gamma_A_determinant", Gamma_A(), -1},
                                                  std::tuple{"Gamma_B_determinant", Gamma_B(), -1},
                                                  std::tuple{"Lambda_determinant", Lambda(), 1}})
     book.show(name, "its determinant:", equation(det(matrix_term), value, all_rules));
-  book.show(
-      "V_squared", "eq:V2", "so the length of V_n is kept:",
-      matrix_equation(times(transpose(V_vector(n)), V_vector(n)),
-                      times(transpose(V_vector(n - 1)), V_vector(n - 1)), {recurrence, of_cycle}));
+  book.show("V_squared", "eq:V2", "so the length of V_n is kept:",
+            equation(times(transpose(V_vector(n)), V_vector(n)),
+                     times(transpose(V_vector(n - 1)), V_vector(n - 1)), {recurrence, of_cycle}));
 }
 }  // namespace derivation

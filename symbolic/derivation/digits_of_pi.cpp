@@ -7,11 +7,11 @@ namespace derivation {
 namespace {
 Theorem pi_at_most_4() {  // pi/4 is the angle whose tangent is 1
   const Expr quarter = atan(1);
-  const Theorem range = use("atan range", {{x, 1}}), from = positive(quarter);
+  const Theorem range = at("atan range", {{x, 1}}), from = positive(quarter);
   const Theorem cosines =
-      equation(cos(2 * quarter), cos(pi() / 2), {use("cos atan", {{x, 1}})}, {quarter, pi() / 2});
+      equation(cos(2 * quarter), cos(pi() / 2), {at("cos atan", {{x, 1}})}, {quarter, pi() / 2});
   const Theorem is = same_angle(cosines, {range, from});
-  return linear(le(pi(), 4), {is, use("atan bounds", {{x, 1}}, {linear(le(0, 1))})});
+  return linear(le(pi(), 4), {is, at("atan bounds", {{x, 1}}, {linear(le(0, 1))})});
 }
 }  // namespace
 
@@ -46,7 +46,7 @@ void digits_of_pi(Book& book) {
   const Expr h = left(angle), N = left(number);
   know(positive(angle));
   const Theorem at_most_4 = pi_at_most_4(),
-                near = use("atan bounds", {{x, 1 / T}}, {not_negative(1 / T)});
+                near = at("atan bounds", {{x, 1 / T}}, {not_negative(1 / T)});
   const Theorem from = times(linear(le(0, 1 / T - h), {angle, near}), pi() * T / h);
   const Theorem many = linear(le(pi() * T - 1, N), {number, from});
   const Expr u = 1 / T;

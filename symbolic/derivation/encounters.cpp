@@ -5,25 +5,25 @@
 
 namespace derivation {
 namespace {
-const Substitution paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}, {e, 1}};
-Expr in_paper(Expr t) { return substitute(t, paper); }
+const Substitution elastic{{e, 1}};
+Expr in_paper(Expr t) { return substitute(substitute(t, blocks_of_paper), elastic); }
+Theorem in_paper(const Theorem& t) { return for_blocks(t, elastic); }
 Expr half() { return psi() / 2; }
 Expr sine(Expr times) { return sin(times * half()); }
 
 /// In the paper's case kappa is a cosine and the ratio of the sides is 1.
 Theorems rules_of_paper(Book& book) {
-  const Theorem elastic = at(book["collapse.elastic"], {{real("M"), 1}});
-  const Theorem kappa_is = restate(eq(in_paper(kappa()), cos(half())), part(elastic, 0));
-  const auto share = [&](const char* id) { return at(book[id], paper); };
+  const Theorem is_cosine = part(at(book["collapse.elastic"], {{real("M"), 1}}), 0);
+  const Theorem kappa_is = restate(eq(in_paper(kappa()), cos(half())), is_cosine);
   return without_losses(book, kappa_is) +
-         Theorems{chain(share("wedge.r_A"), turned(share("wedge.r_B")))};
+         Theorems{chain(in_paper(book["wedge.r_A"]), turned(in_paper(book["wedge.r_B"])))};
 }
 }  // namespace
 
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is) {
   const Expr x_is = left(kappa_is), angle = right(kappa_is).arg(0);
   const auto quotient = [&](const char* name, const std::string& id, Expr over) {
-    const Theorem product = rewrite(turned(kappa_is), instantiate(book[id], {{y, angle}}));
+    const Theorem product = rewrite(turned(kappa_is), at(book[id], {{y, angle}}));
     return divided(fun(name, {x_is, j}), over / sin(angle), {sin(angle)},
                    restate(eq(left(product), over), product));
   };
@@ -33,30 +33,26 @@ Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is) {
 Theorems without_losses(const Book& book, const Theorem& kappa_is) {
   const Theorem root = root_is(1, 1);
   const auto power = [](Expr i) { return fun("pow", {sqrt(Expr(1)), i}); };
-  const Theorems powers = parts({instantiate(book["multiples.pow"], {{y, sqrt(Expr(1))}})});
-  const Theorem power_is =
-      by_induction(j, eq(power(j), 1), powers[0], [&](const Theorem& from, const Theorem& now) {
-        return equation(power(j + 1), 1, {use(powers[1], {}, {from}), now, root});
-      });
+  const Theorems powers = parts({at(book["multiples.pow"], {{y, sqrt(Expr(1))}})});
+  const Theorem power_is = by_induction(j, eq(power(j), 1), {powers[0]}, {at(powers[1]), root});
   return Theorems{power_is, root} + quotients_of_sines(book, kappa_is);
 }
 
 void encounters(Book& book) {
   const Exprs assumptions{alpha_positive, V_positive, lt(0, L), le(0, j), lt(j, N())};
   book.chapter("encounters", "When and where, in the paper's case", assumptions);
-  const Theorem takes_place = assume(lt(j, N()));
-  const Known signs(assumed({alpha_positive, V_positive, lt(0, L), le(0, j)}) +
-                    Theorems{at(book["wedge.signs"], paper)});
+  know(in_paper(book["wedge.signs"]));
   const Theorems rules = rules_of_paper(book);
   const Theorem approach_is =
       linear(eq(approach(j), V * sine(j + 1) / sin(half())), {book["counting.speed"]});
   const Theorem speed =
       book.show("speed", "In the paper's case the approach speeds are those that we know,",
                 equation(in_paper(closing(j)), approach(j),
-                         rules + Theorems{at(book["wedge.speed"], paper), approach_is}));
+                         rules + Theorems{in_paper(book["wedge.speed"]), approach_is}));
 
   const auto going = [&](Expr i, const Theorem& range) {
-    return use(part(at(book["counting.happens"], {{j, i}}, {range}), 0), {}, {takes_place, range});
+    return at(part(at(book["counting.happens"], {{j, i}}, {range}), 0), {},
+              {assume(lt(j, N())), range});
   };
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
     return linear(lt(0, in_paper(closing(i))), {going(i, range), at(speed, {{j, i}}, {range})});
@@ -70,7 +66,7 @@ void encounters(Book& book) {
   book.show("definitions",
             "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
             under(assumptions, both({when, distance})));
-  const auto of_motion = [&](const char* id) { return cut(all_of_them, at(book[id], paper)); };
+  const auto of_motion = [&](const char* id) { return cut(all_of_them, in_paper(book[id])); };
   const Theorem positive_sine = tautology(
       lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going(j, assume(le(0, j)))});
   know(restate(lt(0, sine(j + 1)), positive_sine));

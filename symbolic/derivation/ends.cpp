@@ -8,7 +8,6 @@ void ends(Book& book) {
   book.chapter("ends", "Where collisions end", assumptions);
   const Exprs params{M_A, w_B, M_C, e, V};
   const Expr N = fun("N_e", params), h = fun("h_e", masses_and_e());
-  const Known signs(assumed(assumptions));
   know(book["wedge.acute"]);
   const Theorem number = book["wedge.N"];
   const Theorem enough = times(linear(lt(0, pi() / 2 - h)), 1 / h);

@@ -9,7 +9,7 @@ const Expr from_0 = le(0, n);
 Angle angle(Names& names) {
   Book& book = names.book;
   const Theorem above = names.name("above", {alpha}, 2 + alpha, "With");
-  know(positive(above));
+  know_for_good(positive(above));
   const Theorem w = names.name("w", {alpha}, 1 / sqrt(alpha * of_alpha("above")));
   const Theorem z = rewrite(above, names.name("z", {alpha}, alpha / of_alpha("above")));
   const Theorem t = names.name("t", {alpha}, alpha * of_alpha("w"));
@@ -17,12 +17,12 @@ Angle angle(Names& names) {
   const Theorem under_root = rewrite(above, w);
   const Expr T = of_alpha("t"), q = of_alpha("half_h");
   const Theorem w_positive = positive(under_root);
-  know(linear(lt(0, T), {t, times(w_positive, alpha)}));
+  know_for_good(linear(lt(0, T), {t, times(w_positive, alpha)}));
   const Theorem t_squared =
       book.show("t_squared", "t^2 is", equation(power(T, 2), of_alpha("z"), {t, under_root, z}));
   // cos(2 atan t) = (1 - t^2)/(1 + t^2) = 1/(1 + alpha) = cos(psi/2)
-  const Theorem cosine_of_t = rewrite(turned(half_h), use("cos atan", {{x, T}}));
-  const Theorem sine_of_t = rewrite(turned(half_h), use("sin atan", {{x, T}}));
+  const Theorem cosine_of_t = rewrite(turned(half_h), at("cos atan", {{x, T}}));
+  const Theorem sine_of_t = rewrite(turned(half_h), at("sin atan", {{x, T}}));
   const Theorem cos_twice =
       equation(cos(2 * q), 1 / (1 + alpha), {cosine_of_t, sine_of_t, t_squared, z}, {q});
   const Theorem same = same_angle(chain(cos_twice, turned(book["rotation.cos_half_psi"])),

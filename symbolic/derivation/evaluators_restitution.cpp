@@ -5,7 +5,6 @@
 
 namespace derivation {
 namespace {
-const Substitution blocks{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
 Expr of_e(const std::string& name) { return fun(name, {alpha, e}); }
 
 class Form {
@@ -22,9 +21,7 @@ public:
   }
   /// A theorem of other chapters.
   Theorem known(const std::string& id, const Substitution& terms = {}) const {
-    Substitution all = blocks;
-    all.insert(terms.begin(), terms.end());
-    return at(book[id], all);
+    return for_blocks(book[id], terms);
   }
   Book& book;
   Exprs params{alpha, e}, domain{alpha_positive, lt(0, e)};
@@ -44,7 +41,7 @@ Theorem angle(Form& f) {
   const Expr gap = of_e("gap_e"), W = of_e("whole_e");
   const Theorem z = f.positive_name("z_e", gap / power(W, 2));
   const Theorem t = f.positive_name("t_e", sqrt(gap) / W);
-  const Expr T = t.conclusion().arg(0);
+  const Expr T = left(t);
   const Theorem square =
       f.book.show("t_squared", "", "t^2 is",
                   equation(power(T, 2), of_e("z_e"), {t, z, root_squared(positive(gap))}));
@@ -52,13 +49,13 @@ Theorem angle(Form& f) {
   const Theorem gap_is = equation(gap, power(2 * sqrt(e) * (1 + alpha), 2) - power(1 + e, 2),
                                   {gap_e, rise, share, loss, root_squared(assume(lt(0, e)))});
   const Theorem q = f.known("bodies.def_q_e"), K = f.known("collapse.def_K");
-  const Expr q_e = q.conclusion().arg(0), D = 4 * e * power(1 + alpha, 2);
+  const Expr q_e = left(q), D = 4 * e * power(1 + alpha, 2);
   const Theorem q_positive = linear(
       lt(0, q_e), {equation(q_e, gap / D, {q, K, gap_e, rise, share, loss}), positive(gap / D)});
   know(q_positive);
-  const Expr kappa_e = substitute(kappa(), blocks);
-  know(tautology(lt(kappa_e, 1), {f.known("collapse.threshold"),
-                                  linear(lt(K.conclusion().arg(0), 1), {q, q_positive})}));
+  const Expr kappa_e = substitute(kappa(), blocks_of_paper);
+  know(tautology(lt(kappa_e, 1),
+                 {f.known("collapse.threshold"), linear(lt(left(K), 1), {q, q_positive})}));
   // (1 - t^2)/(1 + t^2) = kappa
   const Theorem step = f.positive_name("step_e", 2 * atan(T));
   const Expr half = atan(T);
@@ -66,7 +63,7 @@ Theorem angle(Form& f) {
       equation(kappa_e, (1 + e) / (2 * sqrt(e) * (1 + alpha)),
                {f.known("wedge.kappa"), f.known("wedge.r_A"), f.known("wedge.r_B"),
                 root_squared(positive(1 / (1 + alpha)))});
-  const Theorems of_half{use("cos atan", {{x, T}}), use("sin atan", {{x, T}}), square};
+  const Theorems of_half{at("cos atan", {{x, T}}), at("sin atan", {{x, T}}), square};
   const Theorem cosine = equation(
       cos(2 * half), kappa_e,
       of_half + Theorems{z, gap_is, whole, parts_of_kappa, root_squared(assume(lt(0, e)))}, {half});
@@ -76,15 +73,15 @@ Theorem angle(Form& f) {
                       equation(sin(2 * half), of_e("sine_e"), of_half + Theorems{sine}, {half})));
   const Theorem same =
       same_angle(chain(cosine, turned(f.known("wedge.cosine"))),
-                 {positive(half), use("atan range", {{x, T}}), f.known("wedge.acute")});
+                 {positive(half), at("atan range", {{x, T}}), f.known("wedge.acute")});
   return f.book.show("h_e", "", "the angle is",
-                     linear(eq(of_e("step_e"), same.conclusion().arg(1)), {same, step}));
+                     linear(eq(of_e("step_e"), right(same)), {same, step}));
 }
 
 /// Both speeds with which bodies part after the last collision, then the velocities.
 void velocities(Form& f, const Theorem& step) {
   Book& book = f.book;
-  const Expr N = substitute(fun("N_e", {M_A, w_B, M_C, e, V}), blocks), h = of_e("step_e");
+  const Expr N = substitute(fun("N_e", {M_A, w_B, M_C, e, V}), blocks_of_paper), h = of_e("step_e");
   const Theorem count = book.show("N_e", "", "the number of collisions",
                                   rewrite(turned(step), f.known("bodies.N_e")));
   const Theorem some = assume(lt(0, N));
@@ -94,7 +91,7 @@ void velocities(Form& f, const Theorem& step) {
   f.params = {alpha, e, V};
   const auto of_V = [&](const std::string& symbol) { return fun(symbol, f.params); };
   const Theorem span = f.name("span_e", h * N, "With");
-  const Theorem left = f.name("left_e", pi() - of_V("span_e"));
+  const Theorem left_is = f.name("left_e", pi() - of_V("span_e"));
   const Theorem next = f.name("next_e", h - of_V("left_e"));
   const Theorem sine_is = book["evaluators_restitution.sine"];
   const Theorem power_is = f.name("power_e", root_power(N));
@@ -109,21 +106,20 @@ void velocities(Form& f, const Theorem& step) {
   const Theorem second = f.name("second_e", of_V("odd_e") / 2 * v + of_V("even_e") / 2 * u);
 
   const Theorem r_A_is = f.known("wedge.r_A"), r_B_is = f.known("wedge.r_B");
-  const Theorem sides =
-      linear(eq(r_B_is.conclusion().arg(0), r_A_is.conclusion().arg(0)), {r_A_is, r_B_is});
-  know(linear(lt(0, r_A_is.conclusion().arg(0)), {r_A_is, positive(sqrt(1 / (1 + alpha)))}));
-  const auto at_e = [](Expr t) { return substitute(t, blocks); };
+  const Theorem sides = linear(eq(left(r_B_is), left(r_A_is)), {r_A_is, r_B_is});
+  know(linear(lt(0, left(r_A_is)), {r_A_is, positive(sqrt(1 / (1 + alpha)))}));
+  const auto at_e = [](Expr t) { return substitute(t, blocks_of_paper); };
   const auto closing_is = [&](Expr i) {
     return canonical_form(
         rewrite(sides, rewrite(turned(step), f.known("wedge.speed_sine", {{j, i}}))));
   };
   const Exprs bases{pi() / 2, h * N, h};
-  const Theorem to_turn = rewrite(span, left), to_next = rewrite(to_turn, next);
+  const Theorem to_turn = rewrite(span, left_is), to_next = rewrite(to_turn, next);
   const Theorem of_before = closing_is(N - 1), of_after = closing_is(N);
   const Theorem power_next =
-      canonical_form(use(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1), {{j, N - 1}},
-                         {linear(le(0, N - 1))}));
-  const Expr before = of_before.conclusion().arg(0), after = of_after.conclusion().arg(0);
+      canonical_form(at(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1), {{j, N - 1}},
+                        {linear(le(0, N - 1))}));
+  const Expr before = left(of_before), after = left(of_after);
   const Theorem last = book.show(
       "last", "", "After the last collision its bodies part with the speed",
       equation(e * before, V * u,
@@ -150,7 +146,7 @@ void velocities(Form& f, const Theorem& step) {
   const auto against_B = [&](const char* id, const char* body) {
     const Expr own = at_e(velocity(body, N)), B = at_e(velocity("B", N));
     const Theorem difference = motion(id);
-    return linear(eq(own, B + (difference.conclusion().arg(1))), {difference});
+    return linear(eq(own, B + right(difference)), {difference});
   };
   show("a_end", "A", (1 - both_speeds) * per + ball * (s - both_speeds),
        {against_B("motion.A_B", "A"), of_B});
@@ -165,26 +161,18 @@ void two_collisions(Form& f) {
     const Expr below = 4 * e * power(1 + alpha, 2);
     const Theorem is = f.name(symbol, factor * e * power(1 + alpha, 2) - power(1 + e, 2));
     book.show(symbol, "", words,
-              equation(K.conclusion().arg(0), rational(factor, 4) - of_e(symbol) / below, {K, is}));
+              equation(left(K), rational(factor, 4) - of_e(symbol) / below, {K, is}));
   };
   compare("ends", 4, "the square of kappa is below 1 where this is positive:");
   compare("two", 1, "and below 1/4, the square of the cosine of pi/3,");
   compare("tie", 2, "or 1/2, that of pi/4,");
-  Theorems facts = parts({f.known("motion.start"), book["cycle.turn"]});
-  facts.pop_back();
-  for (int i : {0, 1}) {
-    const Theorem from = linear(le(0, i));
-    const Theorem motion = instantiate(book["motion.next"], blocks);
-    for (std::size_t k : {0, 1, 2})
-      facts.push_back(canonical_form(use(part(motion, k), {{j, i}}, {from})));
-    facts.push_back(canonical_form(use(part(book["cycle.turn"], 1), {{j, i}}, {from})));
-  }
+  const Theorems facts = first_collisions(book, 2);
   f.params = {alpha, e, V};
   f.domain.push_back(V_positive);
   const auto show = [&](const char* symbol, const char* body, Expr form) {
     const Theorem is =
-        f.name(symbol, substitute(velocity(body, 2), blocks), "After two collisions");
-    book.show(symbol, "", "is", equation(is.conclusion().arg(0), V * form, facts + Theorems{is}));
+        f.name(symbol, substitute(velocity(body, 2), blocks_of_paper), "After two collisions");
+    book.show(symbol, "", "is", equation(left(is), V * form, facts + Theorems{is}));
   };
   show("a_two", "A", (1 - e * alpha) / (1 + alpha));
   show("b_two", "B", power(1 + e, 2) * alpha / power(1 + alpha, 2));
@@ -194,10 +182,9 @@ void two_collisions(Form& f) {
 }  // namespace
 
 void restitution_forms(Book& book) {
-  const Exprs assumptions{alpha_positive, lt(0, e), V_positive, lt(0, L)};
   book.chapter("evaluators_restitution",
-               "Forms for evaluation: terminal velocities that lose energy", assumptions);
-  const Known signs(assumed(assumptions));
+               "Forms for evaluation: terminal velocities that lose energy",
+               {alpha_positive, lt(0, e), V_positive, lt(0, L)});
   Form f(book);
   two_collisions(f);
   Form many(book);

@@ -118,7 +118,7 @@ void in_the_plane(Book& book, const Theorem& is) {
   const Theorem moves = one_more_not_0(p), at_end = assume(eq(p, -1));
   know(moves);
   const auto of_angle = [&](Expr l, Expr value) {
-    return equation(l, value, {use("cos atan", {{x, t}}), use("sin atan", {{x, t}}), unit, moves},
+    return equation(l, value, {at("cos atan", {{x, t}}), at("sin atan", {{x, t}}), unit, moves},
                     {angle});
   };
   const Theorem cosine = of_angle(cos(2 * angle), p), sine = of_angle(sin(2 * angle), r);
@@ -136,7 +136,7 @@ void in_the_plane(Book& book, const Theorem& is) {
         eq(q, Expr(-sign) * r), {.equations = {{-q, products[0]}, {-r, value}, {p, products[1]}}});
     const auto turned_by = [&](Expr a, const Theorems& facts) {
       const Expr turn = fun("lambda", {a});
-      return matrix_equation(
+      return equation(
           o, sign == 1 ? turn : times(turn, fun("P_2", {})),
           Theorems{instantiate(book["ball.lambda"], {{x, a}}), book["ball.P_2"], s_is, q_is} +
               facts);
@@ -186,13 +186,12 @@ void in_space(Book& book, const Theorem& is) {
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
   const Expr columns = matrix(3, {names[0], names[1], -names[2], names[3], names[4], -names[5],
                                   names[6], names[7], -names[8]});
-  book.show("space_reflection",
-            "It changes the sign of a determinant, and applied twice it changes nothing, so that "
-            "with determinant -1 the matrix is this reflection and then a rotation:",
-            both({equation(det(mirrored), -d, {mirror}),
-                  matrix_equation(o, times(mirrored, P_3), {mirror}),
-                  rewrite(matrix_equation(columns, mirrored, {mirror}),
-                          by_entries(gram(columns), one, {is}))}));
+  book.show(
+      "space_reflection",
+      "It changes the sign of a determinant, and applied twice it changes nothing, so that "
+      "with determinant -1 the matrix is this reflection and then a rotation:",
+      both({equation(det(mirrored), -d, {mirror}), equation(o, times(mirrored, P_3), {mirror}),
+            rewrite(equation(columns, mirrored, {mirror}), by_entries(gram(columns), one, {is}))}));
   const auto turn = [&](const std::string& name, const std::string& label, const Exprs& m) {
     return book.name(name, {x}, matrix(3, m), {}, "A rotation about an axis:", label);
   };
@@ -203,11 +202,11 @@ void in_space(Book& book, const Theorem& is) {
   const auto collision = [&](const std::string& name, const std::string& id, const Theorem& turn_is,
                              Expr angle) {
     const Expr l = left(book[id]);
-    book.show(name, "Lam-GAM", "A collision is a rotation after a reflection:",
-              matrix_equation(
-                  l, times(substitute(left(turn_is), {{x, angle}}), P_3),
-                  {book[id], book["ball.Gamma_theta"], mirror, instantiate(turn_is, {{x, angle}})},
-                  {theta()}));
+    book.show(
+        name, "Lam-GAM", "A collision is a rotation after a reflection:",
+        equation(l, times(substitute(left(turn_is), {{x, angle}}), P_3),
+                 {book[id], book["ball.Gamma_theta"], mirror, instantiate(turn_is, {{x, angle}})},
+                 {theta()}));
   };
   collision("Gamma_A", "cycle.Gamma_A", second_axis, -theta());
   collision("Gamma_B", "cycle.Gamma_B", first_axis, theta());

@@ -10,10 +10,10 @@ Expr quarter() { return psi() / 4; }
 
 void powers_of_lambda(Book& book) {
   const Theorem def_turn = book["rotation.lambda_3"];
-  const auto turned_by = [&](Expr angle) { return instantiate(def_turn, {{x, angle}}); };
+  const auto turned_by = [&](Expr angle) { return at(def_turn, {{x, angle}}); };
   book.show("angles_add", "Rotations about one axis add their angles:",
-            matrix_equation(times(lambda_3(x), lambda_3(y)), lambda_3(x + y),
-                            {turned_by(x), turned_by(y), turned_by(x + y)}, {x, y}));
+            equation(times(lambda_3(x), lambda_3(y)), lambda_3(x + y),
+                     {turned_by(x), turned_by(y), turned_by(x + y)}, {x, y}));
   // Lambda^n
   const auto turned_frame = [](Expr angle) {
     return times(times(R(), lambda_3(angle)), transpose(R()));
@@ -21,38 +21,29 @@ void powers_of_lambda(Book& book) {
   const Theorem powers = matrix_power(Lambda(), n);
   const Theorem power_0 = part(powers, 0), frame = book["rotation.R"], split = root_split(book);
   const Theorem base =
-      matrix_equation(power(Lambda(), Expr(0)), turned_frame(Expr(0) * psi()),
-                      {power_0, turned_by(Expr(0) * psi()), frame, axiom("cos 0"), axiom("sin 0")});
+      equation(power(Lambda(), Expr(0)), turned_frame(Expr(0) * psi()),
+               {power_0, turned_by(Expr(0) * psi()), frame, axiom("cos 0"), axiom("sin 0")});
   book.show(
       "Lambda_n", "eq:Lambda-n-final eq:Lambda-n-final-txt", "So n cycles turn by n psi:",
-      by_induction(n, eq(power(Lambda(), n), turned_frame(n * psi())), base,
-                   [&](const Theorem& n_from_0, const Theorem& known) {
-                     const Theorem product = rewrite(known, use(part(powers, 1), {}, {n_from_0}));
-                     const Theorem added = matrix_equation(
-                         times(Lambda(), turned_frame(n * psi())), turned_frame((n + 1) * psi()),
-                         {book["cycle.Lambda"], split, frame, turned_by(n * psi()),
-                          turned_by((n + 1) * psi()), book["rotation.cos_psi"],
-                          book["rotation.sin_psi"]},
-                         {n * psi(), psi()});
-                     return rewrite(added, product);
-                   }));
+      by_induction(
+          n, eq(power(Lambda(), n), turned_frame(n * psi())), base, [&](const Theorem& now) {
+            const Theorem product = rewrite(now, at(part(powers, 1)));
+            const Theorem added = equation(
+                times(Lambda(), turned_frame(n * psi())), turned_frame((n + 1) * psi()),
+                {book["cycle.Lambda"], split, frame, turned_by(n * psi()),
+                 turned_by((n + 1) * psi()), book["rotation.cos_psi"], book["rotation.sin_psi"]},
+                {n * psi(), psi()});
+            return rewrite(added, product);
+          }));
 
   // V_n = Lambda^n V_0
   const Expr start = column({V, 0, 0});
   const Theorem vector = book["cycle.vector"];
-  const Theorem first =
-      matrix_equation(V_vector(0), times(power(Lambda(), Expr(0)), start),
-                      {at(vector, {{n, 0}}), power_0, book["cycle.start_vector"]});
-  book.show(
-      "V_n", "eq:V-n-0 eq:V-n-0-app", "and the velocities are",
-      by_induction(n, eq(V_vector(n), times(power(Lambda(), n), start)), first,
-                   [&](const Theorem& n_from_0, const Theorem& known) {
-                     const Theorem next = at(book["cycle.recurrence"], {{n, n + 1}}, {n_from_0});
-                     return matrix_equation(
-                         V_vector(n + 1), times(power(Lambda(), n + 1), start),
-                         {restate(eq(V_vector(n + 1), times(Lambda(), V_vector(n))), next), known,
-                          use(part(powers, 1), {}, {n_from_0})});
-                   }));
+  book.show("V_n", "eq:V-n-0 eq:V-n-0-app", "and the velocities are",
+            by_induction(
+                n, eq(V_vector(n), times(power(Lambda(), n), start)),
+                {at(vector, {{n, 0}}), power_0, book["cycle.start_vector"]},
+                {canonical_form(at(book["cycle.recurrence"], {{n, n + 1}})), at(part(powers, 1))}));
 }
 
 /// The quarter of psi and the velocity of the centre of mass; the rules that they give.
@@ -61,7 +52,7 @@ Theorems quarter_rules(Book& book) {
   const Theorem sine = positive(sin(quarter()));
   const Theorem cosine_squared = linear(
       eq(power(cos(quarter()), 2), (1 + 1 / (1 + alpha)) / 2),
-      {angles({cos(half())}, {quarter()}, false)[0], cos_half, use("circle", {{x, quarter()}})});
+      {angles({cos(half())}, {quarter()}, false)[0], cos_half, at("circle", {{x, quarter()}})});
   const Theorem product = linear(eq(cos(quarter()) * sin(quarter()), right(sin_half) / 2),
                                  {angles({sin(half())}, {quarter()}, false)[0], sin_half});
   book.show("quarter", "The quarter of psi:", both({sine, cosine_squared, product}));
@@ -79,7 +70,7 @@ void powers(Book& book) {
 
   // Multiplied out.
   const Expr frame = right(book["rotation.R"]);
-  const Theorem turn = instantiate(book["rotation.lambda_3"], {{x, n * psi()}});
+  const Theorem turn = at(book["rotation.lambda_3"], {{x, n * psi()}});
   const Expr turned_frame = times(times(frame, right(turn)), transpose(frame));
   const Expr velocities = times(turned_frame, column({V, 0, 0}));
   const Theorem rotated = rewrite(book["power.Lambda_n"], book["power.V_n"]);
@@ -125,7 +116,7 @@ void powers(Book& book) {
   const Theorem c_at_0 = equation(
       c(0), substitute(c_form, {{n, 0}}),
       {book["cycle.c_start"], restate(eq(sin((Expr(0) - rational(1, 4)) * psi()), -sin(quarter())),
-                                      use("sin minus", {{x, quarter()}}))});
+                                      at("sin minus", {{x, quarter()}}))});
   const Theorem c_n = book.show(
       "c", "eq:c-final", "C after its n-th collision with A (before the first it rests):",
       follows(eq(c(n), c_form), {given(eq(n, 0),

@@ -156,7 +156,7 @@ Theorem seventeenth(Book& book) {
 
 void radicals(Book& book) {
   book.chapter("radicals", "The first ratios in square roots", {});
-  const Known in_this_chapter({});
+  const Known in_this_chapter;
   const Theorem half_of = halving(book);
   std::map<int, Theorem> cosines;
   cosines.emplace(2, axiom("cos pi/2"));

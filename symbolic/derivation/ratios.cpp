@@ -61,8 +61,9 @@ void threshold(Book& book, const Threshold& which) {
   const Expr count = left(number), d = which.denominator(k);
   const Expr ratio = left(book["ratios.reached"]).arg(0);
   const Theorems range = range_of(d, {from_1});
-  know(book.show(which.name + "k_cosine", "The cosine of pi/(" + text(d) + ") is positive:",
-                 positive(cos(pi() / d), range)));
+  know_for_good(
+      book.show(which.name + "k_cosine",
+                "The cosine of pi/(" + text(d) + ") is positive:", positive(cos(pi() / d), range)));
   const Theorem definition =
       book.name(which.name, {k}, substitute(ratio, {{x, pi() / d}}), {le(1, k)},
                 "The ratio at which psi/2 = pi/(" +
@@ -71,8 +72,8 @@ void threshold(Book& book, const Threshold& which) {
   const Theorem versed =
       linear(lt(0, 1 - cos(pi() / d)), {cosine_falls(linear(lt(0, pi() / d), range), range)});
   const Theorem above_0 = positive(right(definition), {versed});
-  know(book.show(which.name + "k_positive", "a positive one;",
-                 linear(lt(0, fun(which.name, {k})), {definition, above_0})));
+  know_for_good(book.show(which.name + "k_positive", "a positive one;",
+                          linear(lt(0, fun(which.name, {k})), {definition, above_0})));
   book.show(which.name + "k_paper", which.label, "as the paper writes it:",
             equation(fun(which.name, {k}), Expr(-1) + 1 / cos(pi() / d), {definition}));
 

@@ -8,7 +8,6 @@ namespace derivation {
 namespace {
 const Expr M_1 = real("M_1"), M_2 = real("M_2"), w_2 = real("w_2");
 const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
-const Expr from_0 = le(0, j);
 
 /// The velocities after a collision with restitution e, solved for: with masses, and with the
 /// inverse mass of the second body.
@@ -59,27 +58,22 @@ Exprs one_collision(Book& book) {
 }
 /// The approach speed before collision j, and its recurrence.
 void recurrence(Book& book, const Theorems& motion) {
-  const Theorem from = assume(from_0);
-  const Known signs({assume(lt(0, M_A)), assume(le(0, w_B)), assume(lt(0, M_C)), from});
   const Theorems turns = parts({book["cycle.turn"]});
   const Theorem definition = defined("closing", {M_A, w_B, M_C, e, V, j},
                                      is_P(j) * (velocity("A", j) - velocity("C", j)) +
                                          is_Q(j) * (velocity("C", j) - velocity("B", j)),
                                      of_wedge({le(0, j)}));
   book.show("closing", "Before collision j its two bodies approach with the speed", definition);
-  const auto at_0 = [&](const Theorem& t) { return instantiate(t, {{j, 0}}); };
+  const auto at_0 = [&](const Theorem& t) { return at(t, {{j, 0}}); };
   const Theorem first =
       book.show("first", "at first",
                 equation(closing(0), V, {at_0(definition), turns[0], motion[0], motion[2]}));
-  const auto turn_after = [&](const Theorem& now) { return use(turns[1], {}, {now}); };
-  const Theorem square = book.show(
-      "turn_squared", "As a turn is 1 or -1,",
-      by_induction(j, eq(power(turn(j), 2), 1), equation(power(turn(0), 2), 1, {turns[0]}),
-                   [&](const Theorem& now, const Theorem& known) {
-                     return equation(power(turn(j + 1), 2), 1, {turn_after(now), known});
-                   }));
-  Theorems step{definition, turn_after(from), square};
-  for (std::size_t i = 3; i < 6; ++i) step.push_back(use(motion[i], {}, {from}));
+  const Theorem turn_after = at(turns[1]);
+  const Theorem square =
+      book.show("turn_squared", "As a turn is 1 or -1,",
+                by_induction(j, eq(power(turn(j), 2), 1), {turns[0]}, {turn_after}));
+  Theorems step{definition, turn_after, square};
+  for (std::size_t i = 3; i < 6; ++i) step.push_back(at(motion[i]));
   const auto other = [&](Expr i) {  // of the two that collide next
     return is_Q(i) * (velocity("A", i) - velocity("C", i)) +
            is_P(i) * (velocity("C", i) - velocity("B", i));
@@ -92,7 +86,7 @@ void recurrence(Book& book, const Theorems& motion) {
   const Theorem gain =
       book.show("gain", "and the ball approaches the third body faster by the rest:",
                 equation(closing(j + 1), other(j) + (1 + e) * share(j) * closing(j),
-                         step + Theorems{instantiate(definition, {{j, j + 1}})}));
+                         step + Theorems{at(definition, {{j, j + 1}})}));
   const Theorem start = at(gain, {{j, 0}});
   const Expr second = (1 + e) * (M_A / (M_A + M_C)) * V;
   book.show(
@@ -107,11 +101,11 @@ void recurrence(Book& book, const Theorems& motion) {
       book.show("momentum", "Momentum is kept, if there is no wall:",
                 by_induction(j, eq(carried(j), w_B * M_A * V),
                              equation(carried(0), w_B * M_A * V, {motion[0], motion[1], motion[2]}),
-                             [&](const Theorem&, const Theorem& known) {
-                               return chain(equation(carried(after), carried(j), step), known);
+                             [&](const Theorem& now) {
+                               return chain(equation(carried(after), carried(j), step), now);
                              }));
   // The two speeds after collision j, by the one before it and the one before the next.
-  const Theorem closes = instantiate(definition, {{j, after}});
+  const Theorem closes = at(definition, {{j, after}});
   const Theorem parts_with = linear(eq(e * closing(j), -other(after)), {parting});
   const Expr A = velocity("A", after), B = velocity("B", after), ball = velocity("C", after);
   const Expr of_B = is_Q(after) * closing(after) - is_P(after) * (e * closing(j));
@@ -120,20 +114,20 @@ void recurrence(Book& book, const Theorems& motion) {
                 linear(eq(A - B, closing(after) - e * closing(j)), {closes, parting}));
   const Theorem C_B =
       book.show("C_B", "those of C and B by",
-                equation(ball - B, of_B, {closes, parts_with, at(square, {{j, after}}, {from})}));
+                equation(ball - B, of_B, {closes, parts_with, at(square, {{j, after}})}));
   const auto share_of = [&](Expr M, Expr own, Expr difference, const Theorem& is) {
     return equation(w_B * M * own, w_B * M * (B + difference),
                     {linear(eq(own, B + difference), {is})});
   };
   const Expr of_A = closing(after) - e * closing(j), all = mass_of_all();
   const Expr given_off = w_B * (M_A * (V - of_A) - M_C * of_B);
-  const Theorem whole =
-      linear(eq(B * all, given_off), {at(momentum, {{j, after}}, {from}),
-                                      share_of(M_A, A, of_A, A_B), share_of(M_C, ball, of_B, C_B)});
+  const Theorem whole = linear(
+      eq(B * all, given_off),
+      {at(momentum, {{j, after}}), share_of(M_A, A, of_A, A_B), share_of(M_C, ball, of_B, C_B)});
   book.show("B_velocity", "and B has", divided(B, given_off / all, {all}, whole));
   book.show("recurrence", "and each one follows from two before:",
             linear(eq(closing(j + 2), (1 + e) * share(j + 1) * closing(j + 1) - e * closing(j)),
-                   {at(gain, {{j, j + 1}}, {from}), parting}));
+                   {at(gain, {{j, j + 1}}), parting}));
 }
 }  // namespace
 

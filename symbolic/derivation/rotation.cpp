@@ -40,15 +40,16 @@ void angle(Book& book, Expr lambda) {
   const Theorem inside = equation(1 + power(t, 2), power(1 + alpha, 2));
   const Theorem root = root_is(power(1 + alpha, 2), 1 + alpha);
   const auto at_half = [&](const std::string& axiom_name) {
-    return rewrite(root, rewrite(inside, rewrite(half, use(axiom_name, {{x, t}}))));
+    return rewrite(root, rewrite(inside, rewrite(half, at(axiom_name, {{x, t}}))));
   };
   const Theorem cos_half =
       book.show("cos_half_psi", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
   const Theorem sin_half = book.show("sin_half_psi", "table:trig", "and", at_half("sin atan"));
-  know(book.show("psi_range", "The range of psi:",
-                 both({positive(definition), linear(lt(psi(), pi()), {definition})})));
-  know(book.show("half_signs", "so that half of it has a positive sine and a positive cosine:",
-                 both({positive(sin(psi() / 2)), positive(cos(psi() / 2))})));
+  know_for_good(book.show("psi_range", "The range of psi:",
+                          both({positive(definition), linear(lt(psi(), pi()), {definition})})));
+  know_for_good(book.show("half_signs",
+                          "so that half of it has a positive sine and a positive cosine:",
+                          both({positive(sin(psi() / 2)), positive(cos(psi() / 2))})));
   const auto doubled = [&](Expr l, Expr r) {
     return equation(l, r, {cos_half, sin_half}, {psi() / 2});
   };
@@ -92,30 +93,29 @@ void rotation(Book& book) {
   const Expr w = sqrt(2 + alpha);
   const auto third = column({entry(R(), 0, 2), entry(R(), 1, 2), entry(R(), 2, 2)});
   book.show("axis", "Lambda leaves its axis as it is,",
-            matrix_equation(times(Lambda(), third), third, with_frame));
+            equation(times(Lambda(), third), third, with_frame));
   book.show("axis_paper", "which is along the roots of the masses:",
-            matrix_equation(third, column({1 / w, 1 / w, sqrt(alpha) / w}), with_frame));
+            equation(third, column({1 / w, 1 / w, sqrt(alpha) / w}), with_frame));
   const Theorem quotient = root_is(alpha / (2 * (2 + alpha)), sqrt(alpha) / (sqrt(2) * w));
   const Theorem other = root_is(2 / (2 + alpha), sqrt(2) / w);
   const Expr r2 = sqrt(2);
   const Expr q = sqrt(alpha / (2 * (2 + alpha)));
   book.show("R_paper", "eq:R-app", "As the paper writes it:",
-            matrix_equation(R(),
-                            matrix(3, {-1 / r2, -q, 1 / w, 1 / r2, -q, 1 / w, 0,
-                                       sqrt(2 / (2 + alpha)), sqrt(alpha) / w}),
-                            Theorems{quotient, other} + with_frame));
+            equation(R(),
+                     matrix(3, {-1 / r2, -q, 1 / w, 1 / r2, -q, 1 / w, 0, sqrt(2 / (2 + alpha)),
+                                sqrt(alpha) / w}),
+                     Theorems{quotient, other} + with_frame));
   book.show("R_orthogonal", "The frame is orthogonal,",
-            matrix_equation(times(transpose(R()), R()), identity(3), with_frame));
+            equation(times(transpose(R()), R()), identity(3), with_frame));
   book.show("R_determinant", "and right-handed:", equation(det(R()), 1, with_frame));
   const Theorem turn_3 =
       book.name("lambda_3", {x}, matrix(3, {cos(x), -sin(x), 0, sin(x), cos(x), 0, 0, 0, 1}), {},
                 "A rotation about the third axis:", "eq:lambda-3");
   const Theorems turned_rules = Theorems{instantiate(turn_3, {{x, psi()}})} + with_frame;
-  book.show(
-      "Lambda_in_frame", "eq-app:lambda-R", "In this frame Lambda is such a rotation, by psi:",
-      matrix_equation(times(transpose(R()), times(Lambda(), R())), lambda_3(psi()), turned_rules));
-  book.show(
-      "Lambda_R", "so that",
-      matrix_equation(Lambda(), times(times(R(), lambda_3(psi())), transpose(R())), turned_rules));
+  book.show("Lambda_in_frame", "eq-app:lambda-R",
+            "In this frame Lambda is such a rotation, by psi:",
+            equation(times(transpose(R()), times(Lambda(), R())), lambda_3(psi()), turned_rules));
+  book.show("Lambda_R", "so that",
+            equation(Lambda(), times(times(R(), lambda_3(psi())), transpose(R())), turned_rules));
 }
 }  // namespace derivation

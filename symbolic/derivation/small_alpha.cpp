@@ -9,7 +9,7 @@ const Expr light = lt(alpha, 1);
 const Expr p = sqrt(2 * alpha), q = sqrt(alpha / (2 + alpha));
 
 /// x - x^3/3 <= atan(x) and atan(x) <= x for a positive x
-Theorem atan_bounds(Expr t) { return use("atan bounds", {{x, t}}, {positive(t)}); }
+Theorem atan_bounds(Expr t) { return at("atan bounds", {{x, t}}, {positive(t)}); }
 
 void theta_bounds(Book& book) {
   const Expr s = sqrt(alpha);

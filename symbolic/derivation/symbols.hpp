@@ -11,6 +11,7 @@
 #include "algebra/signs.hpp"
 #include "derivation/book.hpp"
 #include "kernel/defined.hpp"
+#include "kernel/polynomial.hpp"
 
 namespace derivation {
 using namespace algebra;
@@ -64,11 +65,9 @@ inline Expr identity(int size) {
 }
 inline Expr column(const Exprs& entries) { return matrix(1, entries); }
 
-/// f |- f for each.
-inline Theorems assumed(const Exprs& formulas) {
-  Theorems out;
-  for (const Expr& f : formulas) out.push_back(assume(f));
-  return out;
+/// The same statement with arguments such as n - 1 + 1 computed.
+inline Theorem canonical_form(const Theorem& t) {
+  return restate(kernel::canonical(t.conclusion()), t);
 }
 /// 0 < l if and only if 0 < r, from l = t with t = factor r as polynomials and 0 < factor.
 Theorem same_sign(Expr l, Expr r, const Theorem& l_is, const Theorem& factor);

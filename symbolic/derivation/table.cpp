@@ -19,7 +19,7 @@ Theorem quarter(Book& book) {
             turned(root_is(alpha / (2 * (1 + alpha)), sin(q), squares)));
   const Theorem hypotenuse = root_is(1 + power(t, 2), 1 / cos(q), squares);
   const Theorem same =
-      same_angle(equation(cos(q), cos(atan(t)), {rewrite(hypotenuse, use("cos atan", {{x, t}}))}),
+      same_angle(equation(cos(q), cos(atan(t)), {rewrite(hypotenuse, at("cos atan", {{x, t}}))}),
                  {positive(atan(t))});
   book.show("quarter_psi", "so that", linear(eq(psi(), 4 * atan(t)), {same}));
   return turned(root_is(alpha / (2 + alpha), sin(q) / cos(q), squares));
@@ -47,12 +47,16 @@ void table(Book& book) {
   // cos = numerator/d is not 0 where the numerator is not.
   const auto show_where = [&](const std::string& name, Expr angle, Expr numerator, Expr d,
                               Expr above, const Theorems& values) {
-    const Theorem is_0 = assume(eq(cos(angle), 0)), moves = assume(neq(numerator, 0));
+    const Theorem moves = assume(neq(numerator, 0));
     const Theorem product = equation(d * cos(angle), numerator, values);
-    know(tautology(
-        neq(cos(angle), 0),
-        {discharge(is_0.conclusion(), linear(eq(numerator, 0), {rewrite(is_0, product)})), moves}));
-    show(name, angle, above / numerator, values + Theorems{moves, known().back()});
+    const Theorem divisor = tautology(
+        neq(cos(angle), 0), {given(eq(cos(angle), 0),
+                                   [&](const Theorem& is_0) {
+                                     return linear(eq(numerator, 0), {rewrite(is_0, product)});
+                                   }),
+                             moves});
+    know(divisor);
+    show(name, angle, above / numerator, values + Theorems{moves, divisor});
   };
   show_where("theta", theta(), 1 - alpha, 1 + alpha, 2 * s,
              {book["ball.cos_theta"], book["ball.sin_theta"]});

@@ -24,9 +24,9 @@ void kept_quantities(Book& book) {
   const auto length = [](Expr i) { return times(transpose(V_vector(i)), V_vector(i)); };
   const Expr rest = V2 - power(b(n), 2) - alpha * power(c_prime(n), 2);
   book.show("V_length", "eq:V2", "so that the length of V_n is always that of V_0;",
-            matrix_equation(length(n), length(0),
-                            {vector, at(vector, {{n, 0}}), book["cycle.start_vector"],
-                             linear(eq(power(a(n), 2), rest), {energy})}));
+            equation(length(n), length(0),
+                     {vector, at(vector, {{n, 0}}), book["cycle.start_vector"],
+                      linear(eq(power(a(n), 2), rest), {energy})}));
   book.show("momentum_P", "so they are after P_n,",
             linear(eq(a(n) + b(n - 1) + alpha * c(n), V),
                    {one_before(momentum), book["cycle.momentum_P"]}));

@@ -8,7 +8,7 @@ namespace {
 std::pair<Theorem, Theorem> root_of_square() {
   const Expr s = sqrt(power(x, 2));
   const Theorem square = not_negative(power(x, 2));
-  const Theorem s_from_0 = use("root not negative", {{x, power(x, 2)}}, {square});
+  const Theorem s_from_0 = at("root not negative", {{x, power(x, 2)}}, {square});
   const auto with_sign = [&](Expr value, Expr premise) {  // s^2 = value^2, neither negative
     return given(premise, [&](const Theorem& value_from_0) {
       const auto not_above = [&](Expr l, Expr r) {
@@ -65,7 +65,7 @@ void terminal_forms(Names& names, const Angle& a) {
           linear(Q_last ? lt(0, z - 2 * N_A()) : le(0, 2 * N_A() - z), {N_is, book["counting.N"]});
       const Theorem sign = linear(Q_last ? le(0, r) : le(r, 0), {times(bound, psi())});
       const Theorem size =
-          chain(rest_is, use(Q_last ? roots.first : roots.second, {{x, r}}, {sign}));
+          chain(rest_is, at(Q_last ? roots.first : roots.second, {{x, r}}, {sign}));
       const Exprs quarter_turn{pi() / 2, angle};
       const Theorem sine = equation(f("rest_sine"), Q_last ? cos(angle) : -cos(angle),
                                     {rewrite(size, def_sine)}, quarter_turn);
@@ -100,7 +100,7 @@ void terminal_forms(Names& names, const Angle& a) {
   const Expr bounds_of_rest = logic_and({le(0, f("rest")), le(f("rest"), half_h)});
   const auto with_sign = [&](const Theorem& root, Expr sign) {
     return given(sign, [&](const Theorem& t) {
-      const Theorem is = chain(rest_is, use(root, {{x, r}}, {t}));
+      const Theorem is = chain(rest_is, at(root, {{x, r}}, {t}));
       return linear(bounds_of_rest, {is, t, r_up, r_down});
     });
   };

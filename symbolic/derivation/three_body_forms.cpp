@@ -18,7 +18,7 @@ public:
 
   /// A theorem of the wedge, as kappa is below 1.
   Theorem in_angle(const std::string& id, const Substitution& terms = {}) const {
-    return cut(below, at(book["wedge." + id], terms, {assume(le(0, j))}));
+    return cut(below, at(book["wedge." + id], terms));
   }
 
   /// |- symbol_j = value
@@ -89,18 +89,15 @@ Theorem angle(Book& book, const Theorem& q_is) {
   const Theorem h_is = book.show("h_e", "Where they end the angle is",
                                  rewrite(inside, cut(below, book["wedge.h_e"])));
   know(positive(h_is));
-  know(linear(lt(h_e(), pi()), {h_is, use("atan range", {{x, right(h_is).arg(0)}})}));
+  know(linear(lt(h_e(), pi()), {h_is, at("atan range", {{x, right(h_is).arg(0)}})}));
   know(positive(sin(h_e())));
   book.show("N_e", "and the number of all collisions", cut(below, book["wedge.N"]));
   return below;
 }
 void velocities(const Forms& forms) {
   Book& book = forms.book;
-  const Theorem from = assume(le(0, j));
-  const Theorem turn_next =
-      restate(eq(turn(j + 1), -turn(j)), use(part(book["cycle.turn"], 1), {}, {from}));
-  const Theorem pow_next =
-      use(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1), {}, {from});
+  const Theorem turn_next = at(part(book["cycle.turn"], 1));
+  const Theorem pow_next = at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1));
   const Theorem before = forms.name("before", closing(j)),
                 after = forms.name("after", closing(j + 1));
   const Expr per = V * root_power(j) / forms("step_sine");
@@ -142,11 +139,11 @@ void times_and_places(const Forms& forms) {
     return positive(sine(i + 1));
   };
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
-    const Known here({});
+    const Known here;
     return tautology(lt(0, closing(i)), {at(forms.in_angle("in_the_angle"), {{j, i}}, {range}),
                                          in_half_a_turn(i, range)});
   });
-  know(in_half_a_turn(j, both({assume(le(0, j)), linear(le(j, j))})));
+  know(in_half_a_turn(j, linear(le(j, j))));
   know(positive(book["bodies.def_now_sine"]));
   know(all_of_them);
   const Theorems sines = quotients_of_sines(book, turned(forms.in_angle("cosine")));
@@ -172,11 +169,9 @@ void times_and_places(const Forms& forms) {
 void three_body_forms(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
-  const Known signs(assumed(of_wedge({lt(0, e), V_positive, lt(0, L)})) +
-                    Theorems{at(book["wedge.signs"], {{j, 0}})});
+  know(at(book["wedge.signs"], {{j, 0}}));
   Forms forms(book, assumptions, angle(book, definition_of_q_e(book)));
   know(book["wedge.signs"]);
-  know(assume(le(0, j)));
   const Expr ratio = r_A() / r_B();
   forms.share("step_sine", "With", sin(h_e()), true);
   forms.share("now_side", "and", is_P(j) + is_Q(j) * ratio, true);

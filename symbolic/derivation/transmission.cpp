@@ -5,7 +5,6 @@
 
 namespace derivation {
 namespace {
-const Substitution equal_blocks{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
 const Expr from_1 = le(1, n), e_more = real("e'");
 
 /// Positive masses, B no wall, and more.
@@ -16,7 +15,6 @@ Exprs of_block(const Exprs& more) {
 }
 /// What each collision takes from the energy, and all of them together.
 void energy(Book& book) {
-  const Theorem from = assume(le(0, j));
   const auto of_motion = [&](const std::string& id) { return cut(linear(le(0, w_B)), book[id]); };
   const Exprs with_j{M_A, w_B, M_C, e, V, j};
   const Theorem is =
@@ -25,10 +23,8 @@ void energy(Book& book) {
                       M_C * power(velocity("C", j), 2),
                   of_block({le(0, j)}), "Twice the kinetic energy after j collisions:");
   const auto energy = [&](Expr i) { return substitute(left(is), {{j, i}}); };
-  Theorems step{is, instantiate(is, {{j, j + 1}}), of_motion("motion.closing"),
-                book["motion.turn_squared"]};
-  for (const Theorem& next : parts({of_motion("motion.next")}))
-    step.push_back(use(next, {}, {from}));
+  Theorems step{is, at(is, {{j, j + 1}}), of_motion("motion.closing"), book["motion.turn_squared"]};
+  for (const Theorem& next : parts({of_motion("motion.next")})) step.push_back(at(next));
   const Expr gone = energy(j) - energy(j + 1);
   const Expr mass = is_P(j) * (M_A * M_C / (M_A + M_C)) + is_Q(j) * (M_C / (1 + w_B * M_C));
   const Theorem lost =
@@ -51,15 +47,10 @@ void energy(Book& book) {
   const auto remains = [&](Expr i) {
     return eq(energy(i), M_A * power(V, 2) - unit * fun("squares", {M_A, w_B, M_C, e, i}));
   };
-  const Theorem next = use(sum[1], {}, {from}),
-                change = linear(eq(energy(j + 1), energy(j) - unit * square), {alike});
+  const Theorem change = linear(eq(energy(j + 1), energy(j) - unit * square), {alike});
   book.show("left", "after j collisions there is left",
-            by_induction(j, remains(j),
-                         equation(remains(0),
-                                  {instantiate(is, {{j, 0}}), sum[0], of_motion("motion.start")}),
-                         [&](const Theorem&, const Theorem& known) {
-                           return equation(remains(j + 1), {change, known, next});
-                         }));
+            by_induction(j, remains(j), {at(is, {{j, 0}}), sum[0], of_motion("motion.start")},
+                         {change, at(sum[1])}));
   const Theorem at_most_1 = assume(le(e, 1));
   book.show(
       "falls", "and energy never rises:",
@@ -72,7 +63,7 @@ void energy(Book& book) {
 Expr with_e(const char* name, Expr i) { return fun(name, {alpha, V, e, i}); }
 Theorems names_of_paper(Book& book) {
   const auto named = [&](const char* name, const char* body, Expr i, Expr from, const char* words) {
-    return book.name(name, {alpha, V, e, n}, substitute(velocity(body, i), equal_blocks),
+    return book.name(name, {alpha, V, e, n}, substitute(velocity(body, i), blocks_of_paper),
                      {alpha_positive, from}, words);
   };
   const Expr from_0 = le(0, n);
@@ -86,12 +77,12 @@ Theorems names_of_paper(Book& book) {
 void equations_of_paper(Book& book, const Theorems& names) {
   const Theorem from = assume(from_1);
   const auto earlier = [&](const Theorem& t) { return at(t, {{n, n - 1}}, {from}); };
-  Theorems rules = names + parts({earlier(book["cycle.turns"])});
+  Theorems rules = names;
+  for (const Theorem& t : parts({earlier(book["cycle.turns"])})) rules.push_back(canonical_form(t));
   for (std::size_t i = 0; i < 3; ++i) rules.push_back(earlier(names[i]));
   for (const Theorem& law : parts({book["motion.next"]}))
     for (const Expr i : {2 * n - 2, 2 * n - 1})
-      rules.push_back(use(at(at(law, equal_blocks), {{j, i}}, {from}), {}, {from}));
-  for (Theorem& rule : rules) rule = canonical_form(rule);
+      rules.push_back(canonical_form(for_blocks(law, {{j, i}}, {from})));
   const Expr a_0 = with_e("a_e", n - 1), a_1 = with_e("a_e", n), b_0 = with_e("b_e", n - 1),
              b_1 = with_e("b_e", n), c_0 = with_e("c_e'", n - 1), c_1 = with_e("c_e", n),
              c_2 = with_e("c_e'", n);
@@ -105,7 +96,7 @@ void equations_of_paper(Book& book, const Theorems& names) {
 void rises(Book& book, const std::string& name, const std::string& words, const Theorem& is,
            Expr factor) {
   const Substitution more{{e, e_more}};
-  const Theorem is_more = instantiate(is, more);
+  const Theorem is_more = at(is, more);
   const Expr b_n = left(is), b_more = left(is_more);
   const Expr difference = V * alpha / power(1 + alpha, 2) * (e_more - e) * factor;
   const Theorem larger =
@@ -118,13 +109,7 @@ void rises(Book& book, const std::string& name, const std::string& words, const 
 }
 /// The velocities of B after one cycle and after two, and that they rise with e.
 void first_cycles(Book& book, const Theorems& names) {
-  const Theorem zero = linear(le(0, 0));
-  Theorems rules = parts({book["cycle.turn"], at(book["motion.start"], equal_blocks)});
-  const Theorems laws = parts({rules[1], at(book["motion.next"], equal_blocks)});
-  rules.erase(rules.begin() + 1);
-  for (int i = 0; i < 4; ++i)
-    for (const Theorem& law : laws)
-      rules.push_back(canonical_form(use(at(law, {{j, i}}), {}, {zero})));
+  const Theorems rules = first_collisions(book, 4);
   const Expr s = (1 + e) / (1 + alpha);
   const auto at_cycle = [&](const Theorem& name, int i) {
     return canonical_form(at(name, {{n, i}}));
@@ -152,13 +137,22 @@ void first_cycles(Book& book, const Theorems& names) {
 }
 }  // namespace
 
+Theorem for_blocks(const Theorem& t, Substitution terms, const Theorems& facts) {
+  terms.insert(blocks_of_paper.begin(), blocks_of_paper.end());
+  return at(t, terms, facts);
+}
+Theorems first_collisions(const Book& book, int count) {
+  Theorems out = parts({book["cycle.turn"], for_blocks(book["motion.start"])});
+  const Theorems laws = parts({out[1], book["motion.next"]});
+  out.erase(out.begin() + 1);
+  for (int i = 0; i < count; ++i)
+    for (const Theorem& law : laws) out.push_back(canonical_form(for_blocks(law, {{j, i}})));
+  return out;
+}
+
 void transmission(Book& book) {
-  const Exprs assumptions = of_block({le(0, j), lt(0, e)});
-  book.chapter("losses", "The energy of any motion", assumptions);
-  {
-    const Known signs(assumed(assumptions));
-    energy(book);
-  }
+  book.chapter("losses", "The energy of any motion", of_block({le(0, j), lt(0, e)}));
+  energy(book);
   book.chapter("transmission", "What losses let through", {alpha_positive, V_positive});
   const Theorems names = names_of_paper(book);
   equations_of_paper(book, names);

@@ -16,34 +16,26 @@ void shares(Book& book) {
 }
 /// closing_j = V e^(j/2) U_j(kappa), times r_A/r_B for Q.
 Theorem speeds(Book& book, const Theorem& kappa_is) {
-  const Theorem zero = linear(le(0, 0));
-  const Theorems pow_is = parts({instantiate(book["multiples.pow"], {{y, sqrt(e)}})});
+  const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorems turns = parts({book["cycle.turn"]});
   const Theorems rules = squared_shares(book) + Theorems{kappa_is, root_squared(assume(lt(0, e)))};
-  const auto value = [&](Expr i) { return V * root_power(i) * side(i) * chebyshev(i, kappa()); };
-  const auto claim = [&](Expr i) { return eq(closing(i), value(i)); };
-  const auto of_motion = [&](const char* id) { return book[std::string("motion") + id]; };
-  const auto U = [&](const char* id, Expr i) {
-    return at(book[std::string("chebyshev.") + id], {{x, kappa()}, {j, i}});
+  const auto claim = [&](Expr i) {
+    return eq(closing(i), V * root_power(i) * side(i) * chebyshev(i, kappa()));
   };
-  const Theorems start = parts({U("start", 0)});
-  const Theorem first =
-      equation(claim(0), {at(of_motion(".first"), {{j, 0}}), turns[0], pow_is[0], start[0]});
-  const Theorem second =
-      equation(claim(1), Theorems{at(of_motion(".second"), {{j, 0}}), start[1], turns[0], pow_is[0],
-                                  canonical_form(use(turns[1], {{j, 0}}, {zero})),
-                                  canonical_form(use(pow_is[1], {{j, 0}}, {zero}))} +
-                             rules);
-  const auto third = [&](const Theorem& from, const Theorem& now, const Theorem& later) {
-    const auto next = [&](const Theorem& t, Expr i) { return use(t, {{j, i}}, {from}); };
-    return equation(claim(j + 2),
-                    Theorems{of_motion(".recurrence"), now, later, next(turns[1], j + 1),
-                             next(turns[1], j), next(pow_is[1], j + 1), next(pow_is[1], j),
-                             U("next", j), book["motion.turn_squared"]} +
-                        rules);
-  };
-  return book.show("speed", "So collision j has the approach speed",
-                   by_two(claim, first, second, third));
+  const auto of_kappa = [&](const char* id) { return at(book[id], {{x, kappa()}}); };
+  const auto at_0 = [](const Theorem& t) { return canonical_form(at(t, {{j, 0}})); };
+  const Theorems first{at_0(book["motion.first"]),
+                       at_0(book["motion.second"]),
+                       turns[0],
+                       at_0(turns[1]),
+                       pow_is[0],
+                       at_0(pow_is[1]),
+                       at_0(of_kappa("chebyshev.start"))};
+  Theorems next{book["motion.recurrence"], book["motion.turn_squared"], of_kappa("chebyshev.next")};
+  for (const Theorem& t : {turns[1], pow_is[1]}) next = next + Theorems{at(t), at(t, {{j, j + 1}})};
+  return book.show(
+      "speed", "So collision j has the approach speed",
+      part(by_induction(j, logic_and({claim(j), claim(j + 1)}), first + rules, next + rules), 0));
 }
 void signs_of_factors(Book& book) {
   const Expr side_j = side(j), q = r_A() / r_B();
@@ -54,11 +46,10 @@ void signs_of_factors(Book& book) {
                   .products = {{1, {}, {side_j}}, {1, {positive(q)}, {}}},
                   .multipliers = {positive(1 + q)},
                   .nonzero = {positive(r_B())}});
-  const Theorems pow_is = parts({instantiate(book["multiples.pow"], {{y, sqrt(e)}})});
+  const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorem powers = by_induction(
-      j, lt(0, root_power(j)), linear(lt(0, root_power(0)), {pow_is[0]}),
-      [&](const Theorem& from, const Theorem& now) {
-        return linear(lt(0, root_power(j + 1)), {use(pow_is[1], {}, {from}), times(now, sqrt(e))});
+      j, lt(0, root_power(j)), linear(lt(0, root_power(0)), {pow_is[0]}), [&](const Theorem& now) {
+        return linear(lt(0, root_power(j + 1)), {at(pow_is[1]), times(now, sqrt(e))});
       });
   know(book.show("signs", "Its factors are positive:",
                  both({positive(r_A()), positive(r_B()), sides, powers})));
@@ -67,8 +58,7 @@ void signs_of_factors(Book& book) {
 void angle_of_the_wedge(Book& book, const Theorem& speed) {
   const Expr x_e = kappa(), rest = 1 - power(x_e, 2), t = sqrt(rest) / x_e;
   const Theorem below_1 = assume(lt(x_e, 1));
-  const Known in_an_angle(
-      {below_1, linear(lt(0, rest), {times(below_1, linear(lt(0, x_e))), below_1})});
+  const Known in_an_angle({below_1, linear(lt(0, rest), {times(below_1, x_e), below_1})});
   Exprs domain = of_wedge({lt(0, e), below_1.conclusion()});
   const Theorem is = book.name("h_e", masses_and_e(), atan(t), domain,
                                "Where kappa is below 1 it is the cosine of an angle,");
@@ -78,13 +68,13 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
   const Theorem cosine =
       book.show("cosine", "as",
                 under(domain, equation(cos(h), x_e,
-                                       {chain(rewrite(turned(is), use("cos atan", {{x, t}})),
+                                       {chain(rewrite(turned(is), at("cos atan", {{x, t}})),
                                               equation(1 / sqrt(1 + power(t, 2)), x_e,
                                                        {root_of(square, positive(1 / x_e))}))})));
   know(book.show("acute", "an acute one,",
-                 both({positive(is), linear(lt(h, pi() / 2), {is, use("atan range", {{x, t}})})})));
+                 both({positive(is), linear(lt(h, pi() / 2), {is, at("atan range", {{x, t}})})})));
   const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, x_e);
-  const Theorem quotient = rewrite(cosine, instantiate(book["chebyshev.sine"], {{y, h}}));
+  const Theorem quotient = rewrite(cosine, at(book["chebyshev.sine"], {{y, h}}));
   book.show("speed_sine", "so that the approach speeds are sines, too,",
             equation(closing(j), V * root_power(j) * side(j) * (sine / sin(h)),
                      {speed, divided(U_j, sine / sin(h), {sin(h)}, quotient)}));
@@ -129,9 +119,7 @@ Theorems squared_shares(const Book& book) {
 }
 
 void wedge(Book& book) {
-  const Exprs assumptions = of_wedge({le(0, j), lt(0, e)});
-  book.chapter("wedge", "The wedge", assumptions);
-  const Known signs(assumed(assumptions));
+  book.chapter("wedge", "The wedge", of_wedge({le(0, j), lt(0, e)}));
   shares(book);
   const Theorem is = book.name("kappa", masses_and_e(), (1 + e) * r_A() * r_B() / (2 * sqrt(e)),
                                of_wedge({lt(0, e)}), "the shape of the motion is one number:");
@@ -143,7 +131,7 @@ void wedge(Book& book) {
   book.show("takes_place", "and takes place if and only if U_j is positive:",
             same_sign(closes, U_j, speed, factor));
   angle_of_the_wedge(book, speed);
-  const Known no_angle({assume(le(1, kappa()))});
+  know(assume(le(1, kappa())));
   book.show("never_ends", "Where kappa is 1 or more, the collisions never end:",
             under({V_positive},
                   tautology(lt(0, closes),

@@ -2,7 +2,6 @@
 // Symbols of the motion of three bodies of any masses with restitution.
 #pragma once
 #include "derivation/symbols.hpp"
-#include "kernel/polynomial.hpp"
 
 namespace derivation {
 inline const Expr M_A = real("M_A");
@@ -45,28 +44,18 @@ Expr all_take_place(Expr last);
 Theorem all_of(Expr last, const std::function<Theorem(Expr, const Theorem&)>& each);
 /// l = r from a theorem that says it times `factors`, which are positive.
 Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors);
-/// The same statement with arguments such as n - 1 + 1 computed.
-inline Theorem canonical_form(const Theorem& t) {
-  return restate(kernel::canonical(t.conclusion()), t);
-}
+/// Blocks of mass 1, a ball of mass alpha.
+inline const Substitution blocks_of_paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
+/// A theorem for them.
+Theorem for_blocks(const Theorem& t, Substitution terms = {}, const Theorems& facts = {});
+/// Their start, and what the first collisions change.
+Theorems first_collisions(const Book& book, int count);
 /// The squares of r_A and r_B.
 Theorems squared_shares(const Book& book);
 /// Where kappa is cos(h), U_j and U_last are sines of multiples of h over sin(h).
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
 /// The same where nothing is lost and powers of e are 1, as the first two of four say.
 Theorems without_losses(const Book& book, const Theorem& kappa_is);
-/// 0 <= j |- claim(j) from claim(0), claim(1), and a proof of claim(j + 2) that may use 0 <= j,
-/// claim(j) and claim(j + 1).
-template <class Claim, class Step>
-Theorem by_two(const Claim& claim, const Theorem& at_0, const Theorem& at_1, const Step& step) {
-  return part(by_induction(j, logic_and({claim(j), claim(j + 1)}),
-                           both({at_0, restate(claim(Expr(0) + Expr(1)), at_1)}),
-                           [&](const Theorem& from, const Theorem& known) {
-                             const Theorem third = step(from, part(known, 0), part(known, 1));
-                             return both({part(known, 1), restate(claim(j + 1 + 1), third)});
-                           }),
-              0);
-}
 WriteChapter restitution, transmission, ends, chebyshev, wedge, when_and_where, collapse,
     encounters, digits_of_pi, cradle, billiard, three_body_forms, restitution_forms;
 }  // namespace derivation

@@ -50,21 +50,19 @@ Theorems motion_in_space() {
 /// Collisions 0 to j take place where 0 to j + 1 do.
 Theorem but_the_last(const Theorem& all_of_them) {
   return all_of(j, [&](Expr i, const Theorem& range) {
-    return tautology(lt(0, closing(i)),
-                     {specialize(all_of_them, i), part(range, 0), linear(le(i, j + 1), {range})});
+    return tautology(lt(0, closing(i)), {at(specialize(all_of_them, i), {}, {range})});
   });
 }
 /// |- 0 < closing_index, 0 < U_index
-Theorem takes_place(const Book& book, const Theorem& all_of_them, Expr index,
-                    const Theorems& range) {
-  const Theorem closes = use(specialize(all_of_them, index), {}, range);
-  return both({closes, tautology(lt(0, U(index)),
-                                 {at(book["wedge.takes_place"], {{j, index}}, range), closes})});
+Theorem takes_place(const Book& book, const Theorem& all_of_them, Expr index) {
+  const Theorem closes = at(specialize(all_of_them, index));
+  return both(
+      {closes, tautology(lt(0, U(index)), {at(book["wedge.takes_place"], {{j, index}}), closes})});
 }
 
 /// carried(j + 1) from carried(j): momentum is that of V alone.
 Theorem moves_on(const Book& book, const Theorems& moved, const Theorem& now) {
-  const Theorem momentum = at(book["motion.momentum"], {{j, j + 1}}, {assume(le(0, j))});
+  const Theorem momentum = at(book["motion.momentum"], {{j, j + 1}});
   const auto solved = [](Expr of_B, Expr of_both, Expr whole, const Theorem& t) {
     return linear(eq(of_B, whole - of_both), {t});
   };
@@ -94,19 +92,14 @@ Theorem ball_is(const Book& book, const Theorem& meets, const Theorem& now) {
 /// all_four(j + 1) from all_four(j).
 Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
                  const Theorem& all_of_them) {
-  const Theorem from = assume(le(0, j));
-  const auto next = [&](const Theorem& rule) { return use(rule, {}, {from}); };
   const auto of_kappa = [&](const char* id) {
-    return instantiate(book[std::string("chebyshev.") + id], {{x, kappa()}});
+    return at(book[std::string("chebyshev.") + id], {{x, kappa()}});
   };
-  const Theorems both_ends{linear(le(j, j + 1)), linear(le(j + 1, j + 1)), from,
-                           linear(le(0, j + 1), {from})};
-  const Known more({takes_place(book, all_of_them, j, both_ends),
-                    takes_place(book, all_of_them, j + 1, both_ends)});
-  const Theorem turn_next = next(part(book["cycle.turn"], 1));
-  const Theorem speed_after = at(book["motion.closing"], {{j, j + 1}}, {from});
+  const Known more({takes_place(book, all_of_them, j), takes_place(book, all_of_them, j + 1)});
+  const Theorem turn_next = at(part(book["cycle.turn"], 1));
+  const Theorem speed_after = at(book["motion.closing"], {{j, j + 1}});
   Theorems moved{turn_next};
-  for (std::size_t i = 4; i < 8; ++i) moved.push_back(next(motion[i]));
+  for (std::size_t i = 4; i < 8; ++i) moved.push_back(at(motion[i]));
   const Theorem meets = equation(met(j + 1), moved + Theorems{rewrite(turn_next, speed_after)});
 
   // Where the ball is at a block, the wait is the distance of the blocks over the speed.
@@ -126,11 +119,11 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
   const Theorems known_now{turn_next,
                            square,
                            root_squared(assume(lt(0, e))),
-                           next(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1)),
+                           at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1)),
                            linear(eq(x_B, x_A + right(gap)), {gap}),
                            time_is(part(now, 2)),
                            book["wedge.speed"],
-                           at(book["wedge.speed"], {{j, j + 1}}, {from})};
+                           at(book["wedge.speed"], {{j, j + 1}})};
   const Theorem B_next =
       linear(eq(x_of("x_B", j + 1), x_of("x_A", j + 1) + right(further)), {further});
   const Theorem neighbours =
@@ -144,8 +137,7 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
 void when_and_where(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("places", "When and where", assumptions);
-  const Known signs(assumed(assumptions) + Theorems{book["wedge.signs"]});
-  const Theorem from = assume(le(0, j));
+  know(book["wedge.signs"]);
   const Theorems motion = motion_in_space();
 
   const auto start = [&](const std::string& id, const Substitution& terms) {
@@ -163,13 +155,12 @@ void when_and_where(Book& book) {
   const Theorem base =
       tautology(claim(0), {equation(met(0), starts), equation(distance(0), starts),
                            equation(when(0), starts), equation(carried(0), starts)});
-  const Theorem together =
-      by_induction(j, claim(j), base, [&](const Theorem&, const Theorem& known) {
-        return given(all_take_place(j + 1), [&](const Theorem& all_of_them) {
-          const Theorem now = tautology(all_four(j), {known, but_the_last(all_of_them)});
-          return one_more(book, motion, now, all_of_them);
-        });
-      });
+  const Theorem together = by_induction(j, claim(j), base, [&](const Theorem& known) {
+    return given(all_take_place(j + 1), [&](const Theorem& all_of_them) {
+      const Theorem now = tautology(all_four(j), {known, but_the_last(all_of_them)});
+      return one_more(book, motion, now, all_of_them);
+    });
+  });
 
   const Theorem all_now = assume(all_take_place(j)), one_further = assume(all_take_place(j + 1));
   know(all_of(0, [&](Expr i, const Theorem& range) {
@@ -177,7 +168,7 @@ void when_and_where(Book& book) {
     return linear(lt(0, closing(i)), {rewrite(linear(eq(0, i), {range}), first)});
   }));
   know(but_the_last(one_further));
-  know(takes_place(book, one_further, j + 1, {from, linear(le(j + 1, j + 1))}));
+  know(takes_place(book, one_further, j + 1));
   const Theorem now = tautology(all_four(j), {together, all_now});
   const auto shown = [&](const char* id, const char* words, const Theorem& t,
                          const Theorem& where) {
@@ -189,7 +180,7 @@ void when_and_where(Book& book) {
         both({motion[0], motion[1], motion[2], motion[3]}), all_now);
   shown("next", "As long as collisions take place, all move on until the next:",
         both({motion[4], motion[5], motion[6], motion[7]}), one_further);
-  know(takes_place(book, all_now, j, {from, linear(le(j, j))}));
+  know(takes_place(book, all_now, j));
   shown("met", "There the two bodies of the collision are at one place:", part(now, 0), all_now);
   shown("distance", "The blocks are then so far apart,", distance_is(part(now, 1)), all_now);
   shown("time", "and the collision takes place at the time", time_is(part(now, 2)), all_now);
