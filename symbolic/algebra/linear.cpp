@@ -276,6 +276,23 @@ Theorem linear(Expr goal, const Theorems& facts) {
     return tautology(goal, {linear(imp(f, g), facts), linear(imp(g, f), facts)});
   }
   if (const Proof p = linear_if(goal, facts)) return *p;
+  if (goal.op() == Op::Lt || goal.op() == Op::Le)
+    if (const Proof sign = sign_of(goal.arg(1) - goal.arg(0), facts, goal.op() == Op::Lt))
+      return arithmetic(goal, {.products = {{1, {*sign}}}});
   refuse("no linear combination of the facts gives " + text(goal));
+}
+Theorem scaled(Expr goal, Expr relation, Expr factor, const Theorems& facts) {
+  return linear(goal, facts + Theorems{times(linear(relation, facts), positive(factor, facts))});
+}
+Theorem same_sign(Expr equivalence, Expr factor, const Theorems& facts) {
+  const Expr l = equivalence.arg(0), r = equivalence.arg(1);
+  const auto negated = [](Expr f) {
+    return f.op() == Op::Lt ? le(f.arg(1), f.arg(0)) : lt(f.arg(1), f.arg(0));
+  };
+  const auto carried = [&](Expr from, Expr to) {
+    return given(from,
+                 [&](const Theorem& t) { return scaled(to, from, factor, facts + Theorems{t}); });
+  };
+  return tautology(equivalence, {carried(r, l), carried(negated(r), negated(l))});
 }
 }  // namespace algebra

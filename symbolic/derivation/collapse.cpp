@@ -12,21 +12,16 @@ void threshold(Book& book) {
   const Theorem is = book.define("K", masses_and_e(),
                                  power(1 + e, 2) * M_A / (4 * e * (M_A + M_C) * (1 + w_B * M_C)),
                                  of_wedge({lt(0, e)}), "Without roots, with");
-  Theorems squares = squared_shares(book);
-  squares.push_back(root_squared(assume(lt(0, e))));
   const Expr K = left(is);
   const Theorem square =
       book.show("square", "the square of kappa is",
-                equation(power(kappa(), 2), K, squares + Theorems{kappa_is, is}));
+                equation(power(kappa(), 2), K, squared_shares(book) + Theorems{kappa_is, is}));
   know(positive(kappa_is));
-  const auto compare = [&](Expr goal, Expr premise) {  // K - 1 = (kappa - 1)(kappa + 1)
-    return given(premise, [&](const Theorem& t) {
-      return linear(goal, {square, times(t, kappa() + 1)});
-    });
-  };
-  book.show("threshold", "so kappa is below 1, and the collisions end, if and only if",
-            tautology(iff(lt(kappa(), 1), lt(K, 1)),
-                      {compare(lt(K, 1), lt(kappa(), 1)), compare(le(1, K), le(1, kappa()))}));
+  // K - 1 = (kappa - 1)(kappa + 1)
+  const Expr below = lt(kappa(), 1), K_below = lt(K, 1);
+  book.show(
+      "threshold", "so kappa is below 1, and the collisions end, if and only if",
+      tautology(iff(below, K_below), {same_sign(iff(K_below, below), kappa() + 1, {square})}));
 }
 /// What K is for a block of mass M_B, and for a wall.
 void special_cases(Book& book) {
@@ -58,9 +53,8 @@ void in_time(Book& book) {
   const Theorem inverse = equation(y_e, 1 / sum, {definition, square});
   const Theorem quadratic = equation(power(y_e, 2), 2 * kappa() * y_e - 1, {definition, square});
   know(positive(inverse));
-  const Theorem at_most_1 = linear(
-      le(y_e, 1),
-      {equation(y_e * sum, 1, {inverse}), times(linear(le(0, sum - 1), {from_1, root_sign}), y_e)});
+  const Theorem at_most_1 =
+      scaled(le(y_e, 1), le(1, sum), y_e, {equation(y_e * sum, 1, {inverse}), from_1, root_sign});
   book.show("root", "which solves a quadratic equation and is 1 at most,",
             both({quadratic, at_most_1}));
 

@@ -18,20 +18,16 @@ struct Last {
 void last_collision(Book& book, const Last& last) {
   const Theorem number = book["counting." + last.name];
   const Expr early = last.before * psi(), late = last.after * psi(), z = quotient();
-  const auto scaled = [&](Expr goal, Expr relation) {
-    return linear(goal, {times(linear(relation, {number}), psi())});
-  };
   const Theorem around = book.show(
       last.name + "_angle",
       last.name == "N_A" ? "pi lies between two angles near N_A psi," : "For B it is N_B psi:",
-      both({scaled(lt(early, pi()), lt(0, z - last.before)),
-            scaled(le(pi(), late), le(0, last.after - z))}));
+      both({scaled(lt(early, pi()), lt(last.before, z), psi(), {number}),
+            scaled(le(pi(), late), le(z, last.after), psi(), {number})}));
   know_for_good(around);
-  const Theorem above_0 = linear(lt(0, early), {times(linear(lt(0, last.before)), psi())});
+  const Theorem above_0 = scaled(lt(0, early), lt(0, last.before), psi());
   const Theorem sine_before = positive(sin(early), {above_0});
   const Theorem sine_after =
-      tautology(le(sin(late), 0), {instantiate(book["counting.sine_past_pi"], {{x, late}}),
-                                   part(around, 1), linear(le(late, 2 * pi()), {around})});
+      at(at(book["counting.sine_past_pi"], {{x, late}}), {}, {linear(le(late, 2 * pi()))});
   book.show(last.name + "_sines", last.label + "-simple", "where the sines have different signs,",
             both({sine_before, sine_after}));
   const auto speed = [&](Expr cycles) { return at(book["power." + last.approach], {{n, cycles}}); };
@@ -59,7 +55,7 @@ void whole_part(Book& book) {
 /// With m = floor(pi/psi): the counts are m and m where 0 < sawtooth <= 1/2, else ...
 void two_cases(Book& book) {
   const Expr z = quotient(), rest = sawtooth(z);
-  const auto at_z = [&](const std::string& id) { return instantiate(book[id], {{x, z}}); };
+  const auto at_z = [&](const std::string& id) { return at(book[id], {{x, z}}); };
   const Expr m = floor(z), half = rational(1, 2);
   const Theorems around_z{at_z("constraints.sawtooth"), at_z("constraints.sawtooth_range")};
   const auto rounded = [&](Expr up, Expr value, const Theorem& where) {  // up is ceil(z - shift)

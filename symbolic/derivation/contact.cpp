@@ -23,14 +23,12 @@ Theorem velocities_after(Book& book) {
   const Theorem collision = assume(fun("contact", bodies));
   const Theorems laws = parts({tautology(right(law), {law, collision})});
   const Theorem P = laws[0], E = laws[1], changes = laws[2];
-  const Theorem m_1 = assume(lt(0, M_1)), m_2 = assume(lt(0, M_2));
-  const Known masses({m_1, m_2});
 
   // M_1 (u_1 - v_1) ((u_1 + v_1) - (u_2 + v_2)) = 0, and the first two factors are not 0.
-  const Theorem relative = book.show(
-      "relative", "Then the relative velocity turns round:",
-      arithmetic(eq(u_1 + v_1, u_2 + v_2),
-                 {.equations = {{1, E}, {-(u_2 + v_2), P}}, .multipliers = {m_1, changes}}));
+  const Theorem relative =
+      book.show("relative", "Then the relative velocity turns round:",
+                arithmetic(eq(u_1 + v_1, u_2 + v_2), {.equations = {{1, E}, {-(u_2 + v_2), P}},
+                                                      .multipliers = {positive(M_1), changes}}));
   const Exprs after = solve({momentum, relative.conclusion()}, {v_1, v_2}, {u_1, u_2});
   const Theorems rules{linear(eq(v_2, u_1 + v_1 - u_2), {relative}),
                        linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {P})};
@@ -49,7 +47,7 @@ Theorem velocities_after(Book& book) {
   const auto back = [&](const Theorem& same) {
     return arithmetic(eq(u_1, u_2),
                       {.equations = {{-(M_1 + M_2) / 2, same}, {(M_1 + M_2) / 2, w_1}},
-                       .multipliers = {m_2},
+                       .multipliers = {positive(M_2)},
                        .nonzero = {positive(M_1 + M_2)}});
   };
   book.show("changes", "and something changes if and only if the bodies approach or part.",
@@ -67,10 +65,9 @@ void contact(Book& book) {
   const Theorem general = velocities_after(book);
 
   // A block of mass M and the ball of mass alpha M.
-  const Known block({assume(lt(0, M))});
+  book.chapter("ball", "A block and the ball", {alpha_positive, lt(0, M)});
   const Theorem special =
       cut(positive(alpha * M), instantiate(general, {{M_1, M}, {M_2, alpha * M}}));
-  book.chapter("ball", "A block and the ball", {alpha_positive, lt(0, M)});
   Exprs after;
   Theorems velocities;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -124,8 +121,7 @@ void contact(Book& book) {
   const Theorem plane = book.name("lambda", {x}, matrix(2, {cos(x), -sin(x), sin(x), cos(x)}), {},
                                   "A rotation of the plane");
   const Theorem mirror = book.name("P_2", {}, matrix(2, {1, 0, 0, -1}), {}, "and a reflection:");
-  const Theorems turned_rules{gamma, cos_theta, sin_theta, instantiate(plane, {{x, theta()}}),
-                              mirror};
+  const Theorems turned_rules{gamma, cos_theta, sin_theta, at(plane, {{x, theta()}}), mirror};
   book.show("Gamma_theta", "def:gamma", "With it Gamma is",
             equation(Gamma(), matrix(2, {cos(theta()), sin(theta()), sin(theta()), -cos(theta())}),
                      turned_rules));

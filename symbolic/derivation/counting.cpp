@@ -23,30 +23,28 @@ Theorem approach_speed(Book& book) {
   const Theorem definition = book.name(
       "approach", {alpha, V, j}, is_P(j) * (A(j) - C(j)) + is_Q(j) * (C(j) - B(j)),
       {alpha_positive, le(0, j)}, "Before collision j its two bodies approach with the speed");
-  const Theorem n_from_0 = assume(le(0, n)), turns = book["cycle.turns"];
+  const Known n_from_0({assume(le(0, n))});
+  const Theorem turns = book["cycle.turns"];
   const Theorems names = parts({book["cycle.names"]});
-  const auto in_next_cycle = [&](const std::string& id) {
-    return at(book[id], {{n, n + 1}}, {n_from_0});
-  };
-  const Theorem even = book.show("approach_P", "that is, before P_(n+1)",
-                                 equation(approach(2 * n), a(n) - c_prime(n),
-                                          {instantiate(definition, {{j, 2 * n}}), part(turns, 0),
-                                           turned(names[0]), turned(names[2])}));
+  const auto in_next_cycle = [&](const std::string& id) { return at(book[id], {{n, n + 1}}); };
+  const Theorem even = book.show(
+      "approach_P", "that is, before P_(n+1)",
+      equation(approach(2 * n), a(n) - c_prime(n),
+               {at(definition, {{j, 2 * n}}), part(turns, 0), turned(names[0]), turned(names[2])}));
   const Theorem c_next = restate(eq(C(2 * n + 1), c(n + 1)), turned(in_next_cycle("cycle.name_c")));
   const Theorem waits = restate(eq(B(2 * n + 1), b(n)), in_next_cycle("cycle.B_waits"));
-  const Theorem odd = book.show(
-      "approach_Q", "and before Q_(n+1)",
-      equation(approach(2 * n + 1), c(n + 1) - b(n),
-               {instantiate(definition, {{j, 2 * n + 1}}), part(turns, 1), c_next, waits}));
+  const Theorem odd =
+      book.show("approach_Q", "and before Q_(n+1)",
+                equation(approach(2 * n + 1), c(n + 1) - b(n),
+                         {at(definition, {{j, 2 * n + 1}}), part(turns, 1), c_next, waits}));
   const auto value = [&](Expr i) { return V * sin(half_angle(i + 1)) / sin(psi() / 2); };
 
   // Every j is 2m or 2m + 1, m = ceil((j - 1)/2).
   const Expr m = ceil((j - 1) / 2);
-  const Theorem m_from_0 = linear(le(0, m), {assume(le(0, j))});
   const auto here = [&](const Theorem& t, Expr place) {
     return given(eq(j, place), [&](const Theorem& is_j) {
       const Expr speed = V * sin((1 + place) * psi() / 2) / sin(psi() / 2);
-      const Theorem at_place = restate(eq(approach(place), speed), at(t, {{n, m}}, {m_from_0}));
+      const Theorem at_place = restate(eq(approach(place), speed), at(t, {{n, m}}));
       return restate(eq(approach(j), value(j)), rewrite(turned(is_j), at_place));
     });
   };
@@ -60,12 +58,11 @@ Theorem approach_speed(Book& book) {
 
 void number_of_collisions(Book& book, const Theorem& speed) {
   const Expr sine = sin(half_angle(j + 1));
-  const Theorem factor = positive(V / sin(psi() / 2));
   const Theorem sign =
       book.show("takes_place",
                 "Collision j takes place if and only if its bodies approach before it, so if "
                 "and only if the sine is positive:",
-                same_sign(approach(j), sine, speed, factor));
+                same_sign(iff(lt(0, approach(j)), lt(0, sine)), V / sin(psi() / 2), {speed}));
   count(book, {"N",
                {alpha, V},
                {alpha_positive, V_positive},
@@ -86,7 +83,7 @@ void shares(Book& book) {
   // 1 < pi/psi, so there are two collisions or more, one of each block.
   const Expr z = pi() / psi();
   const Theorem number = book["counting.N"];
-  const Theorem enough = linear(lt(1, z), {times(linear(lt(0, pi() - psi())), 1 / psi())});
+  const Theorem enough = scaled(lt(1, z), lt(psi(), pi()), 1 / psi());
   const Theorem N_from_2 = linear(le(2, N()), {enough, number});
   know_for_good(
       book.show("at_least", "each at least once:",
@@ -116,12 +113,10 @@ void count(Book& book, const Count& c) {
   book.show("N_least", "N is the least number of collisions after which there is no approach:",
             under(c.domain, least));
   const Expr N = fun(c.name, c.params), K = ceil(c.turns) - 1, end = c.angle(K + 1);
-  const auto per_turn = [&](Expr relation) { return times(linear(relation), c.step); };
-  const Theorem reached = linear(le(pi(), end), {per_turn(le(0, ceil(c.turns) - c.turns))});
-  const Theorem within = linear(le(end, 2 * pi()), {per_turn(lt(0, c.turns + 1 - ceil(c.turns)))});
+  const Theorem reached = scaled(le(pi(), end), le(0, ceil(c.turns) - c.turns), c.step);
+  const Theorem within = scaled(le(end, 2 * pi()), lt(0, c.turns + 1 - ceil(c.turns)), c.step);
   const Theorem K_from_0 = linear(le(0, K), {positive(c.turns)});
-  const Theorem sine_end =
-      tautology(le(sin(end), 0), {at(sine_not_positive(), {{x, end}}, {reached}), reached, within});
+  const Theorem sine_end = at(at(sine_not_positive(), {{x, end}}, {reached}), {}, {within});
   const Theorem at_K =
       tautology(substitute(none, {{j, K}}), {at(c.sign, {{j, K}}, {K_from_0}), sine_end});
   const Theorem found = at(least, {{j, K}}, {K_from_0, at_K});
@@ -146,16 +141,6 @@ void count(Book& book, const Count& c) {
                           return before(j, assume(le(0, j)), linear(lt(j, K), {below, number}));
                         }),
                   part(found, 1)}));
-}
-Theorem same_sign(Expr l, Expr r, const Theorem& l_is, const Theorem& factor) {
-  const auto carried = [&](Expr premise, Expr goal) {
-    return given(premise, [&](const Theorem& t) {
-      const Theorem of_factor = times(factor, premise.op() == Op::Lt ? t : linear(le(0, -r), {t}));
-      return linear(goal, {l_is, of_factor});
-    });
-  };
-  return tautology(iff(lt(0, l), lt(0, r)),
-                   {carried(lt(0, r), lt(0, l)), carried(le(r, 0), le(l, 0))});
 }
 Theorem ceiling_is() {
   static const Theorem result = [] {

@@ -120,11 +120,10 @@ void cycle(Book& book) {
   const Theorems within =
       defined_by_recursion({"c"}, {alpha, V}, n, domain, {0},
                            [&](const Exprs&) { return Exprs{collide.ball(A(2 * n), C(2 * n))}; });
-  const Theorem n_from_1 = assume(from_1);
   book.show("names", "The paper's velocities: A's, B's and the ball's after n cycles,",
             under({alpha_positive, le(0, n)}, both({def_a, def_b, def_c_prime})));
   const auto in_cycle = [&](const Theorem& step) {  // the step of cycle n + 1 as that of cycle n
-    return at(step, {{n, n - 1}}, {n_from_1});
+    return at(step, {{n, n - 1}});
   };
   Theorems all_steps;
   for (const Theorem& t : s.first + s.second) all_steps.push_back(in_cycle(t));
@@ -134,7 +133,7 @@ void cycle(Book& book) {
   book.show("name_c", "so that", def_c);
   Theorems names{turned(def_c)};
   for (const Theorem& t : {def_a, def_b, def_c_prime})
-    names = names + Theorems{turned(t), turned(instantiate(t, {{n, n - 1}}))};
+    names = names + Theorems{turned(t), turned(at(t, {{n, n - 1}}))};
   const auto step = [&](Expr l, const Theorem& definition, Expr r) {
     return equation(l, r, Theorems{definition} + all_steps + names);
   };
@@ -144,7 +143,7 @@ void cycle(Book& book) {
   const Theorem c_prime_n = step(c_prime(n), def_c_prime, collide.ball(b(n - 1), c(n)));
   const Theorem zero_n = equation(Expr(2) * Expr(0), 0);
   const auto at_0 = [&](const Theorem& definition, const Theorem& start) {
-    return chain(rewrite(zero_n, instantiate(definition, {{n, 0}})), start);
+    return chain(rewrite(zero_n, at(definition, {{n, 0}})), start);
   };
   book.show(
       "start_vector", "Before the first collision:",
@@ -204,7 +203,7 @@ void cycle_matrix(Book& book) {
   const Theorem vector =
       book.name("V_", {alpha, V, n}, column({a(n), b(n), s * c_prime(n)}),
                 {alpha_positive, le(0, n)}, "The velocities as a vector:", "def:Vn", "vector");
-  const Theorems vectors{vector, instantiate(vector, {{n, n - 1}})};
+  const Theorems vectors{vector, at(vector, {{n, n - 1}})};
   const Theorem recurrence = book.show(
       "recurrence", "eq:V-n eq:V-n-app", "A cycle takes it to the next:",
       equation(V_vector(n), times(Lambda(), V_vector(n - 1)), vectors + steps + all_rules));

@@ -52,7 +52,7 @@ void digits_of_pi(Book& book) {
   const Expr u = 1 / T;
   const Theorem product =
       times(linear(le(0, h - u + power(u, 3) / 3), {angle, near}), pi() * T + 2 * u);
-  const Theorem below_1 = linear(le(0, 1 - u), {times(linear(le(0, T - 1)), u)});
+  const Theorem below_1 = scaled(le(u, 1), le(1, T), u);
   const Theorem to =
       linear(le(pi(), (pi() * T + 2 * u) * h),
              {product, times(at_most_4, power(u, 2)), times(below_1, (1 + u) * power(u, 2))});

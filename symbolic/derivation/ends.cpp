@@ -10,8 +10,7 @@ void ends(Book& book) {
   const Expr N = fun("N_e", params), h = fun("h_e", masses_and_e());
   know(book["wedge.acute"]);
   const Theorem number = book["wedge.N"];
-  const Theorem enough = times(linear(lt(0, pi() / 2 - h)), 1 / h);
-  know(linear(le(1, N), {number, enough}));
+  know(scaled(le(1, N), lt(h, pi() / 2), 1 / h, {number}));
   for (const Expr i : {N - 1, N}) know(at(book["wedge.signs"], {{j, i}}));
 
   const auto named = [&](const char* name, Expr value, const char* words) {
@@ -20,12 +19,9 @@ void ends(Book& book) {
   const Theorem rest_is =
       named("delta_e", pi() - N * h, "The last collision leaves of half a turn");
   const Expr rest = left(rest_is);
-  const auto per_angle = [&](Expr room, bool strict) {
-    return times(linear(strict ? lt(0, room) : le(0, room), {number}), h);
-  };
   know(book.show("rest", "an angle that is not above that of the wedge:",
-                 both({linear(lt(0, rest), {rest_is, per_angle(pi() / h - N, true)}),
-                       linear(le(rest, h), {rest_is, per_angle(N + 1 - pi() / h, false)})})));
+                 both({scaled(lt(0, rest), lt(N, pi() / h), h, {number, rest_is}),
+                       scaled(le(rest, h), le(pi() / h, N + 1), h, {number, rest_is})})));
   const auto size = [&](Expr i) { return V * root_power(i) * side(i); };
   const Theorem parting_is =
       named("parting_e", e * size(N - 1) * (sin(rest) / sin(h)), "The last two bodies part with");

@@ -31,8 +31,6 @@ void collision_forms(Names& names, const Angle& a) {
   Book& book = names.book;
   book.chapter("evaluators_collision", "Forms for evaluation: a collision",
                {alpha_positive, V_positive, lt(0, L), le(0, j)});
-  const Theorem from_0 = assume(le(0, j));
-  const Known lengths({assume(lt(0, L)), from_0});
   first_of_B(book);
 
   const Expr T = of_alpha("t"), q = of_alpha("half_h"), quarter = psi() / 4;
@@ -71,7 +69,7 @@ void collision_forms(Names& names, const Angle& a) {
       book.show("takes_place", "Collision j takes place where that is positive:",
                 linear(lt(j, N()), {room, book["counting.N"]}));
 
-  const Theorem from_turn = linear(le(0, angle), {times(from_0, psi())});
+  const Theorem from_turn = linear(le(0, angle), {not_negative(j * psi())});
   const Theorem S_from_0 =
       linear(le(0, S), {S_is, sine_not_negative(from_turn, linear(le(angle, pi()), {near}))});
   const Theorem C_positive = linear(lt(0, C), {C_is, tS_is, is_positive, times(S_from_0, T)});

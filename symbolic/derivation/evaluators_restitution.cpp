@@ -47,7 +47,7 @@ Theorem angle(Form& f) {
                   equation(power(T, 2), of_e("z_e"), {t, z, root_squared(positive(gap))}));
   // gap = (2 sqrt(e)(1 + alpha))^2 - (1 + e)^2
   const Theorem gap_is = equation(gap, power(2 * sqrt(e) * (1 + alpha), 2) - power(1 + e, 2),
-                                  {gap_e, rise, share, loss, root_squared(assume(lt(0, e)))});
+                                  {gap_e, rise, share, loss});
   const Theorem q = f.known("bodies.def_q_e"), K = f.known("collapse.def_K");
   const Expr q_e = left(q), D = 4 * e * power(1 + alpha, 2);
   const Theorem q_positive = linear(
@@ -64,9 +64,8 @@ Theorem angle(Form& f) {
                {f.known("wedge.kappa"), f.known("wedge.r_A"), f.known("wedge.r_B"),
                 root_squared(positive(1 / (1 + alpha)))});
   const Theorems of_half{at("cos atan", {{x, T}}), at("sin atan", {{x, T}}), square};
-  const Theorem cosine = equation(
-      cos(2 * half), kappa_e,
-      of_half + Theorems{z, gap_is, whole, parts_of_kappa, root_squared(assume(lt(0, e)))}, {half});
+  const Theorem cosine = equation(cos(2 * half), kappa_e,
+                                  of_half + Theorems{z, gap_is, whole, parts_of_kappa}, {half});
   const Theorem sine = f.positive_name("sine_e", 2 * T / (1 + of_e("z_e")));
   f.book.show("sine", "", "the sine of step_e:",
               rewrite(turned(step),
@@ -116,16 +115,15 @@ void velocities(Form& f, const Theorem& step) {
   const Exprs bases{pi() / 2, h * N, h};
   const Theorem to_turn = rewrite(span, left_is), to_next = rewrite(to_turn, next);
   const Theorem of_before = closing_is(N - 1), of_after = closing_is(N);
-  const Theorem power_next =
-      canonical_form(at(part(instantiate(book["multiples.pow"], {{y, sqrt(e)}}), 1), {{j, N - 1}},
-                        {linear(le(0, N - 1))}));
+  const Theorem power_next = canonical_form(
+      at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1), {{j, N - 1}}, {linear(le(0, N - 1))}));
   const Expr before = left(of_before), after = left(of_after);
-  const Theorem last = book.show(
-      "last", "", "After the last collision its bodies part with the speed",
-      equation(e * before, V * u,
-               {rewrite(sine_is, of_before), rewrite(to_turn, rewrite(last_ratio, parted)),
-                power_is, power_next, root_squared(assume(lt(0, e)))},
-               bases));
+  const Theorem last =
+      book.show("last", "", "After the last collision its bodies part with the speed",
+                equation(e * before, V * u,
+                         {rewrite(sine_is, of_before),
+                          rewrite(to_turn, rewrite(last_ratio, parted)), power_is, power_next},
+                         bases));
   const Theorem open = book.show(
       "open", "", "and the other two approach with",
       equation(after, -V * v,

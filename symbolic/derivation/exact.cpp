@@ -11,7 +11,7 @@ Expr angle(Expr index) { return index * psi() / 2; }
 
 /// |- T_index = cos(term)
 Theorem cosine_at(const Theorem& definition, Expr index, Expr term) {
-  return restate(eq(T(index), cos(term)), instantiate(definition, {{m, index}}));
+  return restate(eq(T(index), cos(term)), at(definition, {{m, index}}));
 }
 void doubling(Book& book, const Theorem& definition) {
   const auto at_index = [&](Expr index) { return cosine_at(definition, index, angle(index)); };

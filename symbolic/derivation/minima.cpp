@@ -68,9 +68,8 @@ void conditions(Book& book, const Condition& which) {
                   return chain(rewrite(at_angle, solved),
                                turned(at(book["ratios." + which.ratio + "k"], {{k, N_B()}})));
                 },
-                [&](const Theorem&) {
-                  const Theorem back = cut(part(book["counting.at_least"], 1),
-                                           instantiate(book[which.name + ".angle"], {{k, N_B()}}));
+                [&](const Theorem& reached) {
+                  const Theorem back = at(book[which.name + ".angle"], {{k, N_B()}}, {reached});
                   return equation(count, {linear(eq(psi(), 2 * quotient), {back})});
                 }));
 }
@@ -128,7 +127,7 @@ Theorem after_minimum(Book& book, const Theorem& velocity) {
   const Expr d = 2 * k + 2, e = 2 * k + 1, x_k = pi() / d;
   const auto compared = [&](Expr goal, const std::string& id, const std::string& ratio, Expr per,
                             Expr given_ratio) {
-    const Theorem there = at(book[id], {{x, pi() / per}}, range_of(per, {}));
+    const Theorem there = at(book[id], {{x, pi() / per}}, range_of(per));
     return tautology(goal, {rewrite(turned(book[ratio]), there), assume(given_ratio)});
   };
   const Theorem from =
@@ -136,9 +135,10 @@ Theorem after_minimum(Book& book, const Theorem& velocity) {
   const Theorem to = compared(lt(half(), pi() / e), "ratios.reached", "ratios.alpha_k", e,
                               lt(alpha, fun("alpha_", {k})));
   const Known between({from, times(from, k), times(to, e)});
-  const auto per_psi = [&](Expr room) { return times(linear(lt(0, room)), 1 / psi()); };
-  const Theorem count = linear(eq(N_B(), k), {book["counting.N_B"], per_psi(pi() - k * psi()),
-                                              per_psi((k + 1) * psi() - pi())});
+  const Expr z = pi() / psi();
+  const Theorem count =
+      linear(eq(N_B(), k), {book["counting.N_B"], scaled(lt(k, z), lt(k * psi(), pi()), 1 / psi()),
+                            scaled(lt(z, k + 1), lt(pi(), (k + 1) * psi()), 1 / psi())});
   // V - b_t = V (cos(u)/cos(psi/4))^2 with u = (k + 1/2) psi/2; at beta_k tan(x/2) in its place.
   const Expr u = (k + rational(1, 2)) * half(), q = psi() / 4, v = x_k / 2, w = pi() / 2 - v;
   const auto falls = [&](Expr p, Expr r) { return cosine_falls(linear(lt(p, r))); };
@@ -172,7 +172,6 @@ void minima(Book& book) {
                     2 * V / (2 + alpha), -1 / (1 + alpha), 1, pi() - half()});
   together(book);
   const Theorem least = at_least(book);
-  const Known from_1({assume(le(1, k))});
   const Theorem velocity = at_deficient(book);
   const Theorem after = after_minimum(book, velocity);
   const Expr ratio = fun("beta_", {k});

@@ -138,8 +138,7 @@ void in_the_plane(Book& book, const Theorem& is) {
       const Expr turn = fun("lambda", {a});
       return equation(
           o, sign == 1 ? turn : times(turn, fun("P_2", {})),
-          Theorems{instantiate(book["ball.lambda"], {{x, a}}), book["ball.P_2"], s_is, q_is} +
-              facts);
+          Theorems{at(book["ball.lambda"], {{x, a}}), book["ball.P_2"], s_is, q_is} + facts);
     };
     const std::string name = sign == 1 ? "rotation" : "reflection";
     book.show(name,
@@ -202,11 +201,10 @@ void in_space(Book& book, const Theorem& is) {
   const auto collision = [&](const std::string& name, const std::string& id, const Theorem& turn_is,
                              Expr angle) {
     const Expr l = left(book[id]);
-    book.show(
-        name, "Lam-GAM", "A collision is a rotation after a reflection:",
-        equation(l, times(substitute(left(turn_is), {{x, angle}}), P_3),
-                 {book[id], book["ball.Gamma_theta"], mirror, instantiate(turn_is, {{x, angle}})},
-                 {theta()}));
+    book.show(name, "Lam-GAM", "A collision is a rotation after a reflection:",
+              equation(l, times(substitute(left(turn_is), {{x, angle}}), P_3),
+                       {book[id], book["ball.Gamma_theta"], mirror, at(turn_is, {{x, angle}})},
+                       {theta()}));
   };
   collision("Gamma_A", "cycle.Gamma_A", second_axis, -theta());
   collision("Gamma_B", "cycle.Gamma_B", first_axis, theta());
@@ -262,8 +260,8 @@ void about_an_axis(Book& book, const Theorem& is) {
     const Expr turn = lambda_3(angle), there = times(times(r, turn), back);
     const Theorem of_turn =
         by_entries(s, turn,
-                   {plane, column_3, row_3, instantiate(book["ball.lambda"], {{x, angle}}),
-                    instantiate(book["rotation.lambda_3"], {{x, angle}})});
+                   {plane, column_3, row_3, at(book["ball.lambda"], {{x, angle}}),
+                    at(book["rotation.lambda_3"], {{x, angle}})});
     const Theorem is_turn =
         joined(o, there, {within(r, of_turn, back)},
                {within(o, of_frame, one), within(one, of_frame, times(o, frame))});

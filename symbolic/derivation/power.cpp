@@ -148,7 +148,7 @@ void powers(Book& book) {
   book.show("before_P", "Before P_(n+1) A approaches C with the speed",
             proved(a(n) - c_prime(n), V * sin((n + rational(1, 2)) * psi()) / sin(half()),
                    all_forms + Theorems{sin_half}, quarters, over_quarter));
-  const Theorem c_next = at(c_n, {{n, n + 1}}, {assume(from_0)});
+  const Theorem c_next = at(c_n, {{n, n + 1}});
   book.show("before_Q", "Before Q_(n+1) C approaches B with the speed",
             proved(c(n + 1) - b(n), V * sin((n + 1) * psi()) / sin(half()), {c_next, b_n, sin_half},
                    quarters, over_quarter));

@@ -45,9 +45,9 @@ public:
     Expr sum = 0;
     for (int i = 1; 2 * i < p; ++i) {
       sum = sum + 2 * cosine(i);
-      c.equations.push_back({1, instantiate(step, {{x, angle(i)}, {y, unit}})});
+      c.equations.push_back({1, at(step, {{x, angle(i)}, {y, unit}})});
       for (int l = 1; l <= i; ++l) {
-        const Theorem t = instantiate(product, {{x, angle(i)}, {y, angle(l)}});
+        const Theorem t = at(product, {{x, angle(i)}, {y, angle(l)}});
         const Expr found = (cos(angle(i + l)) + cos(angle(i - l))) / 2;
         Theorems folding{restate(eq(cosine(i) * cosine(l), found), t),
                          restate(eq(cos(angle(0)), 1), axiom("cos 0"))};
@@ -81,14 +81,14 @@ public:
 private:
   Theorem fold(int i) const {
     const Theorem back = equation(cos(2 * pi() - x), cos(x), {}, {pi(), x});
-    return restate(eq(cos(angle(i)), cos(angle(p - i))), instantiate(back, {{x, angle(p - i)}}));
+    return restate(eq(cos(angle(i)), cos(angle(p - i))), at(back, {{x, angle(p - i)}}));
   }
 };
 /// |- cos(pi/p) = -cos(2 h pi/p), h = (p - 1)/2
 Theorem opposite(const Periods& of) {
   const Expr t = pi() / of.p;
   const Theorem turned_back = equation(cos(pi() - x), -cos(x), {}, {pi(), x});
-  const Theorem back = instantiate(turned_back, {{x, t}});
+  const Theorem back = at(turned_back, {{x, t}});
   return linear(eq(cos(t), -of.cosine(of.p / 2)), {back});
 }
 /// |- cos(pi/5) = (1 + sqrt(5))/4, and what the cosine of 2 pi/5 is
@@ -114,7 +114,7 @@ Theorem fifteenth(const Theorem& cos_fifth, const Theorem& cos_third) {
   const Theorem cosine = restate(eq(cos(twice), (s - 1) / 4), cos_fifth);
   const Theorem difference = equation(cos(x - y), cos(x) * cos(y) + sin(x) * sin(y), {}, {x, y});
   const Expr value = (s - 1) / 8 + sqrt((5 + s) / 8) * sqrt(rational(3, 4));
-  const Theorem is = instantiate(difference, {{x, twice}, {y, third}});
+  const Theorem is = at(difference, {{x, twice}, {y, third}});
   return equation(cos(pi() / 15), value,
                   {restate(eq(cos(pi() / 15), right(is)), is), cosine, cos_third,
                    sine(twice, (5 + s) / 8, cosine), sine(third, rational(3, 4), cos_third)});

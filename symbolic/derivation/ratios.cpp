@@ -81,25 +81,19 @@ void threshold(Book& book, const Threshold& which) {
   const Expr z = pi() / psi() - which.shift;
   const auto counted = [&](Expr i) {
     const Expr meaning = logic_and({lt(i - 1, z), le(z, i)});
-    const Theorem ceiling = instantiate(ceiling_is(), {{x, z}, {k, i}});
+    const Theorem ceiling = at(ceiling_is(), {{x, z}, {k, i}});
     return restate(iff(eq(count, i), meaning), rewrite(turned(number), ceiling));
   };
   const auto side = [&](Expr i, const Theorem& from) {  // z <= i iff pi/d_i <= psi/2
     const Expr angle = pi() / which.denominator(i);
-    const Theorem d_positive = positive(which.denominator(i), {from});
-    const auto by = [&](Expr goal, Expr relation) {
-      return given(relation, [&](const Theorem& t) {
-        const Theorem factor = positive(psi() / which.denominator(i), {d_positive});
-        return linear(goal, {times(t, factor), d_positive});
-      });
-    };
-    return tautology(iff(le(z, i), le(angle, half())),
-                     {by(le(angle, half()), le(z, i)), by(lt(half(), angle), lt(i, z))});
+    const Expr per = psi() / which.denominator(i);
+    return same_sign(iff(le(angle, half()), le(z, i)), per,
+                     {from, positive(which.denominator(i), {from})});
   };
   const auto reached = [&](Expr i, const Theorem& from) {  // threshold_i <= alpha iff ...
     const Expr d_i = which.denominator(i);
     const Theorem there = at(book["ratios.reached"], {{x, pi() / d_i}}, range_of(d_i, {from}));
-    return rewrite(turned(instantiate(definition, {{k, i}})), there);
+    return rewrite(turned(at(definition, {{k, i}})), there);
   };
   const auto t = [&](Expr i) { return fun(which.name, {i}); };
   book.show(which.count + "_range", which.range_label,
@@ -108,8 +102,7 @@ void threshold(Book& book, const Threshold& which) {
                       {counted(k), side(k, from_2), reached(k, from_2), side(k - 1, from_2),
                        reached(k - 1, from_2)}));
   // k = 1: the other side always holds, as psi < pi.
-  const Theorem always =
-      linear(lt(Expr(1) - 1, z), {times(linear(lt(0, pi() - psi())), 1 / psi())});
+  const Theorem always = scaled(lt(Expr(1) - 1, z), lt(psi(), pi()), 1 / psi());
   book.show(
       which.count + "_once", which.range_label, "and " + which.count + " = 1 from the first on:",
       tautology(iff(eq(count, 1), le(t(1), alpha)), {counted(1), at(side(k, from_1), {{k, 1}}),
@@ -128,7 +121,7 @@ void order(Book& book) {
     const Theorem there = at(book["ratios.rises"], {{x, pi() / ds}, {y, pi() / dl}},
                              range_of(ds, {from}) + range_of(dl, {from}) + Theorems{less});
     const auto named = [&](const std::string& name, Expr index) {
-      const Theorem definition = instantiate(book["ratios." + name + "k"], {{k, index}});
+      const Theorem definition = at(book["ratios." + name + "k"], {{k, index}}, {from});
       return turned(cut(linear(le(1, index), {from}), definition));
     };
     return rewrite(named(larger, l), rewrite(named(smaller, i), there));
@@ -172,14 +165,14 @@ struct Kind {
   std::vector<Velocity> velocities;
 };
 void at_threshold(Book& book, const Kind& kind) {
-  const Theorem is = assume(eq(alpha, fun(kind.ratio, {k}))), from_1 = assume(le(1, k));
+  const Theorem is = assume(eq(alpha, fun(kind.ratio, {k})));
   book.chapter(kind.chapter, kind.title, {alpha_positive, V_positive, le(1, k), is.conclusion()});
-  const Theorems range = range_of(kind.d, {from_1});
+  const Theorems range = range_of(kind.d);
   const Theorem solved = chain(is, book["ratios." + kind.ratio + "k"]);
   const Theorem cosines = at(book["ratios.ratio"], {{x, pi() / kind.d}}, range + Theorems{solved});
   const Theorem angle = book.show("angle", "Half of psi is then", same_angle(cosines, range));
   const Theorem turn =
-      equation(kind.d * psi(), 2 * pi(), {linear(eq(psi(), 2 * pi() / kind.d), {angle}), from_1});
+      equation(kind.d * psi(), 2 * pi(), {linear(eq(psi(), 2 * pi() / kind.d), {angle})});
   const Theorem quotient =
       equation(pi() / psi(), kind.d / 2, {linear(eq(pi(), kind.d / 2 * psi()), {turn})});
   const Theorem N_A_is = linear(eq(N_A(), kind.N_A_is), {book["counting.N_A"], quotient});
@@ -189,8 +182,7 @@ void at_threshold(Book& book, const Kind& kind) {
   Theorems values, terminal;
   for (const Velocity& v : kind.velocities) {
     const Theorem left_over = linear(eq(v.angle, pi() - v.rest), {turn});
-    const Theorem velocity =
-        rewrite(left_over, at(book["power." + v.id], {{n, v.index}}, {from_1}));
+    const Theorem velocity = rewrite(left_over, at(book["power." + v.id], {{n, v.index}}));
     values.push_back(equation(v.left, v.right,
                               {velocity, book["power.V_CM"], book["rotation.cos_half_psi"]},
                               {pi(), v.base}));
@@ -204,8 +196,8 @@ void at_threshold(Book& book, const Kind& kind) {
 
 Theorems range_of(Expr d, const Theorems& facts) {
   const Theorem positive_angle = positive(pi() / d, facts);
-  const Theorem room = times(linear(lt(0, d - 2), facts), positive_angle);
-  return {positive_angle, linear(lt(pi() / d, edge), {room, linear(lt(0, d), facts)})};
+  return {positive_angle,
+          scaled(lt(pi() / d, edge), lt(2, d), pi() / d, facts + Theorems{positive_angle})};
 }
 
 void thresholds(Book& book) {

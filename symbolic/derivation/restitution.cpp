@@ -21,8 +21,6 @@ Exprs one_collision(Book& book) {
       "as they approached:",
       define("impact", bodies, logic_and({momentum, relative}), 0));
   const Theorems laws = parts({tautology(right(law), {law, assume(fun("impact", bodies))})});
-  const Theorem m_1 = assume(lt(0, M_1)), m_2 = assume(lt(0, M_2));
-  const Known masses({m_1, m_2});
   const Exprs after = solve({momentum, relative}, {v_1, v_2}, {u_1, u_2});
   const Theorem v_2_is = linear(eq(v_2, v_1 + e * (u_1 - u_2)), {laws[1]});
   const Theorem v_1_is = linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {laws[0]});

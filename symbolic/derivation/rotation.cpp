@@ -111,7 +111,7 @@ void rotation(Book& book) {
   const Theorem turn_3 =
       book.name("lambda_3", {x}, matrix(3, {cos(x), -sin(x), 0, sin(x), cos(x), 0, 0, 0, 1}), {},
                 "A rotation about the third axis:", "eq:lambda-3");
-  const Theorems turned_rules = Theorems{instantiate(turn_3, {{x, psi()}})} + with_frame;
+  const Theorems turned_rules = Theorems{at(turn_3, {{x, psi()}})} + with_frame;
   book.show("Lambda_in_frame", "eq-app:lambda-R",
             "In this frame Lambda is such a rotation, by psi:",
             equation(times(transpose(R()), times(Lambda(), R())), lambda_3(psi()), turned_rules));

@@ -29,7 +29,7 @@ void theta_bounds(Book& book) {
 
 /// 2 p (1 - 5 alpha/12) <= psi and psi < 2 p, as psi = 4 atan(q), q^2 = alpha/(2 + alpha).
 void psi_bounds(Book& book) {
-  const Theorem mass = assume(alpha_positive), q_positive = positive(q);
+  const Theorem mass = positive(alpha), q_positive = positive(q);
   const Theorem p_squared = root_squared(positive(2 * alpha));
   const Theorem q_squared = equation((2 + alpha) * power(q, 2), alpha);
   const Theorems sum{positive(p + 2 * q)};

@@ -69,8 +69,6 @@ inline Expr column(const Exprs& entries) { return matrix(1, entries); }
 inline Theorem canonical_form(const Theorem& t) {
   return restate(kernel::canonical(t.conclusion()), t);
 }
-/// 0 < l if and only if 0 < r, from l = t with t = factor r as polynomials and 0 < factor.
-Theorem same_sign(Expr l, Expr r, const Theorem& l_is, const Theorem& factor);
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);
 /// Collisions with the approach speeds `speed`, as long as these are positive: 0 < speed(j) if and
@@ -88,7 +86,7 @@ void count(Book& book, const Count& c);
 /// |- ceil(x) = k if and only if k - 1 < x and x <= k
 Theorem ceiling_is();
 /// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.
-Theorems range_of(Expr d, const Theorems& facts);
+Theorems range_of(Expr d, const Theorems& facts = {});
 
 // The chapters, one file each.
 using WriteChapter = void(Book& book);

@@ -7,7 +7,7 @@ namespace {
 const Expr from_1 = le(1, n);
 
 /// A theorem under 0 <= n, a cycle earlier.
-Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}, {assume(from_1)}); }
+Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}); }
 
 void kept_quantities(Book& book) {
   const Theorems velocities{book["power.a_multiplied"], book["power.b_multiplied"],
@@ -54,8 +54,7 @@ Theorem ended(Book& book) { return part(at(book["counting.happens"], {{j, 0}}), 
 /// Each collision that takes place slows A down or speeds B up.
 void on_the_way(Book& book, const Theorems& approaches) {
   const auto changes = [&](Expr goal, Expr last, Expr i, std::size_t which, const char* step) {
-    const Theorem going =
-        going_on(book, i, {assume(le(n, last)), assume(from_1), book["counting.shares"]});
+    const Theorem going = going_on(book, i, {assume(le(n, last)), book["counting.shares"]});
     const Theorem speed = approaches[which];
     const Theorem above_0 = linear(lt(0, right(speed)), {going, speed});
     return linear(goal, {part(book[step], 0), times(above_0, 2 * alpha / (1 + alpha))});
@@ -159,17 +158,12 @@ void terminal(Book& book) {
             V / (2 + alpha) * (1 - (1 + alpha) * cos((N_B() + rational(1, 2)) * psi())));
 
   // The last collision is Q_n, N = 2n, or P_n, N = 2n - 1.
-  const Theorem n_from_1 = assume(from_1);
   const auto last_is = [&](Expr count) { return assume(eq(N(), count)); };
   const auto over = [&](Expr i) {
     return restate(le(approach(i), 0), rewrite(last_is(i), ended(book)));
   };
-  const auto going = [&](Expr i, Expr count) {
-    return going_on(book, i, {n_from_1, last_is(count)});
-  };
-  const auto weaker = [&](const std::string& id) {
-    return cut(linear(le(0, n), {n_from_1}), book[id]);
-  };
+  const auto going = [&](Expr i, Expr count) { return going_on(book, i, {last_is(count)}); };
+  const auto weaker = [&](const std::string& id) { return cut(linear(le(0, n)), book[id]); };
   const Theorem order_Q =
       both({linear(le(a(n), c_prime(n)), {over(2 * n), weaker("counting.approach_P")}),
             linear(le(c_prime(n), b(n)),

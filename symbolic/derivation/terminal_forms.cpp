@@ -92,11 +92,9 @@ void terminal_forms(Names& names, const Angle& a) {
 
   // |r| <= h/2, so sin|r| <= tan(h/2) cos(r).
   const Expr half_h = of_alpha("h") / 2, z = pi() / psi(), half = rational(1, 2), q = psi() / 4;
-  const auto at_most = [&](Expr goal, Expr relation) {
-    return linear(goal, {times(linear(relation, {book["counting.N_A"]}), psi()), psi_is});
-  };
-  const Theorem r_up = at_most(le(r, half_h), le(0, N_A() + half - z));
-  const Theorem r_down = at_most(le(-r, half_h), le(0, z + half - N_A()));
+  const Theorems count{book["counting.N_A"], psi_is};
+  const Theorem r_up = scaled(le(r, half_h), le(z, N_A() + half), psi(), count);
+  const Theorem r_down = scaled(le(-r, half_h), le(N_A(), z + half), psi(), count);
   const Expr bounds_of_rest = logic_and({le(0, f("rest")), le(f("rest"), half_h)});
   const auto with_sign = [&](const Theorem& root, Expr sign) {
     return given(sign, [&](const Theorem& t) {

@@ -18,7 +18,7 @@ void shares(Book& book) {
 Theorem speeds(Book& book, const Theorem& kappa_is) {
   const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorems turns = parts({book["cycle.turn"]});
-  const Theorems rules = squared_shares(book) + Theorems{kappa_is, root_squared(assume(lt(0, e)))};
+  const Theorems rules = squared_shares(book) + Theorems{kappa_is};
   const auto claim = [&](Expr i) {
     return eq(closing(i), V * root_power(i) * side(i) * chebyshev(i, kappa()));
   };
@@ -78,9 +78,10 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
   book.show("speed_sine", "so that the approach speeds are sines, too,",
             equation(closing(j), V * root_power(j) * side(j) * (sine / sin(h)),
                      {speed, divided(U_j, sine / sin(h), {sin(h)}, quotient)}));
-  const Theorem sign = tautology(
-      iff(lt(0, closing(j)), lt(0, sine)),
-      {book["wedge.takes_place"], same_sign(sine, U_j, turned(quotient), positive(sin(h)))});
+  const Theorem sign =
+      tautology(iff(lt(0, closing(j)), lt(0, sine)),
+                {book["wedge.takes_place"],
+                 same_sign(iff(lt(0, sine), lt(0, U_j)), sin(h), {turned(quotient)})});
   book.show("in_the_angle", "and collision j takes place if and only if a sine is positive:", sign);
   domain.push_back(V_positive);
   count(book, {"N_e",
@@ -126,10 +127,9 @@ void wedge(Book& book) {
   know(positive(is));
   const Theorem speed = speeds(book, is);
   signs_of_factors(book);
-  const Theorem factor = positive(V * root_power(j) * side(j));
   const Expr U_j = chebyshev(j, kappa()), closes = closing(j);
   book.show("takes_place", "and takes place if and only if U_j is positive:",
-            same_sign(closes, U_j, speed, factor));
+            same_sign(iff(lt(0, closes), lt(0, U_j)), V * root_power(j) * side(j), {speed}));
   angle_of_the_wedge(book, speed);
   know(assume(le(1, kappa())));
   book.show("never_ends", "Where kappa is 1 or more, the collisions never end:",

@@ -118,7 +118,6 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
   const Theorem gap = distance_is(part(now, 1));
   const Theorems known_now{turn_next,
                            square,
-                           root_squared(assume(lt(0, e))),
                            at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1)),
                            linear(eq(x_B, x_A + right(gap)), {gap}),
                            time_is(part(now, 2)),
