@@ -126,13 +126,9 @@ Theorem cosine_falls(const Theorem& less, const Theorems& facts) {
   };
   if (less.conclusion().op() == Op::Lt) return falls(less);
   const Expr goal = le(cos(q), cos(p));
-  return follows(goal, {given(lt(p, q), [&](const Theorem& t) { return linear(goal, {falls(t)}); }),
-                        given(eq(p, q),
-                              [&](const Theorem& same) {
-                                const Theorem more = rewrite(same, assume(lt(cos(p), cos(q))));
-                                return otherwise(goal, linear(lt(0, 0), {more}));
-                              }),
-                        less});
+  const auto below = [&](const Theorem& t) { return linear(goal, {falls(t)}); };
+  return follows(
+      goal, {given(lt(p, q), below), where_equal(p, q, goal, linear(le(cos(q), cos(q)))), less});
 }
 Theorem cosine_positive(const Theorem& from, const Theorem& below) {
   const Theorem edge = linear(le(pi() / 2, pi()));
@@ -140,11 +136,7 @@ Theorem cosine_positive(const Theorem& from, const Theorem& below) {
 }
 Theorem sine_not_negative(const Theorem& from, const Theorem& to) {
   const Expr t = left(to), goal = le(0, sin(t));
-  const auto at_end = [&](Expr end) {
-    return given(eq(t, end), [&](const Theorem& same) {
-      return otherwise(goal, linear(lt(0, 0), {rewrite(same, assume(lt(sin(t), 0)))}));
-    });
-  };
+  const auto at_end = [&](Expr end) { return where_equal(t, end, goal, linear(le(0, sin(end)))); };
   const Theorem inside = given(logic_and({lt(0, t), lt(t, pi())}),
                                [&](const Theorem& where) { return not_negative(sin(t), {where}); });
   return follows(goal, {from, to, at_end(0), at_end(pi()), inside});

@@ -76,6 +76,12 @@ Theorem at(const std::string& axiom_name, const Substitution& terms, const Theor
 Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body) {
   return discharge(f, body(assume(f)));
 }
+Theorem where_equal(Expr l, Expr r, Expr goal, const Theorem& there) {
+  const Expr denied = logic_not(goal);
+  return given(eq(l, r), [&](const Theorem& same) {
+    return tautology(goal, {discharge(denied, rewrite(same, assume(denied))), there});
+  });
+}
 Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>& forth,
                    const std::function<Theorem(const Theorem&)>& back) {
   return tautology(iff(f, g), {given(f, forth), given(g, back)});

@@ -17,6 +17,8 @@ Theorem at(const Theorem& rule, const Substitution& terms = {}, const Theorems& 
 Theorem at(const std::string& axiom_name, const Substitution& terms, const Theorems& facts = {});
 /// f implies what `body` proves from f |- f.
 Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body);
+/// l = r implies `goal`, from `there`, which says it with r for l.
+Theorem where_equal(Expr l, Expr r, Expr goal, const Theorem& there);
 /// |- f if and only if g
 Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>& forth,
                    const std::function<Theorem(const Theorem&)>& back);

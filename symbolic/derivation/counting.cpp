@@ -37,23 +37,18 @@ Theorem approach_speed(Book& book) {
       book.show("approach_Q", "and before Q_(n+1)",
                 equation(approach(2 * n + 1), c(n + 1) - b(n),
                          {at(definition, {{j, 2 * n + 1}}), part(turns, 1), c_next, waits}));
-  const auto value = [&](Expr i) { return V * sin(half_angle(i + 1)) / sin(psi() / 2); };
 
   // Every j is 2m or 2m + 1, m = ceil((j - 1)/2).
   const Expr m = ceil((j - 1) / 2);
+  const Expr claim = eq(approach(j), V * sin(half_angle(j + 1)) / sin(psi() / 2));
   const auto here = [&](const Theorem& t, Expr place) {
-    return given(eq(j, place), [&](const Theorem& is_j) {
-      const Expr speed = V * sin((1 + place) * psi() / 2) / sin(psi() / 2);
-      const Theorem at_place = restate(eq(approach(place), speed), at(t, {{n, m}}));
-      return restate(eq(approach(j), value(j)), rewrite(turned(is_j), at_place));
-    });
+    return where_equal(j, place, claim, at(t, {{n, m}}));
   };
   const Theorem last = linear(imp(lt(2 * m, j), eq(j, 2 * m + 1)));
-  return book.show(
-      "speed", "For both kinds it is the same sine:",
-      follows(eq(approach(j), value(j)),
-              {here(chain(even, book["power.before_P"]), 2 * m),
-               here(chain(odd, book["power.before_Q"]), 2 * m + 1), last, linear(le(2 * m, j))}));
+  return book.show("speed", "For both kinds it is the same sine:",
+                   follows(claim, {here(chain(even, book["power.before_P"]), 2 * m),
+                                   here(chain(odd, book["power.before_Q"]), 2 * m + 1), last,
+                                   linear(le(2 * m, j))}));
 }
 
 void number_of_collisions(Book& book, const Theorem& speed) {

@@ -92,8 +92,7 @@ void uniqueness(Book& book) {
     const Theorem special =
         cut(ball, instantiate(general, {{M_1, M}, {M_2, alpha * M}, {u_1, u}, {u_2, w}}));
     const auto same = [&](std::size_t i) {
-      const Theorem t = part(special, i);
-      const Theorem value = part(next, i);
+      const Theorem t = part(special, i), value = part(next, i);
       return chain(t, equation(right(t), left(value), {value, block}));
     };
     return both({same(0), same(1)});
@@ -131,26 +130,25 @@ void cycle(Book& book) {
       c(n), C(2 * n - 1), Theorems{in_cycle(at(within[1], {}, {assume(le(0, n))}))} + all_steps);
   book.show("c_start", "and the ball's within the n-th, 0 before the first:", within[0]);
   book.show("name_c", "so that", def_c);
+  const Theorems definitions{def_a, def_b, def_c_prime};
   Theorems names{turned(def_c)};
-  for (const Theorem& t : {def_a, def_b, def_c_prime})
+  for (const Theorem& t : definitions)
     names = names + Theorems{turned(t), turned(at(t, {{n, n - 1}}))};
-  const auto step = [&](Expr l, const Theorem& definition, Expr r) {
-    return equation(l, r, Theorems{definition} + all_steps + names);
-  };
-  const Theorem a_n = step(a(n), def_a, collide.block(a(n - 1), c_prime(n - 1)));
-  const Theorem c_n = step(c(n), def_c, collide.ball(a(n - 1), c_prime(n - 1)));
-  const Theorem b_n = step(b(n), def_b, collide.block(b(n - 1), c(n)));
-  const Theorem c_prime_n = step(c_prime(n), def_c_prime, collide.ball(b(n - 1), c(n)));
-  const Theorem zero_n = equation(Expr(2) * Expr(0), 0);
-  const auto at_0 = [&](const Theorem& definition, const Theorem& start) {
-    return chain(rewrite(zero_n, at(definition, {{n, 0}})), start);
-  };
-  book.show(
-      "start_vector", "Before the first collision:",
-      both({at_0(def_a, s.starts[0]), at_0(def_b, s.starts[1]), at_0(def_c_prime, s.starts[2])}));
+  Theorems starts = s.starts;
+  for (const Theorem& t : definitions) starts.push_back(at(t, {{n, 0}}));
+  book.show("start_vector", "Before the first collision:",
+            equation(logic_and({eq(a(0), V), eq(b(0), 0), eq(c_prime(0), 0)}), starts));
   book.show("B_waits", "P_n leaves B alone,", equation(B(2 * n - 1), b(n - 1), all_steps + names));
-  book.show("P", "After P_n:", both({a_n, c_n}));
-  book.show("Q", "After Q_n:", both({b_n, c_prime_n}));
+  const Theorems rules = definitions + Theorems{def_c} + all_steps + names;
+  const Expr A_before = a(n - 1), B_before = b(n - 1), C_before = c_prime(n - 1), C_within = c(n);
+  book.show("P", "After P_n:",
+            equation(logic_and({eq(a(n), collide.block(A_before, C_before)),
+                                eq(C_within, collide.ball(A_before, C_before))}),
+                     rules));
+  book.show("Q", "After Q_n:",
+            equation(logic_and({eq(b(n), collide.block(B_before, C_within)),
+                                eq(c_prime(n), collide.ball(B_before, C_within))}),
+                     rules));
 }
 
 void cycle_matrix(Book& book) {
@@ -178,8 +176,7 @@ void cycle_matrix(Book& book) {
                                  matrix(3, {1, 0, 0, 0, entry_of_gamma(0, 0), entry_of_gamma(0, 1),
                                             0, entry_of_gamma(1, 0), entry_of_gamma(1, 1)}),
                                  domain, "and that at Q_n leaves A alone:");
-  const Expr whole = simplified(times(right(of_Q), right(of_P)));
-  Expr in_alpha = whole;
+  Expr in_alpha = times(right(of_Q), right(of_P));
   for (int row = 0; row < 2; ++row)
     for (int col = 0; col < 2; ++col)
       in_alpha = replace(in_alpha, entry_of_gamma(row, col), entry(right(gamma), row, col));

@@ -60,7 +60,7 @@ Theorems quarter_rules(Book& book) {
                                  "The velocity of the centre of mass:");
   book.show("V_CM_psi", "in terms of psi,",
             equation(V_CM(), V * cos(half()) / (1 + cos(half())), {mean, cos_half}));
-  return {cosine_squared, product, mean, cos_half, root_split(book)};
+  return {cosine_squared, product, mean, cos_half, sin_half, root_split(book)};
 }
 }  // namespace
 
@@ -89,68 +89,50 @@ void powers(Book& book) {
   multiplied("c_prime_multiplied", "and C has", c_prime(n), 2, sqrt(alpha));
 
   const Theorems common = quarter_rules(book);
-  const Theorem sin_half = book["rotation.sin_half_psi"];
-  const Theorems over_quarter{positive(sin(quarter()))};
-  const Exprs halves{n * psi(), half()}, quarters{n * psi(), quarter()};
-  const auto proved = [&](Expr l, Expr r, const Theorems& more, const Exprs& bases,
-                          const Theorems& factors = {}) {
-    return cancel(eq(l, r), factors, common + more, bases);
-  };
+  const Exprs halves{n * psi(), half()};
   const Expr middle = V_CM();
-  const Theorem a_n =
-      book.show("a", "eq:a-final", "A after its n-th collision, as the paper has it:",
-                proved(a(n), middle * (1 + cos(n * psi()) / cos(half())), derived, halves));
+  const Theorem a_n = book.show(
+      "a", "eq:a-final", "A after its n-th collision, as the paper has it:",
+      equation(a(n), middle * (1 + cos(n * psi()) / cos(half())), derived + common, halves));
   const Theorem b_n =
       book.show("b", "eq:b-final", "B after its n-th collision:",
-                proved(b(n), middle * (1 - cos((n + rational(1, 2)) * psi()) / cos(half())),
-                       derived + Theorems{sin_half}, halves));
-  const Theorem c_prime_n = book.show(
-      "c_prime", "eq:c'-final", "C after its n-th collision with B:",
-      proved(c_prime(n), middle * (1 - sin((n + rational(1, 4)) * psi()) / sin(quarter())), derived,
-             quarters, over_quarter));
+                equation(b(n), middle * (1 - cos((n + rational(1, 2)) * psi()) / cos(half())),
+                         derived + common, halves));
+  const auto proved = [&](Expr l, Expr r, const Theorems& forms) {
+    return cancel(eq(l, r), {positive(sin(quarter()))}, forms + common, {n * psi() / 2, quarter()});
+  };
+  const Theorem c_prime_n =
+      book.show("c_prime", "eq:c'-final", "C after its n-th collision with B:",
+                proved(c_prime(n),
+                       middle * (1 - sin((n + rational(1, 4)) * psi()) / sin(quarter())), derived));
+  const Theorems finals{a_n, b_n, c_prime_n};
   const auto one_before = [&](const Theorem& t) { return at(t, {{n, n - 1}}, {assume(from_1)}); };
   const Expr c_form = middle * (1 + sin((n - rational(1, 4)) * psi()) / sin(quarter()));
   const Theorem c_from_1 =
-      proved(c(n), c_form, {part(book["cycle.P"], 1), one_before(a_n), one_before(c_prime_n)},
-             quarters, over_quarter);
-  const Theorem c_at_0 = equation(
-      c(0), substitute(c_form, {{n, 0}}),
-      {book["cycle.c_start"], restate(eq(sin((Expr(0) - rational(1, 4)) * psi()), -sin(quarter())),
-                                      at("sin minus", {{x, quarter()}}))});
-  const Theorem c_n = book.show(
-      "c", "eq:c-final", "C after its n-th collision with A (before the first it rests):",
-      follows(eq(c(n), c_form), {given(eq(n, 0),
-                                       [&](const Theorem& at_0) {
-                                         return restate(eq(c(n), c_form),
-                                                        rewrite(turned(at_0), c_at_0));
-                                       }),
-                                 given(lt(0, n),
-                                       [&](const Theorem& above_0) {
-                                         return cut(linear(le(1, n), {above_0}), c_from_1);
-                                       }),
-                                 assume(from_0)}));
+      proved(c(n), c_form, {part(book["cycle.P"], 1), one_before(a_n), one_before(c_prime_n)});
+  const Theorem c_at_0 =
+      equation(c(0), substitute(c_form, {{n, 0}}), {book["cycle.c_start"]}, {quarter()});
+  const auto later = [&](const Theorem& t) { return cut(linear(le(1, n), {t}), c_from_1); };
+  const Theorem c_n =
+      book.show("c", "eq:c-final", "C after its n-th collision with A (before the first it rests):",
+                follows(eq(c(n), c_form), {where_equal(n, 0, eq(c(n), c_form), c_at_0),
+                                           given(lt(0, n), later), assume(from_0)}));
 
   // Products.
-  const Exprs parts_of{n * psi() / 2, quarter()};
-  const Theorems all_forms{a_n, b_n, c_prime_n};
   const Expr up = (n + rational(1, 2)) * half(), down = (n - rational(1, 2)) * half(),
              lead = 2 * middle * (1 + alpha);
   book.show("a_product", "The same as products: A,",
-            proved(a(n), lead * cos(up) * cos(down), all_forms, parts_of));
+            proved(a(n), lead * cos(up) * cos(down), finals));
   book.show("b_product", "B,",
-            proved(b(n), lead * sin((n + 1) * half()) * sin(n * half()), all_forms, parts_of));
+            proved(b(n), lead * sin((n + 1) * half()) * sin(n * half()), finals));
   book.show("c_prime_product", "C after B",
-            proved(c_prime(n), -2 * middle * sin(n * half()) * cos(up) / sin(quarter()), all_forms,
-                   parts_of));
-  book.show(
-      "c_product", "and C after A:",
-      proved(c(n), 2 * middle * sin(n * half()) * cos(down) / sin(quarter()), {c_n}, parts_of));
+            proved(c_prime(n), -2 * middle * sin(n * half()) * cos(up) / sin(quarter()), finals));
+  book.show("c_product", "and C after A:",
+            proved(c(n), 2 * middle * sin(n * half()) * cos(down) / sin(quarter()), {c_n}));
   book.show("before_P", "Before P_(n+1) A approaches C with the speed",
-            proved(a(n) - c_prime(n), V * sin((n + rational(1, 2)) * psi()) / sin(half()),
-                   all_forms + Theorems{sin_half}, quarters, over_quarter));
-  const Theorem c_next = at(c_n, {{n, n + 1}});
+            proved(a(n) - c_prime(n), V * sin((n + rational(1, 2)) * psi()) / sin(half()), finals));
   book.show("before_Q", "Before Q_(n+1) C approaches B with the speed",
-            proved(c(n + 1) - b(n), V * sin((n + 1) * psi()) / sin(half()), {c_next, b_n, sin_half},
-                   quarters, over_quarter));
+            proved(c(n + 1) - b(n), V * sin((n + 1) * psi()) / sin(half()),
+                   {at(c_n, {{n, n + 1}}), b_n}));
 }
 }  // namespace derivation
