@@ -35,29 +35,11 @@ Theorem entrywise(Expr l, Expr r, const std::function<Theorem(Expr, int, int)>& 
       out.push_back(each(eq(entry(l, i, j), entry(r, i, j)), i, j));
   return restate(eq(l, r), both(out));
 }
-/// X A Y = X B Y from A = B
-Theorem within(Expr x_matrix, const Theorem& e, Expr y_matrix) {
-  const Expr l = left(e), r = right(e);
-  const Theorems of_e = entries(e);
-  return entrywise(times(times(x_matrix, l), y_matrix), times(times(x_matrix, r), y_matrix),
-                   [&](Expr goal, int i, int j) {
-                     Certificate c;
-                     for (int k = 0; k < l.rows(); ++k)
-                       for (int m = 0; m < l.cols(); ++m)
-                         c.equations.push_back({entry(x_matrix, i, k) * entry(y_matrix, m, j),
-                                                of_e[std::size_t(k * l.cols() + m)]});
-                     return arithmetic(goal, c);
-                   });
-}
-/// l = r, the sum of `forward` less the sum of `back`, entry by entry.
-Theorem joined(Expr l, Expr r, const Theorems& forward, const Theorems& back = {}) {
-  return entrywise(l, r, [&](Expr goal, int i, int j) {
-    Certificate c;
-    const auto place = std::size_t(i * l.cols() + j);
-    for (const Theorem& t : forward) c.equations.push_back({1, entries(t)[place]});
-    for (const Theorem& t : back) c.equations.push_back({-1, entries(t)[place]});
-    return arithmetic(goal, c);
-  });
+/// l = r by steps: a product that is what there was before, and an equation that is rewritten in it.
+Theorem calculation(Expr l, Expr r, const std::vector<std::pair<Expr, Theorem>>& steps) {
+  Theorem out = equation(l, l);
+  for (const auto& [form, rule] : steps) out = rewrite(rule, restate(eq(l, form), out));
+  return restate(eq(l, r), out);
 }
 /// l = r, each entry a linear combination of `facts`.
 Theorem by_entries(Expr l, Expr r, const Theorems& facts) {
@@ -97,7 +79,8 @@ Theorem orthogonal(Book& book, int size) {
                   : "In space, too, a matrix that keeps all lengths is orthogonal,",
             by_entries(gram(o), identity(size), along));
   book.show(where + "_keeps", "and an orthogonal one keeps them;",
-            restate(kept, within(transpose(column(v)), is, column(v))));
+            calculation(kept.arg(0), kept.arg(1),
+                        {{times(times(transpose(column(v)), gram(o)), column(v)), is}}));
   const Theorem other = given(neq(d, 1), [&](const Theorem& t) {
     // (1 - d)(-1 - d) = d^2 - 1
     return arithmetic(eq(d, -1),
@@ -155,6 +138,12 @@ Expr cofactors_of(Expr m) {
   for (int i = 0; i < 9; ++i) out.push_back(cofactor(m, i / 3, i % 3));
   return matrix(3, out);
 }
+/// |- each entry of det(O) O is that of its cofactors, from O^T O = 1
+Theorems cofactor_rule(Expr o, const Theorem& is) {
+  const Expr cofactors = cofactors_of(o);
+  return entries(calculation(times(times(cofactors, transpose(o)), o), cofactors,
+                             {{times(cofactors, gram(o)), is}}));
+}
 /// In space: with determinant 1 there is an axis, with -1 there is one after the reflection P_3.
 void in_space(Book& book, const Theorem& is) {
   const Expr o = matrix_of_names(3), d = det(o), one = identity(3);
@@ -172,7 +161,7 @@ void in_space(Book& book, const Theorem& is) {
   book.show("axis", "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
             linear(eq(fixed, 0), {product}));
   // O is the matrix of its own cofactors, so O - O^T turns with it.
-  const Theorems times_d = entries(within(cofactors_of(o), is, one));  // d O = cofactors
+  const Theorems times_d = cofactor_rule(o, is);
   const Theorems own_cofactors{entrywise(o, cofactors_of(o), [&](Expr goal, int i, int j) {
     const auto place = std::size_t(3 * i + j);
     return arithmetic(goal, {.equations = {{-names[place], d_is_1}, {1, times_d[place]}}});
@@ -212,14 +201,14 @@ void in_space(Book& book, const Theorem& is) {
 /// With determinant 1 it is lambda_3(phi) in a frame whose third axis it leaves as it is.
 void about_an_axis(Book& book, const Theorem& is) {
   const Expr o = matrix_of_names(3), r = matrix_of_names(3, "r"), one = identity(3), d = det(r);
-  const Expr e_3 = column({0, 0, 1}), third = times(r, e_3), back = transpose(r);
+  const Expr e_3 = column({0, 0, 1}), back = transpose(r);
   const Expr third_axis = column({entry(r, 0, 2), entry(r, 1, 2), entry(r, 2, 2)});
   const Theorem of_r = assume(eq(gram(r), one));
   const Theorem fixed = assume(eq(times(o, third_axis), third_axis));
   const Expr s = times(times(back, o), r), frame = times(r, back);
   // d R = cofactors, and d^2 = 1, so R R^T = 1.
   const Theorem squared = squared_determinant(r, of_r);
-  const Theorems times_d = entries(within(cofactors_of(r), of_r, one));
+  const Theorems times_d = cofactor_rule(r, of_r);
   const Theorem of_frame = entrywise(frame, one, [&](Expr goal, int i, int j) {
     Certificate c;
     c.equations = {{entry(one, i, j) - entry(frame, i, j), squared}};
@@ -228,16 +217,19 @@ void about_an_axis(Book& book, const Theorem& is) {
     return arithmetic(goal, c);
   });
   // S = R^T O R is orthogonal; its third column and third row are those of 1.
-  const Theorem in_frame = within(back, is, r);
   const Theorem of_s =
-      joined(gram(s), one, {within(transpose(times(o, r)), of_frame, times(o, r)), in_frame, of_r});
+      calculation(gram(s), one,
+                  {{times(times(transpose(times(o, r)), frame), times(o, r)), of_frame},
+                   {times(times(back, gram(o)), r), is},
+                   {gram(r), of_r}});
   const Theorem column_3 =
-      joined(times(s, e_3), e_3, {within(back, fixed, identity(1)), within(one, of_r, e_3)});
-  const Theorem fixed_row =
-      restate(eq(transpose(times(o, third_axis)), transpose(third_axis)), both(entries(fixed)));
-  const Theorem row_3 = joined(times(transpose(e_3), s), transpose(e_3),
-                               {within(transpose(third), is, r), within(transpose(e_3), of_r, one)},
-                               {within(identity(1), fixed_row, times(o, r))});
+      calculation(times(s, e_3), e_3,
+                  {{times(back, times(o, third_axis)), fixed}, {times(gram(r), e_3), of_r}});
+  const Theorem row_3 = calculation(times(transpose(e_3), s), transpose(e_3),
+                                    {{times(times(transpose(third_axis), o), r),
+                                      by_entries(third_axis, times(o, third_axis), {fixed})},
+                                     {times(times(transpose(third_axis), gram(o)), r), is},
+                                     {times(transpose(e_3), gram(r)), of_r}});
   const Theorems row = entries(row_3), gram_s = entries(of_s);
   // So the rest of S is orthogonal with determinant 1: a rotation of the plane.
   const auto s_ = [&](int i, int l) { return entry(s, i, l); };
@@ -263,8 +255,9 @@ void about_an_axis(Book& book, const Theorem& is) {
                    {plane, column_3, row_3, at(book["ball.lambda"], {{x, angle}}),
                     at(book["rotation.lambda_3"], {{x, angle}})});
     const Theorem is_turn =
-        joined(o, there, {within(r, of_turn, back)},
-               {within(o, of_frame, one), within(one, of_frame, times(o, frame))});
+        calculation(o, there,
+                    {{times(times(one, o), one), by_entries(one, frame, {of_frame})},
+                     {times(times(r, s), back), of_turn}});
     return rewritten(entries(named), discharge(substitute(given_angle, terms), is_turn));
   };
   const Expr first = entry(matrix_of_names(2), 0, 0);
@@ -278,9 +271,11 @@ void about_an_axis(Book& book, const Theorem& is) {
           both({in_case("orthogonal.rotation", 2 * atan(s_(1, 0) / (1 + s_(0, 0))), neq(first, -1)),
                 in_case("orthogonal.rotation_half", pi(), eq(first, -1))})));
   const Expr turned_by = times(r, lambda_3(x));
+  const Theorem keeps_e_3 = equation(times(lambda_3(x), e_3), e_3, {book["rotation.lambda_3"]});
   book.show("lambda_n_keeps", "and any such rotation keeps the third axis of its frame:",
-            joined(times(times(turned_by, back), third_axis), third_axis,
-                   {within(turned_by, of_r, e_3), within(r, book["rotation.lambda_3"], e_3)}));
+            calculation(times(times(turned_by, back), third_axis), third_axis,
+                        {{times(turned_by, times(gram(r), e_3)), of_r},
+                         {times(r, times(lambda_3(x), e_3)), keeps_e_3}}));
 }
 }  // namespace
 
