@@ -6,14 +6,14 @@ namespace derivation {
 namespace {
 const Expr from_0 = le(0, n);
 
-Angle angle(Names& names) {
-  Book& book = names.book;
-  const Theorem above = names.name("above", {alpha}, 2 + alpha, "With");
+Angle angle(Book& book) {
+  const Names names{book, {alpha}, {alpha_positive}};
+  const Theorem above = names.name("above", 2 + alpha, "With");
   know_for_good(positive(above));
-  const Theorem w = names.name("w", {alpha}, 1 / sqrt(alpha * of_alpha("above")));
-  const Theorem z = rewrite(above, names.name("z", {alpha}, alpha / of_alpha("above")));
-  const Theorem t = names.name("t", {alpha}, alpha * of_alpha("w"));
-  const Theorem half_h = names.name("half_h", {alpha}, atan(of_alpha("t")));
+  const Theorem w = names.name("w", 1 / sqrt(alpha * of_alpha("above")));
+  const Theorem z = rewrite(above, names.name("z", alpha / of_alpha("above")));
+  const Theorem t = names.name("t", alpha * of_alpha("w"));
+  const Theorem half_h = names.name("half_h", atan(of_alpha("t")));
   const Theorem under_root = rewrite(above, w);
   const Expr T = of_alpha("t"), q = of_alpha("half_h");
   const Theorem w_positive = positive(under_root);
@@ -41,22 +41,18 @@ Angle angle(Names& names) {
 }
 
 /// Both velocities after P_n and both after Q_n, from one sine and one cosine.
-void velocities(Names& names, const Angle& a) {
-  Book& book = names.book;
-  const Exprs both_inputs{alpha, n};
-  const Theorem def_x = names.name("phase", both_inputs, 2 * of_alpha("half_h") * n, "With");
+void velocities(Book& book, const Angle& a) {
+  const Names f{book, {alpha, n}, {alpha_positive, from_0}};
+  const Theorem def_x = f.name("phase", 2 * of_alpha("half_h") * n, "With");
   const auto at_angle = [&](const std::string& name, Expr value) {
-    const Theorem t = names.name(name, both_inputs, value);
+    const Theorem t = f.name(name, value);
     return rewrite(a.quarter, rewrite(def_x, t));
   };
-  const auto f = of_both;
-  const Theorems parts{at_angle("sine", sin(f("phase"))),
-                       at_angle("cosine", cos(f("phase"))),
-                       names.name("t_sine", both_inputs, of_alpha("t") * f("sine")),
-                       names.name("w_sine", both_inputs, of_alpha("w") * f("sine")),
-                       names.name("plus", both_inputs, f("cosine") + f("t_sine")),
-                       names.name("minus", both_inputs, f("cosine") - f("t_sine")),
-                       names.name("along", both_inputs, f("cosine") + f("w_sine"))};
+  const Theorems parts{
+      at_angle("sine", sin(f("phase"))),           at_angle("cosine", cos(f("phase"))),
+      f.name("t_sine", of_alpha("t") * f("sine")), f.name("w_sine", of_alpha("w") * f("sine")),
+      f.name("plus", f("cosine") + f("t_sine")),   f.name("minus", f("cosine") - f("t_sine")),
+      f.name("along", f("cosine") + f("w_sine"))};
   book.show("t_sine_at_most", "where for a ball that is not heavier than a block",
             larger(a.t_small, f("sine"), parts[2], parts[3]));
   const Prover prover(book, a);
@@ -71,17 +67,17 @@ void velocities(Names& names, const Angle& a) {
   show("c_prime", "c_prime_product", c_prime(n), -2 * f("minus") * f("w_sine"));
 }
 /// alpha_k and beta_k from the sine of half of their angle.
-void ratio_forms(Names& names) {
-  Book& book = names.book;
+void ratio_forms(Book& book) {
+  const Names names{book, {k}, {le(1, k)}};
   book.chapter("evaluators_ratios", "Forms for evaluation: ratios", {le(1, k)});
   for (const auto& [name, half_angle] :
        {std::pair{"alpha_", pi() / (2 * (1 + 2 * k))}, std::pair{"beta_", pi() / (4 * (1 + k))}}) {
     const std::string kind = std::string(name) == "alpha_" ? "magic" : "deficient";
-    const auto f = [&](const std::string& part) { return fun(kind + "_" + part, {k}); };
-    const Theorem y_is = names.name(kind + "_angle", {k}, half_angle, "With");
-    const Theorem sine = names.name(kind + "_sine", {k}, sin(f("angle")));
-    const Theorem versed = names.name(kind + "_versed", {k}, 2 * power(f("sine"), 2));
-    const Theorem cosine = names.name(kind + "_cosine", {k}, 1 - f("versed"));
+    const auto f = [&](const std::string& part) { return names(kind + "_" + part); };
+    const Theorem y_is = names.name(kind + "_angle", half_angle, "With");
+    const Theorem sine = names.name(kind + "_sine", sin(f("angle")));
+    const Theorem versed = names.name(kind + "_versed", 2 * power(f("sine"), 2));
+    const Theorem cosine = names.name(kind + "_cosine", 1 - f("versed"));
     const Theorem definition = book[std::string("ratios.") + name + "k"];
     const Expr whole = right(definition).arg(1).arg(0);  // cos(pi/d)
     const Theorem twice =
@@ -97,8 +93,8 @@ void ratio_forms(Names& names) {
   }
 }
 /// A ball that is not lighter than a block has one collision with each: rational velocities.
-void heavy_ball(Names& names) {
-  Book& book = names.book;
+void heavy_ball(Book& book) {
+  const Names names{book, {alpha}, {alpha_positive}};
   const Expr heavy = le(1, alpha);
   book.chapter("heavy", "A heavy ball", {heavy, V_positive});
   const Theorem is_heavy = assume(heavy), mass = linear(alpha_positive, {is_heavy});
@@ -110,11 +106,11 @@ void heavy_ball(Names& names) {
   const Theorem counts =
       both({book.show("N_A", "Both blocks have one collision each, A", once("ratios.N_A_once", {})),
             book.show("N_B", "and B:", once("ratios.N_B_once", {beta_below}))});
-  const Theorem sum = names.name("masses", {alpha}, 1 + alpha, "With");
+  const Theorem sum = names.name("masses", 1 + alpha, "With");
   know(positive(sum));
-  const Theorem part_of = names.name("per_mass", {alpha}, 1 / of_alpha("masses"));
-  const Theorem share = names.name("share", {alpha}, alpha * of_alpha("per_mass"));
-  const Theorem less = names.name("lead", {alpha}, 1 - alpha);
+  const Theorem part_of = names.name("per_mass", 1 / of_alpha("masses"));
+  const Theorem share = names.name("share", alpha * of_alpha("per_mass"));
+  const Theorem less = names.name("lead", 1 - alpha);
   const Expr i = of_alpha("per_mass"), f = of_alpha("share"), D = of_alpha("lead");
   Theorems steps{book["cycle.start_vector"]};
   const Theorem zero = equation(Expr(1) - 1, 0);
@@ -144,12 +140,11 @@ Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
 
 void evaluators(Book& book) {
   book.chapter("evaluators", "Forms for evaluation", {alpha_positive, from_0});
-  Names names(book);
-  const Angle a = angle(names);
-  velocities(names, a);
-  terminal_forms(names, a);
-  ratio_forms(names);
-  heavy_ball(names);
-  collision_forms(names, a);
+  const Angle a = angle(book);
+  velocities(book, a);
+  terminal_forms(book, a);
+  ratio_forms(book);
+  heavy_ball(book);
+  collision_forms(book, a);
 }
 }  // namespace derivation

@@ -7,20 +7,6 @@ namespace derivation {
 inline Expr of_alpha(const std::string& name) { return fun(name, {alpha}); }
 inline Expr of_both(const std::string& name) { return fun(name, {alpha, n}); }
 
-/// Names for parts of a form, each defined by those before it; the generator's nodes.
-class Names {
-public:
-  explicit Names(Book& the_book) : book(the_book) {}
-
-  Theorem name(const std::string& name, const Exprs& params, Expr value,
-               const std::string& words = "and") {
-    Exprs domain;
-    for (const Expr& p : params)
-      domain.push_back(p == alpha ? alpha_positive : p == V ? V_positive : le(p == k ? 1 : 0, p));
-    return book.define(name, params, value, domain, words);
-  }
-  Book& book;
-};
 /// half_h = psi/4, t = sin(psi/4)/cos(psi/4), w = t/alpha, t <= w.
 struct Angle {
   Theorem quarter, tangent, t_is, w_is, t_small;
@@ -50,7 +36,7 @@ struct Prover {
 Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
                const Theorem& w_product);
 /// The terminal velocities, from what is left of a quarter turn after N_A steps of psi/2.
-void terminal_forms(Names& names, const Angle& a);
+void terminal_forms(Book& book, const Angle& a);
 /// When and where collision j takes place, from the sine and cosine of j psi/4.
-void collision_forms(Names& names, const Angle& a);
+void collision_forms(Book& book, const Angle& a);
 }  // namespace derivation

@@ -5,8 +5,6 @@
 
 namespace derivation {
 namespace {
-const Exprs inputs{alpha, j};
-Expr of_j(const std::string& name) { return fun(name, inputs); }
 Expr sine_of(Expr times) { return sin(times * (psi() / 2)); }
 
 /// (1 + alpha)/2 = sin(psi/2)/sin(psi), for both.
@@ -27,18 +25,18 @@ void first_of_B(Book& book) {
 }
 }  // namespace
 
-void collision_forms(Names& names, const Angle& a) {
-  Book& book = names.book;
+void collision_forms(Book& book, const Angle& a) {
   book.chapter("evaluators_collision", "Forms for evaluation: a collision",
                {alpha_positive, V_positive, lt(0, L), le(0, j)});
   first_of_B(book);
 
   const Expr T = of_alpha("t"), q = of_alpha("half_h"), quarter = psi() / 4;
-  const Theorem phase = names.name("half_phase", inputs, q * j, "With");
+  const Names of_j{book, {alpha, j}, {alpha_positive, le(0, j)}};
+  const Theorem phase = of_j.name("half_phase", q * j, "With");
   const Theorem phase_is = rewrite(a.quarter, phase);
   const Expr angle = right(phase_is);
   const auto name = [&](const std::string& symbol, Expr value) {
-    return rewrite(phase_is, names.name(symbol, inputs, value));
+    return rewrite(phase_is, of_j.name(symbol, value));
   };
   const Theorem S_is = name("half_sine", sin(of_j("half_phase")));
   const Expr S = of_j("half_sine");
@@ -76,14 +74,13 @@ void collision_forms(Names& names, const Angle& a) {
   const Theorem sine_positive = linear(lt(0, sine), {sine_is, S_from_0, times(C_positive, T)});
   book.show("sine_positive", "and so is", sine_positive);
   const Known divisors({sine_positive, is_positive, takes_place});
-  const auto divided = [&](const char* symbol, Expr value, const char* words) {
-    return book.define(symbol, inputs, value,
-                       {alpha_positive, le(0, j), lt(0, cosine), is_near.conclusion()}, words);
-  };
-  const Theorem per_next = divided("per_next", 1 / cosine, "and");
-  const Theorem ratio = divided("sine_ratio", S / sine, "and");
-  const Theorem t_ratio = divided("t_ratio", T / sine, "and");
-  const Theorem of_time = divided("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"), "and");
+  const Names before_the_end{
+      book, {alpha, j}, {alpha_positive, le(0, j), lt(0, cosine), is_near.conclusion()}};
+  const Theorem per_next = before_the_end.name("per_next", 1 / cosine);
+  const Theorem ratio = before_the_end.name("sine_ratio", S / sine);
+  const Theorem t_ratio = before_the_end.name("t_ratio", T / sine);
+  const Theorem of_time =
+      before_the_end.name("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"));
   const Theorem more = linear(lt(0, sine - S), {sine_is, times(C_positive, T)});
   book.show("ratio_at_most", "where",
             linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));

@@ -71,6 +71,21 @@ inline Theorem canonical_form(const Theorem& t) {
 }
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);
+/// Names with the same parameters and domain.
+struct Names {
+  Book& book;
+  Exprs params, domain;
+  Expr operator()(const std::string& symbol) const { return fun(symbol, params); }
+  Theorem name(const std::string& symbol, Expr value, const std::string& words = "and") const {
+    return book.define(symbol, params, value, domain, words);
+  }
+  /// The name of a positive term, known to be one from here on.
+  Theorem positive(const std::string& symbol, Expr value, const std::string& words = "and") const {
+    const Theorem is = name(symbol, value, words);
+    know(algebra::positive(is));
+    return is;
+  }
+};
 /// Collisions with the approach speeds `speed`, as long as these are positive: 0 < speed(j) if and
 /// only if 0 < sin(angle(j + 1)) is `sign`; angle(i) is i steps (or half steps) of a positive term,
 /// angle(turns) = pi, angle(1) < pi. Shows that name(params), the least j with speed(j) <= 0, is

@@ -23,13 +23,11 @@ std::pair<Theorem, Theorem> root_of_square() {
 }
 }  // namespace
 
-void terminal_forms(Names& names, const Angle& a) {
-  Book& book = names.book;
+void terminal_forms(Book& book, const Angle& a) {
   book.chapter("evaluators_end", "Forms for evaluation: terminal velocities",
                {alpha_positive, V_positive});
-  const Exprs inputs{alpha, V};
-  const auto f = [&](const std::string& name) { return fun(name, inputs); };
-  const Theorem h = names.name("h", {alpha}, 2 * of_alpha("half_h"), "With");
+  const Names f{book, {alpha, V}, {alpha_positive, V_positive}};
+  const Theorem h = book.define("h", {alpha}, 2 * of_alpha("half_h"), {alpha_positive}, "With");
   const Theorem psi_is = linear(eq(psi(), 2 * of_alpha("h")), {h, a.quarter});
   const Theorem h_is = linear(eq(of_alpha("h"), psi() / 2), {psi_is});
   know(linear(lt(0, of_alpha("h")), {psi_is}));
@@ -40,18 +38,17 @@ void terminal_forms(Names& names, const Angle& a) {
                       rewrite(quotient, book["counting." + std::string(name)])));
 
   const Expr angle = N_A() * psi() / 2, r = pi() / 2 - angle;
-  const Theorem def_rest =
-      names.name("rest", inputs, sqrt(power(pi() / 2 - of_alpha("h") * N_A(), 2)),
-                 "What is left of a quarter turn:");
+  const Theorem def_rest = f.name("rest", sqrt(power(pi() / 2 - of_alpha("h") * N_A(), 2)),
+                                  "What is left of a quarter turn:");
   const Theorem rest_is = restate(eq(f("rest"), sqrt(power(r, 2))), rewrite(h_is, def_rest));
-  const Theorem def_sine = names.name("rest_sine", inputs, sin(f("rest")));
-  const Theorem def_cosine = names.name("rest_cosine", inputs, cos(f("rest")));
-  const Theorems of_name{names.name("t_cosine", inputs, of_alpha("t") * f("rest_cosine")),
-                         names.name("w_cosine", inputs, of_alpha("w") * f("rest_cosine")),
-                         names.name("t_plus", inputs, f("t_cosine") + f("rest_sine")),
-                         names.name("t_minus", inputs, f("t_cosine") - f("rest_sine")),
-                         names.name("w_plus", inputs, f("w_cosine") + f("rest_sine")),
-                         names.name("b_form", inputs, 2 * f("w_plus") * f("t_cosine"))};
+  const Theorem def_sine = f.name("rest_sine", sin(f("rest")));
+  const Theorem def_cosine = f.name("rest_cosine", cos(f("rest")));
+  const Theorems of_name{f.name("t_cosine", of_alpha("t") * f("rest_cosine")),
+                         f.name("w_cosine", of_alpha("w") * f("rest_cosine")),
+                         f.name("t_plus", f("t_cosine") + f("rest_sine")),
+                         f.name("t_minus", f("t_cosine") - f("rest_sine")),
+                         f.name("w_plus", f("w_cosine") + f("rest_sine")),
+                         f.name("b_form", 2 * f("w_plus") * f("t_cosine"))};
   const Prover prover(book, a);
   const auto roots = root_of_square();
 
@@ -87,8 +84,7 @@ void terminal_forms(Names& names, const Angle& a) {
   const Theorem Q = in_case(true), P = in_case(false);
   book.show("terminal", "The terminal velocities are, whichever collision is the last,",
             tautology(right(Q), {Q, P, book["terminal.last"]}));
-  names.name("rho", inputs, power(fun("b_t", inputs) / V, 2),
-             "and B has of the energy the fraction");
+  f.name("rho", power(f("b_t") / V, 2), "and B has of the energy the fraction");
 
   // |r| <= h/2, so sin|r| <= tan(h/2) cos(r).
   const Expr half_h = of_alpha("h") / 2, z = pi() / psi(), half = rational(1, 2), q = psi() / 4;
