@@ -97,18 +97,18 @@ void below_V(Book& book, const Theorem& facts) {
   // (2 + alpha) b = V + (1 + alpha)(b - c) + (c - a)
   const Theorem b_positive =
       arithmetic(lt(0, b_t()), {.equations = {{-1, all[2]}},
-                                .products = {{1, {assume(V_positive)}, {}},
+                                .products = {{1, {positive(V)}, {}},
                                              {1, {positive(1 + alpha), all[1]}, {}},
                                              {1, {all[0]}, {}}},
                                 .multipliers = {positive(2 + alpha)}});
   // (V + b)(V - b) = a^2 + alpha c^2
-  book.show(
-      "order", "In any case they are in the order of the bodies, and B is not faster than A was:",
-      both({all[0], all[1], b_positive,
-            arithmetic(le(b_t(), V),
-                       {.equations = {{1, all[3]}},
-                        .products = {{1, {}, {a_t()}}, {1, {assume(alpha_positive)}, {c_t()}}},
-                        .multipliers = {linear(lt(0, V + b_t()), {b_positive})}})}));
+  book.show("order",
+            "In any case they are in the order of the bodies, and B is not faster than A was:",
+            both({all[0], all[1], b_positive,
+                  arithmetic(le(b_t(), V),
+                             {.equations = {{1, all[3]}},
+                              .products = {{1, {}, {a_t()}}, {1, {positive(alpha)}, {c_t()}}},
+                              .multipliers = {linear(lt(0, V + b_t()), {b_positive})}})}));
   book.show("energy", "with", both({all[2], all[3]}));
 }
 
@@ -117,8 +117,7 @@ void below_V(Book& book, const Theorem& facts) {
 void recoil(Book& book) {
   const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
              down = (N_A() - rational(1, 2)) * (psi() / 2);
-  const Theorem down_from = times(linear(lt(0, N_A() - rational(1, 2))), psi());
-  const Theorem cos_down = positive(cos(down), {down_from});
+  const Theorem cos_down = positive(cos(down), {positive(down)});
   const Theorem falls = cosine_falls(linear(le(pi() / 2, up)));
   const Theorem cos_up = linear(le(0, -cos(up)), {falls});
   const Theorem a_is =
@@ -165,12 +164,12 @@ void terminal(Book& book) {
   const auto going = [&](Expr i, Expr count) { return going_on(book, i, {last_is(count)}); };
   const auto weaker = [&](const std::string& id) { return cut(linear(le(0, n)), book[id]); };
   const Theorem order_Q =
-      both({linear(le(a(n), c_prime(n)), {over(2 * n), weaker("counting.approach_P")}),
-            linear(le(c_prime(n), b(n)),
-                   {going(2 * n - 1, 2 * n), approaches[1], book["cycle.relative_Q"]})});
-  const Theorem order_P = both({linear(le(a(n), c(n)), {going(2 * n - 2, 2 * n - 1), approaches[0],
-                                                        book["cycle.relative_P"]}),
-                                linear(le(c(n), b(n - 1)), {over(2 * n - 1), approaches[1]})});
+      linear(logic_and({le(a(n), c_prime(n)), le(c_prime(n), b(n))}),
+             {over(2 * n), weaker("counting.approach_P"), going(2 * n - 1, 2 * n), approaches[1],
+              book["cycle.relative_Q"]});
+  const Theorem order_P = linear(logic_and({le(a(n), c(n)), le(c(n), b(n - 1))}),
+                                 {going(2 * n - 2, 2 * n - 1), approaches[0],
+                                  book["cycle.relative_P"], over(2 * n - 1), approaches[1]});
   const Theorem end_Q =
       at_the_end(book, {"after_Q", "If Q_n is the last collision,", 2 * n, n, c_prime(n), order_Q,
                         weaker("terminal.momentum_Q"), weaker("terminal.energy_Q")});
@@ -179,16 +178,16 @@ void terminal(Book& book) {
                         book["terminal.momentum_P"], book["terminal.energy_P"]});
   // One of them is, with n = N_A.
   const Theorem shares = book["counting.shares"];
-  const auto at_N_A = [&](const Theorem& t, Expr count) {
-    return instantiate(discharge(from_1, discharge(eq(N(), count), t)), {{n, N_A()}});
+  const auto at_N_A = [&](Expr count, const Theorem& end) {
+    return given(eq(N(), count), [&](const Theorem& is) { return at(end, {{n, N_A()}}, {is}); });
   };
   const Theorem last =
       book.show("last", "One of them is the last, with n = N_A:",
                 follows(logic_or({eq(N(), 2 * N_A()), eq(N(), 2 * N_A() - 1)}),
                         {linear(imp(lt(N(), 2 * N_A()), eq(N(), 2 * N_A() - 1)), {shares}),
                          linear(le(N(), 2 * N_A()), {shares})}));
-  below_V(book, tautology(end_Q.conclusion(), {at_N_A(end_Q, 2 * n), at_N_A(end_P, 2 * n - 1), last,
-                                               part(book["counting.at_least"], 0)}));
+  below_V(book, tautology(end_Q.conclusion(),
+                          {at_N_A(2 * N_A(), end_Q), at_N_A(2 * N_A() - 1, end_P), last}));
   recoil(book);
 }
 }  // namespace derivation

@@ -11,19 +11,17 @@ Expr K() { return fun("K", masses_and_e()); }
 Expr q_e() { return fun("q_e", masses_and_e()); }
 
 /// Names of quantities of collision j, and the forms that are shown for them.
-class Forms {
-public:
-  Forms(Book& the_book, const Exprs& assumptions, const Theorem& below_one)
-      : book(the_book), domain(assumptions), below(below_one) {}
+struct Forms : Names {
+  Theorem below;  ///< |- kappa < 1
+  Theorems shared = {};
 
   /// A theorem of the wedge, as kappa is below 1.
   Theorem in_angle(const std::string& id, const Substitution& terms = {}) const {
     return cut(below, at(book["wedge." + id], terms));
   }
-
-  /// |- symbol_j = value
+  /// |- symbol_j = value, not shown
   Theorem name(const std::string& symbol, Expr value) const {
-    return defined(symbol, {M_A, w_B, M_C, e, V, L, j}, value, domain);
+    return defined(symbol, params, value, domain);
   }
   /// Shows that what is so named has a form.
   Theorem show(const Theorem& is, const std::string& words, Expr form,
@@ -35,17 +33,8 @@ public:
   void share(const std::string& symbol, const std::string& words, Expr value, bool is_positive) {
     shared.push_back(name(symbol, value));
     book.show("def_" + symbol, words, under({lt(0, q_e())}, shared.back()));
-    if (is_positive) know(positive(shared.back()));
+    if (is_positive) know(algebra::positive(shared.back()));
   }
-  Expr operator()(const std::string& symbol) const {
-    return fun(symbol, {M_A, w_B, M_C, e, V, L, j});
-  }
-  Book& book;
-
-private:
-  Theorems shared;
-  Exprs domain;
-  Theorem below;  ///< |- kappa < 1
 };
 
 /// q_e = 1 - K, above 0 where collisions end; the time of the collapse where they do not.
@@ -170,7 +159,8 @@ void three_body_forms(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
   know(at(book["wedge.signs"], {{j, 0}}));
-  Forms forms(book, assumptions, angle(book, definition_of_q_e(book)));
+  Forms forms{{book, {M_A, w_B, M_C, e, V, L, j}, assumptions},
+              angle(book, definition_of_q_e(book))};
   know(book["wedge.signs"]);
   const Expr ratio = r_A() / r_B();
   forms.share("step_sine", "With", sin(h_e()), true);
