@@ -43,7 +43,7 @@ Theorem velocities_after(Book& book) {
   const Theorem w_1 = assume(eq(v_1, after[0]));
   const Theorem w_2 = assume(eq(v_2, after[1]));
   book.show("exists", "Conversely, these velocities keep momentum and energy,",
-            both({equation(momentum, {w_1, w_2}), equation(energy, {w_1, w_2})}));
+            equation(logic_and({momentum, energy}), {w_1, w_2}));
   const auto back = [&](const Theorem& same) {
     return arithmetic(eq(u_1, u_2),
                       {.equations = {{-(M_1 + M_2) / 2, same}, {(M_1 + M_2) / 2, w_1}},

@@ -70,7 +70,7 @@ void ends(Book& book) {
   }
   know(not_negative(C_B));
   book.show("order", "in the order of the bodies:",
-            both({linear(le(A, C), {A_is, C_is}), linear(le(C, B), {C_is}),
-                  linear(le(0, B), {B_is, not_negative(right(B_is))})}));
+            linear(logic_and({le(A, C), le(C, B), le(0, B)}),
+                   {A_is, C_is, B_is, not_negative(right(B_is))}));
 }
 }  // namespace derivation

@@ -13,10 +13,9 @@ Expr half() { return psi() / 2; }
 
 /// For 0 < x < pi/2: the ratio with psi/2 = x is at most alpha if and only if x <= psi/2.
 void ratio_of_angle(Book& book) {
-  const Theorem above_0 = assume(lt(0, x)), below_edge = assume(lt(x, edge));
+  const Known range({assume(lt(0, x)), assume(lt(x, edge))});
   const Theorem value = book["rotation.cos_half_psi"];
   const Expr ratio = solve({eq(right(value), cos(x))}, {alpha})[0];
-  const Known range({above_0, below_edge});
   book.show("ratio",
             "The mass ratio at which psi/2 is an angle x between 0 and pi/2, by solving "
             "1/(1 + alpha) = cos(x):",
@@ -69,44 +68,35 @@ void threshold(Book& book, const Threshold& which) {
                 "The ratio at which psi/2 = pi/(" +
                     std::string(which.count == "N_A" ? "2k + 1" : "2k + 2") + "):",
                 "", which.name + "k");
-  const Theorem versed =
-      linear(lt(0, 1 - cos(pi() / d)), {cosine_falls(linear(lt(0, pi() / d), range), range)});
-  const Theorem above_0 = positive(right(definition), {versed});
-  know_for_good(book.show(which.name + "k_positive", "a positive one;",
-                          linear(lt(0, fun(which.name, {k})), {definition, above_0})));
+  const Theorem versed = linear(lt(0, 1 - cos(pi() / d)), {cosine_falls(range[0], range)});
+  know_for_good(
+      book.show(which.name + "k_positive", "a positive one;", positive(definition, {versed})));
   book.show(which.name + "k_paper", which.label, "as the paper writes it:",
             equation(fun(which.name, {k}), Expr(-1) + 1 / cos(pi() / d), {definition}));
 
-  // N = k if and only if k - 1 < pi/psi - shift <= k, that is pi/d_k <= psi/2 < pi/d_(k-1)
+  // N = k if and only if k - 1 < z <= k; z <= k if and only if pi/d <= psi/2, so if the ratio is reached
   const Expr z = pi() / psi() - which.shift;
+  const auto t = [&](Expr i) { return fun(which.name, {i}); };
   const auto counted = [&](Expr i) {
     const Expr meaning = logic_and({lt(i - 1, z), le(z, i)});
     const Theorem ceiling = at(ceiling_is(), {{x, z}, {k, i}});
     return restate(iff(eq(count, i), meaning), rewrite(turned(number), ceiling));
   };
-  const auto side = [&](Expr i, const Theorem& from) {  // z <= i iff pi/d_i <= psi/2
-    const Expr angle = pi() / which.denominator(i);
-    const Expr per = psi() / which.denominator(i);
-    return same_sign(iff(le(angle, half()), le(z, i)), per,
-                     {from, positive(which.denominator(i), {from})});
-  };
-  const auto reached = [&](Expr i, const Theorem& from) {  // threshold_i <= alpha iff ...
-    const Expr d_i = which.denominator(i);
-    const Theorem there = at(book["ratios.reached"], {{x, pi() / d_i}}, range_of(d_i, {from}));
-    return rewrite(turned(at(definition, {{k, i}})), there);
-  };
-  const auto t = [&](Expr i) { return fun(which.name, {i}); };
+  const Theorem of_angle =
+      same_sign(iff(le(pi() / d, half()), le(z, k)), psi() / d, {from_1, positive(d, {from_1})});
+  const Theorem of_ratio =
+      rewrite(turned(definition), at(book["ratios.reached"], {{x, pi() / d}}, range));
+  const Theorem reached = tautology(iff(le(t(k), alpha), le(z, k)), {of_angle, of_ratio});
   book.show(which.count + "_range", which.range_label,
             which.count + " = k exactly from there up to the ratio before,",
             tautology(iff(eq(count, k), logic_and({le(t(k), alpha), lt(alpha, t(k - 1))})),
-                      {counted(k), side(k, from_2), reached(k, from_2), side(k - 1, from_2),
-                       reached(k - 1, from_2)}));
+                      {counted(k), cut(linear(le(1, k), {from_2}), reached),
+                       at(reached, {{k, k - 1}}, {from_2})}));
   // k = 1: the other side always holds, as psi < pi.
   const Theorem always = scaled(lt(Expr(1) - 1, z), lt(psi(), pi()), 1 / psi());
   book.show(
       which.count + "_once", which.range_label, "and " + which.count + " = 1 from the first on:",
-      tautology(iff(eq(count, 1), le(t(1), alpha)), {counted(1), at(side(k, from_1), {{k, 1}}),
-                                                     at(reached(k, from_1), {{k, 1}}), always}));
+      tautology(iff(eq(count, 1), le(t(1), alpha)), {counted(1), at(reached, {{k, 1}}), always}));
 }
 
 /// ... < beta_2 < alpha_2 < beta_1 < alpha_1 = 1

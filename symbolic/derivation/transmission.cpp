@@ -86,11 +86,12 @@ void equations_of_paper(Book& book, const Theorems& names) {
   const Expr a_0 = with_e("a_e", n - 1), a_1 = with_e("a_e", n), b_0 = with_e("b_e", n - 1),
              b_1 = with_e("b_e", n), c_0 = with_e("c_e'", n - 1), c_1 = with_e("c_e", n),
              c_2 = with_e("c_e'", n);
-  book.show("paper", "eq:inelastic", "These are the paper's equations of P_n and Q_n:",
-            both({equation(a_0 + alpha * c_0, a_1 + alpha * c_1, rules),
-                  equation(e * (a_0 - c_0), c_1 - a_1, rules),
-                  equation(b_0 + alpha * c_1, b_1 + alpha * c_2, rules),
-                  equation(e * (c_1 - b_0), b_1 - c_2, rules)}));
+  book.show(
+      "paper", "eq:inelastic", "These are the paper's equations of P_n and Q_n:",
+      equation(
+          logic_and({eq(a_0 + alpha * c_0, a_1 + alpha * c_1), eq(e * (a_0 - c_0), c_1 - a_1),
+                     eq(b_0 + alpha * c_1, b_1 + alpha * c_2), eq(e * (c_1 - b_0), b_1 - c_2)}),
+          rules));
 }
 /// b_n(e) < b_n(e') |- the same of rho, where they differ by `factor`, a positive term.
 void rises(Book& book, const std::string& name, const std::string& words, const Theorem& is,
