@@ -134,11 +134,12 @@ Theorem cosine_positive(const Theorem& from, const Theorem& below) {
   const Theorem edge = linear(le(pi() / 2, pi()));
   return linear(lt(0, cos(left(below))), {cosine_falls(below, {from, edge})});
 }
-Theorem sine_not_negative(const Theorem& from, const Theorem& to) {
-  const Expr t = left(to), goal = le(0, sin(t));
+Theorem sine_not_negative(Expr t, const Theorems& facts) {
+  const Expr goal = le(0, sin(t));
   const auto at_end = [&](Expr end) { return where_equal(t, end, goal, linear(le(0, sin(end)))); };
   const Theorem inside = given(logic_and({lt(0, t), lt(t, pi())}),
                                [&](const Theorem& where) { return not_negative(sin(t), {where}); });
-  return follows(goal, {from, to, at_end(0), at_end(pi()), inside});
+  return follows(
+      goal, {linear(logic_and({le(0, t), le(t, pi())}), facts), at_end(0), at_end(pi()), inside});
 }
 }  // namespace algebra

@@ -12,8 +12,8 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle = true);
 Theorem same_angle(const Theorem& cosines, const Theorems& facts = {});
 /// cos(q) < cos(p) from p < q, <= from p <= q: `linear` finds 0 <= p and q <= pi.
 Theorem cosine_falls(const Theorem& less, const Theorems& facts = {});
-/// 0 <= sin(t) from 0 <= t and t <= pi.
-Theorem sine_not_negative(const Theorem& from, const Theorem& to);
+/// 0 <= sin(t): `linear` finds 0 <= t and t <= pi.
+Theorem sine_not_negative(Expr t, const Theorems& facts = {});
 /// 0 < t and t < pi/2 give 0 < cos(t).
 Theorem cosine_positive(const Theorem& from, const Theorem& below);
 }  // namespace algebra

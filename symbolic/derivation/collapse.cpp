@@ -103,12 +103,10 @@ void equal_blocks(Book& book) {
     const Theorem r = at(book[id], equal, {ball});
     return rewrite(equation(right(r).arg(0), share), r);
   };
-  const Theorem root = root_squared(positive(share));
-  const Theorem of_blocks =
-      book.show("equal_blocks", "For blocks of one mass and a ball of alpha times that,",
-                equation(substitute(kappa(), equal), (1 + e) / (2 * s * (1 + alpha)),
-                         {at(book["wedge.kappa"], equal, {ball}), shared("wedge.r_A"),
-                          shared("wedge.r_B"), root}));
+  const Theorem of_blocks = book.show(
+      "equal_blocks", "For blocks of one mass and a ball of alpha times that,",
+      equation(substitute(kappa(), equal), (1 + e) / (2 * s * (1 + alpha)),
+               {at(book["wedge.kappa"], equal, {ball}), shared("wedge.r_A"), shared("wedge.r_B")}));
   const Substitution elastic{{e, 1}};
   book.show(
       "elastic",

@@ -10,8 +10,7 @@ Expr half_angle(Expr count) { return count * psi() / 2; }
 Theorem sine_not_positive() {
   return given(le(pi(), x), [](const Theorem& from_pi) {
     return given(le(x, 2 * pi()), [&](const Theorem& to_end) {
-      const Theorem back = sine_not_negative(linear(le(0, x - pi()), {from_pi}),
-                                             linear(le(x - pi(), pi()), {to_end}));
+      const Theorem back = sine_not_negative(x - pi(), {from_pi, to_end});
       const Theorem shifted = equation(sin(x), -sin(x - pi()), {}, {x - pi(), pi()});
       return linear(le(sin(x), 0), {shifted, back});
     });

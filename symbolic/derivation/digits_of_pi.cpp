@@ -29,7 +29,7 @@ void digits_of_pi(Book& book) {
   const Theorem no_share = here("wedge.r_B");
   const Theorem unit = rewrite(equation(right(no_share).arg(0), 1), no_share);
   const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit, root_is(1, 1)});
-  const Theorem square = equation(power(kappa, 2), share, {root, root_squared(positive(share))});
+  const Theorem square = equation(power(kappa, 2), share, {root});
   know(positive(root));
   // 1 - kappa^2 = 1/(1 + T^2) is positive
   const Theorem rest = equation(1 - power(kappa, 2), 1 / (power(T, 2) + 1), {square});

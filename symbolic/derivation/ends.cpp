@@ -38,7 +38,7 @@ void ends(Book& book) {
   };
   const Theorem last = approach_is(N - 1, rest, parting / e, parting_is);
   const Theorem next = approach_is(N, rest - h, -opening, opening_is);
-  know(sine_not_negative(linear(le(0, h - rest)), linear(le(h - rest, pi()))));
+  know(sine_not_negative(h - rest));
   know(positive(parting_is));
   know(linear(le(0, opening), {opening_is, not_negative(right(opening_is))}));
   book.show("last", "for these are the approach speeds then:",

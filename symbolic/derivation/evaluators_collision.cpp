@@ -68,8 +68,7 @@ void collision_forms(Book& book, const Angle& a) {
                 linear(lt(j, N()), {room, book["counting.N"]}));
 
   const Theorem from_turn = linear(le(0, angle), {not_negative(j * psi())});
-  const Theorem S_from_0 =
-      linear(le(0, S), {S_is, sine_not_negative(from_turn, linear(le(angle, pi()), {near}))});
+  const Theorem S_from_0 = linear(le(0, S), {S_is, sine_not_negative(angle, {from_turn, near})});
   const Theorem C_positive = linear(lt(0, C), {C_is, tS_is, is_positive, times(S_from_0, T)});
   const Theorem sine_positive = linear(lt(0, sine), {sine_is, S_from_0, times(C_positive, T)});
   book.show("sine_positive", "and so is", sine_positive);
@@ -110,7 +109,7 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem product =
       times(linear(le(0, cos(middle)),
                    {cosine_falls(linear(le(middle, pi() / 2), {near}), {near, from_turn})}),
-            sine_not_negative(off_from_0, linear(le(off, pi()), {near})));
+            sine_not_negative(off, {off_from_0, near}));
   const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
   book.show("t_at_most", "where from the second collision of A on",
             linear(le(T, S), {S_is, rises, product, double_t, times(positive(cos(psi() / 2)), T)}));

@@ -23,8 +23,7 @@ Theorem angle(Book& book, Names& f) {
   const Theorem t = f.positive("t_e", sqrt(gap) / W);
   const Expr T = left(t);
   const Theorem square =
-      book.show("t_squared", "", "t^2 is",
-                equation(power(T, 2), of_e("z_e"), {t, z, root_squared(positive(gap))}));
+      book.show("t_squared", "", "t^2 is", equation(power(T, 2), of_e("z_e"), {t, z}));
   // gap = (2 sqrt(e)(1 + alpha))^2 - (1 + e)^2
   const Theorem gap_is = equation(gap, power(2 * sqrt(e) * (1 + alpha), 2) - power(1 + e, 2),
                                   {gap_e, rise, share, loss});
@@ -42,7 +41,7 @@ Theorem angle(Book& book, Names& f) {
   const Theorem parts_of_kappa =
       equation(kappa_e, (1 + e) / (2 * sqrt(e) * (1 + alpha)),
                {for_blocks(book["wedge.kappa"]), for_blocks(book["wedge.r_A"]),
-                for_blocks(book["wedge.r_B"]), root_squared(positive(1 / (1 + alpha)))});
+                for_blocks(book["wedge.r_B"])});
   const Theorems of_half{at("cos atan", {{x, T}}), at("sin atan", {{x, T}}), square};
   const Theorem cosine = equation(cos(2 * half), kappa_e,
                                   of_half + Theorems{z, gap_is, whole, parts_of_kappa}, {half});

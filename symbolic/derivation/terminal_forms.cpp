@@ -102,8 +102,7 @@ void terminal_forms(Book& book, const Angle& a) {
                                    follows(bounds_of_rest, {with_sign(roots.first, le(0, r)),
                                                             with_sign(roots.second, lt(r, 0))}));
   const Expr gap_angle = q - f("rest");
-  const Theorem sine_from_0 = sine_not_negative(linear(le(0, gap_angle), {bounds, psi_is}),
-                                                linear(le(gap_angle, pi()), {bounds}));
+  const Theorem sine_from_0 = sine_not_negative(gap_angle, {bounds, psi_is});
   const Theorem difference =
       equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
                {turned(def_sine), turned(def_cosine)}, {q, f("rest")});

@@ -63,8 +63,7 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
   const Theorem is = book.name("h_e", masses_and_e(), atan(t), domain,
                                "Where kappa is below 1 it is the cosine of an angle,");
   const Expr h = left(is);
-  const Theorem square =
-      equation(power(1 / x_e, 2), 1 + power(t, 2), {root_squared(positive(rest))});
+  const Theorem square = equation(power(1 / x_e, 2), 1 + power(t, 2));
   const Theorem cosine =
       book.show("cosine", "as",
                 under(domain, equation(cos(h), x_e,
@@ -114,7 +113,7 @@ Theorems squared_shares(const Book& book) {
   for (const char* id : {"wedge.r_A", "wedge.r_B"}) {
     const Theorem r = book[id];
     const Expr share = right(r).arg(0);
-    out.push_back(equation(power(left(r), 2), share, {r, root_squared(positive(share))}));
+    out.push_back(equation(power(left(r), 2), share, {r}));
   }
   return out;
 }

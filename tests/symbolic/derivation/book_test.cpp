@@ -83,9 +83,9 @@ TEST_CASE("tactics for angles refuse what does not follow") {
   refused("no linear combination of the facts gives y <= pi", [&] { cosine_falls(less, wide); });
   refused("gives 0 <= x", [&] { cosine_falls(less, early); });
   const Theorem y_from_0 = assume(le(0, y));
-  CHECK(text(sine_not_negative(y_from_0, to_pi).conclusion()) == "0 <= sin(y)");
-  CHECK_THROWS_AS(sine_not_negative(y_from_0, beyond), Refused);
-  CHECK_THROWS_AS(sine_not_negative(assume(le(-1, y)), to_pi), Refused);
+  CHECK(text(sine_not_negative(y, {y_from_0, to_pi}).conclusion()) == "0 <= sin(y)");
+  CHECK_THROWS_AS(sine_not_negative(y, {y_from_0, beyond}), Refused);
+  CHECK_THROWS_AS(sine_not_negative(y, {assume(le(-1, y)), to_pi}), Refused);
   CHECK_THROWS_AS(cosine_positive(y_from_0, assume(le(y, pi() / 2))), Refused);
   CHECK_THROWS_AS(otherwise(lt(x, y), assume(lt(0, 1))), Refused);
   CHECK_NOTHROW(linear(le(n, 2 * k), {assume(lt(n, 2 * k + 1))}));
