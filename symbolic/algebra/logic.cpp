@@ -146,9 +146,10 @@ Theorem by_induction(Expr n, Expr f, const Theorems& start, const Theorems& next
                         return equation(substitute(f, {{n, n + 1}}), next + Theorems{now}, bases);
                       });
 }
-Theorem otherwise(Expr goal, const Theorem& absurd) {
+Theorem otherwise(Expr goal, const Theorems& facts) {
   const Expr l = goal.arg(0), r = goal.arg(1);
-  return tautology(goal, {refute(goal.op() == Op::Lt ? le(r, l) : lt(r, l), absurd)});
+  return tautology(goal,
+                   {refute(goal.op() == Op::Lt ? le(r, l) : lt(r, l), linear(lt(0, 0), facts))});
 }
 Theorem under(const Exprs& hypotheses, const Theorem& theorem) {
   Theorems from;

@@ -70,8 +70,8 @@ Theorem by_induction(Expr n, Expr f, const Theorem& base,
 /// The same where `equation` shows f at 0 from `start` and at n + 1 from `next` and f.
 Theorem by_induction(Expr n, Expr f, const Theorems& start, const Theorems& next,
                      const Exprs& bases = {});
-/// l < r from r <= l, H |- 0 < 0, or l <= r from r < l, H |- 0 < 0.
-Theorem otherwise(Expr goal, const Theorem& absurd);
+/// l < r or l <= r, as facts that assume the contrary contradict each other by `linear`.
+Theorem otherwise(Expr goal, const Theorems& facts);
 /// The same conclusion under more hypotheses, so that a chapter shows what it means by a name.
 Theorem under(const Exprs& hypotheses, const Theorem& theorem);
 /// H, f |- c gives H, K |- c where `proof` is K |- f.

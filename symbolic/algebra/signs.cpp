@@ -21,9 +21,7 @@ const Theorem& root_positive() {  // |- 0 < x implies 0 < sqrt(x)
     const Theorem x_positive = assume(lt(0, x)), none = assume(le(sqrt(x), 0));
     const Theorem weak = linear(le(0, x), {x_positive});
     const Theorem square = times(at("root not negative", {}, {weak}), none);
-    return discharge(
-        lt(0, x),
-        otherwise(lt(0, sqrt(x)), linear(lt(0, 0), {square, x_positive, root_squared(weak)})));
+    return discharge(lt(0, x), otherwise(lt(0, sqrt(x)), {square, x_positive, root_squared(weak)}));
   }();
   return result;
 }

@@ -70,8 +70,7 @@ void encounters(Book& book) {
   const Theorem positive_sine = tautology(
       lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going(j, assume(le(0, j)))});
   know(restate(lt(0, sine(j + 1)), positive_sine));
-  know(linear(lt(0, fun("U", {in_paper(kappa()), j})),
-              {rules[2], positive(sine(j + 1) / sin(half()))}));
+  know(positive(rules[2]));
   book.show("when", "For a collision that takes place that is",
             equation(left(when), L / V * (sine(j) / sine(j + 1)),
                      rules + Theorems{when, of_motion("places.time")}));

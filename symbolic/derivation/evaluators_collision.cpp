@@ -60,8 +60,7 @@ void collision_forms(Book& book, const Angle& a) {
   const auto times_c = [&](Expr l, Expr r) { return cancel(eq(l, r), {c}, parts, bases); };
   const Theorem next_cosine = times_c(cos(next), cos(quarter) * cosine);
   const Theorem falls = cosine_falls(assume(le(pi() / 2, next)), {near});
-  const Theorem below =
-      otherwise(lt(next, pi() / 2), linear(lt(0, 0), {falls, next_cosine, times(c, is_positive)}));
+  const Theorem below = otherwise(lt(next, pi() / 2), {falls, next_cosine, times(c, is_positive)});
   const Theorem room = times(linear(lt(0, 2 * pi() - (j + 1) * psi()), {below}), 1 / psi());
   const Theorem takes_place =
       book.show("takes_place", "Collision j takes place where that is positive:",

@@ -29,8 +29,7 @@ Theorem angle(Book& book, Names& f) {
                                   {gap_e, rise, share, loss});
   const Theorem q = for_blocks(book["bodies.def_q_e"]), K = for_blocks(book["collapse.def_K"]);
   const Expr q_e = left(q), D = 4 * e * power(1 + alpha, 2);
-  const Theorem q_positive = linear(
-      lt(0, q_e), {equation(q_e, gap / D, {q, K, gap_e, rise, share, loss}), positive(gap / D)});
+  const Theorem q_positive = positive(equation(q_e, gap / D, {q, K, gap_e, rise, share, loss}));
   know(q_positive);
   const Expr kappa_e = substitute(kappa(), blocks_of_paper);
   know(tautology(lt(kappa_e, 1), {for_blocks(book["collapse.threshold"]),
@@ -83,7 +82,7 @@ void velocities(Book& book, Names& f, const Theorem& step) {
 
   const Theorem r_A_is = for_blocks(book["wedge.r_A"]), r_B_is = for_blocks(book["wedge.r_B"]);
   const Theorem sides = linear(eq(left(r_B_is), left(r_A_is)), {r_A_is, r_B_is});
-  know(linear(lt(0, left(r_A_is)), {r_A_is, positive(sqrt(1 / (1 + alpha)))}));
+  know(positive(r_A_is));
   const auto at_e = [](Expr t) { return substitute(t, blocks_of_paper); };
   const auto closing_is = [&](Expr i) {
     return canonical_form(

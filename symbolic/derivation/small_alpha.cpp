@@ -16,12 +16,10 @@ void theta_bounds(Book& book) {
   const Theorem definition = book["ball.theta"];
   know(book.show("theta_range", "The range of theta:",
                  both({positive(definition), linear(lt(theta(), pi()), {definition})})));
-  const Theorem cosine =
-      linear(lt(0, cos(theta())),
-             {book["ball.cos_theta"], positive((1 - alpha) / (1 + alpha), {assume(light)})});
+  const Theorem cosine = positive(book["ball.cos_theta"], {assume(light)});
   const Theorem falls = cosine_falls(assume(le(pi() / 2, theta())));
-  book.show("theta_light", "for a ball lighter than a block:",
-            otherwise(lt(theta(), pi() / 2), linear(lt(0, 0), {cosine, falls})));
+  book.show("theta_light",
+            "for a ball lighter than a block:", otherwise(lt(theta(), pi() / 2), {cosine, falls}));
   const Theorems bounds{definition, atan_bounds(s)};
   book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
             linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));
@@ -84,8 +82,7 @@ void small_alpha(Book& book) {
   const Theorem is_1 = linear(eq(right(first), 1), {first, book["ratios.alpha_1"]});
   const Theorem angle = assume(le(third, psi() / 2));
   const Theorem heavy = tautology(left(reached), {reached, angle});
-  const Theorem less =
-      otherwise(lt(psi() / 2, third), linear(lt(0, 0), {heavy, assume(light), is_1}));
+  const Theorem less = otherwise(lt(psi() / 2, third), {heavy, assume(light), is_1});
   book.show("psi_light",
             "The range of psi for such a ball:", linear(lt(psi(), 2 * pi() / 3), {less}));
   psi_bounds(book);

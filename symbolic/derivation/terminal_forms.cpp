@@ -14,7 +14,7 @@ std::pair<Theorem, Theorem> root_of_square() {
       const auto not_above = [&](Expr l, Expr r) {
         const Theorem above = assume(lt(r, l));
         const Theorem sum = linear(lt(0, l + r), {above, s_from_0, value_from_0});
-        return otherwise(le(l, r), linear(lt(0, 0), {times(above, sum), root_squared(square)}));
+        return otherwise(le(l, r), {times(above, sum), root_squared(square)});
       };
       return linear(eq(s, value), {not_above(s, value), not_above(value, s)});
     });

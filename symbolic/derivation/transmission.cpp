@@ -100,9 +100,7 @@ void rises(Book& book, const std::string& name, const std::string& words, const 
   const Theorem is_more = at(is, more);
   const Expr b_n = left(is), b_more = left(is_more);
   const Expr difference = V * alpha / power(1 + alpha, 2) * (e_more - e) * factor;
-  const Theorem larger =
-      linear(lt(0, b_more - b_n),
-             {equation(b_more - b_n, difference, {is, is_more}), positive(difference)});
+  const Theorem larger = positive(equation(b_more - b_n, difference, {is, is_more}));
   const Theorem sum = linear(lt(0, b_more + b_n), {positive(is), positive(is_more)});
   const Expr rho = power(b_n / V, 2), rho_more = power(b_more / V, 2);
   const Theorem product = times(times(larger, sum), 1 / power(V, 2));

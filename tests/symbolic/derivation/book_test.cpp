@@ -87,11 +87,11 @@ TEST_CASE("tactics for angles refuse what does not follow") {
   CHECK_THROWS_AS(sine_not_negative(y, {y_from_0, beyond}), Refused);
   CHECK_THROWS_AS(sine_not_negative(y, {assume(le(-1, y)), to_pi}), Refused);
   CHECK_THROWS_AS(cosine_positive(y_from_0, assume(le(y, pi() / 2))), Refused);
-  CHECK_THROWS_AS(otherwise(lt(x, y), assume(lt(0, 1))), Refused);
+  CHECK_THROWS_AS(otherwise(lt(x, y), {assume(lt(0, 1))}), Refused);
   CHECK_NOTHROW(linear(le(n, 2 * k), {assume(lt(n, 2 * k + 1))}));
   CHECK_THROWS_AS(linear(le(x, 2 * k), {assume(lt(x, 2 * k + 1))}), Refused);
   CHECK_THROWS_AS(positive(1 + alpha), Refused);  // known while deriving only
-  CHECK(otherwise(lt(x, y), assume(lt(0, 0))).hypotheses() == Exprs{lt(0, 0)});
+  CHECK(otherwise(lt(x, y), {assume(lt(0, 0))}).hypotheses() == Exprs{lt(0, 0)});
 }
 
 TEST_CASE("GiNaC solves linear equations, and says where they do not determine the unknowns") {
