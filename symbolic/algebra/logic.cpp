@@ -95,12 +95,10 @@ Theorem follows(Expr goal, const Theorems& from) {
   Theorems all = from;
   for (const auto& [l, r] : sides) {
     all.push_back(at("equal or less or greater", {{real("x"), l}, {real("y"), r}}));
-    const auto weaker = [&, l = l, r = r](Expr f) {
-      const Expr up = le(l, r), down = le(r, l);
-      const Expr goal_of_f = f.op() == Op::Eq ? logic_and({up, down}) : f == lt(l, r) ? up : down;
-      all.push_back(given(f, [&](const Theorem& t) { return linear(goal_of_f, {t}); }));
-    };
-    for (const Expr& f : {lt(l, r), eq(l, r), lt(r, l)}) weaker(f);
+    const Expr up = le(l, r), down = le(r, l);
+    for (const Expr& f :
+         {imp(lt(l, r), up), imp(eq(l, r), logic_and({up, down})), imp(lt(r, l), down)})
+      all.push_back(linear(f));
   }
   return tautology(goal, all);
 }
