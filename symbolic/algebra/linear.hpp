@@ -18,6 +18,6 @@ Theorem scaled(Expr goal, Expr relation, Expr factor, const Theorems& facts = {}
 Theorem same_sign(Expr equivalence, Expr factor, const Theorems& facts);
 /// An equation as a linear combination of equations and of nothing else, or nothing.
 std::optional<Theorem> combination(Expr equation, const Theorems& equations);
-/// The same, or nothing.
+/// As `linear` for one relation, but without the sign of the gap, or nothing.
 std::optional<Theorem> linear_if(Expr goal, const Theorems& facts);
 }  // namespace algebra

@@ -42,7 +42,7 @@ struct AllKnown {
 };
 void know_for_good(const Theorem& fact);
 void know(const Theorem& fact);
-/// Knows the assumptions, and no more what was known by `know`.
+/// Knows the assumptions, and forgets what `know` said.
 void suppose(const Exprs& assumptions);
 Theorems known();
 /// What is known from now on is known until `Known` ends.

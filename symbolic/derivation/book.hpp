@@ -28,6 +28,7 @@ struct Chapter {
 
 class Book {
 public:
+  /// Begins a chapter, in which tactics know its assumptions.
   void chapter(const std::string& name, const std::string& title, const Exprs& assumptions);
   /// Adds a statement to the last chapter and returns its theorem. Throws Refused where the id is
   /// taken or where a term of the statement is not proved to make sense under its hypotheses.

@@ -88,6 +88,10 @@ TEST_CASE("tactics for angles refuse what does not follow") {
   CHECK_THROWS_AS(sine_not_negative(y, {assume(le(-1, y)), to_pi}), Refused);
   CHECK_THROWS_AS(cosine_positive(y_from_0, assume(le(y, pi() / 2))), Refused);
   CHECK_THROWS_AS(otherwise(lt(x, y), {assume(lt(0, 1))}), Refused);
+  CHECK_THROWS_AS(at("root squared", {{x, y}}), Refused);  // nothing says 0 <= y
+  CHECK_THROWS_AS(same_sign(iff(lt(0, x), lt(x, 0)), 2, {}), Refused);
+  CHECK_THROWS_AS(where_equal(x, y, lt(x, 0), assume(lt(0, y))), Refused);
+  CHECK_THROWS_AS(by_induction(n, eq(turn(n), 0), Theorems{}, {}), Refused);
   CHECK_NOTHROW(linear(le(n, 2 * k), {assume(lt(n, 2 * k + 1))}));
   CHECK_THROWS_AS(linear(le(x, 2 * k), {assume(lt(x, 2 * k + 1))}), Refused);
   CHECK_THROWS_AS(positive(1 + alpha), Refused);  // known while deriving only
