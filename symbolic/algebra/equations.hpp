@@ -11,10 +11,10 @@ namespace algebra {
 std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by);
 /// q - p of p = q, p < q, p <= q or not p = q.
 Expr gap(const Theorem& relation);
-/// `goal` (l = r, of terms or of matrices, or several of them): each equation of `facts` (monomial = term) rewrites a monomial; denominators are
-/// cleared that `facts` (0 < d, not d = 0) or `positive` say not to be 0; squares of roots are
-/// rewritten; sines and cosines are expanded in those of the angles `bases`, if there are any.
-/// Throws Refused, with what is left over, where that does not end in 0 = 0.
+/// `goal` (l = r of terms or of matrices, or several): each equation of `facts` (monomial = term)
+/// rewrites a monomial; denominators are cleared that `facts` (0 < d, not d = 0) or `positive` say
+/// not to be 0; squares of roots are rewritten; sines and cosines are expanded in those of the
+/// angles `bases`, if any. Throws Refused, with what is left over, if that does not end in 0 = 0.
 Theorem equation(Expr goal, const Theorems& facts = {}, const Exprs& bases = {});
 Theorem equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs& bases = {});
 /// The same after the goal is multiplied by `factors`, each proved not 0.

@@ -63,8 +63,8 @@ bool is_among(Expr f, const Exprs& formulas);
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f
 Theorem refute(Expr f, const Theorem& absurd);
-/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use f and, as it is
-/// known then, 0 <= n.
+/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use f; 0 <= n is
+/// known in it.
 Theorem by_induction(Expr n, Expr f, const Theorem& base,
                      const std::function<Theorem(const Theorem&)>& step);
 /// The same where `equation` shows f at 0 from `start` and at n + 1 from `next` and f.

@@ -35,7 +35,7 @@ Theorem entrywise(Expr l, Expr r, const std::function<Theorem(Expr, int, int)>& 
       out.push_back(each(eq(entry(l, i, j), entry(r, i, j)), i, j));
   return restate(eq(l, r), both(out));
 }
-/// l = r by steps: a product that is what there was before, and an equation that is rewritten in it.
+/// l = r by steps: each is the product before it, written so that an equation rewrites a part.
 Theorem calculation(Expr l, Expr r, const std::vector<std::pair<Expr, Theorem>>& steps) {
   Theorem out = equation(l, l);
   for (const auto& [form, rule] : steps) out = rewrite(rule, restate(eq(l, form), out));

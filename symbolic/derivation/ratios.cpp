@@ -74,7 +74,7 @@ void threshold(Book& book, const Threshold& which) {
   book.show(which.name + "k_paper", which.label, "as the paper writes it:",
             equation(fun(which.name, {k}), Expr(-1) + 1 / cos(pi() / d), {definition}));
 
-  // N = k if and only if k - 1 < z <= k; z <= k if and only if pi/d <= psi/2, so if the ratio is reached
+  // N = k if and only if k - 1 < z <= k; z <= k means pi/d <= psi/2, so that the ratio is reached.
   const Expr z = pi() / psi() - which.shift;
   const auto t = [&](Expr i) { return fun(which.name, {i}); };
   const auto counted = [&](Expr i) {
