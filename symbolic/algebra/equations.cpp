@@ -197,17 +197,15 @@ Theorem root_squared(const Theorem& not_negative) {
   const Expr x = right(not_negative);
   return at("root squared", {{real("x"), x}}, {linear(le(0, x), {not_negative})});
 }
-Theorem root_of(const Theorem& square, const Theorem& t_from_0) {
-  const Expr t = left(square).arg(0), x = right(square), root = sqrt(x);
+Theorem root_of(const Theorem& square, const Theorem& t_positive) {
+  const Expr t = left(square).arg(0), x = right(square);
   const Theorem not_negative =
       arithmetic(le(0, x), {.equations = {{1, square}}, .products = {{1, {}, {t}}}});
-  const Theorem root_from_0 = at("root not negative", {{real("x"), x}}, {not_negative});
-  const auto at_most = [&](Expr l, Expr r) {  // else 0 < (l - r)(l + r) = l^2 - r^2 = 0
-    const Theorem above = assume(lt(r, l));
-    const Theorem sum = linear(lt(0, l + r), {above, root_from_0, t_from_0});
-    return otherwise(le(l, r), {times(above, sum), square, root_squared(not_negative)});
-  };
-  return linear(eq(root, t), {at_most(root, t), at_most(t, root)});
+  const Theorem root_sign = at("root not negative", {{real("x"), x}}, {not_negative});
+  // (sqrt(x) + t)(t - sqrt(x)) = (t^2 - x) - (sqrt(x)^2 - x)
+  return arithmetic(eq(sqrt(x), t),
+                    {.equations = {{-1, square}, {1, root_squared(not_negative)}},
+                     .multipliers = {linear(lt(0, sqrt(x) + t), {root_sign, t_positive})}});
 }
 Theorem root_is(Expr x, Expr t, const Theorems& facts) {
   return root_of(equation(power(t, 2), x, facts), positive(t, facts));

@@ -30,8 +30,8 @@ Theorem turned(const Theorem& e);
 Theorems entries(const Theorem& matrix_equation);
 /// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
 Theorem root_squared(const Theorem& not_negative);
-/// |- sqrt(x) = t from t^2 = x and 0 < t or 0 <= t.
-Theorem root_of(const Theorem& square, const Theorem& t_from_0);
+/// |- sqrt(x) = t from t^2 = x and 0 < t.
+Theorem root_of(const Theorem& square, const Theorem& t_positive);
 /// The same where `equation` and `positive` show both.
 Theorem root_is(Expr x, Expr t, const Theorems& facts = {});
 }  // namespace algebra

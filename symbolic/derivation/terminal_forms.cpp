@@ -6,9 +6,17 @@ namespace derivation {
 namespace {
 /// |- 0 <= x implies sqrt(x^2) = x, and |- x <= 0 implies sqrt(x^2) = -x
 std::pair<Theorem, Theorem> root_of_square() {
-  const auto with_sign = [](Expr value, Expr premise) {
-    return given(premise, [&](const Theorem& from_0) {
-      return root_of(equation(power(value, 2), power(x, 2)), linear(le(0, value), {from_0}));
+  const Expr s = sqrt(power(x, 2));
+  const Theorem square = not_negative(power(x, 2));
+  const Theorem s_from_0 = at("root not negative", {{x, power(x, 2)}}, {square});
+  const auto with_sign = [&](Expr value, Expr premise) {  // s^2 = value^2, neither negative
+    return given(premise, [&](const Theorem& value_from_0) {
+      const auto not_above = [&](Expr l, Expr r) {
+        const Theorem above = assume(lt(r, l));
+        const Theorem sum = linear(lt(0, l + r), {above, s_from_0, value_from_0});
+        return otherwise(le(l, r), {times(above, sum), root_squared(square)});
+      };
+      return linear(eq(s, value), {not_above(s, value), not_above(value, s)});
     });
   };
   return {with_sign(x, le(0, x)), with_sign(-x, le(x, 0))};
