@@ -39,7 +39,7 @@ public:
       open.pop_back();
       if (!seen.insert(coq::sequent_of(t)).second) continue;
       const auto shown = numbers.find(t.conclusion());
-      if (shown != numbers.end() && shown->second != of)
+      if (shown != numbers.end() && shown->second < of)  // what is shown later is another one
         found.insert(shown->second);
       else
         for (const Theorem& p : t.step().premises) open.push_back(p);
