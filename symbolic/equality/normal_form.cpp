@@ -191,7 +191,8 @@ Sum Forms::divided(Sum sum) {
       const Sum& whole = composite->second;
       // One symbol for each divisor, so that this comes to an end.
       const auto above = std::find_if(whole.begin(), whole.end(), [](const auto& part) {
-        return part.first.size() == 1 && part.first.begin()->second == exponent(1);
+        return part.first.size() == 1 && part.first.begin()->first.op() == Op::Var &&
+               part.first.begin()->second == exponent(1);
       });
       if (above == whole.end() || !product.contains(above->first.begin()->first)) continue;
       Product rest = product;
@@ -207,7 +208,12 @@ Sum Forms::divided(Sum sum) {
 Sum Forms::turned(const Sum& whole_angle) {
   Sum out = number(1);
   Factors plain;
-  const Sum angle = divided(whole_angle);
+  Sum angle = divided(whole_angle);
+  if (angle.size() > 1) {  // sin(n)/sin(n) is a sum, each part over that sum
+    const Factors f = factors(angle);
+    const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
+    if (std::none_of(f.powers.begin(), f.powers.end(), is_sum)) angle = from(f);
+  }
   for (const auto& [product, q] : angle) {
     const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
                             number_of(product.begin()->second) == cln::cl_RA(1);
