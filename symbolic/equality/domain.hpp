@@ -26,10 +26,14 @@ struct Range {
   bool contains(const cln::cl_RA& value) const;
   bool is_empty() const;
 };
-using Point = std::map<Expr, cln::cl_RA>;  ///< by symbol (notation::symbol)
+/// Symbols by name: the order in which terms were made must not decide which point comes first.
+struct ByName {
+  bool operator()(Expr a, Expr b) const { return a.name() < b.name(); }
+};
+using Point = std::map<Expr, cln::cl_RA, ByName>;
 
 struct Domain {
-  std::map<Expr, Range> ranges;                    ///< of every symbol
+  std::map<Expr, Range, ByName> ranges;            ///< of every symbol
   std::vector<notation::Comparison> further = {};  ///< conditions that bound no one symbol
 };
 
