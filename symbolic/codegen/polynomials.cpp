@@ -2,7 +2,7 @@
 // A Taylor series, economised in Chebyshev's basis, cut, rounded; and its error.
 #include "codegen/polynomials.hpp"
 
-#include <cmath>
+#include <cln/integer.h>
 
 #include "codegen/exact.hpp"
 #include "codegen/quantity.hpp"
@@ -40,34 +40,25 @@ const Series& chebyshev(std::size_t k) {
   }
   return made[k];
 }
-void add(Series& to, const cl_RA& by, const Series& s) {
-  for (std::size_t i = 0; i < s.size(); ++i) to[i] = to[i] + by * s[i];
-}
-/// The highest power first: it is in one T_k alone of those that are left.
-Series to_chebyshev(Series c) {
-  Series r(c.size(), 0);
-  for (std::size_t k = c.size(); k-- > 0;) {
-    r[k] = c[k] / chebyshev(k).back();
-    add(c, -r[k], chebyshev(k));
+/// Takes off the multiples of T_k that hold the powers from `first` on; their sizes' sum. The
+/// highest power goes first: it is in one T_k alone of those that are left.
+cl_RA taken_off(Series& c, std::size_t first) {
+  cl_RA sizes = 0;
+  for (std::size_t k = c.size(); k-- > first;) {
+    const Series& T = chebyshev(k);
+    const cl_RA by = c[k] / T.back();
+    for (std::size_t i = 0; i < k; ++i) c[i] = c[i] - by * T[i];
+    sizes = sizes + cln::abs(by);
   }
-  return r;
-}
-Series from_chebyshev(const Series& c) {
-  Series r(c.size(), 0);
-  for (std::size_t k = 0; k < c.size(); ++k) add(r, c[k], chebyshev(k));
-  return r;
+  c.resize(first);
+  return sizes;
 }
 
-cl_RA over_factorial(int sign, int last) {
-  cl_RA r = sign;
-  for (int i = 2; i <= last; ++i) r = r / i;
-  return r;
-}
 /// The coefficient of z^k; terms alternate and fall in size where they are used.
 cl_RA term(const std::string& name, int k) {
-  const int sign = k % 2 == 0 ? 1 : -1;
-  if (name == "ArcTangent") return cl_RA(sign) / (2 * k + 1);
-  return over_factorial(sign, name.ends_with("Sine") ? 2 * k + 1 : 2 * k);
+  const cl_RA sign = k % 2 == 0 ? 1 : -1;
+  if (name == "ArcTangent") return sign / (2 * k + 1);
+  return sign / cln::factorial(uintL(name.ends_with("Sine") ? 2 * k + 1 : 2 * k));
 }
 Series series(const std::string& name) {
   Series s;
@@ -87,9 +78,9 @@ Polynomial make(const Range& range, Shape shape) {
   Series all = series(range.name);
   // About 0, f(0) = 1 exactly, and what is economised is (f - 1)/z.
   if (range.centre == 0) all.erase(all.begin());
-  Series cut = to_chebyshev(substituted(all, half, half));
-  cut.resize(std::size_t(shape.degree) + (range.centre == 0 ? 0 : 1));
-  Series p = substituted(from_chebyshev(cut), exact(range.centre) / half - 1, 1 / half);
+  Series p = substituted(all, half, half);
+  taken_off(p, std::size_t(shape.degree) + (range.centre == 0 ? 0 : 1));
+  p = substituted(p, exact(range.centre) / half - 1, 1 / half);
   if (range.centre == 0) p.insert(p.begin(), 1);
   Polynomial r{range.name, {}, {}, range.centre, range.top, range.least, 0};
   for (int k = 0; k <= shape.degree; ++k) {
@@ -137,10 +128,9 @@ double proved_error(const Polynomial& p) {
   off.resize(f.size(), 0);
   for (std::size_t k = 0; k < f.size(); ++k) off[k] = off[k] - f[k];
   const int next = terms(p.name);
-  cl_RA error = cln::abs(term(p.name, next)) * cln::expt(top, next);
-  for (const cl_RA& c : to_chebyshev(substituted(off, top / 2, top / 2)))
-    error = error + cln::abs(c);
-  return upper(error / exact(p.least));
+  const cl_RA remainder = cln::abs(term(p.name, next)) * cln::expt(top, next);
+  off = substituted(off, top / 2, top / 2);
+  return upper((taken_off(off, 0) + remainder) / exact(p.least));
 }
 
 const Polynomial& Tier::operator[](const std::string& polynomial) const {
