@@ -28,80 +28,74 @@ Form shortened(Form f) {
 
 class Analyst {
 public:
-  Analysis a;
-
   Analyst(const Program& program, const NumberType& type, Plan& plan)
-      : p(program),
-        t(type),
-        absorber(program, plan),
-        is_spread(program.nodes.size(), false),
-        is_tested(program.nodes.size(), false) {}
+      : p(program), t(type), absorber(program, plan) {}
 
-  void node(int k) {
+  /// A node's error, after those of its operands; a line for a reader, where it may have one.
+  std::string node(int k) {
     const Node& n = p[k];
-    Form f;
-    double loose = 0;
-    double spill = 0;
     for (int o : n.of) {
       if (n.op != Op::cancelling_sum) check_no_spill(o);
     }
-    rule(k, f, loose, spill);
-    if (!(loose >= 0 && loose <= loosest)) throw Refused("the low part of " + n.name + " is loose");
-    a.error.push_back(absorber.absorbed(f));
-    a.loose.push_back(loose);
-    a.spill.push_back(spill);
+    Computed here;
+    rule(k, here, here.off);
+    if (!(here.loose >= 0 && here.loose <= loosest))
+      throw Refused("the low part of " + n.name + " is loose");
+    here.off = absorber.absorbed(here.off);
+    computed.push_back(here);
     check_close(k);
     for (const SizeFact& fact : p.facts) {
       if (std::max(fact.small, fact.large) == k) use_fact(fact);
     }
-    if (n.is_exact) return;
-    const std::string low = t.is_pair() ? "; low part " + as_power_of_2(loose) : "";
-    a.steps.push_back(n.name + ": off by " + in_words(p, a.error.back()) + low);
+    if (n.is_exact) return "";
+    const std::string low = t.is_pair() ? "; low part " + as_power_of_2(here.loose) : "";
+    return n.name + ": off by " + in_words(p, here.off) + low;
   }
-  void result(const Result& r) {
+  Form result(const Result& r) {
     const int k = r.node;
-    if (r.kind == Result::whole || r.kind == Result::guard) return a.outputs.push_back({});
+    if (r.kind == Result::whole || r.kind == Result::guard) return {};
     check_no_spill(k);
     Form f = error(k);
-    if (r.kind == Result::divisor) {
-      for (auto& [sizes, c] : f) c *= clear * and_more;
-      const auto least = f.find({});
-      if (least == f.end() || least->second < p[k].range.low) {
-        throw Refused(p[k].name + " may be below its range and pass the test of a divisor");
-      }
-      return a.outputs.push_back(shortened(absorber.absorbed(f)));
-    }
-    const bool is_exact = f.empty() && t.is_pair() && low(k) <= t.u;
     if (r.kind == Result::sign) {
       // The sign is that of the high part; of one part, a unit is allowed for the comparison.
       add_loss(f, t.is_pair() ? low(k) : t.u, k);
-    } else if (is_exact) {
-      f[size_of(p, k, is_spread).first] = 0;  // other number types have a term there
-    } else {
+    } else if (r.kind == Result::real && f.empty() && t.is_pair() && low(k) <= t.u) {
+      f[size_of(p, k, spread).first] = 0;  // other number types have a term there
+    } else if (r.kind == Result::real) {
       add_loss(f, t.rounding_test(low(k)), k);
     }
     // For roundings of the bound at run time, and for high parts in place of values: both below
     // 2^-38 even for ten factors.
-    for (auto& [sizes, c] : f) c *= and_more;
-    a.outputs.push_back(shortened(absorber.absorbed(f)));
+    for (auto& [sizes, c] : f) c *= (r.kind == Result::divisor ? clear : 1) * and_more;
+    const auto least = f.find({});
+    if (r.kind == Result::divisor && (least == f.end() || least->second < p[k].range.low))
+      throw Refused(p[k].name + " may be below its range and pass the test of a divisor");
+    return shortened(absorber.absorbed(f));
   }
 
 private:
+  /// What is known of a computed value.
+  struct Computed {
+    Form off;                // |computed - exact| is at most that
+    double loose = 0;        // its low part is at most that much of its high part
+    double spill = 0;        // and so much more; sums that cancel end it
+    bool is_tested = false;  // close to the exact value by the test of a divisor, not by a bound
+  };
   const Program& p;
   const NumberType& t;
   Absorber absorber;
-  std::vector<bool> is_spread;  // products without a relative bound: sized as their factors are
-  std::vector<bool> is_tested;  // close to exact values by the test of a divisor, not by a bound
+  std::vector<Computed> computed;
+  std::set<int> spread;  // products of two without a relative bound: sized as their factors are
 
-  const Form& error(int k) const { return a.error[std::size_t(k)]; }
-  double low(int k) const { return a.loose[std::size_t(k)]; }
-  double spill_of(int k) const { return a.spill[std::size_t(k)]; }
+  const Computed& operator[](int k) const { return computed[std::size_t(k)]; }
+  const Form& error(int k) const { return (*this)[k].off; }
+  double low(int k) const { return (*this)[k].loose; }
   void check_no_spill(int k) const {
-    if (spill_of(k) > 0) throw Refused("the low part of " + p[k].name + " may be large");
+    if ((*this)[k].spill > 0) throw Refused("the low part of " + p[k].name + " may be large");
   }
 
   void add_sized(Form& f, const Form& x, int node, double k = 1) const {
-    const auto [sizes, by] = size_of(p, node, is_spread);
+    const auto [sizes, by] = size_of(p, node, spread);
     add(f, x, k * by, sizes);
   }
   void add_loss(Form& f, double loss, int node) const { add_sized(f, {{{}, loss}}, node); }
@@ -119,7 +113,7 @@ private:
   std::optional<double> relative(int k) const {
     const Form& f = error(k);
     if (f.empty()) return 0.0;
-    const auto [sizes, by] = size_of(p, k, is_spread);
+    const auto [sizes, by] = size_of(p, k, spread);
     if (f.size() == 1 && f.begin()->first == sizes && by > 0) return f.begin()->second / by;
     if (const std::optional<double> r = of_parts(k, k)) return *r * and_more;
     const double least = p[k].range.least();
@@ -137,7 +131,7 @@ private:
   }
   void check_close(int k) const {
     const Form& f = error(k);
-    if (f.empty() || is_tested[std::size_t(k)]) return;
+    if (f.empty() || (*this)[k].is_tested) return;
     const std::optional<double> r = relative(k);
     const double off = r ? *r : absorber.bounded(f) / p[k].range.size();
     if (!(off <= close)) throw Refused(p[k].name + " is too far off for its range to be used");
@@ -155,13 +149,13 @@ private:
     absorber.know(fact.small, fact.large);
   }
 
-  void rule(int k, Form& f, double& loose, double& spill) {
+  void rule(int k, Computed& here, Form& f) {
     const Node& n = p[k];
-    const auto x = n.of.empty() ? -1 : n.of[0];
-    const auto y = n.of.size() < 2 ? -1 : n.of[1];
+    const int x = n.of.empty() ? -1 : n.of[0];
+    const int y = n.of.size() < 2 ? -1 : n.of[1];
     const auto take = [&](Loss l) {
       add_loss(f, l.loss, k);
-      loose = l.loose;
+      here.loose = l.loose;
     };
     switch (n.op) {
       case Op::input:
@@ -186,7 +180,7 @@ private:
       case Op::scale:
       case Op::size:
         add(f, error(x), std::fabs(n.factor));
-        loose = low(x);
+        here.loose = low(x);
         break;
       case Op::sum:
         sum(f, k, x, y);
@@ -199,7 +193,7 @@ private:
               (o == x ? c.of_x : c.of_y) + c.of_result;  // |x + y| <= |x| + |y|
           add(f, error(o));
           if (p[o].op == Op::cosine) {  // its high part is no size
-            const double loss = of_operand * absorber.most(o) + 3 * t.u * spill_of(o);
+            const double loss = of_operand * absorber.most(o) + 3 * t.u * (*this)[o].spill;
             add(f, {{{}, loss * and_more}});
           } else {
             add_loss(f, of_operand, o);
@@ -207,37 +201,26 @@ private:
         }
         const bool has_constant = p[x].op == Op::constant || p[y].op == Op::constant;
         if (has_constant) f = absorber.constant(f);
-        loose = c.loose;
+        here.loose = c.loose;
         break;
       }
       case Op::product:
-        product(f, k, x, y);
+        here.is_tested = product(f, k, x, y);
         take(t.product(low(x), low(y)));
         break;
       case Op::exact_product:
-        if (const std::optional<double> r = relative(x)) {
-          add_loss(f, *r, k);
-        } else {
-          add_sized(f, error(x), y);
-        }
+        here.is_tested = product(f, k, x, y);
         take(t.product(low(x)));
         break;
-      case Op::quotient: {
-        if (is_divisor(y)) {
+      case Op::quotient:
+        here.is_tested = is_divisor(y);
+        if (here.is_tested) {
           per_divisor(f, k, x, y);
-          take(t.quotient(low(x), low(y)));
-          break;
-        }
-        const double of_y = needed(y) * and_more;
-        if (const std::optional<double> r = relative(x)) {
-          add_loss(f, (*r + of_y) * and_more, k);
         } else {
-          add(f, error(x), and_more / p[y].range.least());
-          add_loss(f, of_y, k);
+          quotient(f, k, x, y);
         }
         take(t.quotient(low(x), low(y)));
         break;
-      }
       case Op::reciprocal_root:
         add_loss(f, needed(x) * 0.5 * and_more, k);
         take(t.reciprocal_root(low(x)));
@@ -257,7 +240,7 @@ private:
         take(n.op == Op::sine ? of.sine : of.cosine);
         if (n.op == Op::cosine && of.spill > 0) {
           add(f, {{{}, of.absolute}});
-          spill = of.spill;
+          here.spill = of.spill;
         }
         break;
       }
@@ -282,19 +265,28 @@ private:
       add(f, error(y));
     }
   }
-  void product(Form& f, int k, int x, int y) {
+  /// Whether it is close to the exact product because a factor is, which is tested.
+  bool product(Form& f, int k, int x, int y) {
     const std::optional<double> of_x = relative(x);
     const std::optional<double> of_y = relative(y);
     if (of_x && of_y) {
       add_loss(f, *of_x + *of_y + *of_x * *of_y, k);
-      return;
+      return false;
     }
-    is_spread[std::size_t(k)] = true;
-    // No larger than the ranges of both say, then.
-    is_tested[std::size_t(k)] = is_tested[std::size_t(x)] || is_tested[std::size_t(y)];
+    if (!p[y].is_exact) spread.insert(k);
     add_sized(f, error(x), y);
     add_sized(f, error(y), x);
     for (const auto& [sizes, c] : error(x)) add(f, error(y), c, sizes);
+    return (*this)[x].is_tested || (*this)[y].is_tested;
+  }
+  void quotient(Form& f, int k, int x, int y) const {
+    const double of_y = needed(y) * and_more;
+    if (const std::optional<double> r = relative(x)) {
+      add_loss(f, (*r + of_y) * and_more, k);
+    } else {
+      add(f, error(x), and_more / p[y].range.least());
+      add_loss(f, of_y, k);
+    }
   }
   bool is_divisor(int k) const {
     return std::any_of(p.results.begin(), p.results.end(),
@@ -307,7 +299,6 @@ private:
       throw Refused("a quotient of no constant by " + p[y].name + ", which is tested");
     }
     add(f, error(y), and_more / p[x].range.size(), {k, k});
-    is_tested[std::size_t(k)] = true;
   }
   void sine_or_cosine(Form& f, int k, int x, const Form& angle, double of_turn) {
     const double top = absorber.most(x);
@@ -329,8 +320,10 @@ private:
 
 Analysis analyse(const Program& p, const NumberType& type, Plan& plan) {
   Analyst analyst(p, type, plan);
-  for (int k = 0; k < p.size(); ++k) analyst.node(k);
-  for (const Result& r : p.results) analyst.result(r);
-  return analyst.a;
+  Analysis a;
+  for (int k = 0; k < p.size(); ++k) a.steps.push_back(analyst.node(k));
+  std::erase(a.steps, "");
+  for (const Result& r : p.results) a.outputs.push_back(analyst.result(r));
+  return a;
 }
 }  // namespace codegen

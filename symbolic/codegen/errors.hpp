@@ -3,8 +3,10 @@
 // a sum of constants times sizes of computed values.
 #pragma once
 
+#include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,10 +44,11 @@ public:
   Form absorbed(Form f);
   /// From now on |small| <= |large| is used of computed values.
   void know(int small, int large) { facts.push_back({small, large}); }
+  static constexpr double small_size = 8;  ///< sizes up to that may become constants
   double most(int k) const { return p[k].range.size(); }
   /// f with the sizes that are known to be small as constants; `bounded`: with all of them.
-  Form constant(const Form& f) const;
-  double bounded(const Form& f) const;
+  Form constant(const Form& f, double largest = small_size) const;
+  double bounded(const Form& f) const { return constant(f, INFINITY)[{}]; }
   /// Whether |part| <= |whole|: equal, or by a fact, or as part of a sum of numbers of one sign, or
   /// as the difference of those.
   bool is_below(int part, int whole) const;
@@ -63,16 +66,13 @@ private:
   void take(Form& f, const Taking& t) const;
 };
 
-/// |node| as a constant times sizes: scales leave theirs.
-std::pair<Sizes, double> size_of(const Program& p, int node, const std::vector<bool>& is_spread);
+/// |node| as a constant times sizes: scales leave theirs, `spread` products are as their factors.
+std::pair<Sizes, double> size_of(const Program& p, int node, const std::set<int>& spread);
 /// "2^-73.6 |P| + 2^-143.5"
 std::string in_words(const Program& p, const Form& f);
 /// The form as C++: from leading parts and constants E[0], E[1], ..., which are appended.
 std::string in_code(const Program& p, const Form& f, std::vector<double>& constants);
 struct Analysis {
-  std::vector<Form> error;    ///< of each node
-  std::vector<double> loose;  ///< of its low part, against its high part
-  std::vector<double> spill;  ///< how much larger its low part may be; sums that cancel end it
   /// Of each result: what its rounding test is given; above that a sign is certain; 0 of others.
   std::vector<Form> outputs;
   std::vector<std::string> steps;  ///< one line a node, for a reader

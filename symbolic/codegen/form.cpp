@@ -9,9 +9,8 @@
 
 namespace codegen {
 namespace {
-constexpr double small_size = 8;  // sizes up to that may become constants
-constexpr double no_worse = 32;   // a term may be that much larger than the one that takes it:
-                                  // fewer operations at run time against a wider bound
+constexpr double no_worse = 32;  // a term may be that much larger than the one that takes it:
+                                 // fewer operations at run time against a wider bound
 }  // namespace
 
 Sizes joined(Sizes x, const Sizes& y) {
@@ -113,46 +112,32 @@ Form Absorber::absorbed(Form f) {
   ++at;
   return f;
 }
-Form Absorber::constant(const Form& f) const {
+Form Absorber::constant(const Form& f, double largest) const {
   Form r;
   for (const auto& [sizes, k] : f) {
     double by = k;
     Sizes left;
     for (int v : sizes) {
-      if (most(v) <= small_size) {
-        by *= most(v);
-      } else {
+      if (most(v) > largest) {
         left.push_back(v);
+      } else {
+        by *= most(v);
       }
     }
     r[left] += by * and_more;
   }
   return r;
 }
-double Absorber::bounded(const Form& f) const {
-  double sum = 0;
-  for (const auto& [sizes, k] : f) {
-    double by = k;
-    for (int v : sizes) by *= most(v);
-    sum += by;
-  }
-  return sum * and_more;
-}
 
-std::pair<Sizes, double> size_of(const Program& p, int node, const std::vector<bool>& is_spread) {
+std::pair<Sizes, double> size_of(const Program& p, int node, const std::set<int>& spread) {
   const Node& n = p[node];
-  if (n.op == Op::scale) {
-    const auto [s, by] = size_of(p, n.of[0], is_spread);
-    return {s, by * std::fabs(n.factor)};
-  }
-  if (n.op == Op::size) return size_of(p, n.of[0], is_spread);
   if (n.op == Op::constant) return {{}, n.range.size()};
-  if (std::size_t(node) < is_spread.size() && is_spread[std::size_t(node)]) {
-    const auto [s, by] = size_of(p, n.of[0], is_spread);
-    const auto [t, more] = size_of(p, n.of[1], is_spread);
-    return {joined(s, t), by * more * and_more};
-  }
-  return {{node}, 1};
+  const bool is_spread = spread.count(node) > 0;
+  if (n.op != Op::scale && n.op != Op::size && !is_spread) return {{node}, 1};
+  const auto [s, by] = size_of(p, n.of[0], spread);
+  if (!is_spread) return {s, by * std::fabs(n.factor)};
+  const auto [t, more] = size_of(p, n.of[1], spread);
+  return {joined(s, t), by * more * and_more};
 }
 
 std::string in_words(const Program& p, const Form& f) {
@@ -171,9 +156,7 @@ std::string in_code(const Program& p, const Form& f, std::vector<double>& consta
   }
   std::map<int, int> uses;
   for (const auto& [sizes, k] : f) {
-    for (std::size_t i = 0; i < sizes.size(); ++i) {
-      if (i == 0 || sizes[i] != sizes[i - 1]) ++uses[sizes[i]];
-    }
+    for (int v : std::set(sizes.begin(), sizes.end())) ++uses[v];
   }
   const auto fewer = [](const auto& x, const auto& y) { return x.second < y.second; };
   const int best = std::max_element(uses.begin(), uses.end(), fewer)->first;

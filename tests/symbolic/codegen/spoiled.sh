@@ -45,7 +45,6 @@ errors.cpp|s/needed(x), p\[y\].range.high));/needed(x), 0.4 * p[y].range.high));
 errors.cpp|s/add(f, {{{}, least_power \* 2}});/;/
 errors.cpp|s/^ *add(f, error(o));/;/
 errors.cpp|s/add_loss(f, \*of_x + \*of_y + \*of_x \* \*of_y, k);/add_loss(f, *of_x, k);/
-errors.cpp|s/add_loss(f, \*r, k);/;/
 errors.cpp|s/add_loss(f, (\*r + of_y) \* and_more, k);/add_loss(f, *r, k);/
 errors.cpp|s/add_loss(f, needed(x) \* 0.5 \* and_more, k);/;/
 errors.cpp|s/add_loss(f, needed(x) \* and_more, k);/;/
@@ -62,7 +61,7 @@ errors.cpp|s/add(f, error(y), and_more \/ p.*$/;/
 errors.cpp|s/{k, k});$/{k});/
 errors.cpp|s/clear = 2 \/ close/clear = 1 \/ close/
 errors.cpp|s/least->second < p\[k\].range.low/least->second < 0/
-errors.cpp|s/if (is_divisor(y)) {/if (p[x].op == Op::constant) {/
+errors.cpp|s/is_tested = is_divisor(y)/is_tested = p[x].op == Op::constant/
 errors.cpp|s/add_loss(f, t.is_pair() ? low(k) : t.u, k);/;/
 emit_case.cpp|s/} else if (r.kind != Result::guard) {/} else if (r.kind == Result::sign) {/
 form.cpp|s/f\[into\] += \*of_part/f[into] += 0.01 * *of_part/
