@@ -106,7 +106,7 @@ std::string call_doubling(const Doubling& t, Expr term, Terms& terms) {
   const std::string pair = cpp_name(f) + "_at_" + identifier(x.name());
   know(terms, at(f, 2 * x), pair + ".first");
   know(terms, at(f, 2 * x + 1), pair + ".second");
-  std::vector<std::string> arguments;
+  Words arguments;
   for (Expr p : parameters(f)) arguments.push_back(identifier(p.name()));
   arguments.push_back(identifier(x.name()));
   return lines + "    const std::pair<Number, Number> " + pair + " = " + cpp_name(f) + "_doubled(" +

@@ -12,8 +12,6 @@
 
 namespace codegen {
 namespace {
-const std::string inlined = "  [[gnu::always_inline]] ";
-
 /// Accurate first: it makes the plan. Ziv's bounds are reckoned at u = 2^-180, and are in units.
 std::vector<NumberType> number_types() {
   constexpr double u = 0x1p-53;
@@ -37,7 +35,7 @@ private:
   Program p;
   std::string name;
   Analysis accurate;
-  std::vector<std::string> bounds_of;  // outputs and signs, as C++
+  Words bounds_of;  // outputs and signs, as C++
   bool has_bounds = false;
 
   bool is_tested(const Result& r) const { return r.kind != Result::real || q.is_tested; }
@@ -52,7 +50,7 @@ private:
       Analysis a = analyse(program, t, plan);
       describe(program, t, a);
       std::vector<double> constants;
-      std::vector<std::string> here;
+      Words here;
       for (std::size_t i = 0; i < a.outputs.size(); ++i) {
         if (!is_tested(p.results[i])) a.outputs[i].clear();
         here.push_back(in_code(program, a.outputs[i], constants));
@@ -66,7 +64,7 @@ private:
         throw Refused("bounds of " + name + " differ in form for " + t.name() + ": " +
                       codegen::joined(here, "; "));
       }
-      std::vector<std::string> printed;
+      Words printed;
       for (double x : constants) printed.push_back(hex(is_wide ? x / t.u : x));
       const std::string size = "[" + std::to_string(printed.size()) + "] = {";
       if (specialised.empty())
@@ -124,9 +122,9 @@ private:
     line("template <class Tier, class N>\nstruct " + name +
          " {\n  using T = typename N::Value;\n  using R = typename N::Result;");
     const std::set<int> kept = members();
-    std::vector<std::string> exact;
-    std::vector<std::string> results{"doubt"};
-    std::vector<std::string> numbers;
+    Words exact;
+    Words results{"doubt"};
+    Words numbers;
     for (const Input& i : q.inputs) exact.push_back(i.name());
     for (int k : kept) (p[k].is_exact ? exact : numbers).push_back(p[k].name);
     for (const Result& r : p.results) {
@@ -144,8 +142,8 @@ private:
   }
   void inputs_and_outputs() {
     const std::string Q = capital(q.name);
-    std::vector<std::string> set;
-    std::vector<std::string> values;
+    Words set;
+    Words values;
     for (const Input& i : q.inputs) {
       set.push_back(i.name() + (i.is_whole() ? "(N::whole(in." : "(N::all(in.") + i.name() + "))");
     }
@@ -239,7 +237,7 @@ private:
 };
 }  // namespace
 
-std::string fields(const std::string& type, const std::vector<std::string>& names) {
+std::string fields(const std::string& type, const Words& names) {
   return "  " + type + " " + joined(names, ", ") + ";";
 }
 std::string range_in_code(Interval r, Interval wide, const std::string& is_wide,
@@ -251,7 +249,7 @@ std::string range_in_code(Interval r, Interval wide, const std::string& is_wide,
   return end(r.low, wide.low) + between + end(r.high, wide.high);
 }
 std::string condition(const Quantity& q, const Case& c) {
-  std::vector<std::string> parts;
+  Words parts;
   for (const Input& i : q.inputs) {
     const std::string v = "in." + i.name();
     const std::string value = i.is_whole() ? "double(" + v + ")" : v;

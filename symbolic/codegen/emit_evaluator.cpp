@@ -6,29 +6,24 @@
 
 namespace codegen {
 namespace {
-using Words = std::vector<std::string>;
-
 std::string structure(const std::string& name, const Words& members) {
   return "struct " + name + " {\n" + joined(members, "\n") + "\n};\n";
 }
 /// Inputs, outputs, and columns of both.
 std::string structures(const Quantity& q) {
   const std::string Q = capital(q.name);
-  const std::string inlined = "  [[gnu::always_inline]] ";
   Words inputs, outputs, from, to, values;
   std::string set;
-  const auto field = [](bool is_whole, const std::string& name, Words& value, Words& column,
-                        const std::string& constant) {
-    const std::string type = is_whole ? "std::int64_t" : "double";
-    value.push_back(fields(type, {name}));
-    column.push_back(fields(constant + type + "*", {name}));
-  };
   for (const Input& i : q.inputs) {
-    field(i.is_whole(), i.name(), inputs, from, "const ");
+    const std::string type = i.is_whole() ? "std::int64_t" : "double";
+    inputs.push_back(fields(type, {i.name()}));
+    from.push_back(fields("const " + type + "*", {i.name()}));
     values.push_back(i.name() + "[row]");
   }
   for (const Output& o : outputs_of(q.cases[0])) {
-    field(o.is_whole, o.name, outputs, to, "");
+    const std::string type = o.is_whole ? "std::int64_t" : "double";
+    outputs.push_back(fields(type, {o.name}));
+    to.push_back(fields(type + "*", {o.name}));
     set += "    " + o.name + "[row] = out." + o.name + ";\n";
   }
   const std::string values_of = structure(Q + "Inputs", inputs) + structure(Q + "Outputs", outputs);
@@ -54,7 +49,7 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
     e.errors += emitted.errors;
     visits += "    if (" + condition(q, c) + ") {\n      return f.template operator()<" + Q +
               capital(c.name) + ">();\n    }\n";
-    claims.push_back({c.name, domain_in_words(q, c), emitted.bounds, ids_of(c, ids)});
+    claims.push_back({c.name, domain_in_words(q, c), emitted.bounds, ids_of({c}, ids)});
   }
   const std::string of_arrays =
       !q.has_arrays ? ""

@@ -13,10 +13,11 @@ namespace codegen {
 struct EmittedCase {
   std::string code;
   std::string errors;
-  std::vector<std::string> bounds;  ///< of Accurate's outputs, in words
+  Words bounds;  ///< of Accurate's outputs, in words
 };
+inline const std::string inlined = "  [[gnu::always_inline]] ";
 /// "  double a, b;"
-std::string fields(const std::string& type, const std::vector<std::string>& names);
+std::string fields(const std::string& type, const Words& names);
 /// Both ends as C++, with what stands between them; a wide domain's where that is so.
 std::string range_in_code(Interval narrow, Interval wide, const std::string& is_wide,
                           const std::string& between);

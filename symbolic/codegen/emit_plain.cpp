@@ -17,7 +17,7 @@ using kernel::Theorem;
 
 /// "alpha >= Number(0x1p-300) && ..."; exact forms are of numbers that need have no order.
 std::string guard(const PlainForm& f, const Case& c) {
-  std::vector<std::string> parts;
+  Words parts;
   for (const Input& i : f.quantity.inputs) {
     if (f.form == "exact" && !i.is_whole()) continue;
     const std::string name = i.name();
@@ -44,129 +44,109 @@ std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg
 
 /// The outputs that are wanted (none named: all) and the definitions those need, other outputs
 /// among them.
-Quantity wanted_part(const Quantity& q, const std::set<std::string>& wanted) {
-  Quantity r = q;
-  for (Case& c : r.cases) {
-    const Case whole = c;
-    kernel::Theorems definitions = whole.definitions;
-    c = {c.name, c.where, {}, {}, {}, {}};
+Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
+  const auto is_wanted = [&](const Theorem& t) {
+    return wanted.empty() || wanted.count(output_name(t)) != 0;
+  };
+  for (Case& c : q.cases) {
     std::set<Expr> live;
+    std::set<std::string> guarded;
     const auto visit = [&](const auto& self, Expr e) -> void {
       live.insert(kernel::substitute(e, q.units));
       for (Expr a : e.args()) self(self, a);
     };
-    for (const Theorem& t : whole.outputs) {
-      const bool is_wanted = wanted.empty() || wanted.count(output_name(t)) != 0;
-      (is_wanted ? c.outputs : definitions).push_back(t);
-      if (is_wanted) visit(visit, t.conclusion().arg(1));
-    }
-    if (!c.outputs.empty()) c.guards = whole.guards;
-    const auto is_guarded = [&](Expr head) {
-      return std::any_of(c.guards.begin(), c.guards.end(),
-                         [&](const Condition& g) { return g.name == head.name(); });
-    };
-    for (auto t = definitions.rbegin(); t != definitions.rend(); ++t) {
+    const auto others = std::stable_partition(c.outputs.begin(), c.outputs.end(), is_wanted);
+    c.definitions.insert(c.definitions.end(), others, c.outputs.end());
+    c.outputs.erase(others, c.outputs.end());
+    if (c.outputs.empty()) c.guards.clear();
+    for (const Theorem& t : c.outputs) visit(visit, t.conclusion().arg(1));
+    for (const Condition& g : c.guards) guarded.insert(g.name);
+    kernel::Theorems needed;
+    for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
       const Expr head = t->conclusion().arg(0);
-      if (live.count(kernel::substitute(head, q.units)) == 0 && !is_guarded(head)) continue;
+      const bool is_live = live.count(kernel::substitute(head, q.units)) > 0;
+      if (!is_live && guarded.count(head.name()) == 0) continue;
       visit(visit, t->conclusion().arg(1));
-      c.definitions.insert(c.definitions.begin(), *t);
+      needed.insert(needed.begin(), *t);
     }
+    c.definitions = needed;
   }
-  check_outputs(r);
-  return r;
+  check_outputs(q);
+  return q;
 }
 /// "a, b, c", or "{{..}, {..}, {..}}" of a matrix.
 std::string results(const Program& p, PlainText& text, Expr first) {
-  const std::size_t columns = kernel::is_matrix(first) ? std::size_t(first.cols()) : 0;
-  std::vector<std::string> values;
-  std::vector<std::string> rows;
+  Words values;
   for (const Result& r : p.results) {
-    if (r.kind == Result::guard) continue;
-    values.push_back(text.use(r.node));
-    if (values.size() != columns) continue;
-    rows.push_back("{" + joined(values, ", ") + "}");
-    values.clear();
+    if (r.kind != Result::guard) values.push_back(text.use(r.node));
   }
-  return columns > 0 ? "{" + joined(rows, ", ") + "}" : joined(values, ", ");
+  if (!kernel::is_matrix(first)) return joined(values, ", ");
+  Words rows;
+  for (auto v = values.begin(); v != values.end(); v += first.cols()) {
+    rows.push_back("{" + joined({v, v + first.cols()}, ", ") + "}");
+  }
+  return "{" + joined(rows, ", ") + "}";
 }
-
 std::string array_of(const std::string& type, int size) {
   return "std::array<" + type + ", " + std::to_string(size) + ">";
 }
 
-class Function {
-public:
-  const Quantity q;  ///< no outputs: nothing is wanted here
-  std::string doublings, code;
-  std::vector<std::string> outputs;
-  std::vector<Claim> claims;
-
-  Function(const PlainForm& form, const Ids& all_ids, const std::set<std::string>& wanted)
-      : q(wanted_part(form.quantity, wanted)), f(form), ids(all_ids) {
-    for (const Output& o : outputs_of(q.cases[0])) outputs.push_back(o.name);
-    if (outputs.empty()) return;
-    for (const Case& c : q.cases) branch(c);
-    write();
-  }
-
-private:
-  const PlainForm& f;
-  const Ids& ids;
-  std::string branches, type;
-  std::vector<std::string> domains, theorems;
+struct Function {
+  Quantity quantity;  ///< no outputs: nothing is wanted here
+  Words outputs = {};
+  std::string doublings = {};
+  std::string code = {};
+  std::vector<Claim> claims = {};
+};
+Function function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted) {
+  Function r{wanted_part(f.quantity, wanted)};
+  const Quantity& q = r.quantity;
+  for (const Output& o : outputs_of(q.cases[0])) r.outputs.push_back(o.name);
+  if (r.outputs.empty()) return r;
+  const bool is_matrix = f.form == "matrices";
+  const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
+  const std::string structure = capital(q.name) + capital(f.form);
+  const Expr first = q.cases[0].outputs[0].conclusion().arg(0);
+  std::string branches;
   std::set<std::string> functions;  // of <cmath>
-
-  std::string function_name() const {
-    return f.form == "matrices" ? q.name : q.name + "_" + f.form;
-  }
-  void branch(const Case& c) {
+  Words domains, parameters;
+  for (const Case& c : q.cases) {
     const bool is_exact = f.form == "exact";
     const Program p = lower_plain(q, c, is_exact);
     PlainText text(p);
-    const Expr first = c.outputs[0].conclusion().arg(0);
-    branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() +
-                guard_lines(function_name(), c) + "    return {" + results(p, text, first) +
-                "};\n  }\n";
-    for (const std::string& function : text.functions)
-      functions.insert("  using std::" + function + ";");
-    doublings = p.functions;
+    branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() + guard_lines(name, c) +
+                "    return {" + results(p, text, first) + "};\n  }\n";
+    functions.merge(text.functions);
+    r.doublings = p.functions;
     domains.push_back(domain_in_words(q, c, is_exact));
-    claims.push_back({c.name, domains.back(), {}, ids_of(c, ids)});
-    for (const std::string& id : claims.back().theorems) {
-      if (std::find(theorems.begin(), theorems.end(), id) == theorems.end()) theorems.push_back(id);
-    }
-    type = kernel::is_matrix(first) ? array_of(array_of("Number", first.cols()), first.rows())
-                                    : capital(q.name) + capital(f.form) + "<Number>";
+    r.claims.push_back({c.name, domains.back(), {}, ids_of({c}, ids)});
   }
-  void write() {
-    const bool is_matrix = f.form == "matrices";
-    const std::string name = function_name();
-    std::vector<std::string> parameters;
-    for (const Input& i : q.inputs) {
-      parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
-    }
-    if (!is_matrix) {
-      code += "template <class Number>\nstruct " + capital(q.name) + capital(f.form) +
-              " {\n  Number " + joined(outputs, ", ") + ";\n};\n";
-    }
-    const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
-    code += "/// " + q.name + of_paper + ": " + joined(outputs, ", ") +
-            ". Domain: " + joined(domains, "; or ") + ".\n";
-    if (!theorems.empty()) code += "/// Theorems: " + joined(theorems, ", ") + ".\n";
-    code +=
-        "template <class Number>\n" + type + " " + name + "(" + joined(parameters, ", ") + ") {\n";
-    for (const std::string& line : functions) code += line + "\n";
-    const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-    code += branches + "  throw std::domain_error(\"" + name + ": allowed: " + between +
+  for (const Input& i : q.inputs) {
+    parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
+  }
+  const std::string outputs = joined(r.outputs, ", ");
+  const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
+  const std::string theorems = joined(ids_of(q.cases, ids), ", ");
+  const std::string head = "template <class Number>\n";
+  if (!is_matrix) r.code += head + "struct " + structure + " {\n  Number " + outputs + ";\n};\n";
+  r.code +=
+      "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
+  if (!theorems.empty()) r.code += "/// Theorems: " + theorems + ".\n";
+  r.code += head +
+            (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
+                       : structure + "<Number>") +
+            " " + name + "(" + joined(parameters, ", ") + ") {\n";
+  for (const std::string& used : functions) r.code += "  using std::" + used + ";\n";
+  const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
+  r.code += branches + "  throw std::domain_error(\"" + name + ": allowed: " + between +
             joined(domains, "; or " + between) + "\");\n}\n";
-  }
-};
+  return r;
+}
 }  // namespace
 
 Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
                    const std::set<std::string>& wanted) {
-  if (forms.empty()) throw Refused("no form to print");
-  const std::string& form = forms[0].form;
+  const std::string& form = forms.at(0).form;
   const bool is_exact = form == "exact";
   Emitted result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
   std::string body;
@@ -175,17 +155,17 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   for (const PlainForm& f : forms) {
     if (f.form != form) throw Refused("two forms in one header: " + form + ", " + f.form);
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
-    const Function w(f, ids, wanted);
+    const Function w = function(f, ids, wanted);
     if (w.outputs.empty()) continue;
     body += (body.find(w.doublings) == std::string::npos ? w.doublings : "") + w.code;
     for (const std::string& name : w.outputs) missing.erase(name);
-    result.manifest.push_back(manifest_entry(w.q, form, result.path, w.claims));
+    result.manifest.push_back(manifest_entry(w.quantity, form, result.path, w.claims));
   }
   if (!missing.empty()) {
     throw Refused("no output is called " + *missing.begin() +
                   "; allowed: " + joined({all.begin(), all.end()}, ", "));
   }
-  std::vector<std::string> includes;
+  Words includes;
   for (const auto& [used, header] : {std::pair("std::array<", "<array>"),
                                      {"std::bit_width(", "<bit>"},
                                      {"  using std::", "<cmath>"},

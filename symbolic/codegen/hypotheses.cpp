@@ -66,7 +66,7 @@ Interval range_of(const Input& input, const Case& which, bool is_wide) {
   return r;
 }
 std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
-  std::vector<std::string> parts;
+  Words parts;
   for (const Input& i : q.inputs) {
     const Interval r = range_of(i, c, false);
     const auto end = [&](double x) { return i.is_whole() ? kernel::digits(exact(x)) : hex(x); };

@@ -16,31 +16,31 @@ std::string quoted(const std::string& text) {
   }
   return "\"" + text + "\"";
 }
-std::string list(const std::vector<std::string>& words) {
-  std::vector<std::string> all;
+std::string list(const Words& words) {
+  Words all;
   for (const std::string& w : words) all.push_back(quoted(w));
   return "[" + joined(all, ", ") + "]";
 }
 }  // namespace
 
-std::vector<std::string> ids_of(const Case& c, const Ids& ids) {
-  std::vector<std::string> r;
-  for (const auto* theorems : {&c.definitions, &c.outputs}) {
-    for (const kernel::Theorem& t : *theorems) {
-      const auto found = ids.find(t.conclusion());
-      if (found == ids.end()) continue;
-      if (std::find(r.begin(), r.end(), found->second) == r.end()) r.push_back(found->second);
+Words ids_of(const std::vector<Case>& cases, const Ids& ids) {
+  Words r;
+  for (const Case& c : cases) {
+    for (const auto* theorems : {&c.definitions, &c.outputs}) {
+      for (const kernel::Theorem& t : *theorems) {
+        const auto found = ids.find(t.conclusion());
+        if (found == ids.end()) continue;
+        if (std::ranges::count(r, found->second) == 0) r.push_back(found->second);
+      }
     }
   }
   return r;
 }
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
                            const std::vector<Claim>& claims) {
-  std::vector<std::string> inputs;
-  std::vector<std::string> outputs;
+  Words inputs, outputs, cases;
   for (const Output& o : outputs_of(q.cases.at(0))) outputs.push_back(o.name);
   for (const Input& i : q.inputs) inputs.push_back(i.name());
-  std::vector<std::string> cases;
   for (const Claim& c : claims) {
     cases.push_back("{\"name\": " + quoted(c.name) + ", \"domain\": " + quoted(c.domain) +
                     ", \"bounds\": " + list(c.bounds) +

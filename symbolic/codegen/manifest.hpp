@@ -7,26 +7,27 @@
 #include <vector>
 
 #include "codegen/quantity.hpp"
+#include "codegen/text.hpp"
 
 namespace codegen {
 /// The ids of theorems, by their conclusions.
 using Ids = std::map<kernel::Expr, std::string>;
 
-/// The ids of what a case is made of, each once, in order; theorems without an id are left out.
-std::vector<std::string> ids_of(const Case& c, const Ids& ids);
+/// The ids of what cases are made of, each once, in order; theorems without an id are left out.
+Words ids_of(const std::vector<Case>& cases, const Ids& ids);
 /// What is said of one case.
 struct Claim {
   std::string name;
   std::string domain;
-  std::vector<std::string> bounds;  ///< "a: 2^-73.6 |P|"; none: each operation is rounded
-  std::vector<std::string> theorems;
+  Words bounds;  ///< "a: 2^-73.6 |P|"; none: each operation is rounded
+  Words theorems;
 };
 /// A header, and what is said of it elsewhere.
 struct Emitted {
   std::string path;  ///< evaluators/NAME.hpp, plain/FORM.hpp, exact/FORM.hpp
   std::string header;
-  std::vector<std::string> manifest;  ///< a JSON object a quantity
-  std::string errors = {};            ///< of an evaluator: each node's, for a reader
+  Words manifest;           ///< a JSON object a quantity
+  std::string errors = {};  ///< of an evaluator: each node's, for a reader
 };
 /// A JSON object: name, form, header, labels, inputs, outputs, cases.
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,

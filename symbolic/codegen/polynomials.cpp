@@ -146,7 +146,7 @@ const std::vector<Tier>& tiers() {
 
 std::string emit_polynomials() {
   const auto list = [](const char* name, const std::vector<double>& numbers) {
-    std::vector<std::string> words;
+    Words words;
     for (double x : numbers) words.push_back(hex(x));
     return std::string("    static constexpr double ") + name + "[] = {" + joined(words, ", ") +
            "};\n";

@@ -107,7 +107,7 @@ std::string operation_counts(const Program& p) {
     const auto found = spellings.find(n.op);
     if (found != spellings.end() && *found->second.word != 0) ++counts[found->second.word];
   }
-  std::vector<std::string> r;
+  Words r;
   for (const auto& [word, count] : counts) r.push_back(word + ": " + std::to_string(count));
   return r.empty() ? "none" : joined(r, ", ");
 }

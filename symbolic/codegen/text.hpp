@@ -6,6 +6,7 @@
 #include <vector>
 
 namespace codegen {
+using Words = std::vector<std::string>;
 /// Lines, broken at spaces to at most 100 columns.
 std::string broken(const std::string& lines);
 std::string joined(const std::vector<std::string>& parts, const std::string& by);
