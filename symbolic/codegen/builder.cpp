@@ -29,7 +29,12 @@ int Builder::add(Node n) {
                         n.op == Op::cancelling_sum || n.op == Op::whole_sum;
   if (commutes) std::sort(std::get<1>(key).begin(), std::get<1>(key).end());
   if (const auto found = seen.find(key); found != seen.end()) return found->second;
-  if (n.op != Op::input) n.range = known_range(n);
+  try {
+    if (n.op != Op::input) n.range = range_of(n);
+  } catch (const Refused&) {
+    if (numbers != Numbers::field) throw;
+    n.range = {-infinity, infinity};  // a field's numbers are of any size
+  }
   const double most = largest_size(numbers);
   const bool may_underflow = n.range.least() > 0 && n.range.least() < 1 / most;
   if (!(n.range.size() <= most) || may_underflow) {
@@ -37,15 +42,6 @@ int Builder::add(Node n) {
   }
   program.nodes.push_back(n);
   return seen[key] = program.size() - 1;
-}
-/// A field's numbers are of any size.
-Interval Builder::known_range(const Node& n) const {
-  try {
-    return range_of(n);
-  } catch (const Refused&) {
-    if (numbers != Numbers::field) throw;
-    return {-infinity, infinity};
-  }
 }
 Interval Builder::range_of(const Node& n) const {
   const auto of = [&](std::size_t i) { return program[n.of[i]].range; };
@@ -102,13 +98,12 @@ int Builder::input(const std::string& name, bool is_whole, Interval range) {
   if (numbers == Numbers::doubles && is_whole && range.size() > largest_whole) {
     throw Refused(name + " may be above 2^51");
   }
-  Node n{.op = Op::input,
-         .is_exact = !is_plain(),
-         .is_whole = is_whole,
-         .name = name,
-         .formula = name};
-  n.range = range;
-  return add(n);
+  return add({.op = Op::input,
+              .is_exact = !is_plain(),
+              .is_whole = is_whole,
+              .name = name,
+              .formula = name,
+              .range = range});
 }
 int Builder::constant(const cln::cl_RA& value, bool of_pi) {
   const bool is_exact = !is_plain() && !of_pi && is_double(value);
@@ -129,18 +124,15 @@ int Builder::scaled(int x, double by) {
       {.op = Op::scale, .of = {x}, .factor = by, .is_exact = n.is_exact, .is_whole = is_whole});
 }
 int Builder::sum(int x, int y) {
-  if (program[x].op == Op::constant && program[x].value == 0) return y;
-  if (program[y].op == Op::constant && program[y].value == 0) return x;
   const Node& a = program[x];
   const Node& b = program[y];
+  if (a.op == Op::constant && a.value == 0) return y;
+  if (b.op == Op::constant && b.value == 0) return x;
   if (a.is_exact && b.is_exact) {
-    const bool is_whole = a.is_whole && b.is_whole;
-    const bool fits = numbers == Numbers::wide ||
-                      (a.range.size() < largest_whole && b.range.size() < largest_whole);
-    if (is_whole && fits) {
-      return add({.op = Op::whole_sum, .of = {x, y}, .is_exact = true, .is_whole = true});
-    }
-    return add({.op = Op::exact_sum, .of = {x, y}});
+    const double largest = std::max(a.range.size(), b.range.size());
+    const bool fits = numbers == Numbers::wide || largest < largest_whole;
+    if (!fits || !a.is_whole || !b.is_whole) return add({.op = Op::exact_sum, .of = {x, y}});
+    return add({.op = Op::whole_sum, .of = {x, y}, .is_exact = true, .is_whole = true});
   }
   const bool alike =
       (a.range.low >= 0 && b.range.low >= 0) || (a.range.high <= 0 && b.range.high <= 0);
@@ -193,7 +185,7 @@ int Builder::rest(int p, int q, int k) {
 }
 void Builder::need_positive(const std::string& name, int k) {
   const auto is_it = [&](const Result& r) { return r.kind == Result::sign && r.node == k; };
-  if (std::any_of(program.results.begin(), program.results.end(), is_it)) return;
+  if (std::ranges::any_of(program.results, is_it)) return;
   program.results.push_back({Result::sign, name, k});
 }
 int Builder::nearest(int p, int q) {

@@ -52,7 +52,6 @@ private:
   std::map<Key, int> seen;
   void need_positive(const std::string& name, int k);
   int add(Node n);
-  Interval known_range(const Node& n) const;
   Interval range_of(const Node& n) const;
 };
 /// The largest angle that sine and cosine take without turning it: pi/6 and a little more.

@@ -18,7 +18,6 @@ Expr at(Expr f, Expr index) {
   arguments.back() = index;
   return kernel::fun(f.name(), arguments);
 }
-Expr left(const kernel::Theorem& t) { return t.conclusion().arg(0); }
 std::string cpp_name(Expr f) {
   const std::string name = f.name();
   return name.ends_with("_") ? name.substr(0, name.size() - 1) : name;
@@ -44,19 +43,12 @@ void know(Terms& terms, Expr term, const std::string& name) {
 }  // namespace
 
 std::string emit_doubling(const Doubling& t, const Domain& d) {
-  for (const kernel::Theorem* theorem : {&t.at_0, &t.at_1, &t.even, &t.odd}) {
-    const Expr formula = theorem->conclusion();
-    check_hypotheses(d, theorem->hypotheses(), formula);
-    if (formula.op() != kernel::Op::Eq || formula.arg(0).op() != kernel::Op::Fun) {
-      throw Refused("not of the form f(params, index) = term: " + kernel::text(formula));
-    }
-  }
-  const Expr f = left(t.at_0);
-  const Expr even = left(t.even);
+  const Expr f = head(d, t.at_0);
+  const Expr even = head(d, t.even);
   const Expr m = half_of(even.arg(even.size() - 1));
   const bool is_integer = bool(m) && m.op() == kernel::Op::Var && m.sort() == kernel::Sort::Int;
-  if (!is_integer || !(f == at(f, 0)) || !(left(t.at_1) == at(f, 1)) || !(even == at(f, 2 * m)) ||
-      !(left(t.odd) == at(f, 2 * m + 1))) {
+  const Exprs heads{f, head(d, t.at_1), even, head(d, t.odd)};
+  if (!is_integer || heads != Exprs{at(f, 0), at(f, 1), at(f, 2 * m), at(f, 2 * m + 1)}) {
     throw Refused("not f at 0, 1, 2*m and 2*m + 1: " + kernel::text(t.even.conclusion()));
   }
   Terms terms(Numbers::field);
@@ -91,7 +83,7 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
 }
 
 std::string call_doubling(const Doubling& t, Expr term, Terms& terms) {
-  const Expr f = left(t.at_0);
+  const Expr f = t.at_0.conclusion().arg(0);
   std::string lines;
   for (Expr a : term.args()) lines += call_doubling(t, a, terms);
   if (term.op() != kernel::Op::Fun || term.name() != f.name()) return lines;

@@ -40,6 +40,10 @@ void check_argument(const Domain& d, Expr argument, Expr formula) {
   }
   throw Refused(kernel::text(argument) + " is no input here: " + kernel::text(formula));
 }
+bool is_at_unit(const kernel::Substitution& units, Expr parameter, Expr argument) {
+  const auto unit = units.find(parameter);
+  return unit != units.end() && unit->second == argument;
+}
 /// Each name at its own parameters, where it stands at their units.
 Expr at_parameters(const kernel::Substitution& units, Expr e) {
   Exprs arguments = e.args();
@@ -48,8 +52,7 @@ Expr at_parameters(const kernel::Substitution& units, Expr e) {
   const bool is_name = e.op() == kernel::Op::Fun && kernel::signature(e.name()) != nullptr;
   const Exprs parameters = is_name ? kernel::signature(e.name())->params : Exprs{};
   for (std::size_t k = 0; k < parameters.size(); ++k) {
-    const auto unit = units.find(parameters[k]);
-    if (unit != units.end() && arguments[k] == unit->second) arguments[k] = parameters[k];
+    if (is_at_unit(units, parameters[k], arguments[k])) arguments[k] = parameters[k];
   }
   return kernel::with_args(e, arguments);
 }
@@ -102,19 +105,22 @@ void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion)
                   ", which is needed for " + kernel::text(conclusion));
   }
 }
-Expr checked_head(const Domain& d, const kernel::Theorem& t) {
+Expr head(const Domain& d, const kernel::Theorem& t) {
   const Expr f = t.conclusion();
   if (f.op() != kernel::Op::Eq || f.arg(0).op() != kernel::Op::Fun) {
     throw Refused("not of the form name(params) = term: " + kernel::text(f));
   }
   check_hypotheses(d, t.hypotheses(), f);
-  const kernel::Substitution& units = d.quantity.units;
-  const Exprs parameters = kernel::signature(f.arg(0).name())->params;
-  for (std::size_t k = 0; k < f.arg(0).size(); ++k) {
-    const Expr argument = f.arg(0).arg(k);
-    const auto unit = k < parameters.size() ? units.find(parameters[k]) : units.end();
-    if (unit == units.end() || !(unit->second == argument)) check_argument(d, argument, f);
-  }
   return f.arg(0);
+}
+Expr checked_head(const Domain& d, const kernel::Theorem& t) {
+  const Expr name = head(d, t);
+  const Exprs parameters = kernel::signature(name.name())->params;
+  for (std::size_t k = 0; k < name.size(); ++k) {
+    const bool is_unit =
+        k < parameters.size() && is_at_unit(d.quantity.units, parameters[k], name.arg(k));
+    if (!is_unit) check_argument(d, name.arg(k), t.conclusion());
+  }
+  return name;
 }
 }  // namespace codegen

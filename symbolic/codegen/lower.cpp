@@ -33,9 +33,8 @@ public:
     for (const Doubling& d : q.doublings) builder.program.functions += emit_doubling(d, domain);
     for (const Condition& w : c.where) {
       const auto is_it = [&](const Input& i) { return i.variable.name() == w.name; };
-      if (std::none_of(q.inputs.begin(), q.inputs.end(), is_it)) {
+      if (std::ranges::none_of(q.inputs, is_it))
         throw Refused("a condition on " + w.name + ", which is no input");
-      }
     }
   }
   void define(const Theorem& t) {
@@ -112,14 +111,14 @@ private:
   }
   /// The formula stands at the first entry.
   void define_entries(const Theorem& t) {
-    const Expr left = t.conclusion().arg(0);
-    const Expr right = t.conclusion().arg(1);
-    for (int k = 0; k < left.rows() * left.cols(); ++k) {
-      const int row = k / left.cols();
-      const int col = k % left.cols();
-      const std::string place = std::to_string(row + 1) + std::to_string(col + 1);
-      named_node(kernel::entry(left, row, col), kernel::entry(right, row, col),
-                 left.name() + "_" + place, k == 0 ? shown(q, t.conclusion()) : "");
+    const Expr name = t.conclusion().arg(0);
+    const Exprs left = kernel::entries(name);
+    const Exprs right = kernel::entries(t.conclusion().arg(1));
+    const std::size_t columns = std::size_t(name.cols());
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const std::string place = std::to_string(k / columns + 1) + std::to_string(k % columns + 1);
+      named_node(left[k], right[k], name.name() + "_" + place,
+                 k == 0 ? shown(q, t.conclusion()) : "");
     }
   }
   bool is_known(Expr e) const { return e.op() == kernel::Op::Num || nodes.count(e) > 0; }

@@ -32,7 +32,9 @@ struct Domain {
 /// Refused: a hypothesis that does not follow from the ranges.
 void check_hypotheses(const Domain& d, const kernel::Exprs& hypotheses, kernel::Expr conclusion);
 /// The left side of |- name(params) = term. Refused: another form, a hypothesis that does not
-/// follow, a parameter that is no input, unit, or one-point interval.
+/// follow.
+kernel::Expr head(const Domain& d, const kernel::Theorem& t);
+/// Refused, too: a parameter that is no input, unit, or one-point interval.
 kernel::Expr checked_head(const Domain& d, const kernel::Theorem& t);
 /// The formula with names at their parameters in place of units: a_n, not a_n(alpha, 1).
 std::string shown(const Quantity& q, kernel::Expr formula);

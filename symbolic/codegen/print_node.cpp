@@ -64,9 +64,7 @@ std::string pattern(const Program& p, const Node& n) {
   if (n.op == Op::scale && n.factor == -1) return "-#0";
   if (n.op == Op::cancelling_sum && is_near(range(0), range(1))) return "near_sum(#0, #1)";
   if (n.op == Op::quotient && p[n.of[0]].is_exact) return "quotient($0, #1)";
-  const auto found = spellings.find(n.op);
-  if (found == spellings.end()) throw Refused("nothing to print for " + n.name);
-  return found->second.pattern;
+  return spellings.at(n.op).pattern;
 }
 }  // namespace
 
