@@ -94,7 +94,7 @@ std::string array_of(const std::string& type, int size) {
 struct Function {
   Quantity quantity;  ///< no outputs: nothing is wanted here
   Words outputs = {};
-  std::string doublings = {};
+  std::string doubling = {};
   std::string code = {};
   std::vector<Claim> claims = {};
 };
@@ -117,7 +117,7 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
     branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() + guard_lines(name, c) +
                 "    return {" + results(p, text, first) + "};\n  }\n";
     functions.merge(text.functions);
-    r.doublings = p.functions;
+    if (!p.doubling.empty()) r.doubling = p.doubling;
     domains.push_back(domain_in_words(q, c, is_exact));
     r.claims.push_back({c.name, domains.back(), {}, ids_of({c}, ids)});
   }
@@ -157,7 +157,7 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
     const Function w = function(f, ids, wanted);
     if (w.outputs.empty()) continue;
-    body += (body.find(w.doublings) == std::string::npos ? w.doublings : "") + w.code;
+    body += (body.find(w.doubling) == std::string::npos ? w.doubling : "") + w.code;
     for (const std::string& name : w.outputs) missing.erase(name);
     result.manifest.push_back(manifest_entry(w.quantity, form, result.path, w.claims));
   }

@@ -30,7 +30,6 @@ public:
       nodes[input.variable] =
           builder.input(identifier(name), input.variable.sort() == kernel::Sort::Int, range);
     }
-    for (const Doubling& d : q.doublings) builder.program.functions += emit_doubling(d, domain);
     for (const Condition& w : c.where) {
       const auto is_it = [&](const Input& i) { return i.variable.name() == w.name; };
       if (std::ranges::none_of(q.inputs, is_it))
@@ -99,7 +98,9 @@ private:
   std::set<Expr> used;
 
   int named_node(Expr left, Expr right, const std::string& name, const std::string& formula) {
-    for (const Doubling& d : q.doublings) builder.program.calls += call_doubling(d, right, *this);
+    const std::string calls = q.doubling ? call_doubling(*q.doubling, right, *this) : "";
+    if (!calls.empty()) builder.program.doubling = emit_doubling(*q.doubling, domain);
+    builder.program.calls += calls;
     const int k = build(right);
     nodes[left] = k;
     Node& n = builder.program[k];

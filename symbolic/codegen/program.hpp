@@ -67,7 +67,7 @@ struct SizeFact {
   bool is_of_computed;
 };
 struct Program {
-  std::string functions, calls;  ///< C++ of doublings: before all, and of the lines that come first
+  std::string doubling, calls;  ///< C++ of a doubling: before all, and of the lines that come first
   std::vector<Node> nodes;
   std::vector<Result> results;  ///< kind by kind
   std::vector<SizeFact> facts;

@@ -70,10 +70,11 @@ struct Quantity {
   std::string name;
   std::string labels;  ///< of the paper's equations
   std::vector<Input> inputs;
-  std::vector<Case> cases;               ///< disjoint
-  kernel::Substitution units = {};       ///< parameters that are no inputs, and their value: V is 1
-  std::vector<Doubling> doublings = {};  ///< of exact forms: sequences that stand at 2*x, 2*x + 1
-  bool has_arrays = false;               ///< the first case is evaluated a register at a time, too
-  bool is_tested = true;                 ///< whether tiers that test roundings test its own
+  std::vector<Case> cases;          ///< disjoint
+  kernel::Substitution units = {};  ///< parameters that are no inputs, and their value: V is 1
+  std::optional<Doubling> doubling =
+      {};                   ///< of exact forms: a sequence that stands at 2*x, 2*x + 1
+  bool has_arrays = false;  ///< the first case is evaluated a register at a time, too
+  bool is_tested = true;    ///< whether tiers that test roundings test its own
 };
 }  // namespace codegen

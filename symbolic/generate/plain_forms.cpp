@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Plain and exact forms: a row each; then all that is generated.
+// Plain and exact forms, one by one; then all that is generated.
 #include "codegen/emit_evaluator.hpp"
 #include "codegen/polynomials.hpp"
 #include "codegen/text.hpp"
@@ -8,93 +8,141 @@
 namespace generate {
 namespace {
 using codegen::Case;
+using codegen::Condition;
 using codegen::Input;
 using codegen::PlainForm;
 using codegen::Quantity;
+using kernel::fun;
+using kernel::integer;
+using kernel::real;
 
 Input input(kernel::Expr variable, double least, double most) {
   return {variable, {least, most}, {least, most}};
 }
-Input alpha(double least, double most) { return input(kernel::real("alpha"), least, most); }
-
+Input alpha(double least, double most) { return input(real("alpha"), least, most); }
 std::vector<Input> three_bodies() {
   constexpr double most = 0x1p128;
-  return {input(kernel::real("M_A"), 1 / most, most), input(kernel::real("w_B"), 0, most),
-          input(kernel::real("M_C"), 1 / most, most), input(kernel::real("e"), 1 / most, 1)};
+  return {input(real("M_A"), 1 / most, most), input(real("w_B"), 0, most),
+          input(real("M_C"), 1 / most, most), input(real("e"), 1 / most, 1)};
 }
 
-/// Of the counts and the velocities without error.
-std::vector<PlainForm> exact(Source& s) {
-  const kernel::Theorems T = s("exact.T_0 T_1 T_even T_odd");
-  const codegen::Doubling cosines{T[0], T[1], T[2], T[3]};
-  constexpr double most = 0x1p62;
-  const Input any = alpha(0x1p-1000, 0x1p1000);
-  const auto count = [&](const char* name) {
-    return input(kernel::fun(name, {kernel::real("alpha"), 1}), 1, most);
-  };
-  const Case start = s.of("start", {{"n", {0, 0}}},
-                          "-> cycle.start_vector/0 start_vector/1 c_start start_vector/2");
-  const Case later =
-      s.of("later", {{"n", {1, most}}}, "power.V_CM exact.b_before -> exact.a b c c_prime");
-  const Case end =
-      s.of("all", {}, "power.V_CM -> exact.a_t b_t terminal.definitions/2 evaluators_end.def_rho");
-  const auto made = [&](const std::string& name, const std::vector<Input>& inputs,
-                        const std::vector<Case>& cases) {
-    return PlainForm{{name, labels(name), inputs, cases, s.units, {cosines}}, "exact"};
-  };
-  const Case shape = s.of("all", {}, "-> collapse.def_K bodies.def_q_e");
-  const Case two =
-      s.of("all", {},
-           "-> evaluators_restitution.def_ends def_two def_tie a_two b_two c_two def_rho_two");
-  return {made("velocities", {any, input(kernel::integer("n"), 0, most)}, {start, later}),
-          made("terminal", {any, count("N_A"), count("N_B")}, {end}),
-          {{"shape", "", three_bodies(), {shape}, s.units}, "exact"},
-          made("two_collisions", {any, input(kernel::real("e"), 0x1p-1000, 1)}, {two})};
-}
-/// Three bodies of any masses, or two and a wall, with restitution: q_e comes from the exact form,
-/// turn and pow are of the number of the collision.
-std::vector<PlainForm> restitution(Source& s) {
-  constexpr double most = 0x1p128;
-  std::vector<Input> inputs = three_bodies();
-  kernel::Exprs names;
-  for (const Input& i : inputs) names.push_back(i.variable);
-  const auto with = [&](const char* name, double least, double largest) {
-    std::vector<Input> more = inputs;
-    more.push_back(input(kernel::fun(name, names), least, largest));
-    return more;
-  };
-  const std::vector<Input> ends = with("q_e", 1 / most, 1), ends_not = with("q_e", -most, 0);
-  inputs = ends;
-  inputs = with("h_e", 1 / most, 4);
-  const std::vector<Input> of_angle = inputs;
-  const kernel::Expr j = kernel::integer("j"), e = kernel::real("e");
-  inputs.push_back(input(j, 0, 0x1p62));
-  inputs.push_back(input(kernel::fun("turn", {j}), -1, 1));
-  inputs.push_back(input(kernel::fun("pow", {kernel::sqrt(e), j}), 0, 1));
-  const std::string roots = "wedge.r_A r_B ";
-  const std::string parts = roots + "bodies.def_step_sine def_now_side def_now_sine ";
-  Case after = s.of("all", {},
-                    parts +
-                        "def_later_side def_later_sine before after -> "
-                        "bodies.B_next A_next C_next");
-  after.guards = {{"step_sine", {1 / most, 2}}, {"now_side", {1 / most, most}}};
-  Case at = s.of("all", {}, parts + "def_rest_e -> bodies.moment blocks place");
-  at.guards = after.guards;
-  at.guards.push_back({"now_sine", {1 / most, 2}});
-  at.guards.push_back({"rest_e", {1 / most, 4}});
-  const auto made = [&](const char* name, const std::vector<Input>& of, const Case& c) {
-    return PlainForm{{name, "", of, {c}, s.units}, "restitution"};
-  };
-  return {made("angle", ends, s.of("all", {}, roots + "kappa -> bodies.h_e")),
-          made("count", of_angle, s.of("all", {}, "-> bodies.N_e")), made("after", inputs, after),
-          made("at", inputs, at),
-          made("collapse", ends_not,
-               s.of("all", {}, roots + "kappa bodies.y_e -> bodies.t_end def_x_end def_v_end"))};
-}
+class Forms {
+public:
+  std::vector<PlainForm> all;
+  Forms(Source& source, const std::vector<Quantity>& evaluators) : s(source) {
+    exact();
+    restitution();
+    tangent(evaluators);
+    of_paper();
+  }
+
+private:
+  const Input n = input(integer("n"), 0, 0x1p50);
+  const Input mass = alpha(0x1p-300, 0x1p300);
+  Source& s;
+  std::string form;                           // of those that are added
+  std::optional<codegen::Doubling> doubling;  // of those
+
+  /// Of the counts and the velocities without error.
+  void exact() {
+    form = "exact";
+    constexpr double most = 0x1p62;
+    const kernel::Theorems T = s("exact.T_0 T_1 T_even T_odd");
+    doubling = codegen::Doubling{T[0], T[1], T[2], T[3]};
+    const Input any = alpha(0x1p-1000, 0x1p1000);
+    add("velocities", {any, input(integer("n"), 0, most)},
+        {s.of("start", {{"n", {0, 0}}},
+              "-> cycle.start_vector/0 start_vector/1 c_start start_vector/2"),
+         s.of("later", {{"n", {1, most}}}, "power.V_CM exact.b_before -> exact.a b c c_prime")});
+    add("terminal",
+        {any, input(fun("N_A", {real("alpha"), 1}), 1, most),
+         input(fun("N_B", {real("alpha"), 1}), 1, most)},
+        "power.V_CM -> exact.a_t b_t terminal.definitions/2 evaluators_end.def_rho");
+    add("shape", three_bodies(), "-> collapse.def_K bodies.def_q_e");
+    add("two_collisions", {any, input(real("e"), 0x1p-1000, 1)},
+        "-> evaluators_restitution.def_ends def_two def_tie a_two b_two c_two def_rho_two");
+  }
+  /// Three bodies of any masses, or two and a wall: q_e comes from the exact form, turn and pow are
+  /// of the number of the collision.
+  void restitution() {
+    form = "restitution";
+    constexpr double most = 0x1p128;
+    kernel::Exprs names;
+    for (const Input& i : three_bodies()) names.push_back(i.variable);
+    const auto of_bodies = [&](const char* name, double least, double largest) {
+      return input(fun(name, names), least, largest);
+    };
+    const kernel::Expr j = integer("j");
+    const std::string roots = "wedge.r_A r_B ";
+    const std::string parts = roots + "bodies.def_step_sine def_now_side def_now_sine ";
+    std::vector<Condition> guards{{"step_sine", {1 / most, 2}}, {"now_side", {1 / most, most}}};
+    std::vector<Input> inputs = three_bodies();
+    inputs.push_back(of_bodies("q_e", 1 / most, 1));
+    add("angle", inputs, roots + "kappa -> bodies.h_e");
+    inputs.push_back(of_bodies("h_e", 1 / most, 4));
+    add("count", inputs, "-> bodies.N_e");
+    inputs.push_back(input(j, 0, 0x1p62));
+    inputs.push_back(input(fun("turn", {j}), -1, 1));
+    inputs.push_back(input(fun("pow", {kernel::sqrt(real("e")), j}), 0, 1));
+    add("after", inputs,
+        parts + "def_later_side def_later_sine before after -> bodies.B_next A_next C_next",
+        guards);
+    guards.push_back({"now_sine", {1 / most, 2}});
+    guards.push_back({"rest_e", {1 / most, 4}});
+    add("at", inputs, parts + "def_rest_e -> bodies.moment blocks place", guards);
+    inputs = three_bodies();
+    inputs.push_back(of_bodies("q_e", -most, 0));
+    add("collapse", inputs, roots + "kappa bodies.y_e -> bodies.t_end def_x_end def_v_end");
+  }
+  /// The evaluators' theorems where alpha < 1; they hold everywhere.
+  void tangent(const std::vector<Quantity>& evaluators) {
+    form = "tangent";
+    for (const Quantity& q : evaluators) {
+      const Case all_alpha{"all", {}, q.cases[0].definitions, q.cases[0].outputs, {}, {}};
+      if (q.name == "velocities") add(q.name, {mass, n}, {all_alpha});
+      if (q.name == "terminal") add(q.name, {alpha(0x1p-100, 0x1p100)}, {all_alpha});
+      if (q.name == "angle") add(q.name, {mass}, {all_alpha});
+    }
+  }
+  void of_paper() {
+    // cos(psi/2) = 1/(1 + alpha), a divisor, is lost beside a rounded psi from some alpha on.
+    const Input k = input(integer("k"), 1, 0x1p50);
+    const std::string psi = "rotation.psi ";
+    const std::string mean = psi + "power.V_CM -> power.";
+    const std::string counts = "counting.N_A N_B ";
+    form = "closed";
+    add("velocities", {alpha(0x1p-300, 0x1p20), n}, mean + "a b c c_prime");
+    add("terminal", {alpha(0x1p-40, 0x1p20)},
+        psi + counts + "-> " + counts + "terminal.a b definitions/2 evaluators_end.def_rho");
+    add("angle", {mass}, "-> " + psi);
+    add("magic", {k}, "-> ratios.alpha_k_paper");
+    add("deficient", {k}, "-> ratios.beta_k_paper");
+    form = "product";
+    add("velocities", {mass, n}, mean + "a_product b_product c_product c_prime_product");
+    form = "matrices";
+    add("Gamma_A", {mass}, "ball.Gamma -> cycle.Gamma_A");
+    add("Gamma_B", {mass}, "ball.Gamma -> cycle.Gamma_B");
+    add("Lambda", {mass}, "-> cycle.Lambda");
+    add("R", {mass}, "-> rotation.R");
+    add("lambda_3", {input(real("x"), -0x1p50, 0x1p50)}, "-> rotation.lambda_3");
+  }
+
+  void add(const std::string& name, const std::vector<Input>& inputs,
+           const std::vector<Case>& cases) {
+    const std::string of_paper = form == "restitution" ? "" : labels(name);
+    all.push_back({{name, of_paper, inputs, cases, s.units, doubling}, form});
+  }
+  void add(const std::string& name, const std::vector<Input>& inputs, const std::string& words,
+           const std::vector<Condition>& guards = {}) {
+    Case c = s.of("all", {}, words);
+    c.guards = guards;
+    add(name, inputs, std::vector{c});
+  }
+};
 struct Inventory {
   Source source;
-  std::vector<codegen::Quantity> all = evaluators(source);
-  std::vector<codegen::PlainForm> plain = plain_forms(source, all);
+  std::vector<Quantity> all = evaluators(source);
+  std::vector<PlainForm> plain = Forms(source, all).all;
 };
 const Inventory& inventory() {
   static const Inventory made;
@@ -117,55 +165,8 @@ std::string labels(const std::string& quantity) {
       {"Lambda", "eq:Lambda"},
       {"R", "def:R"},
       {"lambda_3", "eq:lambda-3"}};
-  return all.at(quantity);
-}
-std::vector<PlainForm> plain_forms(Source& s, const std::vector<Quantity>& evaluators) {
-  constexpr double most_cycles = 0x1p50;
-  // The paper's forms divide by cos(psi/2) = 1/(1 + alpha), which is lost beside a rounded psi from
-  // some alpha on.
-  constexpr double closed_most = 0x1p20;
-  const Input n = input(kernel::integer("n"), 0, most_cycles);
-  const Input k = input(kernel::integer("k"), 1, most_cycles);
-  const Input x = input(kernel::real("x"), -0x1p50, 0x1p50);
-  const Input mass = alpha(0x1p-300, 0x1p300);
-  const std::string psi = "rotation.psi ";
-  const std::string mean = psi + "power.V_CM -> power.";
-  const std::string counts = "counting.N_A N_B ";
-  const struct {
-    const char* form;
-    const char* name;
-    std::vector<Input> inputs;
-    std::string words;
-  } rows[] = {
-      {"closed", "velocities", {alpha(0x1p-300, closed_most), n}, mean + "a b c c_prime"},
-      {"closed",
-       "terminal",
-       {alpha(0x1p-40, closed_most)},
-       psi + counts + "-> " + counts + "terminal.a b definitions/2 evaluators_end.def_rho"},
-      {"closed", "angle", {mass}, "-> " + psi},
-      {"closed", "magic", {k}, "-> ratios.alpha_k_paper"},
-      {"closed", "deficient", {k}, "-> ratios.beta_k_paper"},
-      {"product", "velocities", {mass, n}, mean + "a_product b_product c_product c_prime_product"},
-      {"matrices", "Gamma_A", {mass}, "ball.Gamma -> cycle.Gamma_A"},
-      {"matrices", "Gamma_B", {mass}, "ball.Gamma -> cycle.Gamma_B"},
-      {"matrices", "Lambda", {mass}, "-> cycle.Lambda"},
-      {"matrices", "R", {mass}, "-> rotation.R"},
-      {"matrices", "lambda_3", {x}, "-> rotation.lambda_3"}};
-  std::vector<PlainForm> all = exact(s);
-  for (PlainForm& f : restitution(s)) all.push_back(std::move(f));
-  // The evaluators' theorems where alpha < 1; they hold everywhere.
-  for (Quantity q : evaluators) {
-    if (q.name != "velocities" && q.name != "terminal" && q.name != "angle") continue;
-    q.inputs = {q.name == "terminal" ? alpha(0x1p-100, 0x1p100) : mass};
-    if (q.name == "velocities") q.inputs.push_back(n);
-    q.cases = {{"all", {}, q.cases[0].definitions, q.cases[0].outputs, {}, {}}};
-    all.push_back({q, "tangent"});
-  }
-  for (const auto& r : rows) {
-    all.push_back(
-        {{r.name, labels(r.name), r.inputs, {s.of("all", {}, r.words)}, s.units}, r.form});
-  }
-  return all;
+  const auto found = all.find(quantity);
+  return found == all.end() ? "" : found->second;
 }
 Texts texts(const std::vector<Quantity>& evaluators, const std::vector<PlainForm>& plain,
             const codegen::Ids& ids) {
@@ -193,8 +194,8 @@ Texts generated() {
   return texts(made.all, made.plain, made.source.ids);
 }
 std::string selected(const std::string& form, const std::set<std::string>& outputs) {
-  std::vector<codegen::PlainForm> forms;
-  for (const codegen::PlainForm& f : inventory().plain)
+  std::vector<PlainForm> forms;
+  for (const PlainForm& f : inventory().plain)
     if (f.form == form && form != "matrices") forms.push_back(f);
   if (forms.empty())
     throw codegen::Refused("no form " + form +

@@ -25,8 +25,6 @@ public:
 };
 /// Evaluators in DoubleDouble.
 std::vector<codegen::Quantity> evaluators(Source& source);
-std::vector<codegen::PlainForm> plain_forms(Source& source,
-                                            const std::vector<codegen::Quantity>& evaluators);
 /// The labels of the paper's equations for a quantity.
 std::string labels(const std::string& quantity);
 /// evaluators/*.hpp, evaluators/errors.txt, plain/*.hpp, exact/*.hpp below magicmass/, and
