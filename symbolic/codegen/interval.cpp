@@ -45,7 +45,7 @@ Interval operator/(Interval x, Interval y) {
     throw Refused("a divisor that may be 0: its range needs a theorem or a guard");
   }
   const Interval inverse = around(1 / y.high, y.low > 0 ? 1 / y.low : infinity);
-  return x * Interval{std::max(0.0, inverse.low), inverse.high};
+  return x * meet(inverse, {0, infinity});
 }
 Interval square(Interval x) {
   const Interval size = magnitude(x);
@@ -53,31 +53,28 @@ Interval square(Interval x) {
 }
 Interval root(Interval x) {
   if (!(x.low >= 0)) throw Refused("a square root of what may be negative");
-  const Interval r = around(std::sqrt(x.low), std::sqrt(x.high));
-  return {std::max(0.0, r.low), r.high};
+  return meet(around(std::sqrt(x.low), std::sqrt(x.high)), {0, infinity});
 }
 Interval reciprocal_root(Interval x) {
   if (!(x.low >= 0)) throw Refused("a reciprocal root of what may be negative");
   const Interval r = around(1 / std::sqrt(x.high), x.low > 0 ? 1 / std::sqrt(x.low) : infinity, 2);
-  return {std::max(0.0, r.low), r.high};
+  return meet(r, {0, infinity});
 }
 Interval magnitude(Interval x) { return {x.least(), x.size()}; }
 Interval arc_tangent(Interval x) {
   const Interval r = around(std::atan(x.low), std::atan(x.high), libm_steps);
-  return {x.low >= 0 ? std::max(0.0, r.low) : r.low, r.high};
+  return x.low >= 0 ? meet(r, {0, infinity}) : r;
 }
 Interval sine(Interval x) {
   if (!(x.low >= -pi_below / 2 && x.high <= pi_below)) return {-1, 1};
   const double least = std::min(std::sin(x.low), std::sin(x.high));
   const bool has_top = x.low <= pi_below / 2 && x.high >= pi_below / 2;
   const double most = has_top ? 1.0 : std::max(std::sin(x.low), std::sin(x.high));
-  const Interval r = around(least, most, libm_steps);
-  return {std::max(x.low >= 0 ? 0.0 : -1.0, r.low), std::min(1.0, r.high)};
+  return meet(around(least, most, libm_steps), {x.low >= 0 ? 0.0 : -1.0, 1});
 }
 Interval cosine(Interval x) {
   if (!(x.low >= -pi_below && x.high <= pi_below)) return {-1, 1};
   const Interval size = magnitude(x);
-  const Interval r = around(std::cos(size.high), std::cos(size.low), libm_steps);
-  return {std::max(-1.0, r.low), std::min(1.0, r.high)};
+  return meet(around(std::cos(size.high), std::cos(size.low), libm_steps), {-1, 1});
 }
 }  // namespace codegen

@@ -10,7 +10,6 @@ struct Interval {
   double size() const;   ///< the largest |x|
   double least() const;  ///< the smallest |x|
   bool is_point() const { return low == high; }
-  bool contains(double x) const { return low <= x && x <= high; }
 };
 Interval meet(Interval x, Interval y);
 Interval around(double low, double high, int steps = 1);
