@@ -10,6 +10,11 @@ namespace codegen {
 using kernel::Expr;
 using kernel::Exprs;
 
+namespace {
+bool is_call(Expr e, const char* name) { return e.op() == kernel::Op::Fun && e.name() == name; }
+Exprs factors_of(Expr e) { return e.op() == kernel::Op::Mul ? e.args() : Exprs{e}; }
+}  // namespace
+
 /// Numbers, what is above and what is below the line.
 struct Terms::Fraction {
   cln::cl_RA factor = 1;
@@ -88,22 +93,14 @@ int Terms::arc_tangent(Expr e) {
 Terms::Fraction Terms::fraction(const Exprs& factors) {
   Fraction r;
   for (Expr f : factors) {
-    const bool is_inverse = f.op() == kernel::Op::Fun && f.name() == "inv";
-    if (f.op() == kernel::Op::Num) {
-      r.factor = r.factor * f.value();
-    } else if (!is_inverse) {
-      r.above.push_back(f);
-    } else {
-      const Expr x = f.arg(0);
-      const Exprs inner = x.op() == kernel::Op::Mul ? x.args() : Exprs{x};
-      for (Expr g : inner) {
-        if (g.op() != kernel::Op::Num) {
-          r.below.push_back(g);
-        } else if (g.value() != 0) {
-          r.factor = r.factor / g.value();
-        } else {
-          throw Refused("a divisor that is 0");
-        }
+    const bool is_inverse = is_call(f, "inv");
+    for (Expr g : is_inverse ? factors_of(f.arg(0)) : Exprs{f}) {
+      if (g.op() != kernel::Op::Num) {
+        (is_inverse ? r.below : r.above).push_back(g);
+      } else if (is_inverse && g.value() == 0) {
+        throw Refused("a divisor that is 0");
+      } else {
+        r.factor = is_inverse ? r.factor / g.value() : r.factor * g.value();
       }
     }
   }
@@ -123,16 +120,12 @@ int Terms::product(const Exprs& factors) {
   const Fraction f = fraction(factors);
   if (builder.is_plain()) return plain_product(f);
   double power = 1;
-  std::vector<int> over;
-  std::vector<int> below;
+  std::vector<int> over, below;
   for (Expr e : f.above) over.push_back(build(e));
   for (Expr e : f.below) {
-    const bool is_root = e.op() == kernel::Op::Fun && e.name() == "sqrt";
-    if (is_root && e.arg(0).op() != kernel::Op::Pow) {
-      over.push_back(builder.unary(Op::reciprocal_root, build(e.arg(0))));
-    } else {
-      below.push_back(build(e));
-    }
+    const bool is_root = is_call(e, "sqrt") && e.arg(0).op() != kernel::Op::Pow;
+    const int k = build(is_root ? e.arg(0) : e);
+    (is_root ? over : below).push_back(is_root ? builder.unary(Op::reciprocal_root, k) : k);
   }
   if (is_double(f.factor) && is_power_of_2(nearest(f.factor))) {
     power = nearest(f.factor);
@@ -160,23 +153,17 @@ int Terms::product(const Exprs& factors) {
 }
 /// ceil(p/q + c), c a whole number or half of an odd one.
 int Terms::ceiling(Expr x) {
-  const bool is_sum = x.op() == kernel::Op::Add;
-  const bool is_known = !is_sum || (x.size() == 2 && x.arg(1).op() == kernel::Op::Num);
-  const Expr ratio = is_sum ? x.arg(0) : x;
-  const cln::cl_RA c_ = is_sum && is_known ? x.arg(1).value() : cln::cl_RA(0);
-  const Fraction f = fraction(ratio.op() == kernel::Op::Mul ? ratio.args() : Exprs{ratio});
-  if (!is_known || f.below.empty()) {
-    throw Refused("not of the form ceil(p/q + c): " + kernel::text(x));
+  const bool has_c = x.op() == kernel::Op::Add && x.size() == 2 && x.arg(1).op() == kernel::Op::Num;
+  const cln::cl_RA c = has_c ? x.arg(1).value() : cln::cl_RA(0);
+  const Fraction f = fraction(factors_of(has_c ? x.arg(0) : x));
+  if (f.below.empty() || cln::denominator(c) > 2) {
+    throw Refused("not of the form ceil(p/q + c), c half of a whole number: " + kernel::text(x));
   }
   Exprs above = f.above;
   above.insert(above.begin(), Expr(f.factor));
   const int p = product(above);
-  const int q_ = product(f.below);
-  if (cln::denominator(c_) == 1) return builder.ceiling(p, q_, c_);
-  if (cln::denominator(c_) == 2) {
-    const int k = builder.nearest(p, q_);
-    return builder.sum(k, builder.constant(c_ + cln::cl_RA(1) / 2));
-  }
-  throw Refused("not of the form ceil(p/q + c), c half of a whole number: " + kernel::text(x));
+  const int q = product(f.below);
+  if (cln::denominator(c) == 1) return builder.ceiling(p, q, c);
+  return builder.sum(builder.nearest(p, q), builder.constant(c + cln::cl_RA(1) / 2));
 }
 }  // namespace codegen
