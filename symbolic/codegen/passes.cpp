@@ -13,29 +13,25 @@ std::string identifier(const std::string& name) {
 std::string Input::name() const { return identifier(variable.name()); }
 
 Program without_dead_code(const Program& p) {
-  std::vector<bool> live(p.nodes.size(), false);
-  for (const Result& r : p.results) live[std::size_t(r.node)] = true;
+  std::vector<int> place(p.nodes.size(), -1);  // -1: not needed
+  const auto at = [&](int k) -> int& { return place[std::size_t(k)]; };
+  for (const Result& r : p.results) at(r.node) = 0;
   for (int k = p.size(); k-- > 0;) {
-    if (p[k].op == Op::input) live[std::size_t(k)] = true;
-    if (!live[std::size_t(k)]) continue;
-    for (int o : p[k].of) live[std::size_t(o)] = true;
+    if (p[k].op == Op::input) at(k) = 0;
+    if (at(k) < 0) continue;
+    for (int o : p[k].of) at(o) = 0;
   }
   Program r = p;
   r.nodes.clear();
-  std::vector<int> place(p.nodes.size(), -1);
-  const auto at = [&](int k) { return place[std::size_t(k)]; };
   for (int k = 0; k < p.size(); ++k) {
-    if (!live[std::size_t(k)]) continue;
-    place[std::size_t(k)] = r.size();
+    if (at(k) < 0) continue;
+    at(k) = r.size();
     r.nodes.push_back(p[k]);
     for (int& o : r.nodes.back().of) o = at(o);
   }
   for (Result& result : r.results) result.node = at(result.node);
-  r.facts.clear();
-  for (const SizeFact& f : p.facts) {
-    if (at(f.small) < 0 || at(f.large) < 0) continue;
-    r.facts.push_back({at(f.small), at(f.large), f.is_of_computed});
-  }
+  for (SizeFact& f : r.facts) f = {at(f.small), at(f.large), f.is_of_computed};
+  std::erase_if(r.facts, [](const SizeFact& f) { return f.small < 0 || f.large < 0; });
   return r;
 }
 
