@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <set>
 
-#include "codegen/builder.hpp"
 #include "codegen/emit_evaluator.hpp"
 #include "codegen/errors.hpp"
 #include "codegen/exact.hpp"
 #include "codegen/text.hpp"
-#include "kernel/print.hpp"
 
 namespace codegen {
 namespace {
@@ -81,11 +79,11 @@ private:
     for (const std::string& step : a.steps) e += "  " + step + "\n";
     for (std::size_t i = 0; i < a.outputs.size(); ++i) {
       const Result& r = p.results[i];
-      const std::string bound = r.name + ": " + in_words(program, a.outputs[i]) + "\n";
-      if (r.kind == Result::real) e += "  OUTPUT " + bound;
-      if (r.kind == Result::sign || r.kind == Result::divisor) e += "  SIGN " + bound;
-      const bool is_said = r.kind == Result::real && t.name() == "Accurate";
-      if (is_said) result.bounds.push_back(bound.substr(0, bound.size() - 1));
+      if (r.kind == Result::whole || r.kind == Result::guard) continue;
+      const std::string bound = r.name + ": " + in_words(program, a.outputs[i]);
+      const bool is_output = r.kind == Result::real;
+      e += (is_output ? "  OUTPUT " : "  SIGN ") + bound + "\n";
+      if (is_output && t.name() == "Accurate") result.bounds.push_back(bound);
     }
   }
 
@@ -114,17 +112,14 @@ private:
       line("/// Theorem: " + shown(q, t.conclusion()));
     }
     for (const Fact& f : c.facts) {
-      const std::string why = f.argument.empty() ? "a theorem" : f.argument;
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;
-      line("/// " + shown(q, f.formula) + ": " + why + computed);
+      line("/// " + shown(q, f.formula) + ": " + f.argument + computed);
     }
     line("/// Operations: " + operation_counts(p) + ".");
     line("template <class Tier, class N>\nstruct " + name +
          " {\n  using T = typename N::Value;\n  using R = typename N::Result;");
     const std::set<int> kept = members();
-    Words exact;
-    Words results{"doubt"};
-    Words numbers;
+    Words exact, numbers, results{"doubt"};
     for (const Input& i : q.inputs) exact.push_back(i.name());
     for (int k : kept) (p[k].is_exact ? exact : numbers).push_back(p[k].name);
     for (const Result& r : p.results) {
@@ -142,8 +137,7 @@ private:
   }
   void inputs_and_outputs() {
     const std::string Q = capital(q.name);
-    Words set;
-    Words values;
+    Words set, values;
     for (const Input& i : q.inputs) {
       set.push_back(i.name() + (i.is_whole() ? "(N::whole(in." : "(N::all(in.") + i.name() + "))");
     }
@@ -209,25 +203,23 @@ private:
     for (std::size_t i = 0; i < p.results.size(); ++i) {
       const Result& r = p.results[i];
       if (r.kind == Result::whole) continue;
-      if (r.kind == Result::real && p[r.node].is_exact) {
-        line("    " + r.name + " = N::to_result(" + as_plain(p, r.node) + ");");
-        continue;
-      }
-      const std::string x = as_number(p, r.node) + ", ";
+      const std::string x = as_number(p, r.node);
       const std::string test = "    doubt = doubt + doubt_of_";
-      if (!is_tested(r)) {
-        line("    " + r.name + " = rounded(" + as_number(p, r.node) + ");");
-      } else if (r.kind == Result::real) {
-        line("    " + r.name + " = arithmetic::rounded_by<Tier>(" + x + bound_of(i) + ", doubt);");
+      if (r.kind == Result::real) {
+        line("    " + r.name + " = " + rounded(r, x, i) + ";");
       } else if (r.kind != Result::guard) {
-        line(test + "sign(" + x + bound_of(i) + ");");
+        line(test + "sign(" + x + ", " + bound_of(i) + ");");
       } else {
-        const auto is_it = [&](const Condition& g) { return g.name == r.name; };
-        const auto g = std::find_if(c.guards.begin(), c.guards.end(), is_it);
-        line(test + "range(" + x + range_in_code(g->of(false), g->of(true), "N::is_wide", ", ") +
-             ");");
+        const auto g = std::ranges::find(c.guards, r.name, &Condition::name);
+        const std::string ends = range_in_code(g->of(false), g->of(true), "N::is_wide", ", ");
+        line(test + "range(" + x + ", " + ends + ");");
       }
     }
+  }
+  std::string rounded(const Result& r, const std::string& x, std::size_t i) const {
+    if (p[r.node].is_exact) return "N::to_result(" + as_plain(p, r.node) + ")";
+    if (!is_tested(r)) return "rounded(" + x + ")";
+    return "arithmetic::rounded_by<Tier>(" + x + ", " + bound_of(i) + ", doubt)";
   }
   std::string bound_of(std::size_t i) const {
     const std::string& code = bounds_of[i];

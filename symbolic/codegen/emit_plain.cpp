@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "codegen/exact.hpp"
-#include "codegen/lower.hpp"
 #include "codegen/plain_text.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"

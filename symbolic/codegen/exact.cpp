@@ -3,7 +3,6 @@
 #include "codegen/exact.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 
 #include <cln/float.h>

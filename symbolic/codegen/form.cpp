@@ -31,8 +31,8 @@ bool Absorber::is_below(int part, int whole) const {
     if (small == part && (large == whole || is_below(large, whole))) return true;
   }
   const Node& n = p[whole];
-  if (n.op == Op::sum && is_difference(part, n.of[0], n.of[1])) return true;
-  return n.op == Op::sum && (is_below(part, n.of[0]) || is_below(part, n.of[1]));
+  return n.op == Op::sum && (is_below(part, n.of[0]) || is_below(part, n.of[1]) ||
+                             is_difference(part, n.of[0], n.of[1]));
 }
 /// Whether a node is x - y or y - x.
 bool Absorber::is_difference(int node, int x, int y) const {
@@ -48,8 +48,7 @@ bool Absorber::is_difference(int node, int x, int y) const {
 }
 /// What |x| is at most in |y|: sizes that y alone has need one of x's that is below them.
 std::optional<double> Absorber::share(const Sizes& x, const Sizes& y) const {
-  Sizes mine;
-  Sizes yours;
+  Sizes mine, yours;
   std::set_difference(x.begin(), x.end(), y.begin(), y.end(), std::back_inserter(mine));
   std::set_difference(y.begin(), y.end(), x.begin(), x.end(), std::back_inserter(yours));
   for (int v : yours) {
@@ -160,17 +159,13 @@ std::string in_code(const Program& p, const Form& f, std::vector<double>& consta
   }
   const auto fewer = [](const auto& x, const auto& y) { return x.second < y.second; };
   const int best = std::max_element(uses.begin(), uses.end(), fewer)->first;
-  Form with;
-  Form without;
+  Form with, without;
   for (const auto& [sizes, k] : f) {
     Sizes s = sizes;
     const auto found = std::find(s.begin(), s.end(), best);
-    if (found == s.end()) {
-      without[s] = k;
-    } else {
-      s.erase(found);
-      with[s] = k;
-    }
+    const bool has_it = found != s.end();
+    if (has_it) s.erase(found);
+    (has_it ? with : without)[s] = k;
   }
   const std::string inner = in_code(p, with, constants);
   const std::string name = p[best].is_exact ? p[best].name : "leading(" + p[best].name + ")";

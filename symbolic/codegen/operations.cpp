@@ -96,7 +96,6 @@ NumberType::OfPolynomial NumberType::polynomial(const Polynomial& p, double size
   double slope = 0;
   for (int k = 1; k < n; ++k) slope += k * c(k) * std::pow(size, k - 1);
   slope *= and_more / p.least;
-  if (!is_pair()) return {0, 0, slope};
   double tail = 0;
   double of_low = 0;  // the tail takes z.high for z, but for its first coefficient
   for (int k = m; k < n; ++k) {
