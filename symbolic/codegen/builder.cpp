@@ -14,6 +14,10 @@ namespace codegen {
 namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest_whole = 0x1p51;  // `nearest` of the runtime
+/// The ranges of functions.
+const std::map<Op, Interval (*)(Interval)> functions{
+    {Op::size, magnitude}, {Op::root, root},     {Op::reciprocal_root, reciprocal_root},
+    {Op::sine, sine},      {Op::cosine, cosine}, {Op::arc_tangent, arc_tangent}};
 
 /// Up to there, and down to its inverse, nothing over- or underflows: of pairs, no products, splits
 /// and errors of products.
@@ -30,7 +34,7 @@ int Builder::add(Node n) {
   if (commutes) std::sort(std::get<1>(key).begin(), std::get<1>(key).end());
   if (const auto found = seen.find(key); found != seen.end()) return found->second;
   try {
-    if (n.op != Op::input) n.range = range_of(n);
+    n.range = range_of(n);
   } catch (const Refused&) {
     if (numbers != Numbers::field) throw;
     n.range = {-infinity, infinity};  // a field's numbers are of any size
@@ -47,7 +51,7 @@ Interval Builder::range_of(const Node& n) const {
   const auto of = [&](std::size_t i) { return program[n.of[i]].range; };
   switch (n.op) {
     case Op::input:
-      break;
+      return n.range;
     case Op::constant: {
       const double x = codegen::nearest(n.of_pi ? n.value * pi() : n.value);
       return !n.of_pi && is_double(n.value) ? Interval{x, x} : around(x, x);
@@ -64,20 +68,8 @@ Interval Builder::range_of(const Node& n) const {
       return n.of[0] == n.of[1] ? square(of(0)) : of(0) * of(1);
     case Op::quotient:
       return of(0) / of(1);
-    case Op::reciprocal_root:
-      return codegen::reciprocal_root(of(0));
-    case Op::root:
-      return codegen::root(of(0));
     case Op::ceiling:
       return {std::ceil(of(0).low), std::ceil(of(0).high)};
-    case Op::arc_tangent:
-      return codegen::arc_tangent(of(0));
-    case Op::sine:
-      return codegen::sine(of(0));
-    case Op::cosine:
-      return codegen::cosine(of(0));
-    case Op::size:
-      return magnitude(of(0));
     case Op::nearest: {
       const Interval ratio = of(0) / of(1);
       if (numbers == Numbers::doubles && !(ratio.size() < largest_whole))
@@ -90,8 +82,9 @@ Interval Builder::range_of(const Node& n) const {
       return {-1, 1};
     case Op::step:
       return of(0) + Interval{-1, 0};
+    default:
+      return functions.at(n.op)(of(0));
   }
-  throw Refused("no range");
 }
 
 int Builder::input(const std::string& name, bool is_whole, Interval range) {

@@ -69,14 +69,12 @@ public:
   Interval range(kernel::Expr e) { return builder[build(e)].range; }
 
 private:
-  struct Fraction;
-  static Fraction fraction(const kernel::Exprs& factors);
   int made(kernel::Expr e);
   int function(kernel::Expr e);
   int square_root(kernel::Expr x);
   int arc_tangent(kernel::Expr e);
   int product(const kernel::Exprs& factors);
-  int plain_product(const Fraction& f);
+  int plain_product(const kernel::Exprs& factors);
   int ceiling(kernel::Expr x);
 };
 }  // namespace codegen

@@ -205,20 +205,12 @@ private:
         break;
       }
       case Op::product:
-        here.is_tested = product(f, k, x, y);
-        take(t.product(low(x), low(y)));
-        break;
       case Op::exact_product:
         here.is_tested = product(f, k, x, y);
-        take(t.product(low(x)));
+        take(n.op == Op::product ? t.product(low(x), low(y)) : t.product(low(x)));
         break;
       case Op::quotient:
-        here.is_tested = is_divisor(y);
-        if (here.is_tested) {
-          per_divisor(f, k, x, y);
-        } else {
-          quotient(f, k, x, y);
-        }
+        here.is_tested = quotient(f, k, x, y);
         take(t.quotient(low(x), low(y)));
         break;
       case Op::reciprocal_root:
@@ -279,7 +271,16 @@ private:
     for (const auto& [sizes, c] : error(x)) add(f, error(y), c, sizes);
     return (*this)[x].is_tested || (*this)[y].is_tested;
   }
-  void quotient(Form& f, int k, int x, int y) const {
+  /// Whether it is close to the exact quotient because the divisor is, which is tested. Then
+  /// q = c/y, c a constant, y off by E < |y| 2^-23: |c/(y + E) - c/y| is |q| E/|y|, y exact, so at
+  /// most E |q|^2/|c| and a bit, q computed.
+  bool quotient(Form& f, int k, int x, int y) const {
+    if (is_divisor(y)) {
+      if (p[x].op != Op::constant || !p[x].is_exact)
+        throw Refused("a quotient of no constant by " + p[y].name + ", which is tested");
+      add(f, error(y), and_more / p[x].range.size(), {k, k});
+      return true;
+    }
     const double of_y = needed(y) * and_more;
     if (const std::optional<double> r = relative(x)) {
       add_loss(f, (*r + of_y) * and_more, k);
@@ -287,18 +288,11 @@ private:
       add(f, error(x), and_more / p[y].range.least());
       add_loss(f, of_y, k);
     }
+    return false;
   }
   bool is_divisor(int k) const {
-    return std::any_of(p.results.begin(), p.results.end(),
-                       [&](const Result& r) { return r.kind == Result::divisor && r.node == k; });
-  }
-  /// q = c/y, c a constant, y off by E < |y| 2^-23, which is tested: |c/(y + E) - c/y| is
-  /// |q| E/|y|, y exact, so at most E |q|^2/|c| and a bit, q computed.
-  void per_divisor(Form& f, int k, int x, int y) {
-    if (p[x].op != Op::constant || !p[x].is_exact) {
-      throw Refused("a quotient of no constant by " + p[y].name + ", which is tested");
-    }
-    add(f, error(y), and_more / p[x].range.size(), {k, k});
+    const auto is_it = [&](const Result& r) { return r.kind == Result::divisor && r.node == k; };
+    return std::ranges::any_of(p.results, is_it);
   }
   void sine_or_cosine(Form& f, int k, int x, const Form& angle, double of_turn) {
     const double top = absorber.most(x);

@@ -13,14 +13,29 @@ using kernel::Exprs;
 namespace {
 bool is_call(Expr e, const char* name) { return e.op() == kernel::Op::Fun && e.name() == name; }
 Exprs factors_of(Expr e) { return e.op() == kernel::Op::Mul ? e.args() : Exprs{e}; }
-}  // namespace
-
 /// Numbers, what is above and what is below the line.
-struct Terms::Fraction {
+struct Fraction {
   cln::cl_RA factor = 1;
   Exprs above = {};
   Exprs below = {};
 };
+Fraction fraction(const Exprs& factors) {
+  Fraction r;
+  for (Expr f : factors) {
+    const bool is_inverse = is_call(f, "inv");
+    for (Expr g : is_inverse ? factors_of(f.arg(0)) : Exprs{f}) {
+      if (g.op() != kernel::Op::Num) {
+        (is_inverse ? r.below : r.above).push_back(g);
+      } else if (is_inverse && g.value() == 0) {
+        throw Refused("a divisor that is 0");
+      } else {
+        r.factor = is_inverse ? r.factor / g.value() : r.factor * g.value();
+      }
+    }
+  }
+  return r;
+}
+}  // namespace
 
 int Terms::build(Expr e) {
   if (const auto found = nodes.find(e); found != nodes.end()) return found->second;
@@ -90,24 +105,9 @@ int Terms::arc_tangent(Expr e) {
   return builder.arc_tangent(t, square->second);
 }
 
-Terms::Fraction Terms::fraction(const Exprs& factors) {
-  Fraction r;
-  for (Expr f : factors) {
-    const bool is_inverse = is_call(f, "inv");
-    for (Expr g : is_inverse ? factors_of(f.arg(0)) : Exprs{f}) {
-      if (g.op() != kernel::Op::Num) {
-        (is_inverse ? r.below : r.above).push_back(g);
-      } else if (is_inverse && g.value() == 0) {
-        throw Refused("a divisor that is 0");
-      } else {
-        r.factor = is_inverse ? r.factor / g.value() : r.factor * g.value();
-      }
-    }
-  }
-  return r;
-}
 /// Whole numbers above and below, a sign before it all.
-int Terms::plain_product(const Fraction& f) {
+int Terms::plain_product(const Exprs& factors) {
+  const Fraction f = fraction(factors);
   const cln::cl_I above = cln::abs(cln::numerator(f.factor));
   const cln::cl_I below = cln::denominator(f.factor);
   int p = above == 1 && !f.above.empty() ? -1 : builder.constant(above);
@@ -117,8 +117,8 @@ int Terms::plain_product(const Fraction& f) {
   return builder.scaled(p, f.factor < 0 ? -1 : 1);
 }
 int Terms::product(const Exprs& factors) {
+  if (builder.is_plain()) return plain_product(factors);
   const Fraction f = fraction(factors);
-  if (builder.is_plain()) return plain_product(f);
   double power = 1;
   std::vector<int> over, below;
   for (Expr e : f.above) over.push_back(build(e));

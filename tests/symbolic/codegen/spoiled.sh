@@ -61,7 +61,7 @@ errors.cpp|s/add(f, error(y), and_more \/ p.*$/;/
 errors.cpp|s/{k, k});$/{k});/
 errors.cpp|s/clear = 2 \/ close/clear = 1 \/ close/
 errors.cpp|s/least->second < p\[k\].range.low/least->second < 0/
-errors.cpp|s/is_tested = is_divisor(y)/is_tested = p[x].op == Op::constant/
+errors.cpp|s/if (is_divisor(y)) {/if (p[x].op == Op::constant) {/
 errors.cpp|s/add_loss(f, t.is_pair() ? low(k) : t.u, k);/;/
 emit_case.cpp|s/} else if (r.kind != Result::guard) {/} else if (r.kind == Result::sign) {/
 form.cpp|s/f\[into\] += \*of_part/f[into] += 0.01 * *of_part/
