@@ -21,7 +21,7 @@ public:
   EmittedCase result;
 
   CaseEmitter(const Quantity& quantity, const Case& which)
-      : q(quantity), c(which), p(lower(quantity, which, false)) {
+      : q(quantity), c(which), p(lower(quantity, which, Numbers::doubles)) {
     name = capital(q.name) + capital(c.name);
     bounds();
     structure();
@@ -44,7 +44,7 @@ private:
     std::string specialised;
     for (const NumberType& t : number_types()) {
       const bool is_wide = !t.is_pair();
-      const Program program = is_wide ? lower(q, c, true) : p;
+      const Program program = is_wide ? lower(q, c, Numbers::wide) : p;
       Analysis a = analyse(program, t, plan);
       describe(program, t, a);
       std::vector<double> constants;

@@ -111,7 +111,7 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   Words domains, parameters;
   for (const Case& c : q.cases) {
     const bool is_exact = f.form == "exact";
-    const Program p = lower_plain(q, c, is_exact);
+    const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
     PlainText text(p);
     branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() + guard_lines(name, c) +
                 "    return {" + results(p, text, first) + "};\n  }\n";

@@ -152,7 +152,9 @@ private:
     builder.program.facts.push_back({small, large, !t.of_computed.empty()});
   }
 };
-Program read(const Quantity& quantity, const Case& which, Numbers numbers) {
+}  // namespace
+
+Program lower(const Quantity& quantity, const Case& which, Numbers numbers) {
   Reader reader(quantity, which, numbers);
   for (const Theorem& t : which.definitions) reader.define(t);
   for (const Theorem& t : which.outputs) reader.output(t);
@@ -161,13 +163,5 @@ Program read(const Quantity& quantity, const Case& which, Numbers numbers) {
   std::stable_sort(results.begin(), results.end(),
                    [](const Result& x, const Result& y) { return x.kind < y.kind; });
   return named(in_stages(without_dead_code(reader.builder.program)));
-}
-}  // namespace
-
-Program lower(const Quantity& quantity, const Case& which, bool is_wide) {
-  return read(quantity, which, is_wide ? Numbers::wide : Numbers::doubles);
-}
-Program lower_plain(const Quantity& quantity, const Case& which, bool is_exact) {
-  return read(quantity, which, is_exact ? Numbers::field : Numbers::plain);
 }
 }  // namespace codegen

@@ -43,11 +43,9 @@ std::string shown(const Quantity& q, kernel::Expr formula);
 std::string emit_doubling(const Doubling& t, const Domain& d);
 /// Makes f(params, 2*x) and f(params, 2*x + 1) in a term known; the lines that compute both.
 std::string call_doubling(const Doubling& t, kernel::Expr term, Terms& terms);
-/// The case's program after all passes, for an evaluator. Refused: a theorem with a hypothesis that
-/// does not follow from the intervals, a name without a definition, an operation that there is none
-/// for, a divisor or root whose range is not known, a value that may over- or underflow.
-Program lower(const Quantity& quantity, const Case& which, bool is_wide);
-/// For a plain form, or (is_exact) one of any field. The outputs are entries where they are
-/// matrices. Refused: as above; a function in an exact form.
-Program lower_plain(const Quantity& quantity, const Case& which, bool is_exact);
+/// The case's program after all passes; outputs of plain forms are entries where they are matrices.
+/// Refused: a theorem with a hypothesis that does not follow from the intervals, a name without a
+/// definition, an operation that there is none for, a divisor or root whose range is not known, a
+/// value that may over- or underflow, a function of a field's numbers.
+Program lower(const Quantity& quantity, const Case& which, Numbers numbers);
 }  // namespace codegen

@@ -5,27 +5,25 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
-#include <string_view>
 
 namespace codegen {
 namespace {
-std::string broken_line(const std::string& code) {
+std::string broken_line(std::string rest) {
   constexpr std::size_t columns = 100;
-  const std::size_t indent = std::min(code.find_first_not_of(' '), code.size());
-  std::string leader(indent, ' ');
-  for (const char* comment : {"/// ", "// "}) {
-    const bool is_it = std::string_view(code).substr(indent).starts_with(comment);
-    if (is_it && leader.size() == indent) leader += comment;
-  }
-  const bool is_comment = leader.size() > indent;
-  const bool is_literal = !is_comment && std::string_view(code).substr(indent).starts_with('"');
+  const std::size_t indent = std::min(rest.find_first_not_of(' '), rest.size());
+  const std::string code = rest.substr(indent);
+  const bool is_literal = code.starts_with('"');
+  const std::string comment = code.starts_with("/// ")  ? "/// "
+                              : code.starts_with("// ") ? "// "
+                                                        : "";
+  const std::string leader = rest.substr(0, indent) + comment;
+  const std::string further = !comment.empty() ? "  " : is_literal ? "\"" : "    ";
   std::string text;
-  std::string rest = code;
   while (rest.size() > columns) {
     const std::size_t at = rest.rfind(' ', columns - (is_literal ? 2 : 0));
     if (at == std::string::npos || at <= leader.size() + 4) break;
     text += rest.substr(0, at) + (is_literal ? " \"\n" : "\n");
-    rest = leader + (is_comment ? "  " : is_literal ? "\"" : "    ") + rest.substr(at + 1);
+    rest = leader + further + rest.substr(at + 1);
   }
   return text + rest + "\n";
 }

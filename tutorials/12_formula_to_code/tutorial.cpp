@@ -17,7 +17,8 @@ Program lowered(generate::Source& source, const std::string& theorems, double le
   const std::vector<codegen::Input> inputs{{kernel::real("alpha"), masses, masses},
                                            {kernel::integer("n"), cycles, cycles}};
   const codegen::Case all = source.of("all", {}, "rotation.psi power.V_CM -> " + theorems);
-  return codegen::lower_plain({"velocities", "", inputs, {all}, source.units}, all, false);
+  return codegen::lower({"velocities", "", inputs, {all}, source.units}, all,
+                        codegen::Numbers::plain);
 }
 // How many nodes there would be if each were written down as often as it is used.
 int typed_out(const Program& p) {

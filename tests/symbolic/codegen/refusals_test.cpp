@@ -31,11 +31,11 @@ Quantity quantity(const Theorem& output, Interval range = {0x1p-20, below_1}) {
 }
 codegen::Analysis analysis(const Quantity& q) {
   codegen::Plan plan;
-  return codegen::analyse(codegen::lower(q, q.cases[0], false), {0x1p-53, &codegen::tiers()[1]},
-                          plan);
+  return codegen::analyse(codegen::lower(q, q.cases[0], codegen::Numbers::doubles),
+                          {0x1p-53, &codegen::tiers()[1]}, plan);
 }
 double bound(const Quantity& q) {
-  const codegen::Program p = codegen::lower(q, q.cases[0], false);
+  const codegen::Program p = codegen::lower(q, q.cases[0], codegen::Numbers::doubles);
   codegen::Plan plan;
   return codegen::Absorber(p, plan).bounded(analysis(q).outputs.at(0));
 }
@@ -168,7 +168,7 @@ TEST_CASE("what may over- or underflow is refused, at the edge from both sides")
   refuses(quantity(square, {1, 0x1p460}), "over- or underflow");
   Quantity whole = quantity(definition(m + m, {m}));
   whole.inputs = {{m, {0, 0x1p50 - 1}, {0, 0x1p63}}};
-  CHECK_NOTHROW(codegen::lower(whole, whole.cases[0], false));
+  CHECK_NOTHROW(codegen::lower(whole, whole.cases[0], codegen::Numbers::doubles));
   whole.inputs[0].range = {0, 0x1p50 + 1};
   refuses(whole, "may be above 2^51");
   whole.inputs[0].range = {0, 0x1.0000000000001p51};
