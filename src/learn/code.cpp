@@ -37,7 +37,11 @@ cl_RA value_of(Expr constant, const std::string& text) {
   throw InvalidInput(text + ": its value is not found");
 }
 
-std::string text_of(double value) { return answers::real_cell(value).text; }
+std::string text_of(double value) {
+  return std::isnan(value)      ? "nan"
+         : std::isfinite(value) ? answers::real_cell(value).text
+                                : "infinite";
+}
 
 /// "1/7", the nearest double; "above sqrt(5) - 2", the one after it.
 double input(const Terms& terms, std::string text) {
@@ -84,12 +88,6 @@ struct Cases {
   std::vector<std::vector<cl_RA>> expected = {};
 };
 
-std::string filled(std::string text, const std::string& name, const std::string& by) {
-  for (std::size_t at; (at = text.find("{" + name + "}")) != text.npos;)
-    text.replace(at, name.size() + 2, by);
-  return text;
-}
-
 bool is_step(const std::string& text) {
   return text.find('.') != text.npos && !std::isdigit(static_cast<unsigned char>(text[0])) &&
          text.find_first_of(" +-*/^()") == text.npos;
@@ -109,7 +107,7 @@ Cases cases_of(const Exercise& e, const Run& run) {
       row.push_back(input(constants, one[i]));
       at_case.values[e.inputs[i]] = notation::typed_text(Expr(balls::exact(row[i])));
       // The program takes a decimal for the nearest double, and a whole number where one is needed.
-      at_case.run = filled(at_case.run, e.inputs[i], text_of(row[i]));
+      replace_all(at_case.run, "{" + e.inputs[i] + "}", text_of(row[i]));
     }
     const Terms terms(at_case);
     std::vector<cl_RA>& expected = cases.expected.emplace_back();
@@ -155,13 +153,11 @@ std::string difference(const Exercise& e, const Cases& cases, const Rows& rows) 
               ? cln::double_approx(cln::abs(balls::exact(got) - cases.expected[i][k]))
               : std::numeric_limits<double>::infinity();
       if (error <= within.ulps * ulp || error <= within.absolute) continue;
-      const std::string ulps = answers::real_cell(std::round(error / ulp)).text;
-      return place(e, i) + "your " + e.words[k] + " is " +
-             (std::isfinite(got) ? text_of(got)
-              : std::isnan(got)  ? "nan"
-                                 : "infinite") +
-             "; it should be " + text_of(nearest) +
-             (error < 1e-6 * std::abs(nearest) ? ", which is " + ulps + " ulp off." : ".");
+      return place(e, i) + "your " + e.words[k] + " is " + text_of(got) + "; it should be " +
+             text_of(nearest) +
+             (error < 1e-6 * std::abs(nearest)
+                  ? ", which is " + text_of(std::round(error / ulp)) + " ulp off."
+                  : ".");
     }
   return {};
 }
@@ -194,11 +190,11 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
     return {Mark::wrong, place(e, done) + ran.stopped + (ran.stopped.ends_with('?') ? "" : ".")};
   const std::string different = difference(e, cases, ran.rows);
   if (different.empty()) return {Mark::right, "Right, in all cases."};
-  for (const Misconception& one : e.misconceptions)
-    for (const std::string& known : one.answers)
-      if (are_alike(run(e, known, cases.inputs).rows, ran.rows, Within(e.within).absolute))
-        return {Mark::wrong, one.feedback};
-  return {Mark::wrong, different};
+  const double absolute = Within(e.within).absolute;
+  const std::string known = known_mistake(e, [&](const std::string& answer) {
+    return are_alike(run(e, answer, cases.inputs).rows, ran.rows, absolute);
+  });
+  return {Mark::wrong, known.empty() ? different : known};
 }
 
 }  // namespace learn

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derivations, a line after the other: each must be true, and a small step from what stands before.
 #include <algorithm>
-#include <sstream>
 
 #include "answers/errors.hpp"
 #include "learn/form.hpp"
@@ -13,20 +12,6 @@ namespace {
 using kernel::Exprs;
 
 constexpr std::size_t most_lines = 40;
-
-Texts split(const std::string& text, char separator) {
-  std::istringstream stream(text);
-  Texts parts;
-  for (std::string part; std::getline(stream, part, separator);)
-    if (part.find_first_not_of(" \t\r") != part.npos) parts.push_back(part);
-  return parts;
-}
-Texts lines_of(const std::string& text) {
-  Texts lines = split(text, '\n');
-  if (lines.size() == 1) lines = split(text, ';');  // on a command line
-  if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
-  return lines;
-}
 
 std::string line_name(std::size_t i) { return "line " + std::to_string(i + 1); }
 
@@ -113,12 +98,8 @@ private:
   }
 };
 
-Judgement judge_equations(const Terms& terms, const Texts& lines) {
+Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) {
   const Equations equations(terms);
-  Judgement said;
-  const auto with = [&](Mark mark, const std::string& feedback) {
-    return Judgement{mark, feedback, said.notes};
-  };
   std::vector<std::pair<Expr, Expr>> all;
   Exprs differences;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -128,8 +109,8 @@ Judgement judge_equations(const Terms& terms, const Texts& lines) {
                      " equals signs; write one equation a line");
     if (sides.size() != 2)
       kernel::refuse(line_name(i) + " is no equation; one = is expected in each line");
-    const Expr left = side(terms, sides[0], i, said.notes);
-    all.emplace_back(left, side(terms, sides[1], i, said.notes));
+    const Expr left = side(terms, sides[0], i, notes);
+    all.emplace_back(left, side(terms, sides[1], i, notes));
     differences.push_back(left - all.back().second);
   }
   Exprs before;
@@ -138,42 +119,40 @@ Judgement judge_equations(const Terms& terms, const Texts& lines) {
     const Expr e = differences[i];
     const std::string the_line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
-      return with(Mark::incomplete,
-                  the_line + " says nothing: both sides are the same for all velocities.");
+      return {Mark::incomplete,
+              the_line + " says nothing: both sides are the same for all velocities."};
     const Mark mark = equations.truth(left, right);
     if (mark == Mark::undecided)
-      return with(mark, "It could not be decided whether " + line_name(i) + " is true.");
+      return {mark, "It could not be decided whether " + line_name(i) + " is true."};
     if (mark == Mark::wrong) {
-      for (const Misconception& one : terms.exercise.misconceptions)
-        for (const std::string& text : one.answers)
-          if (equations.are_proportional(e, equations.content(text)))
-            return with(mark, one.feedback);
-      return with(mark, the_line + " is not true of this motion.");
+      const std::string known = known_mistake(terms.exercise, [&](const std::string& answer) {
+        return equations.are_proportional(e, equations.content(answer));
+      });
+      return {mark, known.empty() ? the_line + " is not true of this motion." : known};
     }
     if (!equations.follows(e, before)) {
       const std::string missing = equations.missing_law(differences);
       const std::string later = equations.missing_law(before);
-      return with(Mark::incomplete,
-                  the_line +
-                      (i == 0 ? " is true, but a derivation begins with a law. "
-                              : " is true, but how does it follow from the lines before it? ") +
-                      (!missing.empty() ? "This law is missing: " + missing + "."
-                       : !later.empty() ? "This law must stand before it: " + later + "."
-                                        : "A step is missing."));
+      return {Mark::incomplete,
+              the_line +
+                  (i == 0 ? " is true, but a derivation begins with a law. "
+                          : " is true, but how does it follow from the lines before it? ") +
+                  (!missing.empty() ? "This law is missing: " + missing + "."
+                   : !later.empty() ? "This law must stand before it: " + later + "."
+                                    : "A step is missing.")};
     }
     before.push_back(e);
   }
   const auto [left, right] = all.back();
   if (left != terms.content(terms.exercise.name) || equations.has_unknowns(right))
-    return with(Mark::incomplete, "Every line is right, but the end is missing: " +
-                                      terms.exercise.name + " = an expression without unknowns.");
-  return with(Mark::right, "Right: each line follows, and the last one is the answer.");
+    return {Mark::incomplete, "Every line is right, but the end is missing: " +
+                                  terms.exercise.name + " = an expression without unknowns."};
+  return {Mark::right, "Right: each line follows, and the last one is the answer."};
 }
 
 /// Lines that are equal to what stands before, each by an identity or by putting in the laws.
-Judgement judge_chain(const Terms& terms, const Texts& lines) {
+Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   const Exercise& e = terms.exercise;
-  Judgement said;
   const Expr start = terms.content(e.start);
   Expr before = start;
   const auto with_laws = [&](Expr term) {
@@ -183,49 +162,47 @@ Judgement judge_chain(const Terms& terms, const Texts& lines) {
     }
     return term;
   };
-  const auto unfinished = [&] {
-    return lacking(e.form, before, terms.domain(notation::symbols_of(before)));
+  const auto is_finished = [&] {
+    return lacking(e.form, before, terms.domain(notation::symbols_of(before))).empty();
   };
   for (std::size_t i = 0; i < lines.size(); ++i)
     for (const std::string& part : split(lines[i], '=')) {
-      const Expr now = side(terms, part, i, said.notes), given = terms.in_full(now);
+      const Expr now = side(terms, part, i, notes), given = terms.in_full(now);
       const std::string what =
           before == start ? e.start + ", with which the chain begins" : "what comes before it";
       const std::string shown = quoted(part, now);
-      said.mark = terms.compare(given, terms.in_full(before)).mark;
-      if (said.mark == Mark::undecided)
-        said.feedback = "It could not be decided whether " + shown + " in " + line_name(i) +
-                        " is equal to " + what + ".";
-      if (said.mark == Mark::wrong) {
-        said.feedback = unfinished().empty() ? "" : misconception_of(terms, given);
-        if (said.feedback.empty())
-          said.feedback = "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
+      const Mark mark = terms.compare(given, terms.in_full(before)).mark;
+      if (mark == Mark::undecided)
+        return {mark, "It could not be decided whether " + shown + " in " + line_name(i) +
+                          " is equal to " + what + "."};
+      if (mark == Mark::wrong) {
+        const std::string known = is_finished() ? "" : terms.misconception_of(given);
+        return {mark, known.empty()
+                          ? "In " + line_name(i) + ", " + shown + " is not equal to " + what + "."
+                          : known};
       }
-      if (said.mark != Mark::right) return said;
       // Whatever psi is, or by the laws alone.
       if (!terms.are_equal(before, now) && !terms.are_equal(with_laws(before), now))
-        return {Mark::incomplete,
-                "In " + line_name(i) + " a step is missing between " +
-                    notation::typed_text(before) + " and " + notation::typed_text(now) +
-                    ", though they are equal.",
-                said.notes};
+        return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
+                                      notation::typed_text(before) + " and " +
+                                      notation::typed_text(now) + ", though they are equal."};
       before = now;
     }
-  if (before == start || !unfinished().empty())
+  if (before == start || !is_finished())
     return {
         Mark::incomplete,
-        "Every line is right, but the last one is not yet in the form asked for: " + e.form + ".",
-        said.notes};
-  return {Mark::right, "Right: each line is equal to the one before, and the last is the answer.",
-          said.notes};
+        "Every line is right, but the last one is not yet in the form asked for: " + e.form + "."};
+  return {Mark::right, "Right: each line is equal to the one before, and the last is the answer."};
 }
 
 }  // namespace
 
-Judgement judge_derivation(const Exercise& e, const std::string& text) {
+Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& notes) {
   const Terms terms(e);
-  const Texts lines = lines_of(text);
-  return e.start.empty() ? judge_equations(terms, lines) : judge_chain(terms, lines);
+  Texts lines = split(text, '\n');
+  if (lines.size() == 1) lines = split(text, ';');  // on a command line
+  if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
+  return e.start.empty() ? judge_equations(terms, lines, notes) : judge_chain(terms, lines, notes);
 }
 
 }  // namespace learn

@@ -53,11 +53,6 @@ const std::map<std::string, Member>& members() {
   return table;
 }
 
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-}
-
 /// Reads keys of one file, and says where something is wrong.
 struct Reader {
   std::string source;
@@ -130,10 +125,8 @@ struct Reader {
   [[noreturn]] void refuse_key(const std::string& key, const toml::node& at) const {
     Texts names{"misconceptions", "variants"};
     for (const auto& [name, member] : members()) names.push_back(name);
-    const std::string nearest = magicmass::scenes::nearest_name(key, names);
     refuse(at, "no such key: " + answers::shown_text(key, 40) +
-                   (nearest.empty() ? "; allowed: " + answers::joined(names)
-                                    : "; is " + nearest + " meant?"));
+                   meant(key, names, "; allowed: " + answers::joined(names)));
   }
   void check(const toml::table& file, const Exercise& e) const {
     const auto need = [&](bool is_fine, const std::string& what) {

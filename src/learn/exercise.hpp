@@ -3,13 +3,11 @@
 #pragma once
 
 #include <map>
-#include <string>
 #include <string_view>
-#include <vector>
+
+#include "learn/texts.hpp"
 
 namespace learn {
-using Texts = std::vector<std::string>;
-
 /// Answers that are wrong for a known reason, and what is said to them.
 struct Misconception {
   std::string name;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "learn/judge.hpp"
 
-#include <sstream>
+#include <algorithm>
 
 #include "answers/shown_text.hpp"
 #include "learn/form.hpp"
@@ -13,15 +13,9 @@ namespace {
 /// Without a byte order mark, lines that begin with #, and space around it.
 std::string plain(std::string text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-  std::istringstream lines(text);
-  std::string all, line;
-  while (std::getline(lines, line)) {
-    const std::size_t begin = line.find_first_not_of(" \t\r");
-    if (begin == line.npos || line[begin] == '#') continue;
-    all +=
-        (all.empty() ? "" : "\n") + line.substr(begin, line.find_last_not_of(" \t\r") + 1 - begin);
-  }
-  return all;
+  Texts lines = split(text, '\n');
+  std::erase_if(lines, [](const std::string& line) { return line[0] == '#'; });
+  return answers::joined(lines, "\n");
 }
 
 /// As a student would type it, where the exercise has names of what was run.
@@ -29,6 +23,50 @@ std::string with_numbers(const Exercise& e, const std::string& text) {
   if (e.run.empty() || !e.choices.empty() || e.kind == "code") return text;
   const Terms terms(e);
   return notation::typed_text(terms.in_full(terms.content(text)));
+}
+
+/// What lacks of the form that is asked for, of a term that is equal to the answer.
+Judgement judge_form(const Terms& terms, const std::string& text, Expr typed) {
+  const std::string& form = terms.exercise.form;
+  std::string lack = lacking(form, typed, terms.domain(notation::symbols_of(typed)));
+  if (lack.empty()) return {Mark::right, "Right."};
+  // All of it is quoted as it was typed: + (-1) would be shown as - 1.
+  const std::string all = notation::typed_text(typed) + " ";
+  if (lack.starts_with(all) && text.find('=') == text.npos)
+    lack.replace(0, all.size() - 1, quoted(text, typed));
+  return {Mark::other_form,
+          "Equal to the answer, but not in the form asked for (" + form + "): " + lack + "."};
+}
+
+Judgement judge_expression(const Exercise& e, const std::string& text, Texts& notes) {
+  const Terms terms(e);
+  const bool is_prediction = e.kind == "predict";
+  const Expr typed = terms.typed_for_name(text, notes);
+  if (is_prediction && kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
+  const Expr given = terms.in_full(typed);
+  if (const std::string foreign = terms.foreign(typed); !foreign.empty()) {
+    const std::string known = terms.misconception_of(given);
+    if (known.empty()) kernel::refuse(foreign);
+    return {Mark::wrong, known};
+  }
+  const Expr expected = terms.in_full(terms.answer());
+  Judgement said = terms.compare(given, expected);
+  notes.insert(notes.end(), said.notes.begin(), said.notes.end());
+  if (said.mark == Mark::right)
+    return is_prediction ? Judgement{Mark::right, happens} : judge_form(terms, text, typed);
+  if (said.mark != Mark::wrong) return said;
+  if (!e.within.empty()) {
+    const Expr gap = notation::call("abs", given - expected);
+    const auto is_near = holds({gap, "<=", terms.in_full(terms.content(e.within))});
+    if (!is_near) return {Mark::undecided, "It could not be decided whether yours is near enough."};
+    if (*is_near) return {Mark::right, "Right: near enough."};
+  }
+  if (const std::string known = terms.misconception_of(given); !known.empty())
+    said.feedback = known;
+  else if (!is_prediction && !kernel::is_matrix(given) && !kernel::is_matrix(expected) &&
+           terms.are_equal(given, -expected))
+    said.feedback = "Only the sign is wrong: yours is minus the answer.";
+  return said;
 }
 
 }  // namespace
@@ -43,10 +81,12 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
   const std::string text = e.kind == "code" ? typed : plain(typed);
   if (text.empty()) return {Mark::unread, "The answer is empty."};
   try {
-    Judgement said = e.kind == "code"       ? judge_code(e, text, run)
-                     : e.kind == "symbolic" ? judge_symbolic(e, text)
-                     : e.kind == "predict"  ? judge_prediction(e, text)
-                                            : judge_derivation(e, text);
+    Texts notes;
+    Judgement said = e.kind == "code"         ? judge_code(e, text, run)
+                     : e.kind == "derivation" ? judge_derivation(e, text, notes)
+                     : e.choices.empty()      ? judge_expression(e, text, notes)
+                                              : judge_choice(e, text);
+    said.notes = notes;
     for (const Misconception& one : e.misconceptions)
       if (said.feedback == one.feedback) said.misconception = one.name;
     return said;
@@ -55,6 +95,13 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
     return {Mark::unread,
             "Not understood: " + why + (why.ends_with('?') || why.ends_with('.') ? "" : ".")};
   }
+}
+
+std::string known_mistake(const Exercise& e,
+                          const std::function<bool(const std::string& answer)>& was_given) {
+  for (const Misconception& one : e.misconceptions)
+    if (std::any_of(one.answers.begin(), one.answers.end(), was_given)) return one.feedback;
+  return {};
 }
 
 std::string own_answer(const Exercise& e) {
@@ -66,63 +113,26 @@ std::string own_answer(const Exercise& e) {
 Texts faults(const Exercise& e, const Run& run) {
   Texts wrong;
   try {
+    const auto need = [&](bool is_fine, const std::string& what, const Judgement& said) {
+      if (!is_fine) wrong.push_back(what + " is judged " + word(said.mark) + ": " + said.feedback);
+    };
     const Judgement own = judge(e, own_answer(e), run);
-    if (own.mark != Mark::right)
-      wrong.push_back("its own answer is judged " + std::string(word(own.mark)) + ": " +
-                      own.feedback);
+    need(own.mark == Mark::right, "its own answer", own);
     for (const Misconception& one : e.misconceptions)
       for (const std::string& text : one.answers) {
         const Judgement said = judge(e, with_numbers(e, text), run);
-        const std::string& name = e.kind == "code" ? one.name : text;
-        if (said.mark != Mark::wrong || said.feedback != one.feedback)
-          wrong.push_back("the misconception " + name + " is judged " + word(said.mark) + ": " +
-                          said.feedback);
+        need(said.mark == Mark::wrong && said.feedback == one.feedback,
+             "the misconception " + (e.kind == "code" ? one.name : text), said);
       }
-    if (e.kind == "code")
-      if (const Judgement said = judge(e, e.starter, run); said.mark != Mark::wrong)
-        wrong.push_back("the starter is judged " + std::string(word(said.mark)) + ": " +
-                        said.feedback);
+    if (e.kind == "code") {
+      const Judgement said = judge(e, e.starter, run);
+      need(said.mark == Mark::wrong, "the starter", said);
+    }
     if (e.hints.empty()) wrong.push_back("hints are missing");
   } catch (const std::exception& error) {
     wrong.push_back(error.what());
   }
   return wrong;
-}
-
-Judgement judge_symbolic(const Exercise& e, const std::string& text) {
-  const Terms terms(e);
-  Judgement said;
-  const Expr typed = terms.typed_for_name(text, said.notes);
-  const Expr given = terms.in_full(typed);
-  if (const std::string foreign = terms.foreign(typed); !foreign.empty()) {
-    said.feedback = misconception_of(terms, given);
-    if (said.feedback.empty()) kernel::refuse(foreign);
-    said.mark = Mark::wrong;
-    return said;
-  }
-  const Expr expected = terms.in_full(terms.answer());
-  const Judgement compared = terms.compare(given, expected);
-  said.mark = compared.mark;
-  said.feedback = compared.feedback;
-  said.notes.insert(said.notes.end(), compared.notes.begin(), compared.notes.end());
-  if (said.mark == Mark::right) {
-    std::string lack = lacking(e.form, typed, terms.domain(notation::symbols_of(typed)));
-    if (lack.empty()) return {Mark::right, "Right.", said.notes};
-    // All of it is quoted as it was typed: + (-1) would be shown as - 1.
-    const std::string all = notation::typed_text(typed) + " ";
-    if (lack.starts_with(all) && text.find('=') == text.npos)
-      lack.replace(0, all.size() - 1, quoted(text, typed));
-    return {Mark::other_form,
-            "Equal to the answer, but not in the form asked for (" + e.form + "): " + lack + ".",
-            said.notes};
-  }
-  if (said.mark != Mark::wrong) return said;
-  if (const std::string known = misconception_of(terms, given); !known.empty())
-    said.feedback = known;
-  else if (!kernel::is_matrix(given) && !kernel::is_matrix(expected) &&
-           terms.are_equal(given, -expected))
-    said.feedback = "Only the sign is wrong: yours is minus the answer.";
-  return said;
 }
 
 }  // namespace learn

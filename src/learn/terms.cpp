@@ -9,15 +9,12 @@
 #include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
 #include "equality/constant.hpp"
-#include "learn/spelling.hpp"
-#include "magicmass/scenes/keys.hpp"
+#include "notation/tokens.hpp"
 
 namespace learn {
 namespace {
 
 using answers::InvalidInput;
-
-std::set<std::string> as_set(const Texts& texts) { return {texts.begin(), texts.end()}; }
 
 /// "count --alpha 3/25": the numbers of its one row by their columns' names.
 std::map<std::string, std::string> ran(const std::string& line) {
@@ -44,10 +41,31 @@ std::map<std::string, std::string> ran(const std::string& line) {
   return numbers;
 }
 
+/// The unit at the end, m/s, where there is no such symbol; else nothing.
+std::string unit(const std::string& text, const std::set<std::string>& symbols) {
+  static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
+                                           "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
+  std::vector<notation::Token> words = notation::tokens(text);
+  words.pop_back();  // the end
+  std::erase_if(words, [](const auto& word) { return word.text == "{" || word.text == "}"; });
+  std::size_t end = words.size();
+  if (end > 2 && words[end - 2].text == "^") end -= 2;  // m/s^2
+  const auto is_unit = [&](const std::string& word) {
+    return word == "/" || (units.contains(word) && !symbols.contains(word));
+  };
+  std::size_t first = end;
+  while (first > 0 && is_unit(words[first - 1].text)) --first;
+  if (first == 0 || first == end || words[first].text == "/") return {};
+  const notation::Token& before = words[first - 1];
+  if (before.kind == notation::Token::Kind::Sign && before.text != ")") return {};
+  std::string all;
+  for (std::size_t i = first; i < words.size(); ++i) all += words[i].text;
+  return all;
+}
+
 /// "V = 1, alpha = 2": by name, whatever was named first.
 std::string by_name(const std::string& point) {
-  Texts each = parts(point, ',');
-  for (std::string& one : each) one.erase(0, one.find_first_not_of(' '));
+  Texts each = split(point, ',');
   std::sort(each.begin(), each.end());
   return answers::joined(each);
 }
@@ -94,51 +112,48 @@ std::string without_value(Expr given, Expr expected, const equality::Domain& dom
 
 }  // namespace
 
-Terms::Terms(const Exercise& e) : exercise(e) {
-  for (const auto& [name, text] : e.values) values.emplace(notation::symbol(name), content(text));
+Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symbols.end()) {
+  known = symbols;
+  for (const auto& [name, text] : e.values) {
+    known.insert(name);
+    values.emplace(notation::symbol(name), content(text));
+  }
   for (const auto& [name, text] : ran(e.run)) values.emplace(notation::symbol(name), content(text));
 }
 
-int Terms::columns() const {
-  if (exercise.kind != "symbolic") return 0;
+bool Terms::is_column_asked() const {
+  if (exercise.kind != "symbolic") return false;
   const Expr expected = answer();
-  return kernel::is_matrix(expected) ? expected.cols() : 0;
+  return kernel::is_matrix(expected) && expected.cols() == 1;
 }
 
-Expr Terms::typed(std::string text, Texts& notes) const {
-  const std::set<std::string> names = as_set(exercise.symbols);
-  constexpr std::size_t longest = 20000;  // more is refused by the reader
-  if (text.size() <= longest) text = with_spaces(bracketed(text, columns() == 1), names, notes);
-  std::set<std::string> known = names;
-  for (const auto& [name, value] : exercise.values) known.insert(name);
+Expr Terms::typed(const std::string& text, Texts& notes) const {
   if (const std::string the_unit = unit(text, known); !the_unit.empty())
     kernel::refuse(
         "an answer is written without a unit such as " + the_unit + ": " +
-        (names.empty() ? "it is a number, in units of V and L" : "its symbols have their own"));
-  const notation::Typed read = notation::read_typed(text, names);
+        (symbols.empty() ? "it is a number, in units of V and L" : "its symbols have their own"));
+  const notation::Typed read = notation::read_typed(text, symbols, is_column_asked());
   notes.insert(notes.end(), read.notes.begin(), read.notes.end());
   return read.term;
 }
 
 Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
-  const std::size_t sign = text.find('=');
-  if (sign == text.npos) return typed(text, notes);
-  const Texts sides{text.substr(0, sign), text.substr(sign + 1)};
-  if (sides[1].find('=') != sides[1].npos) kernel::refuse("one equation is expected, with one =");
+  const auto signs = std::count(text.begin(), text.end(), '=');
+  if (signs == 0) return typed(text, notes);
+  if (signs > 1) kernel::refuse("one equation is expected, with one =");
   if (exercise.name.empty())
     kernel::refuse("what is asked for has no name; write the expression alone, without =");
   const Expr name = content(exercise.name);
-  for (const int side : {0, 1}) {
-    Texts ignored;
-    if (typed(sides[std::size_t(side)], ignored) == name)
-      return typed(sides[std::size_t(1 - side)], notes);
-  }
+  std::string left = text.substr(0, text.find('=')), right = text.substr(left.size() + 1);
+  Texts ignored;
+  if (typed(right, ignored) == name) std::swap(left, right);
+  if (typed(left, ignored) == name) return typed(right, notes);
   kernel::refuse("neither side of this equation is " + exercise.name + ", which is asked for");
 }
 
 Expr Terms::content(const std::string& text) const {
   try {
-    return notation::read_typed(text, as_set(exercise.symbols)).term;
+    return notation::read_typed(text, symbols).term;
   } catch (const kernel::Refused& r) {
     throw InvalidInput(text + ": " + r.what());
   }
@@ -158,35 +173,33 @@ Expr Terms::answer() const {
 
 std::string Terms::foreign(Expr term) const {
   Texts names;
-  const std::set<std::string> symbols = as_set(exercise.symbols);
   for (const std::string& name : notation::symbols_of(term))
-    if (!symbols.contains(name) && !exercise.values.contains(name)) names.push_back(name);
+    if (!known.contains(name)) names.push_back(name);
   if (names.empty()) return {};
-  std::string meant = notation::alike(names[0], symbols);
-  if (meant.empty()) meant = parted(names[0], symbols);
-  if (meant.empty()) meant = magicmass::scenes::nearest_name(names[0], exercise.symbols);
-  std::replace(meant.begin(), meant.end(), ' ', '*');
+  std::string other = notation::alike(names[0], symbols);
+  if (other.empty()) other = notation::parted(names[0], symbols);
+  replace_all(other, " ", "*");
   return answers::joined(names) + (names.size() == 1 ? " has" : " have") + " no place here: " +
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
-         (meant.empty() ? "" : "; is " + meant + " meant?");
+         (other.empty() ? meant(names[0], exercise.symbols, "") : "; is " + other + " meant?");
 }
 
 Expr Terms::in_full(Expr term) const {
   // An angle stays an angle where nothing is said of the mass ratio.
-  const bool has_alpha = as_set(exercise.symbols).contains("alpha");
   Texts ignored;
-  if (has_alpha || !foreign(term).empty()) term = answers::with_meanings(term, ignored);
+  if (symbols.contains("alpha") || !foreign(term).empty())
+    term = answers::with_meanings(term, ignored);
   return kernel::substitute(term, values);
 }
 
-equality::Domain Terms::domain(const std::set<std::string>& symbols) const {
-  std::set<std::string> all = symbols;
-  all.insert(exercise.symbols.begin(), exercise.symbols.end());
+equality::Domain Terms::domain(const std::set<std::string>& wanted) const {
+  std::set<std::string> all = wanted;
+  all.insert(symbols.begin(), symbols.end());
   Texts ignored;
   equality::Domain domain = equality::read_domain(exercise.domain, all, ignored);
   std::erase_if(domain.ranges, [&](const auto& range) {
-    return !symbols.contains(notation::name_of(range.first));
+    return !wanted.contains(notation::name_of(range.first));
   });
   for (notation::Comparison& c : domain.further) {
     c.left = in_full(c.left);
@@ -194,19 +207,17 @@ equality::Domain Terms::domain(const std::set<std::string>& symbols) const {
   }
   std::erase_if(domain.further, [&](const notation::Comparison& c) {
     const std::set<std::string> needed = notation::symbols_of(c.left - c.right);
-    return !std::includes(symbols.begin(), symbols.end(), needed.begin(), needed.end());
+    return !std::includes(wanted.begin(), wanted.end(), needed.begin(), needed.end());
   });
   return domain;
 }
 
 Judgement Terms::compare_numbers(Expr given, Expr expected) const {
-  std::set<std::string> symbols = notation::symbols_of(given);
-  symbols.merge(notation::symbols_of(expected));
   equality::Verdict verdict;
   equality::Domain where;
   std::string why = "It could not be decided whether yours is equal to the answer.";
   try {
-    where = domain(symbols);
+    where = domain(notation::symbols_of(kernel::eq(given, expected)));
     verdict = equality::decide(given, expected, where);
   } catch (const kernel::Refused& r) {
     why = "It could not be compared: " + std::string(r.what()) + ".";
@@ -256,18 +267,15 @@ Judgement Terms::compare(Expr given, Expr expected) const {
   return all;
 }
 
-std::string quoted(const std::string& typed, Expr read) {
-  constexpr std::size_t longest = 80;
-  const std::size_t begin = typed.find_first_not_of(" \t"), end = typed.find_last_not_of(" \t");
-  const std::string text = typed.substr(begin, end + 1 - begin);
-  return answers::shown_text(text, longest) == text ? text : notation::typed_text(read);
+std::string Terms::misconception_of(Expr given) const {
+  return known_mistake(exercise, [&](const std::string& answer) {
+    return are_equal(given, in_full(content(answer)));
+  });
 }
 
-std::string misconception_of(const Terms& terms, Expr given) {
-  for (const Misconception& one : terms.exercise.misconceptions)
-    for (const std::string& text : one.answers)
-      if (terms.are_equal(given, terms.in_full(terms.content(text)))) return one.feedback;
-  return {};
+std::string quoted(const std::string& typed, Expr read) {
+  constexpr std::size_t longest = 80;
+  return answers::shown_text(typed, longest) == typed ? typed : notation::typed_text(read);
 }
 
 }  // namespace learn

@@ -13,7 +13,7 @@ public:
   explicit Terms(const Exercise& exercise);
 
   /// What a student typed. Refused (kernel::Refused) where it cannot be read.
-  Expr typed(std::string text, Texts& notes) const;
+  Expr typed(const std::string& text, Texts& notes) const;
   /// An equation's sides; another name than the one that is asked for, or two signs, are Refused.
   Expr typed_for_name(const std::string& text, Texts& notes) const;
   /// What the exercise says. Throws answers::InvalidInput.
@@ -28,24 +28,31 @@ public:
   /// should be 3."
   Judgement compare(Expr given, Expr expected) const;
   bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
+  /// The feedback of the misconception that has this term, in full; "" where there is none.
+  std::string misconception_of(Expr given) const;
   equality::Domain domain(const std::set<std::string>& symbols) const;
 
   const Exercise& exercise;
 
 private:
-  kernel::Substitution values;  // the exercise's, and what was run
-  int columns() const;          // of the matrix that is asked for; 0 of a number
+  std::set<std::string> symbols, known;  // those that an answer may use; and with named values
+  kernel::Substitution values;           // the exercise's, and what was run
+  bool is_column_asked() const;
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
 /// What was typed, where it is short and all ASCII; else the term that was read.
 std::string quoted(const std::string& typed, Expr read);
-/// The feedback of the misconception that has this answer, in full; "" where there is none.
-std::string misconception_of(const Terms& terms, Expr given);
+/// The feedback of the first misconception with an answer that was given; "" where there is none.
+std::string known_mistake(const Exercise& exercise,
+                          const std::function<bool(const std::string& answer)>& was_given);
+/// Whether a comparison of numbers is true; nothing where it is not decided.
+std::optional<bool> holds(const notation::Comparison& comparison);
 
-Judgement judge_symbolic(const Exercise& exercise, const std::string& typed);
-Judgement judge_prediction(const Exercise& exercise, const std::string& typed);
-Judgement judge_derivation(const Exercise& exercise, const std::string& typed);
+inline const std::string happens = "Right: this is what happens.";
+Judgement judge_choice(const Exercise& exercise, const std::string& typed);
+/// Also says how the typed text was read.
+Judgement judge_derivation(const Exercise& exercise, const std::string& typed, Texts& notes);
 Judgement judge_code(const Exercise& exercise, const std::string& code, const Run& run);
 /// The letter of the right one of the choices.
 char right_choice(const Exercise& exercise);

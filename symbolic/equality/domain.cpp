@@ -193,7 +193,7 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
         if (is_present(e, condition)) is_integer[e] = kind == "integer";
         return;
       }
-    for (const notation::Comparison& c : notation::read_comparisons(condition).comparisons)
+    for (const notation::Comparison& c : notation::read_comparisons(condition))
       if (is_present(c.left + c.right, condition) && !bound(c, given)) domain.further.push_back(c);
   };
   const std::vector<std::string> parts = separated(text);

@@ -48,7 +48,11 @@ const std::map<std::string, Function>& functions() {
 std::size_t bits(const cln::cl_RA& q) {
   return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
 }
-cln::cl_RA ten_to(int exponent) { return cln::expt(cln::cl_RA(10), exponent); }
+Expr scaled(Expr scalar, Expr grid) {
+  Exprs out;
+  for (Expr e : entries(grid)) out.push_back(scalar * e);
+  return matrix(grid.cols(), out);
+}
 }  // namespace
 
 bool is_function(const std::string& name) { return name == "root" || functions().contains(name); }
@@ -81,14 +85,10 @@ cln::cl_RA number_of(const Token& token) {
     exponent -= int(digits.size() - point - 1);
     digits.erase(point, 1);
   }
-  return cln::cl_RA(cln::cl_I(("0" + digits).c_str())) * ten_to(exponent);
+  return cln::cl_RA(cln::cl_I(("0" + digits).c_str())) * cln::expt(cln::cl_RA(10), exponent);
 }
 
-Expr scaled(Expr scalar, Expr grid) {
-  Exprs out;
-  for (Expr e : entries(grid)) out.push_back(scalar * e);
-  return matrix(grid.cols(), out);
-}
+Expr negative(Expr e) { return is_matrix(e) ? scaled(-1, e) : -e; }
 Expr added(Expr a, Expr b, std::size_t column) {
   if (a.rows() != b.rows() || a.cols() != b.cols())
     refuse_at(column, "matrices of different shapes");
@@ -97,24 +97,22 @@ Expr added(Expr a, Expr b, std::size_t column) {
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = out[i] + more[i];
   return matrix(a.cols(), out);
 }
-bool is_grid(Expr e) { return e.sort() == Sort::Matrix; }
 
 Expr times(Expr a, Expr b, std::size_t column) {
-  if (!is_grid(a) && !is_grid(b)) return a * b;
-  if (!is_grid(a)) return scaled(a, b);
-  if (!is_grid(b)) return scaled(b, a);
+  if (!is_matrix(a) && !is_matrix(b)) return a * b;
+  if (!is_matrix(a)) return scaled(a, b);
+  if (!is_matrix(b)) return scaled(b, a);
   if (a.cols() != b.rows()) refuse_at(column, "matrices of these shapes have no product");
-  const Expr product = kernel::times(a, b);
-  return matrix(b.cols(), entries(product));
+  return matrix(b.cols(), entries(kernel::times(a, b)));
 }
 Expr quotient(Expr a, Expr b, std::size_t column) {
-  if (is_grid(b)) refuse_at(column, "division by a matrix");
+  if (is_matrix(b)) refuse_at(column, "division by a matrix");
   if (b == Expr(0)) refuse_at(column, "division by zero");
-  return is_grid(a) ? scaled(Expr(1) / b, a) : a / b;
+  return is_matrix(a) ? scaled(Expr(1) / b, a) : a / b;
 }
 
 Expr raised_to(Expr base, Expr exponent, std::size_t column) {
-  if (is_grid(base) || is_grid(exponent)) refuse_at(column, "a power of a matrix");
+  if (is_matrix(base) || is_matrix(exponent)) refuse_at(column, "a power of a matrix");
   const auto number = rational_value(exponent);
   if (!number) return raised(base, exponent);
   if (bits(*number) > 40 || cln::abs(cln::numerator(*number)) > largest_exponent ||
@@ -149,7 +147,7 @@ Expr grid_of(const std::vector<Exprs>& rows, std::size_t column) {
     all.insert(all.end(), row.begin(), row.end());
   }
   for (Expr e : all)
-    if (is_grid(e)) refuse_at(column, "a matrix inside of a matrix");
+    if (is_matrix(e)) refuse_at(column, "a matrix inside of a matrix");
   if (all.size() > 100) refuse_at(column, "a matrix of more than 100 entries");
   return matrix(int(rows[0].size()), all);
 }

@@ -18,8 +18,7 @@ std::string hidden_function(const std::string& name);
 Expr applied(const std::string& function, Expr x);
 cln::cl_RA number_of(const Token& token);
 
-bool is_grid(Expr e);  ///< a matrix
-Expr scaled(Expr scalar, Expr grid);
+Expr negative(Expr e);
 Expr added(Expr a, Expr b, std::size_t column);  ///< of matrices
 Expr times(Expr a, Expr b, std::size_t column);
 Expr quotient(Expr a, Expr b, std::size_t column);

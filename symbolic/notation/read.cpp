@@ -8,17 +8,13 @@
 #include <cln/integer_io.h>
 
 #include "kernel/names.hpp"
+#include "notation/tokens.hpp"
 
 namespace notation {
 using namespace kernel;
 namespace {
-struct Token {
-  enum class Kind { Number, Name, Sign, End };
-  Kind kind = Kind::End;
-  std::string words = {};
-  std::size_t at = 0;  // its first character, from 1
-  bool spaced = true;  // a blank stands before it
-};
+using Kind = Token::Kind;
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_inside(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
@@ -42,23 +38,20 @@ std::size_t end_of_sign(std::string_view text, std::size_t i) {
 }
 Token token(std::string_view text, std::size_t from) {
   const std::size_t i = std::min(text.find_first_not_of(' ', from), text.size());
-  Token out{.at = i + 1, .spaced = i > from || i == 0};
+  Token out{.column = i + 1, .is_spaced = i > from || i == 0};
   if (i == text.size()) return out;
-  const bool digit = is_digit(text[i]);
-  out.kind = digit                ? Token::Kind::Number
-             : is_letter(text[i]) ? Token::Kind::Name
-                                  : Token::Kind::Sign;
-  const std::size_t end = digit                ? end_of(text, i, is_digit)
-                          : is_letter(text[i]) ? end_of_name(text, i)
-                                               : end_of_sign(text, i);
+  out.kind = is_digit(text[i]) ? Kind::Number : is_letter(text[i]) ? Kind::Name : Kind::Sign;
+  const std::size_t end = out.kind == Kind::Number ? end_of(text, i, is_digit)
+                          : out.kind == Kind::Name ? end_of_name(text, i)
+                                                   : end_of_sign(text, i);
   if (end == i) refuse("character " + std::to_string(i + 1) + " belongs to no formula");
-  out.words = text.substr(i, end - i);
+  out.text = text.substr(i, end - i);
   return out;
 }
-std::vector<Token> tokens(std::string_view text) {
+std::vector<Token> printed_tokens(std::string_view text) {
   std::vector<Token> out{token(text, 0)};
-  while (out.back().kind != Token::Kind::End)
-    out.push_back(token(text, out.back().at - 1 + out.back().words.size()));
+  while (out.back().kind != Kind::End)
+    out.push_back(token(text, out.back().column - 1 + out.back().text.size()));
   return out;
 }
 
@@ -69,18 +62,18 @@ struct Quantified {
 
 class Reader {
 public:
-  explicit Reader(std::string_view text) : words(tokens(text)) {}
+  explicit Reader(std::string_view text) : words(printed_tokens(text)) {}
   Expr everything() {
     const Expr e = formula();
-    if (now().kind != Token::Kind::End) refuse("\"" + now().words + "\" is not expected");
+    if (now().kind != Kind::End) refuse("\"" + now().text + "\" is not expected");
     return e;
   }
-  std::size_t at() const { return now().at; }
+  std::size_t at() const { return now().column; }
 
 private:
   const Token& now() const { return words[place]; }
-  bool is(std::string_view word) const { return now().words == word; }
-  bool is_attached(std::string_view sign) const { return is(sign) && !now().spaced; }
+  bool is(std::string_view word) const { return now().text == word; }
+  bool is_attached(std::string_view sign) const { return is(sign) && !now().is_spaced; }
   bool takes(std::string_view word) {
     if (!is(word)) return false;
     ++place;
@@ -89,9 +82,9 @@ private:
   void need(std::string_view word) {
     if (!takes(word)) refuse("\"" + std::string(word) + "\" is expected");
   }
-  std::string need(Token::Kind kind, const std::string& what) {
+  std::string need(Kind kind, const std::string& what) {
     if (now().kind != kind) refuse(what + " is expected");
-    return words[place++].words;
+    return words[place++].text;
   }
 
   Expr formula() {
@@ -104,7 +97,7 @@ private:
     need("every");
     const Sort sort = takes("integer") ? Sort::Int : Sort::Real;
     if (sort == Sort::Real) need("real");
-    const std::string name = need(Token::Kind::Name, "a variable");
+    const std::string name = need(Kind::Name, "a variable");
     if (const std::string why = why_no_variable(name, sort); !why.empty()) refuse(why);
     bound.push_back({name, sort});
     const Expr least = takes(">=") ? sum() : Expr();
@@ -153,7 +146,7 @@ private:
   }
   bool begins_atom() const {
     if (is("and") || is("or") || is("implies") || is("if")) return false;
-    return now().kind == Token::Kind::Name || is("(") || is("[");
+    return now().kind == Kind::Name || is("(") || is("[");
   }
   Expr power() {
     const Expr base = atom();
@@ -163,7 +156,7 @@ private:
     return kernel::power(base, atom());
   }
   int small_number() {
-    const std::string digits = need(Token::Kind::Number, "a whole number");
+    const std::string digits = need(Kind::Number, "a whole number");
     int n = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
     if (error != std::errc()) refuse(digits.substr(0, 20) + "... is too large here");
@@ -182,10 +175,10 @@ private:
     return e;
   }
   Expr bare_atom() {
-    if (now().kind == Token::Kind::Number) return number();
+    if (now().kind == Kind::Number) return number();
     if (takes("[")) return matrix_entries();
     if (takes("(")) return in_brackets();
-    const std::string name = need(Token::Kind::Name, "a number, a name or a bracket");
+    const std::string name = need(Kind::Name, "a number, a name or a bracket");
     if (name != "det") return resolved(name);
     need("(");
     return det(in_brackets());
@@ -196,8 +189,8 @@ private:
     return e;
   }
   Expr number() {
-    if (now().words.size() > 10000) refuse("a number of more than 10000 digits");
-    return Expr(cln::cl_RA(cln::cl_I(words[place++].words.c_str())));
+    if (now().text.size() > 10000) refuse("a number of more than 10000 digits");
+    return Expr(cln::cl_RA(cln::cl_I(words[place++].text.c_str())));
   }
   Expr matrix_entries() {
     Exprs entries = list();

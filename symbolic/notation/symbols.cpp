@@ -30,15 +30,13 @@ class Printer {
 public:
   enum Level { Sum, Product, Power, Atom };
   std::string text(Expr e, Level around) {
+    if (is_inverse(base_of(e)) || e.op() == Op::Mul) return bracketed(product(e), around, Product);
     switch (e.op()) {
       case Op::Num:
         return bracketed(digits(e.value()), around, level_of_number(e.value()));
       case Op::Add:
         return bracketed(sum(e), around, Sum);
-      case Op::Mul:
-        return bracketed(product(e), around, Product);
       case Op::Pow:
-        if (is_inverse(e.arg(0))) return bracketed(product(e), around, Product);
         return bracketed(text(e.arg(0), Atom) + "^" + std::to_string(e.exponent()), around, Power);
       case Op::Fun:
         return function(e, around);
@@ -54,6 +52,7 @@ private:
   static std::string bracketed(const std::string& text, Level around, Level own) {
     return own < around ? "(" + text + ")" : text;
   }
+  static Expr base_of(Expr e) { return e.op() == Op::Pow ? e.arg(0) : e; }
   static bool is_inverse(Expr e) { return e.op() == Op::Fun && e.name() == "inv"; }
   std::string sum(Expr e) {
     std::string out = text(e.arg(0), Sum);
@@ -67,8 +66,8 @@ private:
     std::string over;
     std::string under;
     for (Expr factor : e.op() == Op::Mul ? e.args() : Exprs{e}) {
+      const Expr base = base_of(factor);
       const bool power = factor.op() == Op::Pow;
-      const Expr base = power ? factor.arg(0) : factor;
       const bool below = is_inverse(base);
       std::string one = text(below ? base.arg(0) : base, power ? Atom : below ? Power : Product);
       if (power) one += "^" + std::to_string(factor.exponent());
@@ -84,7 +83,6 @@ private:
   }
   std::string function(Expr e, Level around) {
     const std::string name = e.name();
-    if (name == "inv") return bracketed("1/" + text(e.arg(0), Power), around, Product);
     if (name == "raised")
       return bracketed(text(e.arg(0), Atom) + "^" + text(e.arg(1), Atom), around, Power);
     if (e.size() == 0) return without_marks(kernel::text(e));
@@ -133,6 +131,15 @@ std::string alike(const std::string& name, const std::set<std::string>& names) {
   for (const std::string& other : names)
     if (plain(other) == plain(name)) return other;
   return "";
+}
+std::string parted(const std::string& word, const std::set<std::string>& names) {
+  if (names.contains(word)) return word;
+  for (const std::string& name : names) {
+    if (!word.starts_with(name)) continue;
+    const std::string rest = parted(word.substr(name.size()), names);
+    if (!rest.empty()) return name + " " + rest;
+  }
+  return {};
 }
 std::set<std::string> symbols_of(Expr e) {
   std::set<std::string> out;

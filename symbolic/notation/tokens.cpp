@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "notation/tokens.hpp"
 
+#include <cstdio>
 #include <map>
 #include <set>
 #include <sstream>
 
-#include "kernel/expr.hpp"
+#include "notation/operations.hpp"
 
 namespace notation {
 namespace {
@@ -36,6 +37,7 @@ const std::map<char32_t, std::string>& spellings() {
   }();
   return table;
 }
+bool is_greek(char32_t c) { return c > 0x370 && c < 0x400 && spellings().contains(c); }
 // Characters and what each of them stands for.
 struct Script {
   std::u32string_view characters;
@@ -59,30 +61,11 @@ const std::map<std::string, std::string>& commands() {
       {"text", ""},    {"mathrm", ""},  {"rm", ""},     {"operatorname", ""}, {"displaystyle", ""}};
   return table;
 }
-const std::map<std::string, std::string>& renamed() {
-  static const std::map<std::string, std::string> table{{"varepsilon", "epsilon"},
-                                                        {"vartheta", "theta"},
-                                                        {"varphi", "phi"},
-                                                        {"dfrac", "frac"},
-                                                        {"tfrac", "frac"}};
-  return table;
-}
-const std::set<std::string>& functions() {
-  static const std::set<std::string> names{"sin", "cos",  "tan",    "sec",    "csc",
-                                           "cot", "sinh", "cosh",   "tanh",   "exp",
-                                           "log", "ln",   "arcsin", "arccos", "arctan"};
-  return names;
-}
-const std::set<std::string>& structures() {
-  static const std::set<std::string> names{"frac", "sqrt", "begin", "end"};
-  return names;
-}
 
 std::string code_point(char32_t c) {
-  std::string name;
-  for (int shift = c > 0xffff ? 20 : 12; shift >= 0; shift -= 4)
-    name += "0123456789ABCDEF"[(c >> static_cast<unsigned>(shift)) & 15U];
-  return "U+" + name;
+  char name[16];
+  std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(c));
+  return name;
 }
 std::u32string decoded(std::string_view text) {
   std::u32string out;
@@ -137,7 +120,6 @@ private:
     while (is_digit(peek())) found += char(text[at++]);
     return found;
   }
-  bool is_greek(char32_t c) const { return c > 0x370 && c < 0x400 && spellings().contains(c); }
 
   void step() {
     const char32_t c = peek();
@@ -216,10 +198,9 @@ private:
     if (is_greek(peek())) return "_" + spellings().at(text[at++]);
     skips_font();
     if (peek() != U'{') {
-      while (is_plain(peek()) || (peek() == U'_' && is_plain(peek(1)))) found += char(text[at++]);
+      while (is_plain(peek())) found += char(text[at++]);
       if (peek() == U'(' && found.empty()) refuse_index();
-      if (peek() == U'_') refuse_index();
-      return "_" + found;
+      return "_" + found + index();  // T_1T_{next} is parted later
     }
     const std::size_t column = at + 1;
     int depth = 0;
@@ -265,7 +246,7 @@ private:
     const std::string first = prime();
     const std::string index_1 = index();
     whole += first + index_1 + (first.empty() ? prime() : "");
-    if (index_1 == "_") refuse_at(column, "an index is missing behind " + word + "_");
+    if (index_1.ends_with('_')) refuse_at(column, "an index is missing behind " + word + "_");
     if (whole.size() > 40) refuse_at(column, "a name of more than 40 characters");
     add(Kind::Name, whole, column);
     if (whole != word && letters != word.npos) out.back().typed = word;
@@ -304,16 +285,17 @@ private:
     }
     std::string word;
     while (is_letter(peek())) word += char(text[at++]);
-    if (const auto it = renamed().find(word); it != renamed().end()) word = it->second;
     latex = true;
     if (const auto it = commands().find(word); it != commands().end()) {
       if (!it->second.empty()) add(Kind::Sign, it->second, column);
       spaced = true;
       return;
     }
-    if (structures().contains(word)) return add(Kind::Command, word, column);
-    if (!functions().contains(word) && !is_greek_name(word))
-      refuse_at(column, "unknown command \\" + word);
+    if (word.starts_with("var")) word.erase(0, 3);  // \varphi
+    if (word == "dfrac" || word == "tfrac") word = "frac";
+    if (word == "frac" || word == "sqrt" || word == "begin" || word == "end")
+      return add(Kind::Command, word, column);
+    if (!is_function(word) && !is_greek_name(word)) refuse_at(column, "unknown command \\" + word);
     indexed_name(word, column);
   }
 
@@ -344,7 +326,7 @@ bool is_greek_name(const std::string& name) {
   static const std::set<std::string> names = [] {
     std::set<std::string> found;
     for (const auto& [c, word] : spellings())
-      if (c > 0x370 && c < 0x400) found.insert(word);
+      if (is_greek(c)) found.insert(word);
     return found;
   }();
   return names.contains(name);

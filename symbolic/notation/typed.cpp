@@ -3,6 +3,8 @@
 #include "notation/typed.hpp"
 
 #include <algorithm>
+#include <sstream>
+#include <utility>
 
 #include "notation/operations.hpp"
 #include "notation/tokens.hpp"
@@ -12,40 +14,45 @@ using namespace kernel;
 namespace {
 using Kind = Token::Kind;
 constexpr int deepest = 200;
+constexpr std::size_t npos = std::string::npos;
+const std::string wrong_comma = "unexpected comma; decimals are written 0.5";
+
 class Parser {
 public:
-  Parser(std::string_view text, const std::set<std::string>& the_factors)
-      : words(tokens(text)), factors(the_factors) {
+  Parser(std::string_view text, const std::set<std::string>& the_factors, bool column)
+      : words(tokens(text)), factors(the_factors), is_column(column) {
     if (words.size() == 1) refuse("the expression is empty");
+    part_names();
   }
   Typed whole() {
-    const Expr e = sum();
+    const Expr e = expression();
     if (is_relation())
       refuse_at(now().column, "one expression is expected here, without " + now().text);
     expect_end();
     return {e, notes};
   }
-  TypedComparisons comparisons() {
-    TypedComparisons out;
+  std::vector<Comparison> comparisons() {
+    std::vector<Comparison> out;
     Expr left = sum();
     while (is_relation()) {
       const std::string relation = words[place++].text;
       const Expr right = sum();
-      out.comparisons.push_back({left, relation, right});
+      out.push_back({left, relation, right});
       left = right;
     }
-    if (out.comparisons.empty()) refuse_at(now().column, "a relation is missing, as in 0 < alpha");
+    if (out.empty()) refuse_at(now().column, "a relation is missing, as in 0 < alpha");
     expect_end();
-    out.notes = notes;
     return out;
   }
 
 private:
   std::vector<Token> words;
   const std::set<std::string>& factors;
+  bool is_column;
   std::size_t place = 0;
   int depth = 0;
   int bars = 0;
+  std::size_t comma = 0;  // where the last one was
   std::vector<std::string> notes;
 
   const Token& now() const { return words[place]; }
@@ -60,16 +67,34 @@ private:
       if (is(sign)) return true;
     return false;
   }
+  // M_2u_2, as LaTeX has it, becomes two words: a power belongs to the last one.
+  void part_names() {
+    std::vector<Token> all;
+    for (Token word : words) {
+      const std::string names = word.text.find('_') == npos ? "" : parted(word.text, factors);
+      if (names.find(' ') == npos) {
+        all.push_back(word);
+        continue;
+      }
+      note(word.text + " is read as " + names);
+      word.typed = "";
+      for (std::istringstream each(names); each >> word.text; word.is_spaced = true)
+        all.push_back(word);
+    }
+    words = all;
+  }
   void expect_end() const {
     if (now().kind == Kind::End) return;
     if (is(")") || is("}")) refuse_at(now().column, "a ( is missing for this " + now().text);
-    if (is(",")) refuse_at(now().column, "unexpected comma; decimals are written 0.5");
+    if (is(",")) refuse_at(now().column, wrong_comma);
     refuse_at(now().column, "an operator is missing before " + now().text);
   }
   void deeper() {
     if (++depth > deepest) refuse_at(now().column, "nested more than 200 deep");
   }
-  void note(const std::string& how) { notes.push_back(how); }
+  void note(const std::string& how) {
+    if (std::find(notes.begin(), notes.end(), how) == notes.end()) notes.push_back(how);
+  }
   std::string typed(std::size_t from, std::size_t to) const {
     std::string out;
     for (std::size_t i = from; i < to; ++i)
@@ -84,10 +109,20 @@ private:
     if (takes(sign)) return;
     const std::string name(sign);
     if (now().kind == Kind::End) refuse_at(opened, "the " + name + " for this one is missing");
-    if (is(",")) refuse_at(now().column, "unexpected comma; decimals are written 0.5");
+    if (is(",")) refuse_at(now().column, wrong_comma);
     refuse_at(now().column, "unexpected " + now().text + " where " + name + " is expected");
   }
 
+  // A number, or rows as a, b; c, d.
+  Expr expression() {
+    const std::size_t column = now().column;
+    const std::vector<Exprs> all = rows();
+    if (all.size() > 1) return grid_of(all, column);
+    if (all[0].size() == 1) return all[0][0];
+    if (!is_column) refuse_at(comma, wrong_comma);
+    if (depth == 0) refuse("a column is written with semicolons: [a; b; c]");
+    return matrix(1, entries(grid_of(all, column)));
+  }
   Expr sum() {
     deeper();
     Expr e = term();
@@ -95,19 +130,20 @@ private:
     while (is("+") || is("-")) {
       const std::size_t column = now().column;
       const bool minus = words[place++].text == "-";
-      const Expr next = term();
-      if (is_grid(next) != is_grid(e)) refuse_at(column, "a matrix and a number cannot be added");
-      if (is_grid(e)) e = added(e, minus ? scaled(-1, next) : next, column);
-      terms.push_back(minus && !is_grid(next) ? -next : next);
+      const Expr next = minus ? negative(term()) : term();
+      if (is_matrix(next) != is_matrix(e))
+        refuse_at(column, "a matrix and a number cannot be added");
+      if (is_matrix(e)) e = added(e, next, column);
+      terms.push_back(next);
     }
     --depth;
-    return is_grid(e) || terms.size() == 1 ? e : kernel::sum(terms);
+    return is_matrix(e) || terms.size() == 1 ? e : kernel::sum(terms);
   }
 
   bool starts_factor() const {
     if (is("|")) return bars == 0;
     return now().kind == Kind::Name || now().kind == Kind::Number || is("(") || is("{") ||
-           is("[") || (now().kind == Kind::Command && now().text != "end");
+           is("[") || (now().kind == Kind::Command && !is_end_command());
   }
   // 2 of 2\frac{19}{64}: a mixed number to some, a product to others.
   void refuse_mixed(std::size_t from) const {
@@ -147,8 +183,7 @@ private:
   void read_after_slash(std::size_t from, std::size_t slash) {
     const bool numbers = slash == from + 1 && place == slash + 2 &&
                          words[from].kind == Kind::Number && words[slash + 1].kind == Kind::Number;
-    const bool call = now().kind == Kind::Name && is_function(now().text);
-    if (!now().is_spaced || (!numbers && !call))
+    if (!now().is_spaced || (!numbers && !is_call_ahead()))
       refuse_at(now().column,
                 "is " + now().text + " above or below the fraction line? write a * or parentheses");
     const std::string left = typed(from, place);
@@ -158,9 +193,7 @@ private:
   Expr signed_factor() {
     bool minus = false;
     while (is("+") || is("-")) minus = minus != (words[place++].text == "-");
-    const Expr e = power();
-    if (!minus) return e;
-    return is_grid(e) ? scaled(-1, e) : -e;
+    return minus ? negative(power()) : power();
   }
   Expr power() {
     deeper();
@@ -174,13 +207,10 @@ private:
     const Token token = now();
     if (token.kind == Kind::End) refuse_at(token.column, "the expression ends too early");
     ++place;
-    if (token.kind == Kind::Number) {
-      const cln::cl_RA value = number_of(token);
-      return Expr(value);
-    }
+    if (token.kind == Kind::Number) return Expr(number_of(token));
     if (token.kind == Kind::Name) return name(token);
     if (token.kind == Kind::Command) return command(token);
-    if (token.text == "(" || token.text == "{") return inside(token.text == "(" ? ")" : "}", token);
+    if (token.text == "(" || token.text == "{") return inside(token);
     if (token.text == "[") return grid(token);
     if (token.text == "|") {
       ++bars;
@@ -191,21 +221,16 @@ private:
     }
     refuse_at(token.column, "unexpected " + token.text);
   }
-  Expr inside(std::string_view end, const Token& opened) {
-    const int outer = bars;
-    bars = 0;
-    const Expr e = sum();
+  Expr inside(const Token& opened) {
+    const int outer = std::exchange(bars, 0);
+    const Expr e = expression();
     bars = outer;
-    close(end, opened.column);
+    close(opened.text == "(" ? ")" : "}", opened.column);
     return e;
   }
   // {a + b}, or the one character that LaTeX takes.
   Expr group() {
     const Token token = now();
-    if (is("{")) {
-      ++place;
-      return inside("}", token);
-    }
     if (token.kind == Kind::Number && token.text.size() > 1) {  // \frac12
       words[place].text = token.text.substr(1);
       return Expr(int(token.text[0] - '0'));
@@ -229,43 +254,50 @@ private:
   }
   // \begin{pmatrix} a & b \\ c & d \end{pmatrix}
   Expr environment(const Token& token) {
-    for (int brace = 0; brace < 2 || !takes("}"); ++brace) {
-      if (now().kind == Kind::End) refuse_at(token.column, "the \\end for this one is missing");
-      if (!is("}")) ++place;
-      if (brace > 3) refuse_at(token.column, "unexpected \\begin");
-    }
-    std::vector<Exprs> rows{list()};
-    while (takes(";"))
-      if (now().kind != Kind::Command || now().text != "end") rows.push_back(list());
-    if (now().kind != Kind::Command || now().text != "end")
-      refuse_at(now().column, "\\end is expected");
-    place += 1;
+    skip_name(token);
+    const std::vector<Exprs> all = rows();
+    if (!is_end_command()) refuse_at(now().column, "\\end is expected");
+    ++place;
+    skip_name(token);
+    return grid_of(all, token.column);
+  }
+  bool is_end_command() const { return now().kind == Kind::Command && now().text == "end"; }
+  // {pmatrix}
+  void skip_name(const Token& token) {
     while (!takes("}")) {
-      if (now().kind == Kind::End) refuse_at(token.column, "a } is missing behind \\end");
+      if (now().kind == Kind::End) refuse_at(token.column, "a } is missing for this \\begin");
       ++place;
     }
-    return grid_of(rows, token.column);
   }
   // [[a, b], [c, d]] or [a, b; c, d]
   Expr grid(const Token& token) {
-    std::vector<Exprs> rows;
-    if (is("[")) {
-      do {
-        const std::size_t column = now().column;
-        if (!takes("[")) refuse_at(column, "a row is written [a, b, c]");
-        rows.push_back(list());
-        close("]", column);
-      } while (takes(",") || takes(";"));
-    } else {
-      do rows.push_back(list());
-      while (takes(";"));
+    if (!is("[")) {
+      const std::vector<Exprs> all = rows();
+      close("]", token.column);
+      return grid_of(all, token.column);
     }
+    std::vector<Exprs> all;
+    do {
+      const std::size_t column = now().column;
+      if (!takes("[")) refuse_at(column, "a row is written [a, b, c]");
+      all.push_back(list());
+      close("]", column);
+    } while (takes(",") || takes(";"));
     close("]", token.column);
-    return grid_of(rows, token.column);
+    return grid_of(all, token.column);
+  }
+  std::vector<Exprs> rows() {
+    std::vector<Exprs> out{list()};
+    while (takes(";"))
+      if (!is_end_command()) out.push_back(list());
+    return out;
   }
   Exprs list() {
     Exprs out{sum()};
-    while (takes(",")) out.push_back(sum());
+    while (is(",")) {
+      comma = words[place++].column;
+      out.push_back(sum());
+    }
     return out;
   }
   bool is_factor(const std::string& name) const {
@@ -289,8 +321,7 @@ private:
   void note_word(const std::string& word) {
     const std::string product =
         word.size() == 2 ? word.substr(0, 1) + "*" + word.substr(1) : "with *";
-    const std::string how = word + " is read as one name; a product is written " + product;
-    if (std::find(notes.begin(), notes.end(), how) == notes.end()) note(how);
+    note(word + " is read as one name; a product is written " + product);
   }
   // log_2(8), sin_2 and f(x): no functions here.
   void refuse_function(const Token& token) const {
@@ -341,19 +372,17 @@ private:
     return exponent ? raised_to(value, exponent, column) : value;
   }
   Expr root_call(const Token& token) {
-    if (!takes("(")) refuse_at(now().column, "write root(x, n)");
-    const Expr x = sum();
-    if (!takes(",")) refuse_at(now().column, "write root(x, n)");
-    const Expr order = sum();
+    const Exprs args = takes("(") ? list() : Exprs();
+    if (args.size() != 2) refuse_at(now().column, "write root(x, n)");
     close(")", token.column);
-    return ordered_root(order, x, token.column);
+    return ordered_root(args[1], args[0], token.column);
   }
   // What a function is taken of. Without brackets: cos theta, \cos n\psi, sin 2 x, sqrt 2.
   Expr argument(const Token& token) {
     if (is("(") || is("{")) {
       const Token opened = words[place++];
-      const Expr e = inside(opened.text == "(" ? ")" : "}", opened);
-      if (is_grid(e)) refuse_at(opened.column, token.text + " of a matrix");
+      const Expr e = inside(opened);
+      if (is_matrix(e)) refuse_at(opened.column, token.text + " of a matrix");
       return e;
     }
     if (now().kind == Kind::Command || is("|") || is_call_ahead()) return primary();
@@ -380,10 +409,10 @@ private:
 };
 }  // namespace
 
-Typed read_typed(std::string_view text, const std::set<std::string>& factors) {
-  return Parser(text, factors).whole();
+Typed read_typed(std::string_view text, const std::set<std::string>& factors, bool is_column) {
+  return Parser(text, factors, is_column).whole();
 }
-TypedComparisons read_comparisons(std::string_view text, const std::set<std::string>& factors) {
-  return Parser(text, factors).comparisons();
+std::vector<Comparison> read_comparisons(std::string_view text) {
+  return Parser(text, {}, false).comparisons();
 }
 }  // namespace notation

@@ -17,12 +17,14 @@ struct Typed {
   std::vector<std::string> notes;  ///< how it was read: "1/2 M_1 is read as (1/2)*M_1"
 };
 /// Numbers (decimals exactly: 0.1 is 1/10), + - * / ^, names, |x|, sqrt cbrt root abs sin cos tan
-/// sec csc cot asin acos atan exp log sinh cosh tanh, matrices [[a, b], [c, d]] or \begin{pmatrix};
-/// M₁, c'_n, the usual spellings of signs; a product's sign may be left out where that is clear.
-/// A name before a bracket is a function unless it is in `factors`, alpha or one letter of x, y, z.
+/// sec csc cot asin acos atan exp log sinh cosh tanh, matrices [[a, b], [c, d]] or (a, b; c, d) or
+/// \begin{pmatrix}, where a column is asked for (a, b) too; M₁, c'_n, usual spellings of signs; a
+/// product's sign may be left out where that is clear, as in M_2u_2 where both are in `factors`. A
+/// name before a bracket is a function unless it is in `factors`, alpha or one letter of x, y, z.
 /// Refused (kernel::Refused, "column 7: ..."): anything else, more than 20,000 characters, brackets
 /// more than 200 deep, numbers of more than 70,000 bits, exponents above 10,000.
-Typed read_typed(std::string_view text, const std::set<std::string>& factors = {});
+Typed read_typed(std::string_view text, const std::set<std::string>& factors = {},
+                 bool is_column = false);
 
 /// One sign of an equation or a chain: 0 < alpha <= 1 are two.
 struct Comparison {
@@ -30,17 +32,16 @@ struct Comparison {
   std::string relation;  ///< "<", "<=", ">", ">=", "=" or "!="
   kernel::Expr right;
 };
-struct TypedComparisons {
-  std::vector<Comparison> comparisons;  ///< at least one
-  std::vector<std::string> notes;
-};
-TypedComparisons read_comparisons(std::string_view text, const std::set<std::string>& factors = {});
+/// At least one.
+std::vector<Comparison> read_comparisons(std::string_view text);
 
 /// The variable that stands for a typed name: whatever the name means elsewhere, here it is a real
 /// number of which nothing is known. c'_n is called c_prime_n.
 kernel::Expr symbol(const std::string& name);
 /// Of these names the one that differs in _ and in small and capital letters alone; "" of none.
 std::string alike(const std::string& name, const std::set<std::string>& names);
+/// The names of which a word is made, with spaces: "M_2u_2" is "M_2 u_2"; "" where it is not.
+std::string parted(const std::string& word, const std::set<std::string>& names);
 /// The typed name, or "" of what is no such variable.
 std::string name_of(kernel::Expr symbol);
 std::set<std::string> symbols_of(kernel::Expr e);

@@ -141,8 +141,8 @@ TEST_CASE("What is shown of a term is read back as the same term") {
 }
 
 TEST_CASE("Comparisons come in chains") {
-  const TypedComparisons read = read_comparisons("0 < alpha <= 1");
-  REQUIRE(read.comparisons.size() == 2);
-  CHECK(read.comparisons[1].relation == "<=");
+  const std::vector<Comparison> read = read_comparisons("0 < alpha <= 1");
+  REQUIRE(read.size() == 2);
+  CHECK(read[1].relation == "<=");
   CHECK_THROWS_WITH(read_comparisons("alpha"), ContainsSubstring("a relation is missing"));
 }

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// One of several choices, held against what the program computes.
+#include <algorithm>
+
+#include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
+#include "equality/constant.hpp"
+#include "learn/terms.hpp"
+
+namespace learn {
+namespace {
+
+bool are_true(const Terms& terms, const std::string& conditions) {
+  for (const std::string& part : split(conditions, ','))
+    for (const auto& [left, relation, right] : notation::read_comparisons(part)) {
+      const auto is_true = holds({terms.in_full(left), relation, terms.in_full(right)});
+      if (!is_true) throw answers::InvalidInput("when: " + part + ": not decided");
+      if (!*is_true) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+std::optional<bool> holds(const notation::Comparison& c) {
+  const Expr difference = c.left - c.right;
+  if (!notation::symbols_of(difference).empty()) return {};
+  try {
+    const auto sign = equality::exact_sign(difference);
+    if (!sign) return {};
+    if (*sign == 0) return c.relation.ends_with('=') && c.relation != "!=";
+    return c.relation == "!=" || c.relation[0] == (*sign < 0 ? '<' : '>');
+  } catch (const equality::NotDefined&) {
+    return false;
+  }
+}
+
+char right_choice(const Exercise& e) {
+  if (e.when.empty()) return e.answer.empty() ? '?' : e.answer[0];
+  const Terms terms(e);
+  std::string letters;
+  for (std::size_t i = 0; i < e.when.size(); ++i)
+    if (are_true(terms, e.when[i])) letters += char('a' + i);
+  if (letters.size() != 1)
+    throw answers::InvalidInput("when: " + std::to_string(letters.size()) +
+                                " choices are right, not one");
+  return letters[0];
+}
+
+Judgement judge_choice(const Exercise& e, const std::string& text) {
+  const std::size_t first = std::min(text.find_first_not_of("( "), text.size() - 1);
+  const bool is_letter = text.find_first_not_of(") .,:;", first + 1) == text.npos;  // (a), b., c
+  const char letter = char(text[first] | 0x20);
+  const char last = char('a' + e.choices.size() - 1);
+  if (!is_letter || letter < 'a' || letter > last)
+    kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got " +
+                   answers::shown_text(text));
+  if (letter == right_choice(e)) return {Mark::right, happens};
+  const std::string known =
+      known_mistake(e, [&](const std::string& answer) { return answer == std::string(1, letter); });
+  return {Mark::wrong, known.empty() ? "This is not what happens." : known};
+}
+
+}  // namespace learn

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Texts, cut and changed, and names that were misspelt.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace learn {
+using Texts = std::vector<std::string>;
+
+/// What stands between the separators, without blanks around it, where that is not empty.
+Texts split(const std::string& text, char separator);
+void replace_all(std::string& text, const std::string& what, const std::string& by);
+/// "; is hints meant?" of hint; otherwise that.
+std::string meant(const std::string& name, const Texts& names, const std::string& otherwise);
+
+}  // namespace learn
