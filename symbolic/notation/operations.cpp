@@ -45,15 +45,16 @@ const std::map<std::string, Function>& functions() {
   };
   return table;
 }
-std::size_t bits(const cln::cl_RA& q) {
-  return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
-}
 Expr scaled(Expr scalar, Expr grid) {
   Exprs out;
   for (Expr e : entries(grid)) out.push_back(scalar * e);
   return matrix(grid.cols(), out);
 }
 }  // namespace
+
+std::size_t bits(const cln::cl_RA& q) {
+  return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
+}
 
 bool is_function(const std::string& name) { return name == "root" || functions().contains(name); }
 

@@ -17,6 +17,7 @@ bool is_function(const std::string& name);
 std::string hidden_function(const std::string& name);
 Expr applied(const std::string& function, Expr x);
 cln::cl_RA number_of(const Token& token);
+std::size_t bits(const cln::cl_RA& q);
 
 Expr negative(Expr e);
 Expr added(Expr a, Expr b, std::size_t column);  ///< of matrices

@@ -4,6 +4,7 @@
 
 #include "kernel/names.hpp"
 #include "kernel/print.hpp"
+#include "notation/operations.hpp"
 #include "notation/typed.hpp"
 
 namespace notation {
@@ -16,11 +17,7 @@ Expr apply(const std::string& name, const Exprs& args) {
   if (!signature(name)) declare(name, {.args = std::vector<Sort>(args.size(), Sort::Real)});
   return fun(name, args);
 }
-bool is_long(const cln::cl_RA& q, int times = 1) {
-  const auto bits =
-      cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
-  return bits * std::size_t(times) > 1000;
-}
+bool is_long(const cln::cl_RA& q, int times = 1) { return bits(q) * std::size_t(times) > 1000; }
 std::string without_marks(std::string text) {
   for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) text.erase(at, mark.size());
   return text;
@@ -102,17 +99,15 @@ std::optional<cln::cl_RA> rational_value(Expr e) {
   }
   const bool is_inverse = e.op() == Op::Fun && e.name() == "inv";
   if (e.op() != Op::Add && e.op() != Op::Mul && !is_inverse) return {};
-  std::optional<cln::cl_RA> out;
+  const bool is_sum = e.op() == Op::Add;
+  cln::cl_RA out = is_sum ? 0 : 1;
   for (Expr arg : e.args()) {
     const auto value = rational_value(arg);
     if (!value || is_long(*value)) return {};
-    if (!out)
-      out = value;
-    else
-      out = e.op() == Op::Add ? *out + *value : *out * *value;
+    out = is_sum ? out + *value : out * *value;
   }
-  if (is_inverse && *out == 0) return {};
-  return is_inverse ? 1 / *out : out;
+  if (is_inverse && out == 0) return {};
+  return is_inverse ? 1 / out : out;
 }
 
 Expr symbol(const std::string& name) { return real(std::string(mark) + name); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "notation/tokens.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <set>
@@ -189,10 +190,8 @@ private:
   // _n, _{n}, _{\rm CM}, _{\mathrm{CM}}, and subscript characters.
   std::string index() {
     std::string found;
-    if (subscripts.contains(peek())) {
-      while (subscripts.contains(peek())) found += subscripts.at(text[at++]);
-      return "_" + found;
-    }
+    while (subscripts.contains(peek())) found += subscripts.at(text[at++]);
+    if (!found.empty()) return "_" + found;
     if (peek() != U'_') return "";
     ++at;
     if (is_greek(peek())) return "_" + spellings().at(text[at++]);
@@ -272,9 +271,7 @@ private:
     if (!is_letter(c)) {
       ++at;
       if (c == U'\\') {  // a row of a matrix, with the space behind it: \\[4pt]
-        if (peek() == U'[')
-          while (at < text.size() && text[at++] != U']') {
-          }
+        if (peek() == U'[') at = std::min(text.find(U']', at), text.size() - 1) + 1;
         return add(Kind::Sign, ";", column);
       }
       if (c == U'{' || c == U'}') return add(Kind::Sign, c == U'{' ? "(" : ")", column);

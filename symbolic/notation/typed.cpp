@@ -63,9 +63,8 @@ private:
     return true;
   }
   bool is_relation() const {
-    for (std::string_view sign : {"=", "<", ">", "<=", ">=", "!="})
-      if (is(sign)) return true;
-    return false;
+    static const std::set<std::string> signs{"=", "<", ">", "<=", ">=", "!="};
+    return signs.contains(now().text);
   }
   // M_2u_2, as LaTeX has it, becomes two words: a power belongs to the last one.
   void part_names() {
