@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derivations, a line after the other: each must be true, and a small step from what stands before.
 #include <algorithm>
+#include <span>
 
 #include "answers/errors.hpp"
 #include "learn/form.hpp"
@@ -57,7 +58,7 @@ public:
       others.emplace(unknown, notation::symbol(notation::name_of(unknown) + "_0"));
     return terms_.are_equal(e * kernel::substitute(f, others), kernel::substitute(e, others) * f);
   }
-  std::string missing_law(const Exprs& lines) const {
+  std::string missing_law(std::span<const Expr> lines) const {
     for (std::size_t i = 0; i < laws_.size(); ++i)
       if (std::none_of(lines.begin(), lines.end(),
                        [&](Expr line) { return are_proportional(line, laws_[i]); }))
@@ -65,7 +66,7 @@ public:
     return {};
   }
   /// From a law, or one line before, or two: an unknown eliminated or one divided by the other.
-  bool follows(Expr e, const Exprs& before) const {
+  bool follows(Expr e, std::span<const Expr> before) const {
     for (Expr law : laws_)
       if (are_proportional(e, law)) return true;
     for (Expr f : before) {
@@ -113,10 +114,10 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     all.emplace_back(left, side(terms, sides[1], i, notes));
     differences.push_back(left - all.back().second);
   }
-  Exprs before;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto [left, right] = all[i];
     const Expr e = differences[i];
+    const std::span<const Expr> before(differences.data(), i);
     const std::string the_line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
       return {Mark::incomplete,
@@ -141,7 +142,6 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
                    : !later.empty() ? "This law must stand before it: " + later + "."
                                     : "A step is missing.")};
     }
-    before.push_back(e);
   }
   const auto [left, right] = all.back();
   if (left != terms.content(terms.exercise.name) || equations.has_unknowns(right))

@@ -17,8 +17,8 @@ namespace {
 using answers::InvalidInput;
 using Pairs = std::map<std::string, std::string>;
 using Lists = std::vector<Texts>;
-using Member =
-    std::variant<std::string Exercise::*, Texts Exercise::*, Pairs Exercise::*, Lists Exercise::*>;
+using Member = std::variant<std::string Exercise::*, Texts Exercise::*, Pairs Exercise::*,
+                            Lists Exercise::*, std::vector<Misconception> Exercise::*>;
 
 const std::map<std::string, Member>& members() {
   static const std::map<std::string, Member> table{{"id", &Exercise::id},
@@ -49,7 +49,8 @@ const std::map<std::string, Member>& members() {
                                                    {"outputs", &Exercise::outputs},
                                                    {"words", &Exercise::words},
                                                    {"hints", &Exercise::hints},
-                                                   {"solution", &Exercise::solution}};
+                                                   {"solution", &Exercise::solution},
+                                                   {"misconceptions", &Exercise::misconceptions}};
   return table;
 }
 
@@ -67,12 +68,12 @@ struct Reader {
     while (to.ends_with('\n')) to.pop_back();
     for (const auto& [name, value] : variant) replace_all(to, "{" + name + "}", value);
   }
-  void read(const std::string& key, const toml::node& node, Texts& to) const {
-    if (!node.is_array()) refuse(node, key + ": texts are expected, [\"...\", \"...\"]");
-    for (const toml::node& one : *node.as_array()) read(key, one, to.emplace_back());
-  }
-  void read(const std::string& key, const toml::node& node, Lists& to) const {
-    if (!node.is_array()) refuse(node, key + ": lists are expected, [[\"...\", \"...\"]]");
+  template <class Item>
+  void read(const std::string& key, const toml::node& node, std::vector<Item>& to) const {
+    const bool is_texts = std::is_same_v<Item, std::string>;
+    if (!node.is_array())
+      refuse(node, key + (is_texts ? ": texts are expected, [\"...\", \"...\"]"
+                                   : ": several are expected, with brackets around each"));
     for (const toml::node& one : *node.as_array()) read(key, one, to.emplace_back());
   }
   void read(const std::string& key, const toml::node& node, Pairs& to) const {
@@ -93,24 +94,20 @@ struct Reader {
     }
     return all;
   }
-  void misconceptions(const toml::node& node, Exercise& to) const {
-    if (!node.is_array_of_tables()) refuse(node, "misconceptions: [[misconceptions]] is expected");
-    for (const toml::node& one : *node.as_array()) {
-      Misconception& m = to.misconceptions.emplace_back();
-      for (const auto& [key, value] : *one.as_table()) {
-        if (key == "answers")
-          read("answers", value, m.answers);
-        else if (key == "replace")
-          read("replace", value, m.replace);
-        else if (key == "name" || key == "feedback")
-          read(std::string(key.str()), value, key == "name" ? m.name : m.feedback);
-        else
-          refuse(value,
-                 "no such key in a misconception; allowed: name, answers, replace, feedback");
-      }
-      if ((m.answers.empty() && m.replace.empty()) || m.feedback.empty())
-        refuse(one, "a misconception needs answers (or, of code, replace) and feedback");
+  void read(const std::string& of, const toml::node& node, Misconception& to) const {
+    if (!node.is_table()) refuse(node, of + ": [[" + of + "]] is expected");
+    for (const auto& [key, value] : *node.as_table()) {
+      if (key == "answers")
+        read("answers", value, to.answers);
+      else if (key == "replace")
+        read("replace", value, to.replace);
+      else if (key == "name" || key == "feedback")
+        read(std::string(key.str()), value, key == "name" ? to.name : to.feedback);
+      else
+        refuse(value, "no such key in a misconception; allowed: name, answers, replace, feedback");
     }
+    if ((to.answers.empty() && to.replace.empty()) || to.feedback.empty())
+      refuse(node, "a misconception needs answers (or, of code, replace) and feedback");
   }
   /// The solution with these edits.
   std::string edited(const toml::table& file, std::string code, const Lists& edits) const {
@@ -123,7 +120,7 @@ struct Reader {
     return code;
   }
   [[noreturn]] void refuse_key(const std::string& key, const toml::node& at) const {
-    Texts names{"misconceptions", "variants"};
+    Texts names{"variants"};
     for (const auto& [name, member] : members()) names.push_back(name);
     refuse(at, "no such key: " + answers::shown_text(key, 40) +
                    meant(key, names, "; allowed: " + answers::joined(names)));
@@ -153,8 +150,9 @@ struct Reader {
     }
     need(!e.answer.empty() || !e.answer_from.empty() || !e.when.empty(),
          "answer is missing; allowed: answer, answer_from or, with choices, when");
-    need(e.form.empty() || std::count(forms().begin(), forms().end(), e.form) == 1,
-         "form: allowed: " + answers::joined(forms()));
+    const Texts all_forms = forms();
+    need(e.form.empty() || std::count(all_forms.begin(), all_forms.end(), e.form) == 1,
+         "form: allowed: " + answers::joined(all_forms));
     need(e.when.empty() || e.when.size() == e.choices.size(), "when: one for each of the choices");
     need(e.choices.size() <= 26, "choices: at most 26");
     need(e.kind != "derivation" || !e.laws.empty(), "laws are missing");
@@ -176,10 +174,6 @@ Exercise read_exercise(std::string_view text, const std::string& source, std::si
   for (const auto& [name, node] : file) {
     const std::string key(name.str());
     if (key == "variants") continue;
-    if (key == "misconceptions") {
-      reader.misconceptions(node, e);
-      continue;
-    }
     const auto found = members().find(key);
     if (found == members().end()) reader.refuse_key(key, node);
     std::visit([&, at = &node](auto member) { reader.read(key, *at, e.*member); }, found->second);

@@ -94,12 +94,9 @@ const std::vector<std::pair<std::string, Check>> checks{
 
 }  // namespace
 
-const Texts& forms() {
-  static const Texts names = [] {
-    Texts all;
-    for (const auto& [name, check] : checks) all.push_back(name);
-    return all;
-  }();
+Texts forms() {
+  Texts names;
+  for (const auto& [name, check] : checks) names.push_back(name);
   return names;
 }
 

@@ -8,7 +8,7 @@
 namespace learn {
 
 /// The forms that an exercise may ask for.
-const Texts& forms();
+Texts forms();
 /// What a typed term lacks of a form, "" where it has it: "sqrt(2) - cos(x) is a difference".
 std::string lacking(const std::string& form, kernel::Expr typed, const equality::Domain& domain);
 
