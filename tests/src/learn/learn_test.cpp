@@ -8,6 +8,7 @@
 #include "answers/errors.hpp"
 #include "catch.hpp"
 #include "learn/judge.hpp"
+#include "refusal.hpp"
 
 using learn::Exercise;
 
@@ -23,14 +24,18 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-const std::map<std::string, Exercise>& exercises() {
-  static const std::map<std::string, Exercise> all = [] {
-    std::map<std::string, Exercise> found;
+/// All variants of the tutorials' exercises, by id.
+const std::map<std::string, std::vector<Exercise>>& exercises() {
+  static const std::map<std::string, std::vector<Exercise>> all = [] {
+    std::map<std::string, std::vector<Exercise>> found;
     for (const auto& file : std::filesystem::recursive_directory_iterator(source + "/tutorials"))
       if (file.path().parent_path().filename() == "exercises" &&
           file.path().extension() == ".toml") {
-        const Exercise e = learn::read_exercise(text_of(file.path()), file.path());
-        found.emplace(e.id, e);
+        const std::string text = text_of(file.path());
+        const Exercise first = learn::read_exercise(text, file.path());
+        std::vector<Exercise>& variants = found[first.id] = {first};
+        while (variants.size() < first.variants.size())
+          variants.push_back(learn::read_exercise(text, file.path(), variants.size()));
       }
     return found;
   }();
@@ -63,13 +68,8 @@ std::string all_faults(const std::string& text) {
     all += fault + "\n";
   return all;
 }
-std::string refusal(const std::string& text) {
-  try {
-    learn::read_exercise(text, "x.toml");
-  } catch (const answers::InvalidInput& error) {
-    return error.what();
-  }
-  return "read";
+std::string refused_text(const std::string& text) {
+  return refusal<answers::InvalidInput>([&] { learn::read_exercise(text, "x.toml"); });
 }
 
 }  // namespace
@@ -86,7 +86,7 @@ TEST_CASE("Answers are judged as in answers.tsv") {
     std::getline(fields, verdict, '\t');
     part.clear();
     std::getline(fields, part);
-    const learn::Judgement said = learn::judge(exercises().at(id), answer);
+    const learn::Judgement said = learn::judge(exercises().at(id)[0], answer);
     INFO(line << "\n" << said.feedback);
     CHECK(word(said.mark) == verdict);
     CHECK_THAT(said.feedback, ContainsSubstring(part));
@@ -96,13 +96,19 @@ TEST_CASE("Answers are judged as in answers.tsv") {
   CHECK(judged >= 500);
 }
 
-TEST_CASE("Each exercise is sound") {
+TEST_CASE("Each exercise is sound, in each variant") {
   CHECK(exercises().size() == 50);
-  for (const auto& [id, e] : exercises()) {
-    if (e.kind == "code") continue;  // in the sandbox's test
-    INFO(id);
-    CHECK(learn::faults(e) == learn::Texts{});
+  std::size_t more = 0;
+  for (const auto& [id, variants] : exercises()) {
+    if (variants[0].kind == "code") continue;  // in the sandbox's test
+    more += variants.size() - 1;
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+      INFO(id << ", variant " << i);
+      CHECK(learn::faults(variants[i]) == learn::Texts{});
+      CHECK((i == 0 || variants[i].prompt != variants[0].prompt));
+    }
   }
+  CHECK(more >= 15);
 }
 
 TEST_CASE("What is spoilt in an exercise is a fault of it") {
@@ -133,9 +139,9 @@ TEST_CASE("What is spoilt in an exercise is a fault of it") {
 }
 
 TEST_CASE("A file that is no exercise is refused by line") {
-  REQUIRE(refusal(sound) == "read");
+  REQUIRE(refused_text(sound) == "not refused");
   const auto refused = [](const std::string& from, const std::string& to) {
-    return refusal(changed(sound + misconception, from, to));
+    return refused_text(changed(sound + misconception, from, to));
   };
   CHECK_THAT(refused("title = \"x\"\n", ""), ContainsSubstring("title is missing"));
   CHECK_THAT(refused("hints", "hint"),
@@ -281,7 +287,7 @@ TEST_CASE("What is spoilt in an exercise in code is a fault of it, or refused by
   for (const char* wrong : {"", "ulp", "2 ulps", "2 ulp or", "-1", "2 ulp 3"})
     CHECK_THAT(fault("2 ulp or 1e-300", wrong), ContainsSubstring("within: allowed"));
   const auto refused = [](const std::string& from, const std::string& to) {
-    return refusal(changed(sound_code, from, to));
+    return refused_text(changed(sound_code, from, to));
   };
   CHECK_THAT(refused("words = [\"double\", ", "words = ["), ContainsSubstring("words: one text"));
   CHECK_THAT(refused("[\"1/8\", \"0\"]", "[\"1/8\"]"), ContainsSubstring("cases: one text"));
