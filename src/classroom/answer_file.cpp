@@ -24,7 +24,6 @@ using learn::Judgement;
 using learn::Mark;
 
 constexpr std::size_t most_bytes = std::size_t{1} << 16U;
-constexpr std::size_t mebibyte = std::size_t{1} << 20U;
 
 struct Descriptor {
   int number;
@@ -82,7 +81,7 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
   static std::set<std::string> prepared;  // the derivation is proved, own programs are run
   if (prepared.insert(e.source + '\0' + e.id).second) faults(e, run);
   const host::End end = host::end_of(
-      {"an answer"}, "", {.seconds = seconds, .file_bytes = 64 * mebibyte, .instead = [&] {
+      {"an answer"}, "", {.seconds = seconds, .file_bytes = 64U << 20U, .instead = [&] {
                             try {
                               return packed(judge(e, text, run));
                             } catch (const std::bad_alloc&) {
@@ -121,12 +120,11 @@ std::optional<AnswerInFile> judged_file(const Exercise& e, const std::string& fo
 answers::Table told(const Exercise& e, const Judgement& said) {
   std::vector<std::string> notes;
   for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
-  answers::Table table{{"id", "verdict", "feedback", "notes"},
-                       {{answers::text_cell(e.id), answers::text_cell(word(said.mark)),
-                         answers::text_cell(said.feedback),
-                         notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}}};
-  table.is_list = false;
-  return table;
+  return {{"id", "verdict", "feedback", "notes"},
+          {{answers::text_cell(e.id), answers::text_cell(word(said.mark)),
+            answers::text_cell(said.feedback),
+            notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}},
+          false};
 }
 
 }  // namespace classroom

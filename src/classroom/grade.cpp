@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
-#include <sstream>
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "classroom/answer_file.hpp"
-#include "magicmass/scenes/keys.hpp"
 
 namespace classroom {
 namespace {
@@ -65,8 +63,7 @@ std::vector<std::filesystem::path> students_of(const std::string& place) {
 
 std::vector<Exercise> chosen(const std::vector<Exercise>& all, const std::string& ids) {
   std::set<std::string> names;
-  std::istringstream list(ids);
-  for (std::string id; std::getline(list, id, ',');) names.insert(named(all, id).id);
+  for (const std::string& id : learn::split(ids, ',')) names.insert(named(all, id).id);
   std::vector<Exercise> some;
   for (const Exercise& e : all)
     if (names.empty() || names.contains(e.id)) some.push_back(e);
@@ -81,9 +78,8 @@ const Exercise& named(const std::vector<Exercise>& all, const std::string& id) {
     if (e.id == id) return e;
     names.push_back(e.id);
   }
-  const std::string nearest = magicmass::scenes::nearest_name(id, names);
   throw InvalidInput("learn: no exercise " + answers::shown_text(id) +
-                     (nearest.empty() ? "; see learn list" : "; is " + nearest + " meant?"));
+                     learn::meant(id, names, "; see learn list"));
 }
 
 answers::Answer grade(const answers::Request& request, const std::vector<Exercise>& all,

@@ -64,10 +64,7 @@ Exercise exercise(const Request& request) {
 /// A text as it is, or in a table where another format is asked for.
 Answer document(const Request& request, const Exercise& e, const std::string& text) {
   if (request.format == "text") return {{}, text + "\n"};
-  Answer answer;
-  answer.table = {{"id", "text"}, {{text_cell(e.id), text_cell(text)}}};
-  answer.table.is_list = false;
-  return answer;
+  return {{{"id", "text"}, {{text_cell(e.id), text_cell(text)}}, false}, {}};
 }
 
 Answer list(const Request& request) {
@@ -93,15 +90,12 @@ Answer show(const Request& request) {
     text += (i == 0 ? "\n" : "") + std::string(1, char('a' + i)) + ") " + e.choices[i] + "\n";
   if (!e.symbols.empty()) text += "\nAn answer may use: " + answers::joined(e.symbols) + "\n";
   if (!e.form.empty()) text += "Form: " + e.form + "\n";
-  if (e.kind == "code")
-    return document(request, e,
-                    text + "\nBegin with this in a file, answer.cpp, for c++ -std=c++20:\n\n" +
-                        e.starter + "\n\nTry: magicmass learn check " + e.id +
-                        " --file answer.cpp");
-  return document(
-      request, e,
-      text + "\nTry: magicmass learn check " + e.id + " \"...\"" +
-          (e.variants.empty() || !request.has("seed") ? "" : " --seed " + request.text("seed")));
+  const bool is_code = e.kind == "code";
+  if (is_code)
+    text += "\nBegin with this in a file, answer.cpp, for c++ -std=c++20:\n\n" + e.starter + "\n";
+  text += "\nTry: magicmass learn check " + e.id + (is_code ? " --file answer.cpp" : " \"...\"");
+  if (!e.variants.empty() && request.has("seed")) text += " --seed " + request.text("seed");
+  return document(request, e, text);
 }
 
 Answer check(const Request& request) {
@@ -171,20 +165,18 @@ Answer test(const Request& request) {
   Answer answer;
   answer.table.columns = {"id", "fault"};
   const std::string place = request.words.size() > 1 ? request.words[1] : request.text("folder");
-  const std::vector<Exercise> all = exercises(place, 0);
+  const std::size_t count = exercises(place, 0).size();
   std::size_t most_variants = 1;
-  for (const Exercise& e : all) most_variants = std::max(most_variants, e.variants.size());
   for (std::size_t variant = 0; variant < most_variants; ++variant)
     for (const Exercise& e : exercises(place, variant)) {
-      if (variant >= std::max<std::size_t>(1, e.variants.size())) continue;
+      most_variants = std::max(most_variants, e.variants.size());
+      if (variant > 0 && variant >= e.variants.size()) continue;
       for (const std::string& fault : faults(e, run_code))
         answer.table.rows.push_back({text_cell(e.id), text_cell(fault)});
     }
   answer.check_failed = !answer.table.rows.empty();
   if (!answer.check_failed && request.format == "text")
-    return {{},
-            "sound: " + std::to_string(all.size()) +
-                (all.size() == 1 ? " exercise\n" : " exercises\n")};
+    return {{}, "sound: " + std::to_string(count) + (count == 1 ? " exercise\n" : " exercises\n")};
   return answer;
 }
 

@@ -41,7 +41,7 @@ std::string first_errors(const End& compiled, const std::string& folder) {
   for (int errors = 0; errors < 2 && std::getline(lines, line);)
     for (const char* sign : {"error: ", "undefined reference", "multiple definition", "memory"})
       if (line.find(sign) != line.npos) {
-        while (line.find(folder) != line.npos) line.erase(line.find(folder), folder.size() + 1);
+        learn::replace_all(line, folder + "/", "");
         kept += (kept.empty() ? "" : "; ") + answers::shown_text(line, 200);
         ++errors;
         break;

@@ -17,7 +17,6 @@
 #include "answers/table.hpp"
 #include "classroom/answer_file.hpp"
 #include "classroom/attempts.hpp"
-#include "magicmass/scenes/keys.hpp"
 
 namespace classroom {
 namespace {
@@ -69,9 +68,8 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       if (found == exercises.end()) {
         const bool may_be_answer = name.ends_with(".txt") || name.ends_with(".cpp");
         if (!may_be_answer || name.starts_with('.') || !unknown.insert(name).second) continue;
-        const std::string nearest = magicmass::scenes::nearest_name(name, names);
         tell(answers::shown_text(name) + ": no exercise has this file" +
-             (nearest.empty() ? "; see learn list\n" : "; is " + nearest + " meant?\n"));
+             learn::meant(name, names, "; see learn list") + "\n");
         continue;
       }
       const std::optional<Stamp> now = stamp_of(entry.path());
