@@ -86,26 +86,21 @@ std::string difference(const equality::Counterexample& c) {
 /// where the right answer has one; else nothing.
 std::string without_value(Expr given, Expr expected, const equality::Domain& domain) {
   constexpr std::size_t tried = 60;
-  const auto why_none = [](Expr constant) -> std::optional<std::string> {
-    try {
-      equality::enclosure(constant, 192);
-      return "";
-    } catch (const equality::NotDefined& none) {
-      return none.what();
-    } catch (const equality::NotCertain&) {
-      return {};
-    }
-  };
   std::string first;
   int all = 0, gaps = 0;
   for (const equality::Point& point : equality::points(domain, tried, {given, expected})) {
-    if (why_none(equality::at(point, expected)) != "") continue;
-    ++all;
-    const std::string why = why_none(equality::at(point, given)).value_or("");
-    if (why.empty()) continue;
-    if (++gaps > 1) continue;
-    first =
-        (point.empty() ? "" : ", for instance at " + by_name(equality::text(point))) + ": " + why;
+    bool is_counted = false;
+    try {
+      equality::enclosure(equality::at(point, expected), 192);
+      is_counted = true;
+      ++all;
+      equality::enclosure(equality::at(point, given), 192);
+    } catch (const equality::NotDefined& none) {
+      if (!is_counted || ++gaps > 1) continue;
+      const std::string where = by_name(equality::text(point));
+      first = (point.empty() ? "" : ", for instance at " + where) + ": " + none.what();
+    } catch (const equality::NotCertain&) {
+    }
   }
   return 2 * gaps > all ? first : "";
 }

@@ -288,7 +288,7 @@ private:
       spaced = true;
       return;
     }
-    if (word.starts_with("var")) word.erase(0, 3);  // \varphi
+    if (word.starts_with("var") && is_greek_name(word.substr(3))) word.erase(0, 3);
     if (word == "dfrac" || word == "tfrac") word = "frac";
     if (word == "frac" || word == "sqrt" || word == "begin" || word == "end")
       return add(Kind::Command, word, column);
