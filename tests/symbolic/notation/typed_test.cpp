@@ -56,6 +56,8 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
       {"a - (b - c)", "a - (b - c)"},
       {"[[1, x], [y, 2]]", "1; x; y; 2"},
       {"[1, x; y, 2]", "1; x; y; 2"},
+      {"(1, x; y, 2)", "1; x; y; 2"},
+      {"1; x", "1; x"},
       {"\\frac{1}{1+\\alpha}\\begin{pmatrix} 1-\\alpha & 2 \\\\[4pt] 3 & 4\\end{pmatrix}",
        "(1 - alpha)/(1 + alpha); 2/(1 + alpha); 3/(1 + alpha); 4/(1 + alpha)"},
   }));
@@ -104,6 +106,8 @@ TEST_CASE("Slips are named, with their column") {
       {"1/0", "division by zero"},
       {"root(2, 101)", "from 2 to 100"},
       {"[[1, 2], [3]]", "rows of different lengths"},
+      {"[[1, 2], 3]", "a row is written [a, b, c]"},
+      {"[1, [2; 3]]", "a matrix inside of a matrix"},
       {"1 + [1, 2]", "cannot be added"},
   }));
   CHECK_THAT(refused(typed), ContainsSubstring(why));
@@ -125,6 +129,9 @@ TEST_CASE("A reading that was chosen is said") {
   CHECK(read_typed("\\cos n\\psi").notes ==
         std::vector<std::string>{"cos n psi is read as cos(n psi)"});
   CHECK(read_typed("M1").notes == std::vector<std::string>{"M1 is read as M_1"});
+  const Typed apart = read_typed("2M_2u_2^2", {"M_2", "u_2"});
+  CHECK(typed_text(apart.term) == "2*M_2*u_2^2");
+  CHECK(apart.notes == std::vector<std::string>{"M_2u_2 is read as M_2 u_2"});
   CHECK(read_typed("xy + 2xy").notes ==
         std::vector<std::string>{"xy is read as one name; a product is written x*y"});
   CHECK(read_typed("cos(n*psi)*V_CM*Gamma*xy", {"xy"}).notes.empty());
@@ -138,6 +145,12 @@ TEST_CASE("What is shown of a term is read back as the same term") {
     const std::string shown = reading(typed);
     CHECK(reading(shown) == shown);
   }
+}
+
+TEST_CASE("A column may have commas, in brackets, where one is asked for") {
+  CHECK(read_typed("(1, 2)/3", {}, true).term.rows() == 2);
+  CHECK_THROWS_WITH(read_typed("1, 2", {}, true), ContainsSubstring("written with semicolons"));
+  CHECK_THAT(refused("(1, 2)/3"), ContainsSubstring("column 3: unexpected comma"));
 }
 
 TEST_CASE("Comparisons come in chains") {
