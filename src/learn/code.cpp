@@ -20,6 +20,8 @@ namespace {
 using answers::InvalidInput;
 using cln::cl_RA;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// A constant's value, with 80 bits at least.
 cl_RA value_of(Expr constant, const std::string& text) {
   if (const auto q = notation::rational_value(constant)) return *q;
@@ -45,7 +47,6 @@ std::string text_of(double value) {
 
 /// "1/7", the nearest double; "above sqrt(5) - 2", the one after it.
 double input(const Terms& terms, std::string text) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   double towards = 0;
   for (const auto& [word, end] : {std::pair{"above ", infinity}, {"below ", -infinity}})
     if (text.starts_with(word)) {
@@ -75,10 +76,7 @@ struct Within {
   }
 };
 
-double ulp_of(double value) {
-  value = std::abs(value);
-  return std::nextafter(value, std::numeric_limits<double>::infinity()) - value;
-}
+double ulp_of(double value) { return std::nextafter(std::abs(value), infinity) - std::abs(value); }
 
 const std::string own_results = "solution_code";
 
@@ -148,10 +146,9 @@ std::string difference(const Exercise& e, const Cases& cases, const Rows& rows) 
     for (std::size_t k = 0; k < e.outputs.size(); ++k) {
       const double got = rows[i].at(k), nearest = cln::double_approx(cases.expected[i].at(k));
       const double ulp = ulp_of(nearest);
-      const double error =
-          std::isfinite(got)
-              ? cln::double_approx(cln::abs(balls::exact(got) - cases.expected[i][k]))
-              : std::numeric_limits<double>::infinity();
+      double error = infinity;
+      if (std::isfinite(got))
+        error = cln::double_approx(cln::abs(balls::exact(got) - cases.expected[i][k]));
       if (error <= within.ulps * ulp || error <= within.absolute) continue;
       return place(e, i) + "your " + e.words[k] + " is " + text_of(got) + "; it should be " +
              text_of(nearest) +
