@@ -155,7 +155,15 @@ private:
                             none.why_none);
   }
 
+  /// Under a condition that never holds everything can be proved.
+  bool has_impossible_need() {
+    Forms forms(domain);
+    return std::any_of(needs.begin(), needs.end(), [&](const Requirement& r) {
+      return r.kind != Need::NotZero && forms.holds({Need::Positive, Expr(-1) * r.term});
+    });
+  }
   bool prove() {
+    if (has_impossible_need()) return false;
     if (left == right) {
       verdict.proof = "both sides are the same expression";
       return true;
@@ -284,7 +292,11 @@ private:
 }  // namespace
 
 Verdict decide(Expr left, Expr right, const Domain& domain) {
-  return Question(left, right, domain).answer();
+  try {
+    return Question(left, right, domain).answer();
+  } catch (const NotDefined& none) {
+    kernel::refuse(std::string("there is no value: ") + none.what());
+  }
 }
 const char* word(Answer answer) {
   return answer == Answer::Equal       ? "equal"

@@ -241,7 +241,11 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   std::size_t last = 0;
   for (const auto& [symbol, range] : domain.ranges) {
     symbols.push_back(symbol);
-    values.push_back(simple_values(range, domain.ranges.size() == 1 ? count : 24, is_inside));
+    values.push_back(simple_values(range,
+                                   is_inside                   ? 60
+                                   : domain.ranges.size() == 1 ? count
+                                                               : 24,
+                                   is_inside));
     for (const cln::cl_RA& value : special)
       if (range.contains(value) && values.back().size() < count + most_special &&
           std::find(values.back().begin(), values.back().end(), value) == values.back().end())
@@ -272,6 +276,15 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   for (std::size_t total = 0; total <= std::min(last, count + most_special); ++total) {
     Point point;
     visit(visit, 0, total, point);
+  }
+  // Values that the sums of places reach for one symbol alone, in steps without a common rhythm.
+  for (std::size_t i = 0; is_inside && i < 2 * count; ++i) {
+    Point point;
+    for (std::size_t j = 0; j < symbols.size(); ++j)
+      point[symbols[j]] = values[j][(i * (2 * j + 3) + 5 * j) % values[j].size()];
+    if (std::all_of(domain.further.begin(), domain.further.end(),
+                    [&](const notation::Comparison& c) { return holds(c, point); }))
+      out.push_back(point);
   }
   return out;
 }

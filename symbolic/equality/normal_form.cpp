@@ -92,6 +92,8 @@ Sum Forms::function(Expr term) {
   }
   if (name == "raised") {
     const Exponent e = exponent_of(of(term.arg(1)));
+    // As expression() writes it, and no real power.
+    if (term.arg(0) == circle()) return times({{Product{{circle(), e}}, 1}}, number(1));
     const auto k = number_of(e);
     if (k && is_whole(*k) && cln::abs(*k) <= 10000)
       return integer_power(x, cln::cl_I_to_int(cln::numerator(*k)));
@@ -195,6 +197,9 @@ Sum Forms::divided(Sum sum) {
                part.first.begin()->second == exponent(1);
       });
       if (above == whole.end() || !product.contains(above->first.begin()->first)) continue;
+      const Expr symbol = above->first.begin()->first;
+      const auto has_symbol = [&](const auto& part) { return part.first.contains(symbol); };
+      if (std::count_if(whole.begin(), whole.end(), has_symbol) > 1) continue;
       Product rest = product;
       multiply(rest, divisor, exponent(1));
       multiply(rest, above->first.begin()->first, exponent(-1));

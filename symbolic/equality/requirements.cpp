@@ -31,40 +31,45 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
     if ((name == "asin" || name == "acos") && !is_at_most_one(x, domain))
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
     if (name == "nth_root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
-    if (name == "raised" && !Forms(domain).is_integer(e.arg(1)))
+    if (name != "raised") return;
+    Forms forms(domain);
+    if (!forms.is_integer(e.arg(1)))
       out.push_back({Need::NotNegative, x});
+    else if (!forms.holds({Need::Positive, e.arg(1)}))
+      out.push_back({Need::NotZero, x});
   };
   visit(visit, term);
   return out;
 }
 
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
-  const auto value = [](const Sum& sum) -> std::optional<cln::cl_RA> {
-    if (sum.empty()) return cln::cl_RA(0);
-    if (sum.size() > 1 || !sum.begin()->first.empty()) return {};
-    return sum.begin()->second;
-  };
   for (const Requirement& r : needs) {
     const std::set<Expr> symbols = kernel::free_variables(r.term);
     if (r.kind == Requirement::Kind::NotZero || symbols.size() != 1) continue;
     const Expr x = *symbols.begin();
-    std::optional<cln::cl_RA> rise;
-    std::optional<cln::cl_RA> start;
+    cln::cl_RA rise = 0, start = 0;
+    bool is_linear = true;
     try {
-      Forms forms(domain);
-      rise = value(forms.of(kernel::substitute(r.term, {{x, x + Expr(1)}}) - r.term));
-      start = value(forms.of(kernel::substitute(r.term, {{x, 0}})));
+      for (const auto& [product, q] : Forms(domain).of(r.term)) {
+        if (product.empty())
+          start = q;
+        else if (product == Product{{x, exponent(1)}})
+          rise = q;
+        else
+          is_linear = false;
+      }
     } catch (const std::runtime_error&) {
+      is_linear = false;
     }
-    if (!rise || !start || *rise == 0) continue;
-    const cln::cl_RA end = -*start / *rise;
+    if (!is_linear || rise == 0) continue;
+    const cln::cl_RA end = -start / rise;
     const bool closed = r.kind == Requirement::Kind::NotNegative;
     Range& range = domain.ranges[x];
-    if (*rise > 0 && (!range.low || *range.low < end || (*range.low == end && !closed))) {
+    if (rise > 0 && (!range.low || *range.low < end || (*range.low == end && !closed))) {
       range.low = end;
       range.has_low = closed;
     }
-    if (*rise < 0 && (!range.high || *range.high > end || (*range.high == end && !closed))) {
+    if (rise < 0 && (!range.high || *range.high > end || (*range.high == end && !closed))) {
       range.high = end;
       range.has_high = closed;
     }

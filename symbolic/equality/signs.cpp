@@ -56,8 +56,9 @@ int Forms::sign_of(const Sum& sum) {
 int Forms::sign_of_powers(const Product& powers) {
   int sign = 2;
   for (const auto& [atom, e] : powers) {
+    if (is_complex(atom)) return 0;
     const auto k = number_of(e);
-    const bool is_square = k && is_whole(*k) && is_even(*k) && !is_complex(atom);
+    const bool is_square = k && is_whole(*k) && is_even(*k);
     int one = sign_of_atom(atom);
     if (is_square)
       one = std::abs(one) == 2 || is_not_zero(atom) ? 2 : 1;
@@ -181,14 +182,18 @@ int Forms::sign_by_shift(const Sum& sum) {
     if (it == where.ranges.end()) continue;
     const Range& range = it->second;
     if (!range.high && (!range.low || *range.low == 0)) continue;
-    const Expr s = notation::symbol(notation::name_of(x) + "_above");
+    // Of an integer, so that its powers stay powers.
+    const bool is_one_sided = !range.high || !range.low;
+    if (range.is_integer && !(is_one_sided && is_whole(range.low ? *range.low : *range.high)))
+      continue;
+    const Expr s = kernel::real("above_" + x.name());  // which nobody can type
     Domain inner = where;
     inner.ranges.erase(x);
     inner.further.clear();
     const bool closed = range.high && range.low ? range.has_low
                         : range.low             ? range.has_low
                                                 : range.has_high;
-    inner.ranges[s] = {.low = cln::cl_RA(0), .has_low = closed};
+    inner.ranges[s] = {.is_integer = range.is_integer, .low = cln::cl_RA(0), .has_low = closed};
     Expr value = range.low ? Expr(*range.low) + s : Expr(*range.high) - s;
     if (range.low && range.high) value = (Expr(*range.low) + Expr(*range.high) * s) / (Expr(1) + s);
     Forms forms_of_s(inner);
@@ -222,7 +227,8 @@ void Forms::assume(const Requirement& requirement) {
       known.erase(atom);
     }
     const int rest = product(sign_of_powers(known), f.number > 0 ? 2 : -2);
-    if (unknown && rest != 0) assumed_signs[unknown] = (rest > 0 ? 1 : -1) * (strictly ? 2 : 1);
+    const bool is_certain = strictly ? rest != 0 : std::abs(rest) == 2;
+    if (unknown && is_certain) assumed_signs[unknown] = (rest > 0 ? 1 : -1) * (strictly ? 2 : 1);
   }
   forms.clear();
   factored.clear();
