@@ -49,6 +49,16 @@ std::string first_errors(const End& compiled, const std::string& folder) {
   return kept.empty() ? first_line(compiled.errors) : kept;
 }
 
+/// A file that an answer includes and that is neither beside it nor the system's; "" where there is
+/// none. `list` is what the compiler says with -M.
+std::string foreign_file(const std::string& list) {
+  std::istringstream names(list);
+  for (std::string name; names >> name;)
+    if (name.find('/') != name.npos && (!name.starts_with("/usr/") || name.find("..") != name.npos))
+      return answers::shown_text(name);
+  return {};
+}
+
 /// Why a program did not come to its end; "" where it did.
 std::string why_stopped(const End& end) {
   const bool had_no_memory = end.errors.find("bad_alloc") != end.errors.npos ||
@@ -148,14 +158,19 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
   std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n" << e.driver;
-  const End compiled = host::end_of(
-      {"env", "LC_ALL=C", "TMPDIR=" + folder.path, "c++", "-std=c++20", "-O1", "-ffp-contract=off",
-       "-w", "-fmax-errors=2", "-static", "-o", "program", "driver.cpp", "answer.cpp"},
-      "",
-      {.seconds = compile_seconds,
-       .bytes = 1024 * mebibyte,
-       .file_bytes = 64 * mebibyte,
-       .folder = folder.path});
+  const auto compile = [&](std::vector<std::string> options) {
+    options.insert(options.begin(),
+                   {"env", "LC_ALL=C", "TMPDIR=" + folder.path, "c++", "-std=c++20"});
+    return host::end_of(options, "",
+                        {.seconds = compile_seconds,
+                         .bytes = 1024 * mebibyte,
+                         .file_bytes = 64 * mebibyte,
+                         .folder = folder.path});
+  };
+  if (const std::string file = foreign_file(compile({"-M", "answer.cpp"}).output); !file.empty())
+    return {.unread = "it includes " + file + "; allowed: headers of the standard library"};
+  const End compiled = compile({"-O1", "-ffp-contract=off", "-w", "-fmax-errors=2", "-static", "-o",
+                                "program", "driver.cpp", "answer.cpp"});
   if (compiled.code == host::not_there)
     throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
   if (compiled.is_late || compiled.code != 0)
