@@ -131,55 +131,45 @@ private:
     if (has_bounds)
       line("  static constexpr const double* E = " + name + "Bounds<typename Tier::Bounds>;");
     inputs_and_outputs();
-    if (q.has_arrays && &c == &q.cases[0]) columns();
     for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);
     line("};");
   }
+  /// A row's; and rows of arrays, a register at a time, where the quantity has them.
   void inputs_and_outputs() {
     const std::string Q = capital(q.name);
     Words set, values;
+    std::string loads, in_case, stores;
     for (const Input& i : q.inputs) {
-      set.push_back(i.name() + (i.is_whole() ? "(N::whole(in." : "(N::all(in.") + i.name() + "))");
+      const std::string x = i.name();
+      const Interval r = range_of(i, c, false);
+      const std::string load = std::string("arithmetic::load<arithmetic::") +
+                               (i.is_whole() ? "SimdMask" : "Simd") + ">(columns." + x + " + row)";
+      set.push_back(x + (i.is_whole() ? "(N::whole(in." : "(N::all(in.") + x + "))");
+      loads +=
+          "    " + x + " = " + (i.is_whole() ? "arithmetic::to_real(" + load + ")" : load) + ";\n";
+      in_case += " & (" + x + " >= " + hex(r.low) + ") & (" + x + " <= " + hex(r.high) + ")";
+      if (i.is_whole()) in_case += " & (arithmetic::to_whole(" + x + ") == " + load + ")";
     }
     for (const Result& r : p.results) {
-      if (r.kind == Result::whole) values.push_back("N::to_whole(" + as_plain(p, r.node) + ")");
-      if (r.kind == Result::real) values.push_back(r.name);
+      const bool is_whole = r.kind == Result::whole;
+      if (!is_whole && r.kind != Result::real) continue;
+      const std::string whole = "to_whole(" + as_plain(p, r.node) + ")";
+      values.push_back(is_whole ? "N::" + whole : r.name);
+      stores += "    arithmetic::store(columns." + r.name + " + row, " +
+                (is_whole ? "arithmetic::" + whole : r.name) + ");\n";
     }
     line("  " + name + "() = default;");
     line(inlined + "explicit " + name + "(const " + Q +
          "Inputs& in) : " + codegen::joined(set, ", ") + " {}");
     line(inlined + Q + "Outputs outputs() const { return {" + codegen::joined(values, ", ") +
          "}; }");
-  }
-  /// Rows of arrays, a register at a time.
-  void columns() {
-    const std::string of_columns =
-        "const " + capital(q.name) + "Columns& columns, std::size_t row)";
-    std::string loads;
-    std::string in_case;
-    for (const Input& i : q.inputs) {
-      const std::string type = i.is_whole() ? "SimdMask" : "Simd";
-      const std::string load =
-          "arithmetic::load<arithmetic::" + type + ">(columns." + i.name() + " + row)";
-      loads += "    " + i.name() + " = " +
-               (i.is_whole() ? "arithmetic::to_real(" + load + ")" : load) + ";\n";
-      const Interval r = range_of(i, c, false);
-      in_case +=
-          " & (" + i.name() + " >= " + hex(r.low) + ") & (" + i.name() + " <= " + hex(r.high) + ")";
-      if (i.is_whole()) in_case += " & (arithmetic::to_whole(" + i.name() + ") == " + load + ")";
-    }
-    std::string stores;
-    for (const Result& r : p.results) {
-      const bool is_whole = r.kind == Result::whole;
-      if (!is_whole && r.kind != Result::real) continue;
-      stores += "    arithmetic::store(columns." + r.name + " + row, " +
-                (is_whole ? "arithmetic::to_whole(" + as_plain(p, r.node) + ")" : r.name) + ");\n";
-    }
-    result.code += inlined + "void load_inputs(" + of_columns + " {\n" + loads + "  }\n" + inlined +
-                   "arithmetic::SimdMask is_in_case([[maybe_unused]] const " + capital(q.name) +
-                   "Columns& columns, [[maybe_unused]] std::size_t row) const {\n    return " +
-                   in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + of_columns +
-                   " const {\n" + stores + "  }\n";
+    if (!q.has_arrays || &c != &q.cases[0]) return;
+    const std::string columns = "const " + Q + "Columns& columns, ";
+    result.code += inlined + "void load_inputs(" + columns + "std::size_t row) {\n" + loads +
+                   "  }\n" + inlined + "arithmetic::SimdMask is_in_case([[maybe_unused]] " +
+                   columns + "[[maybe_unused]] std::size_t row) const {\n    return " +
+                   in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + columns +
+                   "std::size_t row) const {\n" + stores + "  }\n";
   }
   void stage_function(int stage, const std::set<int>& kept) {
     line(inlined + "void stage_" + std::to_string(stage) + "() {");

@@ -12,28 +12,27 @@ std::string structure(const std::string& name, const Words& members) {
 /// Inputs, outputs, and columns of both.
 std::string structures(const Quantity& q) {
   const std::string Q = capital(q.name);
-  Words inputs, outputs, from, to, values;
+  Words inputs, outputs, columns, values;
   std::string set;
   for (const Input& i : q.inputs) {
     const std::string type = i.is_whole() ? "std::int64_t" : "double";
     inputs.push_back(fields(type, {i.name()}));
-    from.push_back(fields("const " + type + "*", {i.name()}));
+    columns.push_back(fields("const " + type + "*", {i.name()}));
     values.push_back(i.name() + "[row]");
   }
   for (const Output& o : outputs_of(q.cases[0])) {
     const std::string type = o.is_whole ? "std::int64_t" : "double";
     outputs.push_back(fields(type, {o.name}));
-    to.push_back(fields(type + "*", {o.name}));
+    columns.push_back(fields(type + "*", {o.name}));
     set += "    " + o.name + "[row] = out." + o.name + ";\n";
   }
   const std::string values_of = structure(Q + "Inputs", inputs) + structure(Q + "Outputs", outputs);
   if (!q.has_arrays) return values_of;
-  from.insert(from.end(), to.begin(), to.end());
-  from.push_back(inlined + Q + "Inputs get(std::size_t row) const { return {" +
-                 joined(values, ", ") + "}; }");
-  from.push_back(inlined + "void set(std::size_t row, const " + Q + "Outputs& out) const {\n" +
-                 set + "  }");
-  return values_of + structure(Q + "Columns", from);
+  columns.push_back(inlined + Q + "Inputs get(std::size_t row) const { return {" +
+                    joined(values, ", ") + "}; }");
+  columns.push_back(inlined + "void set(std::size_t row, const " + Q + "Outputs& out) const {\n" +
+                    set + "  }");
+  return values_of + structure(Q + "Columns", columns);
 }
 }  // namespace
 

@@ -49,7 +49,6 @@ Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
   };
   for (Case& c : q.cases) {
     std::set<Expr> live;
-    std::set<std::string> guarded;
     const auto visit = [&](const auto& self, Expr e) -> void {
       live.insert(kernel::substitute(e, q.units));
       for (Expr a : e.args()) self(self, a);
@@ -59,12 +58,11 @@ Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
     c.outputs.erase(others, c.outputs.end());
     if (c.outputs.empty()) c.guards.clear();
     for (const Theorem& t : c.outputs) visit(visit, t.conclusion().arg(1));
-    for (const Condition& g : c.guards) guarded.insert(g.name);
     kernel::Theorems needed;
     for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
       const Expr head = t->conclusion().arg(0);
       const bool is_live = live.count(kernel::substitute(head, q.units)) > 0;
-      if (!is_live && guarded.count(head.name()) == 0) continue;
+      if (!is_live && std::ranges::count(c.guards, head.name(), &Condition::name) == 0) continue;
       visit(visit, t->conclusion().arg(1));
       needed.insert(needed.begin(), *t);
     }

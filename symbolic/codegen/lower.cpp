@@ -27,8 +27,7 @@ public:
       const bool is_variable = input.variable.op() == kernel::Op::Var;
       if (!builder.is_plain() && !(range.low >= 0)) throw Refused(name + " may be negative");
       if (!builder.is_plain() && !is_variable) throw Refused(name + " is no variable");
-      nodes[input.variable] =
-          builder.input(identifier(name), input.variable.sort() == kernel::Sort::Int, range);
+      nodes[input.variable] = builder.input(input.name(), input.is_whole(), range);
     }
     for (const Condition& w : c.where) {
       const auto is_it = [&](const Input& i) { return i.variable.name() == w.name; };
@@ -39,9 +38,9 @@ public:
   void define(const Theorem& t) {
     const Expr name = checked_head(domain, t);
     if (kernel::is_matrix(name)) return define_entries(t);
-    const int k =
-        named_node(name, t.conclusion().arg(1), identifier(name.name()), shown(q, t.conclusion()));
-    named[name.name()] = k;
+    const std::string formula = shown(q, t.conclusion());
+    const int k = named_node(name, t.conclusion().arg(1), identifier(name.name()), formula);
+    named.insert(name.name());
     // Guards first: a fact's hypotheses may rest on them.
     for (const Condition& g : c.guards) {
       if (g.name != name.name()) continue;
@@ -59,21 +58,19 @@ public:
   void output(const Theorem& t) {
     const Expr left = checked_head(domain, t);
     const bool is_whole = left.sort() == kernel::Sort::Int;
-    const auto add = [&](int k) {
-      builder.program.results.push_back(
-          {is_whole ? Result::whole : Result::real, identifier(left.name()), k});
-    };
     if (builder.is_plain()) {
       define(t);
-      for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) add(nodes.at(e));
-      return;
+    } else {
+      nodes[left] = build(t.conclusion().arg(1));
+      const Node& n = builder[nodes[left]];
+      if (is_whole && !n.is_whole) throw Refused(left.name() + " is not known to be whole");
+      if (is_whole && !domain.is_wide && n.range.size() > 0x1p51)
+        throw Refused(left.name() + " may be above 2^51");
     }
-    const int k = nodes[left] = build(t.conclusion().arg(1));
-    if (is_whole && !builder[k].is_whole) throw Refused(left.name() + " is not known to be whole");
-    if (is_whole && !domain.is_wide && builder[k].range.size() > 0x1p51) {
-      throw Refused(left.name() + " may be above 2^51");
+    for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) {
+      builder.program.results.push_back(
+          {is_whole ? Result::whole : Result::real, identifier(left.name()), nodes.at(e)});
     }
-    add(k);
   }
   void check_all_used() const {
     for (const Condition& g : c.guards) {
@@ -94,7 +91,7 @@ private:
   const Quantity& q;
   const Case& c;
   Domain domain;
-  std::map<std::string, int> named;
+  std::set<std::string> named;
   std::set<Expr> used;
 
   int named_node(Expr left, Expr right, const std::string& name, const std::string& formula) {

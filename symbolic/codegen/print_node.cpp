@@ -20,13 +20,11 @@ std::string constant(const Node& n) {
   const cln::cl_RA value = n.of_pi ? n.value * pi() : n.value;
   const double high = nearest(value);
   const double low = nearest(value - exact(high));
-  const double above = nearest(cln::numerator(n.value));
-  const double below = nearest(cln::denominator(n.value));
-  if (exact(above) * cln::denominator(n.value) != n.value * exact(below) * exact(below)) {
-    throw Refused("a constant of too many digits");
-  }
-  return std::string(n.of_pi ? "N::pi_times(" : "N::rational(") + hex(above) + ", " + hex(below) +
-         ", " + hex(high) + ", " + hex(low) + ")";
+  const cln::cl_I above = cln::numerator(n.value);
+  const cln::cl_I below = cln::denominator(n.value);
+  if (!is_double(above) || !is_double(below)) throw Refused("a constant of too many digits");
+  return std::string(n.of_pi ? "N::pi_times(" : "N::rational(") + hex(nearest(above)) + ", " +
+         hex(nearest(below)) + ", " + hex(high) + ", " + hex(low) + ")";
 }
 struct Spelling {
   const char* pattern;
