@@ -27,14 +27,6 @@ Expr half_of(Expr index) {
   const bool is_double = index.op() == kernel::Op::Mul && index.size() == 2;
   return is_double && index.arg(0) == Expr(2) ? index.arg(1) : Expr();
 }
-/// The parameters but the index, as f has them at 0.
-Exprs parameters(Expr f) {
-  Exprs r;
-  for (std::size_t k = 0; k + 1 < f.size(); ++k) {
-    if (f.arg(k).op() == kernel::Op::Var) r.push_back(f.arg(k));
-  }
-  return r;
-}
 /// A term, from now on a number of that name.
 void know(Terms& terms, Expr term, const std::string& name) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -52,7 +44,11 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
     throw Refused("not f at 0, 1, 2*m and 2*m + 1: " + kernel::text(t.even.conclusion()));
   }
   Terms terms(Numbers::field);
-  for (const Expr parameter : parameters(f)) know(terms, parameter, identifier(parameter.name()));
+  std::string parameters;  // f at 0 has no others
+  for (Expr p : kernel::free_variables(f)) {
+    know(terms, p, identifier(p.name()));
+    parameters += "const Number& " + identifier(p.name()) + ", ";
+  }
   const auto value = [&](const kernel::Theorem& theorem, const std::string& at_m) {
     Terms these = terms;
     know(these, at(f, m), at_m);
@@ -67,11 +63,9 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   know(terms, at(f, m + 1), "high");
   const std::string between = value(t.odd, "low");
   const auto said = [](const kernel::Theorem& of) { return "// " + kernel::text(of.conclusion()); };
-  std::string arguments;
-  for (Expr p : parameters(f)) arguments += "const Number& " + identifier(p.name()) + ", ";
   return "/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.\n" +
          "template <class Number>\nstd::pair<Number, Number> " + cpp_name(f) + "_doubled(" +
-         arguments + "std::int64_t n) {\n  " + said(t.at_1) + "\n  const Number first = " + first +
+         parameters + "std::int64_t n) {\n  " + said(t.at_1) + "\n  const Number first = " + first +
          ";\n  " + said(t.at_0) + "\n  Number low = " + start +
          ";\n  Number high = first;\n"
          "  const std::uint64_t index = 2 * std::uint64_t(n);\n"
@@ -99,7 +93,7 @@ std::string call_doubling(const Doubling& t, Expr term, Terms& terms) {
   know(terms, at(f, 2 * x), pair + ".first");
   know(terms, at(f, 2 * x + 1), pair + ".second");
   Words arguments;
-  for (Expr p : parameters(f)) arguments.push_back(identifier(p.name()));
+  for (Expr p : kernel::free_variables(f)) arguments.push_back(identifier(p.name()));
   arguments.push_back(identifier(x.name()));
   return lines + "    const std::pair<Number, Number> " + pair + " = " + cpp_name(f) + "_doubled(" +
          joined(arguments, ", ") + ");\n";

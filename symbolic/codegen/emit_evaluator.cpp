@@ -41,14 +41,14 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
   const std::string Q = capital(q.name);
   Emitted e{"evaluators/" + q.name + ".hpp", "", {}};
   std::string code, visits;
-  std::vector<Claim> claims;
+  std::vector<Words> bounds;
   for (const Case& c : q.cases) {
     const EmittedCase emitted = emit_case(q, c);
     code += emitted.code;
     e.errors += emitted.errors;
     visits += "    if (" + condition(q, c) + ") {\n      return f.template operator()<" + Q +
               capital(c.name) + ">();\n    }\n";
-    claims.push_back({c.name, domain_in_words(q, c), emitted.bounds, ids_of({c}, ids)});
+    bounds.push_back(emitted.bounds);
   }
   const std::string of_arrays =
       !q.has_arrays ? ""
@@ -72,7 +72,7 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
       visits +
       "    return 1.0;\n  }\n};\n"
       "}  // namespace magicmass::generated::inline MAGICMASS_TARGET\n");
-  e.manifest = {manifest_entry(q, "evaluator", e.path, claims)};
+  e.manifest = {manifest_entry(q, "evaluator", e.path, ids, bounds)};
   return e;
 }
 }  // namespace codegen

@@ -93,7 +93,6 @@ struct Function {
   Words outputs = {};
   std::string doubling = {};
   std::string code = {};
-  std::vector<Claim> claims = {};
 };
 Function function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted) {
   Function r{wanted_part(f.quantity, wanted)};
@@ -116,7 +115,6 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
     functions.merge(text.functions);
     if (!p.doubling.empty()) r.doubling = p.doubling;
     domains.push_back(domain_in_words(q, c, is_exact));
-    r.claims.push_back({c.name, domains.back(), {}, ids_of({c}, ids)});
   }
   for (const Input& i : q.inputs) {
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
@@ -156,7 +154,7 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
     if (w.outputs.empty()) continue;
     body += (body.find(w.doubling) == std::string::npos ? w.doubling : "") + w.code;
     for (const std::string& name : w.outputs) missing.erase(name);
-    result.manifest.push_back(manifest_entry(w.quantity, form, result.path, w.claims));
+    result.manifest.push_back(manifest_entry(w.quantity, form, result.path, ids));
   }
   if (!missing.empty()) {
     throw Refused("no output is called " + *missing.begin() +

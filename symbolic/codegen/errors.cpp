@@ -116,12 +116,10 @@ private:
     const auto [sizes, by] = size_of(p, k, spread);
     if (f.size() == 1 && f.begin()->first == sizes && by > 0) return f.begin()->second / by;
     if (const std::optional<double> r = of_parts(k, k)) return *r * and_more;
-    const double least = p[k].range.least();
-    if (least <= 0) return {};
     const Form c = absorber.constant(f);
     if (c.size() != 1 || !c.begin()->first.empty()) return {};
-    const double from_least = c.begin()->second / least * and_more;
-    if (from_least > close) return {};
+    const double from_least = c.begin()->second / p[k].range.least() * and_more;
+    if (!(from_least <= close)) return {};
     return from_least;
   }
   double needed(int k) const {

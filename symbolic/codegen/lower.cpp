@@ -73,13 +73,11 @@ public:
     }
   }
   void check_all_used() const {
-    for (const Condition& g : c.guards) {
-      if (named.count(g.name) == 0)
-        throw Refused("a guard on " + g.name + ", which has no definition");
-    }
-    for (const std::string& d : c.divisors) {
-      if (named.count(d) == 0) throw Refused("a divisor " + d + ", which has no definition");
-    }
+    const auto check_named = [&](const std::string& what, const std::string& name) {
+      if (named.count(name) == 0) throw Refused(what + name + ", which has no definition");
+    };
+    for (const Condition& g : c.guards) check_named("a guard on ", g.name);
+    for (const std::string& d : c.divisors) check_named("a divisor ", d);
     for (const Fact& f : c.facts) {
       if (used.count(f.formula) == 0) {
         throw Refused("a fact that no definition is about: " + kernel::text(f.formula));

@@ -37,14 +37,16 @@ Words ids_of(const std::vector<Case>& cases, const Ids& ids) {
   return r;
 }
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
-                           const std::vector<Claim>& claims) {
+                           const Ids& ids, const std::vector<Words>& bounds) {
   Words inputs, outputs, cases;
   for (const Output& o : outputs_of(q.cases.at(0))) outputs.push_back(o.name);
   for (const Input& i : q.inputs) inputs.push_back(i.name());
-  for (const Claim& c : claims) {
-    cases.push_back("{\"name\": " + quoted(c.name) + ", \"domain\": " + quoted(c.domain) +
-                    ", \"bounds\": " + list(c.bounds) +
-                    ",\n     \"theorems\": " + list(c.theorems) + "}");
+  for (std::size_t k = 0; k < q.cases.size(); ++k) {
+    const Case& c = q.cases[k];
+    cases.push_back("{\"name\": " + quoted(c.name) +
+                    ", \"domain\": " + quoted(domain_in_words(q, c, form == "exact")) +
+                    ", \"bounds\": " + list(bounds.empty() ? Words() : bounds[k]) +
+                    ",\n     \"theorems\": " + list(ids_of({c}, ids)) + "}");
   }
   return "{\"name\": " + quoted(q.name) + ", \"form\": " + quoted(form) +
          ", \"header\": " + quoted("magicmass/" + header) + ", \"labels\": " + quoted(q.labels) +

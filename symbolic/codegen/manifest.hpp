@@ -15,13 +15,6 @@ using Ids = std::map<kernel::Expr, std::string>;
 
 /// The ids of what cases are made of, each once, in order; theorems without an id are left out.
 Words ids_of(const std::vector<Case>& cases, const Ids& ids);
-/// What is said of one case.
-struct Claim {
-  std::string name;
-  std::string domain;
-  Words bounds;  ///< "a: 2^-73.6 |P|"; none: each operation is rounded
-  Words theorems;
-};
 /// A header, and what is said of it elsewhere.
 struct Emitted {
   std::string path;  ///< evaluators/NAME.hpp, plain/FORM.hpp, exact/FORM.hpp
@@ -29,7 +22,8 @@ struct Emitted {
   Words manifest;           ///< a JSON object a quantity
   std::string errors = {};  ///< of an evaluator: each node's, for a reader
 };
-/// A JSON object: name, form, header, labels, inputs, outputs, cases.
+/// A JSON object: name, form, header, labels, inputs, outputs, cases. `bounds`: of each case's
+/// outputs, "a: 2^-73.6 |P|"; none: each operation is rounded.
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
-                           const std::vector<Claim>& claims);
+                           const Ids& ids, const std::vector<Words>& bounds = {});
 }  // namespace codegen
