@@ -40,10 +40,8 @@ struct Fact {
   std::string argument = "a theorem";
   /// Why it holds of computed values, within 2^-22, where their error bounds do not show it.
   std::string of_computed;
-  Fact(const kernel::Theorem& t, const std::string& computed = "")
-      : hypotheses(t.hypotheses()), formula(t.conclusion()), of_computed(computed) {}
-  Fact(kernel::Expr f, const std::string& why, const std::string& computed = "")
-      : formula(f), argument(why), of_computed(computed) {}
+  Fact(const kernel::Theorem& t) : hypotheses(t.hypotheses()), formula(t.conclusion()) {}
+  Fact(kernel::Expr f, const std::string& why) : formula(f), argument(why) {}
 };
 /// One formula for a part of a quantity's domain. A theorem is taken only if each of its hypotheses
 /// follows from the intervals: of the quantity, met with those of `where`.

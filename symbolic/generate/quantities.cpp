@@ -35,14 +35,9 @@ Case Source::of(const std::string& name, const std::vector<Condition>& where,
   const std::size_t to = words.find("->");
   const std::size_t by = words.find('|');
   Case c{name, where, (*this)(words.substr(0, to)), {}, {}, {}};
-  c.outputs = (*this)(words.substr(to + 2, by == std::string::npos ? by : by - to - 2));
+  c.outputs = (*this)(words.substr(to + 2, by - to - 2));
   if (by == std::string::npos) return c;
-  for (const kernel::Theorem& t : (*this)(words.substr(by + 1))) {
-    const bool is_of_rest = ids.at(t.conclusion()) == "evaluators_end.sine_at_most";
-    c.facts.emplace_back(t, is_of_rest ? "rest < h/2 is tested of computed values, and both are of "
-                                         "the computed rest"
-                                       : "");
-  }
+  for (const kernel::Theorem& t : (*this)(words.substr(by + 1))) c.facts.emplace_back(t);
   return c;
 }
 std::vector<Quantity> evaluators(Source& source) {
@@ -73,13 +68,15 @@ std::vector<Quantity> evaluators(Source& source) {
                                   "def_minus def_along -> evaluators.a b c c_prime" +
                                   about + "t_sine_at_most");
   velocities.guards = {{"phase", {-0.001, 2.0945}}};
-  const Case terminal = source.of(
+  Case terminal = source.of(
       "small", {light},
       angle +
           "evaluators_end.def_h N_A N_B def_rest def_rest_sine def_rest_cosine def_t_cosine "
           "def_w_cosine def_t_plus def_t_minus def_w_plus def_b_form "
           "-> evaluators_end.N_A N_B terminal/0 terminal/1 terminal/2 def_rho" +
           about + "evaluators_end.sine_at_most t_cosine_at_most");
+  terminal.facts[2].of_computed =
+      "rest < h/2 is tested of computed values, and both are of the computed rest";
   Case collision = source.of(
       "small", {light, {"j", {2, 0x1p63}}},
       angle +
