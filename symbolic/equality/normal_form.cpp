@@ -187,6 +187,8 @@ Sum Forms::exponential(const Sum& sum) {
 Sum Forms::divided(Sum sum) {
   for (auto term = sum.begin(); term != sum.end();) {
     const auto [product, q] = *term++;
+    const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
+    if (std::count_if(product.begin(), product.end(), is_sum) > 1) continue;  // each would undo
     for (const auto& [divisor, power] : product) {
       const auto composite = composites.find(divisor);
       if (composite == composites.end() || number_of(power) != cln::cl_RA(-1)) continue;
@@ -198,11 +200,13 @@ Sum Forms::divided(Sum sum) {
       });
       if (above == whole.end() || !product.contains(above->first.begin()->first)) continue;
       const Expr symbol = above->first.begin()->first;
+      const auto times_there = number_of(product.at(symbol));
+      if (!times_there || !is_whole(*times_there) || *times_there < 1) continue;
       const auto has_symbol = [&](const auto& part) { return part.first.contains(symbol); };
       if (std::count_if(whole.begin(), whole.end(), has_symbol) > 1) continue;
       Product rest = product;
       multiply(rest, divisor, exponent(1));
-      multiply(rest, above->first.begin()->first, exponent(-1));
+      multiply(rest, symbol, exponent(-1));
       const Sum others = whole - Sum{{above->first, above->second}};
       const Sum quotient = number(1) - times(others, {{Product{{divisor, exponent(-1)}}, 1}});
       return divided(sum - Sum{{product, q}} + times({{rest, q / above->second}}, quotient));
