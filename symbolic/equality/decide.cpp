@@ -157,9 +157,8 @@ private:
 
   /// Under a condition that never holds everything can be proved.
   bool has_impossible_need() {
-    Forms forms(domain);
     return std::any_of(needs.begin(), needs.end(), [&](const Requirement& r) {
-      return r.kind != Need::NotZero && forms.holds({Need::Positive, Expr(-1) * r.term});
+      return r.kind != Need::NotZero && is_certain({Need::Positive, Expr(-1) * r.term}, domain);
     });
   }
   bool prove() {
@@ -253,13 +252,8 @@ private:
   void add_conditions() {
     std::set<std::string> seen;
     for (const Requirement& r : needs) {
-      bool is_known = false;
-      try {
-        Forms forms(domain);
-        is_known = forms.holds(r);
-      } catch (const std::runtime_error&) {
-      }
-      if (!is_known && seen.insert(text(r)).second) verdict.conditions.push_back(text(r));
+      if (!is_certain(r, domain) && seen.insert(text(r)).second)
+        verdict.conditions.push_back(text(r));
     }
   }
   static bool is_rational(Expr e) {

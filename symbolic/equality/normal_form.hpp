@@ -122,6 +122,8 @@ private:
   int sign_of_cosine(const Sum& sum);
 };
 
+/// Proved on the domain; false where that is not found out.
+bool is_certain(const Requirement& requirement, const Domain& domain);
 /// The box made smaller by those requirements that bound one symbol: x >= 1 for sqrt(x - 1).
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs);
 bool is_zero_constant(Expr constant);

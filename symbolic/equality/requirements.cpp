@@ -4,16 +4,14 @@
 
 namespace equality {
 using kernel::Op;
-namespace {
-// Proved for the square: 1 - sqrt(x)^2 is simpler than 1 - sqrt(x).
-bool is_at_most_one(Expr x, const Domain& domain) {
+
+bool is_certain(const Requirement& requirement, const Domain& domain) {
   try {
-    return Forms(domain).holds({Requirement::Kind::NotNegative, Expr(1) - kernel::power(x, 2)});
+    return Forms(domain).holds(requirement);
   } catch (const std::runtime_error&) {
     return false;
   }
 }
-}  // namespace
 
 std::vector<Requirement> requirements(Expr term, const Domain& domain) {
   using Need = Requirement::Kind;
@@ -28,14 +26,15 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
     if (name == "inv") out.push_back({Need::NotZero, x});
     if (name == "sqrt") out.push_back({Need::NotNegative, x});
     if (name == "log") out.push_back({Need::Positive, x});
-    if ((name == "asin" || name == "acos") && !is_at_most_one(x, domain))
+    // Asked of the square: 1 - sqrt(x)^2 is simpler than 1 - sqrt(x).
+    if ((name == "asin" || name == "acos") &&
+        !is_certain({Need::NotNegative, Expr(1) - kernel::power(x, 2)}, domain))
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
     if (name == "nth_root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
     if (name != "raised") return;
-    Forms forms(domain);
-    if (!forms.is_integer(e.arg(1)))
+    if (!Forms(domain).is_integer(e.arg(1)))
       out.push_back({Need::NotNegative, x});
-    else if (!forms.holds({Need::Positive, e.arg(1)}))
+    else if (!is_certain({Need::Positive, e.arg(1)}, domain))
       out.push_back({Need::NotZero, x});
   };
   visit(visit, term);
