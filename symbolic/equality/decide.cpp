@@ -195,7 +195,7 @@ private:
                              : Range{.is_integer = range.is_integer, .high = 0, .has_high = true};
         try {
           is_proved = is_proved && decide(left, right, part).answer == Answer::Equal;
-        } catch (const kernel::Refused&) {  // no point
+        } catch (const std::runtime_error&) {  // no point, or too large
           is_proved = false;
         }
       }
@@ -290,6 +290,10 @@ Verdict decide(Expr left, Expr right, const Domain& domain) {
     return Question(left, right, domain).answer();
   } catch (const NotDefined& none) {
     kernel::refuse(std::string("there is no value: ") + none.what());
+  } catch (const TooLarge& large) {
+    Verdict undecided;
+    undecided.proof = std::string("not decided: ") + large.what();
+    return undecided;
   }
 }
 const char* word(Answer answer) {

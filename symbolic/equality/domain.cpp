@@ -101,7 +101,7 @@ std::string shown(const std::string& name, const Range& range) {
   return bounds.empty() ? name + " real" : bounds;
 }
 
-// The values of a range to try, the simplest first, or those inside of an interval first.
+// The values of a range to try: the simplest first, or fractions first.
 std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count, bool is_inside) {
   std::vector<cln::cl_RA> values;
   const auto add = [&](const cln::cl_RA& value) {
@@ -109,11 +109,11 @@ std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count, boo
         std::find(values.begin(), values.end(), value) == values.end())
       values.push_back(value);
   };
-  for (int value : {1, 2, 0, 3}) {
-    if (is_inside) break;
-    add(value);
-    add(-value);
-  }
+  if (!is_inside)
+    for (int value : {1, 2, 0, 3}) {
+      add(value);
+      add(-value);
+    }
   for (int below = 2; below <= 5 && !range.is_integer; ++below)
     for (int above = 1; above < 2 * below; ++above) {
       const cln::cl_RA fraction = cln::cl_RA(above) / below;
@@ -277,7 +277,7 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
     Point point;
     visit(visit, 0, total, point);
   }
-  // Values that the sums of places reach for one symbol alone, in steps without a common rhythm.
+  // Then values far down in the lists of several symbols at once, each list in steps of its own.
   for (std::size_t i = 0; is_inside && i < 2 * count; ++i) {
     Point point;
     for (std::size_t j = 0; j < symbols.size(); ++j)

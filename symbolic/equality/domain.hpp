@@ -49,7 +49,7 @@ std::vector<std::string> texts(const Domain& domain);
 
 /// Points of the domain, the simplest first; fewer than `count` where few are found. After the
 /// simple values come those of `terms`: their numbers and what is beside them, where |x - 5000|
-/// turns. `is_inside`: fractions first, of the lengths of intervals.
+/// turns. `is_inside`: fractions first, which lie inside of short intervals, then values far apart.
 std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& terms,
                           bool is_inside = false);
 /// The term with numbers for the symbols of the point.
