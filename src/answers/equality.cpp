@@ -63,7 +63,7 @@ Expr with_meanings(Expr e, std::vector<std::string>& notes) {
 Expr stated_value(const std::string& step) {
   const std::size_t colon = step.find(": ");
   const std::string left = colon == step.npos ? "" : step.substr(colon + 2);
-  kernel::Exprs open{derivation::the_book()[step.substr(0, colon)].conclusion()};
+  kernel::Exprs open{derivation::shown(step.substr(0, colon)).conclusion()};
   while (!open.empty()) {
     const Expr e = open.back();
     open.pop_back();

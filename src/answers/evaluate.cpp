@@ -8,32 +8,39 @@ namespace {
 
 using kernel::Expr;
 
-/// By the name that people type: theorems f(params) = term.
-const std::map<std::string, Expr>& definitions() {
-  const auto of = [](const char* id) { return derivation::the_book()[id].conclusion(); };
-  static const std::map<std::string, Expr> all{
-      {"psi", of("rotation.psi")},     {"theta", of("ball.theta")},
-      {"V_CM", of("power.V_CM")},      {"alpha_k", of("ratios.alpha_k")},
-      {"beta_k", of("ratios.beta_k")}, {"rho", of("evaluators_end.def_rho")},
-      {"a_n", of("power.a")},          {"b_n", of("power.b")},
-      {"c_n", of("power.c")},          {"c_prime_n", of("power.c_prime")}};
-  return all;
-}
+/// What people type, the book's name for it, and the theorem f(params) = term.
+struct Definition {
+  const char* typed;
+  const char* function;
+  const char* id;
+};
+constexpr Definition definitions[]{{"psi", "psi", "rotation.psi"},
+                                   {"theta", "theta", "ball.theta"},
+                                   {"V_CM", "V_CM", "power.V_CM"},
+                                   {"alpha_k", "alpha_k", "ratios.alpha_k"},
+                                   {"beta_k", "beta_k", "ratios.beta_k"},
+                                   {"rho", "rho", "evaluators_end.def_rho"},
+                                   {"a_n", "a", "power.a"},
+                                   {"b_n", "b", "power.b"},
+                                   {"c_n", "c", "power.c"},
+                                   {"c_prime_n", "c'", "power.c_prime"}};
 
 }  // namespace
 
 Expr definition_of(const std::string& name) {
-  const auto it = definitions().find(name);
-  return it == definitions().end() ? Expr() : it->second;
+  for (const Definition& d : definitions)
+    if (name == d.typed) return derivation::shown(d.id).conclusion();
+  return {};
 }
 Expr written_out(Expr e, const Values& values) {
   if (e.size() == 0 || values.contains(e)) return e;
   if (e.op() == kernel::Op::Fun)
-    for (const auto& [name, equation] : definitions()) {
-      const Expr defined = equation.arg(0);
-      if (defined.name() != e.name()) continue;
+    for (const Definition& d : definitions) {
+      if (e.name() != d.function) continue;
+      const Expr equation = derivation::shown(d.id).conclusion();
       kernel::Substitution arguments;
-      for (std::size_t i = 0; i < e.size(); ++i) arguments.emplace(defined.arg(i), e.arg(i));
+      for (std::size_t i = 0; i < e.size(); ++i)
+        arguments.emplace(equation.arg(0).arg(i), e.arg(i));
       return written_out(kernel::substitute(equation.arg(1), arguments), values);
     }
   kernel::Exprs args;
@@ -43,6 +50,6 @@ Expr written_out(Expr e, const Values& values) {
 Ball evaluate(Expr term, const Values& values) {
   return equality::enclosure(written_out(term, values), values);
 }
-Expr right_side(const std::string& id) { return derivation::the_book()[id].conclusion().arg(1); }
+Expr right_side(const std::string& id) { return derivation::shown(id).conclusion().arg(1); }
 
 }  // namespace answers

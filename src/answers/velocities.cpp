@@ -201,8 +201,8 @@ Answer ratios(const Request& request) {
       numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
       const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
       const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
-      radicals.push_back(derivation::the_book().has(id) ? text_cell(kernel::text(right_side(id)))
-                                                        : missing_cell());
+      radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))
+                                                  : missing_cell());
       if (has_polynomials)
         polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));
     }

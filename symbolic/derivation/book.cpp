@@ -85,8 +85,4 @@ Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs
   for (const std::string& name : names) restrict_to(domain, name, with_n);
   return out;
 }
-const Book& the_book() {
-  static const Book book = derive();
-  return book;
-}
 }  // namespace derivation

@@ -67,9 +67,10 @@ Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs
                               const std::function<Exprs(const Exprs&)>& next);
 /// What terms of `theorem` need to make sense and neither its hypotheses nor what is known prove.
 Exprs unproved_needs(const Theorem& theorem);
-/// The whole derivation, proved again at each call; its definitions can be made once a process, so
-/// the second call throws Refused.
-Book derive();
-/// The book of this process, proved at the first call.
+/// The book of this process, each chapter proved when it is first asked for.
 const Book& the_book();
+/// The theorem of an id; no chapter is proved beyond the id's own. Throws Refused where there is
+/// none.
+Theorem shown(const std::string& id);
+bool is_shown(const std::string& id);
 }  // namespace derivation

@@ -1,45 +1,43 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one place where chapters are put in order.
+#include <algorithm>
+
 #include "derivation/symbols.hpp"
 #include "derivation/wedge.hpp"
 
 namespace derivation {
-Book derive() {
-  Book book;
+namespace {
+constexpr void (*in_order[])(Book&){
+    contact,          cycle,       cycle_matrix, rotation,       powers,      table,
+    counting,         constraints, multiples,    thresholds,     ratios,      radicals,
+    terminal,         minima,      small_alpha,  restitution,    chebyshev,   wedge,
+    transmission,     ends,        digits_of_pi, when_and_where, collapse,    encounters,
+    cradle,           billiard,    orthogonal,   evaluators,     exact_forms, three_body_forms,
+    restitution_forms};
+
+// A chapter may be written in several parts, one after the other.
+bool is_finished(const std::string& chapter, const Book& book) {
+  const auto& all = book.chapters();
+  return !all.empty() && all.back().name != chapter &&
+         std::any_of(all.begin(), all.end(), [&](const Chapter& c) { return c.name == chapter; });
+}
+// Up to `id`, or the end of its chapter; all of them for "".
+const Book& proved_until(const std::string& id) {
+  static Book book;
+  static std::size_t proved = 0;
+  static Theorems facts = assumed({alpha_positive, V_positive});
   const Known while_deriving;
-  for (const Expr& f : {alpha_positive, V_positive}) know_for_good(assume(f));
-  for (const auto chapter : {contact,
-                             cycle,
-                             cycle_matrix,
-                             rotation,
-                             powers,
-                             table,
-                             counting,
-                             constraints,
-                             multiples,
-                             thresholds,
-                             ratios,
-                             terminal,
-                             minima,
-                             small_alpha,
-                             restitution,
-                             chebyshev,
-                             wedge,
-                             transmission,
-                             ends,
-                             digits_of_pi,
-                             when_and_where,
-                             collapse,
-                             encounters,
-                             cradle,
-                             billiard,
-                             orthogonal,
-                             evaluators,
-                             exact_forms,
-                             radicals,
-                             three_body_forms,
-                             restitution_forms})
-    chapter(book);
+  for (const Theorem& fact : facts) know_for_good(fact);
+  const std::string chapter = id.substr(0, id.find('.'));
+  const auto is_decided = [&] { return book.has(id) || is_finished(chapter, book); };
+  for (; proved < std::size(in_order) && !is_decided(); ++proved) in_order[proved](book);
+  suppose({});
+  facts = known();
   return book;
 }
+}  // namespace
+
+const Book& the_book() { return proved_until(""); }
+bool is_shown(const std::string& id) { return proved_until(id).has(id); }
+Theorem shown(const std::string& id) { return proved_until(id)[id]; }
 }  // namespace derivation

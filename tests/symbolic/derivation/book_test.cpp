@@ -5,6 +5,7 @@
 
 #include "catch.hpp"
 #include "derivation/symbols.hpp"
+#include "kernel/names.hpp"
 #include "kernel/print.hpp"
 #include "refusal.hpp"
 
@@ -13,6 +14,18 @@ using namespace derivation;
 const auto refused = [](const std::string& because, const auto& act) {
   CHECK_THAT(refusal<Refused>(act), ContainsSubstring(because));
 };
+
+// The first of all: nothing is proved yet.
+TEST_CASE("no chapter is proved beyond the one that is asked for") {
+  CHECK(text(shown("contact.v_1").conclusion()).starts_with("v_1 = "));
+  CHECK(!signature("Lambda"));
+  CHECK(!is_shown("rotation.nothing"));
+  CHECK(signature("Lambda"));
+  CHECK(!signature("a_t"));
+  refused("no theorem nowhere.at_all", [] { shown("nowhere.at_all"); });
+  CHECK(signature("a_t"));
+  CHECK(shown("power.a").conclusion() == the_book()["power.a"].conclusion());
+}
 
 TEST_CASE("the book is proved, and says each thing once") {
   std::set<std::string> ids;
