@@ -81,9 +81,9 @@ std::string text(const Requirement& r) {
 class Question {
 public:
   Question(Expr the_left, Expr the_right, const Domain& the_domain)
-      : left(the_left), right(the_right), domain(the_domain), needs(requirements(left, domain)) {
+      : left(the_left), right(the_right), domain(the_domain) {
     verdict.domain = texts(domain);
-    for (const Requirement& r : requirements(right, domain)) needs.push_back(r);
+    find_needs();
   }
   Verdict answer() {
     if (is_different_somewhere()) return verdict;
@@ -101,6 +101,7 @@ public:
   }
 
 private:
+  static inline bool is_case = false;  // cases are not split again
   Expr left;
   Expr right;
   Domain domain;
@@ -108,6 +109,10 @@ private:
   std::vector<Requirement> needs;  // of both
   std::vector<Point> common;       // where both sides have a value, and agree
 
+  void find_needs() {
+    needs = requirements(left, domain);
+    for (const Requirement& r : requirements(right, domain)) needs.push_back(r);
+  }
   void found(const Point& point, const std::string& how) {
     verdict.answer = Answer::Different;
     verdict.proof = how;
@@ -162,6 +167,7 @@ private:
     });
   }
   bool prove() {
+    if (prove_at_whole_exponents()) return true;
     if (has_impossible_need()) return false;
     if (left == right) {
       verdict.proof = "both sides are the same expression";
@@ -178,34 +184,95 @@ private:
                                    : "both are continuous, and at " + point + " they agree");
     return true;
   }
-  /// |x| is x or -x: on either side of 0.
+  /// With `value` for the symbol x, and the symbol of `value` in `range`.
+  bool is_proved_for(Expr x, Expr value, const Range& range) {
+    const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
+    Domain part;
+    for (const auto& [symbol, usual] : domain.ranges)
+      if (symbol != x) part.ranges[symbol] = usual;
+    for (Expr symbol : kernel::free_variables(value)) part.ranges.try_emplace(symbol, range);
+    for (const auto& [l, relation, r] : domain.further)
+      part.further.push_back({written(l), relation, written(r)});
+    try {
+      const Verdict found = decide(written(left), written(right), part);
+      if (found.answer == Answer::Equal) verdict.proof = found.proof;
+      return found.answer == Answer::Equal;
+    } catch (const kernel::Refused&) {  // no point
+      return false;
+    }
+  }
+  /// x >= 0 and x <= 0 where |x| is, an integer even and odd.
   bool prove_by_cases() {
-    static bool is_case = false;
     if (is_case) return false;
+    is_case = true;
     for (const auto& [x, range] : domain.ranges) {
       const Expr modulus = absolute(x);
-      if (range.low || range.high || kernel::replace(left - right, modulus, 0) == left - right)
-        continue;
-      is_case = true;
-      bool is_proved = true;
-      for (const bool is_high : {true, false}) {
-        Domain part = domain;
-        part.ranges[x] = is_high
-                             ? Range{.is_integer = range.is_integer, .low = 0, .has_low = true}
-                             : Range{.is_integer = range.is_integer, .high = 0, .has_high = true};
-        try {
-          is_proved = is_proved && decide(left, right, part).answer == Answer::Equal;
-        } catch (const std::runtime_error&) {  // no point, or too large
-          is_proved = false;
-        }
-      }
-      is_case = false;
-      if (!is_proved) continue;
+      const bool is_integer = range.is_integer;
+      const Expr half = kernel::integer("half_" + x.name());  // which nobody can type
       const std::string name = notation::name_of(x);
-      verdict.proof = "cases: " + name + " >= 0 and " + name + " <= 0";
+      std::string cases;
+      if (!range.low && !range.high && kernel::replace(left - right, modulus, 0) != left - right) {
+        if (is_proved_for(x, x, {.is_integer = is_integer, .low = 0, .has_low = true}) &&
+            is_proved_for(x, x, {.is_integer = is_integer, .high = 0, .has_high = true}))
+          cases = name + " >= 0 and " + name + " <= 0";
+      } else if (is_integer) {
+        Range halves{.is_integer = true};
+        if (range.low) halves.low = cln::floor1(*range.low / 2) - 1;
+        if (is_proved_for(x, Expr(2) * half, halves) &&
+            is_proved_for(x, Expr(2) * half + Expr(1), halves))
+          cases = name + " even and " + name + " odd";
+      }
+      verdict.proof = cases.empty() ? "" : "cases: " + cases;
+      if (!cases.empty()) break;
+    }
+    is_case = false;
+    return !verdict.proof.empty();
+  }
+  /// A power whose base is negative and whose exponent is not always whole.
+  std::optional<Expr> power_of_negative(Expr e) {
+    if (is_function(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
+        !Forms(domain).is_integer(e.arg(1)) &&
+        is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
+      return e;
+    for (Expr part : e.args())
+      if (const auto found = power_of_negative(part)) return found;
+    return {};
+  }
+  /// (-1)^x has values only where x is whole.
+  bool prove_at_whole_exponents() {
+    const auto found = power_of_negative(left - right);
+    if (!found || is_case) return false;
+    is_case = true;
+    const std::set<Expr> symbols = kernel::free_variables(found->arg(1));
+    const bool is_proved = std::any_of(symbols.begin(), symbols.end(), [&](Expr x) {
+      return prove_at_whole_exponent(x, found->arg(1));
+    });
+    is_case = false;
+    return is_proved;
+  }
+  bool prove_at_whole_exponent(Expr x, Expr exponent) {
+    Domain whole = domain;
+    whole.ranges[x].is_integer = true;
+    const std::string condition = " integer";
+    if (Forms(whole).is_integer(exponent)) {
+      if (!is_proved_for(x, x, whole.ranges[x])) return false;
+      verdict.conditions.push_back(notation::name_of(x) + condition);
+      domain = whole;  // nothing else is asked of its bases
+      find_needs();
       return true;
     }
-    return false;
+    const auto with = [&](Expr value) { return kernel::substitute(exponent, {{x, value}}); };
+    try {  // x = (m - rest)/step for exponent = rest + step x = m
+      const Expr step = with(1) - with(0);
+      Forms forms(domain);
+      if (!forms.is_zero(forms.of(exponent - with(0) - step * x))) return false;
+      const Expr value = (kernel::integer("whole_exponent") - with(0)) / step;
+      if (!is_proved_for(x, value, {.is_integer = true})) return false;
+    } catch (const NotDefined&) {
+      return false;
+    }
+    verdict.conditions.push_back(notation::typed_text(exponent) + condition);
+    return true;
   }
   bool is_same_form(Expr other) {
     try {
@@ -252,7 +319,9 @@ private:
   void add_conditions() {
     std::set<std::string> seen;
     for (const Requirement& r : needs) {
-      if (!is_certain(r, domain) && seen.insert(text(r)).second)
+      const bool is_base =
+          r.kind == Need::NotNegative && is_certain({Need::Positive, Expr(-1) * r.term}, domain);
+      if (!is_base && !is_certain(r, domain) && seen.insert(text(r)).second)
         verdict.conditions.push_back(text(r));
     }
   }

@@ -42,12 +42,18 @@ std::vector<Generator> generators(const Sum& sum) {
   for (const auto& [key, once] : seen) {
     Generator g{key.first, key.second, 0, 0, {}};
     g.least = coefficient(sum.begin()->first, g.atom, g.monomial);
-    for (const auto& [product, q] : sum)
+    cln::cl_RA greatest = g.least;
+    for (const auto& [product, q] : sum) {
       g.least = std::min(g.least, coefficient(product, g.atom, g.monomial));
+      greatest = std::max(greatest, coefficient(product, g.atom, g.monomial));
+    }
     for (const auto& [product, q] : sum)
       g.step = common_divisor(g.step, coefficient(product, g.atom, g.monomial) - g.least);
-    // e^(2x) - 1 has the factor e^x - 1
-    if (g.step != 0) g.step = cln::cl_RA(1) / cln::denominator(g.step);
+    // e^(2x) - 1 has the factor e^x - 1, e^(2000x) - 1 at least e^(1000x) - 1.
+    if (g.step != 0) {
+      const cln::cl_RA finest = cln::cl_RA(1) / cln::denominator(g.step);
+      g.step = greatest - g.least <= finest * highest_degree ? finest : g.step / 2;
+    }
     g.variable = kernel::real("generator_" + std::to_string(out.size()));
     out.push_back(g);
   }
@@ -189,7 +195,19 @@ void Forms::take_factor(Factors& into, Sum part, int times_taken) {
   take_real(into, part, times_taken);
 }
 void Forms::take_real(Factors& into, const Sum& part, int times_taken) {
-  if (part.size() > 1) return multiply(into.powers, composite(part), exponent(times_taken));
+  if (part.size() > 1) {
+    // Of 1 + sqrt(2) and sqrt(2) - 1, whose product is rational, the greater one is the atom.
+    if (const auto inverse = rationalized(part)) {
+      const cln::cl_RA inside = content(*inverse);
+      const Sum other = scaled(*inverse, 1 / inside);
+      const Expr gap = kernel::power(expression(other), 2) - kernel::power(expression(part), 2);
+      if (exact_sign(gap) == 1) {
+        into.number = into.number * cln::expt(inside, -times_taken);
+        return multiply(into.powers, composite(other), exponent(-times_taken));
+      }
+    }
+    return multiply(into.powers, composite(part), exponent(times_taken));
+  }
   for (const auto& [atom, e] : part.begin()->first)
     multiply(into.powers, atom, kernel::scaled(e, times_taken));
 }

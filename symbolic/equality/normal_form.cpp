@@ -9,9 +9,10 @@
 namespace equality {
 using kernel::Op;
 namespace {
-constexpr int written_out = 4;        // powers of sums up to this one are multiplied out
-constexpr int most_multiples = 16;    // of an inverse angle
-constexpr int most_angle_parts = 60;  // asin(1/2) is pi/6
+constexpr int written_out = 4;          // powers of sums up to this one are multiplied out
+constexpr std::size_t most_surds = 16;  // of a denominator
+constexpr int most_multiples = 16;      // of an inverse angle
+constexpr int most_angle_parts = 60;    // asin(1/2) is pi/6
 
 // p^v for the primes of a number > 0; what is left beyond 10^5 is taken as it is.
 std::vector<std::pair<Expr, int>> primes(cln::cl_I n) {
@@ -114,10 +115,47 @@ Sum Forms::integer_power(const Sum& base, int k) {
     for (int i = 1; i < k; ++i) out = times(out, base);
     return out;
   }
+  if (k < 0)
+    if (const auto inverse = rationalized(base)) return integer_power(*inverse, -k);
   Factors f = factors(base);
   f.number = cln::expt(f.number, k);
   for (auto& [atom, e] : f.powers) e = kernel::scaled(e, k);
   return from(f);
+}
+// 1/(u + v sqrt(p)) = (u - v sqrt(p))/(u^2 - p v^2), prime by prime.
+std::optional<Sum> Forms::rationalized(const Sum& constant) {
+  const Exponent half = exponent(cln::cl_RA(1) / 2);
+  Expr prime;
+  for (const auto& [product, q] : constant)
+    for (const auto& [atom, e] : product) {
+      if (atom.op() != Op::Num || e != half) return {};
+      if (!prime || prime < atom) prime = atom;
+    }
+  if (constant.empty() || constant.size() > most_surds) return {};
+  if (!prime) return number(1 / constant.begin()->second);
+  Sum conjugate;
+  for (const auto& [product, q] : constant) conjugate[product] = product.contains(prime) ? -q : q;
+  const auto inverse = rationalized(times(constant, conjugate));
+  return inverse ? std::optional(times(conjugate, *inverse)) : std::nullopt;
+}
+// (1 - a) b/(1 - a) is b.
+Exponent Forms::multiplied(const Exponent& a, const Exponent& b) {
+  if (number_of(a) || number_of(b)) return a * b;
+  Product powers;
+  Sum out = number(1);
+  for (const Exponent& one : {a, b}) {
+    const Factors f = factors(sum_of(one));
+    out = scaled(out, f.number);
+    for (const auto& [atom, e] : f.powers) multiply(powers, atom, e);
+  }
+  for (const auto& [atom, e] : powers) {
+    const auto composite = composites.find(atom);
+    const auto k = number_of(e);
+    const bool is_sum = composite != composites.end() && k && is_whole(*k) && *k > 0;
+    out = times(out, is_sum ? integer_power(composite->second, cln::cl_I_to_int(cln::numerator(*k)))
+                            : Sum{{Product{{atom, e}}, 1}});
+  }
+  return exponent_of(out);
 }
 Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
   if (base.empty()) return {};
@@ -125,7 +163,7 @@ Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
   Factors out;
   if (f.number < 0) multiply(out.powers, circle(), k * Exponent{{{{kernel::pi(), 1}}, 1}});
   multiply_number(out.powers, cln::abs(f.number), k);
-  for (const auto& [atom, e] : f.powers) multiply(out.powers, atom, e * k);
+  for (const auto& [atom, e] : f.powers) multiply(out.powers, atom, multiplied(e, k));
   return from(out);
 }
 // What is not negative is its own modulus, a product of moduli: each has a real power.
@@ -134,7 +172,7 @@ Sum Forms::real_power(const Sum& base, const Exponent& exponent) {
   const Factors f = factors(base);
   Factors out;
   multiply_number(out.powers, cln::abs(f.number), exponent);
-  for (const auto& [atom, e] : f.powers) multiply_modulus(out, atom, e * exponent);
+  for (const auto& [atom, e] : f.powers) multiply_modulus(out, atom, multiplied(e, exponent));
   return from(out);
 }
 Sum Forms::odd_root(const Sum& base, int order) {

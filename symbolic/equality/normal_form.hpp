@@ -67,8 +67,9 @@ private:
   std::map<Sum, std::pair<int, int>> signs;  // of composites, and the depth where that was asked
   std::map<Expr, int> assumed_signs;         // 1: not negative, 2: positive, -1, -2 likewise
   std::map<Expr, bool> assumed_not_zero;
-  std::vector<std::pair<Sum, bool>> assumed;  // not negative; positive if true
-  int depth = 0;                              // of questions for signs
+  std::vector<std::pair<Sum, bool>> assumed;           // not negative; positive if true
+  std::vector<std::pair<Exprs, int>> signed_products;  // a b c is not negative (1) or positive (-1)
+  int depth = 0;                                       // of questions for signs
 
   Sum computed(Expr term);
   Sum function(Expr term);
@@ -76,6 +77,8 @@ private:
   void swap_logarithms(Product& product);
   void reduce(Product& product, cln::cl_RA& number);
   Sum integer_power(const Sum& base, int exponent);
+  std::optional<Sum> rationalized(const Sum& constant);
+  Exponent multiplied(const Exponent& a, const Exponent& b);
   Sum symbolic_power(const Sum& base, const Exponent& exponent);
   Sum real_power(const Sum& base, const Exponent& exponent);
   Sum odd_root(const Sum& base, int order);

@@ -218,17 +218,18 @@ void Forms::assume(const Requirement& requirement) {
     const bool strictly = requirement.kind == Requirement::Kind::Positive;
     assumed.emplace_back(sum, strictly);
     Product known = f.powers;
-    Expr unknown;
+    Exprs unknown;
     for (const auto& [atom, e] : f.powers) {
       const auto k = number_of(e);
       if (!k || !is_whole(*k) || is_even(*k) || sign_of_atom(atom) != 0) continue;
-      if (unknown) return;  // the signs of two factors stay open
-      unknown = atom;
+      unknown.push_back(atom);
       known.erase(atom);
     }
     const int rest = product(sign_of_powers(known), f.number > 0 ? 2 : -2);
     const bool is_certain = strictly ? rest != 0 : std::abs(rest) == 2;
-    if (unknown && is_certain) assumed_signs[unknown] = (rest > 0 ? 1 : -1) * (strictly ? 2 : 1);
+    const int sign = rest > 0 ? 1 : -1;
+    if (unknown.size() == 1 && is_certain) assumed_signs[unknown[0]] = sign * (strictly ? 2 : 1);
+    if (unknown.size() > 1 && is_certain) signed_products.emplace_back(unknown, sign);
   }
   forms.clear();
   factored.clear();

@@ -119,6 +119,18 @@ void Forms::reduce(Product& product, cln::cl_RA& number) {
     for (const auto& [other, k] : conjugate.powers)
       multiply(product, other, kernel::scaled(k, part / 2));
   }
+  for (const auto& [atoms, sign] : signed_products) {  // |a| |b| is a b where that is not negative
+    const auto is_there = [&](Expr atom) {
+      const auto it = product.find(absolute(atom));
+      return it != product.end() && constant_part(it->second) >= 1;
+    };
+    if (!std::all_of(atoms.begin(), atoms.end(), is_there)) continue;
+    if (sign < 0) number = -number;
+    for (Expr atom : atoms) {
+      multiply(product, absolute(atom), exponent(-1));
+      multiply(product, atom, exponent(1));
+    }
+  }
   for (const auto& [atom, e] : Product(product)) {
     if (atom.op() == Op::Num) {
       const cln::cl_I whole = cln::floor1(constant_part(e));

@@ -14,6 +14,9 @@ namespace {
 constexpr int largest_exponent = 10000;
 constexpr std::size_t most_bits = 70000;
 
+// e^x + e^-x and e^x - e^-x
+Expr sum_of_two(Expr x) { return call("exp", x) + call("exp", -x); }
+Expr difference_of_two(Expr x) { return call("exp", x) - call("exp", -x); }
 using Function = Expr (*)(Expr);
 const std::map<std::string, Function>& functions() {
   static const std::map<std::string, Function> table{
@@ -36,12 +39,12 @@ const std::map<std::string, Function>& functions() {
       {"exp", [](Expr x) { return call("exp", x); }},
       {"log", [](Expr x) { return call("log", x); }},
       {"ln", [](Expr x) { return call("log", x); }},
-      {"sinh", [](Expr x) { return (call("exp", x) - call("exp", -x)) / Expr(2); }},
-      {"cosh", [](Expr x) { return (call("exp", x) + call("exp", -x)) / Expr(2); }},
-      {"tanh",
-       [](Expr x) {
-         return (call("exp", x) - call("exp", -x)) / (call("exp", x) + call("exp", -x));
-       }},
+      {"sinh", [](Expr x) { return difference_of_two(x) / Expr(2); }},
+      {"cosh", [](Expr x) { return sum_of_two(x) / Expr(2); }},
+      {"tanh", [](Expr x) { return difference_of_two(x) / sum_of_two(x); }},
+      {"csch", [](Expr x) { return Expr(2) / difference_of_two(x); }},
+      {"sech", [](Expr x) { return Expr(2) / sum_of_two(x); }},
+      {"coth", [](Expr x) { return sum_of_two(x) / difference_of_two(x); }},
   };
   return table;
 }
@@ -136,9 +139,15 @@ Expr raised_to(Expr base, Expr exponent, std::size_t column) {
 
 Expr ordered_root(Expr order, Expr x, std::size_t column) {
   const auto value = rational_value(order);
-  if (!value || *value < 2 || *value > 100 || cln::denominator(*value) != 1)
-    refuse_at(column, "a root's order is a whole number from 2 to 100");
+  if (value && *value < 0) return quotient(1, ordered_root(Expr(-*value), x, column), column);
+  const bool is_usual = value && *value >= 2 && *value <= 100 && cln::denominator(*value) == 1;
+  if (!is_usual) return raised_to(x, quotient(1, order, column), column);
   return root(cln::cl_I_to_int(cln::numerator(*value)), x);
+}
+Expr logarithm(Expr x, Expr base, std::size_t column) {
+  if (is_matrix(x) || is_matrix(base)) refuse_at(column, "log of a matrix");
+  if (base == Expr(1)) refuse_at(column, "there is no logarithm to base 1");
+  return call("log", x) / call("log", base);
 }
 
 Expr grid_of(const std::vector<Exprs>& rows, std::size_t column) {

@@ -25,5 +25,6 @@ Expr times(Expr a, Expr b, std::size_t column);
 Expr quotient(Expr a, Expr b, std::size_t column);
 Expr raised_to(Expr base, Expr exponent, std::size_t column);
 Expr ordered_root(Expr order, Expr x, std::size_t column);
+Expr logarithm(Expr x, Expr base, std::size_t column);
 Expr grid_of(const std::vector<kernel::Exprs>& rows, std::size_t column);
 }  // namespace notation

@@ -308,6 +308,7 @@ private:
   Expr name(const Token& token) {
     const std::string& word = token.text;
     if (is_function(word)) return function(token);
+    if (word.starts_with("log_")) return logarithm_to_base(token);
     if (word == "pi" || word == "Pi" || word == "PI") return kernel::pi();
     if (const std::string meant = hidden_function(word); !meant.empty() && !factors.contains(word))
       refuse_at(token.column, word + ": is " + meant + " meant?");
@@ -322,19 +323,13 @@ private:
         word.size() == 2 ? word.substr(0, 1) + "*" + word.substr(1) : "with *";
     note(word + " is read as one name; a product is written " + product);
   }
-  // log_2(8), sin_2 and f(x): no functions here.
+  // sin_2 and f(x): no functions here.
   void refuse_function(const Token& token) const {
     static const std::set<std::string> rounding{"ceil", "floor", "round", "trunc", "int"};
     const std::string& word = token.text;
     const std::size_t mark = word.find('_');
     const std::string stem = word.substr(0, mark);
-    if (mark != word.npos && is_function(stem)) {
-      if (stem != "log" && stem != "ln") refuse_at(token.column, "unknown function " + word);
-      const std::string base = word.substr(mark + 1), of = argument_ahead();
-      refuse_at(token.column, word + (of.empty() ? "" : "(" + of + ")") + ": write log(" +
-                                  (of.empty() ? "x" : of) + ")/log(" + base +
-                                  ") for the logarithm to base " + base);
-    }
+    if (mark != word.npos && is_function(stem)) refuse_at(token.column, "unknown function " + word);
     if (!is("(") || is_factor(word)) return;
     if (rounding.contains(word))
       refuse_at(token.column, word + ": there are no rounding functions here");
@@ -344,16 +339,16 @@ private:
                   (meant.empty() ? "; write * for a product, and " + word + "_n for " + word + "(n)"
                                  : "; is " + meant + " meant?"));
   }
-  // What stands in the brackets that begin here, as typed; "" where none do.
-  std::string argument_ahead() const {
+  // Of the brackets that begin here.
+  bool has_comma_ahead() const {
     int open = 0;
     for (std::size_t i = place; i < words.size(); ++i) {
       open += words[i].text == "(" ? 1 : words[i].text == ")" ? -1 : 0;
-      if (open == 0) return i == place ? "" : typed(place + 1, i);
+      if (open == 0) return false;
+      if (open == 1 && words[i].text == ",") return true;
     }
-    return "";
+    return false;
   }
-
   bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
   Expr function(const Token& token) {
     const std::size_t column = now().column;
@@ -366,15 +361,45 @@ private:
                               "(x) for the inverse function, 1/" + token.text +
                               "(x) for the quotient");
     }
-    const Expr value =
-        token.text == "root" ? root_call(token) : applied(token.text, argument(token));
+    const Expr value = token.text == "root" ? root_call(token)
+                       : token.text == "log" && has_comma_ahead()
+                           ? logarithm_call(token)
+                           : applied(token.text, argument(token));
     return exponent ? raised_to(value, exponent, column) : value;
   }
-  Expr root_call(const Token& token) {
+  Exprs two_arguments(const Token& token, const std::string& usage) {
     const Exprs args = takes("(") ? list() : Exprs();
-    if (args.size() != 2) refuse_at(now().column, "write root(x, n)");
+    if (args.size() != 2) refuse_at(now().column, "write " + usage);
     close(")", token.column);
+    return args;
+  }
+  Expr root_call(const Token& token) {
+    const Exprs args = two_arguments(token, "root(x, n)");
     return ordered_root(args[1], args[0], token.column);
+  }
+  // log(x, b)
+  Expr logarithm_call(const Token& token) {
+    const std::size_t from = place;
+    const Exprs args = two_arguments(token, "log(x, b) for the logarithm to base b");
+    const std::string x = words[from + 1].text, base = words[from + 3].text;
+    const bool is_decimal = place == from + 5 && words[from + 1].kind == Kind::Number &&
+                            words[from + 3].kind == Kind::Number && !words[from + 3].is_spaced;
+    if (is_decimal)
+      refuse_at(token.column, "log(" + x + "," + base + ") has two readings: write log(" + x + "." +
+                                  base + ") or log(" + x + ")/log(" + base + ")");
+    const Expr value = logarithm(args[0], args[1], token.column);
+    note(typed(from - 1, place) + " is read as " + typed_text(value));
+    return value;
+  }
+  // log_2(8)
+  Expr logarithm_to_base(Token token) {
+    const std::string base = token.text.substr(4);
+    const bool is_number = base.find_first_not_of("0123456789") == npos;
+    note(token.text + " is read as the logarithm to base " + base);
+    token.text = "log";
+    const Expr x = argument(token);
+    token.text = base;
+    return logarithm(x, is_number ? Expr(number_of(token)) : symbol(base), token.column);
   }
   // What a function is taken of. Without brackets: cos theta, \cos n\psi, sin 2 x, sqrt 2.
   Expr argument(const Token& token) {
