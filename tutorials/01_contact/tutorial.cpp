@@ -11,7 +11,7 @@ using namespace derivation;
 using cln::cl_RA;
 using magicmass::simulator::Body;
 
-// A body that moves with velocity 1 meets one at rest. Change the masses, or let both move.
+// A body that moves with velocity 1 hits one at rest. Change the masses, or let both move.
 void print_collision(const cl_RA& m_1, const cl_RA& m_2) {
   Body<cl_RA> first{m_1, 0, 1};
   Body<cl_RA> second{m_2, 0, 0};
@@ -24,8 +24,8 @@ void print_collision(const cl_RA& m_1, const cl_RA& m_2) {
   std::printf("\n");
 }
 
-// That the relative velocity turns round, from momentum and from what else is kept: energy, or
-// something else. The certificate is the difference of squares taken apart: energy once, minus
+// Proves that the relative velocity turns round, from momentum and one more quantity that is kept:
+// energy, or another. The certificate is the difference of squares taken apart: energy once, minus
 // momentum times u_2 + v_2, is a product with two factors that are not 0.
 std::string relative_velocity(int power_kept) {
   const Expr M_1 = real("M_1"), M_2 = real("M_2"), u_1 = real("u_1"), u_2 = real("u_2"),
