@@ -28,7 +28,7 @@ void print_matrix(const char* name, const Matrix& m) {
 }
 
 int main() {
-  // The mass ratio is a square, so that its root is a fraction and all numbers are short.
+  // With this mass ratio all entries are short decimals.
   const double alpha = 0.25;
   const Matrix Gamma_A = magicmass::generated::Gamma_A(alpha);
   const Matrix Gamma_B = magicmass::generated::Gamma_B(alpha);
