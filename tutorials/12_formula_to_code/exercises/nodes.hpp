@@ -17,7 +17,7 @@ struct Node {
   double value;
 };
 
-// Node 0, node 1, ...: each uses nodes with smaller numbers alone. Outputs are numbers of nodes.
+// Node 0, node 1, ...: each uses only nodes with smaller numbers. Outputs are numbers of nodes.
 struct Program {
   std::vector<Node> nodes;
   std::vector<int> outputs;
@@ -94,7 +94,7 @@ inline std::vector<double> run(const Program& program, double alpha, double n) {
   std::vector<double> outputs;
   for (const int output : program.outputs) {
     if (output < 0 || output >= int(values.size()))
-      refuse("your program has %d nodes, and node %d is to be an output", int(values.size()),
+      refuse("your program has %d nodes, and node %d should be an output", int(values.size()),
              output);
     outputs.push_back(values[std::size_t(output)]);
   }
