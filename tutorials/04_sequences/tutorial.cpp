@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All velocities in closed form: exact fractions from the formula and from collision after
-// collision; a leap.
+// All velocities in closed form: exact fractions by the formula and collision by collision; then a
+// leap.
 #include <cstdio>
 
 #include <cln/rational.h>

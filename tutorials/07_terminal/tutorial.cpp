@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The end of the story over many mass ratios: who is where in the order, and how little B can get.
+// The end of the story for many mass ratios: the order of the bodies, and how little B can get.
 #include <cstdio>
 
 #include "magicmass/numbers/accurate.hpp"

@@ -14,7 +14,7 @@ double magic(int k) { return magicmass::accurate::ratios(k).magic; }
 
 // Blocks of mass 1 with these balls between them, all at rest but the first block, which comes in
 // with 1. It is 1 from a ball to the block on its right, `gap` from a block to the next ball.
-// Bodies that rounding left with a tiny velocity may meet some million years later: not told.
+// Bodies that rounding left with a tiny velocity may meet much later: that is not counted.
 void print_row(const std::string& what, const Balls& balls, double gap) {
   magicmass::simulator::Line<double> line{{1}, {-gap}, {1}, {}, {}};
   double place = 0;
