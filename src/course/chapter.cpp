@@ -53,8 +53,8 @@ std::string theorem(const render::Step& s) {
          proof_link(s.id, s.id) + conditions + "</p></div>";
 }
 
-/// From Markdown with references to HTML. What is looked up stands in the Markdown as one character
-/// of Unicode's private area, so that cmark leaves it alone, and is put in afterwards.
+/// From Markdown with references to HTML. What is looked up stands in the Markdown as a number
+/// between control characters, which cmark leaves alone, and is put in afterwards.
 class Expansion {
 public:
   Expansion(const Chapter& chapter, const Surroundings& around)
@@ -94,17 +94,16 @@ private:
   std::set<std::string> not_shown_;
   std::vector<std::string> pieces_;  ///< a block begins with a line's end
 
+  static std::string mark(std::size_t piece) { return "\x01" + std::to_string(piece) + "\x01"; }
   std::string piece(const std::string& html) {
     pieces_.push_back(html);
-    const std::size_t code = 0xE000 + pieces_.size() - 1;
-    return {char(0xE0 | code >> 12), char(0x80 | (code >> 6 & 0x3F)), char(0x80 | (code & 0x3F))};
+    return mark(pieces_.size() - 1);
   }
   std::string with_pieces(std::string html) const {
-    const auto bits = [&](std::size_t at) { return static_cast<unsigned char>(html[at]) & 0x3F; };
-    for (std::size_t at = html.find('\xEE'); at != html.npos; at = html.find('\xEE', at)) {
-      const std::string& text = pieces_.at(std::size_t(bits(at + 1) << 6 | bits(at + 2)));
-      const bool is_block = text.starts_with("\n");  // without its <p> and </p>
-      html.replace(at - (is_block ? 3 : 0), is_block ? 10 : 3, text);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const bool is_block = pieces_[i].starts_with("\n");
+      const std::string stand_in = is_block ? "<p>" + mark(i) + "</p>" : mark(i);
+      html.replace(html.find(stand_in), stand_in.size(), pieces_[i]);
     }
     return html;
   }
@@ -184,7 +183,7 @@ private:
   }
   std::string exercises() const {
     std::string list = "\n";
-    for (const Exercise& e : chapter_.exercises)
+    for (const learn::Exercise& e : chapter_.exercises)
       list += "<details data-exercise=\"" + e.id + "\"><summary>" + html_text(e.title) +
               "</summary>" + html_of(e.prompt) + code_html("magicmass learn show " + e.id) +
               "</details>\n";

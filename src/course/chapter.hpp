@@ -16,22 +16,19 @@
 #include <string>
 #include <vector>
 
+#include "learn/exercise.hpp"
 #include "render/pages.hpp"
 
 namespace course {
 
-struct Exercise {
-  std::string id, title, prompt;
-};
 struct Chapter {
   std::string name;    ///< of its folder: "05_counting"
   std::string source;  ///< its text's file, as messages name it
   std::string text;    ///< "# Title", then the sections
   std::string program;
-  std::string
-      printed;  ///< by the program: lines "name: value", "name:" above indented ones, "# .."
+  std::string printed;  ///< by the program, as read_printed() has it
   std::string session;  ///< "$ magicmass ...", then its output, and so on
-  std::vector<Exercise> exercises;
+  std::vector<learn::Exercise> exercises;
 };
 /// What the text may refer to besides.
 struct Surroundings {

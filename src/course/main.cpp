@@ -3,13 +3,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <regex>
 #include <set>
 
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
 #include "course/chapter.hpp"
 #include "course/page.hpp"
-#include "learn/exercise.hpp"
 #include "magicmass/scenes/keys.hpp"
 
 namespace {
@@ -29,10 +29,9 @@ std::set<fs::path> files_in(const fs::path& folder) {
 
 /// Of a drawing, for those who cannot see it.
 std::string description(const std::string& svg) {
-  const std::string begin = "<desc id=\"desc\">";
-  const std::size_t from = svg.find(begin);
-  if (from == svg.npos) return "";
-  return svg.substr(from + begin.size(), svg.find("</desc>") - from - begin.size());
+  std::smatch part;
+  std::regex_search(svg, part, std::regex("<desc id=\"desc\">([^<]*)"));
+  return part[1];
 }
 
 Chapter read_chapter(const fs::path& folder) {
@@ -43,11 +42,9 @@ Chapter read_chapter(const fs::path& folder) {
                   read(folder / "expected_output.txt"),
                   fs::exists(folder / "session.txt") ? read(folder / "session.txt") : "",
                   {}};
-  for (const fs::path& file : files_in(folder / "exercises")) {
-    if (file.extension() != ".toml") continue;
-    const learn::Exercise e = learn::read_exercise(read(file), file);
-    chapter.exercises.push_back({e.id, e.title, e.prompt});
-  }
+  for (const fs::path& file : files_in(folder / "exercises"))
+    if (file.extension() == ".toml")
+      chapter.exercises.push_back(learn::read_exercise(read(file), file));
   return chapter;
 }
 

@@ -16,11 +16,6 @@ namespace {
 using answers::InvalidInput;
 using render::html_text;
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(' ');
-  return first == text.npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
-}
-
 std::string formula_or_words(const std::string& text) {
   try {
     return render::mathml(notation::read(text), false);
@@ -32,7 +27,7 @@ std::string formula_or_words(const std::string& text) {
 }  // namespace
 
 Texts read_printed(const std::string& output) {
-  static const std::regex named("([A-Za-z_0-9]+):(.*)");
+  static const std::regex named("([A-Za-z_0-9]+): *(.*?) *");
   Texts all;
   std::istringstream lines(output);
   std::string* block = nullptr;
@@ -42,7 +37,7 @@ Texts read_printed(const std::string& output) {
     if (block != nullptr && line.starts_with("  ")) {
       *block += line.substr(2) + "\n";
     } else if (std::regex_match(line, part, named)) {
-      const auto [place, is_new] = all.emplace(part[1], trimmed(part[2]));
+      const auto [place, is_new] = all.emplace(part[1], part[2]);
       if (!is_new) throw InvalidInput("the program prints the name " + place->first + " twice");
       block = place->second.empty() ? &place->second : nullptr;
     } else {
@@ -93,22 +88,20 @@ std::string value_html(const std::string& text) {
 }
 
 std::string block_html(const std::string& text) {
+  static const std::regex between(" +\\| +");
   if (text.find(" | ") == text.npos) return code_html(text);
   std::string table;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const bool is_head = table.empty();
-    std::string cells;
-    std::size_t bar = 0;
-    for (std::size_t from = 0; bar != line.npos; from = bar + 3) {
-      bar = line.find(" | ", from);
-      const std::string cell = trimmed(line.substr(from, bar == line.npos ? bar : bar - from));
-      cells += is_head ? "<th scope=\"col\">" + formula_or_words(cell) + "</th>"
+    table += is_head ? "<thead><tr>" : "<tr>";
+    for (std::sregex_token_iterator all(line.begin(), line.end(), between, -1), end; all != end;) {
+      const std::string cell = *all++;
+      table += is_head ? "<th scope=\"col\">" + formula_or_words(cell) + "</th>"
                : cell.find(' ') != cell.npos ? "<td class=\"words\">" + html_text(cell) + "</td>"
                                              : "<td>" + value_html(cell) + "</td>";
     }
-    table += (is_head ? "<thead><tr>" + cells + "</tr></thead><tbody>" : "<tr>" + cells + "</tr>");
-    table += "\n";
+    table += is_head ? "</tr></thead><tbody>\n" : "</tr>\n";
   }
   return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\"><table>" +
          table + "</tbody></table></div>";

@@ -42,7 +42,7 @@ Chapter small_chapter() {
               "  a_t | words\n"
               "  1 | two words\n",
           .session = "$ magicmass count --alpha 1\nN_A = 1 & more\n",
-          .exercises = {{"x", "How many?", "Count *them*."}}};
+          .exercises = {{.id = "x", .title = "How many?", .kind = "", .prompt = "Count *them*."}}};
 }
 const course::Surroundings& around() {
   static const course::Surroundings all = [] {
@@ -93,7 +93,7 @@ TEST_CASE("a chapter becomes HTML in which all that is computed is marked") {
     CHECK_THAT(page, ContainsSubstring(part));
   }
   CHECK_THAT(page, !ContainsSubstring("<script>") && !ContainsSubstring("{{") &&
-                       !ContainsSubstring("\xEE"));
+                       !ContainsSubstring("\x01"));
   CHECK(title_of(small_chapter()) == "A *small* chapter");
 }
 
