@@ -2,7 +2,7 @@
 // Programs of others, compiled and run where they can do nothing but compute.
 #pragma once
 
-#include "learn/code.hpp"
+#include "learn/judge.hpp"
 
 namespace classroom {
 

@@ -56,9 +56,10 @@ Judgement judge_choice(const Exercise& e, const std::string& text) {
     kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got " +
                    answers::shown_text(text));
   if (letter == right_choice(e)) return {Mark::right, happens};
-  const std::string known =
-      known_mistake(e, [&](const std::string& answer) { return answer == std::string(1, letter); });
-  return {Mark::wrong, known.empty() ? "This is not what happens." : known};
+  const auto was_given = [&](const std::string& answer) {
+    return answer == std::string(1, letter);
+  };
+  return mistake(e, was_given, "This is not what happens.");
 }
 
 }  // namespace learn

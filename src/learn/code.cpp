@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
+#include <regex>
 
 #include <cln/real.h>
 
@@ -62,17 +62,13 @@ double input(const Terms& terms, std::string text) {
 struct Within {
   double ulps = 0, absolute = 0;
   explicit Within(const std::string& text) {
-    std::istringstream words(text + " or");
-    std::string word;
-    double value = 0;
-    while (value >= 0 && words >> value) {
-      words >> word;
-      (word == "ulp" ? ulps : absolute) = value;
-      if (word == "ulp") words >> word;
-      if (word != "or") break;
-    }
-    if (!words.eof() || word != "or" || value < 0)
+    static const std::string number = "([0-9.]+(?:e-?[0-9]+)?)";
+    static const std::regex form(number + " ulp(?: or " + number + ")?|" + number);
+    std::smatch part;
+    if (!std::regex_match(text, part, form))
       throw InvalidInput("within: allowed: \"4 ulp\", \"1e-15\" or \"4 ulp or 1e-15\"");
+    ulps = std::strtod(part.str(1).c_str(), nullptr);
+    absolute = std::strtod((part.str(2) + part.str(3)).c_str(), nullptr);
   }
 };
 
@@ -160,13 +156,13 @@ std::string difference(const Exercise& e, const Cases& cases, const Rows& rows) 
 }
 
 bool are_alike(const Rows& left, const Rows& right, double absolute) {
-  return std::equal(
-      left.begin(), left.end(), right.begin(), right.end(), [&](const auto& l, const auto& r) {
-        return std::equal(l.begin(), l.end(), r.begin(), r.end(), [&](double x, double y) {
-          return x == y || (std::isnan(x) && std::isnan(y)) ||
-                 std::abs(x - y) <= std::max(absolute, 1e-9 * std::abs(x));
-        });
-      });
+  const auto is_near = [&](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y)) ||
+           std::abs(x - y) <= std::max(absolute, 1e-9 * std::abs(x));
+  };
+  return std::ranges::equal(left, right, [&](const Numbers& l, const Numbers& r) {
+    return std::ranges::equal(l, r, is_near);
+  });
 }
 
 }  // namespace
@@ -177,10 +173,9 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
   Ran ran = run(e, code, cases.inputs);
   if (!ran.unread.empty()) return {Mark::unread, "Not compiled: " + ran.unread};
   const std::size_t done = std::min(ran.rows.size(), cases.inputs.size() - 1);
-  const bool has_all = ran.rows.size() == cases.inputs.size() &&
-                       std::all_of(ran.rows.begin(), ran.rows.end(), [&](const Numbers& row) {
-                         return row.size() == e.outputs.size();
-                       });
+  const auto is_whole = [&](const Numbers& row) { return row.size() == e.outputs.size(); };
+  const bool has_all =
+      ran.rows.size() == cases.inputs.size() && std::ranges::all_of(ran.rows, is_whole);
   if (ran.stopped.empty() && !has_all)
     ran.stopped = "it gave another number of results than is asked for";
   if (!ran.stopped.empty())
@@ -188,10 +183,10 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
   const std::string different = difference(e, cases, ran.rows);
   if (different.empty()) return {Mark::right, "Right, in all cases."};
   const double absolute = Within(e.within).absolute;
-  const std::string known = known_mistake(e, [&](const std::string& answer) {
+  const auto was_given = [&](const std::string& answer) {
     return are_alike(run(e, answer, cases.inputs).rows, ran.rows, absolute);
-  });
-  return {Mark::wrong, known.empty() ? different : known};
+  };
+  return mistake(e, was_given, different);
 }
 
 }  // namespace learn

@@ -59,10 +59,10 @@ public:
     return terms_.are_equal(e * kernel::substitute(f, others), kernel::substitute(e, others) * f);
   }
   std::string missing_law(std::span<const Expr> lines) const {
-    for (std::size_t i = 0; i < laws_.size(); ++i)
-      if (std::none_of(lines.begin(), lines.end(),
-                       [&](Expr line) { return are_proportional(line, laws_[i]); }))
-        return terms_.exercise.laws[i];
+    for (std::size_t i = 0; i < laws_.size(); ++i) {
+      const auto is_law = [&](Expr line) { return are_proportional(line, laws_[i]); };
+      if (std::ranges::none_of(lines, is_law)) return terms_.exercise.laws[i];
+    }
     return {};
   }
   /// From a law, or one line before, or two: an unknown eliminated or one divided by the other.
@@ -93,9 +93,8 @@ private:
     if (is_zero(left) || is_zero(e_left)) return false;
     if (are_proportional(e_left, left)) return true;
     // A factor may be divided out where the result keeps what is eliminated, not at the end.
-    return has(e, unknown) && std::any_of(not_zero_.begin(), not_zero_.end(), [&](Expr factor) {
-             return are_proportional(e_left * factor, left);
-           });
+    const auto is_divided = [&](Expr by) { return are_proportional(e_left * by, left); };
+    return has(e, unknown) && std::ranges::any_of(not_zero_, is_divided);
   }
 };
 
@@ -126,10 +125,10 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     if (mark == Mark::undecided)
       return {mark, "It could not be decided whether " + line_name(i) + " is true."};
     if (mark == Mark::wrong) {
-      const std::string known = known_mistake(terms.exercise, [&](const std::string& answer) {
+      const auto was_given = [&](const std::string& answer) {
         return equations.are_proportional(e, equations.content(answer));
-      });
-      return {mark, known.empty() ? the_line + " is not true of this motion." : known};
+      };
+      return mistake(terms.exercise, was_given, the_line + " is not true of this motion.");
     }
     if (!equations.follows(e, before)) {
       const std::string missing = equations.missing_law(differences);
@@ -176,10 +175,9 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
         return {mark, "It could not be decided whether " + shown + " in " + line_name(i) +
                           " is equal to " + what + "."};
       if (mark == Mark::wrong) {
-        const std::string known = is_finished() ? "" : terms.misconception_of(given);
-        return {mark, known.empty()
-                          ? "In " + line_name(i) + ", " + shown + " is not equal to " + what + "."
-                          : known};
+        const std::string differs =
+            "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
+        return is_finished() ? Judgement{mark, differs} : terms.mistake(given, differs);
       }
       // Whatever psi is, or by the laws alone.
       if (!terms.are_equal(before, now) && !terms.are_equal(with_laws(before), now))

@@ -2,9 +2,6 @@
 #include "learn/exercise.hpp"
 
 #include <algorithm>
-#include <set>
-#include <sstream>
-#include <variant>
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
@@ -17,41 +14,46 @@ namespace {
 using answers::InvalidInput;
 using Pairs = std::map<std::string, std::string>;
 using Lists = std::vector<Texts>;
-using Member = std::variant<std::string Exercise::*, Texts Exercise::*, Pairs Exercise::*,
-                            Lists Exercise::*, std::vector<Misconception> Exercise::*>;
 
-const std::map<std::string, Member>& members() {
-  static const std::map<std::string, Member> table{{"id", &Exercise::id},
-                                                   {"title", &Exercise::title},
-                                                   {"chapter", &Exercise::chapter},
-                                                   {"kind", &Exercise::kind},
-                                                   {"prompt", &Exercise::prompt},
-                                                   {"name", &Exercise::name},
-                                                   {"symbols", &Exercise::symbols},
-                                                   {"values", &Exercise::values},
-                                                   {"domain", &Exercise::domain},
-                                                   {"form", &Exercise::form},
-                                                   {"answer", &Exercise::answer},
-                                                   {"answer_from", &Exercise::answer_from},
-                                                   {"run", &Exercise::run},
-                                                   {"within", &Exercise::within},
-                                                   {"choices", &Exercise::choices},
-                                                   {"when", &Exercise::when},
-                                                   {"laws", &Exercise::laws},
-                                                   {"start", &Exercise::start},
-                                                   {"unknowns", &Exercise::unknowns},
-                                                   {"not_zero", &Exercise::not_zero},
-                                                   {"starter", &Exercise::starter},
-                                                   {"driver", &Exercise::driver},
-                                                   {"solution_code", &Exercise::solution_code},
-                                                   {"inputs", &Exercise::inputs},
-                                                   {"cases", &Exercise::cases},
-                                                   {"outputs", &Exercise::outputs},
-                                                   {"words", &Exercise::words},
-                                                   {"hints", &Exercise::hints},
-                                                   {"solution", &Exercise::solution},
-                                                   {"misconceptions", &Exercise::misconceptions}};
-  return table;
+template <class Visit>
+void each_key(Misconception& m, const Visit& visit) {
+  visit("name", m.name);
+  visit("answers", m.answers);
+  visit("replace", m.replace);
+  visit("feedback", m.feedback);
+}
+template <class Visit>
+void each_key(Exercise& e, const Visit& visit) {
+  visit("id", e.id);
+  visit("title", e.title);
+  visit("chapter", e.chapter);
+  visit("kind", e.kind);
+  visit("prompt", e.prompt);
+  visit("name", e.name);
+  visit("symbols", e.symbols);
+  visit("values", e.values);
+  visit("domain", e.domain);
+  visit("form", e.form);
+  visit("answer", e.answer);
+  visit("answer_from", e.answer_from);
+  visit("run", e.run);
+  visit("within", e.within);
+  visit("choices", e.choices);
+  visit("when", e.when);
+  visit("laws", e.laws);
+  visit("start", e.start);
+  visit("unknowns", e.unknowns);
+  visit("not_zero", e.not_zero);
+  visit("starter", e.starter);
+  visit("driver", e.driver);
+  visit("solution_code", e.solution_code);
+  visit("inputs", e.inputs);
+  visit("cases", e.cases);
+  visit("outputs", e.outputs);
+  visit("words", e.words);
+  visit("hints", e.hints);
+  visit("solution", e.solution);
+  visit("misconceptions", e.misconceptions);
 }
 
 /// Reads keys of one file, and says where something is wrong.
@@ -96,18 +98,24 @@ struct Reader {
   }
   void read(const std::string& of, const toml::node& node, Misconception& to) const {
     if (!node.is_table()) refuse(node, of + ": [[" + of + "]] is expected");
-    for (const auto& [key, value] : *node.as_table()) {
-      if (key == "answers")
-        read("answers", value, to.answers);
-      else if (key == "replace")
-        read("replace", value, to.replace);
-      else if (key == "name" || key == "feedback")
-        read(std::string(key.str()), value, key == "name" ? to.name : to.feedback);
-      else
-        refuse(value, "no such key in a misconception; allowed: name, answers, replace, feedback");
-    }
+    read_keys(*node.as_table(), {}, " in a misconception", to);
     if ((to.answers.empty() && to.replace.empty()) || to.feedback.empty())
       refuse(node, "a misconception needs answers (or, of code, replace) and feedback");
+  }
+  /// Each key to the member of its name; `known` are read elsewhere.
+  template <class Object>
+  void read_keys(const toml::table& table, Texts known, const std::string& where,
+                 Object& to) const {
+    each_key(to, [&](const std::string& key, auto& member) {
+      known.push_back(key);
+      if (const toml::node* node = table.get(key)) read(key, *node, member);
+    });
+    for (const auto& [name, node] : table) {
+      const std::string key(name.str());
+      if (std::count(known.begin(), known.end(), key) == 0)
+        refuse(node, "no such key" + where + ": " + answers::shown_text(key, 40) +
+                         meant(key, known, "; allowed: " + answers::joined(known)));
+    }
   }
   /// The solution with these edits.
   std::string edited(const toml::table& file, std::string code, const Lists& edits) const {
@@ -118,12 +126,6 @@ struct Reader {
       replace_all(code, edit[0], edit[1]);
     }
     return code;
-  }
-  [[noreturn]] void refuse_key(const std::string& key, const toml::node& at) const {
-    Texts names{"variants"};
-    for (const auto& [name, member] : members()) names.push_back(name);
-    refuse(at, "no such key: " + answers::shown_text(key, 40) +
-                   meant(key, names, "; allowed: " + answers::joined(names)));
   }
   void check(const toml::table& file, const Exercise& e) const {
     const auto need = [&](bool is_fine, const std::string& what) {
@@ -171,13 +173,7 @@ Exercise read_exercise(std::string_view text, const std::string& source, std::si
     e.variants = reader.variants(*node, text);
     reader.variant = e.variants[variant % e.variants.size()];
   }
-  for (const auto& [name, node] : file) {
-    const std::string key(name.str());
-    if (key == "variants") continue;
-    const auto found = members().find(key);
-    if (found == members().end()) reader.refuse_key(key, node);
-    std::visit([&, at = &node](auto member) { reader.read(key, *at, e.*member); }, found->second);
-  }
+  reader.read_keys(file, {"variants"}, "", e);
   reader.check(file, e);
   for (Misconception& m : e.misconceptions)
     if (!m.replace.empty()) m.answers.push_back(reader.edited(file, e.solution_code, m.replace));

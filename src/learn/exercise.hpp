@@ -16,12 +16,12 @@ struct Misconception {
   std::vector<Texts> replace = {};  ///< in code: what in the solution, by what; makes an answer
 };
 struct Exercise {
-  std::string source;  ///< the file, as messages name it
-  std::string id, title, chapter;
-  std::string kind;  ///< symbolic, predict, derivation, code
-  std::string prompt;
-  std::string name;    ///< what is asked for: "v_1"; an answer may be an equation for it
-  Texts symbols = {};  ///< that an answer may use
+  std::string source = {};  ///< the file, as messages name it
+  std::string id = {}, title = {}, chapter = {};
+  std::string kind = {};  ///< symbolic, predict, derivation, code
+  std::string prompt = {};
+  std::string name = {};  ///< what is asked for: "v_1"; an answer may be an equation for it
+  Texts symbols = {};     ///< that an answer may use
   std::map<std::string, std::string> values = {};  ///< of symbols: V = "1"
   std::string domain = {};                         ///< as `magicmass equal` reads it
   std::string form = {};                           ///< one of forms()

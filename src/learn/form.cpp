@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "learn/form.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -28,39 +29,31 @@ std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack) {
   return {};
 }
 
-std::string without_angle_functions(Expr e, const equality::Domain&) {
-  const auto part = found(e, is_angle_function);
-  if (part) return notation::typed_text(*part) + " is still in it";
-  for (const std::string& name : notation::symbols_of(e))
-    if (name == "psi" || name == "theta") return name + " is still in it";
-  return {};
+bool has_angle(Expr e, const equality::Domain&) {
+  const std::string name = notation::name_of(e);
+  return is_angle_function(e) || name == "psi" || name == "theta";
 }
 
 /// Terms of both signs somewhere: what nearly cancels there loses digits.
-std::string without_cancellation(Expr e, const equality::Domain& domain) {
-  const std::vector<equality::Point> points = equality::points(domain, 3, {});
-  const auto sign = [&](Expr term, const equality::Point& point) {
-    try {
-      return equality::exact_sign(equality::at(point, term)).value_or(0);
-    } catch (const equality::NotDefined&) {
-      return 0;
+bool is_difference(Expr e, const equality::Domain& domain) {
+  if (e.op() != Op::Add) return false;
+  for (const equality::Point& point : equality::points(domain, 3, {})) {
+    std::set<int> signs;
+    for (Expr one : e.args()) {
+      try {
+        signs.insert(equality::exact_sign(equality::at(point, one)).value_or(0));
+      } catch (const equality::NotDefined&) {
+      }
     }
-  };
-  const auto part = found(e, [&](Expr term) {
-    if (term.op() != Op::Add) return false;
-    for (const equality::Point& point : points) {
-      std::set<int> signs;
-      for (Expr one : term.args()) signs.insert(sign(one, point));
-      if (signs.contains(1) && signs.contains(-1)) return true;
-    }
-    return false;
-  });
-  return part ? notation::typed_text(*part) + " is a difference" : "";
+    if (signs.contains(1) && signs.contains(-1)) return true;
+  }
+  return false;
 }
 
 /// Whether a sum is a product in disguise: 4*x, x*y + x, or x^2 + 2*x + 1, but not 1 - x^2.
-bool hides_product(Expr sum) {
-  const kernel::Polynomial terms = kernel::polynomial(sum);
+bool hides_product(Expr e, const equality::Domain&) {
+  if (e.op() != Op::Add) return false;
+  const kernel::Polynomial terms = kernel::polynomial(e);
   for (const auto& [factor, times] : equality::factorized(terms))
     if (times > 1 || (factor.size() == 1 && !factor.begin()->first.empty())) return true;
   cln::cl_I common = 0;
@@ -68,41 +61,37 @@ bool hides_product(Expr sum) {
     common = cln::gcd(common, cln::numerator(coefficient));
   return common > 1;
 }
-std::string factored(Expr e, const equality::Domain&) {
-  if (e.op() == Op::Add) return "it is a sum";
-  const auto part = found(e, [](Expr term) { return term.op() == Op::Add && hides_product(term); });
-  return part ? notation::typed_text(*part) + " can be written as a product" : "";
+
+bool has_inner_division(Expr e, const equality::Domain&) {
+  if (e.op() != Op::Add && !is_quotient(e)) return false;
+  return std::ranges::any_of(e.args(), [](Expr a) { return found(a, is_quotient).has_value(); });
 }
 
-std::string one_fraction(Expr e, const equality::Domain&) {
-  const auto inner = found(e, [](Expr term) {
-    const bool is_place = term.op() == Op::Add || is_quotient(term);
-    if (!is_place) return false;
-    for (Expr arg : term.args())
-      if (found(arg, is_quotient)) return true;
-    return false;
-  });
-  return inner ? notation::typed_text(*inner) + " has a division inside" : "";
-}
-
-using Check = std::string (*)(Expr, const equality::Domain&);
-const std::vector<std::pair<std::string, Check>> checks{
-    {"no trigonometric functions", without_angle_functions},
-    {"no difference", without_cancellation},
-    {"factored", factored},
-    {"one fraction", one_fraction}};
+struct Form {
+  std::string name;
+  bool (*is_lack)(Expr part, const equality::Domain&);
+  std::string lack;
+};
+const std::vector<Form> all_forms{{"no trigonometric functions", has_angle, " is still in it"},
+                                  {"no difference", is_difference, " is a difference"},
+                                  {"factored", hides_product, " can be written as a product"},
+                                  {"one fraction", has_inner_division, " has a division inside"}};
 
 }  // namespace
 
 Texts forms() {
   Texts names;
-  for (const auto& [name, check] : checks) names.push_back(name);
+  for (const Form& form : all_forms) names.push_back(form.name);
   return names;
 }
 
-std::string lacking(const std::string& form, Expr typed, const equality::Domain& domain) {
-  for (const auto& [name, check] : checks)
-    if (name == form) return check(typed, domain);
+std::string lacking(const std::string& name, Expr typed, const equality::Domain& domain) {
+  if (name == "factored" && typed.op() == Op::Add) return "it is a sum";
+  for (const Form& form : all_forms) {
+    if (form.name != name) continue;
+    const auto part = found(typed, [&](Expr e) { return form.is_lack(e, domain); });
+    return part ? notation::typed_text(*part) + form.lack : "";
+  }
   return {};
 }
 

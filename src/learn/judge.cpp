@@ -45,9 +45,9 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   if (is_prediction && kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
   const Expr given = terms.in_full(typed);
   if (const std::string foreign = terms.foreign(typed); !foreign.empty()) {
-    const std::string known = terms.misconception_of(given);
-    if (known.empty()) kernel::refuse(foreign);
-    return {Mark::wrong, known};
+    const Judgement said = terms.mistake(given, "");
+    if (said.feedback.empty()) kernel::refuse(foreign);
+    return said;
   }
   const Expr expected = terms.in_full(terms.answer());
   Judgement said = terms.compare(given, expected);
@@ -61,12 +61,10 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
     if (!is_near) return {Mark::undecided, "It could not be decided whether yours is near enough."};
     if (*is_near) return {Mark::right, "Right: near enough."};
   }
-  if (const std::string known = terms.misconception_of(given); !known.empty())
-    said.feedback = known;
-  else if (!is_prediction && !kernel::is_matrix(given) && !kernel::is_matrix(expected) &&
-           terms.are_equal(given, -expected))
+  if (!is_prediction && !kernel::is_matrix(given) && !kernel::is_matrix(expected) &&
+      terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
-  return said;
+  return terms.mistake(given, said.feedback);
 }
 
 }  // namespace
@@ -87,8 +85,6 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
                      : e.choices.empty()      ? judge_expression(e, text, notes)
                                               : judge_choice(e, text);
     said.notes = notes;
-    for (const Misconception& one : e.misconceptions)
-      if (said.feedback == one.feedback) said.misconception = one.name;
     return said;
   } catch (const kernel::Refused& r) {
     const std::string why = answers::shown_text(r.what(), 300);
@@ -97,11 +93,13 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
   }
 }
 
-std::string known_mistake(const Exercise& e,
-                          const std::function<bool(const std::string& answer)>& was_given) {
+Judgement mistake(const Exercise& e,
+                  const std::function<bool(const std::string& answer)>& was_given,
+                  const std::string& otherwise) {
   for (const Misconception& one : e.misconceptions)
-    if (std::any_of(one.answers.begin(), one.answers.end(), was_given)) return one.feedback;
-  return {};
+    if (std::any_of(one.answers.begin(), one.answers.end(), was_given))
+      return {Mark::wrong, one.feedback, {}, one.name};
+  return {Mark::wrong, otherwise};
 }
 
 std::string own_answer(const Exercise& e) {

@@ -2,10 +2,23 @@
 // What is said to an answer: never a guess, and of what was typed.
 #pragma once
 
-#include "equality/decide.hpp"
-#include "learn/code.hpp"
+#include <functional>
+
+#include "learn/exercise.hpp"
 
 namespace learn {
+
+using Numbers = std::vector<double>;
+using Rows = std::vector<Numbers>;
+
+/// What a program did that is an answer.
+struct Ran {
+  std::string unread = {};   ///< why it was not compiled
+  std::string stopped = {};  ///< why it came no further: "it crashed"
+  Rows rows = {};            ///< what it gave for each case, as far as it came
+};
+/// Runs an answer to the exercise: a row of inputs is a case. Who judges does not know how.
+using Run = std::function<Ran(const Exercise&, const std::string& code, const Rows& inputs)>;
 
 enum class Mark { right, other_form, incomplete, wrong, unread, undecided };
 const char* word(Mark mark);

@@ -116,18 +116,14 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
   for (const auto& [name, text] : ran(e.run)) values.emplace(notation::symbol(name), content(text));
 }
 
-bool Terms::is_column_asked() const {
-  if (exercise.kind != "symbolic") return false;
-  const Expr expected = answer();
-  return kernel::is_matrix(expected) && expected.cols() == 1;
-}
-
 Expr Terms::typed(const std::string& text, Texts& notes) const {
   if (const std::string the_unit = unit(text, known); !the_unit.empty())
     kernel::refuse(
         "an answer is written without a unit such as " + the_unit + ": " +
         (symbols.empty() ? "it is a number, in units of V and L" : "its symbols have their own"));
-  const notation::Typed read = notation::read_typed(text, symbols, is_column_asked());
+  const bool is_column =
+      exercise.kind == "symbolic" && kernel::is_matrix(answer()) && answer().cols() == 1;
+  const notation::Typed read = notation::read_typed(text, symbols, is_column);
   notes.insert(notes.end(), read.notes.begin(), read.notes.end());
   return read.term;
 }
@@ -262,10 +258,11 @@ Judgement Terms::compare(Expr given, Expr expected) const {
   return all;
 }
 
-std::string Terms::misconception_of(Expr given) const {
-  return known_mistake(exercise, [&](const std::string& answer) {
+Judgement Terms::mistake(Expr given, const std::string& otherwise) const {
+  const auto was_given = [&](const std::string& answer) {
     return are_equal(given, in_full(content(answer)));
-  });
+  };
+  return learn::mistake(exercise, was_given, otherwise);
 }
 
 std::string quoted(const std::string& typed, Expr read) {

@@ -2,6 +2,7 @@
 // An exercise's expressions: read, given their values, compared.
 #pragma once
 
+#include "equality/decide.hpp"
 #include "learn/judge.hpp"
 #include "notation/typed.hpp"
 
@@ -28,8 +29,8 @@ public:
   /// should be 3."
   Judgement compare(Expr given, Expr expected) const;
   bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
-  /// The feedback of the misconception that has this term, in full; "" where there is none.
-  std::string misconception_of(Expr given) const;
+  /// What is said to a wrong term, in full.
+  Judgement mistake(Expr given, const std::string& otherwise) const;
   equality::Domain domain(const std::set<std::string>& symbols) const;
 
   const Exercise& exercise;
@@ -37,15 +38,15 @@ public:
 private:
   std::set<std::string> symbols, known;  // those that an answer may use; and with named values
   kernel::Substitution values;           // the exercise's, and what was run
-  bool is_column_asked() const;
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
 /// What was typed, where it is short and all ASCII; else the term that was read.
 std::string quoted(const std::string& typed, Expr read);
-/// The feedback of the first misconception with an answer that was given; "" where there is none.
-std::string known_mistake(const Exercise& exercise,
-                          const std::function<bool(const std::string& answer)>& was_given);
+/// Wrong, with the feedback of the first misconception that has an answer that was given.
+Judgement mistake(const Exercise& exercise,
+                  const std::function<bool(const std::string& answer)>& was_given,
+                  const std::string& otherwise);
 /// Whether a comparison of numbers is true; nothing where it is not decided.
 std::optional<bool> holds(const notation::Comparison& comparison);
 

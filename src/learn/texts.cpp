@@ -7,11 +7,17 @@
 
 namespace learn {
 
+Texts fields(const std::string& text, char separator) {
+  std::istringstream stream(text);
+  Texts all;
+  for (std::string field; std::getline(stream, field, separator);) all.push_back(field);
+  return all;
+}
+
 Texts split(const std::string& text, char separator) {
   constexpr const char* blanks = " \t\r";
-  std::istringstream stream(text);
   Texts parts;
-  for (std::string part; std::getline(stream, part, separator);)
+  for (const std::string& part : fields(text, separator))
     if (const std::size_t begin = part.find_first_not_of(blanks); begin != part.npos)
       parts.push_back(part.substr(begin, part.find_last_not_of(blanks) + 1 - begin));
   return parts;

@@ -8,7 +8,9 @@
 namespace learn {
 using Texts = std::vector<std::string>;
 
-/// What stands between the separators, without blanks around it, where that is not empty.
+/// What stands between the separators.
+Texts fields(const std::string& text, char separator);
+/// The same without blanks around each, and without those that are empty.
 Texts split(const std::string& text, char separator);
 void replace_all(std::string& text, const std::string& what, const std::string& by);
 /// "; is hints meant?" of hint; otherwise that.

@@ -1,42 +1,31 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is said to answers, to exercises that are not sound, and to files that are no exercises.
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "answers/errors.hpp"
+#include "answers/shown_text.hpp"
 #include "catch.hpp"
+#include "host/embedded.hpp"
 #include "learn/judge.hpp"
+#include "magicmass/scenes/keys.hpp"
 #include "refusal.hpp"
 
 using learn::Exercise;
 
 namespace {
 
-const std::string source = MAGICMASS_SOURCE;
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  REQUIRE(file);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// All variants of the tutorials' exercises, by id.
 const std::map<std::string, std::vector<Exercise>>& exercises() {
-  static const std::map<std::string, std::vector<Exercise>> all = [] {
+  static const auto all = [] {
     std::map<std::string, std::vector<Exercise>> found;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(source + "/tutorials"))
-      if (file.path().parent_path().filename() == "exercises" &&
-          file.path().extension() == ".toml") {
-        const std::string text = text_of(file.path());
-        const Exercise first = learn::read_exercise(text, file.path());
-        std::vector<Exercise>& variants = found[first.id] = {first};
-        while (variants.size() < first.variants.size())
-          variants.push_back(learn::read_exercise(text, file.path(), variants.size()));
-      }
+    for (const auto& [file, text] : host::all_embedded()) {
+      if (file.find("/exercises/") == file.npos || !file.ends_with(".toml")) continue;
+      const Exercise first = learn::read_exercise(text, file);
+      for (std::size_t i = 0; i < std::max(std::size_t{1}, first.variants.size()); ++i)
+        found[first.id].push_back(learn::read_exercise(text, file, i));
+    }
     return found;
   }();
   return all;
@@ -63,33 +52,35 @@ std::string changed(std::string text, const std::string& from, const std::string
   return text.replace(at, from.size(), to);
 }
 std::string all_faults(const std::string& text) {
-  std::string all;
-  for (const std::string& fault : learn::faults(learn::read_exercise(text, "x.toml")))
-    all += fault + "\n";
-  return all;
+  return answers::joined(learn::faults(learn::read_exercise(text, "x.toml")), "\n");
 }
-std::string refused_text(const std::string& text) {
+std::string refused(const std::string& text) {
   return refusal<answers::InvalidInput>([&] { learn::read_exercise(text, "x.toml"); });
+}
+
+/// What becomes of a sound text with a change: what changes, to what, and a part of what is said.
+using Changes = std::vector<std::array<std::string, 3>>;
+void check(std::string (*said)(const std::string&), const std::string& text, const Changes& rows) {
+  for (const auto& [from, to, part] : rows) {
+    INFO(from << " becomes " << to);
+    CHECK_THAT(said(changed(text, from, to)), ContainsSubstring(part));
+  }
 }
 
 }  // namespace
 
 TEST_CASE("Answers are judged as in answers.tsv") {
-  std::istringstream rows(text_of(source + "/tests/src/learn/answers.tsv"));
-  std::string id, answer, verdict, part;
+  const std::string text =
+      magicmass::scenes::text_of(MAGICMASS_SOURCE "/tests/src/learn/answers.tsv", "lines");
   int judged = 0;
-  for (std::string line; std::getline(rows, line);) {
-    if (line.starts_with('#')) continue;
-    std::istringstream fields(line);
-    std::getline(fields, id, '\t');
-    std::getline(fields, answer, '\t');
-    std::getline(fields, verdict, '\t');
-    part.clear();
-    std::getline(fields, part);
-    const learn::Judgement said = learn::judge(exercises().at(id)[0], answer);
-    INFO(line << "\n" << said.feedback);
-    CHECK(word(said.mark) == verdict);
-    CHECK_THAT(said.feedback, ContainsSubstring(part));
+  for (const std::string& row : learn::fields(text, '\n')) {
+    if (row.starts_with('#')) continue;
+    learn::Texts fields = learn::fields(row, '\t');
+    fields.resize(4);
+    const learn::Judgement said = learn::judge(exercises().at(fields[0])[0], fields[1]);
+    INFO(row << "\n" << said.feedback);
+    CHECK(word(said.mark) == fields[2]);
+    CHECK_THAT(said.feedback, ContainsSubstring(fields[3]));
     CHECK(said.feedback.find("typed_") == std::string::npos);
     ++judged;
   }
@@ -112,53 +103,92 @@ TEST_CASE("Each exercise is sound, in each variant") {
 }
 
 TEST_CASE("What is spoilt in an exercise is a fault of it") {
-  REQUIRE(all_faults(sound + misconception) == "");
-  const auto faults = [](const std::string& from, const std::string& to) {
-    return all_faults(changed(sound + misconception, from, to));
-  };
+  const std::string text = sound + misconception;
+  REQUIRE(all_faults(text) == "");
   // A condition counts only where all of its symbols are.
-  CHECK(faults("[\"alpha\"]\nanswer = \"1",
-               "[\"alpha\", \"n\"]\ndomain = \"n*alpha < 3\"\nanswer = \"n") == "");
-  CHECK_THAT(faults("1 + alpha\"]", "1/(alpha + 1)\"]"), ContainsSubstring("is judged right"));
-  CHECK_THAT(faults("1 + alpha\"]", "1 + alpha\", \"1 - (\"]"),
-             ContainsSubstring("1 - ( is judged unread"));
-  CHECK_THAT(faults("answer =", "answer_from = \"rotation.psi\"\nanswer ="),
-             ContainsSubstring("its own answer is judged wrong"));
-  CHECK_THAT(faults("answer =", "form = \"no difference\"\nanswer_from = \"nowhere.x\"\nanswer ="),
-             ContainsSubstring("nowhere.x"));
-  CHECK_THAT(faults("1/(1 + alpha)\"", "1/(1 + alpha\""),
-             ContainsSubstring("1/(1 + alpha: column"));
-  CHECK_THAT(faults("answer = \"1/", "form = \"factored\"\nanswer = \"0 + 1/"),
-             ContainsSubstring("judged other form"));
-  CHECK_THAT(faults("hints = [\"x\"]", "hints = []"), ContainsSubstring("hints are missing"));
-  CHECK_THAT(faults("symbolic\"", "predict\"\nrun = \"walk --alpha 1\""),
-             ContainsSubstring("run: allowed"));
-  CHECK_THAT(
-      faults("symbolic\"", "predict\"\nchoices = [\"x\", \"y\"]\nwhen = [\"1 = 1\", \"0 < 1\"]"),
-      ContainsSubstring("2 choices are right"));
+  CHECK(all_faults(changed(text, "[\"alpha\"]\nanswer = \"1",
+                           "[\"alpha\", \"n\"]\ndomain = \"n*alpha < 3\"\nanswer = \"n")) == "");
+  check(
+      all_faults, text,
+      {{"1 + alpha\"]", "1/(alpha + 1)\"]", "is judged right"},
+       {"1 + alpha\"]", "1 + alpha\", \"1 - (\"]", "1 - ( is judged unread"},
+       {"answer =", "answer_from = \"rotation.psi\"\nanswer =", "its own answer is judged wrong"},
+       {"answer =", "form = \"no difference\"\nanswer_from = \"nowhere.x\"\nanswer =", "nowhere.x"},
+       {"1/(1 + alpha)\"", "1/(1 + alpha\"", "1/(1 + alpha: column"},
+       {"answer = \"1/", "form = \"factored\"\nanswer = \"0 + 1/", "judged other form"},
+       {"hints = [\"x\"]", "hints = []", "hints are missing"},
+       {"symbolic\"", "predict\"\nrun = \"walk --alpha 1\"", "run: allowed"},
+       {"symbolic\"", "predict\"\nchoices = [\"x\", \"y\"]\nwhen = [\"1 = 1\", \"0 < 1\"]",
+        "2 choices are right"}});
 }
 
 TEST_CASE("A file that is no exercise is refused by line") {
-  REQUIRE(refused_text(sound) == "not refused");
-  const auto refused = [](const std::string& from, const std::string& to) {
-    return refused_text(changed(sound + misconception, from, to));
-  };
-  CHECK_THAT(refused("title = \"x\"\n", ""), ContainsSubstring("title is missing"));
-  CHECK_THAT(refused("hints", "hint"),
-             ContainsSubstring("x.toml:8: no such key: hint; is hints meant?"));
-  CHECK_THAT(refused("symbolic", "code"), ContainsSubstring("starter is missing"));
-  CHECK_THAT(refused("symbolic", "riddle"), ContainsSubstring("kind: allowed: symbolic"));
-  CHECK_THAT(refused("answer =", "form = \"nice\"\nanswer ="),
-             ContainsSubstring("form: allowed: no trig"));
-  CHECK_THAT(refused("[\"alpha\"]", "\"alpha\""), ContainsSubstring("x.toml:6: symbols: texts"));
-  CHECK_THAT(refused("[\"alpha\"]", "[1]"), ContainsSubstring("symbols: a text is expected"));
-  CHECK_THAT(refused("answer = \"1/(1 + alpha)\"\n", ""), ContainsSubstring("answer is missing"));
-  CHECK_THAT(refused("feedback", "says"), ContainsSubstring("no such key in a misconception"));
-  CHECK_THAT(refused("feedback = \"Upside down.\"\n", ""), ContainsSubstring("and feedback"));
-  CHECK_THAT(refused("symbolic", "derivation"), ContainsSubstring("laws are missing"));
-  CHECK_THAT(refused("kind = ", "kind "), ContainsSubstring("allowed: an exercise in TOML"));
-  CHECK_THAT(refused("answer =", "choices = [\"x\"]\nwhen = []\nvalues = 3\nanswer ="),
-             ContainsSubstring("values: names and texts"));
+  REQUIRE(refused(sound) == "not refused");
+  check(refused, sound + misconception,
+        {{"title = \"x\"\n", "", "title is missing"},
+         {"hints", "hint", "x.toml:8: no such key: hint; is hints meant?"},
+         {"symbolic", "code", "starter is missing"},
+         {"symbolic", "riddle", "kind: allowed: symbolic"},
+         {"answer =", "form = \"nice\"\nanswer =", "form: allowed: no trig"},
+         {"[\"alpha\"]", "\"alpha\"", "x.toml:6: symbols: texts"},
+         {"[\"alpha\"]", "[1]", "symbols: a text is expected"},
+         {"answer = \"1/(1 + alpha)\"\n", "", "answer is missing"},
+         {"feedback", "says", "no such key in a misconception"},
+         {"feedback = \"Upside down.\"\n", "", "and feedback"},
+         {"symbolic", "derivation", "laws are missing"},
+         {"kind = ", "kind ", "allowed: an exercise in TOML"},
+         {"id = \"x\"", "id = \"../x\"", "id: allowed: letters"},
+         {"answer =", "choices = [\"x\"]\nwhen = []\nvalues = 3\nanswer =",
+          "values: names and texts"}});
+}
+
+namespace {
+
+const std::string varied = R"toml(id = "x"
+title = "x"
+chapter = "x"
+kind = "predict"
+prompt = "The mass ratio is {alpha}."
+run = "count --alpha {alpha}"
+answer = "N_A"
+hints = ["Not {beta}."]
+variants = [{ alpha = "1/7" }, { alpha = "2" }]
+[[misconceptions]]
+name = "alpha"
+answers = ["{alpha}"]
+feedback = "This is {alpha}."
+)toml";
+
+}  // namespace
+
+TEST_CASE("A variant fills all texts of an exercise") {
+  for (const auto& [number, alpha, answer] :
+       {std::tuple{0, "1/7", "3"}, {1, "2", "1"}, {2, "1/7", "3"}, {1000000001, "2", "1"}}) {
+    const Exercise e = learn::read_exercise(varied, "x.toml", static_cast<std::size_t>(number));
+    CHECK(e.prompt == std::string("The mass ratio is ") + alpha + ".");
+    CHECK(learn::judge(e, answer).mark == learn::Mark::right);
+    const learn::Judgement said = learn::judge(e, alpha);
+    CHECK(said.feedback == std::string("This is ") + alpha + ".");
+    CHECK(said.misconception == "alpha");
+    CHECK(e.hints == learn::Texts{"Not {beta}."});
+  }
+  CHECK(learn::judge(learn::read_exercise(varied, "x.toml"), "5").misconception.empty());
+}
+
+TEST_CASE("Variants that do not fit are refused by line") {
+  REQUIRE(refused(varied) == "not refused");
+  const std::string first = "{ alpha = \"1/7\" }", second = "{ alpha = \"2\" }";
+  const std::string both = "[" + first + ", " + second + "]";
+  check(refused, varied,
+        {{both, "[]", "x.toml:9: variants: at least one"},
+         {both, second, "variants: at least one"},
+         {second, "\"2\"", "names and texts"},
+         {second, "{ alpha = 2 }", "quotation marks"},
+         {second, "{ beta = \"2\" }", "{beta} is not in each variant and in a text"},
+         {first, "{ alpha = \"1/7\", gamma = \"1\" }",
+          "{gamma} is not in each variant and in a text"},
+         {first, "{ alpha = \"1/7\", beta = \"1\" }", "a name is missing"},
+         {"predict", "code", "variants: not of code"}});
 }
 
 namespace {
@@ -270,38 +300,37 @@ TEST_CASE("Right results come from a command, a step or the solution") {
 
 TEST_CASE("What is spoilt in an exercise in code is a fault of it, or refused by line") {
   REQUIRE(learn::faults(code_exercise(), fake).empty());
-  const auto fault = [](const std::string& from, const std::string& to) {
-    const learn::Texts all = learn::faults(code_exercise(from, to), fake);
+  const auto first_fault = [](const std::string& text) {
+    const learn::Texts all = learn::faults(learn::read_exercise(text, "x.toml"), fake);
     return all.empty() ? "" : all[0];
   };
-  CHECK_THAT(fault("\"zero\"", "\"x\""), ContainsSubstring("the starter is judged right"));
-  CHECK_THAT(fault("\"zero\"", "\"junk\""), ContainsSubstring("the starter is judged unread"));
-  CHECK_THAT(fault("\"x/2\"", "\"3 x\""), ContainsSubstring("the misconception half is judged"));
-  CHECK_THAT(fault("\"2*x\"", "\"3*x\""), ContainsSubstring("its own answer is judged wrong"));
-  CHECK_THAT(fault("\"2*x\"", "\"log(n - 9)\""), ContainsSubstring("log(n - 9): "));
-  CHECK_THAT(fault("\"2*x\"", "\"z\""), ContainsSubstring("z: "));
+  Changes changes{{"\"zero\"", "\"x\"", "the starter is judged right"},
+                  {"\"zero\"", "\"junk\"", "the starter is judged unread"},
+                  {"\"x/2\"", "\"3 x\"", "the misconception half is judged"},
+                  {"\"2*x\"", "\"3*x\"", "its own answer is judged wrong"},
+                  {"\"2*x\"", "\"log(n - 9)\"", "log(n - 9): "},
+                  {"\"2*x\"", "\"z\"", "z: "}};
+  for (const char* wrong : {"", "ulp", "2 ulps", "2 ulp or", "-1", "2 ulp 3"})
+    changes.push_back({"2 ulp or 1e-300", wrong, "within: allowed"});
+  check(first_fault, sound_code, changes);
   Exercise own = code_exercise("\"2*x\"", "\"solution_code\"");
   CHECK(learn::faults(own, fake).empty());
   own.solution_code = "nan";
   CHECK_THAT(learn::faults(own, fake)[0], ContainsSubstring("solution_code gives no result"));
-  for (const char* wrong : {"", "ulp", "2 ulps", "2 ulp or", "-1", "2 ulp 3"})
-    CHECK_THAT(fault("2 ulp or 1e-300", wrong), ContainsSubstring("within: allowed"));
-  const auto refused = [](const std::string& from, const std::string& to) {
-    return refused_text(changed(sound_code, from, to));
+  const auto many = [](int count, const std::string& text) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
   };
-  CHECK_THAT(refused("words = [\"double\", ", "words = ["), ContainsSubstring("words: one text"));
-  CHECK_THAT(refused("[\"1/8\", \"0\"]", "[\"1/8\"]"), ContainsSubstring("cases: one text"));
-  CHECK_THAT(refused("[[\"1/8\"", "[\"1\", [\"1/8\""),
-             ContainsSubstring("x.toml:10: cases: texts"));
-  std::string many;
-  for (int i = 0; i < 100; ++i) many += "[\"1\", \"1\"], ";
-  CHECK_THAT(refused("cases = [", "cases = [" + many), ContainsSubstring("cases: 1 to 100"));
-  many = "";
-  for (int i = 0; i < 15; ++i) many += "\"n\", ";
-  CHECK_THAT(refused("inputs = [", "inputs = [" + many), ContainsSubstring("at most 16"));
-  CHECK_THAT(refused("[[\"2 x\", ", "[[\"3 x\", "), ContainsSubstring("replace: what is in"));
-  CHECK_THAT(refused("[[\"2 x\", \"x/2\"]]", "[[\"2 x\"]]"), ContainsSubstring("got 2 x"));
-  CHECK_THAT(refused("within = \"2 ulp or 1e-300\"\n", ""), ContainsSubstring("within is missing"));
+  check(refused, sound_code,
+        {{"words = [\"double\", ", "words = [", "words: one text"},
+         {"[\"1/8\", \"0\"]", "[\"1/8\"]", "cases: one text"},
+         {"[[\"1/8\"", "[\"1\", [\"1/8\"", "x.toml:10: cases: texts"},
+         {"cases = [", "cases = [" + many(100, "[\"1\", \"1\"], "), "cases: 1 to 100"},
+         {"inputs = [", "inputs = [" + many(15, "\"n\", "), "at most 16"},
+         {"[[\"2 x\", ", "[[\"3 x\", ", "replace: what is in"},
+         {"[[\"2 x\", \"x/2\"]]", "[[\"2 x\"]]", "got 2 x"},
+         {"within = \"2 ulp or 1e-300\"\n", "", "within is missing"}});
 }
 
 TEST_CASE("A byte order mark, comments and lines of an answer's file are read as typed") {
