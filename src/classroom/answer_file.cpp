@@ -5,7 +5,6 @@
 #include <cstring>
 #include <new>
 #include <set>
-#include <sstream>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -45,14 +44,10 @@ std::optional<std::string> text_in(const std::string& folder, const std::string&
   if (::fstat(file.number, &about) != 0) refuse();
   if (!S_ISREG(about.st_mode)) throw InvalidInput("not a file with text");
   std::string text(most_bytes + 1, '\0');
-  std::size_t size = 0;
-  for (ssize_t count = 1; count > 0 && size < text.size();
-       size += static_cast<std::size_t>(count)) {
-    count = ::read(file.number, text.data() + size, text.size() - size);
-    if (count < 0) refuse();
-  }
-  if (size > most_bytes) throw InvalidInput("more than 64 KiB");
-  text.resize(size);
+  const ssize_t size = ::read(file.number, text.data(), text.size());
+  if (size < 0) refuse();
+  text.resize(static_cast<std::size_t>(size));
+  if (text.size() > most_bytes) throw InvalidInput("more than 64 KiB");
   if (text.find('\0') != text.npos) throw InvalidInput("it has a zero byte, so it is no text");
   return text;
 }
@@ -62,39 +57,36 @@ std::string packed(const Judgement& said) {
   learn::Texts fields{std::to_string(static_cast<int>(said.mark)), said.feedback,
                       said.misconception};
   fields.insert(fields.end(), said.notes.begin(), said.notes.end());
-  return answers::joined(fields, std::string_view("\0", 1));
+  return answers::joined(fields, std::string_view("\0", 1)) + '\0';
 }
 Judgement unpacked(const std::string& text) {
-  Judgement said;
-  std::istringstream fields(text);
-  std::string field;
-  std::getline(fields, field, '\0');
-  said.mark = static_cast<Mark>(std::stoi(field));
-  std::getline(fields, said.feedback, '\0');
-  std::getline(fields, said.misconception, '\0');
-  while (std::getline(fields, field, '\0')) said.notes.push_back(field);
-  return said;
+  const learn::Texts fields = learn::fields(text, '\0');
+  const Mark mark = static_cast<Mark>(std::stoi(fields.at(0)));
+  return {mark, fields.at(1), {fields.begin() + 3, fields.end()}, fields.at(2)};
 }
 
 Judgement judged_apart(const Exercise& e, const std::string& text, const learn::Run& run,
                        unsigned seconds) {
   static std::set<std::string> prepared;  // the derivation is proved, own programs are run
   if (prepared.insert(e.source + '\0' + e.id).second) faults(e, run);
+  const auto judged = [&] {
+    try {
+      return packed(judge(e, text, run));
+    } catch (const std::bad_alloc&) {
+      return packed({Mark::undecided, "It does not fit into memory."});
+    } catch (const std::exception& error) {
+      return packed({Mark::undecided, error.what()});
+    }
+  };
   const host::End end = host::end_of(
-      {"an answer"}, "", {.seconds = seconds, .file_bytes = 64U << 20U, .instead = [&] {
-                            try {
-                              return packed(judge(e, text, run));
-                            } catch (const std::bad_alloc&) {
-                              return packed({Mark::undecided, "It does not fit into memory."});
-                            } catch (const std::exception& error) {
-                              return packed({Mark::undecided, error.what()});
-                            }
-                          }});
+      {"an answer"}, "", {.seconds = seconds, .file_bytes = 64U << 20U, .instead = judged});
   if (end.is_late)
     return {Mark::undecided, "It was not judged within " + std::to_string(seconds) + " s."};
-  if (end.code != 0 || end.output.empty())
+  if (end.code > host::of_signal)
     return {Mark::undecided,
-            "Judging it came to no end: exit code " + std::to_string(end.code) + "."};
+            "Judging it crashed: signal " + std::to_string(end.code - host::of_signal) + "."};
+  if (end.code != 0 || end.output.empty())
+    return {Mark::undecided, "Its judge ended before it said anything."};
   return unpacked(end.output);
 }
 
@@ -104,17 +96,13 @@ std::string answer_file(const Exercise& e) { return e.id + (e.kind == "code" ? "
 
 std::optional<AnswerInFile> judged_file(const Exercise& e, const std::string& folder,
                                         const learn::Run& run, unsigned seconds) {
-  AnswerInFile answer;
   try {
     const std::optional<std::string> text = text_in(folder, answer_file(e));
     if (!text) return {};
-    answer.text = *text;
+    return AnswerInFile{*text, judged_apart(e, *text, run, seconds)};
   } catch (const InvalidInput& error) {
-    answer.said = {Mark::unread, std::string("Not read: ") + error.what() + "."};
-    return answer;
+    return AnswerInFile{"", {Mark::unread, std::string("Not read: ") + error.what() + "."}};
   }
-  answer.said = judged_apart(e, answer.text, run, seconds);
-  return answer;
 }
 
 answers::Table told(const Exercise& e, const Judgement& said) {

@@ -5,7 +5,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -60,14 +59,11 @@ std::map<std::string, Attempts> attempts() {
   if (!std::filesystem::is_regular_file(path, error)) return all;
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
-    std::istringstream fields(line);
-    std::string id, said, misconception, answer;
-    std::getline(fields, id, '\t');
-    std::getline(fields, said, '\t');
-    std::getline(fields, misconception, '\t');
-    std::getline(fields, answer);
-    Attempts& one = all[id];
-    if (is_miss(said)) one.misses.insert(answer);
+    learn::Texts fields = learn::fields(line, '\t');
+    fields.resize(4);  // hints have two; others may have written here
+    const std::string& said = fields[1];
+    Attempts& one = all[fields[0]];
+    if (is_miss(said)) one.misses.insert(fields[3]);
     if (said.starts_with("hint "))
       one.shown.insert(said);
     else if (one.done != "right")

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <regex>
 #include <set>
 
 #include "answers/errors.hpp"
@@ -18,22 +19,12 @@ using learn::Exercise;
 
 /// Letters in UTF-8, such as names of people have: none that directs the text around it.
 bool is_letters(const std::string& text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const unsigned first = static_cast<unsigned char>(text[at++]);
-    const std::size_t more = first < 0x80 ? 0 : first < 0xE0 ? 1 : 2;
-    unsigned code = more == 0 ? first : first & (more == 1 ? 0x1FU : 0x0FU);
-    for (std::size_t i = 0; i < more; ++i, ++at) {
-      const unsigned next = at < text.size() ? static_cast<unsigned char>(text[at]) : 0;
-      if ((next & 0xC0U) != 0x80) return false;
-      code = code << 6U | (next & 0x3FU);
-    }
-    const bool is_ascii = more == 0 && code >= 0x20 && code < 0x7F;
-    const bool is_short = more == 1 && first >= 0xC3 && code != 0x61C;
-    const bool is_long = more == 2 && first < 0xF0 &&
-                         ((code >= 0x800 && code < 0x2000) || (code >= 0x3000 && code < 0xD800));
-    if (!is_ascii && !is_short && !is_long) return false;
-  }
-  return true;
+  static const std::regex allowed(
+      "([ -~]"
+      "|(?!\xD8\x9C)[\xC3-\xDF][\x80-\xBF]"                        // U+00C0, not U+061C
+      "|\xE0[\xA0-\xBF][\x80-\xBF]|\xE1[\x80-\xBF]{2}"             // U+0800 to U+1FFF
+      "|[\xE3-\xEC][\x80-\xBF]{2}|\xED[\x80-\x9F][\x80-\xBF])*");  // U+3000 to U+D7FF
+  return std::regex_match(text, allowed);
 }
 
 /// Text of others: in CSV no field begins as a formula of a spreadsheet does, nor would one where
@@ -93,7 +84,7 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   answers::Table why{{"student", "id", "verdict", "feedback", "misconception"}, {}};
   answers::Table summary{{"id", "misconception", "students"}, {}};
   for (const Exercise& e : exercises) marks.columns.push_back(e.id);
-  std::vector<std::map<std::string, int>> had(exercises.size());
+  std::map<std::pair<std::size_t, std::string>, int> had;  // by exercise and misconception
   for (const std::filesystem::path& student : students_of(request.words[1])) {
     const std::string name = student.filename();
     const answers::Cell shown =
@@ -104,16 +95,15 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
       row.push_back(text_cell(answer ? word(answer->said.mark) : "missing"));
       if (!answer) continue;
       const std::string& misconception = answer->said.misconception;
-      if (!misconception.empty()) ++had[i][misconception];
+      if (!misconception.empty()) ++had[{i, misconception}];
       why.rows.push_back(
           {shown, text_cell(exercises[i].id), row.back(), cell_of(request, answer->said.feedback),
            misconception.empty() ? answers::missing_cell() : cell_of(request, misconception)});
     }
   }
-  for (std::size_t i = 0; i < exercises.size(); ++i)
-    for (const auto& [misconception, students] : had[i])
-      summary.rows.push_back({text_cell(exercises[i].id), cell_of(request, misconception),
-                              answers::whole_cell(students)});
+  for (const auto& [which, students] : had)
+    summary.rows.push_back({text_cell(exercises[which.first].id), cell_of(request, which.second),
+                            answers::whole_cell(students)});
   std::stable_sort(summary.rows.begin(), summary.rows.end(), [](const auto& a, const auto& b) {
     return std::stoi(a[2].text) > std::stoi(b[2].text);
   });

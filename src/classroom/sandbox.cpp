@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 #include <random>
+#include <regex>
 #include <sstream>
 #include <tuple>
 
@@ -31,22 +32,32 @@ std::string first_line(const std::string& text) {
   return answers::shown_text(text.substr(0, text.find('\n')), 160);
 }
 
-/// The first errors alone: a page of notes on templates teaches nobody.
-std::string first_errors(const End& compiled, const std::string& folder) {
+/// As the exercise's driver declares it, the function that this line of the linker misses; "" where
+/// it misses none.
+std::string missing_function(const std::string& line, const std::string& driver) {
+  const std::string words = "undefined reference to `";
+  const std::size_t found = line.find(words), name = found + words.size();
+  if (found == line.npos) return {};
+  const std::size_t at = driver.find(" " + line.substr(name, line.find('(', name) + 1 - name));
+  if (at == driver.npos) return {};
+  const std::size_t begin = driver.find_last_of(";}\n", at) + 1;
+  return driver.substr(begin, driver.find(';', at) - begin);
+}
+
+/// The first error alone: a page of notes on templates teaches nobody.
+std::string first_error(const End& compiled, const std::string& folder, const std::string& driver) {
   if (compiled.is_late) return "compiling took more than " + std::to_string(compile_seconds) + " s";
   if (compiled.errors.find("File size limit") != std::string::npos)
     return "the program would be larger than 64 MiB";
-  std::istringstream lines(compiled.errors);
-  std::string line, kept;
-  for (int errors = 0; errors < 2 && std::getline(lines, line);)
-    for (const char* sign : {"error: ", "undefined reference", "multiple definition", "memory"})
-      if (line.find(sign) != line.npos) {
-        learn::replace_all(line, folder + "/", "");
-        kept += (kept.empty() ? "" : "; ") + answers::shown_text(line, 200);
-        ++errors;
-        break;
-      }
-  return kept.empty() ? first_line(compiled.errors) : kept;
+  static const std::regex error("error: |undefined reference|multiple definition|memory");
+  for (std::string line : learn::fields(compiled.errors, '\n')) {
+    if (!std::regex_search(line, error)) continue;
+    if (const std::string function = missing_function(line, driver); !function.empty())
+      return "a function with this signature is expected: " + answers::shown_text(function, 200);
+    learn::replace_all(line, folder + "/", "");
+    return answers::shown_text(line, 200);
+  }
+  return first_line(compiled.errors);
 }
 
 /// A file that an answer includes and that is neither beside it nor the system's; "" where there is
@@ -67,25 +78,22 @@ std::string why_stopped(const End& end) {
     return "it did not come to an end within " + std::to_string(run_seconds) +
            " s: is there a loop that never stops?";
   if (had_no_memory) return "it asked for more memory than the 512 MiB that it may have";
-  switch (end.code - host::of_signal) {
-    case SIGXFSZ:
-      return "it wrote more than 1 MiB of output";
-    case SIGSYS:
-      return "it tried to use a file, another process or thread, or the network; an exercise may "
-             "only compute";
-    case SIGSEGV:
-    case SIGBUS:
-      return "it crashed: it used memory that is not its own, or called itself without end";
-    case SIGFPE:
-      return "it divided a whole number by zero";
-    case SIGABRT:
-      return "it gave up" + (end.errors.empty() ? "" : ": " + first_line(end.errors));
-    default:
-      return end.code == 0 ? ""
-             : end.code > host::of_signal
-                 ? "signal " + std::to_string(end.code - host::of_signal) + " ended it"
-                 : "it ended with exit code " + std::to_string(end.code);
-  }
+  const std::string crashed =
+      "it crashed: it used memory that is not its own, or called itself without end";
+  const std::map<int, std::string> reasons{
+      {SIGXFSZ, "it wrote more than 1 MiB of output"},
+      {SIGSYS,
+       "it tried to use a file, another process or thread, or the network; an exercise may only "
+       "compute"},
+      {SIGSEGV, crashed},
+      {SIGBUS, crashed},
+      {SIGFPE, "it divided a whole number by zero"},
+      {SIGABRT, "it gave up" + (end.errors.empty() ? "" : ": " + first_line(end.errors))}};
+  const int signal = end.code - host::of_signal;
+  if (reasons.contains(signal)) return reasons.at(signal);
+  return end.code == 0 ? ""
+         : signal > 0  ? "signal " + std::to_string(signal) + " ended it"
+                       : "it ended with exit code " + std::to_string(end.code);
 }
 
 /// Lines behind the seal. Whoever finds it in memory gains no more than by a table of answers in
@@ -108,12 +116,6 @@ learn::Ran read_results(const End& end, const std::string& seal) {
   if (ran.stopped.empty() && !is_complete)
     ran.stopped = "it ended the program before the last case was done";
   return ran;
-}
-
-std::string hex(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, " %a", value);
-  return text;
 }
 
 /// From now on the system ends this process (SIGSYS) with whatever a statically linked program that
@@ -169,21 +171,21 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
   };
   if (const std::string file = foreign_file(compile({"-M", "answer.cpp"}).output); !file.empty())
     return {.unread = "it includes " + file + "; allowed: headers of the standard library"};
-  const End compiled = compile({"-O1", "-ffp-contract=off", "-w", "-fmax-errors=2", "-static", "-o",
+  const End compiled = compile({"-O1", "-ffp-contract=off", "-w", "-fmax-errors=1", "-static", "-o",
                                 "program", "driver.cpp", "answer.cpp"});
   if (compiled.code == host::not_there)
     throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
   if (compiled.is_late || compiled.code != 0)
-    return {.unread = first_errors(compiled, folder.path)};
+    return {.unread = first_error(compiled, folder.path, e.driver)};
 
   std::random_device random;
   std::string seal;
   for (int i = 0; i < 4; ++i) seal += std::to_string(random() % 1000000000);
-  std::string text =
-      seal + " " + std::to_string(e.outputs.size()) + " " + std::to_string(e.inputs.size());
+  std::ostringstream text;
+  text << std::hexfloat << seal << ' ' << e.outputs.size() << ' ' << e.inputs.size();
   for (const learn::Numbers& row : inputs)
-    for (const double value : row) text += hex(value);
-  const End end = host::end_of({"./program"}, text,
+    for (const double value : row) text << ' ' << value;
+  const End end = host::end_of({"./program"}, text.str(),
                                {.seconds = run_seconds,
                                 .bytes = 512 * mebibyte,
                                 .file_bytes = mebibyte,

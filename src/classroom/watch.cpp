@@ -2,6 +2,7 @@
 // Looks at the times of change: that works on every file system, for every way to save.
 #include "classroom/watch.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <map>
@@ -45,12 +46,8 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
            const std::function<void(std::string_view)>& say) {
   std::error_code error;
   const std::string place = std::filesystem::canonical(folder, error);
-  std::map<std::string, const Exercise*> exercises;
-  std::vector<std::string> names;
-  for (const Exercise& e : all) {
-    names.push_back(answer_file(e));
-    exercises.emplace(names.back(), &e);
-  }
+  learn::Texts names;
+  for (const Exercise& e : all) names.push_back(answer_file(e));
   const auto tell = [&](const std::string& text) {
     say(text);
     say("");
@@ -64,8 +61,8 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
                                   answers::shown_text(folder, 200) + ": " + error.message());
     for (const auto& entry : entries) {
       const std::string name = entry.path().filename();
-      const auto found = exercises.find(name);
-      if (found == exercises.end()) {
+      const auto found = std::find(names.begin(), names.end(), name);
+      if (found == names.end()) {
         const bool may_be_answer = name.ends_with(".txt") || name.ends_with(".cpp");
         if (!may_be_answer || name.starts_with('.') || !unknown.insert(name).second) continue;
         tell(answers::shown_text(name) + ": no exercise has this file" +
@@ -78,7 +75,7 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       if (is_first) file.judged = *now;
       const bool is_written = std::exchange(file.last, *now) != *now;  // perhaps it goes on
       if (is_written || std::exchange(file.judged, *now) == *now) continue;
-      const Exercise& e = *found->second;
+      const Exercise& e = all[static_cast<std::size_t>(found - names.begin())];
       std::optional<AnswerInFile> answer = judged_file(e, place, run);
       if (!answer) continue;
       remember(e, answer->text, answer->said);

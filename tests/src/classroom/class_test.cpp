@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -17,6 +16,7 @@
 #include "classroom/grade.hpp"
 #include "classroom/watch.hpp"
 #include "host/child.hpp"
+#include "magicmass/scenes/keys.hpp"
 #include "refusal.hpp"
 
 using learn::Exercise;
@@ -24,29 +24,22 @@ using learn::Mark;
 
 namespace {
 
-const std::string head = "title = 'x'\nchapter = 'x'\nprompt = 'x'\nhints = ['one', 'two']\n";
-const Exercise half = learn::read_exercise(head + R"toml(id = "half"
-kind = "symbolic"
-symbols = ["alpha"]
-answer = "1/(1 + alpha)"
-[[misconceptions]]
-name = "=upside down"
-answers = ["1 + alpha"]
-feedback = "=Upside down."
-)toml",
-                                           "half.toml");
-const Exercise twice = learn::read_exercise(head + R"toml(id = "twice"
-kind = "code"
-starter = "zero"
-driver = "x"
-solution_code = "2 x"
-inputs = ["x"]
-cases = [["1"]]
-outputs = ["2*x"]
-words = ["double"]
-within = "1 ulp"
-)toml",
-                                            "twice.toml");
+const Exercise half{.source = "half.toml",
+                    .id = "half",
+                    .kind = "symbolic",
+                    .symbols = {"alpha"},
+                    .answer = "1/(1 + alpha)",
+                    .hints = {"one", "two"},
+                    .misconceptions = {{"=upside down", {"1 + alpha"}, "=Upside down."}}};
+const Exercise twice{.source = "twice.toml",
+                     .id = "twice",
+                     .kind = "code",
+                     .within = "1 ulp",
+                     .solution_code = "2 x",
+                     .inputs = {"x"},
+                     .cases = {{"1"}},
+                     .outputs = {"2*x"},
+                     .words = {"double"}};
 
 /// Some answers do what programs of students do.
 learn::Ran run(const Exercise&, const std::string& code, const learn::Rows&) {
@@ -82,11 +75,8 @@ std::string feedback_of(const std::string& answer, const Exercise& e = half) {
   return said.feedback;
 }
 
-std::vector<std::string> lines_of(const std::string& file) {
-  std::ifstream stream(file);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
-  return lines;
+learn::Texts lines_of(const std::string& file) {
+  return learn::fields(magicmass::scenes::text_of(file, "lines"), '\n');
 }
 
 }  // namespace
@@ -199,7 +189,7 @@ TEST_CASE("A class is graded, whatever its files are") {
   const std::string why = graded({{"why", ""}}, "csv");
   for (const char* line :
        {"\n'=bob,half,wrong,'=Upside down.,'=upside down\n",
-        "\n'=bob,twice,undecided,Judging it came to no end: exit code 134.,\n",
+        "\n'=bob,twice,undecided,Judging it crashed: signal 6.,\n",
         "\nc\\x1b[2J,twice,undecided,It does not fit into memory.,\n",
         "\nd\\xe2\\x80\\xae,twice,undecided,there is no compiler,\n",
         ",half,unread,Not read: more than 64 KiB.,\n", "\ng,half,unread,Not read: not a file with",
@@ -224,7 +214,8 @@ TEST_CASE("An answer that never ends is undecided, one that ends the judge too")
   CHECK(late.said.mark == Mark::undecided);
   CHECK(late.said.feedback == "It was not judged within 1 s.");
   save(place.path + "/twice.cpp", "end");
-  CHECK(classroom::judged_file(twice, place.path, run).value().said.mark == Mark::undecided);
+  CHECK(classroom::judged_file(twice, place.path, run).value().said.feedback ==
+        "Its judge ended before it said anything.");
   CHECK_FALSE(classroom::judged_file(half, place.path, run));
 }
 

@@ -18,7 +18,6 @@
 #include "catch.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
-#include "learn/judge.hpp"
 
 namespace {
 
@@ -28,13 +27,7 @@ const bool is_set = ::setenv("TMPDIR", place.path.c_str(), 1) == 0;
 bool is_empty() { return is_set && std::filesystem::is_empty(place.path); }
 
 const learn::Exercise doubled{
-    .source = "x",
-    .id = "x",
-    .title = "x",
-    .chapter = "x",
     .kind = "code",
-    .prompt = "x",
-    .name = "",
     .within = "1 ulp",
     .driver = "double f(double); void call(const double* in, double* out) { *out = f(*in); }",
     .inputs = {"x"},
@@ -102,7 +95,9 @@ TEST_CASE("An attack ends with a line that says why, and leaves nothing behind")
            body(""),
        "Not compiled: "},
       {"int main() {}" + body(""), "multiple definition of `main'"},
-      {"", "undefined reference to `f(double)'"},
+      {"", "Not compiled: a function with this signature is expected: double f(double)"},
+      {"double f(float x) { return x; }", "signature is expected: double f(double)"},
+      {"double g(); double f(double) { return g(); }", "undefined reference to `g()'"},
   }));
   INFO(code);
   const learn::Judgement said = judged(code);

@@ -94,7 +94,7 @@ inline std::vector<double> run(const Program& program, double alpha, double n) {
   std::vector<double> outputs;
   for (const int output : program.outputs) {
     if (output < 0 || output >= int(values.size()))
-      refuse("your program has %d nodes, and node %d should be an output", int(values.size()),
+      refuse("the number of nodes is %d, and node %d should be an output", int(values.size()),
              output);
     outputs.push_back(values[std::size_t(output)]);
   }
