@@ -63,13 +63,6 @@ std::string unit(const std::string& text, const std::set<std::string>& symbols) 
   return all;
 }
 
-/// "V = 1, alpha = 2": by name, whatever was named first.
-std::string by_name(const std::string& point) {
-  Texts each = split(point, ',');
-  std::sort(each.begin(), each.end());
-  return answers::joined(each);
-}
-
 /// A counterexample in words. Of constants the right value is not given away.
 std::string difference(const equality::Counterexample& c) {
   if (c.point.empty())
@@ -78,8 +71,8 @@ std::string difference(const equality::Counterexample& c) {
     return value.starts_with("too close") ? "0, or very nearly" : value;
   };
   const bool is_close = c.difference.find("e-") != c.difference.npos;
-  return "At " + by_name(c.point) + " yours is " + shown(c.left) + "; it should be " +
-         shown(c.right) + (is_close ? ", apart by " + c.difference + "." : ".");
+  return "At " + c.point + " yours is " + shown(c.left) + "; it should be " + shown(c.right) +
+         (is_close ? ", apart by " + c.difference + "." : ".");
 }
 
 /// ", for instance at alpha = 1: why" where yours certainly has no value at most of the points
@@ -97,8 +90,8 @@ std::string without_value(Expr given, Expr expected, const equality::Domain& dom
       equality::enclosure(equality::at(point, given), 192);
     } catch (const equality::NotDefined& none) {
       if (!is_counted || ++gaps > 1) continue;
-      const std::string where = by_name(equality::text(point));
-      first = (point.empty() ? "" : ", for instance at " + where) + ": " + none.what();
+      first = point.empty() ? ": " : ", for instance at " + equality::text(point) + ": ";
+      first += none.what();
     } catch (const equality::NotCertain&) {
     }
   }
@@ -223,12 +216,11 @@ Judgement Terms::compare_numbers(Expr given, Expr expected) const {
   for (std::string note : verdict.notes) {
     const std::string left = "the left side alone has no value";
     if (!note.starts_with(left)) continue;
-    const std::size_t begin = left.size() + 4, end = note.find(": ");  // " at "
-    note = "yours has no value at " + by_name(note.substr(begin, end - begin)) + note.substr(end);
-    const bool is_gap = std::none_of(verdict.conditions.begin(), verdict.conditions.end(),
-                                     [](const std::string& c) { return c.find('>') != c.npos; });
-    if (is_gap) return {Mark::right, "", {note}};
-    return {Mark::wrong, "It is equal where it has a value, but " + note + "."};
+    note.replace(0, left.size(), "yours has no value");
+    const auto is_bound = [](const std::string& c) { return c.find('>') != c.npos; };
+    if (std::ranges::any_of(verdict.conditions, is_bound))
+      return {Mark::wrong, "It is equal where it has a value, but " + note + "."};
+    return {Mark::right, "", {note}};  // it lacks single points
   }
   return {Mark::right, ""};
 }
