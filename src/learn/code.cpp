@@ -46,16 +46,12 @@ std::string text_of(double value) {
 }
 
 /// "1/7", the nearest double; "above sqrt(5) - 2", the one after it.
-double input(const Terms& terms, std::string text) {
-  double towards = 0;
-  for (const auto& [word, end] : {std::pair{"above ", infinity}, {"below ", -infinity}})
-    if (text.starts_with(word)) {
-      towards = end;
-      text.erase(0, 6);
-    }
-  const cl_RA exact = value_of(terms.in_full(terms.content(text)), text);
-  const double nearest = cln::double_approx(exact);
-  return towards == 0 ? nearest : std::nextafter(nearest, towards);
+double input(const Terms& terms, const std::string& text) {
+  const bool is_above = text.starts_with("above "),
+             is_next = is_above || text.starts_with("below ");
+  const std::string exact = is_next ? text.substr(6) : text;
+  const double nearest = cln::double_approx(value_of(terms.in_full(terms.content(exact)), exact));
+  return is_next ? std::nextafter(nearest, is_above ? infinity : -infinity) : nearest;
 }
 
 /// "8 ulp or 1e-15": how far a result may be off.
@@ -89,9 +85,8 @@ bool is_step(const std::string& text) {
 
 Cases cases_of(const Exercise& e, const Run& run) {
   Cases cases;
-  Exercise plain = e;  // without what depends on a case
-  plain.run = "";
-  plain.symbols = {};
+  Exercise plain = e;
+  plain.run = "";  // which depends on the case
   const Terms constants(plain);
   for (const Texts& one : e.cases) {
     Exercise at_case = e;

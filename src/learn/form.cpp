@@ -85,12 +85,12 @@ Texts forms() {
   return names;
 }
 
-std::string lacking(const std::string& name, Expr typed, const equality::Domain& domain) {
-  if (name == "factored" && typed.op() == Op::Add) return "it is a sum";
-  for (const Form& form : all_forms) {
-    if (form.name != name) continue;
-    const auto part = found(typed, [&](Expr e) { return form.is_lack(e, domain); });
-    return part ? notation::typed_text(*part) + form.lack : "";
+std::string lacking(const std::string& form, Expr typed, const equality::Domain& domain) {
+  if (form == "factored" && typed.op() == Op::Add) return "it is a sum";
+  for (const Form& one : all_forms) {
+    if (one.name != form) continue;
+    const auto part = found(typed, [&](Expr e) { return one.is_lack(e, domain); });
+    return part ? notation::typed_text(*part) + one.lack : "";
   }
   return {};
 }

@@ -45,7 +45,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   if (is_prediction && kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
   const Expr given = terms.in_full(typed);
   if (const std::string foreign = terms.foreign(typed); !foreign.empty()) {
-    const Judgement said = terms.mistake(given, "");
+    Judgement said = terms.mistake(given, "");
     if (said.feedback.empty()) kernel::refuse(foreign);
     return said;
   }
