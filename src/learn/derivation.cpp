@@ -28,6 +28,13 @@ Expr side(const Terms& terms, const std::string& text, std::size_t line, Texts& 
   }
 }
 
+/// Of an equation that the exercise states.
+std::pair<Expr, Expr> both_sides(const Terms& terms, const std::string& equation) {
+  const Texts sides = split(equation, '=');
+  if (sides.size() != 2) throw answers::InvalidInput(equation + ": an equation is expected");
+  return {terms.content(sides[0]), terms.content(sides[1])};
+}
+
 /// An equation as left - right, in which the unknowns are symbols.
 class Equations {
 public:
@@ -41,9 +48,8 @@ public:
       not_zero_.push_back(terms.content(term));
   }
   Expr content(const std::string& equation) const {
-    const Texts sides = split(equation, '=');
-    if (sides.size() != 2) throw answers::InvalidInput(equation + ": an equation is expected");
-    return terms_.content(sides[0]) - terms_.content(sides[1]);
+    const auto [left, right] = both_sides(terms_, equation);
+    return left - right;
   }
   bool is_zero(Expr e) const { return terms_.are_equal(e, 0); }
   Mark truth(Expr left, Expr right) const {
@@ -93,7 +99,7 @@ private:
     if (is_zero(left) || is_zero(e_left)) return false;
     if (are_proportional(e_left, left)) return true;
     // A factor may be divided out where the result keeps what is eliminated, not at the end.
-    const auto is_divided = [&](Expr by) { return are_proportional(e_left * by, left); };
+    const auto is_divided = [&](Expr factor) { return are_proportional(e_left * factor, left); };
     return has(e, unknown) && std::ranges::any_of(not_zero_, is_divided);
   }
 };
@@ -156,8 +162,8 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   Expr before = start;
   const auto with_laws = [&](Expr term) {
     for (const std::string& law : e.laws) {
-      const Texts sides = split(law, '=');
-      term = kernel::replace(term, terms.content(sides.at(0)), terms.content(sides.at(1)));
+      const auto [left, right] = both_sides(terms, law);
+      term = kernel::replace(term, left, right);
     }
     return term;
   };
