@@ -100,18 +100,17 @@ std::string why_stopped(const End& end) {
 /// the function: the right results are never in the process.
 learn::Ran read_results(const End& end, const std::string& seal) {
   learn::Ran ran{.stopped = why_stopped(end)};
-  std::istringstream lines(end.results);
-  bool is_complete = false;
-  for (std::string line; std::getline(lines, line);) {
-    if (!line.starts_with(seal + " ") || is_complete) {
+  learn::Texts lines = learn::fields(end.results, '\n');
+  const bool is_complete = !lines.empty() && lines.back() == seal + " end";
+  if (is_complete) lines.pop_back();
+  for (const std::string& line : lines) {
+    if (!line.starts_with(seal + " ")) {
       ran.stopped = "it wrote to descriptor 3 by itself; what the function returns is its result";
       return ran;
     }
-    is_complete = line == seal + " end";
-    if (is_complete) continue;
-    std::istringstream words(line.substr(seal.size()));
     learn::Numbers& row = ran.rows.emplace_back();
-    for (std::string word; words >> word;) row.push_back(std::strtod(word.c_str(), nullptr));
+    for (const std::string& word : learn::split(line.substr(seal.size()), ' '))
+      row.push_back(std::strtod(word.c_str(), nullptr));
   }
   if (ran.stopped.empty() && !is_complete)
     ran.stopped = "it ended the program before the last case was done";

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "course/chapter.hpp"
 
-#include <cctype>
 #include <cstdlib>
 #include <memory>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -30,11 +30,9 @@ std::string display(const kernel::Exprs& lines) {
   std::string out = "<div class=\"equation\" tabindex=\"0\" role=\"group\" aria-label=\"formula\">";
   for (const kernel::Expr& line : lines) {
     const bool is_long = line.op() == kernel::Op::Iff && line.arg(1).op() == kernel::Op::And;
-    for (const kernel::Expr& part : is_long ? line.arg(1).args() : kernel::Exprs{line}) {
-      if (is_long && part == line.arg(1).arg(0))
-        out += render::mathml(line.arg(0), true) + "<p>if and only if</p>";
+    if (is_long) out += render::mathml(line.arg(0), true) + "<p>if and only if</p>";
+    for (const kernel::Expr& part : is_long ? line.arg(1).args() : kernel::Exprs{line})
       out += render::mathml(part, true);
-    }
   }
   return out + "</div>";
 }
@@ -109,32 +107,26 @@ private:
   }
 
   std::string expanded(const std::string& line) {
+    // A reference, a term; what stays: code, a link's target, a list's number; what is refused.
+    static const std::regex special(
+        R"(\{\{(.*?)\}\}|\$(.*?)\$|(`.*?`|\]\(.*?\)|^[ 0-9]*\. )|(\{\{|\$|`|\]\()|([0-9].*))");
+    static const Texts ends{{"{{", "}}"}, {"$", "$"}, {"`", "`"}, {"](", ")"}};
     const bool is_alone = line.starts_with("{{") && line.find("}}") == line.size() - 2;
-    std::size_t at = line.find_first_not_of(" 0123456789");
-    if (at == line.npos || line.compare(at, 2, ". ") != 0) at = 0;  // else a list's number
-    std::string out = line.substr(0, at);
-    const auto up_to = [&](const std::string& end, std::size_t from) {
-      const std::size_t found = line.find(end, from);
-      if (found == line.npos) throw InvalidInput(line.substr(at, from - at) + " without " + end);
-      at = found + end.size();
-      return line.substr(from, found - from);
-    };
-    while (at < line.size()) {
-      const std::size_t begin = at;
-      if (line.compare(at, 2, "{{") == 0) {
-        out += piece(reference(up_to("}}", at + 2), is_alone));
-      } else if (line[at] == '$') {
-        out += piece(term_html(up_to("$", at + 1)));
-      } else if (line[at] == '`' || line.compare(at, 2, "](") == 0) {
-        up_to(line[at] == '`' ? "`" : ")", at + 1);
-        out += line.substr(begin, at - begin);
-      } else if (std::isdigit(static_cast<unsigned char>(line[at])) != 0) {
-        throw InvalidInput("a number is typed: " + answers::shown_text(line.substr(at), 12) +
+    std::string out;
+    auto rest = line.begin();
+    for (std::sregex_iterator it(rest, line.end(), special), end; it != end; ++it) {
+      const std::smatch& part = *it;
+      out += part.prefix();
+      rest = part.suffix().first;
+      if (part[1].matched) out += piece(reference(part[1], is_alone));
+      if (part[2].matched) out += piece(term_html(part[2]));
+      out += part[3];
+      if (part[4].matched) throw InvalidInput(part.str(4) + " without " + ends.at(part[4]));
+      if (part[5].matched)
+        throw InvalidInput("a number is typed: " + answers::shown_text(part.str(5), 12) +
                            "; print it in tutorial.cpp and refer to it as {{name}}");
-      } else {
-        out += line[at++];
-      }
     }
+    out.append(rest, line.end());
     return is_alone ? "\n" + out + "\n" : out;  // a paragraph of its own
   }
 

@@ -68,8 +68,6 @@ struct Within {
   }
 };
 
-double ulp_of(double value) { return std::nextafter(std::abs(value), infinity) - std::abs(value); }
-
 const std::string own_results = "solution_code";
 
 /// The cases of an exercise: what goes in, and what should come out.
@@ -136,16 +134,15 @@ std::string difference(const Exercise& e, const Cases& cases, const Rows& rows) 
   for (std::size_t i = 0; i < rows.size(); ++i)
     for (std::size_t k = 0; k < e.outputs.size(); ++k) {
       const double got = rows[i].at(k), nearest = cln::double_approx(cases.expected[i].at(k));
-      const double ulp = ulp_of(nearest);
+      const double size = std::abs(nearest), ulp = std::nextafter(size, infinity) - size;
       double error = infinity;
       if (std::isfinite(got))
         error = cln::double_approx(cln::abs(balls::exact(got) - cases.expected[i][k]));
       if (error <= within.ulps * ulp || error <= within.absolute) continue;
       return place(e, i) + "your " + e.words[k] + " is " + text_of(got) + "; it should be " +
              text_of(nearest) +
-             (error < 1e-6 * std::abs(nearest)
-                  ? ", which is " + text_of(std::round(error / ulp)) + " ulp off."
-                  : ".");
+             (error < 1e-6 * size ? ", which is " + text_of(std::round(error / ulp)) + " ulp off."
+                                  : ".");
     }
   return {};
 }
