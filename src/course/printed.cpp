@@ -2,10 +2,10 @@
 #include "course/printed.hpp"
 
 #include <regex>
-#include <sstream>
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
+#include "learn/texts.hpp"
 #include "notation/read.hpp"
 #include "render/mathml.hpp"
 #include "render/pages.hpp"
@@ -29,9 +29,8 @@ std::string formula_or_words(const std::string& text) {
 Texts read_printed(const std::string& output) {
   static const std::regex named("([A-Za-z_0-9]+): *(.*?) *");
   Texts all;
-  std::istringstream lines(output);
   std::string* block = nullptr;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : learn::fields(output, '\n')) {
     std::smatch part;
     if (line.starts_with("#")) continue;
     if (block != nullptr && line.starts_with("  ")) {
@@ -51,13 +50,12 @@ Texts read_printed(const std::string& output) {
 
 Texts read_session(const std::string& session) {
   Texts all;
-  std::istringstream lines(session);
-  std::string command;
-  for (std::string line; std::getline(lines, line);) {
+  std::string* printed = nullptr;
+  for (const std::string& line : learn::fields(session, '\n')) {
     if (line.starts_with("$ "))
-      all[command = line.substr(2)];
-    else if (!command.empty())
-      all[command] += line + "\n";
+      printed = &all[line.substr(2)];
+    else if (printed != nullptr)
+      *printed += line + "\n";
   }
   return all;
 }
@@ -91,8 +89,7 @@ std::string block_html(const std::string& text) {
   static const std::regex between(" +\\| +");
   if (text.find(" | ") == text.npos) return code_html(text);
   std::string table;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : learn::fields(text, '\n')) {
     const bool is_head = table.empty();
     table += is_head ? "<thead><tr>" : "<tr>";
     for (std::sregex_token_iterator all(line.begin(), line.end(), between, -1), end; all != end;) {

@@ -17,11 +17,10 @@ namespace {
 using answers::InvalidInput;
 
 /// "count --alpha 3/25": the numbers of its one row by their columns' names.
-std::map<std::string, std::string> ran(const std::string& line) {
+kernel::Substitution ran(const std::string& line) {
   static const std::map<std::string, answers::Answer (*)(const answers::Request&)> commands{
       {"eval", answers::eval}, {"count", answers::count}, {"terminal", answers::terminal}};
-  std::map<std::string, std::string> numbers;
-  if (line.empty()) return numbers;
+  kernel::Substitution numbers;
   std::istringstream words(line);
   std::string command, option, value;
   words >> command;
@@ -35,7 +34,7 @@ std::map<std::string, std::string> ran(const std::string& line) {
     if (text.find_first_of("0123456789") != text.npos &&
         text.find_first_not_of("-+./e0123456789") == text.npos) {
       std::replace(text.begin(), text.end(), 'e', 'E');  // 1e-12 has two readings
-      numbers.emplace(table.columns[i], text);
+      numbers.emplace(notation::symbol(table.columns[i]), notation::read_typed(text).term);
     }
   }
   return numbers;
@@ -106,7 +105,7 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
     known.insert(name);
     values.emplace(notation::symbol(name), content(text));
   }
-  for (const auto& [name, text] : ran(e.run)) values.emplace(notation::symbol(name), content(text));
+  if (!e.run.empty()) values.merge(ran(e.run));
 }
 
 Expr Terms::typed(const std::string& text, Texts& notes) const {
