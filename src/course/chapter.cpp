@@ -101,7 +101,10 @@ private:
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const bool is_block = pieces_[i].starts_with("\n");
       const std::string stand_in = is_block ? "<p>" + mark(i) + "</p>" : mark(i);
-      html.replace(html.find(stand_in), stand_in.size(), pieces_[i]);
+      const std::size_t at = html.find(stand_in);
+      if (at == html.npos)
+        throw InvalidInput(chapter_.source + ": {{...}} in HTML, which is left out");
+      html.replace(at, stand_in.size(), pieces_[i]);
     }
     return html;
   }

@@ -106,6 +106,7 @@ TEST_CASE("a text that would drift is refused, with its place") {
       {"{{speed}}", "{{table}}", "{{table}} needs a line of its own"},
       {"{{speed}}", "nothing", "never shown, though printed: speed"},
       {"{{speed}}", "{{sped", "{{ without }}"},
+      {"It is {{speed}}", "<!-- {{speed}} -->", "small.md: {{...}} in HTML, which is left out"},
       {"{{speed}}", "{{plot:speed}}", "is of no known kind"},
       {"{{run:magicmass count --alpha 1}}", "", "never shown, though printed: magicmass count"},
       {"--alpha 1}}", "--alpha 2}}",
