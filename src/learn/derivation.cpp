@@ -73,14 +73,12 @@ public:
   }
   /// From a law, or one line before, or two: an unknown eliminated or one divided by the other.
   bool follows(Expr e, std::span<const Expr> before) const {
-    for (Expr law : laws_)
-      if (are_proportional(e, law)) return true;
-    for (Expr f : before) {
-      if (are_proportional(e, f)) return true;
+    const auto is_same = [&](Expr f) { return are_proportional(e, f); };
+    if (std::ranges::any_of(laws_, is_same) || std::ranges::any_of(before, is_same)) return true;
+    for (Expr f : before)
       for (Expr by : before)
         for (Expr unknown : unknowns_)
           if (f != by && eliminates(e, f, by, unknown)) return true;
-    }
     return false;
   }
 
