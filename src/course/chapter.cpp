@@ -138,11 +138,11 @@ private:
     const std::string kind = colon == what.npos ? "" : what.substr(0, colon);
     const std::string name = what.substr(colon == what.npos ? 0 : colon + 1);
     if (kind == "theorem") {
-      const render::Step& s = found(around_.theorems, name, "theorem");
+      const render::Step& s = step(name);
       return is_alone ? theorem(s) : proof_link(name, in_words(s.formula));
     }
     if (kind == "left" || kind == "right") {
-      const kernel::Expr formula = found(around_.theorems, name, "theorem").formula;
+      const kernel::Expr formula = step(name).formula;
       if (formula.op() != kernel::Op::Eq) throw InvalidInput(name + " is no equation");
       const kernel::Expr side = formula.arg(kind == "left" ? 0 : 1);
       return is_alone ? "\n" + display({side}) : in_words(side);
@@ -169,9 +169,14 @@ private:
     return has_block ? "\n" + block_html(value)
                      : "<span data-value=\"" + name + "\">" + value_html(value) + "</span>";
   }
-  template <class T>
-  const T& found(const std::map<std::string, T>& all, const std::string& name,
-                 const std::string& what) const {
+  const render::Step& step(const std::string& id) const {
+    for (const render::Section& section : around_.derivation)
+      for (const render::Step& one : section.steps)
+        if (one.id == id) return one;
+    throw InvalidInput("no theorem is called " + id);
+  }
+  const std::string& found(const Texts& all, const std::string& name,
+                           const std::string& what) const {
     const auto place = all.find(name);
     if (place == all.end()) throw InvalidInput("no " + what + " is called " + name);
     return place->second;

@@ -32,7 +32,7 @@ struct Chapter {
 };
 /// What the text may refer to besides.
 struct Surroundings {
-  std::map<std::string, render::Step> theorems;
+  std::vector<render::Section> derivation;
   std::map<std::string, std::string> chapters;  ///< name to title
   std::map<std::string, std::string> figures;   ///< name to what is to be seen
 };

@@ -52,17 +52,14 @@ void make_course(const fs::path& tutorials, const fs::path& out) {
   std::vector<Chapter> chapters;
   for (const fs::path& folder : files_in(tutorials))
     if (fs::exists(folder / "intro.md")) chapters.push_back(read_chapter(folder));
-  course::Surroundings around;
+  course::Surroundings around{answers::derivation_sections(), {}, {}};
   for (const Chapter& c : chapters) around.chapters.emplace(c.name, title_of(c));
   for (const fs::path& file : files_in(out / "figures"))
     around.figures[file.stem()] = description(read(file));
-  const std::vector<render::Section> derivation = answers::derivation_sections();
-  for (const render::Section& section : derivation)
-    for (const render::Step& step : section.steps) around.theorems.emplace(step.id, step);
   std::vector<course::Page> pages;
   for (const Chapter& c : chapters) pages.push_back({c.name, title_of(c), chapter_html(c, around)});
   const std::string welcome = course::html_of(read(tutorials / "course/index.md"));
-  for (const auto& [name, text] : files_of(pages, welcome, render::html_body(derivation)))
+  for (const auto& [name, text] : files_of(pages, welcome, render::html_body(around.derivation)))
     if (!(std::ofstream(out / name) << text << std::flush))
       throw std::runtime_error("cannot write " + (out / name).string());
   std::cout << "the course: " << (out / "index.html").string() << "\n";

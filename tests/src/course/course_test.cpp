@@ -45,17 +45,12 @@ Chapter small_chapter() {
           .session = "$ magicmass count --alpha 1\nN_A = 1 & more\n",
           .exercises = {{.id = "x", .title = "How many?", .prompt = "Count *them*."}}};
 }
-const course::Surroundings& around() {
-  static const course::Surroundings all = [] {
-    course::Surroundings found{
-        {}, {{"02_next", "The next & last"}}, {{"setup", "three \"bodies\""}}};
-    for (const render::Section& section : answers::derivation_sections())
-      for (const render::Step& step : section.steps) found.theorems.emplace(step.id, step);
-    return found;
-  }();
-  return all;
+std::string html(const Chapter& chapter) {
+  static const course::Surroundings around{answers::derivation_sections(),
+                                           {{"02_next", "The next & last"}},
+                                           {{"setup", "three \"bodies\""}}};
+  return chapter_html(chapter, around);
 }
-std::string html(const Chapter& chapter) { return chapter_html(chapter, around()); }
 std::string refused(const Chapter& chapter) {
   return refusal<answers::InvalidInput>([&] { html(chapter); });
 }
