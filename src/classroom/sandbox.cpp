@@ -32,16 +32,14 @@ std::string first_line(const std::string& text) {
   return answers::shown_text(text.substr(0, text.find('\n')), 160);
 }
 
-/// As the exercise's driver declares it, the function that this line of the linker misses; "" where
-/// it misses none.
-std::string missing_function(const std::string& line, const std::string& driver) {
-  const std::string words = "undefined reference to `";
-  const std::size_t found = line.find(words), name = found + words.size();
-  if (found == line.npos) return {};
-  const std::size_t at = driver.find(" " + line.substr(name, line.find('(', name) + 1 - name));
-  if (at == driver.npos) return {};
-  const std::size_t begin = driver.find_last_of(";}\n", at) + 1;
-  return driver.substr(begin, driver.find(';', at) - begin);
+/// The functions that the exercise's driver declares and calls: "double f(double)".
+std::vector<std::string> expected_functions(const std::string& driver) {
+  static const std::regex declaration("[\\w:<>]+ \\w+\\([^()]*\\)(?=;)");
+  const std::string before = driver.substr(0, driver.find("void call("));
+  std::vector<std::string> out;
+  for (std::sregex_iterator it(before.begin(), before.end(), declaration), end; it != end; ++it)
+    out.push_back(it->str());
+  return out;
 }
 
 /// The first error alone: a page of notes on templates teaches nobody.
@@ -52,8 +50,13 @@ std::string first_error(const End& compiled, const std::string& folder, const st
   static const std::regex error("error: |undefined reference|multiple definition|memory");
   for (std::string line : learn::fields(compiled.errors, '\n')) {
     if (!std::regex_search(line, error)) continue;
-    if (const std::string function = missing_function(line, driver); !function.empty())
-      return "a function with this signature is expected: " + answers::shown_text(function, 200);
+    for (const std::string& function : expected_functions(driver)) {
+      const std::size_t end = function.find('('), name = function.rfind(' ', end) + 1;
+      const std::string called = function.substr(name, end + 1 - name);
+      const bool is_missing = line.find("undefined reference to `" + called) != line.npos;
+      if (is_missing || line.find("ambiguating new declaration of") != line.npos)
+        return "a function with this signature is expected: " + answers::shown_text(function, 200);
+    }
     learn::replace_all(line, folder + "/", "");
     return answers::shown_text(line, 200);
   }
@@ -158,6 +161,11 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
   for (const auto& [name, text] : host::all_embedded())
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
+  // Declared again, lest a float is returned where a double is expected.
+  std::ofstream signatures(folder.path + "/signatures.cpp");
+  signatures << "#include \"answer.cpp\"\n";
+  for (const std::string& function : expected_functions(e.driver)) signatures << function << ";\n";
+  signatures.close();
   std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n" << e.driver;
   const auto compile = [&](std::vector<std::string> options) {
     options.insert(options.begin(),
@@ -171,7 +179,7 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
   if (const std::string file = foreign_file(compile({"-M", "answer.cpp"}).output); !file.empty())
     return {.unread = "it includes " + file + "; allowed: headers of the standard library"};
   const End compiled = compile({"-O1", "-ffp-contract=off", "-w", "-fmax-errors=1", "-static", "-o",
-                                "program", "driver.cpp", "answer.cpp"});
+                                "program", "driver.cpp", "signatures.cpp"});
   if (compiled.code == host::not_there)
     throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
   if (compiled.is_late || compiled.code != 0)

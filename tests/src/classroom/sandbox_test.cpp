@@ -96,6 +96,8 @@ TEST_CASE("An attack ends with a line that says why, and leaves nothing behind")
        "Not compiled: "},
       {"int main() {}" + body(""), "multiple definition of `main'"},
       {"", "Not compiled: a function with this signature is expected: double f(double)"},
+      {"float f(double x) { return 2 * x; }",
+       "Not compiled: a function with this signature is expected: double f(double)"},
       {"double f(float x) { return x; }", "signature is expected: double f(double)"},
       {"double g(); double f(double) { return g(); }", "undefined reference to `g()'"},
   }));
