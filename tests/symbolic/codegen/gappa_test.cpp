@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Gappa proves the table's entries from each operation's sequence of roundings, what is lost and how
-// large a low part is left, and refuses half of each. High parts are scaled to 1, low parts are x and
-// y of them; d1, d2, ... are the roundings of the operations in their order, at most u. That two_sum
-// and two_product are exact, and that 1/sqrt(1 - e) - 1 - e/2 is at most 3/8 e^2 and a little, is
-// said, not proved; likewise how large a low part a sum of any signs leaves (Sterbenz). Functions,
-// which are sequences of these operations, are left to the other tests.
+// Gappa proves the table's entries from each operation's sequence of roundings, what is lost and
+// how large a low part is left, and refuses half of each. High parts are scaled to 1, low parts are
+// x and y of them; d1, d2, ... are the roundings of the operations in their order, at most u. That
+// two_sum and two_product are exact, and that 1/sqrt(1 - e) - 1 - e/2 is at most 3/8 e^2 and a
+// little, is said, not proved; likewise how large a low part a sum of any signs leaves (Sterbenz).
+// Functions, which are sequences of these operations, are left to the other tests.
 #include <cstdio>
 #include <sstream>
 
@@ -19,8 +19,8 @@ constexpr double u = 0x1p-53;
 struct Operation {
   const char* name;
   codegen::Loss entry;
-  /// Steps; among them `off`, the error relative to the result, e, what Gappa needs in another form,
-  /// and `low`, the low part relative to the high one.
+  /// Steps; among them `off`, the error relative to the result, `low`, the low part relative to the
+  /// high one, and e, which Gappa needs in another form.
   const char* steps;
   const char* expanded;  // e, without what cancels
 };
