@@ -36,7 +36,7 @@ std::int64_t cycles_of_row(std::string_view digits) {
   std::int64_t cycles = 0;
   const char* const end = digits.data() + digits.size();
   const auto [read_to, error] = std::from_chars(digits.data(), end, cycles);
-  return error == std::errc() && read_to == end ? cycles : -1;
+  return error == std::errc() && read_to == end && !digits.starts_with('-') ? cycles : -1;
 }
 
 /// An option of each row: its field, or what all share.
@@ -51,9 +51,12 @@ std::vector<Number> option_of(const Rows& rows, const std::string& option,
   return all;
 }
 
-/// Whether the array functions answer for it.
-bool is_of_arrays(const Request& shared) {
-  return !shared.has("digits") && !shared.has("restitution") && shared.text("tier") != "exact";
+/// Whether the array functions answer for them.
+bool is_of_arrays(const Rows& rows) {
+  const auto& columns = rows.columns;
+  return !rows.shared.has("digits") && rows.shared.text("tier") != "exact" &&
+         !rows.shared.has("restitution") &&
+         std::count(columns.begin(), columns.end(), "restitution") == 0;
 }
 
 }  // namespace
@@ -65,7 +68,7 @@ Request Rows::request(std::size_t row) const {
 }
 
 Block eval_block(const Rows& rows) {
-  if (!is_of_arrays(rows.shared)) return {};
+  if (!is_of_arrays(rows)) return {};
   const Reals alpha = option_of(rows, "alpha", alpha_of_row);
   const Wholes n = option_of(rows, "n", cycles_of_row);
   const std::size_t size = alpha.size();
@@ -94,7 +97,7 @@ Block count_block(const Rows& rows) {
 }
 
 Block terminal_block(const Rows& rows) {
-  if (!is_of_arrays(rows.shared)) return {};
+  if (!is_of_arrays(rows)) return {};
   Block block = count_block(rows);
   const Reals& alpha = std::get<Reals>(block.columns[0]);
   const std::size_t size = alpha.size();

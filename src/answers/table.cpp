@@ -52,7 +52,7 @@ std::string padded(const std::string& text, std::size_t to) {
 std::string line_of(const std::vector<std::string>& texts, const std::vector<std::size_t>& widths) {
   std::string line;
   for (std::size_t i = 0; i < texts.size(); ++i)
-    line += padded(texts[i], widths[i] + between_columns);
+    line += padded(texts[i], widths[i]) + std::string(between_columns, ' ');
   return line.erase(line.find_last_not_of(' ') + 1) + "\n";
 }
 
@@ -103,6 +103,13 @@ std::string block_of(const Names& columns, const Row& row) {
 }
 
 }  // namespace
+
+Format format_of(const std::string& name) {
+  return name == "json"    ? Format::json
+         : name == "csv"   ? Format::csv
+         : name == "jsonl" ? Format::json_lines
+                           : Format::text;
+}
 
 Cell text_cell(std::string_view text) { return {std::string(text), json_string(text)}; }
 

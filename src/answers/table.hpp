@@ -60,6 +60,8 @@ struct Table {
 };
 
 enum class Format { text, json, json_lines, csv };  // JSON Lines: an object a line
+/// Of --format; text where it is none of tables.
+Format format_of(const std::string& name);
 
 /// Writes rows as they come, a block at a time. Text has 80 columns: a table that the first block
 /// shows to be wider becomes a block of lines a row, and later blocks keep the first one's widths.

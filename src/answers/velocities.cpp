@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/velocities.hpp"
 
-#include <sstream>
-
-#include <cln/integer_io.h>
+#include <algorithm>
+#include <array>
+#include <utility>
 
 #include "answers/errors.hpp"
 #include "answers/evaluate.hpp"
@@ -15,6 +15,7 @@
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
+#include "magicmass/simulator/contact.hpp"
 
 namespace answers {
 namespace {
@@ -27,13 +28,8 @@ Cell alpha_cell(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return real_cell(*value);
   return exact_cell(notation::text(alpha));
 }
-/// The digits that are asked for. Throws Undecided for more than are given at once.
 std::optional<int> digits_wanted(const Request& request) {
-  const auto digits = request.whole("digits", 1, INT64_MAX);
-  if (digits.value_or(0) > most_digits) {
-    throw Undecided("digits: " + std::to_string(*digits) +
-                    " are more than are given at once; at most " + std::to_string(most_digits));
-  }
+  const auto digits = request.whole("digits", 1, most_digits);
   return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
 }
 
@@ -46,18 +42,20 @@ std::string tier_of(const Request& request) {
   return tier;
 }
 
-/// The mass ratio, for fractions after so many cycles. Throws InvalidInput where it is none,
-/// Undecided where they would be too long.
-cln::cl_RA exact_ratio(const Alpha& alpha, const cln::cl_I& cycles) {
-  constexpr int longest = 1 << 22;
+std::size_t bits_of(const cln::cl_RA& x) { return Quadratic(x).bits(); }
+
+/// The mass ratio, for fractions that so many steps make longer by so many bits of it and of
+/// `others` each. Throws InvalidInput where it is none, Undecided where they would be too long.
+cln::cl_RA exact_ratio(const Alpha& alpha, const cln::cl_I& steps, const std::string& name,
+                       int longest = 1 << 22, std::size_t others = 0) {
   const auto fraction = fraction_of(alpha);
   if (!fraction)
     throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
                        " are no fractions; add --digits D");
-  const cln::cl_I bits = 2 * cycles * static_cast<long long>(Quadratic(*fraction).bits());
+  const cln::cl_I bits = steps * static_cast<long long>(2 * bits_of(*fraction) + others);
   if (bits > longest)
-    throw Undecided("exact fractions after " + kernel::digits(cycles) + " cycles would have some " +
-                    kernel::digits(bits) + " bits; add --digits D");
+    throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
+                    " would have some " + kernel::digits(bits) + " bits; add --digits D");
   return *fraction;
 }
 Row exact_cells(const std::vector<cln::cl_RA>& values) {
@@ -89,38 +87,56 @@ Answer answer(Names columns, std::initializer_list<Row> parts) {
 
 }  // namespace
 
-Names eval_columns() { return {"alpha", "n", "tier", "a", "b", "c", "c_prime"}; }
+Names eval_columns(const Request& /*request*/) {
+  return {"alpha", "n", "tier", "a", "b", "c", "c_prime"};
+}
+
+/// The cycles of a request, at most so many.
+cln::cl_I cycles_of(const Request& request, const cln::cl_I& N_A) {
+  const std::string digits = request.text("n");
+  if (!digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos) {
+    const cln::cl_I n = digits.c_str();
+    if (n <= N_A) return n;
+  }
+  throw InvalidInput("n must be a whole number from 0 to " + kernel::digits(N_A) +
+                     " for this alpha, got " + shown_text(digits));
+}
 
 Answer eval(const Request& request) {
   const Asked in(request);
-  const std::int64_t n = *request.whole("n", 0, INT64_MAX);
-  const cln::cl_I cycles = static_cast<long long>(n);
-  if (cycles > in.counts.N_A) {
-    throw InvalidInput("n: " + std::to_string(n) + " is beyond the last collision; allowed: 0 to " +
-                       kernel::digits(in.counts.N_A) + " for this alpha");
-  }
+  const cln::cl_I cycles = cycles_of(request, in.counts.N_A);
+  // Cycles that do not fit 64 bits are for balls.
+  const bool fits = cln::integer_length(cycles) < 64;
+  const std::int64_t n = fits ? cln::cl_I_to_long(cycles) : 0;
   Row four;
   if (in.wants_fractions) {
-    const auto v = magicmass::generated::velocities_exact(exact_ratio(in.alpha, cycles), n);
+    const auto v =
+        magicmass::generated::velocities_exact(exact_ratio(in.alpha, cycles, "cycles"), n);
     four = exact_cells({v.a, v.b, v.c, v.c_prime});
-  } else if (in.number != nullptr) {
+  } else if (in.number != nullptr && fits) {
     const auto v = in.tier == "fast" ? magicmass::fast::velocities(*in.number, n)
                                      : magicmass::accurate::velocities(*in.number, n);
     four = real_cells({v.a, v.b, v.c, v.c_prime});
   } else {
     four = rounded([&] { return velocities(in.alpha, cycles); }, in.digits);
   }
-  return answer(eval_columns(), {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
+  return answer(eval_columns(request),
+                {{alpha_cell(in.alpha), whole_cell(kernel::digits(cycles)), text_cell(in.tier)},
+                 four});
 }
 
-Names count_columns() { return {"alpha", "N_A", "N_B"}; }
+Names count_columns(const Request& /*request*/) { return {"alpha", "N_A", "N_B"}; }
 
 Answer count(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
-  return answer(count_columns(), {{alpha_cell(alpha)}, count_cells(count_collisions(alpha))});
+  return answer(count_columns(request),
+                {{alpha_cell(alpha)}, count_cells(count_collisions(alpha))});
 }
 
-Names terminal_columns() { return {"alpha", "N_A", "N_B", "a_t", "b_t", "c_t", "rho"}; }
+Names terminal_columns(const Request& request) {
+  if (!request.has("restitution")) return {"alpha", "N_A", "N_B", "a_t", "b_t", "c_t", "rho"};
+  return {"alpha", "restitution", "N_A", "N_B", "a_t", "b_t", "c_t", "rho", "collapse_time"};
+}
 
 /// The restitution of a request, written as a mass ratio is.
 Alpha restitution_of(const Request& request) {
@@ -135,32 +151,59 @@ Alpha restitution_of(const Request& request) {
                      shown_text(text));
 }
 
-/// With restitution below 1; of every tier the nearest doubles, or with digits.
-Answer inelastic_terminal(const Request& request, const Alpha& e) {
-  tier_of(request);  // refuses what does not go together
-  const Alpha alpha = alpha_of(request.text("alpha"));
+Row cells_of(const magicmass::Terminal& t) { return real_cells({t.a_t, t.b_t, t.c_t, t.rho}); }
+
+/// Fractions by the law of one collision.
+Row stepped(const Alpha& alpha, const cln::cl_RA& e, std::int64_t N) {
+  using Body = magicmass::simulator::Body<cln::cl_RA>;
+  constexpr int longest = 1 << 16;  // each step reduces its fractions
+  const cln::cl_RA mass = exact_ratio(alpha, N, "collisions", longest, bits_of(e));
+  std::array<Body, 3> bodies{Body{1, 0, 1}, {mass, 0, 0}, {1, 0, 0}};
+  for (std::int64_t j = 0; j < N; ++j) {
+    const std::size_t left = j % 2 == 0 ? 0 : 1;
+    magicmass::simulator::collide(bodies[left], bodies[left + 1], e);
+  }
+  const auto& [A, C, B] = bodies;
+  return exact_cells({A.velocity, B.velocity, C.velocity, B.velocity * B.velocity});
+}
+
+/// What stands behind alpha and a restitution below 1.
+Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& e) {
+  const std::string tier = tier_of(request);
   const auto digits = digits_wanted(request);
-  const Names columns{"alpha", "restitution", "N_A", "N_B",          "a_t",
-                      "b_t",   "c_t",         "rho", "collapse_time"};
-  const Row asked{alpha_cell(alpha), alpha_cell(e)};
+  const bool wants_fractions = tier == "exact" && !digits;
+  const auto *number = std::get_if<double>(&alpha), *of_e = std::get_if<double>(&e);
+  if (tier == "fast" && number != nullptr && of_e != nullptr) {
+    if (const auto t = magicmass::fast::terminal(*number, *of_e))
+      return concatenated({{whole_cell(t->counts.N_A), whole_cell(t->counts.N_B)},
+                           cells_of(*t),
+                           {missing_cell()}});
+  }
   const Trio trio = Trio::equal_blocks(value_of(alpha), *fraction_of(e));
   try {
     if (const auto N = trio.count()) {
-      const Row four = rounded([&] { return answers::terminal(trio, *N); }, digits);
-      return answer(columns, {asked, count_cells({(*N + 1) / 2, *N / 2}), four, {missing_cell()}});
+      const Row four = wants_fractions
+                           ? stepped(alpha, *fraction_of(e), *N)
+                           : rounded([&] { return answers::terminal(trio, *N); }, digits);
+      return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four, {missing_cell()}});
     }
-    const Row end = rounded([&] { return Balls{trio.collapse(trio.shape()).time}; }, digits);
-    return answer(columns, {asked, Row(6, missing_cell()), end});
+    if (wants_fractions)
+      throw Undecided("terminal: collisions never end, at a time that may be no fraction; "
+                      "add --digits D");
+    const auto end = [&] {
+      const auto [time, position, v] = trio.collapse(trio.shape());
+      return Balls{v, v, v, v * v, time};
+    };
+    const Cell never{"infinitely many", "null"};
+    return concatenated({{never, never}, rounded(end, digits)});
   } catch (const std::domain_error&) {
-    throw Undecided("terminal: the mass ratio or the restitution is too small for this version");
+    throw Undecided("terminal: alpha or the restitution is too far from 1 for this version; "
+                    "both from 2^-127 and alpha to 2^127 are answered");
   }
 }
 
-Answer terminal(const Request& request) {
-  if (request.has("restitution")) {
-    const Alpha e = restitution_of(request);
-    if (*fraction_of(e) != 1) return inelastic_terminal(request, e);
-  }
+/// Likewise where nothing is lost.
+Row elastic_terminal(const Request& request) {
   const Asked in(request);
   const auto& [N_A, N_B] = in.counts;
   // Counts that do not fit 64 bits are for balls.
@@ -170,17 +213,50 @@ Answer terminal(const Request& request) {
   Row four;
   if (in.wants_fractions) {
     const auto v = magicmass::generated::terminal_exact(
-        exact_ratio(in.alpha, N_A), cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B));
+        exact_ratio(in.alpha, N_A, "cycles"), cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B));
     four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
   } else if (number) {
-    four = real_cells({number->a_t, number->b_t, number->c_t, number->rho});
+    four = cells_of(*number);
   } else {
     four = rounded([&] { return answers::terminal(in.alpha, in.counts); }, in.digits);
   }
-  return answer(terminal_columns(), {{alpha_cell(in.alpha)}, count_cells(in.counts), four});
+  return concatenated({count_cells(in.counts), four});
+}
+
+Answer terminal(const Request& request) {
+  const Alpha alpha = alpha_of(request.text("alpha"));
+  const Names columns = terminal_columns(request);
+  if (!request.has("restitution"))
+    return answer(columns, {{alpha_cell(alpha)}, elastic_terminal(request)});
+  const Alpha e = restitution_of(request);
+  const Row end = *fraction_of(e) == 1
+                      ? concatenated({elastic_terminal(request), {missing_cell()}})
+                      : inelastic_terminal(request, alpha, e);
+  return answer(columns, {{alpha_cell(alpha), alpha_cell(e)}, end});
+}
+
+/// Ratios first to last.
+std::vector<Row> ratio_rows(int first, int last, std::optional<int> digits, bool has_polynomials) {
+  std::vector<Row> rows;
+  for (int k = first; k <= last; ++k) {
+    Row numbers, radicals, polynomials;
+    for (const Alpha& ratio : {Alpha(notation::Magic{k}), Alpha(notation::Deficient{k})}) {
+      const bool is_magic = std::holds_alternative<notation::Magic>(ratio);
+      numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
+      const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
+      const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
+      radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))
+                                                  : missing_cell());
+      if (has_polynomials)
+        polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));
+    }
+    rows.push_back(concatenated({{whole_cell(k)}, numbers, radicals, polynomials}));
+  }
+  return rows;
 }
 
 Answer ratios(const Request& request) {
+  constexpr int rows_at_once = 100;
   const auto most = request.whole("count", 1, 1'000'000'000);
   const auto digits = digits_wanted(request);
   const bool has_polynomials = request.has("polynomials");
@@ -194,21 +270,21 @@ Answer ratios(const Request& request) {
   Table table{{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"}, {}};
   if (has_polynomials)
     table.columns.insert(table.columns.end(), {"magic_polynomial", "deficient_polynomial"});
-  for (int k = 1; k <= most.value_or(10); ++k) {
-    Row numbers, radicals, polynomials;
-    for (const Alpha& ratio : {Alpha(notation::Magic{k}), Alpha(notation::Deficient{k})}) {
-      const bool is_magic = std::holds_alternative<notation::Magic>(ratio);
-      numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
-      const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
-      const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
-      radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))
-                                                  : missing_cell());
-      if (has_polynomials)
-        polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));
+  const int count = static_cast<int>(most.value_or(10));
+  table.rows = ratio_rows(1, std::min(count, rows_at_once), digits, has_polynomials);
+  Answer answer{std::move(table), ""};
+  if (count <= rows_at_once) return answer;
+  answer.stream = [=, table = std::exchange(answer.table, {})](const auto& write) {
+    Writer writer(format_of(request.format), table.columns, true);
+    write(writer.rows(table.rows));
+    for (int first = rows_at_once + 1; first <= count; first += rows_at_once) {
+      const int last = std::min(count, first + rows_at_once - 1);
+      write("");
+      write(writer.rows(ratio_rows(first, last, digits, has_polynomials)));
     }
-    table.rows.push_back(concatenated({{whole_cell(k)}, numbers, radicals, polynomials}));
-  }
-  return {table, ""};
+    write(writer.end());
+  };
+  return answer;
 }
 
 }  // namespace answers

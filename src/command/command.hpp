@@ -33,7 +33,8 @@ struct Command {
   std::vector<Option> options;
   std::string words;  ///< how help calls the words that no option takes; "" where there are none
   std::vector<std::string> formats;  ///< of --format, the first one unless told otherwise
-  answers::Names columns;            ///< of answers to --input, where it may have no row
+  /// Of answers to --input, where it may have no row; of the request's options only names count.
+  std::function<answers::Names(const answers::Request&)> columns;
   std::function<answers::Answer(const answers::Request&)> run;
   std::int64_t seconds = 30;       ///< of --time-limit unless told otherwise
   std::int64_t mebibytes = 1024;   ///< of --memory-limit unless told otherwise

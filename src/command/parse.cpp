@@ -19,16 +19,17 @@ using answers::InvalidInput;
 using answers::joined;
 using answers::shown_text;
 
-bool takes_rows(const Command& command) {
-  return std::any_of(command.options.begin(), command.options.end(),
-                     [](const Option& option) { return option.is_column; });
-}
-
 /// The command's own options and those that all share.
 std::vector<Option> options_of(const Command& command) {
   std::vector<Option> options = command.options;
-  if (takes_rows(command))
-    options.push_back({"input", "FILE", "CSV whose columns are options, a row each; - is stdin"});
+  std::vector<std::string> columns;
+  for (const Option& option : command.options)
+    if (option.is_column) columns.push_back(option.name);
+  if (!columns.empty()) {
+    options.push_back({"input", "FILE",
+                       "CSV, a question a row; columns: " + joined(columns) +
+                           ", and others that are left alone; - is stdin"});
+  }
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
   const std::string endless = command.endless.empty() ? "" : "; none: " + joined(command.endless);
@@ -115,7 +116,10 @@ void add_options(CLI::App& app, const std::vector<Option>& options) {
     if (option.value.empty())
       app.add_flag(names, option.words);
     else
-      app.add_option(names, keep, option.words)->type_name(option.value)->type_size(1);
+      app.add_option(names, keep, option.words)
+          ->type_name(option.value)
+          ->type_size(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
 }
 
@@ -129,6 +133,7 @@ std::map<std::string, std::string> values_of(const CLI::App& app, const Command&
   for (const Option& option : options_of(command)) {
     const CLI::Option& given = *app.get_option("--" + option.name);
     if (given.count() == 0) continue;
+    if (given.count() > 1) throw InvalidInput(the(command, "--" + option.name + ": given twice"));
     const std::string value = option.value.empty() ? "" : given.results().back();
     const auto& allowed = option.choices;
     if (!allowed.empty() && std::count(allowed.begin(), allowed.end(), value) == 0) {

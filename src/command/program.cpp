@@ -46,21 +46,16 @@ void open_standard_streams() {
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-answers::Format table_format(const std::string& name) {
-  return name == "json"    ? answers::Format::json
-         : name == "csv"   ? answers::Format::csv
-         : name == "jsonl" ? answers::Format::json_lines
-                           : answers::Format::text;
-}
-
 /// Answers rows of the input, written a block at a time.
 class RowsAnswered {
 public:
-  RowsAnswered(const Asked& asked, const CsvReader& reader, Destination& output)
+  RowsAnswered(const Asked& asked, const CsvReader& reader, Destination& output,
+               answers::Names columns)
       : command_(*asked.command),
         reader_(reader),
         output_(output),
-        format_(table_format(asked.request.format)) {}
+        format_(answers::format_of(asked.request.format)),
+        columns_(std::move(columns)) {}
 
   void add(const answers::Rows& rows) {
     answers::Block block;
@@ -87,7 +82,7 @@ private:
   Destination& output_;
   answers::Format format_;
   std::optional<answers::Writer> writer_ = {};  // knows its columns from the first answer
-  answers::Names columns_ = command_.columns;
+  answers::Names columns_;
   std::vector<answers::Row> alone_ = {};
   std::size_t bytes_ = 0;  // of these
   std::string text_ = {};
@@ -119,19 +114,19 @@ private:
 /// Each row of the input is a request.
 void answer_rows(const Asked& asked, Destination& output) {
   constexpr std::size_t rows_at_once = 4096;
-  std::vector<std::string> may_be_columns;
+  std::vector<std::string> may_be_columns, others;
   for (const Option& option : asked.command->options)
-    if (option.is_column) may_be_columns.push_back(option.name);
-  CsvReader reader(*asked.input, may_be_columns);
+    (option.is_column ? may_be_columns : others).push_back(option.name);
+  CsvReader reader(*asked.input, may_be_columns, others);
   answers::Rows rows{asked.request, reader.columns()};
+  answers::Request any_row = asked.request;
   for (const std::string& column : rows.columns)
-    if (rows.shared.has(column))
+    if (!any_row.options.insert({column, ""}).second)
       throw InvalidInput(column + ": given twice, as an option and as a column");
   for (const Option& option : asked.command->options)
-    if (option.is_required && !rows.shared.has(option.name) &&
-        std::count(rows.columns.begin(), rows.columns.end(), option.name) == 0)
+    if (option.is_required && !any_row.has(option.name))
       throw InvalidInput(reader.place() + "no column " + option.name);
-  RowsAnswered answered(asked, reader, output);
+  RowsAnswered answered(asked, reader, output, asked.command->columns(any_row));
   while (reader.read(rows.fields, rows_at_once)) answered.add(rows);
   answered.end();
 }
@@ -150,7 +145,7 @@ ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
         if (text.empty()) output.flush();
       });
     else if (given.document.empty())
-      output.write(answers::written(given.table, table_format(asked.request.format)));
+      output.write(answers::written(given.table, answers::format_of(asked.request.format)));
     else
       output.write(given.document);
     code = given.check_failed   ? ExitCode::check_failed

@@ -27,7 +27,8 @@ std::string_view trimmed(std::string_view text) {
 
 }  // namespace
 
-CsvReader::CsvReader(const std::string& path, std::vector<std::string> wanted)
+CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wanted,
+                     const std::vector<std::string>& refused)
     : source_(path == "-" ? "stdin" : shown_text(path, 200)),
       file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
   if (!file_) {
@@ -41,6 +42,10 @@ CsvReader::CsvReader(const std::string& path, std::vector<std::string> wanted)
   for (std::size_t i = 0; i < size_; ++i) {
     const std::string& name = fields_[i];
     const bool is_wanted = std::count(wanted.begin(), wanted.end(), name) != 0;
+    if (std::count(refused.begin(), refused.end(), name) != 0) {
+      refuse(name + ": no column but an option of all rows, --" + name +
+             "; columns that are options: " + allowed);
+    }
     if (is_wanted && std::count(names_.begin(), names_.end(), name) != 0)
       refuse(name + ": a column of that name was there before");
     names_.push_back(is_wanted ? name : "");
@@ -107,7 +112,7 @@ void CsvReader::split_line() {
         at += line_[at] == '"' ? 1 : 0;
         field += line_[at];
       }
-      if (at >= line_.size()) refuse("a quoted field has no closing quote");
+      if (at >= line_.size()) refuse("a quoted field has no closing quote in its line");
       at = after_blanks(at + 1);
       if (at < line_.size() && line_[at] != ',')
         refuse("something follows a quoted field; allowed: a comma or the line's end");

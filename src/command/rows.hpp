@@ -16,8 +16,10 @@ namespace command {
 /// the end. Throws answers::InvalidInput, "FILE:LINE: what", for anything else.
 class CsvReader {
 public:
-  /// Opens a file, or stdin for "-", and reads its header; columns that are not wanted are skipped.
-  CsvReader(const std::string& path, std::vector<std::string> wanted);
+  /// Opens a file, or stdin for "-", and reads its header; refused columns are, and others that are
+  /// not wanted are skipped.
+  CsvReader(const std::string& path, const std::vector<std::string>& wanted,
+            const std::vector<std::string>& refused = {});
 
   /// The wanted columns that are there.
   const std::vector<std::string>& columns() const { return columns_; }

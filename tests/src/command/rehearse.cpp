@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
                       {"voice", "VOICE", "loud, soft", {"loud", "soft"}},
                       {"twice", "", "a flag"}};
   echo_row.formats = {"text", "json", "csv"};
-  echo_row.columns = echo_columns;
+  echo_row.columns = [](const Request&) { return echo_columns; };
   command::Command many_row = plain("many", many);
   many_row.summary = "Many lines";
   many_row.example = "rehearse many --lines 9";
