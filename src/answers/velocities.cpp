@@ -156,7 +156,7 @@ Row cells_of(const magicmass::Terminal& t) { return real_cells({t.a_t, t.b_t, t.
 /// Fractions by the law of one collision.
 Row stepped(const Alpha& alpha, const cln::cl_RA& e, std::int64_t N) {
   using Body = magicmass::simulator::Body<cln::cl_RA>;
-  constexpr int longest = 1 << 16;  // each step reduces its fractions
+  constexpr int longest = 1 << 18;  // each step reduces its fractions
   const cln::cl_RA mass = exact_ratio(alpha, N, "collisions", longest, bits_of(e));
   std::array<Body, 3> bodies{Body{1, 0, 1}, {mass, 0, 0}, {1, 0, 0}};
   for (std::int64_t j = 0; j < N; ++j) {
@@ -198,7 +198,7 @@ Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& 
     return concatenated({{never, never}, rounded(end, digits)});
   } catch (const std::domain_error&) {
     throw Undecided("terminal: alpha or the restitution is too far from 1 for this version; "
-                    "both from 2^-127 and alpha to 2^127 are answered");
+                    "answered: both from 2^-60, alpha to 2^60");
   }
 }
 
@@ -212,8 +212,9 @@ Row elastic_terminal(const Request& request) {
                                            : magicmass::accurate::terminal(*in.number);
   Row four;
   if (in.wants_fractions) {
-    const auto v = magicmass::generated::terminal_exact(
-        exact_ratio(in.alpha, N_A, "cycles"), cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B));
+    const cln::cl_RA alpha = exact_ratio(in.alpha, N_A, "cycles");
+    const auto v = magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(N_A),
+                                                        cln::cl_I_to_long(N_B));
     four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
   } else if (number) {
     four = cells_of(*number);

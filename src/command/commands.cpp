@@ -15,6 +15,17 @@
 #include "report/report.hpp"
 
 namespace command {
+namespace {
+
+/// An answer about a scene: "-" is stdin.
+template <answers::Answer (*answer)(const answers::Request&)>
+answers::Answer of_scene(answers::Request request) {
+  for (std::string& word : request.words)
+    if (word == "-") word = "/dev/stdin";
+  return answer(request);
+}
+
+}  // namespace
 
 Program magicmass() {
   const Option alpha{"alpha", "ALPHA", "mass ratio: 0.12, 1/7, magic:3, deficient:2",
@@ -124,19 +135,19 @@ Program magicmass() {
                "magicmass simulate tutorials/scenes/trajectory_b.toml",
                {{"exact", "", "in exact numbers"},
                 {"max-events", "N", "at most so many collisions"}},
-               "SCENE.toml",
+               "SCENE.toml, or - for stdin",
                {"text", "json", "csv", "jsonl"},
                {},
-               answers::simulate},
+               of_scene<answers::simulate>},
               {"plan",
                "Which model a scene needs, and why",
                "magicmass plan tutorials/scenes/wall.toml",
                {{"exact", "", "in exact numbers"},
                 {"max-events", "N", "at most so many collisions"}},
-               "SCENE.toml",
+               "SCENE.toml, or - for stdin",
                {"text", "json", "csv"},
                {},
-               answers::plan},
+               of_scene<answers::plan>},
               {"figure",
                "A figure of the paper",
                "magicmass figure terminal -o terminal.svg",
@@ -159,10 +170,11 @@ Program magicmass() {
                {{"out", "FOLDER", "where the files go or are, generated unless told otherwise"},
                 {"check", "", "compares instead: exit code 1 where a file differs"},
                 {"quantity", "LIST", "one header with these alone, such as a_t,rho, to stdout"},
+                {"scene", "FILE", "one header with what a scene's outputs need, to stdout"},
                 {"form",
                  "FORM",
-                 "of --quantity, tangent unless told otherwise",
-                 {"closed", "product", "tangent", "exact"}}},
+                 "of such a header, tangent unless told otherwise",
+                 {"closed", "product", "tangent", "exact", "restitution"}}},
                "",
                {"text"},
                {},

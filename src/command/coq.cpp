@@ -4,6 +4,7 @@
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
+#include "command/folder.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
 #include "generate/tree.hpp"
@@ -34,7 +35,8 @@ answers::Answer derive(const answers::Request& request) {
   if (folder.empty() || folder == "-")
     throw InvalidInput("derive: --format coq is a folder of files; allowed: -o FOLDER");
   const coq::Files files = all_files();
-  generate::write(folder, {files.texts.begin(), files.texts.end()});
+  write_folder("derive: -o", folder,
+               [&] { return generate::Texts{files.texts.begin(), files.texts.end()}; });
   return {{}, std::to_string(files.texts.size()) + " files written to " + folder + "\n"};
 }
 

@@ -70,6 +70,24 @@ std::string described(std::string svg, const std::string& script) {
   return svg.insert(root + 4, " role=\"img\" aria-labelledby=\"title desc\"");
 }
 
+/// The format that is asked for, or what the ending of the file says.
+std::string format_of(const answers::Request& request) {
+  static const std::vector<std::string> all{"svg", "png", "pdf", "csv"};
+  const std::string file = request.text("output");
+  const std::size_t dot = file.rfind('.');
+  if (dot == std::string::npos || file.find('/', dot) != std::string::npos) return request.format;
+  const std::string ending = file.substr(dot + 1);
+  if (request.has("format") ? ending != request.format
+                            : std::count(all.begin(), all.end(), ending) == 0) {
+    const std::string what =
+        request.has("format") ? "not of --format " + request.format : "an unknown ending";
+    const std::string allowed = request.has("format") ? request.format : answers::joined(all);
+    throw answers::InvalidInput("figure: -o " + answers::shown_text(file) + ": " + what +
+                                "; allowed endings: " + allowed);
+  }
+  return ending;
+}
+
 }  // namespace
 
 std::string picture(const Figure& figure, const answers::Table& data, const std::string& format) {
@@ -91,7 +109,10 @@ answers::Answer figure(const answers::Request& request) {
     names.push_back(f.name);
     list += f.name + ": " + told(script_of(f.name), "title") + "\n";
   }
-  if (request.has("list")) return {{}, list};
+  if (request.has("list")) {
+    if (request.words.empty()) return {{}, list};
+    throw answers::InvalidInput("figure: --list or a name, not both");
+  }
   if (request.words.size() != 1)
     throw answers::InvalidInput("figure: give one name; allowed: " + answers::joined(names));
   const auto found = std::find_if(all.begin(), all.end(),
@@ -100,7 +121,8 @@ answers::Answer figure(const answers::Request& request) {
     throw answers::InvalidInput("figure: no figure " + answers::shown_text(request.words[0]) +
                                 "; allowed: " + answers::joined(names));
   }
-  return {{}, picture(*found, found->data(), request.format)};
+  const std::string format = format_of(request);
+  return {{}, picture(*found, found->data(), format)};
 }
 
 }  // namespace command

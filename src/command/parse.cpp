@@ -27,8 +27,7 @@ std::vector<Option> options_of(const Command& command) {
     if (option.is_column) columns.push_back(option.name);
   if (!columns.empty()) {
     options.push_back({"input", "FILE",
-                       "CSV, a question a row; columns: " + joined(columns) +
-                           ", and others that are left alone; - is stdin"});
+                       "CSV of " + joined(columns) + ", others skipped; - is stdin"});
   }
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});

@@ -2,17 +2,12 @@
 #include "command/reproduce.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
-#include <map>
-#include <stdexcept>
 
-#include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
 #include "command/comparison.hpp"
 #include "command/figure.hpp"
-#include "generate/tree.hpp"
+#include "command/folder.hpp"
 #include "host/embedded.hpp"
 #include "report/report.hpp"
 
@@ -22,8 +17,8 @@ namespace {
 using namespace answers;
 
 /// The figures of the paper and of errors in four formats, and the tables.
-std::map<std::string, std::string> files_of(const std::vector<Comparison>& all) {
-  std::map<std::string, std::string> files{
+generate::Texts files_of(const std::vector<Comparison>& all) {
+  generate::Texts files{
       {"reproduce.md", page_of(all, "markdown").document},
       {"reproduce.csv", written(page_of(all, "csv").table, Format::csv)},
       {"ratios.csv", written(ratios({}).table, Format::csv)}};
@@ -38,33 +33,12 @@ std::map<std::string, std::string> files_of(const std::vector<Comparison>& all) 
   return files;
 }
 
-/// All files or none; a folder that was not there either.
-void write(const std::string& folder, const std::vector<Comparison>& all) {
-  const auto refuse = [&](const std::string& why) {
-    throw InvalidInput("reproduce: --out " + shown_text(folder) + ": " + why +
-                       "; allowed: a folder to write to");
-  };
-  std::error_code error;
-  const bool is_new = std::filesystem::create_directories(folder, error);
-  if (error) refuse(error.message());
-  try {
-    const std::map<std::string, std::string> files = files_of(all);
-    try {
-      generate::write(folder, files);
-    } catch (const std::runtime_error& problem) {
-      refuse(problem.what());
-    }
-  } catch (...) {
-    if (is_new) std::filesystem::remove(folder, error);
-    throw;
-  }
-}
-
 }  // namespace
 
 Answer reproduce(const Request& request) {
   const std::vector<Comparison> all = comparisons(host::embedded("paper_numbers.csv"));
-  if (request.has("out")) write(request.text("out"), all);
+  if (request.has("out"))
+    write_folder("reproduce: --out", request.text("out"), [&] { return files_of(all); });
   return page_of(all, request.format);
 }
 

@@ -194,9 +194,11 @@ Texts generated() {
   return texts(made.all, made.plain, made.source.ids);
 }
 std::string selected(const std::string& form, const std::set<std::string>& outputs) {
+  static const std::set<std::string> of_scenes{"shape", "two_collisions"};
   std::vector<PlainForm> forms;
   for (const PlainForm& f : inventory().plain)
-    if (f.form == form && form != "matrices") forms.push_back(f);
+    if (f.form == form && form != "matrices" && !of_scenes.contains(f.quantity.name))
+      forms.push_back(f);
   if (forms.empty())
     throw codegen::Refused("no form " + form +
                            "; allowed: closed, product, tangent, exact, restitution");

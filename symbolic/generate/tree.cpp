@@ -36,7 +36,9 @@ void write(const std::string& folder, const Texts& texts) {
   } catch (const std::exception& problem) {
     std::error_code ignored;
     for (const auto& [beside, place] : renames) fs::remove(beside, ignored);
-    throw std::runtime_error(problem.what());
+    const auto* refused = dynamic_cast<const fs::filesystem_error*>(&problem);
+    throw std::runtime_error(refused ? refused->path1().string() + ": " + refused->code().message()
+                                     : problem.what());
   }
 }
 std::vector<std::string> differences(const std::string& folder, const Texts& texts) {
