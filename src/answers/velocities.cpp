@@ -120,9 +120,9 @@ Answer eval(const Request& request) {
   } else {
     four = rounded([&] { return velocities(in.alpha, cycles); }, in.digits);
   }
-  return answer(eval_columns(request),
-                {{alpha_cell(in.alpha), whole_cell(kernel::digits(cycles)), text_cell(in.tier)},
-                 four});
+  return answer(
+      eval_columns(request),
+      {{alpha_cell(in.alpha), whole_cell(kernel::digits(cycles)), text_cell(in.tier)}, four});
 }
 
 Names count_columns(const Request& /*request*/) { return {"alpha", "N_A", "N_B"}; }
@@ -175,9 +175,8 @@ Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& 
   const auto *number = std::get_if<double>(&alpha), *of_e = std::get_if<double>(&e);
   if (tier == "fast" && number != nullptr && of_e != nullptr) {
     if (const auto t = magicmass::fast::terminal(*number, *of_e))
-      return concatenated({{whole_cell(t->counts.N_A), whole_cell(t->counts.N_B)},
-                           cells_of(*t),
-                           {missing_cell()}});
+      return concatenated(
+          {{whole_cell(t->counts.N_A), whole_cell(t->counts.N_B)}, cells_of(*t), {missing_cell()}});
   }
   const Trio trio = Trio::equal_blocks(value_of(alpha), *fraction_of(e));
   try {
@@ -188,8 +187,9 @@ Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& 
       return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four, {missing_cell()}});
     }
     if (wants_fractions)
-      throw Undecided("terminal: collisions never end, at a time that may be no fraction; "
-                      "add --digits D");
+      throw Undecided(
+          "terminal: collisions never end, at a time that may be no fraction; "
+          "add --digits D");
     const auto end = [&] {
       const auto [time, position, v] = trio.collapse(trio.shape());
       return Balls{v, v, v, v * v, time};
@@ -197,8 +197,9 @@ Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& 
     const Cell never{"infinitely many", "null"};
     return concatenated({{never, never}, rounded(end, digits)});
   } catch (const std::domain_error&) {
-    throw Undecided("terminal: alpha or the restitution is too far from 1 for this version; "
-                    "answered: both from 2^-60, alpha to 2^60");
+    throw Undecided(
+        "terminal: alpha or the restitution is too far from 1 for this version; "
+        "answered: both from 2^-60, alpha to 2^60");
   }
 }
 
@@ -213,8 +214,8 @@ Row elastic_terminal(const Request& request) {
   Row four;
   if (in.wants_fractions) {
     const cln::cl_RA alpha = exact_ratio(in.alpha, N_A, "cycles");
-    const auto v = magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(N_A),
-                                                        cln::cl_I_to_long(N_B));
+    const auto v =
+        magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B));
     four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
   } else if (number) {
     four = cells_of(*number);
@@ -230,10 +231,29 @@ Answer terminal(const Request& request) {
   if (!request.has("restitution"))
     return answer(columns, {{alpha_cell(alpha)}, elastic_terminal(request)});
   const Alpha e = restitution_of(request);
-  const Row end = *fraction_of(e) == 1
-                      ? concatenated({elastic_terminal(request), {missing_cell()}})
-                      : inelastic_terminal(request, alpha, e);
+  const Row end = *fraction_of(e) == 1 ? concatenated({elastic_terminal(request), {missing_cell()}})
+                                       : inelastic_terminal(request, alpha, e);
   return answer(columns, {{alpha_cell(alpha), alpha_cell(e)}, end});
+}
+
+/// sqrt(2) - 1 for -1 + 1/sqrt(1/2), sqrt(5) - 2 for -(2 - sqrt(5)).
+std::string as_by_hand(kernel::Expr e) {
+  using kernel::Expr, kernel::Op;
+  const auto is_number = [](Expr x) { return x.op() == Op::Num; };
+  if (e.op() == Op::Mul && e.arg(0) == Expr(-1) && e.arg(1).op() == Op::Add)
+    e = kernel::sum({-e.arg(1).arg(0), -e.arg(1).arg(1)});
+  if (e.op() != Op::Add || !is_number(e.arg(0))) return kernel::text(e);
+  Expr root = e.arg(1);
+  const auto inside = [](Expr x, const char* function) {
+    return x && x.op() == Op::Fun && x.name() == function ? x.arg(0) : Expr();
+  };
+  if (const Expr x = inside(inside(root, "inv"), "sqrt"); x && is_number(x)) {
+    const cln::cl_I p = cln::numerator(x.value()), q = cln::denominator(x.value());
+    cln::cl_I r;
+    if (p == 1) root = kernel::sqrt(cln::cl_RA(q));
+    if (p != 1 && cln::sqrtp(q, &r)) root = Expr(cln::cl_RA(r)) / kernel::sqrt(cln::cl_RA(p));
+  }
+  return kernel::text(root) + " - " + kernel::digits(-e.arg(0).value());
 }
 
 /// Ratios first to last.
@@ -246,7 +266,7 @@ std::vector<Row> ratio_rows(int first, int last, std::optional<int> digits, bool
       numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
       const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
       const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
-      radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))
+      radicals.push_back(derivation::is_shown(id) ? text_cell(as_by_hand(right_side(id)))
                                                   : missing_cell());
       if (has_polynomials)
         polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));

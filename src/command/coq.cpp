@@ -35,8 +35,9 @@ answers::Answer derive(const answers::Request& request) {
   if (folder.empty() || folder == "-")
     throw InvalidInput("derive: --format coq is a folder of files; allowed: -o FOLDER");
   const coq::Files files = all_files();
-  write_folder("derive: -o", folder,
-               [&] { return generate::Texts{files.texts.begin(), files.texts.end()}; });
+  write_folder("derive: -o", folder, [&] {
+    return generate::Texts{files.texts.begin(), files.texts.end()};
+  });
   return {{}, std::to_string(files.texts.size()) + " files written to " + folder + "\n"};
 }
 

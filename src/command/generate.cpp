@@ -70,8 +70,7 @@ std::string header(const answers::Request& request) {
         "--quantity: --form, -o FILE");
   }
   const std::string form = request.has("form") ? request.text("form") : "tangent";
-  const Names names =
-      is_scene ? needed(request.text("scene")) : listed(request.text("quantity"));
+  const Names names = is_scene ? needed(request.text("scene")) : listed(request.text("quantity"));
   try {
     return generate::selected(form, names);
   } catch (const codegen::Refused& refused) {

@@ -26,8 +26,8 @@ std::vector<Option> options_of(const Command& command) {
   for (const Option& option : command.options)
     if (option.is_column) columns.push_back(option.name);
   if (!columns.empty()) {
-    options.push_back({"input", "FILE",
-                       "CSV of " + joined(columns) + ", others skipped; - is stdin"});
+    options.push_back(
+        {"input", "FILE", "CSV of " + joined(columns) + ", others skipped; - is stdin"});
   }
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});

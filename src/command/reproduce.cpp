@@ -18,10 +18,9 @@ using namespace answers;
 
 /// The figures of the paper and of errors in four formats, and the tables.
 generate::Texts files_of(const std::vector<Comparison>& all) {
-  generate::Texts files{
-      {"reproduce.md", page_of(all, "markdown").document},
-      {"reproduce.csv", written(page_of(all, "csv").table, Format::csv)},
-      {"ratios.csv", written(ratios({}).table, Format::csv)}};
+  generate::Texts files{{"reproduce.md", page_of(all, "markdown").document},
+                        {"reproduce.csv", written(page_of(all, "csv").table, Format::csv)},
+                        {"ratios.csv", written(ratios({}).table, Format::csv)}};
   std::vector<Figure> wanted = figures();
   std::copy_if(report::figures().begin(), report::figures().end(), std::back_inserter(wanted),
                [](const Figure& figure) { return figure.name != "speed"; });  // it is measured

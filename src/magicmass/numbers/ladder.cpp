@@ -59,7 +59,7 @@ std::int64_t last_cycle(double alpha) { return counts_or_most(alpha).N_A; }
 
 void check(double alpha) {
   if (!is_mass_ratio(alpha)) {
-    throw InvalidInput("alpha must be positive and finite, got " + std::to_string(alpha));
+    throw InvalidInput("alpha must be positive and finite, got " + text_of(alpha));
   }
 }
 [[noreturn]] void refuse_cycle(double alpha, std::int64_t n) {
@@ -144,7 +144,7 @@ std::optional<Terminal> fast::terminal(double alpha) {
 std::optional<Terminal> fast::terminal(double alpha, double e) {
   numbers::check(alpha);
   if (!(e > 0.0 && e <= 1.0))
-    throw InvalidInput("e must be above 0 and at most 1, got " + std::to_string(e));
+    throw InvalidInput("e must be above 0 and at most 1, got " + numbers::text_of(e));
   if (e == 1.0) return terminal(alpha);
   std::optional<Terminal> t(std::in_place);
   if (!numbers::kernels().restitution(*t, alpha, e)) t = numbers::restitution_by_mpfr(alpha, e);

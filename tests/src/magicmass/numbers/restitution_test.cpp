@@ -136,6 +136,9 @@ TEST_CASE("e = 1 loses nothing, and other e are refused") {
   for (const double e : {0.0, -1.0, 1.0000000000000002, std::nan("")})
     CHECK_THROWS_WITH(fast::terminal(0.3, e),
                       Catch::Matchers::StartsWith("e must be above 0 and at most 1, got "));
+  CHECK_THROWS_WITH(fast::terminal(0.3, 1.0000000000000002),
+                    Catch::Matchers::EndsWith("got 1.0000000000000002"));
+  CHECK_THROWS_WITH(fast::terminal(-1e-9), Catch::Matchers::EndsWith("got -1e-09"));
   CHECK_THROWS_AS(fast::terminal(0.0, 0.5), InvalidInput);
   CHECK(fast::terminal(1e308, 0x1p-1074).value().counts == Counts{1, 1});
 }
