@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "classroom/answer_file.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -91,6 +92,14 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
 }
 
 }  // namespace
+
+std::optional<std::string> misnamed(const std::string& file, const learn::Texts& answer_files) {
+  const bool may_be_answer = file.ends_with(".txt") || file.ends_with(".cpp");
+  if (!may_be_answer || file.starts_with('.') ||
+      std::count(answer_files.begin(), answer_files.end(), file) != 0)
+    return {};
+  return "no exercise has this file" + learn::meant(file, answer_files, "; see learn list");
+}
 
 std::string answer_file(const Exercise& e) { return e.id + (e.kind == "code" ? ".cpp" : ".txt"); }
 

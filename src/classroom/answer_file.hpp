@@ -12,6 +12,9 @@ namespace classroom {
 /// "half_angle.txt", or "collide.cpp" for code.
 std::string answer_file(const learn::Exercise& exercise);
 
+/// What is said of a file that looks like an answer but is none of these; else nothing.
+std::optional<std::string> misnamed(const std::string& file, const learn::Texts& answer_files);
+
 struct AnswerInFile {
   std::string text;
   learn::Judgement said;

@@ -52,6 +52,17 @@ std::vector<std::filesystem::path> students_of(const std::string& place) {
   return students;
 }
 
+/// Names of files in a folder, but of a link's none; some of them where there are many.
+std::set<std::string> files_in(const std::filesystem::path& folder) {
+  constexpr std::size_t most = 1000;
+  std::set<std::string> names;
+  std::error_code error;
+  if (std::filesystem::is_symlink(folder, error)) return names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (names.size() < most) names.insert(entry.path().filename());
+  return names;
+}
+
 std::vector<Exercise> chosen(const std::vector<Exercise>& all, const std::string& ids) {
   std::set<std::string> names;
   for (const std::string& id : learn::split(ids, ',')) names.insert(named(all, id).id);
@@ -84,6 +95,8 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   answers::Table why{{"student", "id", "verdict", "feedback", "misconception"}, {}};
   answers::Table summary{{"id", "misconception", "students"}, {}};
   for (const Exercise& e : exercises) marks.columns.push_back(e.id);
+  learn::Texts files;
+  for (const Exercise& e : all) files.push_back(answer_file(e));
   std::map<std::pair<std::size_t, std::string>, int> had;  // by exercise and misconception
   for (const std::filesystem::path& student : students_of(request.words[1])) {
     const std::string name = student.filename();
@@ -100,6 +113,10 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
           {shown, text_cell(exercises[i].id), row.back(), cell_of(request, answer->said.feedback),
            misconception.empty() ? answers::missing_cell() : cell_of(request, misconception)});
     }
+    for (const std::string& file : files_in(student))
+      if (const auto said = misnamed(file, files))
+        why.rows.push_back({shown, cell_of(request, answers::shown_text(file)), text_cell("unread"),
+                            text_cell(*said), answers::missing_cell()});
   }
   for (const auto& [which, students] : had)
     summary.rows.push_back({text_cell(exercises[which.first].id), cell_of(request, which.second),

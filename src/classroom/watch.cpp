@@ -63,10 +63,9 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       const std::string name = entry.path().filename();
       const auto found = std::find(names.begin(), names.end(), name);
       if (found == names.end()) {
-        const bool may_be_answer = name.ends_with(".txt") || name.ends_with(".cpp");
-        if (!may_be_answer || name.starts_with('.') || !unknown.insert(name).second) continue;
-        tell(answers::shown_text(name) + ": no exercise has this file" +
-             learn::meant(name, names, "; see learn list") + "\n");
+        const auto said = misnamed(name, names);
+        if (said && unknown.insert(name).second)
+          tell(answers::shown_text(name) + ": " + *said + "\n");
         continue;
       }
       const std::optional<Stamp> now = stamp_of(entry.path());

@@ -200,8 +200,8 @@ Program magicmass() {
                 {"only", "LIST", "grade: these exercises, such as half_angle,axis"},
                 {"why", "", "grade: what is said to each answer"},
                 {"summary", "", "grade: how many students had which misconception"}},
-               "list, show ID, check ID ANSWER, hint ID [N], solution ID, watch [FOLDER], grade "
-               "CLASS, new FILE or test [FILE]",
+               "list, show ID, check ID ANSWER, hint ID [N],\n"
+               "solution ID, watch [FOLDER], grade CLASS,\nnew FILE or test [FILE]",
                {"text", "json", "csv"},
                {},
                classroom::learn_by_exercises,

@@ -30,7 +30,15 @@ std::string summary_of(const std::vector<Comparison>& all) {
   };
   return std::to_string(all.size()) + " numbers of the paper: " + count("agrees") + " agree, " +
          count("explained") + " differ for the reason given, " + count("differs") +
-         " without one\n";
+         " without one\nHeadings are labels of its LaTeX source.\n";
+}
+
+/// "Figure fig:NaNb": what a label of the paper's source stands at.
+std::string heading(const std::string& label) {
+  const std::string kind = label.starts_with("table:") ? "Table "
+                           : label.starts_with("fig:") ? "Figure "
+                                                       : "Equation ";
+  return kind + label;
 }
 
 /// A heading and a narrow table for each label, and under it why numbers differ.
@@ -44,7 +52,7 @@ std::string document_of(const std::vector<Comparison>& all, bool is_markdown) {
     for (; first != last; ++first)
       if (!first->reason.empty() && std::count(reasons.begin(), reasons.end(), first->reason) == 0)
         reasons.push_back(first->reason);
-    text += (is_markdown ? "\n## " : "\n") + table.rows[0][0].text + "\n\n";
+    text += (is_markdown ? "\n## " : "\n") + heading(table.rows[0][0].text) + "\n\n";
     const auto narrow = [](auto& row) {
       row.erase(row.begin());
       row.pop_back();

@@ -6,7 +6,9 @@
 #include "answers/motion.hpp"
 #include "answers/velocities.hpp"
 #include "catch.hpp"
+#include "kernel/print.hpp"
 #include "law_of_collision.hpp"
+#include "magicmass/numbers/fast.hpp"
 
 using namespace answers;
 using cln::cl_RA;
@@ -17,10 +19,12 @@ law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha, const cl_RA& e) {
   return {1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
 }
 std::string shown(const cl_RA& exact) { return real_cell(cln::double_approx(exact)).text; }
-Answer asked(const char* alpha, const char* e) {
+Row asked(const std::string& alpha, const std::string& e, const std::string& tier = "accurate") {
   Request request;
-  request.options = {{"alpha", alpha}, {"restitution", e}};
-  return answers::terminal(request);
+  request.options = {{"alpha", alpha}, {"restitution", e}, {"tier", tier}};
+  const Table table = answers::terminal(request).table;
+  CHECK(table.columns == terminal_columns(request));
+  return table.rows[0];
 }
 std::optional<std::int64_t> count(const cl_RA& alpha, const cl_RA& e) {
   return Trio::equal_blocks(value_of(notation::Alpha(alpha)), e).count();
@@ -61,8 +65,12 @@ TEST_CASE("at whole angles and at the edge of collapse counts are exact") {
 }
 TEST_CASE("collisions that never end come to an end in time") {
   for (const auto& [alpha, e] : {std::pair{"1/10", "1/20"}, {"2/2", "1/20"}, {"1/4", "1/4"}}) {
-    const Row row = asked(alpha, e).table.rows[0];
+    const Row row = asked(alpha, e);
     CHECK(row[2].json == "null");
+    CHECK(row[3].text == "infinitely many");
+    for (const std::size_t body : {4, 5, 6})
+      CHECK(row[body].text == shown(1 / (2 + *fraction_of(alpha_of(alpha)))));
+    CHECK_THROWS_AS(asked(alpha, e, "exact"), Undecided);
     const double end = std::stod(row[8].text);
     auto steps = bodies(std::get<cl_RA>(alpha_of(alpha)), std::get<cl_RA>(alpha_of(e)));
     for (int i = 0; i < 60; ++i) {
@@ -74,8 +82,27 @@ TEST_CASE("collisions that never end come to an end in time") {
     CHECK(cln::double_approx(steps.time) > end * 0.95);
   }
 }
+TEST_CASE("tier exact is in fractions, tier fast that of the library") {
+  for (const auto& [alpha, e] : {std::pair{"1/7", "9/10"}, {"0.1", "0.75"}, {"3", "1/3"}}) {
+    const cln::cl_RA mass = *fraction_of(alpha_of(alpha));
+    auto steps = bodies(mass, *fraction_of(alpha_of(e)));
+    while (steps.approach() > 0) steps.collide();
+    const auto& [a, b, c] = steps.v;
+    const Row row = asked(alpha, e, "exact");
+    const cl_RA values[]{a, b, c, b * b};
+    for (std::size_t i = 0; i < 4; ++i) CHECK(row[4 + i].text == kernel::digits(values[i]));
+  }
+  CHECK_THROWS_AS(asked("1e-9", "0.9999999", "exact"), Undecided);
+  CHECK_THROWS_AS(asked("magic:3", "0.9", "exact"), InvalidInput);
+  const auto t = *magicmass::fast::terminal(0.013, 0.77);
+  const Row row = asked("0.013", "0.77", "fast");
+  CHECK(row[2].text == std::to_string(t.counts.N_A));
+  const std::vector<double> values{t.a_t, t.b_t, t.c_t, t.rho};
+  for (std::size_t i = 0; i < 4; ++i) CHECK(row[4 + i].text == real_cell(values[i]).text);
+}
 TEST_CASE("restitution 1 is the paper's, and what is no restitution is refused") {
-  CHECK(asked("0.1", "1").table.rows[0].size() == 7);
+  CHECK(asked("0.1", "1")[8].json == "null");
+  CHECK(asked("0.1", "1")[5].text == asked("0.1", "0.9999999999999999999")[5].text);
   CHECK_THROWS_AS(asked("0.1", "1.5"), InvalidInput);
   CHECK_THROWS_AS(asked("0.1", "magic:2"), InvalidInput);
   CHECK_THROWS_AS(asked("0.1", "0"), InvalidInput);

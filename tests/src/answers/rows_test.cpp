@@ -44,9 +44,10 @@ TEST_CASE("rows at once and alone", "[exam]") {
     fields.push_back({std::to_string(k % 2), "1." + std::to_string(k) + "e-" + std::to_string(k)});
   for (const std::string tier : {"fast", "accurate"}) {
     const Rows rows = rows_of(fields, tier);
-    CHECK(checked(rows, eval_block, eval, eval_columns()) == 257);
-    CHECK(checked(rows, count_block, count, count_columns()) == 38);  // others leave 64 bits
-    CHECK(checked(rows, terminal_block, terminal, terminal_columns()) == 38);
+    CHECK(checked(rows, eval_block, eval, eval_columns(rows.shared)) == 257);
+    CHECK(checked(rows, count_block, count, count_columns(rows.shared)) ==
+          38);  // others leave 64 bits
+    CHECK(checked(rows, terminal_block, terminal, terminal_columns(rows.shared)) == 38);
   }
 }
 
@@ -57,13 +58,17 @@ TEST_CASE("rows that are left open", "[exam]") {
                              {"1", "0"},
                              {"1", "inf"},
                              {"-1", "0.1"},
+                             {"-0", "0.1"},
                              {"5", "0.1"},
                              {"1e0", "0.1"},
                              {"99999999999999999999", "0.1"},
                              {"3", "0.1"}},
                             "accurate");
-  CHECK(eval_block(rows).is_answered ==
-        std::vector<bool>{false, false, false, false, false, false, false, false, false, true});
+  CHECK(eval_block(rows).is_answered == std::vector<bool>{false, false, false, false, false, false,
+                                                          false, false, false, false, true});
   CHECK(eval_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
   CHECK(terminal_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
+  Rows with_restitution = rows_of({{"0.5", "0.1"}}, "accurate");
+  with_restitution.columns = {"restitution", "alpha"};
+  CHECK(terminal_block(with_restitution).columns.empty());
 }

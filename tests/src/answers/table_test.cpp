@@ -72,6 +72,12 @@ TEST_CASE("blocks are what the whole is", "[check]") {
   CHECK(text.rows({table.rows.data(), 1}) == "1/7    3    0.1\n");
 }
 
+TEST_CASE("columns stay apart where a later block is wider than the first", "[exam]") {
+  Writer writer(Format::text, {"k", "n"}, true);
+  writer.rows(std::vector<Row>{{whole_cell(1), whole_cell(2)}});
+  CHECK(writer.rows(std::vector<Row>{{whole_cell(12345), whole_cell(6)}}) == "12345  6\n");
+}
+
 TEST_CASE("cells", "[exam]") {
   CHECK(real_cell(-0.0).text == "0");
   CHECK(real_cell(1e300).json == "1e+300");

@@ -25,7 +25,7 @@ public:
   Csv& operator=(const Csv&) = delete;
 
   Rows rows() const {
-    CsvReader reader(name_, {"alpha", "n"});
+    CsvReader reader(name_, {"alpha", "n"}, {"tier"});
     Rows all;
     std::vector<std::vector<std::string>> block;
     while (reader.read(block, rows_at_once)) {
@@ -69,12 +69,15 @@ TEST_CASE("what is refused, and where", "[exam]") {
   };
   refuses("", "1: the first line must name a column, got (nothing); allowed: alpha, n");
   refuses("beta\n1\n", "1: the first line must name a column, got beta; allowed: alpha, n");
+  refuses("alpha,tier\n1,2\n",
+          "1: tier: no column but an option of all rows, --tier; columns that are options: "
+          "alpha, n");
   refuses("n,n\n1,2\n", "1: n: a column of that name was there before");
   refuses("alpha,n\n1,2\n3\n", "3: 1 fields where the header names 2");
   refuses("alpha\n1,2\n", "2: 2 fields where the header names 1");
   refuses("alpha,n\n1,\n", "2: n: empty; allowed: a value in every field");
   refuses("alpha\n1\n\n2\n", "3: an empty line; allowed: at the end");
-  refuses("alpha\n\"1\n", "2: a quoted field has no closing quote");
+  refuses("alpha\n\"1\n", "2: a quoted field has no closing quote in its line");
   refuses("alpha\n\"1\"2\n",
           "2: something follows a quoted field; allowed: a comma or the line's end");
   refuses(std::string("alpha\n1\0\n", 9), "2: a zero byte; allowed: text");

@@ -82,12 +82,15 @@ TEST_CASE("a header of wanted outputs has those, and pays for nothing else") {
     CHECK_THAT(a, ContainsSubstring(part));
   for (const char* part : {"w_sine", "along", "b_form", "rho", "angle_tangent"})
     CHECK_THAT(a, !ContainsSubstring(part));
+  CHECK_THAT(generate::selected("restitution", {"N_e"}), ContainsSubstring("count_restitution("));
   CHECK_THAT(generate::selected("exact", {"a"}), !ContainsSubstring("b_before"));
 }
 TEST_CASE("an output or a form that there is none of is refused with what is allowed") {
   CHECK_THROWS_WITH(
       generate::selected("closed", {"a", "speed"}),
       ContainsSubstring("no output is called speed; allowed: ") && ContainsSubstring("c_prime"));
+  CHECK_THROWS_WITH(generate::selected("exact", {"q_e"}),
+                    ContainsSubstring("allowed: a, a_t, b, b_t, c, c_prime, c_t, rho"));
   CHECK_THROWS_WITH(generate::selected("open", {"a"}), ContainsSubstring("allowed: closed"));
   CHECK_THROWS_WITH(generate::selected("matrices", {"R"}), ContainsSubstring("no form matrices"));
 }
