@@ -83,19 +83,16 @@ Answer equal(const Request& request) {
   std::vector<std::string> notes;
   std::vector<Expr> sides;
   std::set<std::string> symbols;
+  std::string place = "left side, ";
   try {
-    for (int i : {0, 1}) {
-      try {
-        notation::Typed read = notation::read_typed(request.words[std::size_t(i)]);
-        if (kernel::is_matrix(read.term)) kernel::refuse("a matrix; equal compares numbers");
-        notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-        note_misspellings(notation::symbols_of(read.term), notes);
-        sides.push_back(with_meanings(read.term, notes));
-        symbols.merge(notation::symbols_of(sides.back()));
-      } catch (const kernel::Refused& r) {
-        throw InvalidInput(std::string("equal: ") + (i == 0 ? "left" : "right") + " side, " +
-                           shown_text(r.what(), 300));
-      }
+    for (const std::string& word : request.words) {
+      notation::Typed read = notation::read_typed(word);
+      if (kernel::is_matrix(read.term)) kernel::refuse("a matrix; equal compares numbers");
+      notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+      note_misspellings(notation::symbols_of(read.term), notes);
+      sides.push_back(with_meanings(read.term, notes));
+      symbols.merge(notation::symbols_of(sides.back()));
+      place = sides.size() == 1 ? "right side, " : "";
     }
     const equality::Domain domain = equality::read_domain(request.text("domain"), symbols, notes);
     const Verdict verdict = equality::decide(sides[0], sides[1], domain);
@@ -114,7 +111,7 @@ Answer equal(const Request& request) {
             verdict.answer == equality::Answer::Different,
             verdict.answer == equality::Answer::Undecided};
   } catch (const kernel::Refused& r) {
-    throw InvalidInput(std::string("equal: ") + shown_text(r.what(), 300));
+    throw InvalidInput("equal: " + place + shown_text(r.what(), 300));
   }
 }
 

@@ -36,7 +36,7 @@ std::int64_t cycles_of_row(std::string_view digits) {
   std::int64_t cycles = 0;
   const char* const end = digits.data() + digits.size();
   const auto [read_to, error] = std::from_chars(digits.data(), end, cycles);
-  return error == std::errc() && read_to == end && !digits.starts_with('-') ? cycles : -1;
+  return error == std::errc() && read_to == end ? cycles : -1;
 }
 
 /// An option of each row: its field, or what all share.

@@ -28,11 +28,6 @@ Cell alpha_cell(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return real_cell(*value);
   return exact_cell(notation::text(alpha));
 }
-std::optional<int> digits_wanted(const Request& request) {
-  const auto digits = request.whole("digits", 1, most_digits);
-  return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
-}
-
 /// The tier that is asked for; "exact" where digits are.
 std::string tier_of(const Request& request) {
   if (!request.has("tier")) return request.has("digits") ? "exact" : "accurate";
@@ -69,14 +64,12 @@ struct Asked {
   explicit Asked(const Request& request)
       : alpha(alpha_of(request.text("alpha"))),
         tier(tier_of(request)),
-        digits(digits_wanted(request)),
-        counts(count_collisions(alpha)),
+        digits(request.whole("digits", 1, most_digits)),
         wants_fractions(tier == "exact" && !digits),
         number(tier == "exact" ? nullptr : std::get_if<double>(&alpha)) {}
   Alpha alpha;
   std::string tier;
   std::optional<int> digits;
-  LargeCounts counts;
   bool wants_fractions;
   const double* number;  // the double that tiers fast and accurate answer for
 };
@@ -91,38 +84,24 @@ Names eval_columns(const Request& /*request*/) {
   return {"alpha", "n", "tier", "a", "b", "c", "c_prime"};
 }
 
-/// The cycles of a request, at most so many.
-cln::cl_I cycles_of(const Request& request, const cln::cl_I& N_A) {
-  const std::string digits = request.text("n");
-  if (!digits.empty() && digits.find_first_not_of("0123456789") == std::string::npos) {
-    const cln::cl_I n = digits.c_str();
-    if (n <= N_A) return n;
-  }
-  throw InvalidInput("n must be a whole number from 0 to " + kernel::digits(N_A) +
-                     " for this alpha, got " + shown_text(digits));
-}
-
 Answer eval(const Request& request) {
   const Asked in(request);
-  const cln::cl_I cycles = cycles_of(request, in.counts.N_A);
-  // Cycles that do not fit 64 bits are for balls.
-  const bool fits = cln::integer_length(cycles) < 64;
-  const std::int64_t n = fits ? cln::cl_I_to_long(cycles) : 0;
+  const cln::cl_I N_A = count_collisions(in.alpha).N_A;
+  const bool fits = cln::integer_length(N_A) < 64;
+  const std::int64_t n = *request.whole("n", 0, fits ? cln::cl_I_to_long(N_A) : INT64_MAX);
   Row four;
   if (in.wants_fractions) {
-    const auto v =
-        magicmass::generated::velocities_exact(exact_ratio(in.alpha, cycles, "cycles"), n);
+    const auto v = magicmass::generated::velocities_exact(exact_ratio(in.alpha, n, "cycles"), n);
     four = exact_cells({v.a, v.b, v.c, v.c_prime});
-  } else if (in.number != nullptr && fits) {
+  } else if (in.number != nullptr) {
     const auto v = in.tier == "fast" ? magicmass::fast::velocities(*in.number, n)
                                      : magicmass::accurate::velocities(*in.number, n);
     four = real_cells({v.a, v.b, v.c, v.c_prime});
   } else {
-    four = rounded([&] { return velocities(in.alpha, cycles); }, in.digits);
+    four = rounded([&] { return velocities(in.alpha, n); }, in.digits);
   }
-  return answer(
-      eval_columns(request),
-      {{alpha_cell(in.alpha), whole_cell(kernel::digits(cycles)), text_cell(in.tier)}, four});
+  return answer(eval_columns(request),
+                {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
 }
 
 Names count_columns(const Request& /*request*/) { return {"alpha", "N_A", "N_B"}; }
@@ -151,7 +130,10 @@ Alpha restitution_of(const Request& request) {
                      shown_text(text));
 }
 
-Row cells_of(const magicmass::Terminal& t) { return real_cells({t.a_t, t.b_t, t.c_t, t.rho}); }
+Row counts_and_velocities(const magicmass::Terminal& t) {
+  return concatenated(
+      {count_cells({t.counts.N_A, t.counts.N_B}), real_cells({t.a_t, t.b_t, t.c_t, t.rho})});
+}
 
 /// Fractions by the law of one collision.
 Row stepped(const Alpha& alpha, const cln::cl_RA& e, std::int64_t N) {
@@ -168,25 +150,21 @@ Row stepped(const Alpha& alpha, const cln::cl_RA& e, std::int64_t N) {
 }
 
 /// What stands behind alpha and a restitution below 1.
-Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& e) {
-  const std::string tier = tier_of(request);
-  const auto digits = digits_wanted(request);
-  const bool wants_fractions = tier == "exact" && !digits;
-  const auto *number = std::get_if<double>(&alpha), *of_e = std::get_if<double>(&e);
-  if (tier == "fast" && number != nullptr && of_e != nullptr) {
-    if (const auto t = magicmass::fast::terminal(*number, *of_e))
-      return concatenated(
-          {{whole_cell(t->counts.N_A), whole_cell(t->counts.N_B)}, cells_of(*t), {missing_cell()}});
-  }
-  const Trio trio = Trio::equal_blocks(value_of(alpha), *fraction_of(e));
+Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
+  const auto* number = std::get_if<double>(&restitution);
+  const bool is_fast = in.tier == "fast" && in.number != nullptr && number != nullptr;
+  if (const auto t = is_fast ? magicmass::fast::terminal(*in.number, *number) : std::nullopt)
+    return concatenated({counts_and_velocities(*t), {missing_cell()}});
+  const cln::cl_RA e = *fraction_of(restitution);
+  const Trio trio = Trio::equal_blocks(value_of(in.alpha), e);
   try {
     if (const auto N = trio.count()) {
-      const Row four = wants_fractions
-                           ? stepped(alpha, *fraction_of(e), *N)
-                           : rounded([&] { return answers::terminal(trio, *N); }, digits);
+      const Row four = in.wants_fractions
+                           ? stepped(in.alpha, e, *N)
+                           : rounded([&] { return answers::terminal(trio, *N); }, in.digits);
       return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four, {missing_cell()}});
     }
-    if (wants_fractions)
+    if (in.wants_fractions)
       throw Undecided(
           "terminal: collisions never end, at a time that may be no fraction; "
           "add --digits D");
@@ -194,8 +172,7 @@ Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& 
       const auto [time, position, v] = trio.collapse(trio.shape());
       return Balls{v, v, v, v * v, time};
     };
-    const Cell never{"infinitely many", "null"};
-    return concatenated({{never, never}, rounded(end, digits)});
+    return concatenated({Row(2, {"infinitely many", "null"}), rounded(end, in.digits)});
   } catch (const std::domain_error&) {
     throw Undecided(
         "terminal: alpha or the restitution is too far from 1 for this version; "
@@ -204,82 +181,53 @@ Row inelastic_terminal(const Request& request, const Alpha& alpha, const Alpha& 
 }
 
 /// Likewise where nothing is lost.
-Row elastic_terminal(const Request& request) {
-  const Asked in(request);
-  const auto& [N_A, N_B] = in.counts;
+Row elastic_terminal(const Asked& in) {
+  const LargeCounts counts = count_collisions(in.alpha);
   // Counts that do not fit 64 bits are for balls.
   const auto number = in.number == nullptr ? std::nullopt
                       : in.tier == "fast"  ? magicmass::fast::terminal(*in.number)
                                            : magicmass::accurate::terminal(*in.number);
+  if (number) return counts_and_velocities(*number);
   Row four;
   if (in.wants_fractions) {
-    const cln::cl_RA alpha = exact_ratio(in.alpha, N_A, "cycles");
-    const auto v =
-        magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(N_A), cln::cl_I_to_long(N_B));
+    const cln::cl_RA alpha = exact_ratio(in.alpha, counts.N_A, "cycles");
+    const auto v = magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(counts.N_A),
+                                                        cln::cl_I_to_long(counts.N_B));
     four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
-  } else if (number) {
-    four = cells_of(*number);
   } else {
-    four = rounded([&] { return answers::terminal(in.alpha, in.counts); }, in.digits);
+    four = rounded([&] { return answers::terminal(in.alpha, counts); }, in.digits);
   }
-  return concatenated({count_cells(in.counts), four});
+  return concatenated({count_cells(counts), four});
 }
 
 Answer terminal(const Request& request) {
-  const Alpha alpha = alpha_of(request.text("alpha"));
+  const Asked in(request);
   const Names columns = terminal_columns(request);
   if (!request.has("restitution"))
-    return answer(columns, {{alpha_cell(alpha)}, elastic_terminal(request)});
+    return answer(columns, {{alpha_cell(in.alpha)}, elastic_terminal(in)});
   const Alpha e = restitution_of(request);
-  const Row end = *fraction_of(e) == 1 ? concatenated({elastic_terminal(request), {missing_cell()}})
-                                       : inelastic_terminal(request, alpha, e);
-  return answer(columns, {{alpha_cell(alpha), alpha_cell(e)}, end});
+  const Row end = *fraction_of(e) == 1 ? concatenated({elastic_terminal(in), {missing_cell()}})
+                                       : inelastic_terminal(in, e);
+  return answer(columns, {{alpha_cell(in.alpha), alpha_cell(e)}, end});
 }
 
 /// sqrt(2) - 1 for -1 + 1/sqrt(1/2), sqrt(5) - 2 for -(2 - sqrt(5)).
 std::string as_by_hand(kernel::Expr e) {
-  using kernel::Expr, kernel::Op;
-  const auto is_number = [](Expr x) { return x.op() == Op::Num; };
-  if (e.op() == Op::Mul && e.arg(0) == Expr(-1) && e.arg(1).op() == Op::Add)
+  using kernel::Op, kernel::sqrt;
+  if (e.op() == Op::Mul && e.arg(0) == -1 && e.arg(1).op() == Op::Add)
     e = kernel::sum({-e.arg(1).arg(0), -e.arg(1).arg(1)});
-  if (e.op() != Op::Add || !is_number(e.arg(0))) return kernel::text(e);
-  Expr root = e.arg(1);
-  const auto inside = [](Expr x, const char* function) {
-    return x && x.op() == Op::Fun && x.name() == function ? x.arg(0) : Expr();
-  };
-  if (const Expr x = inside(inside(root, "inv"), "sqrt"); x && is_number(x)) {
-    const cln::cl_I p = cln::numerator(x.value()), q = cln::denominator(x.value());
-    cln::cl_I r;
-    if (p == 1) root = kernel::sqrt(cln::cl_RA(q));
-    if (p != 1 && cln::sqrtp(q, &r)) root = Expr(cln::cl_RA(r)) / kernel::sqrt(cln::cl_RA(p));
-  }
-  return kernel::text(root) + " - " + kernel::digits(-e.arg(0).value());
-}
-
-/// Ratios first to last.
-std::vector<Row> ratio_rows(int first, int last, std::optional<int> digits, bool has_polynomials) {
-  std::vector<Row> rows;
-  for (int k = first; k <= last; ++k) {
-    Row numbers, radicals, polynomials;
-    for (const Alpha& ratio : {Alpha(notation::Magic{k}), Alpha(notation::Deficient{k})}) {
-      const bool is_magic = std::holds_alternative<notation::Magic>(ratio);
-      numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
-      const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
-      const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
-      radicals.push_back(derivation::is_shown(id) ? text_cell(as_by_hand(right_side(id)))
-                                                  : missing_cell());
-      if (has_polynomials)
-        polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));
-    }
-    rows.push_back(concatenated({{whole_cell(k)}, numbers, radicals, polynomials}));
-  }
-  return rows;
+  if (e.op() != Op::Add || e.arg(0).op() != Op::Num) return kernel::text(e);
+  const std::map<kernel::Expr, kernel::Expr> by_hand{{1 / sqrt(cln::cl_RA(1) / 2), sqrt(2)},
+                                                     {1 / sqrt(cln::cl_RA(3) / 4), 2 / sqrt(3)}};
+  const auto found = by_hand.find(e.arg(1));
+  return kernel::text(found == by_hand.end() ? e.arg(1) : found->second) + " - " +
+         kernel::digits(-e.arg(0).value());
 }
 
 Answer ratios(const Request& request) {
   constexpr int rows_at_once = 100;
   const auto most = request.whole("count", 1, 1'000'000'000);
-  const auto digits = digits_wanted(request);
+  const std::optional<int> digits = request.whole("digits", 1, most_digits);
   const bool has_polynomials = request.has("polynomials");
   const std::int64_t at_once = has_polynomials ? 200 : 100'000;
   if (most.value_or(10) > at_once) {
@@ -288,20 +236,34 @@ Answer ratios(const Request& request) {
                     "at most --count " +
                     std::to_string(at_once) + (has_polynomials ? " with polynomials" : ""));
   }
-  Table table{{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"}, {}};
-  if (has_polynomials)
-    table.columns.insert(table.columns.end(), {"magic_polynomial", "deficient_polynomial"});
+  Names columns{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"};
+  if (has_polynomials) columns.insert(columns.end(), {"magic_polynomial", "deficient_polynomial"});
   const int count = static_cast<int>(most.value_or(10));
-  table.rows = ratio_rows(1, std::min(count, rows_at_once), digits, has_polynomials);
-  Answer answer{std::move(table), ""};
+  const auto rows_from = [=](int first) {
+    std::vector<Row> rows;
+    for (int k = first; k <= std::min(count, first + rows_at_once - 1); ++k) {
+      Row numbers, radicals, polynomials;
+      for (const Alpha& ratio : {Alpha(notation::Magic{k}), Alpha(notation::Deficient{k})}) {
+        const bool is_magic = std::holds_alternative<notation::Magic>(ratio);
+        numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
+        const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
+        const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
+        radicals.push_back(derivation::is_shown(id) ? text_cell(as_by_hand(right_side(id)))
+                                                    : missing_cell());
+        if (has_polynomials)
+          polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));
+      }
+      rows.push_back(concatenated({{whole_cell(k)}, numbers, radicals, polynomials}));
+    }
+    return rows;
+  };
+  Answer answer{{columns, rows_from(1)}, ""};
   if (count <= rows_at_once) return answer;
-  answer.stream = [=, table = std::exchange(answer.table, {})](const auto& write) {
-    Writer writer(format_of(request.format), table.columns, true);
-    write(writer.rows(table.rows));
-    for (int first = rows_at_once + 1; first <= count; first += rows_at_once) {
-      const int last = std::min(count, first + rows_at_once - 1);
+  answer.stream = [=, format = format_of(request.format)](const auto& write) {
+    Writer writer(format, columns, true);
+    for (int first = 1; first <= count; first += rows_at_once) {
+      write(writer.rows(rows_from(first)));
       write("");
-      write(writer.rows(ratio_rows(first, last, digits, has_polynomials)));
     }
     write(writer.end());
   };

@@ -52,17 +52,6 @@ std::vector<std::filesystem::path> students_of(const std::string& place) {
   return students;
 }
 
-/// Names of files in a folder, but of a link's none; some of them where there are many.
-std::set<std::string> files_in(const std::filesystem::path& folder) {
-  constexpr std::size_t most = 1000;
-  std::set<std::string> names;
-  std::error_code error;
-  if (std::filesystem::is_symlink(folder, error)) return names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (names.size() < most) names.insert(entry.path().filename());
-  return names;
-}
-
 std::vector<Exercise> chosen(const std::vector<Exercise>& all, const std::string& ids) {
   std::set<std::string> names;
   for (const std::string& id : learn::split(ids, ',')) names.insert(named(all, id).id);
@@ -113,7 +102,11 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
           {shown, text_cell(exercises[i].id), row.back(), cell_of(request, answer->said.feedback),
            misconception.empty() ? answers::missing_cell() : cell_of(request, misconception)});
     }
-    for (const std::string& file : files_in(student))
+    std::set<std::string> there;  // of what may be a great many
+    if (std::error_code error; !std::filesystem::is_symlink(student, error))
+      for (const auto& entry : std::filesystem::directory_iterator(student, error))
+        if (there.size() < 1000) there.insert(entry.path().filename());
+    for (const std::string& file : there)
       if (const auto said = misnamed(file, files))
         why.rows.push_back({shown, cell_of(request, answers::shown_text(file)), text_cell("unread"),
                             text_cell(*said), answers::missing_cell()});

@@ -183,33 +183,28 @@ Answer test(const Request& request) {
 }  // namespace
 
 Answer learn_by_exercises(const Request& request) {
-  struct Action {
-    Answer (*run)(const Request&);
-    std::vector<std::string> options;  // besides those of all commands
-  };
-  static const std::vector<std::string> of_all{"format", "output", "time-limit", "memory-limit"};
-  static const std::map<std::string, Action> actions{
-      {"list", {list, {"folder"}}},
-      {"show", {show, {"folder", "seed"}}},
-      {"check", {check, {"folder", "seed", "file", "reveal"}}},
-      {"hint", {hint, {"folder", "seed"}}},
-      {"solution", {solution, {"folder", "seed"}}},
-      {"watch", {watch_folder, {"folder", "seed"}}},
-      {"grade", {grade_class, {"folder", "seed", "only", "why", "summary"}}},
-      {"new", {make, {"kind"}}},
-      {"test", {test, {"folder"}}}};
+  static const std::map<std::string, Answer (*)(const Request&)> actions{
+      {"list", list}, {"show", show},          {"check", check},
+      {"hint", hint}, {"watch", watch_folder}, {"grade", grade_class},
+      {"new", make},  {"solution", solution},  {"test", test}};
+  static const std::map<std::string, std::string> of_some{
+      {"folder", "list, show, check, hint, solution, watch, grade, test"},
+      {"seed", "show, check, hint, solution, watch, grade"},
+      {"file", "check"},
+      {"reveal", "check"},
+      {"kind", "new"},
+      {"only", "grade"},
+      {"why", "grade"},
+      {"summary", "grade"}};
   const std::string name = request.words.empty() ? "" : request.words[0];
   const auto found = actions.find(name);
   if (found == actions.end())
     throw InvalidInput("learn: " + answers::shown_text(name) +
                        "; allowed: list, show, check, hint, solution, watch, grade, new, test");
-  const auto& [run, options] = found->second;
-  for (const auto& [option, value] : request.options)
-    if (std::count(options.begin(), options.end(), option) == 0 &&
-        std::count(of_all.begin(), of_all.end(), option) == 0)
-      throw InvalidInput("learn " + name + ": has no option --" + option + "; allowed: --" +
-                         answers::joined(options, ", --"));
-  return run(request);
+  for (const auto& [option, names] : of_some)
+    if (request.has(option) && names.find(name) == names.npos)
+      throw InvalidInput("learn " + name + " has no option --" + option + ", but: " + names);
+  return found->second(request);
 }
 
 }  // namespace classroom

@@ -36,12 +36,12 @@ struct Command {
   /// Of answers to --input, where it may have no row; of the request's options only names count.
   std::function<answers::Names(const answers::Request&)> columns;
   std::function<answers::Answer(const answers::Request&)> run;
+  /// The same answers for many rows of --input; those without one are handed to `run`.
+  std::function<answers::Block(const answers::Rows&)> run_block = {};
   std::int64_t seconds = 30;       ///< of --time-limit unless told otherwise
   std::int64_t mebibytes = 1024;   ///< of --memory-limit unless told otherwise
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
-  /// The same answers for many rows of --input; those without one are handed to `run`.
-  std::function<answers::Block(const answers::Rows&)> run_block = {};
-  bool takes_formulas = false;            ///< its words may begin with a minus sign
+  bool takes_formulas = false;     ///< its words may begin with a minus sign
   std::vector<std::string> endless = {};  ///< first words for which that time is no_limit
 };
 

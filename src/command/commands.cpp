@@ -15,18 +15,6 @@
 #include "report/report.hpp"
 
 namespace command {
-namespace {
-
-/// An answer about a scene: "-" is stdin.
-template <answers::Answer (*answer)(const answers::Request&)>
-answers::Answer of_scene(answers::Request request) {
-  for (std::string& word : request.words)
-    if (word == "-") word = "/dev/stdin";
-  return answer(request);
-}
-
-}  // namespace
-
 Program magicmass() {
   const Option alpha{"alpha", "ALPHA", "mass ratio: 0.12, 1/7, magic:3, deficient:2",
                      {},      true,    true};
@@ -50,6 +38,7 @@ Program magicmass() {
                {"text", "markdown", "latex", "html", "json", "coq"},
                {},
                derive,
+               {},
                30,
                1024,
                "coq"},
@@ -61,6 +50,7 @@ Program magicmass() {
                {"text", "json", "csv"},
                {},
                verify,
+               {},
                3600,
                4096},
               {"eval",
@@ -71,9 +61,6 @@ Program magicmass() {
                {"text", "json", "csv", "jsonl"},
                answers::eval_columns,
                answers::eval,
-               30,
-               1024,
-               {},
                answers::eval_block},
               {"count",
                "Numbers of collisions, exactly",
@@ -83,9 +70,6 @@ Program magicmass() {
                {"text", "json", "csv", "jsonl"},
                answers::count_columns,
                answers::count,
-               30,
-               1024,
-               {},
                answers::count_block},
               {"terminal",
                "Counts and terminal velocities",
@@ -103,9 +87,6 @@ Program magicmass() {
                {"text", "json", "csv", "jsonl"},
                answers::terminal_columns,
                answers::terminal,
-               30,
-               1024,
-               {},
                answers::terminal_block},
               {"ratios",
                "Magic and deficient mass ratios",
@@ -125,9 +106,9 @@ Program magicmass() {
                {"text", "json", "csv"},
                {},
                answers::equal,
+               {},
                30,
                1024,
-               {},
                {},
                true},
               {"simulate",
@@ -138,7 +119,7 @@ Program magicmass() {
                "SCENE.toml, or - for stdin",
                {"text", "json", "csv", "jsonl"},
                {},
-               of_scene<answers::simulate>},
+               answers::simulate},
               {"plan",
                "Which model a scene needs, and why",
                "magicmass plan tutorials/scenes/wall.toml",
@@ -147,7 +128,7 @@ Program magicmass() {
                "SCENE.toml, or - for stdin",
                {"text", "json", "csv"},
                {},
-               of_scene<answers::plan>},
+               answers::plan},
               {"figure",
                "A figure of the paper",
                "magicmass figure terminal -o terminal.svg",
@@ -188,6 +169,7 @@ Program magicmass() {
                {"text", "markdown", "json", "csv"},
                {},
                report::report,
+               {},
                300},
               {"learn",
                "Exercises, and what is said to answers",
@@ -205,9 +187,9 @@ Program magicmass() {
                {"text", "json", "csv"},
                {},
                classroom::learn_by_exercises,
+               {},
                60,
                1024,
-               {},
                {},
                true,
                {"watch", "grade"}},

@@ -33,12 +33,9 @@ std::string summary_of(const std::vector<Comparison>& all) {
          " without one\nHeadings are labels of its LaTeX source.\n";
 }
 
-/// "Figure fig:NaNb": what a label of the paper's source stands at.
-std::string heading(const std::string& label) {
-  const std::string kind = label.starts_with("table:") ? "Table "
-                           : label.starts_with("fig:") ? "Figure "
-                                                       : "Equation ";
-  return kind + label;
+/// What a label of the paper stands at.
+std::string kind_of(const std::string& label) {
+  return label[0] == 't' ? "Table " : label[0] == 'f' ? "Figure " : "Equation ";
 }
 
 /// A heading and a narrow table for each label, and under it why numbers differ.
@@ -52,7 +49,8 @@ std::string document_of(const std::vector<Comparison>& all, bool is_markdown) {
     for (; first != last; ++first)
       if (!first->reason.empty() && std::count(reasons.begin(), reasons.end(), first->reason) == 0)
         reasons.push_back(first->reason);
-    text += (is_markdown ? "\n## " : "\n") + heading(table.rows[0][0].text) + "\n\n";
+    const std::string label = table.rows[0][0].text;
+    text += (is_markdown ? "\n## " : "\n") + kind_of(label) + label + "\n\n";
     const auto narrow = [](auto& row) {
       row.erase(row.begin());
       row.pop_back();

@@ -4,7 +4,7 @@
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "command/folder.hpp"
+#include "command/generate.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
 #include "generate/tree.hpp"

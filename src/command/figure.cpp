@@ -2,6 +2,7 @@
 #include "command/figure.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <sstream>
 
 #include "answers/errors.hpp"
@@ -70,22 +71,15 @@ std::string described(std::string svg, const std::string& script) {
   return svg.insert(root + 4, " role=\"img\" aria-labelledby=\"title desc\"");
 }
 
-/// The format that is asked for, or what the ending of the file says.
+/// The format that is asked for, or what the file's ending says.
 std::string format_of(const answers::Request& request) {
-  static const std::vector<std::string> all{"svg", "png", "pdf", "csv"};
-  const std::string file = request.text("output");
-  const std::size_t dot = file.rfind('.');
-  if (dot == std::string::npos || file.find('/', dot) != std::string::npos) return request.format;
-  const std::string ending = file.substr(dot + 1);
-  if (request.has("format") ? ending != request.format
-                            : std::count(all.begin(), all.end(), ending) == 0) {
-    const std::string what =
-        request.has("format") ? "not of --format " + request.format : "an unknown ending";
-    const std::string allowed = request.has("format") ? request.format : answers::joined(all);
-    throw answers::InvalidInput("figure: -o " + answers::shown_text(file) + ": " + what +
-                                "; allowed endings: " + allowed);
-  }
-  return ending;
+  const std::string ending = std::filesystem::path(request.text("output")).extension();
+  std::vector<std::string> allowed{"svg", "png", "pdf", "csv"};
+  if (request.has("format")) allowed = {request.format};
+  if (ending.empty()) return request.format;
+  if (std::count(allowed.begin(), allowed.end(), ending.substr(1)) != 0) return ending.substr(1);
+  throw answers::InvalidInput("figure: -o: ending " + answers::shown_text(ending) + "; allowed: ." +
+                              answers::joined(allowed, ", ."));
 }
 
 }  // namespace
@@ -109,19 +103,17 @@ answers::Answer figure(const answers::Request& request) {
     names.push_back(f.name);
     list += f.name + ": " + told(script_of(f.name), "title") + "\n";
   }
-  if (request.has("list")) {
-    if (request.words.empty()) return {{}, list};
-    throw answers::InvalidInput("figure: --list or a name, not both");
-  }
-  if (request.words.size() != 1)
-    throw answers::InvalidInput("figure: give one name; allowed: " + answers::joined(names));
+  if (request.has("list") && request.words.empty()) return {{}, list};
+  if (request.words.size() != 1 || request.has("list"))
+    throw answers::InvalidInput("figure: give one name, or --list; allowed: " +
+                                answers::joined(names));
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const Figure& f) { return f.name == request.words[0]; });
   if (found == all.end()) {
     throw answers::InvalidInput("figure: no figure " + answers::shown_text(request.words[0]) +
                                 "; allowed: " + answers::joined(names));
   }
-  const std::string format = format_of(request);
+  const std::string format = format_of(request);  // refused before the data are computed
   return {{}, picture(*found, found->data(), format)};
 }
 

@@ -2,14 +2,15 @@
 #include "command/generate.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 
 #include "answers/errors.hpp"
-#include "command/folder.hpp"
+#include "answers/shown_text.hpp"
 #include "generate/quantities.hpp"
-#include "generate/tree.hpp"
 #include "magicmass/scenes/scene.hpp"
 #include "magicmass/scenes/trio.hpp"
 
@@ -27,22 +28,17 @@ Names listed(const std::string& text) {
   return names;
 }
 
-/// Whether a scene is of the evaluators: the paper's three bodies, wherever they are.
-bool is_of_paper(const magicmass::scenes::Scene& scene) {
-  if (scene.kind != magicmass::scenes::Kind::three_body || !scene.restitution.is(1)) return false;
-  const auto places = magicmass::scenes::exact_places(scene);
-  const auto* block = scene.masses[0].exact();
-  return places && magicmass::scenes::Trio::of(*places) && block && scene.masses[2].is(*block);
-}
-
-/// What a scene's outputs are computed from.
+/// What a scene's outputs are computed from. The evaluators are of the paper's three bodies.
 Names needed(const std::string& file) {
+  using namespace magicmass::scenes;
   static const std::map<std::string, Names> all{{"counts", {"N_A", "N_B"}},
                                                 {"terminal", {"a_t", "b_t", "c_t", "rho"}},
                                                 {"events", {"a", "b", "c", "c_prime"}}};
-  const magicmass::scenes::Scene scene =
-      magicmass::scenes::read_scene(file == "-" ? "/dev/stdin" : file);
-  if (!is_of_paper(scene)) {
+  const Scene scene = read_scene(file == "-" ? "/dev/stdin" : file);
+  const auto places = exact_places(scene);
+  const auto* block = scene.masses[0].exact();
+  if (scene.kind != Kind::three_body || !places || !Trio::of(*places) || block == nullptr ||
+      !scene.masses[2].is(*block) || !scene.restitution.is(1)) {
     throw InvalidInput(scene.source +
                        ": no evaluators for this scene; allowed: blocks A and B of one mass, B at "
                        "rest beside the ball C, A on its way to them, restitution 1");
@@ -50,10 +46,8 @@ Names needed(const std::string& file) {
   Names names;
   for (const std::string& output : scene.outputs) {
     const auto found = all.find(output);
-    if (found == all.end()) {
-      magicmass::scenes::refuse_key(scene, "outputs", "no evaluators for " + output,
-                                    "counts, terminal, events");
-    }
+    if (found == all.end())
+      refuse_key(scene, "outputs", "no evaluators for " + output, "counts, terminal, events");
     names.insert(found->second.begin(), found->second.end());
   }
   return names;
@@ -66,8 +60,7 @@ std::string header(const answers::Request& request) {
     throw InvalidInput("generate: --scene or --quantity, not both");
   if (request.has("out") || request.has("check")) {
     throw InvalidInput(
-        "generate: --out and --check are of all files; allowed with --scene and "
-        "--quantity: --form, -o FILE");
+        "generate: --out and --check are of all files; allowed with one header: --form, -o FILE");
   }
   const std::string form = request.has("form") ? request.text("form") : "tangent";
   const Names names = is_scene ? needed(request.text("scene")) : listed(request.text("quantity"));
@@ -79,6 +72,28 @@ std::string header(const answers::Request& request) {
 }
 
 }  // namespace
+
+void write_folder(const std::string& option, const std::string& folder,
+                  const std::function<generate::Texts()>& texts) {
+  const auto refuse = [&](const std::string& why) {
+    throw InvalidInput(option + " " + answers::shown_text(folder) + ": " + why +
+                       "; allowed: a folder to write to");
+  };
+  std::error_code error;
+  const bool is_new = std::filesystem::create_directories(folder, error);
+  if (error) refuse(error.message());
+  try {
+    const generate::Texts files = texts();
+    try {
+      generate::write(folder, files);
+    } catch (const std::runtime_error& problem) {
+      refuse(problem.what());
+    }
+  } catch (...) {
+    if (is_new) std::filesystem::remove(folder, error);
+    throw;
+  }
+}
 
 answers::Answer generate_files(const answers::Request& request) {
   if (request.has("quantity") || request.has("scene")) return {{}, header(request)};

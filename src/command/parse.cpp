@@ -15,6 +15,7 @@
 namespace command {
 namespace {
 
+using namespace std::string_literals;
 using answers::InvalidInput;
 using answers::joined;
 using answers::shown_text;
@@ -148,6 +149,7 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
   Asked asked;
   asked.command = &command;
   asked.request.options = values_of(app, command);
+  if (!command.takes_formulas) std::replace(words.begin(), words.end(), "-"s, "/dev/stdin"s);
   asked.request.words = std::move(words);
   asked.request.format = command.formats.front();
   const auto& endless = command.endless;

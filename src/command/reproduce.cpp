@@ -7,7 +7,7 @@
 #include "answers/velocities.hpp"
 #include "command/comparison.hpp"
 #include "command/figure.hpp"
-#include "command/folder.hpp"
+#include "command/generate.hpp"
 #include "host/embedded.hpp"
 #include "report/report.hpp"
 

@@ -34,7 +34,6 @@ Texts texts(const std::vector<codegen::Quantity>& evaluators,
 /// All of generated/.
 Texts generated();
 /// One header with the wanted outputs alone, in a plain form: closed, product, tangent, exact,
-/// restitution.
-/// Throws codegen::Refused for a form or an output that there is none of.
+/// restitution. Throws codegen::Refused for a form or an output that there is none of.
 std::string selected(const std::string& form, const std::set<std::string>& outputs);
 }  // namespace generate

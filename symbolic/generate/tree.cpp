@@ -36,9 +36,7 @@ void write(const std::string& folder, const Texts& texts) {
   } catch (const std::exception& problem) {
     std::error_code ignored;
     for (const auto& [beside, place] : renames) fs::remove(beside, ignored);
-    const auto* refused = dynamic_cast<const fs::filesystem_error*>(&problem);
-    throw std::runtime_error(refused ? refused->path1().string() + ": " + refused->code().message()
-                                     : problem.what());
+    throw std::runtime_error(problem.what());
   }
 }
 std::vector<std::string> differences(const std::string& folder, const Texts& texts) {

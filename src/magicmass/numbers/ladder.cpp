@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/numbers/ladder.hpp"
 
+#include <array>
+#include <charconv>
 #include <limits>
 #include <string>
 
@@ -57,10 +59,13 @@ std::int64_t last_cycle(double alpha) { return counts_or_most(alpha).N_A; }
   return v ? v : velocities_by_mpfr(alpha, n);
 }
 
+std::string text_of(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
 void check(double alpha) {
-  if (!is_mass_ratio(alpha)) {
+  if (!is_mass_ratio(alpha))
     throw InvalidInput("alpha must be positive and finite, got " + text_of(alpha));
-  }
 }
 [[noreturn]] void refuse_cycle(double alpha, std::int64_t n) {
   check(alpha);
@@ -86,12 +91,9 @@ double angle(Tier tier, double alpha) {
 }
 Ratios ratios(Tier tier, std::int64_t k) {
   if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
-  const auto magic = certain(kernels().magic, tier, k);
+  const auto magic = k == 1 ? std::optional(1.0) : certain(kernels().magic, tier, k);
   const auto deficient = certain(kernels().deficient, tier, k);
-  return {k == 1  ? 1.0
-          : magic ? *magic
-                  : magic_by_mpfr(k),
-          deficient ? *deficient : deficient_by_mpfr(k)};
+  return {magic ? *magic : magic_by_mpfr(k), deficient ? *deficient : deficient_by_mpfr(k)};
 }
 // Results are written once, where they are returned: to copy them at once is slow.
 Velocities velocities_or_throw(Tier tier, double alpha, std::int64_t n) {

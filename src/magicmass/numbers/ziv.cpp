@@ -29,8 +29,6 @@
 //  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).
 #include "magicmass/numbers/ziv.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -73,7 +71,7 @@ void until_certain(const char* what, double x, bool is_exact, F attempt) {
   for (MpfrFloat::bits = first_bits; MpfrFloat::bits <= last_bits; MpfrFloat::bits *= 2) {
     if (attempt() == 0.0) return;
   }
-  throw Undecided(std::string(what) + " at " + text_of(x) + ": still open at " +
+  throw Undecided(std::string(what) + " at " + std::to_string(x) + ": still open at " +
                   std::to_string(last_bits) + " bits");
 }
 /// Runs one case.
@@ -123,10 +121,6 @@ double distance(double alpha, std::int64_t k, MpfrFloat Case::*threshold) {
 }
 }  // namespace
 
-std::string text_of(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 Velocities velocities_by_mpfr(double alpha, std::int64_t n) {
   const auto v =
       settled<generated::Velocities>("velocities", alpha, has_dyadic_velocities(alpha), {alpha, n});

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 
 #include "magicmass/numbers/values.hpp"
 
@@ -26,6 +25,4 @@ double magic_by_mpfr(std::int64_t k);
 double deficient_by_mpfr(std::int64_t k);
 /// (alpha - threshold)/threshold; for alpha_k k >= 2.
 double distance_by_mpfr(double alpha, bool is_magic, std::int64_t k);
-/// For messages: the shortest decimal that reads back as it.
-std::string text_of(double x);
 }  // namespace magicmass::numbers
