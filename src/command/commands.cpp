@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One row a command; what a later version brings back is named in one line.
-#include "command/commands.hpp"
-
 #include "answers/derivation.hpp"
 #include "answers/equality.hpp"
 #include "answers/scene.hpp"
 #include "answers/velocities.hpp"
 #include "classroom/learn.hpp"
-#include "command/comparison.hpp"
+#include "command/command.hpp"
 #include "command/coq.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"

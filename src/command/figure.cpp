@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <stdexcept>
 
 #include "answers/errors.hpp"
 #include "answers/figures.hpp"
 #include "answers/shown_text.hpp"
-#include "command/gnuplot.hpp"
+#include "host/child.hpp"
 #include "host/embedded.hpp"
 #include "report/report.hpp"
 
@@ -48,6 +49,19 @@ std::string filled(const std::string& script, const std::string& data, const std
   return "set encoding utf8\nset terminal " + terminal +
          "\nset datafile separator ','\nset datafile columnheaders\n$data << END\n" + data +
          "END\n" + script;
+}
+/// What gnuplot prints for a script; script and picture are passed in memory.
+std::string drawn(const std::string& script) {
+  const auto said = host::said_by({"gnuplot", "-d", "-"}, script);
+  if (!said) {
+    throw answers::InvalidInput(
+        "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");
+  }
+  if (!said->is_done) {
+    throw std::runtime_error("figure: gnuplot could not draw: " +
+                             answers::shown_text(said->errors, 200));
+  }
+  return said->output;
 }
 /// No date: two runs give the same bytes. Of the same length, since a PDF counts its bytes. Where
 /// it is compressed (cairo of Debian 13) it stays.

@@ -56,12 +56,9 @@ Names needed(const std::string& file) {
 /// One header.
 std::string header(const answers::Request& request) {
   const bool is_scene = request.has("scene");
-  if (is_scene && request.has("quantity"))
-    throw InvalidInput("generate: --scene or --quantity, not both");
-  if (request.has("out") || request.has("check")) {
+  if (request.has("out") || request.has("check") || (is_scene && request.has("quantity")))
     throw InvalidInput(
-        "generate: --out and --check are of all files; allowed with one header: --form, -o FILE");
-  }
+        "generate: --quantity or --scene is one header; allowed with it: --form, -o FILE");
   const std::string form = request.has("form") ? request.text("form") : "tangent";
   const Names names = is_scene ? needed(request.text("scene")) : listed(request.text("quantity"));
   try {
@@ -106,10 +103,8 @@ answers::Answer generate_files(const answers::Request& request) {
     return {{}, std::to_string(texts.size()) + " files written to " + folder + "\n"};
   }
   const std::vector<std::string> stale = generate::differences(folder, texts);
-  if (stale.empty()) {
-    return {{},
-            folder + " is what the theorems give: " + std::to_string(texts.size()) + " files\n"};
-  }
+  const std::string files = std::to_string(texts.size()) + " files";
+  if (stale.empty()) return {{}, folder + " is what the theorems give: " + files + "\n"};
   std::string said;
   for (const std::string& line : stale) said += folder + "/" + line + "\n";
   const auto extra = std::count_if(stale.begin(), stale.end(), [](const std::string& line) {

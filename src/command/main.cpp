@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The program magicmass.
-#include "command/commands.hpp"
+#include "command/command.hpp"
 
 int main(int argc, char** argv) {
   return command::run_program(command::magicmass(), {argv + (argc > 0 ? 1 : 0), argv + argc});

@@ -63,8 +63,8 @@ TEST_CASE("rows that are left open", "[exam]") {
                              {"99999999999999999999", "0.1"},
                              {"3", "0.1"}},
                             "accurate");
-  CHECK(eval_block(rows).is_answered == std::vector<bool>{false, false, false, false, false, false,
-                                                          false, false, false, false, true});
+  CHECK(eval_block(rows).is_answered ==
+        std::vector<bool>{false, false, false, false, false, false, false, false, false, true});
   CHECK(eval_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
   CHECK(terminal_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
   Rows with_restitution = rows_of({{"0.5", "0.1"}}, "accurate");
