@@ -35,11 +35,7 @@ Range range_of(const Alpha& near) {
   throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
 }
 
-double rho_at(double alpha, const cln::cl_RA& e) {
-  const Cell cell = rho(alpha, e);
-  if (cell.text.empty()) throw InvalidInput("extremum: the collisions never end there");
-  return std::stod(cell.text);
-}
+double rho_at(double alpha, const cln::cl_RA& e) { return std::stod(rho(alpha, e).text); }
 
 }  // namespace
 

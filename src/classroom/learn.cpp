@@ -203,7 +203,7 @@ Answer learn_by_exercises(const Request& request) {
                        "; allowed: list, show, check, hint, solution, watch, grade, new, test");
   for (const auto& [option, names] : of_some)
     if (request.has(option) && names.find(name) == names.npos)
-      throw InvalidInput("learn " + name + " has no option --" + option + ", but: " + names);
+      throw InvalidInput("learn " + name + ": no --" + option + " here; allowed with: " + names);
   return found->second(request);
 }
 

@@ -92,8 +92,8 @@ std::string format_of(const answers::Request& request) {
   if (request.has("format")) allowed = {request.format};
   if (ending.empty()) return request.format;
   if (std::count(allowed.begin(), allowed.end(), ending.substr(1)) != 0) return ending.substr(1);
-  throw answers::InvalidInput("figure: -o: ending " + answers::shown_text(ending) + "; allowed: ." +
-                              answers::joined(allowed, ", ."));
+  throw answers::InvalidInput("figure: -o FILE ends in " + answers::shown_text(ending) +
+                              "; allowed: ." + answers::joined(allowed, ", ."));
 }
 
 }  // namespace

@@ -149,7 +149,8 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
   Asked asked;
   asked.command = &command;
   asked.request.options = values_of(app, command);
-  if (!command.takes_formulas) std::replace(words.begin(), words.end(), "-"s, "/dev/stdin"s);
+  if (command.words.ends_with("- for stdin"))
+    std::replace(words.begin(), words.end(), "-"s, "/dev/stdin"s);
   asked.request.words = std::move(words);
   asked.request.format = command.formats.front();
   const auto& endless = command.endless;
