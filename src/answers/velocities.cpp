@@ -28,6 +28,14 @@ Cell alpha_cell(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return real_cell(*value);
   return exact_cell(notation::text(alpha));
 }
+/// The digits that are asked for. Throws Undecided for more than are given at once.
+std::optional<int> digits_wanted(const Request& request) {
+  const auto digits = request.whole("digits", 1, INT64_MAX);
+  if (digits.value_or(0) > most_digits)
+    throw Undecided("digits: " + std::to_string(*digits) +
+                    " are more than are given at once; at most " + std::to_string(most_digits));
+  return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
+}
 /// The tier that is asked for; "exact" where digits are.
 std::string tier_of(const Request& request) {
   if (!request.has("tier")) return request.has("digits") ? "exact" : "accurate";
@@ -64,7 +72,7 @@ struct Asked {
   explicit Asked(const Request& request)
       : alpha(alpha_of(request.text("alpha"))),
         tier(tier_of(request)),
-        digits(request.whole("digits", 1, most_digits)),
+        digits(digits_wanted(request)),
         wants_fractions(tier == "exact" && !digits),
         number(tier == "exact" ? nullptr : std::get_if<double>(&alpha)) {}
   Alpha alpha;
@@ -227,7 +235,7 @@ std::string as_by_hand(kernel::Expr e) {
 Answer ratios(const Request& request) {
   constexpr int rows_at_once = 100;
   const auto most = request.whole("count", 1, 1'000'000'000);
-  const std::optional<int> digits = request.whole("digits", 1, most_digits);
+  const std::optional<int> digits = digits_wanted(request);
   const bool has_polynomials = request.has("polynomials");
   const std::int64_t at_once = has_polynomials ? 200 : 100'000;
   if (most.value_or(10) > at_once) {
