@@ -219,19 +219,6 @@ Answer terminal(const Request& request) {
   return answer(columns, {{alpha_cell(in.alpha), alpha_cell(e)}, end});
 }
 
-/// sqrt(2) - 1 for -1 + 1/sqrt(1/2), sqrt(5) - 2 for -(2 - sqrt(5)).
-std::string as_by_hand(kernel::Expr e) {
-  using kernel::Op, kernel::sqrt;
-  if (e.op() == Op::Mul && e.arg(0) == -1 && e.arg(1).op() == Op::Add)
-    e = kernel::sum({-e.arg(1).arg(0), -e.arg(1).arg(1)});
-  if (e.op() != Op::Add || e.arg(0).op() != Op::Num) return kernel::text(e);
-  const std::map<kernel::Expr, kernel::Expr> by_hand{{1 / sqrt(cln::cl_RA(1) / 2), sqrt(2)},
-                                                     {1 / sqrt(cln::cl_RA(3) / 4), 2 / sqrt(3)}};
-  const auto found = by_hand.find(e.arg(1));
-  return kernel::text(found == by_hand.end() ? e.arg(1) : found->second) + " - " +
-         kernel::digits(-e.arg(0).value());
-}
-
 Answer ratios(const Request& request) {
   constexpr int rows_at_once = 100;
   const auto most = request.whole("count", 1, 1'000'000'000);
@@ -256,7 +243,7 @@ Answer ratios(const Request& request) {
         numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
         const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
         const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
-        radicals.push_back(derivation::is_shown(id) ? text_cell(as_by_hand(right_side(id)))
+        radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))
                                                     : missing_cell());
         if (has_polynomials)
           polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));

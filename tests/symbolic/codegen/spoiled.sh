@@ -55,7 +55,7 @@ errors.cpp|s/add(f, plain, std::sin(top)/add(f, plain, 0.4 * std::sin(top)/
 errors.cpp|s/add(f, plain, and_more);/;/
 errors.cpp|s/add_sized(f, error(x), y);$/;/
 errors.cpp|s/add_sized(f, error(y), x);/;/
-errors.cpp|s/take(n.op == Op::sine ? of.sine : of.cosine);/loose = 0x1p-50;/
+errors.cpp|s/take(n.op == Op::sine ? of.sine : of.cosine);/here.loose = 0x1p-50;/
 errors.cpp|s/add(f, error(y), and_more \/ p/add(f, error(y), 0.5 * and_more \/ p/
 errors.cpp|s/add(f, error(y), and_more \/ p.*$/;/
 errors.cpp|s/{k, k});$/{k});/
