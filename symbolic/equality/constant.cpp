@@ -5,8 +5,7 @@
 // degree of the field.
 #include "equality/constant.hpp"
 
-#include <cmath>
-#include <map>
+#include <cstdint>
 #include <numeric>
 
 #include "equality/normal_form.hpp"
@@ -18,42 +17,44 @@ constexpr int first_bits = 128;
 constexpr int most_bits = 60000;
 constexpr int most_bits_unbounded = 8192;  // where no bound of separation is known
 
-class Enclosure {
+// One walk over a term for all that is computed of it, each part once.
+template <class Value>
+class Walk {
 public:
-  explicit Enclosure(const std::map<Expr, Ball>& values) : known(values) {}
-  Ball operator()(Expr e) {
+  Value operator()(Expr e) {
     if (const auto it = known.find(e); it != known.end()) return it->second;
-    const Ball value = compute(e);
+    const Value value = compute(e);
     known.emplace(e, value);
     return value;
   }
 
+protected:
+  explicit Walk(const std::map<Expr, Value>& values = {}) : known(values) {}
+  ~Walk() = default;
+  virtual Value function(Expr e) = 0;
+
 private:
-  std::map<Expr, Ball> known;
+  std::map<Expr, Value> known;
 
-  Ball compute(Expr e) {
-    switch (e.op()) {
-      case Op::Num:
-        return Ball(e.value());
-      case Op::Add: {
-        Ball sum = 0;
-        for (Expr arg : e.args()) sum = sum + (*this)(arg);
-        return sum;
-      }
-      case Op::Mul: {
-        Ball product = 1;
-        for (Expr arg : e.args()) product = product * (*this)(arg);
-        return product;
-      }
-      case Op::Pow:
-        return power((*this)(e.arg(0)), e.exponent());
-      case Op::Fun:
-        return function(e);
-      default:
-        throw NotCertain("a symbol without a value");
+  Value compute(Expr e) {
+    if (e.op() == Op::Num) return Value(e.value());
+    if (e.op() == Op::Pow) return power((*this)(e.arg(0)), e.exponent());
+    if (e.op() == Op::Fun) return function(e);
+    if (e.op() != Op::Add && e.op() != Op::Mul) throw NotCertain("a symbol without a value");
+    Value out = (*this)(e.arg(0));
+    for (std::size_t i = 1; i < e.size(); ++i) {
+      const Value next = (*this)(e.arg(i));
+      out = e.op() == Op::Add ? out + next : out * next;
     }
+    return out;
   }
+};
 
+class Enclosure final : public Walk<Ball> {
+public:
+  explicit Enclosure(const std::map<Expr, Ball>& values) : Walk(values) {}
+
+private:
   // The sign of what balls with these bits may not tell from 0.
   int sign(Expr e) {
     const Ball value = (*this)(e);
@@ -65,7 +66,7 @@ private:
     if (!exact) throw NotCertain("a sign is not certain");
     return *exact;
   }
-  Ball function(Expr e) {
+  Ball function(Expr e) override {
     const std::string name = e.name();
     if (name == "pi") return Ball::pi();
     if (e.size() == 0) throw NotCertain("the name " + name);
@@ -137,110 +138,82 @@ private:
   }
 };
 
-// Logarithms to base 2 of u and l, rounded up; the degree as its logarithm.
+double log2_of(const cln::cl_I& n) { return double(cln::integer_length(n)); }
+// Logarithms to base 2 of u and l, rounded up.
 struct Bounds {
-  double u = 0;
-  double l = 0;
+  Bounds(double the_u, double the_l) : u(the_u), l(the_l) {}
+  explicit Bounds(const cln::cl_RA& q)
+      : u(log2_of(cln::abs(cln::numerator(q)))), l(log2_of(cln::denominator(q))) {}
+  Bounds inverse() const { return {l, u}; }
+  double u;
+  double l;
 };
-class Separation {
+Bounds operator+(const Bounds& a, const Bounds& b) {
+  return {std::max(a.u + b.l, a.l + b.u) + 1, a.l + b.l};
+}
+Bounds operator*(const Bounds& a, const Bounds& b) { return {a.u + b.u, a.l + b.l}; }
+Bounds power(const Bounds& base, int exponent) { return {base.u * exponent, base.l * exponent}; }
+
+class Separation final : public Walk<Bounds> {
 public:
   std::optional<double> bits(Expr e) {
-    const auto bounds = of(e);
-    if (!bounds) return {};
-    double degree = 1;
-    for (const auto& [root, order] : roots) degree *= order;
-    // The angles' cosines and sines lie in the field of one root of unity.
-    if (circle > 1) degree *= totient(circle);
-    return (degree - 1) * std::max(bounds->u, 0.0) + bounds->l + 2;
+    try {
+      const Bounds bounds = (*this)(e);
+      double degree = 1;
+      for (const auto& [root, order] : roots) degree *= order;
+      // The angles' cosines and sines lie in the field of one root of unity.
+      degree *= double(totient(circle));
+      return (degree - 1) * std::max(bounds.u, 0.0) + bounds.l + 2;
+    } catch (const NotCertain&) {
+      return {};
+    }
   }
 
 private:
   std::map<Expr, int> roots;
-  double circle = 1;
-  std::map<Expr, std::optional<Bounds>> known;
+  std::int64_t circle = 1;
 
-  static double log2_of(const cln::cl_I& n) { return double(cln::integer_length(cln::abs(n))); }
-  static double totient(double n) {
-    double left = n;
-    double out = n;
-    for (double p = 2; p * p <= left; ++p) {
-      if (std::fmod(left, p) != 0) continue;
-      while (std::fmod(left, p) == 0) left /= p;
+  static std::int64_t totient(std::int64_t n) {
+    std::int64_t left = n;
+    std::int64_t out = n;
+    for (std::int64_t p = 2; p * p <= left; ++p) {
+      if (left % p != 0) continue;
+      while (left % p == 0) left /= p;
       out -= out / p;
     }
     return left > 1 ? out - out / left : out;
   }
-  static Bounds product(Bounds a, Bounds b) { return {a.u + b.u, a.l + b.l}; }
+  static void need(bool is_small_and_algebraic) {
+    if (!is_small_and_algebraic) throw NotCertain("no bound of separation");
+  }
 
-  std::optional<Bounds> of(Expr e) {
-    if (const auto it = known.find(e); it != known.end()) return it->second;
-    const auto found = compute(e);
-    known.emplace(e, found);
-    return found;
-  }
-  std::optional<Bounds> compute(Expr e) {
-    switch (e.op()) {
-      case Op::Num:
-        return Bounds{log2_of(cln::numerator(e.value())), log2_of(cln::denominator(e.value()))};
-      case Op::Add:
-      case Op::Mul: {
-        std::optional<Bounds> out;
-        for (Expr arg : e.args()) {
-          const auto next = of(arg);
-          if (!next) return {};
-          if (!out)
-            out = next;
-          else if (e.op() == Op::Mul)
-            out = product(*out, *next);
-          else
-            out = Bounds{std::max(out->u + next->l, out->l + next->u) + 1, out->l + next->l};
-        }
-        return out;
-      }
-      case Op::Pow: {
-        const auto base = of(e.arg(0));
-        if (!base) return {};
-        return Bounds{base->u * e.exponent(), base->l * e.exponent()};
-      }
-      case Op::Fun:
-        return function(e);
-      default:
-        return {};
-    }
-  }
-  std::optional<Bounds> function(Expr e) {
+  Bounds function(Expr e) override {
     const std::string name = e.name();
+    need(e.size() > 0);
     if (name == "sin" || name == "cos") {
       const auto q = multiple_of_pi(e.arg(0));
-      if (!q) return {};
-      const double order = 4 * cln::double_approx(cln::denominator(*q));  // of i, too
-      if (order > 1e6) return {};
-      circle = double(std::lcm(static_cast<long long>(circle), static_cast<long long>(order)));
-      if (circle > 1e9) return {};
-      return Bounds{1, 1};
+      need(q && cln::denominator(*q) <= 250000);
+      circle = std::lcm(circle, 4 * cln::cl_I_to_int(cln::denominator(*q)));  // of i, too
+      need(circle <= 1000000000);
+      return {1, 1};
     }
-    if (e.size() == 0) return {};
-    const auto x = of(e.arg(0));
-    if (!x) return {};
-    if (name == "inv") return Bounds{x->l, x->u};
+    const Bounds x = (*this)(e.arg(0));
+    if (name == "inv") return x.inverse();
     if (name == "abs") return x;
-    if (name == "sqrt") return root(e, *x, 2, 1);
+    if (name == "sqrt") return root(e, x, 2, 1);
     if (name == "nth_root")
-      return root(e, *x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())), 1);
+      return root(e, x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())), 1);
     const auto value = name == "raised" ? notation::rational_value(e.arg(1)) : std::nullopt;
-    if (!value) return {};
-    const cln::cl_RA exponent = *value;
-    if (cln::abs(cln::numerator(exponent)) > 10000 || cln::denominator(exponent) > 1000) return {};
-    const Bounds base = exponent < 0 ? Bounds{x->l, x->u} : *x;
-    return root(e, base, cln::cl_I_to_int(cln::denominator(exponent)),
-                std::abs(cln::cl_I_to_int(cln::numerator(exponent))));
+    need(value && cln::abs(cln::numerator(*value)) <= 10000 && cln::denominator(*value) <= 1000);
+    return root(e, *value < 0 ? x.inverse() : x, cln::cl_I_to_int(cln::denominator(*value)),
+                std::abs(cln::cl_I_to_int(cln::numerator(*value))));
   }
   Bounds root(Expr e, Bounds x, int order, int exponent) {
     if (order > 1) roots.emplace(e, order);
     const double k = order;
     const Bounds one = x.u >= x.l ? Bounds{(x.u + (k - 1) * x.l) / k, x.l}
                                   : Bounds{x.u, (x.l + (k - 1) * x.u) / k};
-    return {one.u * exponent, one.l * exponent};
+    return power(one, exponent);
   }
 };
 }  // namespace
@@ -249,30 +222,21 @@ bool is_function(Expr e, const char* name) { return e.op() == Op::Fun && e.name(
 
 std::optional<cln::cl_RA> multiple_of_pi(Expr e) {
   if (e == kernel::pi()) return cln::cl_RA(1);
-  if (e == Expr(0)) return cln::cl_RA(0);
-  if (e.op() == Op::Add) {
-    cln::cl_RA total = 0;
-    for (Expr arg : e.args()) {
-      const auto part = multiple_of_pi(arg);
-      if (!part) return {};
-      total = total + *part;
-    }
-    return total;
-  }
-  if (e.op() != Op::Mul) return {};
+  if (notation::rational_value(e) == cln::cl_RA(0)) return cln::cl_RA(0);
+  if (e.op() != Op::Add && e.op() != Op::Mul) return {};
+  cln::cl_RA total = 0;
   cln::cl_RA factor = 1;
   int pis = 0;
   for (Expr arg : e.args()) {
-    const Expr below = is_function(arg, "inv") ? arg.arg(0) : arg;
-    if (below == kernel::pi() && below == arg)
-      ++pis;
-    else if (below.op() == Op::Num && below.value() != 0)
-      factor = below == arg ? factor * below.value() : factor / below.value();
-    else
-      return {};
+    const auto number = e.op() == Op::Mul ? notation::rational_value(arg) : std::nullopt;
+    const auto part = number ? number : multiple_of_pi(arg);
+    if (!part) return {};
+    total = total + *part;
+    factor = factor * *part;
+    pis += number ? 0 : 1;
   }
-  if (pis != 1) return {};
-  return factor;
+  if (e.op() == Op::Add) return total;
+  return pis == 1 ? std::optional(factor) : std::nullopt;
 }
 
 bool is_algebraic(Expr constant) { return Separation().bits(constant).has_value(); }
