@@ -35,7 +35,8 @@ bool is_connected(const Domain& domain, const std::vector<Requirement>& needs) {
   Domain box = narrowed(domain, needs);
   for (auto& [symbol, range] : box.ranges) {
     if (range.is_integer) return false;
-    range.has_low = range.has_high = false;
+    if (range.low) range.low->is_inside = false;
+    if (range.high) range.high->is_inside = false;
   }
   Forms forms(box);
   return std::all_of(needs.begin(), needs.end(),

@@ -212,12 +212,12 @@ private:
       const std::string name = notation::name_of(x);
       std::string cases;
       if (!range.low && !range.high && kernel::replace(left - right, modulus, 0) != left - right) {
-        if (is_proved_for(x, x, {.is_integer = is_integer, .low = 0, .has_low = true}) &&
-            is_proved_for(x, x, {.is_integer = is_integer, .high = 0, .has_high = true}))
+        if (is_proved_for(x, x, {.is_integer = is_integer, .low = End{0, true}}) &&
+            is_proved_for(x, x, {.is_integer = is_integer, .high = End{0, true}}))
           cases = name + " >= 0 and " + name + " <= 0";
       } else if (is_integer) {
         Range halves{.is_integer = true};
-        if (range.low) halves.low = cln::floor1(*range.low / 2) - 1;
+        if (range.low) halves.low = End{cln::floor1(range.low->value / 2) - 1};
         if (is_proved_for(x, Expr(2) * half, halves) &&
             is_proved_for(x, Expr(2) * half + Expr(1), halves))
           cases = name + " even and " + name + " odd";

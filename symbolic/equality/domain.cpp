@@ -14,20 +14,19 @@ constexpr int most_tried = 3000;          // where few points satisfy the furthe
 constexpr std::size_t most_special = 24;  // values that the numbers of the terms suggest
 
 const std::map<std::string, Range>& usual_ranges() {
-  const Range positive{.low = cln::cl_RA(0)};
-  const Range counting{.is_integer = true, .low = cln::cl_RA(1), .has_low = true};
-  static const std::map<std::string, Range> table{
-      {"alpha", positive},
-      {"V", positive},
-      {"L", positive},
-      {"M", positive},
-      {"m", positive},
-      {"M_A", positive},
-      {"M_B", positive},
-      {"e", {.low = cln::cl_RA(0), .high = cln::cl_RA(1), .has_high = true}},
-      {"n", counting},
-      {"k", counting},
-      {"j", {.is_integer = true, .low = cln::cl_RA(0), .has_low = true}}};
+  const Range positive{.low = End{0}};
+  const Range counting{.is_integer = true, .low = End{1, true}};
+  static const std::map<std::string, Range> table{{"alpha", positive},
+                                                  {"V", positive},
+                                                  {"L", positive},
+                                                  {"M", positive},
+                                                  {"m", positive},
+                                                  {"M_A", positive},
+                                                  {"M_B", positive},
+                                                  {"e", {.low = End{0}, .high = End{1, true}}},
+                                                  {"n", counting},
+                                                  {"k", counting},
+                                                  {"j", {.is_integer = true, .low = End{0, true}}}};
   return table;
 }
 std::string trimmed(const std::string& text) {
@@ -52,27 +51,20 @@ std::string turned_round(const std::string& relation) {
   if (relation[0] == '>') return "<" + relation.substr(1);
   return relation;
 }
-std::optional<cln::cl_RA> number(Expr e) {
-  if (e.op() == Op::Num) return e.value();
-  return {};
-}
 // A bound of one symbol, the strictest one counts; false where the comparison is none.
 bool bound(notation::Comparison c, std::map<Expr, Range>& given) {
   if (!notation::name_of(c.right).empty()) {
     std::swap(c.left, c.right);
     c.relation = turned_round(c.relation);
   }
-  const auto value = number(c.right);
+  const auto value = notation::rational_value(c.right);
   if (notation::name_of(c.left).empty() || !value) return false;
   if (c.relation == "=" || c.relation == "!=") return false;
-  const bool is_high = c.relation[0] == '<';
-  const bool closed = c.relation.size() == 2;
-  Range& range = given[c.left];
-  std::optional<cln::cl_RA>& end = is_high ? range.high : range.low;
-  bool& has_end = is_high ? range.has_high : range.has_low;
-  if (end && (is_high ? *end < *value : *end > *value)) return true;
-  has_end = end && *end == *value ? has_end && closed : closed;
-  end = value;
+  const End end{*value, c.relation.size() == 2};
+  if (c.relation[0] == '<')
+    given[c.left].cut_above(end);
+  else
+    given[c.left].cut_below(end);
   return true;
 }
 bool holds(const notation::Comparison& c, const Point& point) {
@@ -88,15 +80,18 @@ bool holds(const notation::Comparison& c, const Point& point) {
   return (*sign < 0) == (c.relation[0] == '<');
 }
 std::string shown(const std::string& name, const Range& range) {
-  const auto number = [](const cln::cl_RA& value) { return kernel::digits(value); };
+  const auto with = [](const std::string& sign, const End& end) {
+    return " " + sign + (end.is_inside ? "= " : " ");
+  };
+  const auto number = [](const End& end) { return kernel::digits(end.value); };
   std::string bounds;
   if (range.low && range.high)
-    bounds = number(*range.low) + (range.has_low ? " <= " : " < ") + name +
-             (range.has_high ? " <= " : " < ") + number(*range.high);
+    bounds = number(*range.low) + with("<", *range.low) + name;
   else if (range.low)
-    bounds = name + (range.has_low ? " >= " : " > ") + number(*range.low);
+    bounds = name + with(">", *range.low) + number(*range.low);
   else if (range.high)
-    bounds = name + (range.has_high ? " <= " : " < ") + number(*range.high);
+    bounds = name;
+  if (range.high) bounds += with("<", *range.high) + number(*range.high);
   if (range.is_integer) return name + " integer" + (bounds.empty() ? "" : ", " + bounds);
   return bounds.empty() ? name + " real" : bounds;
 }
@@ -119,12 +114,13 @@ std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count, boo
       const cln::cl_RA fraction = cln::cl_RA(above) / below;
       add(fraction);
       add(-fraction);
-      if (range.low && range.high) add(*range.low + (*range.high - *range.low) * fraction);
-      if (range.low) add(*range.low + fraction);
-      if (range.high) add(*range.high - fraction);
+      if (range.low && range.high)
+        add(range.low->value + (range.high->value - range.low->value) * fraction);
+      if (range.low) add(range.low->value + fraction);
+      if (range.high) add(range.high->value - fraction);
     }
-  const cln::cl_RA start = range.low    ? cln::cl_RA(cln::ceiling1(*range.low))
-                           : range.high ? cln::cl_RA(cln::floor1(*range.high))
+  const cln::cl_RA start = range.low    ? cln::cl_RA(cln::ceiling1(range.low->value))
+                           : range.high ? cln::cl_RA(cln::floor1(range.high->value))
                                         : cln::cl_RA(0);
   for (int step : {0, 1, 2, 3, 4, 5, 6, 7, 9, 11, 15, 29, 99, 100, 1000}) {
     add(start + cln::cl_RA(step));
@@ -135,8 +131,8 @@ std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count, boo
       if (!range.is_integer) {
         const cln::cl_RA small = cln::cl_RA(sign) / below;
         add(small);
-        if (range.low) add(*range.low + small);
-        if (range.high) add(*range.high + small);
+        if (range.low) add(range.low->value + small);
+        if (range.high) add(range.high->value + small);
       }
   return values;
 }
@@ -156,15 +152,21 @@ void collect_numbers(Expr e, std::set<cln::cl_RA>& found) {
 
 bool Range::contains(const cln::cl_RA& value) const {
   if (is_integer && cln::denominator(value) != 1) return false;
-  if (low && (value < *low || (value == *low && !has_low))) return false;
-  return !(high && (value > *high || (value == *high && !has_high)));
+  if (low && (value < low->value || (value == low->value && !low->is_inside))) return false;
+  return !(high && (value > high->value || (value == high->value && !high->is_inside)));
 }
 bool Range::is_empty() const {
   if (!low || !high) return false;
-  if (!is_integer) return *low > *high || (*low == *high && !(has_low && has_high));
-  cln::cl_I first = cln::ceiling1(*low);
-  if (first == *low && !has_low) first = first + 1;
-  return !contains(first);
+  if (!is_integer)
+    return low->value > high->value || (low->value == high->value && !contains(low->value));
+  const cln::cl_I first = cln::ceiling1(low->value);
+  return !contains(first) && !contains(first + 1);
+}
+void Range::cut_below(const End& end) {
+  if (!low || low->value < end.value || (low->value == end.value && !end.is_inside)) low = end;
+}
+void Range::cut_above(const End& end) {
+  if (!high || high->value > end.value || (high->value == end.value && !end.is_inside)) high = end;
 }
 
 Domain read_domain(const std::string& text, const std::set<std::string>& symbols,
@@ -211,9 +213,7 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   for (const auto& [symbol, range] : given) {
     Range& known = domain.ranges[symbol];
     if (range.low) known.low = range.low;
-    if (range.low) known.has_low = range.has_low;
     if (range.high) known.high = range.high;
-    if (range.high) known.has_high = range.has_high;
   }
   for (const auto& [symbol, range] : domain.ranges)
     if (range.is_empty())

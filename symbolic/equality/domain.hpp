@@ -15,14 +15,19 @@ namespace equality {
 using kernel::Expr;
 using kernel::Exprs;
 
+struct End {
+  cln::cl_RA value;
+  bool is_inside = false;  ///< it belongs to the range
+};
 /// The values that one symbol may take: an interval, all of it or the integers in it.
 struct Range {
   bool is_integer = false;
-  std::optional<cln::cl_RA> low = {};   ///< none: minus infinity
-  std::optional<cln::cl_RA> high = {};  ///< none: infinity
-  bool has_low = false;                 ///< the end belongs to it
-  bool has_high = false;
+  std::optional<End> low = {};   ///< none: minus infinity
+  std::optional<End> high = {};  ///< none: infinity
 
+  /// What is below the end, or above it, no longer belongs to it.
+  void cut_below(const End& end);
+  void cut_above(const End& end);
   bool contains(const cln::cl_RA& value) const;
   bool is_empty() const;
 };

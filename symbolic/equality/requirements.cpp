@@ -61,17 +61,11 @@ Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
       is_linear = false;
     }
     if (!is_linear || rise == 0) continue;
-    const cln::cl_RA end = -start / rise;
-    const bool closed = r.kind == Requirement::Kind::NotNegative;
-    Range& range = domain.ranges[x];
-    if (rise > 0 && (!range.low || *range.low < end || (*range.low == end && !closed))) {
-      range.low = end;
-      range.has_low = closed;
-    }
-    if (rise < 0 && (!range.high || *range.high > end || (*range.high == end && !closed))) {
-      range.high = end;
-      range.has_high = closed;
-    }
+    const End end{-start / rise, r.kind == Requirement::Kind::NotNegative};
+    if (rise > 0)
+      domain.ranges[x].cut_below(end);
+    else
+      domain.ranges[x].cut_above(end);
   }
   return domain;
 }

@@ -13,8 +13,9 @@ int product(int a, int b) {
   return (a > 0) == (b > 0) ? size : -size;
 }
 int sign_on(const Range& range) {
-  if (range.low && *range.low >= 0) return *range.low > 0 || !range.has_low ? 2 : 1;
-  if (range.high && *range.high <= 0) return *range.high < 0 || !range.has_high ? -2 : -1;
+  const int strength = range.contains(0) ? 1 : 2;
+  if (range.low && range.low->value >= 0) return strength;
+  if (range.high && range.high->value <= 0) return -strength;
   return 0;
 }
 }  // namespace
@@ -167,11 +168,8 @@ int Forms::sign_of_two(const Sum& sum) {
   if ((q > 0) == (r > 0) || strength < 1) return 0;
   Product ratio = first;
   for (const auto& [atom, e] : second) multiply(ratio, atom, kernel::scaled(e, -1));
-  const Sum log = logarithm({{ratio, -q / r}});
-  for (int sign : {1, -1})
-    if (has_sign(log, sign, false))
-      return (q > 0 ? sign : -sign) * (strength == 2 && has_sign(log, sign, true) ? 2 : 1);
-  return 0;
+  const int sign = sign_of(logarithm({{ratio, -q / r}}));
+  return product(product(sign, strength), q > 0 ? 2 : -2);
 }
 // x = low + s, high - s or (low + high s)/(1 + s) for s >= 0 shows signs term by term.
 int Forms::sign_by_shift(const Sum& sum) {
@@ -181,29 +179,23 @@ int Forms::sign_by_shift(const Sum& sum) {
     const auto it = where.ranges.find(x);
     if (it == where.ranges.end()) continue;
     const Range& range = it->second;
-    if (!range.high && (!range.low || *range.low == 0)) continue;
+    if (!range.high && (!range.low || range.low->value == 0)) continue;
+    const End& start = range.low ? *range.low : *range.high;
+    const bool is_bounded = range.low && range.high;
     // Of an integer, so that its powers stay powers.
-    const bool is_one_sided = !range.high || !range.low;
-    if (range.is_integer && !(is_one_sided && is_whole(range.low ? *range.low : *range.high)))
-      continue;
+    if (range.is_integer && (is_bounded || !is_whole(start.value))) continue;
     const Expr s = kernel::real("above_" + x.name());  // which nobody can type
     Domain inner = where;
     inner.ranges.erase(x);
     inner.further.clear();
-    const bool closed = range.high && range.low ? range.has_low
-                        : range.low             ? range.has_low
-                                                : range.has_high;
-    inner.ranges[s] = {.is_integer = range.is_integer, .low = cln::cl_RA(0), .has_low = closed};
-    Expr value = range.low ? Expr(*range.low) + s : Expr(*range.high) - s;
-    if (range.low && range.high) value = (Expr(*range.low) + Expr(*range.high) * s) / (Expr(1) + s);
+    inner.ranges[s] = {.is_integer = range.is_integer, .low = End{0, start.is_inside}};
+    Expr value = range.low ? Expr(start.value) + s : Expr(start.value) - s;
+    if (is_bounded) value = (Expr(start.value) + Expr(range.high->value) * s) / (Expr(1) + s);
     Forms forms_of_s(inner);
     forms_of_s.depth = depth + 1;
-    const bool ends_open = !range.high || !range.low || !range.has_high;
-    const Sum shifted = forms_of_s.of(kernel::substitute(*e, {{x, value}}));
-    if (forms_of_s.has_sign(shifted, 1, false))
-      return ends_open && forms_of_s.has_sign(shifted, 1, true) ? 2 : 1;
-    if (forms_of_s.has_sign(shifted, -1, false))
-      return ends_open && forms_of_s.has_sign(shifted, -1, true) ? -2 : -1;
+    const int sign = forms_of_s.sign_of(forms_of_s.of(kernel::substitute(*e, {{x, value}})));
+    const bool is_end_left_out = is_bounded && range.high->is_inside;
+    if (sign != 0) return is_end_left_out ? product(sign, 1) : sign;
   }
   return 0;
 }
