@@ -2,7 +2,6 @@
 #include "equality/angles.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "equality/atoms.hpp"
 
@@ -10,9 +9,6 @@ namespace equality {
 namespace {
 constexpr int most_parts = 12;  // q of q (left - right), a whole number of turns
 
-bool is_inverse_angle(Expr e) {
-  return is_function(e, "atan") || is_function(e, "asin") || is_function(e, "acos");
-}
 void collect(Expr e, std::set<Expr>& angles) {
   for (Expr arg : e.args()) collect(arg, angles);
   if (is_inverse_angle(e)) angles.insert(e);
@@ -50,24 +46,21 @@ Domain only(const Domain& domain, Expr e) {
 }
 }  // namespace
 
-bool is_same_angle(Expr left, Expr right, const Domain& domain,
-                   const std::vector<Requirement>& needs, const std::vector<Point>& common) {
-  try {
-    if (common.empty() || !domain.further.empty()) return false;
-    Forms forms(domain);
+bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common) {
+  if (common.empty()) return false;
+  return is_proved([&] {
+    const Domain box = only(domain, left - right);
+    const std::vector<Requirement> needs = requirements(left - right, box);
+    Forms forms(box);
     for (const Requirement& r : needs) forms.assume(r);
     const Sum difference = forms.of(left) - forms.of(right);
     const int parts = parts_of(difference);
     if (parts == 0 || !forms.is_whole_turns(scaled(difference, parts))) return false;
-    if (!is_connected(domain, needs)) return false;
+    if (!is_connected(box, needs)) return false;
     const Ball there = enclosure(at(common[0], left - right), 128);
     const cln::cl_RA turn = cln::cl_RA(6) / parts;
     return there.high() < turn && there.low() > -turn;
-  } catch (const TooLarge&) {
-  } catch (const NotDefined&) {
-  } catch (const NotCertain&) {
-  }
-  return false;
+  });
 }
 
 Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common) {
@@ -76,28 +69,21 @@ Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vect
   collect(left, ours);
   collect(right, theirs);
   kernel::Substitution same;
+  const auto try_multiple = [&](Expr angle, Expr other, const cln::cl_RA& q) {
+    Expr guess = Expr(q) * other;
+    const Ball rest = enclosure(at(common[0], angle - guess) / kernel::pi(), 128);
+    const cln::cl_RA halves = cln::cl_RA(cln::round1(2 * rest.low())) / 2;
+    if (cln::abs(rest.low() - halves) > cln::cl_RA(1) / 1000000) return false;
+    if (halves != 0) guess = guess + Expr(halves) * kernel::pi();
+    return is_same_angle(angle, guess, domain, common) && same.emplace(angle, guess).second;
+  };
   for (Expr angle : theirs)
-    for (Expr other : ours) {
-      if (angle == other || same.contains(angle) || common.empty()) continue;
+    for (Expr other : ours)
       for (const cln::cl_RA& q : {cln::cl_RA(1), cln::cl_RA(2), cln::cl_RA(1) / 2, cln::cl_RA(-1),
                                   cln::cl_RA(-2), cln::cl_RA(-1) / 2}) {
-        Expr guess = Expr(q) * other;
-        try {
-          const Ball rest = enclosure(at(common[0], angle - guess) / kernel::pi(), 128);
-          const cln::cl_RA halves = cln::cl_RA(cln::round1(2 * rest.low())) / 2;
-          if (cln::abs(rest.low() - halves) > cln::cl_RA(1) / 1000000) continue;
-          if (halves != 0) guess = guess + Expr(halves) * kernel::pi();
-        } catch (const std::runtime_error&) {
-          continue;
-        }
-        const Domain part = only(domain, angle + guess);
-        std::vector<Requirement> needs = requirements(angle, part);
-        for (const Requirement& r : requirements(guess, part)) needs.push_back(r);
-        if (!is_same_angle(angle, guess, part, needs, common)) continue;
-        same.emplace(angle, guess);
-        break;
+        if (angle == other || same.contains(angle) || common.empty()) break;
+        is_proved([&] { return try_multiple(angle, other, q); });
       }
-    }
   for (const auto& [angle, guess] : same) right = kernel::replace(right, angle, guess);
   return right;
 }

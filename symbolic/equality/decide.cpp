@@ -83,7 +83,7 @@ public:
   Question(Expr the_left, Expr the_right, const Domain& the_domain)
       : left(the_left), right(the_right), domain(the_domain) {
     verdict.domain = texts(domain);
-    find_needs();
+    needs = requirements(left - right, domain);
   }
   Verdict answer() {
     if (is_different_somewhere()) return verdict;
@@ -109,10 +109,6 @@ private:
   std::vector<Requirement> needs;  // of both
   std::vector<Point> common;       // where both sides have a value, and agree
 
-  void find_needs() {
-    needs = requirements(left, domain);
-    for (const Requirement& r : requirements(right, domain)) needs.push_back(r);
-  }
   void found(const Point& point, const std::string& how) {
     verdict.answer = Answer::Different;
     verdict.proof = how;
@@ -177,7 +173,7 @@ private:
     if (is_same_form(right)) return true;
     const Expr other = with_one_angle(left, right, domain, common);
     if (other != right && is_same_form(other)) return true;
-    if (!is_same_angle(left, right, domain, needs, common)) return prove_by_cases();
+    if (!is_same_angle(left, right, domain, common)) return prove_by_cases();
     const std::string point = equality::text(common[0]);
     verdict.proof = "angles: both sides have the same cosine and sine, " +
                     (point.empty() ? "and they are less than a turn apart"
@@ -258,7 +254,7 @@ private:
       if (!is_proved_for(x, x, whole.ranges[x])) return false;
       verdict.conditions.push_back(notation::name_of(x) + condition);
       domain = whole;  // nothing else is asked of its bases
-      find_needs();
+      needs = requirements(left - right, domain);
       return true;
     }
     const auto with = [&](Expr value) { return kernel::substitute(exponent, {{x, value}}); };

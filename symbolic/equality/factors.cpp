@@ -28,10 +28,9 @@ struct Generator {
   Expr variable;
 };
 cln::cl_RA coefficient(const Product& product, Expr atom, const Monomial& monomial) {
-  const auto power = product.find(atom);
-  if (power == product.end()) return 0;
-  const auto it = power->second.find(monomial);
-  return it == power->second.end() ? cln::cl_RA(0) : it->second;
+  const Exponent e = exponent_in(product, atom);
+  const auto it = e.find(monomial);
+  return it == e.end() ? cln::cl_RA(0) : it->second;
 }
 std::vector<Generator> generators(const Sum& sum) {
   std::map<std::pair<Expr, Monomial>, int> seen;
@@ -154,7 +153,7 @@ Forms::Factors Forms::factors_of(const Sum& sum) {
         for (const Generator& g : all)
           if (g.variable == variable)
             multiply(product, g.atom, {{g.monomial, g.step * cln::cl_RA(k)}});
-      part = part + times({{product, q}}, number(1));
+      part = part + reduced(product, q);
     }
     take_factor(out, part, times_taken);
   }
@@ -171,21 +170,17 @@ void Forms::take_factor(Factors& into, Sum part, int times_taken) {
   const Sum other = conjugated(part);
   if (part.size() > 1 && other != part) {
     // conj(f) = +-z^m f: f z^(m/2) is real, or imaginary
-    const auto leading = [](const Sum& s) {
-      const auto it = s.begin()->first.find(circle());
-      return it == s.begin()->first.end() ? Exponent() : it->second;
-    };
     for (const auto& [product, q] : other) {
-      const auto it = product.find(circle());
       const Exponent m =
-          (it == product.end() ? Exponent() : it->second) + kernel::scaled(leading(part), -1);
+          exponent_in(product, circle()) - exponent_in(part.begin()->first, circle());
       for (int sign : {1, -1}) {
-        if (times(part, {{m.empty() ? Product() : Product{{circle(), m}}, sign}}) != other)
-          continue;
+        Product turn;
+        multiply(turn, circle(), m);
+        if (times(part, {{turn, sign}}) != other) continue;
         Exponent half = kernel::scaled(m, cln::cl_RA(1) / 2);
-        if (sign < 0) half = half + Exponent{{{{kernel::pi(), 1}}, cln::cl_RA(1) / 2}};
+        if (sign < 0) half = half + times_pi(cln::cl_RA(1) / 2);
         if (half.empty()) continue;
-        part = times(part, {{Product{{circle(), half}}, 1}});
+        part = times(part, atom(circle(), half));
         multiply(into.powers, circle(), kernel::scaled(half, -times_taken));
         take_content();
         return take_real(into, part, times_taken);
@@ -216,5 +211,8 @@ Expr Forms::composite(const Sum& sum) {
   composites.emplace(e, sum);
   return e;
 }
-Sum Forms::from(const Factors& f) { return times({{f.powers, f.number}}, number(1)); }
+Sum Forms::reduced(Product product, cln::cl_RA number) {
+  reduce(product, number);
+  return {{product, number}};
+}
 }  // namespace equality

@@ -31,11 +31,7 @@ void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
   for (const auto& [p, times] : primes(cln::denominator(q)))
     multiply(into, p, kernel::scaled(e, -times));
 }
-bool is_inverse_angle(Expr e) { return is_function(e, "atan") || is_function(e, "asin"); }
-// i = z^(pi/2)
-Sum imaginary() {
-  return {{Product{{circle(), {{kernel::Monomial{{kernel::pi(), 1}}, cln::cl_RA(1) / 2}}}}, 1}};
-}
+Sum imaginary() { return atom(circle(), times_pi(cln::cl_RA(1) / 2)); }
 }  // namespace
 
 Sum Forms::of(Expr term) {
@@ -94,7 +90,7 @@ Sum Forms::function(Expr term) {
   if (name == "raised") {
     const Exponent e = exponent_of(of(term.arg(1)));
     // As expression() writes it, and no real power.
-    if (term.arg(0) == circle()) return times({{Product{{circle(), e}}, 1}}, number(1));
+    if (term.arg(0) == circle()) return reduced({{circle(), e}});
     const auto k = number_of(e);
     if (k && is_whole(*k) && cln::abs(*k) <= 10000)
       return integer_power(x, cln::cl_I_to_int(cln::numerator(*k)));
@@ -120,7 +116,7 @@ Sum Forms::integer_power(const Sum& base, int k) {
   Factors f = factors(base);
   f.number = cln::expt(f.number, k);
   for (auto& [atom, e] : f.powers) e = kernel::scaled(e, k);
-  return from(f);
+  return reduced(f.powers, f.number);
 }
 // 1/(u + v sqrt(p)) = (u - v sqrt(p))/(u^2 - p v^2), prime by prime.
 std::optional<Sum> Forms::rationalized(const Sum& constant) {
@@ -153,27 +149,34 @@ Exponent Forms::multiplied(const Exponent& a, const Exponent& b) {
     const auto k = number_of(e);
     const bool is_sum = composite != composites.end() && k && is_whole(*k) && *k > 0;
     out = times(out, is_sum ? integer_power(composite->second, cln::cl_I_to_int(cln::numerator(*k)))
-                            : Sum{{Product{{atom, e}}, 1}});
+                            : equality::atom(atom, e));
   }
   return exponent_of(out);
 }
 Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
   if (base.empty()) return {};
   const Factors f = factors(base);
-  Factors out;
-  if (f.number < 0) multiply(out.powers, circle(), k * Exponent{{{{kernel::pi(), 1}}, 1}});
-  multiply_number(out.powers, cln::abs(f.number), k);
-  for (const auto& [atom, e] : f.powers) multiply(out.powers, atom, multiplied(e, k));
-  return from(out);
+  Product out;
+  if (f.number < 0) multiply(out, circle(), k * times_pi(1));
+  multiply_number(out, cln::abs(f.number), k);
+  for (const auto& [atom, e] : f.powers) multiply(out, atom, multiplied(e, k));
+  return reduced(out);
 }
 // What is not negative is its own modulus, a product of moduli: each has a real power.
 Sum Forms::real_power(const Sum& base, const Exponent& exponent) {
   if (base.empty()) return {};
+  return reduced(power_of_modulus(base, exponent));
+}
+Product Forms::power_of_modulus(const Sum& base, const Exponent& exponent) {
   const Factors f = factors(base);
-  Factors out;
-  multiply_number(out.powers, cln::abs(f.number), exponent);
-  for (const auto& [atom, e] : f.powers) multiply_modulus(out, atom, multiplied(e, exponent));
-  return from(out);
+  Product out;
+  multiply_number(out, cln::abs(f.number), exponent);
+  for (const auto& [atom, e] : f.powers) {
+    if (atom == circle()) continue;
+    const bool is_modulus = is_function(atom, "abs") || sign_of_atom(atom) > 0;
+    multiply(out, is_modulus ? atom : absolute(atom), multiplied(e, exponent));
+  }
+  return out;
 }
 Sum Forms::odd_root(const Sum& base, int order) {
   if (base.empty()) return {};
@@ -187,26 +190,15 @@ Sum Forms::modulus(const Sum& sum) {
   if (has_sign(sum, -1, false)) return scaled(sum, -1);
   return real_power(sum, exponent(1));
 }
-void Forms::multiply_modulus(Factors& into, Expr atom, const Exponent& e) {
-  if (atom == circle()) return;
-  const bool is_modulus = is_function(atom, "abs") || sign_of_atom(atom) > 0;
-  multiply(into.powers, is_modulus ? atom : absolute(atom), e);
-}
 Sum Forms::logarithm(const Sum& sum) {
   if (sum.empty()) throw NotDefined("the logarithm of 0");
-  const Factors f = factors(sum);
-  Product moduli;
-  multiply_number(moduli, cln::abs(f.number), exponent(1));
-  Factors of_atoms;
-  for (const auto& [atom, e] : f.powers) multiply_modulus(of_atoms, atom, e);
-  for (const auto& [atom, e] : of_atoms.powers) multiply(moduli, atom, e);
   Sum out;
-  for (const auto& [base, e] : moduli)
+  for (const auto& [base, e] : power_of_modulus(sum, exponent(1)))
     out = out + (base == euler() ? sum_of(e) : times(sum_of(e), atom(notation::call("log", base))));
   return out;
 }
 Sum Forms::exponential(const Sum& sum) {
-  Factors out;
+  Product out;
   for (const auto& [product, q] : sum) {
     Product rest = product;
     Expr base = euler();
@@ -216,9 +208,9 @@ Sum Forms::exponential(const Sum& sum) {
       rest.erase(base);
       base = base.arg(0);
     }
-    multiply(out.powers, base, exponent_of({{rest, q}}));
+    multiply(out, base, exponent_of({{rest, q}}));
   }
-  return from(out);
+  return reduced(out);
 }
 
 // (2 k - 1)/(2 k + 1) is 1 - 2/(2 k + 1): no symbol is left above what divides it.
@@ -245,8 +237,8 @@ Sum Forms::divided(Sum sum) {
       Product rest = product;
       multiply(rest, divisor, exponent(1));
       multiply(rest, symbol, exponent(-1));
-      const Sum others = whole - Sum{{above->first, above->second}};
-      const Sum quotient = number(1) - times(others, {{Product{{divisor, exponent(-1)}}, 1}});
+      const Sum others = whole - Sum{*above};
+      const Sum quotient = number(1) - times(others, atom(divisor, exponent(-1)));
       return divided(sum - Sum{{product, q}} + times({{rest, q / above->second}}, quotient));
     }
   }
@@ -254,12 +246,12 @@ Sum Forms::divided(Sum sum) {
 }
 Sum Forms::turned(const Sum& whole_angle) {
   Sum out = number(1);
-  Factors plain;
+  Product plain;
   Sum angle = divided(whole_angle);
   if (angle.size() > 1) {  // sin(n)/sin(n) is a sum, each part over that sum
     const Factors f = factors(angle);
     const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
-    if (std::none_of(f.powers.begin(), f.powers.end(), is_sum)) angle = from(f);
+    if (std::none_of(f.powers.begin(), f.powers.end(), is_sum)) angle = reduced(f.powers, f.number);
   }
   for (const auto& [product, q] : angle) {
     const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
@@ -267,9 +259,9 @@ Sum Forms::turned(const Sum& whole_angle) {
     if (is_inverse && is_whole(2 * q) && cln::abs(q) <= most_multiples)
       out = times(out, turned_by_inverse(product.begin()->first, q));
     else
-      multiply(plain.powers, circle(), exponent_of({{product, q}}));
+      multiply(plain, circle(), exponent_of({{product, q}}));
   }
-  return times(out, from(plain));
+  return times(out, reduced(plain));
 }
 Sum Forms::turned_by_inverse(Expr inverse, const cln::cl_RA& multiple) {
   const cln::cl_RA half = cln::cl_RA(1) / 2;

@@ -5,6 +5,7 @@
 // So e^(3x) e^-x, (xy)^n, log(27)/log(3) and cos(u)^2 + sin(u)^2 need no rule of their own.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <stdexcept>
 
@@ -81,6 +82,7 @@ private:
   Exponent multiplied(const Exponent& a, const Exponent& b);
   Sum symbolic_power(const Sum& base, const Exponent& exponent);
   Sum real_power(const Sum& base, const Exponent& exponent);
+  Product power_of_modulus(const Sum& base, const Exponent& exponent);
   Sum odd_root(const Sum& base, int order);
   Sum modulus(const Sum& sum);
   Sum logarithm(const Sum& sum);
@@ -94,8 +96,7 @@ private:
   Expr composite(const Sum& sum);
   void take_factor(Factors& into, Sum part, int times_taken);
   void take_real(Factors& into, const Sum& part, int times_taken);
-  Sum from(const Factors& f);
-  void multiply_modulus(Factors& into, Expr atom, const Exponent& exponent);
+  Sum reduced(Product product, cln::cl_RA number = 1);
 
   Exponent exponent_of(const Sum& sum);
   Sum sum_of(const Exponent& exponent);
@@ -107,6 +108,9 @@ private:
   Expr expression(const Product& product);
 
   Sum expanded(Sum sum, Product* divisor = nullptr);
+  using ConstantPart = std::function<Exponent(Expr atom, const Exponent& exponent)>;
+  /// The sum as one of different functions, each times a constant.
+  static std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant_part);
   bool is_zero_by_coefficients(const Sum& sum);
   bool is_zero_number(const Sum& coefficient);
   /// The sign (1 or -1) is proved; strictly: without 0.

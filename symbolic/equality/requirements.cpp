@@ -6,11 +6,7 @@ namespace equality {
 using kernel::Op;
 
 bool is_certain(const Requirement& requirement, const Domain& domain) {
-  try {
-    return Forms(domain).holds(requirement);
-  } catch (const std::runtime_error&) {
-    return false;
-  }
+  return is_proved([&] { return Forms(domain).holds(requirement); });
 }
 
 std::vector<Requirement> requirements(Expr term, const Domain& domain) {
@@ -42,30 +38,22 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
 }
 
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
-  for (const Requirement& r : needs) {
-    const std::set<Expr> symbols = kernel::free_variables(r.term);
-    if (r.kind == Requirement::Kind::NotZero || symbols.size() != 1) continue;
-    const Expr x = *symbols.begin();
-    cln::cl_RA rise = 0, start = 0;
-    bool is_linear = true;
-    try {
-      for (const auto& [product, q] : Forms(domain).of(r.term)) {
-        if (product.empty())
-          start = q;
-        else if (product == Product{{x, exponent(1)}})
-          rise = q;
-        else
-          is_linear = false;
-      }
-    } catch (const std::runtime_error&) {
-      is_linear = false;
-    }
-    if (!is_linear || rise == 0) continue;
+  const auto narrow = [&](const Requirement& r, Expr x) {  // by start + rise x
+    const Sum sum = Forms(domain).of(r.term);
+    Sum rest = sum;
+    const cln::cl_RA start = rest[{}], rise = rest[{{x, exponent(1)}}];
+    if (rise == 0 || sum != number(start) + scaled(atom(x), rise)) return false;
     const End end{-start / rise, r.kind == Requirement::Kind::NotNegative};
     if (rise > 0)
       domain.ranges[x].cut_below(end);
     else
       domain.ranges[x].cut_above(end);
+    return true;
+  };
+  for (const Requirement& r : needs) {
+    const std::set<Expr> symbols = kernel::free_variables(r.term);
+    if (r.kind != Requirement::Kind::NotZero && symbols.size() == 1)
+      is_proved([&] { return narrow(r, *symbols.begin()); });
   }
   return domain;
 }

@@ -41,7 +41,7 @@ int Forms::sign_of_atom(Expr atom) {
   if (is_function(atom, "log")) {
     const Sum over = of(atom.arg(0)) - number(1);
     sign = sign_of(over);
-  } else if (is_function(atom, "atan") || is_function(atom, "asin")) {
+  } else if (is_inverse_angle(atom)) {
     sign = sign_of(of(atom.arg(0)));
   }
   --depth;
@@ -59,14 +59,14 @@ int Forms::sign_of_powers(const Product& powers) {
   for (const auto& [atom, e] : powers) {
     if (is_complex(atom)) return 0;
     const auto k = number_of(e);
-    const bool is_square = k && is_whole(*k) && is_even(*k);
+    const bool is_integer = k && is_whole(*k);
     int one = sign_of_atom(atom);
-    if (is_square)
+    if (is_integer && is_even(*k))
       one = std::abs(one) == 2 || is_not_zero(atom) ? 2 : 1;
-    else if (one < 0 && !(k && is_whole(*k)))
-      one = k && cln::evenp(cln::denominator(*k)) ? 1 : 0;
-    else if (one == 0 && k && !is_whole(*k) && cln::evenp(cln::denominator(*k)))
-      one = 1;  // a root is not negative
+    else if (k && cln::evenp(cln::denominator(*k)))
+      one = std::max(one, 1);  // a root is not negative
+    else if (one < 0 && !is_integer)
+      one = 0;
     sign = product(sign, one);
     if (sign == 0) return 0;
   }
@@ -102,17 +102,12 @@ int Forms::sign_of_composite(const Sum& sum) {
   return sign;
 }
 int Forms::sign_by_terms(const Sum& sum) {
-  std::map<Product, Sum> coefficients;  // pi/2 - 1 of pi/2 s - s
-  for (const auto& [powers, q] : sum) {
-    Product function, constant;
-    for (const auto& [atom, e] : powers)
-      (atom != circle() && kernel::free_variables(atom).empty() && number_of(e) ? constant
-                                                                                : function)[atom] =
-          e;
-    coefficients[function][constant] = q;
-  }
+  const auto constant = [](Expr atom, const Exponent& e) {  // pi/2 - 1 of pi/2 s - s
+    const bool is_number = atom != circle() && kernel::free_variables(atom).empty() && number_of(e);
+    return is_number ? e : Exponent();
+  };
   int total = 0;
-  for (const auto& [powers, coefficient] : coefficients) {
+  for (const auto& [powers, coefficient] : coefficients(sum, constant)) {
     const int sign = product(sign_of_powers(powers), sign_of_number(coefficient));
     if (sign == 0 || product(total, sign) < 0) return 0;
     total = std::abs(sign) > std::abs(total) ? sign : total;
@@ -146,8 +141,7 @@ int Forms::sign_of_cosine(const Sum& sum) {
   const cln::cl_RA q = sum.begin()->second;
   const Exponent u = there[circle()], both = u + back[circle()];
   const cln::cl_RA turns = both.empty() ? cln::cl_RA(0) : both.begin()->second;  // by pi
-  const Exponent whole{{kernel::Monomial{{kernel::pi(), 1}}, turns}};
-  if (!is_whole(turns) || (turns != 0 && both != whole)) return 0;
+  if (!is_whole(turns) || both != times_pi(turns)) return 0;
   there.erase(circle());
   back.erase(circle());
   if (there != back || sum.rbegin()->second != (is_even(turns) ? q : -q)) return 0;

@@ -19,6 +19,9 @@ void add(Sum& into, const Product& product, const cln::cl_RA& q) {
   it->second = it->second + q;
   if (it->second == 0) into.erase(it);
 }
+Expr raised(Expr base, const Exponent& e) {
+  return e == exponent(1) ? base : notation::raised(base, kernel::expression(e));
+}
 }  // namespace
 
 Expr circle() {
@@ -28,7 +31,7 @@ Expr circle() {
 Expr euler() { return notation::call("exp", 1); }
 Expr absolute(Expr e) { return notation::call("abs", e); }
 Sum number(const cln::cl_RA& q) { return q == 0 ? Sum() : Sum{{Product(), q}}; }
-Sum atom(Expr e) { return {{Product{{e, exponent(1)}}, 1}}; }
+Sum atom(Expr e, const Exponent& exponent) { return {{Product{{e, exponent}}, 1}}; }
 Sum operator+(const Sum& a, const Sum& b) {
   Sum out = a;
   for (const auto& [product, q] : b) add(out, product, q);
@@ -44,6 +47,13 @@ Exponent exponent(const cln::cl_RA& q) {
   if (q == 0) return {};
   return {{kernel::Monomial(), q}};
 }
+Exponent times_pi(const cln::cl_RA& q) {
+  return kernel::scaled({{kernel::Monomial{{kernel::pi(), 1}}, 1}}, q);
+}
+Exponent exponent_in(const Product& product, Expr atom) {
+  const auto it = product.find(atom);
+  return it == product.end() ? Exponent() : it->second;
+}
 cln::cl_RA constant_part(const Exponent& e) {
   const auto it = e.find({});
   return it == e.end() ? cln::cl_RA(0) : it->second;
@@ -55,6 +65,9 @@ std::optional<cln::cl_RA> number_of(const Exponent& e) {
 }
 bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
 bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
+bool is_inverse_angle(Expr e) {
+  return is_function(e, "atan") || is_function(e, "asin") || is_function(e, "acos");
+}
 void multiply(Product& into, Expr atom, const Exponent& exponent) {
   Exponent& e = into[atom];
   e = e + exponent;
@@ -121,8 +134,7 @@ void Forms::reduce(Product& product, cln::cl_RA& number) {
   }
   for (const auto& [atoms, sign] : signed_products) {  // |a| |b| is a b where that is not negative
     const auto is_there = [&](Expr atom) {
-      const auto it = product.find(absolute(atom));
-      return it != product.end() && constant_part(it->second) >= 1;
+      return constant_part(exponent_in(product, absolute(atom))) >= 1;
     };
     if (!std::all_of(atoms.begin(), atoms.end(), is_there)) continue;
     if (sign < 0) number = -number;
@@ -180,8 +192,7 @@ Sum Forms::conjugated(const Sum& sum) {
   Sum out;
   for (const auto& [product, q] : sum) {
     Product turned = product;
-    if (const auto it = turned.find(circle()); it != turned.end())
-      it->second = kernel::scaled(it->second, -1);
+    multiply(turned, circle(), kernel::scaled(exponent_in(product, circle()), -2));
     cln::cl_RA coefficient = q;
     reduce(turned, coefficient);
     add(out, turned, coefficient);
@@ -223,16 +234,25 @@ Exponent Forms::exponent_of(const Sum& sum) {
   }
   return out;
 }
+std::map<Product, Sum> Forms::coefficients(const Sum& sum, const ConstantPart& constant_part) {
+  std::map<Product, Sum> out;
+  for (const auto& [product, q] : sum) {
+    Product function = product;
+    Product constant;
+    for (const auto& [atom, e] : product) {
+      const Exponent part = constant_part(atom, e);
+      multiply(constant, atom, part);
+      multiply(function, atom, kernel::scaled(part, -1));
+    }
+    out[function][constant] = q;
+  }
+  return out;
+}
 Sum Forms::sum_of(const Exponent& exponent) { return of(kernel::expression(exponent)); }
 
 Expr Forms::expression(const Product& product) {
   Exprs factors;
-  for (const auto& [atom, e] : product) {
-    const auto k = number_of(e);
-    factors.push_back(k && *k == 1 ? atom
-                      : k          ? notation::raised(atom, Expr(*k))
-                                   : notation::raised(atom, kernel::expression(e)));
-  }
+  for (const auto& [atom, e] : product) factors.push_back(raised(atom, e));
   return factors.size() == 1 ? factors[0] : kernel::product(factors);
 }
 Expr Forms::expression(const Sum& sum) {
@@ -256,10 +276,7 @@ std::optional<Expr> Forms::real_expression(const Sum& sum) {
       const auto base =
           composite == composites.end() ? std::optional(atom) : real_expression(composite->second);
       if (!base) return {};
-      const Expr exponent = kernel::expression(e);
-      factors.push_back(atom == circle()      ? kernel::cos(exponent)
-                        : exponent == Expr(1) ? *base
-                                              : notation::raised(*base, exponent));
+      factors.push_back(atom == circle() ? kernel::cos(kernel::expression(e)) : raised(*base, e));
     }
     terms.push_back(kernel::product(factors));
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Whether a normal form is 0: quotients are cleared, sums multiplied out, and what is left is a sum
 // of numbers times different functions, where each of the numbers must be 0.
+#include <algorithm>
+
 #include "equality/atoms.hpp"
 
 namespace equality {
@@ -20,8 +22,7 @@ Sum Forms::expanded(Sum sum, Product* divisor) {
           newest = atom;
     if (!newest) return sum;
     const auto whole = [&](const Product& product) {
-      const auto it = product.find(newest);
-      return it == product.end() ? cln::cl_I(0) : cln::floor1(constant_part(it->second));
+      return cln::floor1(constant_part(exponent_in(product, newest)));
     };
     cln::cl_I least = whole(sum.begin()->first);
     for (const auto& [product, q] : sum) least = cln::min(least, whole(product));
@@ -50,31 +51,16 @@ bool Forms::is_zero(const Sum& sum) {
   return rest.empty() || is_zero_by_coefficients(rest);
 }
 bool Forms::is_zero_by_coefficients(const Sum& sum) {
-  std::map<Product, Sum> coefficients;
   const kernel::Monomial pi{{kernel::pi(), 1}};
-  for (const auto& [product, q] : sum) {
-    Product function;
-    Product constant;
-    for (const auto& [atom, e] : product) {
-      const bool is_number = number_of(e) && kernel::free_variables(atom).empty() &&
-                             !is_complex(atom) && is_algebraic(atom);
-      if (is_number) {
-        constant[atom] = e;
-      } else if (atom == circle()) {
-        Exponent rest = e;
-        const auto it = rest.find(pi);
-        if (it != rest.end()) constant[atom] = {*it};
-        if (it != rest.end()) rest.erase(it);
-        if (!rest.empty()) function[atom] = rest;
-      } else {
-        function[atom] = e;
-      }
-    }
-    coefficients[function][constant] = q;
-  }
-  for (const auto& [function, coefficient] : coefficients)
-    if (!is_zero_number(coefficient)) return false;
-  return true;
+  const auto constant = [&](Expr atom, const Exponent& e) {
+    if (atom == circle()) return e.contains(pi) ? times_pi(e.at(pi)) : Exponent();
+    const bool is_number = number_of(e) && kernel::free_variables(atom).empty() &&
+                           !is_complex(atom) && is_algebraic(atom);
+    return is_number ? e : Exponent();
+  };
+  const std::map<Product, Sum> all = coefficients(sum, constant);
+  return std::all_of(all.begin(), all.end(),
+                     [&](const auto& term) { return is_zero_number(term.second); });
 }
 bool Forms::is_zero_number(const Sum& coefficient) {
   if (coefficient.size() == 1) return false;
@@ -82,11 +68,9 @@ bool Forms::is_zero_number(const Sum& coefficient) {
   Exprs imaginary{0};
   for (const auto& [powers, q] : coefficient) {
     Product rest = powers;
-    cln::cl_RA angle = 0;
-    if (const auto it = rest.find(circle()); it != rest.end()) {
-      angle = it->second.begin()->second;
-      rest.erase(it);
-    }
+    const Exponent turn = exponent_in(powers, circle());
+    const cln::cl_RA angle = turn.empty() ? cln::cl_RA(0) : turn.begin()->second;
+    rest.erase(circle());
     const Expr size = rest.empty() ? Expr(q) : Expr(q) * expression(rest);
     real.push_back(angle == 0 ? size : size * kernel::cos(Expr(angle) * kernel::pi()));
     if (angle != 0) imaginary.push_back(size * kernel::sin(Expr(angle) * kernel::pi()));
@@ -99,14 +83,8 @@ bool is_zero_constant(Expr constant) {
   static int depth = 0;
   if (depth > 2) return false;
   ++depth;
-  bool is_zero = false;
-  try {
-    Forms forms({});
-    is_zero = forms.is_zero(forms.of(constant));
-  } catch (const TooLarge&) {
-  } catch (const NotDefined&) {
-  } catch (const kernel::Refused&) {
-  }
+  Forms forms({});
+  const bool is_zero = is_proved([&] { return forms.is_zero(forms.of(constant)); });
   --depth;
   return is_zero;
 }
