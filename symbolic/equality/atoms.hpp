@@ -19,6 +19,7 @@ Exponent exponent_in(const Product& product, Expr atom);  ///< 0 where it is abs
 cln::cl_RA constant_part(const Exponent& e);
 /// The exponent, if it is a number.
 std::optional<cln::cl_RA> number_of(const Exponent& e);
+std::optional<int> whole_number(const Exponent& e);
 bool is_whole(const cln::cl_RA& q);
 bool is_even(const cln::cl_RA& whole);
 bool is_inverse_angle(Expr e);

@@ -162,26 +162,27 @@ private:
       return r.kind != Need::NotZero && is_certain({Need::Positive, Expr(-1) * r.term}, domain);
     });
   }
+  bool proved(const std::string& how) {
+    verdict.proof = how;
+    return true;
+  }
   bool prove() {
     if (prove_at_whole_exponents()) return true;
     if (has_impossible_need()) return false;
-    if (left == right) {
-      verdict.proof = "both sides are the same expression";
-      return true;
-    }
+    if (left == right) return proved("both sides are the same expression");
     if (domain.ranges.empty() && prove_constants()) return true;
     if (is_same_form(right)) return true;
     const Expr other = with_one_angle(left, right, domain, common);
     if (other != right && is_same_form(other)) return true;
     if (!is_same_angle(left, right, domain, common)) return prove_by_cases();
     const std::string point = equality::text(common[0]);
-    verdict.proof = "angles: both sides have the same cosine and sine, " +
-                    (point.empty() ? "and they are less than a turn apart"
-                                   : "both are continuous, and at " + point + " they agree");
-    return true;
+    return proved("angles: both sides have the same cosine and sine, " +
+                  (point.empty() ? "and they are less than a turn apart"
+                                 : "both are continuous, and at " + point + " they agree"));
   }
   /// With `value` for the symbol x, and the symbol of `value` in `range`.
   bool is_proved_for(Expr x, Expr value, const Range& range) {
+    if (is_case) return false;
     const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
     Domain part;
     for (const auto& [symbol, usual] : domain.ranges)
@@ -189,40 +190,36 @@ private:
     for (Expr symbol : kernel::free_variables(value)) part.ranges.try_emplace(symbol, range);
     for (const auto& [l, relation, r] : domain.further)
       part.further.push_back({written(l), relation, written(r)});
-    try {
+    is_case = true;
+    const bool is_equal = is_proved([&] {  // not where there is no point
       const Verdict found = decide(written(left), written(right), part);
-      if (found.answer == Answer::Equal) verdict.proof = found.proof;
-      return found.answer == Answer::Equal;
-    } catch (const kernel::Refused&) {  // no point
-      return false;
-    }
+      return found.answer == Answer::Equal && proved(found.proof);
+    });
+    is_case = false;
+    return is_equal;
   }
   /// x >= 0 and x <= 0 where |x| is, an integer even and odd.
   bool prove_by_cases() {
-    if (is_case) return false;
-    is_case = true;
+    const std::string before = verdict.proof;
     for (const auto& [x, range] : domain.ranges) {
       const Expr modulus = absolute(x);
       const bool is_integer = range.is_integer;
-      const Expr half = kernel::integer("half_" + x.name());  // which nobody can type
       const std::string name = notation::name_of(x);
-      std::string cases;
       if (!range.low && !range.high && kernel::replace(left - right, modulus, 0) != left - right) {
         if (is_proved_for(x, x, {.is_integer = is_integer, .low = End{0, true}}) &&
             is_proved_for(x, x, {.is_integer = is_integer, .high = End{0, true}}))
-          cases = name + " >= 0 and " + name + " <= 0";
+          return proved("cases: " + name + " >= 0 and " + name + " <= 0");
       } else if (is_integer) {
+        const Expr half = kernel::integer("half_" + x.name());  // which nobody can type
         Range halves{.is_integer = true};
         if (range.low) halves.low = End{cln::floor1(range.low->value / 2) - 1};
         if (is_proved_for(x, Expr(2) * half, halves) &&
             is_proved_for(x, Expr(2) * half + Expr(1), halves))
-          cases = name + " even and " + name + " odd";
+          return proved("cases: " + name + " even and " + name + " odd");
       }
-      verdict.proof = cases.empty() ? "" : "cases: " + cases;
-      if (!cases.empty()) break;
     }
-    is_case = false;
-    return !verdict.proof.empty();
+    verdict.proof = before;  // not that of one case alone
+    return false;
   }
   /// A power whose base is negative and whose exponent is not always whole.
   std::optional<Expr> power_of_negative(Expr e) {
@@ -237,14 +234,10 @@ private:
   /// (-1)^x has values only where x is whole.
   bool prove_at_whole_exponents() {
     const auto found = power_of_negative(left - right);
-    if (!found || is_case) return false;
-    is_case = true;
+    if (!found) return false;
     const std::set<Expr> symbols = kernel::free_variables(found->arg(1));
-    const bool is_proved = std::any_of(symbols.begin(), symbols.end(), [&](Expr x) {
-      return prove_at_whole_exponent(x, found->arg(1));
-    });
-    is_case = false;
-    return is_proved;
+    return std::any_of(symbols.begin(), symbols.end(),
+                       [&](Expr x) { return prove_at_whole_exponent(x, found->arg(1)); });
   }
   bool prove_at_whole_exponent(Expr x, Expr exponent) {
     Domain whole = domain;
@@ -277,13 +270,12 @@ private:
         for (const Requirement& r : needs) forms.assume(r);
       const Sum difference = forms.of(left) - forms.of(other);
       if (forms.is_zero(difference))
-        verdict.proof = "normal form: the difference of both sides is 0";
-      else if (forms.is_zero(forms.of(notation::call("exp", left - other)) - number(1)))
-        verdict.proof = "normal form: the exponential of the difference is 1";
-      else if (forms.is_not_negative(forms.of(left)) && forms.is_not_negative(forms.of(other)) &&
-               forms.is_zero(forms.of(kernel::power(left, 2) - kernel::power(other, 2))))
-        verdict.proof = "normal form: neither side is negative, and their squares are equal";
-      return !verdict.proof.empty();
+        return proved("normal form: the difference of both sides is 0");
+      if (forms.is_zero(forms.of(notation::call("exp", left - other)) - number(1)))
+        return proved("normal form: the exponential of the difference is 1");
+      if (forms.is_not_negative(forms.of(left)) && forms.is_not_negative(forms.of(other)) &&
+          forms.is_zero(forms.of(kernel::power(left, 2) - kernel::power(other, 2))))
+        return proved("normal form: neither side is negative, and their squares are equal");
     } catch (const TooLarge& large) {
       verdict.proof = std::string("not decided: ") + large.what();
     } catch (const NotDefined&) {
@@ -293,12 +285,10 @@ private:
   }
   bool prove_constants() {
     const Expr difference = left - right;
-    const std::optional<int> sign = exact_sign(difference);
-    if (sign != 0) return false;
-    verdict.proof = is_algebraic(difference)
-                        ? "algebraic numbers: the difference is below the least that it could be"
-                        : "normal form: the difference of both sides is 0";
-    return true;
+    if (exact_sign(difference) != 0) return false;
+    return proved(is_algebraic(difference)
+                      ? "algebraic numbers: the difference is below the least that it could be"
+                      : "normal form: the difference of both sides is 0");
   }
   // What agrees to fifty digits may still differ.
   bool is_different_exactly() {

@@ -79,6 +79,10 @@ bool holds(const notation::Comparison& c, const Point& point) {
   if (*sign == 0) return c.relation.size() == 2;
   return (*sign < 0) == (c.relation[0] == '<');
 }
+bool is_in(const Domain& domain, const Point& point) {
+  return std::all_of(domain.further.begin(), domain.further.end(),
+                     [&](const notation::Comparison& c) { return holds(c, point); });
+}
 std::string shown(const std::string& name, const Range& range) {
   const auto with = [](const std::string& sign, const End& end) {
     return " " + sign + (end.is_inside ? "= " : " ");
@@ -96,11 +100,13 @@ std::string shown(const std::string& name, const Range& range) {
   return bounds.empty() ? name + " real" : bounds;
 }
 
-// The values of a range to try: the simplest first, or fractions first.
-std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count, bool is_inside) {
+// The values of a range to try: the simplest first, or fractions first, and the special ones last.
+std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is_inside,
+                                  const std::set<cln::cl_RA>& special, std::size_t most) {
   std::vector<cln::cl_RA> values;
+  std::size_t room = count;
   const auto add = [&](const cln::cl_RA& value) {
-    if (values.size() < count && range.contains(value) &&
+    if (values.size() < room && range.contains(value) &&
         std::find(values.begin(), values.end(), value) == values.end())
       values.push_back(value);
   };
@@ -134,6 +140,8 @@ std::vector<cln::cl_RA> simple_values(const Range& range, std::size_t count, boo
         if (range.low) add(range.low->value + small);
         if (range.high) add(range.high->value + small);
       }
+  room = most;
+  for (const cln::cl_RA& value : special) add(value);
   return values;
 }
 void collect_numbers(Expr e, std::set<cln::cl_RA>& found) {
@@ -239,17 +247,11 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   std::vector<Expr> symbols;
   std::vector<std::vector<cln::cl_RA>> values;
   std::size_t last = 0;
+  const std::size_t most = count + most_special;
+  const std::size_t usual = is_inside ? 60 : domain.ranges.size() == 1 ? count : 24;
   for (const auto& [symbol, range] : domain.ranges) {
     symbols.push_back(symbol);
-    values.push_back(simple_values(range,
-                                   is_inside                   ? 60
-                                   : domain.ranges.size() == 1 ? count
-                                                               : 24,
-                                   is_inside));
-    for (const cln::cl_RA& value : special)
-      if (range.contains(value) && values.back().size() < count + most_special &&
-          std::find(values.back().begin(), values.back().end(), value) == values.back().end())
-        values.back().push_back(value);
+    values.push_back(values_of(range, usual, is_inside, special, most));
     if (values.back().empty()) return {};
     last += values.back().size() - 1;
   }
@@ -257,13 +259,11 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   int tried = 0;
   const auto visit = [&](const auto& self, std::size_t place, std::size_t left,
                          Point& point) -> void {
-    if (out.size() >= count + most_special || tried > most_tried) return;
+    if (out.size() >= most || tried > most_tried) return;
     if (place == symbols.size()) {
       if (left > 0) return;
       ++tried;
-      if (std::all_of(domain.further.begin(), domain.further.end(),
-                      [&](const notation::Comparison& c) { return holds(c, point); }))
-        out.push_back(point);
+      if (is_in(domain, point)) out.push_back(point);
       return;
     }
     for (std::size_t i = 0; i <= left && i < values[place].size(); ++i) {
@@ -273,7 +273,7 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
     point.erase(symbols[place]);
   };
   // The sum of the places in the lists grows, so that simple points come first.
-  for (std::size_t total = 0; total <= std::min(last, count + most_special); ++total) {
+  for (std::size_t total = 0; total <= std::min(last, most); ++total) {
     Point point;
     visit(visit, 0, total, point);
   }
@@ -282,9 +282,7 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
     Point point;
     for (std::size_t j = 0; j < symbols.size(); ++j)
       point[symbols[j]] = values[j][(i * (2 * j + 3) + 5 * j) % values[j].size()];
-    if (std::all_of(domain.further.begin(), domain.further.end(),
-                    [&](const notation::Comparison& c) { return holds(c, point); }))
-      out.push_back(point);
+    if (is_in(domain, point)) out.push_back(point);
   }
   return out;
 }

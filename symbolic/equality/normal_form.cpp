@@ -91,9 +91,8 @@ Sum Forms::function(Expr term) {
     const Exponent e = exponent_of(of(term.arg(1)));
     // As expression() writes it, and no real power.
     if (term.arg(0) == circle()) return reduced({{circle(), e}});
-    const auto k = number_of(e);
-    if (k && is_whole(*k) && cln::abs(*k) <= 10000)
-      return integer_power(x, cln::cl_I_to_int(cln::numerator(*k)));
+    const auto k = whole_number(e);
+    if (k && std::abs(*k) <= 10000) return integer_power(x, *k);
     return is_integer(e) ? symbolic_power(x, e) : real_power(x, e);
   }
   Exprs args;
@@ -145,11 +144,9 @@ Exponent Forms::multiplied(const Exponent& a, const Exponent& b) {
     for (const auto& [atom, e] : f.powers) multiply(powers, atom, e);
   }
   for (const auto& [atom, e] : powers) {
-    const auto composite = composites.find(atom);
-    const auto k = number_of(e);
-    const bool is_sum = composite != composites.end() && k && is_whole(*k) && *k > 0;
-    out = times(out, is_sum ? integer_power(composite->second, cln::cl_I_to_int(cln::numerator(*k)))
-                            : equality::atom(atom, e));
+    const int k = whole_number(e).value_or(0);
+    const bool is_power = composites.contains(atom) && k > 0;
+    out = times(out, is_power ? integer_power(composites.at(atom), k) : equality::atom(atom, e));
   }
   return exponent_of(out);
 }
@@ -228,10 +225,9 @@ Sum Forms::divided(Sum sum) {
         return part.first.size() == 1 && part.first.begin()->first.op() == Op::Var &&
                part.first.begin()->second == exponent(1);
       });
-      if (above == whole.end() || !product.contains(above->first.begin()->first)) continue;
+      if (above == whole.end()) continue;
       const Expr symbol = above->first.begin()->first;
-      const auto times_there = number_of(product.at(symbol));
-      if (!times_there || !is_whole(*times_there) || *times_there < 1) continue;
+      if (whole_number(exponent_in(product, symbol)).value_or(0) < 1) continue;
       const auto has_symbol = [&](const auto& part) { return part.first.contains(symbol); };
       if (std::count_if(whole.begin(), whole.end(), has_symbol) > 1) continue;
       Product rest = product;

@@ -206,8 +206,7 @@ void Forms::assume(const Requirement& requirement) {
     Product known = f.powers;
     Exprs unknown;
     for (const auto& [atom, e] : f.powers) {
-      const auto k = number_of(e);
-      if (!k || !is_whole(*k) || is_even(*k) || sign_of_atom(atom) != 0) continue;
+      if (whole_number(e).value_or(0) % 2 == 0 || sign_of_atom(atom) != 0) continue;
       unknown.push_back(atom);
       known.erase(atom);
     }

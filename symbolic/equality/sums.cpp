@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sums of products of powers: arithmetic, and how they are written as terms again.
 #include <algorithm>
+#include <limits>
 
 #include <cln/integer.h>
 
@@ -62,6 +63,11 @@ std::optional<cln::cl_RA> number_of(const Exponent& e) {
   if (e.empty()) return cln::cl_RA(0);
   if (e.size() > 1 || !e.begin()->first.empty()) return {};
   return e.begin()->second;
+}
+std::optional<int> whole_number(const Exponent& e) {
+  const auto k = number_of(e);
+  if (!k || !is_whole(*k) || cln::abs(*k) > std::numeric_limits<int>::max()) return {};
+  return cln::cl_I_to_int(cln::numerator(*k));
 }
 bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
 bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
@@ -218,9 +224,9 @@ Exponent Forms::exponent_of(const Sum& sum) {
     kernel::Monomial monomial;
     Product rest;  // what is no polynomial becomes one atom
     for (const auto& [atom, e] : product) {
-      const auto k = number_of(e);
-      if (k && is_whole(*k) && *k > 0 && *k < 1000 && atom != circle())
-        monomial.emplace_back(atom, cln::cl_I_to_int(cln::numerator(*k)));
+      const int k = whole_number(e).value_or(0);
+      if (k > 0 && k < 1000 && atom != circle())
+        monomial.emplace_back(atom, k);
       else
         rest[atom] = e;
     }
