@@ -60,9 +60,9 @@ struct Quantified {
   Sort sort;
 };
 
-class Reader {
+class Reader : Words {
 public:
-  explicit Reader(std::string_view text) : words(printed_tokens(text)) {}
+  explicit Reader(std::string_view text) : Words(printed_tokens(text)) {}
   Expr everything() {
     const Expr e = formula();
     if (now().kind != Kind::End) refuse("\"" + now().text + "\" is not expected");
@@ -71,14 +71,7 @@ public:
   std::size_t at() const { return now().column; }
 
 private:
-  const Token& now() const { return words[place]; }
-  bool is(std::string_view word) const { return now().text == word; }
   bool is_attached(std::string_view sign) const { return is(sign) && !now().is_spaced; }
-  bool takes(std::string_view word) {
-    if (!is(word)) return false;
-    ++place;
-    return true;
-  }
   void need(std::string_view word) {
     if (!takes(word)) refuse("\"" + std::string(word) + "\" is expected");
   }
@@ -257,8 +250,6 @@ private:
     return fun(name, args);
   }
 
-  std::vector<Token> words;
-  std::size_t place = 0;
   int depth = 0;
   std::vector<Quantified> bound;
 };

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "notation/operations.hpp"
@@ -144,17 +143,15 @@ private:
       sign(c, column);
     }
   }
+  // What is typed in one character, as it is typed in ASCII.
   void spelled(const std::string& word, std::size_t column) {
-    if (is_letter(char32_t(word[0]))) return add(Kind::Name, word, column);
-    if (!is_digit(char32_t(word[0]))) return add(Kind::Sign, word, column);
-    if (!out.empty() && out.back().kind == Kind::Number && !spaced)
+    const bool is_fraction = is_digit(char32_t(word[0]));
+    if (is_fraction && !out.empty() && out.back().kind == Kind::Number && !spaced)
       refuse_at(column, "a sum or a product? write " + out.back().text + "+" + word + " or " +
                             out.back().text + "*" + word);
-    add(Kind::Sign, "(", column);
-    add(Kind::Number, word.substr(0, 1), column);
-    add(Kind::Sign, "/", column);
-    add(Kind::Number, word.substr(2), column);
-    add(Kind::Sign, ")", column);
+    const std::string ascii = is_fraction ? "(" + word + ")" : word;
+    for (const Token& part : Scanner({ascii.begin(), ascii.end()}).scan())
+      if (part.kind != Kind::End) add(part.kind, part.text, column);
   }
 
   void number(std::size_t column) {
@@ -254,16 +251,11 @@ private:
   void superscript(std::size_t column) {
     std::string word;
     while (superscripts.contains(peek())) word += superscripts.at(text[at++]);
-    const bool minus = word[0] == '-';
-    const std::string rest = word.substr(minus ? 1 : 0);
+    const std::string rest = word.substr(word[0] == '-' ? 1 : 0);
     if (rest.empty() || rest.find('-') != rest.npos ||
         (rest.size() > 1 && rest.find('n') != rest.npos))
       refuse_at(column, "a superscript that is no whole number");
-    add(Kind::Sign, "^", column);
-    add(Kind::Sign, "(", column);
-    if (minus) add(Kind::Sign, "-", column);
-    add(rest == "n" ? Kind::Name : Kind::Number, rest, column);
-    add(Kind::Sign, ")", column);
+    spelled("^(" + word + ")", column);
   }
 
   void command(std::size_t column) {
@@ -320,13 +312,9 @@ void refuse_at(std::size_t column, const std::string& why) {
   kernel::refuse("column " + std::to_string(column) + ": " + why);
 }
 bool is_greek_name(const std::string& name) {
-  static const std::set<std::string> names = [] {
-    std::set<std::string> found;
-    for (const auto& [c, word] : spellings())
-      if (is_greek(c)) found.insert(word);
-    return found;
-  }();
-  return names.contains(name);
+  return std::any_of(spellings().begin(), spellings().end(), [&](const auto& spelling) {
+    return is_greek(spelling.first) && spelling.second == name;
+  });
 }
 std::vector<Token> tokens(std::string_view text) { return Scanner(decoded(text)).scan(); }
 }  // namespace notation

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace notation {
@@ -15,6 +16,20 @@ struct Token {
   bool is_spaced = false;  ///< a blank stands before it
   bool is_latex = false;   ///< it began with a backslash
   std::string typed = {};  ///< where it was changed: "M1" of M_1
+};
+/// A place among words, for readers that take one after the other.
+class Words {
+protected:
+  explicit Words(std::vector<Token> all) : words(std::move(all)) {}
+  const Token& now() const { return words[place]; }
+  bool is(std::string_view text) const { return now().text == text; }
+  bool takes(std::string_view text) {
+    if (!is(text)) return false;
+    ++place;
+    return true;
+  }
+  std::vector<Token> words;
+  std::size_t place = 0;
 };
 /// The last one is the End. Refused (kernel::Refused, "column 7: ..."): bytes that are not UTF-8,
 /// characters and commands that belong to no formula, more than 20,000 characters.

@@ -17,10 +17,10 @@ constexpr int deepest = 200;
 constexpr std::size_t npos = std::string::npos;
 const std::string wrong_comma = "unexpected comma; decimals are written 0.5";
 
-class Parser {
+class Parser : Words {
 public:
   Parser(std::string_view text, const std::set<std::string>& the_factors, bool column)
-      : words(tokens(text)), factors(the_factors), is_column(column) {
+      : Words(tokens(text)), factors(the_factors), is_column(column) {
     if (words.size() == 1) refuse("the expression is empty");
     part_names();
   }
@@ -46,22 +46,13 @@ public:
   }
 
 private:
-  std::vector<Token> words;
   const std::set<std::string>& factors;
   bool is_column;
-  std::size_t place = 0;
   int depth = 0;
   int bars = 0;
   std::size_t comma = 0;  // where the last one was
   std::vector<std::string> notes;
 
-  const Token& now() const { return words[place]; }
-  bool is(std::string_view sign) const { return now().kind == Kind::Sign && now().text == sign; }
-  bool takes(std::string_view sign) {
-    if (!is(sign)) return false;
-    ++place;
-    return true;
-  }
   bool is_relation() const {
     static const std::set<std::string> signs{"=", "<", ">", "<=", ">=", "!="};
     return signs.contains(now().text);
@@ -270,20 +261,19 @@ private:
   }
   // [[a, b], [c, d]] or [a, b; c, d]
   Expr grid(const Token& token) {
-    if (!is("[")) {
-      const std::vector<Exprs> all = rows();
-      close("]", token.column);
-      return grid_of(all, token.column);
-    }
-    std::vector<Exprs> all;
+    const std::vector<Exprs> all = is("[") ? rows_in_brackets() : rows();
+    close("]", token.column);
+    return grid_of(all, token.column);
+  }
+  std::vector<Exprs> rows_in_brackets() {
+    std::vector<Exprs> out;
     do {
       const std::size_t column = now().column;
       if (!takes("[")) refuse_at(column, "a row is written [a, b, c]");
-      all.push_back(list());
+      out.push_back(list());
       close("]", column);
     } while (takes(",") || takes(";"));
-    close("]", token.column);
-    return grid_of(all, token.column);
+    return out;
   }
   std::vector<Exprs> rows() {
     std::vector<Exprs> out{list()};
