@@ -3,7 +3,7 @@
 #include "notation/read.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <deque>
 
 #include <cln/integer_io.h>
 
@@ -55,11 +55,6 @@ std::vector<Token> printed_tokens(std::string_view text) {
   return out;
 }
 
-struct Quantified {
-  std::string name;
-  Sort sort;
-};
-
 class Reader : Words {
 public:
   explicit Reader(std::string_view text) : Words(printed_tokens(text)) {}
@@ -92,12 +87,12 @@ private:
     if (sort == Sort::Real) need("real");
     const std::string name = need(Kind::Name, "a variable");
     if (const std::string why = why_no_variable(name, sort); !why.empty()) refuse(why);
-    bound.push_back({name, sort});
+    bound.emplace_front(name, sort);
     const Expr least = takes(">=") ? sum() : Expr();
     need(":");
     Expr body = formula();
     if (least) body = imp(le(least, resolved(name)), body);
-    bound.pop_back();
+    bound.pop_front();
     return make({.op = Op::All, .args = {body}, .name = name, .variable = sort});
   }
   Expr implication() {
@@ -150,10 +145,8 @@ private:
   }
   int small_number() {
     const std::string digits = need(Kind::Number, "a whole number");
-    int n = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), n);
-    if (error != std::errc()) refuse(digits.substr(0, 20) + "... is too large here");
-    return n;
+    if (digits.size() > 9) refuse(digits.substr(0, 20) + "... is too large here");
+    return std::stoi(digits);
   }
 
   Expr atom() {
@@ -204,10 +197,11 @@ private:
 
   // A bound variable, a variable, a function with what follows it, or a function at an index.
   Expr resolved(const std::string& name) {
-    for (std::size_t i = bound.size(); i-- > 0;)
-      if (bound[i].name == name)
-        return make(
-            {.op = Op::Bound, .index = int(bound.size() - 1 - i), .variable = bound[i].sort});
+    const auto is_named = [&](const auto& variable) { return variable.first == name; };
+    const auto inner = std::find_if(bound.begin(), bound.end(), is_named);
+    if (inner != bound.end())
+      return make(
+          {.op = Op::Bound, .index = int(inner - bound.begin()), .variable = inner->second});
     if (const Expr v = known_variable(name)) return v;
     const std::size_t split = name.rfind('_');
     const std::string index = split == name.npos ? "" : name.substr(split + 1);
@@ -251,7 +245,7 @@ private:
   }
 
   int depth = 0;
-  std::vector<Quantified> bound;
+  std::deque<std::pair<std::string, Sort>> bound;  // innermost first
 };
 }  // namespace
 

@@ -23,71 +23,69 @@ std::string without_marks(std::string text) {
   return text;
 }
 
-class Printer {
-public:
-  enum Level { Sum, Product, Power, Atom };
-  std::string text(Expr e, Level around) {
-    if (is_inverse(base_of(e)) || e.op() == Op::Mul) return bracketed(product(e), around, Product);
-    switch (e.op()) {
-      case Op::Num:
-        return bracketed(digits(e.value()), around, level_of_number(e.value()));
-      case Op::Add:
-        return bracketed(sum(e), around, Sum);
-      case Op::Pow:
-        return bracketed(text(e.arg(0), Atom) + "^" + std::to_string(e.exponent()), around, Power);
-      case Op::Fun:
-        return function(e, around);
-      default:
-        return without_marks(kernel::text(e));
-    }
-  }
+enum Level { Sum, Product, Power, Atom };
+std::string printed(Expr e, Level around);
 
-private:
-  static Level level_of_number(const cln::cl_RA& q) {
-    return q < 0 ? Sum : cln::denominator(q) == 1 ? Atom : Product;
+Level level_of_number(const cln::cl_RA& q) {
+  return q < 0 ? Sum : cln::denominator(q) == 1 ? Atom : Product;
+}
+std::string bracketed(const std::string& text, Level around, Level own) {
+  return own < around ? "(" + text + ")" : text;
+}
+Expr base_of(Expr e) { return e.op() == Op::Pow ? e.arg(0) : e; }
+bool is_inverse(Expr e) { return e.op() == Op::Fun && e.name() == "inv"; }
+std::string printed_sum(Expr e) {
+  std::string out = printed(e.arg(0), Sum);
+  for (std::size_t i = 1; i < e.size(); ++i) {
+    const std::string next = printed(e.arg(i), Sum);
+    out += next[0] == '-' ? " - " + next.substr(1) : " + " + next;
   }
-  static std::string bracketed(const std::string& text, Level around, Level own) {
-    return own < around ? "(" + text + ")" : text;
-  }
-  static Expr base_of(Expr e) { return e.op() == Op::Pow ? e.arg(0) : e; }
-  static bool is_inverse(Expr e) { return e.op() == Op::Fun && e.name() == "inv"; }
-  std::string sum(Expr e) {
-    std::string out = text(e.arg(0), Sum);
-    for (std::size_t i = 1; i < e.size(); ++i) {
-      const std::string next = text(e.arg(i), Sum);
-      out += next[0] == '-' ? " - " + next.substr(1) : " + " + next;
+  return out;
+}
+std::string printed_product(Expr e) {
+  std::string over;
+  std::string under;
+  for (Expr factor : e.op() == Op::Mul ? e.args() : Exprs{e}) {
+    const Expr base = base_of(factor);
+    const bool power = factor.op() == Op::Pow;
+    const bool below = is_inverse(base);
+    std::string one = printed(below ? base.arg(0) : base, power ? Atom : below ? Power : Product);
+    if (power) one += "^" + std::to_string(factor.exponent());
+    if (factor == Expr(-1) && over.empty() && e.op() == Op::Mul) {
+      over = "-";
+      continue;
     }
-    return out;
+    if (over.empty() && factor.op() == Op::Num) one = digits(factor.value());
+    std::string& side = below ? under : over;
+    side += below ? "/" + one : (side.empty() || side == "-" ? "" : "*") + one;
   }
-  std::string product(Expr e) {
-    std::string over;
-    std::string under;
-    for (Expr factor : e.op() == Op::Mul ? e.args() : Exprs{e}) {
-      const Expr base = base_of(factor);
-      const bool power = factor.op() == Op::Pow;
-      const bool below = is_inverse(base);
-      std::string one = text(below ? base.arg(0) : base, power ? Atom : below ? Power : Product);
-      if (power) one += "^" + std::to_string(factor.exponent());
-      if (factor == Expr(-1) && over.empty() && e.op() == Op::Mul) {
-        over = "-";
-        continue;
-      }
-      if (over.empty() && factor.op() == Op::Num) one = digits(factor.value());
-      std::string& side = below ? under : over;
-      side += below ? "/" + one : (side.empty() || side == "-" ? "" : "*") + one;
-    }
-    return (over.empty() || over == "-" ? over + "1" : over) + under;
+  return (over.empty() || over == "-" ? over + "1" : over) + under;
+}
+std::string printed_function(Expr e, Level around) {
+  const std::string name = e.name();
+  if (name == "raised")
+    return bracketed(printed(e.arg(0), Atom) + "^" + printed(e.arg(1), Atom), around, Power);
+  if (e.size() == 0) return without_marks(kernel::text(e));
+  std::string inside;
+  for (Expr arg : e.args()) inside += (inside.empty() ? "" : ", ") + printed(arg, Sum);
+  return (name == "nth_root" ? "root" : name) + "(" + inside + ")";
+}
+std::string printed(Expr e, Level around) {
+  if (is_inverse(base_of(e)) || e.op() == Op::Mul)
+    return bracketed(printed_product(e), around, Product);
+  switch (e.op()) {
+    case Op::Num:
+      return bracketed(digits(e.value()), around, level_of_number(e.value()));
+    case Op::Add:
+      return bracketed(printed_sum(e), around, Sum);
+    case Op::Pow:
+      return bracketed(printed(e.arg(0), Atom) + "^" + std::to_string(e.exponent()), around, Power);
+    case Op::Fun:
+      return printed_function(e, around);
+    default:
+      return without_marks(kernel::text(e));
   }
-  std::string function(Expr e, Level around) {
-    const std::string name = e.name();
-    if (name == "raised")
-      return bracketed(text(e.arg(0), Atom) + "^" + text(e.arg(1), Atom), around, Power);
-    if (e.size() == 0) return without_marks(kernel::text(e));
-    std::string inside;
-    for (Expr arg : e.args()) inside += (inside.empty() ? "" : ", ") + text(arg, Sum);
-    return (name == "nth_root" ? "root" : name) + "(" + inside + ")";
-  }
-};
+}
 }  // namespace
 
 std::optional<cln::cl_RA> rational_value(Expr e) {
@@ -97,8 +95,7 @@ std::optional<cln::cl_RA> rational_value(Expr e) {
     if (!base || is_long(*base, e.exponent())) return {};
     return cln::expt(*base, e.exponent());
   }
-  const bool is_inverse = e.op() == Op::Fun && e.name() == "inv";
-  if (e.op() != Op::Add && e.op() != Op::Mul && !is_inverse) return {};
+  if (e.op() != Op::Add && e.op() != Op::Mul && !is_inverse(e)) return {};
   const bool is_sum = e.op() == Op::Add;
   cln::cl_RA out = is_sum ? 0 : 1;
   for (Expr arg : e.args()) {
@@ -106,8 +103,8 @@ std::optional<cln::cl_RA> rational_value(Expr e) {
     if (!value || is_long(*value)) return {};
     out = is_sum ? out + *value : out * *value;
   }
-  if (is_inverse && out == 0) return {};
-  return is_inverse ? 1 / out : out;
+  if (!is_inverse(e)) return out;
+  return out == 0 ? std::nullopt : std::optional(1 / out);
 }
 
 Expr symbol(const std::string& name) { return real(std::string(mark) + name); }
@@ -147,5 +144,5 @@ Expr root(int order, Expr x) {
   return order == 2 ? kernel::sqrt(x) : apply("nth_root", {x, Expr(order)});
 }
 Expr call(const std::string& name, Expr x) { return apply(name, {x}); }
-std::string typed_text(Expr e) { return Printer().text(e, Printer::Sum); }
+std::string typed_text(Expr e) { return printed(e, Sum); }
 }  // namespace notation

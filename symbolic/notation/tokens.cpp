@@ -130,7 +130,7 @@ private:
     } else if (is_digit(c) || (c == U'.' && is_digit(peek(1)))) {
       number(column);
     } else if (is_letter(c) || is_greek(c)) {
-      name(column);
+      indexed_name(plain_word(), column);
     } else if (superscripts.contains(c)) {
       superscript(column);
     } else if (const auto it = spellings().find(c); it != spellings().end()) {
@@ -178,6 +178,13 @@ private:
     add(Kind::Number, word, column);
   }
 
+  // A Greek letter, or letters and digits.
+  std::string plain_word() {
+    if (is_greek(peek())) return spellings().at(text[at++]);
+    std::string found;
+    while (is_plain(peek())) found += char(text[at++]);
+    return found;
+  }
   // \rm, \text, \mathrm: letters stand upright.
   bool skips_font() {
     if (!follows(U"\\rm") && !follows(U"\\text") && !follows(U"\\mathrm")) return false;
@@ -191,10 +198,9 @@ private:
     if (!found.empty()) return "_" + found;
     if (peek() != U'_') return "";
     ++at;
-    if (is_greek(peek())) return "_" + spellings().at(text[at++]);
     skips_font();
     if (peek() != U'{') {
-      while (is_plain(peek())) found += char(text[at++]);
+      found = plain_word();
       if (peek() == U'(' && found.empty()) refuse_index();
       return "_" + found + index();  // T_1T_{next} is parted later
     }
@@ -225,14 +231,6 @@ private:
         return "_prime";
       }
     return "";
-  }
-  void name(std::size_t column) {
-    std::string word;
-    if (is_greek(peek()))
-      word = spellings().at(text[at++]);
-    else
-      while (is_plain(peek())) word += char(text[at++]);
-    indexed_name(word, column);
   }
   void indexed_name(const std::string& word, std::size_t column) {
     std::string whole = word;
