@@ -72,9 +72,9 @@ Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vect
   const auto try_multiple = [&](Expr angle, Expr other, const cln::cl_RA& q) {
     Expr guess = Expr(q) * other;
     const Ball rest = enclosure(at(common[0], angle - guess) / kernel::pi(), 128);
-    const cln::cl_RA halves = cln::cl_RA(cln::round1(2 * rest.low())) / 2;
-    if (cln::abs(rest.low() - halves) > cln::cl_RA(1) / 1000000) return false;
-    if (halves != 0) guess = guess + Expr(halves) * kernel::pi();
+    const auto halves = near_fraction(rest.low(), 2);
+    if (!halves) return false;
+    if (*halves != 0) guess = guess + Expr(*halves) * kernel::pi();
     return is_same_angle(angle, guess, domain, common) && same.emplace(angle, guess).second;
   };
   for (Expr angle : theirs)

@@ -239,6 +239,14 @@ std::optional<cln::cl_RA> multiple_of_pi(Expr e) {
   return pis == 1 ? std::optional(factor) : std::nullopt;
 }
 
+std::optional<cln::cl_RA> near_fraction(const cln::cl_RA& value, int largest_denominator) {
+  for (int below = 1; below <= largest_denominator; ++below) {
+    const cln::cl_RA guess = cln::cl_RA(cln::round1(value * below)) / below;
+    if (cln::abs(guess - value) < cln::cl_RA(1) / 1000000000) return guess;
+  }
+  return {};
+}
+
 bool is_algebraic(Expr constant) { return Separation().bits(constant).has_value(); }
 
 Ball enclosure(Expr constant, int bits) {

@@ -34,5 +34,7 @@ std::optional<int> exact_sign(Expr constant);
 bool is_algebraic(Expr constant);
 /// The rational q with e = q pi, if e is written so.
 std::optional<cln::cl_RA> multiple_of_pi(Expr e);
+/// The fraction of such a denominator that is within 10^-9 of the value.
+std::optional<cln::cl_RA> near_fraction(const cln::cl_RA& value, int largest_denominator);
 bool is_function(Expr e, const char* name);
 }  // namespace equality

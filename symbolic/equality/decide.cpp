@@ -51,13 +51,8 @@ std::optional<cln::cl_RA> fraction(Expr constant) {
   if (const auto value = notation::rational_value(constant)) return value;
   const Value value = value_at({}, constant, 192);
   if (!value.ball) return {};
-  for (int below = 1; below <= largest_denominator; ++below) {
-    const cln::cl_RA guess = cln::cl_RA(cln::round1(value.ball->low() * below)) / below;
-    if (cln::abs(guess - value.ball->low()) > cln::cl_RA(1) / cln::ash(cln::cl_I(1), 150)) continue;
-    if (exact_sign(constant - Expr(guess)) == 0) return guess;
-    return {};
-  }
-  return {};
+  const auto near = near_fraction(value.ball->low(), largest_denominator);
+  return near && exact_sign(constant - Expr(*near)) == 0 ? near : std::nullopt;
 }
 std::string shown(Expr constant) {
   if (const auto exact = fraction(constant)) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sums as products: what all terms share, then the factors of a polynomial in what is left.
-#include <ginac/ginac.h>
-
+#include "algebra/ginac.hpp"
 #include "equality/atoms.hpp"
 
 namespace equality {
 namespace {
 using kernel::Monomial;
+using kernel::Op;
 using kernel::Polynomial;
 constexpr std::size_t most_terms = 60;  // of a polynomial that GiNaC factors
 constexpr int highest_degree = 60;
@@ -78,46 +78,25 @@ std::vector<std::pair<Polynomial, int>> factorized(const Polynomial& p) {
     degree = std::max(degree, total);
   }
   if (degree <= 1 || degree > highest_degree || p.size() > most_terms) return {{p, 1}};
-  std::map<Expr, GiNaC::symbol> symbols;
-  GiNaC::ex sum = 0;
-  for (const auto& [monomial, q] : p) {
-    GiNaC::ex term = GiNaC::numeric(q);
-    for (const auto& [atom, k] : monomial) {
-      if (!symbols.contains(atom)) symbols.emplace(atom, GiNaC::symbol());
-      term *= GiNaC::pow(symbols.at(atom), k);
-    }
-    sum += term;
+  std::set<Expr> atoms;
+  for (const auto& [monomial, q] : p)
+    for (const auto& [atom, k] : monomial) atoms.insert(atom);
+  kernel::Substitution names;  // no root or quotient is more than a name here
+  Expr sum = kernel::expression(p);
+  for (auto atom = atoms.rbegin(); atom != atoms.rend(); ++atom) {  // what holds others first
+    const Expr name = kernel::real("factor_" + std::to_string(names.size()));
+    names.emplace(name, *atom);
+    sum = kernel::replace(sum, *atom, name);
   }
-  const std::vector<std::pair<Expr, GiNaC::symbol>> ordered(symbols.begin(), symbols.end());
-  const auto back = [&](auto& self, const GiNaC::ex& e, std::size_t from) -> Polynomial {
-    if (from == ordered.size())
-      return {{Monomial(), cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N())}};
-    Polynomial out;
-    const auto& [atom, symbol] = ordered[from];
-    const GiNaC::ex expanded = e.expand();
-    for (int k = expanded.ldegree(symbol); k <= expanded.degree(symbol); ++k) {
-      const GiNaC::ex part = expanded.coeff(symbol, k);
-      if (part.is_zero()) continue;
-      const Polynomial power =
-          k == 0 ? Polynomial{{Monomial(), 1}} : Polynomial{{Monomial{{atom, k}}, 1}};
-      out = out + self(self, part, from + 1) * power;
-    }
-    return out;
-  };
-  const GiNaC::ex factored = GiNaC::factor(sum);
+  const Expr product = kernel::substitute(algebra::simplified(sum), names);
   std::vector<std::pair<Polynomial, int>> out;
   Polynomial check{{Monomial(), 1}};
-  const auto take = [&](const GiNaC::ex& factor) {
-    const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
-    const int k = is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    const Polynomial one = back(back, is_power ? factor.op(0) : factor, 0);
-    out.emplace_back(one, k);
-    for (int i = 0; i < k; ++i) check = check * one;
-  };
-  if (GiNaC::is_a<GiNaC::mul>(factored))
-    for (const GiNaC::ex& factor : factored) take(factor);
-  else
-    take(factored);
+  for (Expr factor : product.op() == Op::Mul ? product.args() : Exprs{product}) {
+    const bool is_power = factor.op() == Op::Pow;
+    out.emplace_back(kernel::polynomial(is_power ? factor.arg(0) : factor),
+                     is_power ? factor.exponent() : 1);
+    for (int i = 0; i < out.back().second; ++i) check = check * out.back().first;
+  }
   if (check != p) return {{p, 1}};  // GiNaC proposes
   return out;
 }

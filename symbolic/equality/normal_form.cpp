@@ -288,21 +288,16 @@ Sum Forms::inverse_angle(const std::string& name, const Sum& sum) {
   };
   if (!real || !kernel::free_variables(x).empty() || !is_algebraic(x)) return atom(call(x));
   if (exact_sign(x) == 0) return {};
-  Ball turns;
-  try {
-    turns = enclosure(call(x), 128) / Ball::pi();
-  } catch (const NotCertain&) {
-    return atom(call(x));
-  }
-  for (int parts = 1; parts <= most_angle_parts; ++parts) {
-    const cln::cl_RA q = cln::round1(turns.low() * parts) / cln::cl_RA(parts);
-    if (cln::abs(q - turns.low()) > cln::cl_RA(1) / 1000000000) continue;
+  cln::cl_RA q = 0;
+  const bool is_part_of_pi = is_proved([&] {
+    const Ball turns = enclosure(call(x) / kernel::pi(), 128);
+    const auto near = near_fraction(turns.low(), most_angle_parts);
+    if (near) q = *near;
     const Expr angle = Expr(q) * kernel::pi();
-    const Expr same =
-        name == "atan" ? kernel::sin(angle) - x * kernel::cos(angle) : kernel::sin(angle) - x;
-    if (exact_sign(same) == 0) return scaled(atom(kernel::pi()), q);
-  }
-  return atom(call(x));
+    const Expr sine = name == "atan" ? x * kernel::cos(angle) : x;
+    return near && exact_sign(kernel::sin(angle) - sine) == 0;
+  });
+  return is_part_of_pi ? scaled(atom(kernel::pi()), q) : atom(call(x));
 }
 bool Forms::is_whole_turns(const Sum& sum) { return is_zero(turned(sum) - number(1)); }
 }  // namespace equality
