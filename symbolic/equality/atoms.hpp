@@ -10,6 +10,7 @@ Expr euler();   ///< exp(1)
 Expr absolute(Expr e);
 Sum number(const cln::cl_RA& q);
 Sum atom(Expr e, const Exponent& exponent = {{{}, 1}});
+Sum imaginary();  ///< i = z^(pi/2)
 Sum operator+(const Sum& a, const Sum& b);
 Sum operator-(const Sum& a, const Sum& b);
 Sum scaled(const Sum& a, const cln::cl_RA& q);

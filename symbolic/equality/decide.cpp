@@ -104,12 +104,13 @@ private:
   std::vector<Requirement> needs;  // of both
   std::vector<Point> common;       // where both sides have a value, and agree
 
-  void found(const Point& point, const std::string& how) {
+  bool is_counterexample(const Point& point, const std::string& how) {
     verdict.answer = Answer::Different;
     verdict.proof = how;
     verdict.counterexample =
         Counterexample{equality::text(point), shown(at(point, left)), shown(at(point, right)),
                        shown(at(point, left - right))};
+    return true;
   }
   bool is_different_somewhere() {
     std::vector<Point> all = points(domain, points_tried, {left, right});
@@ -131,10 +132,8 @@ private:
         note_domain(point, a, b);
         continue;
       }
-      if (a.ball->high() < b.ball->low() || b.ball->high() < a.ball->low()) {
-        found(point, "both sides at one point, with certain bounds of error");
-        return true;
-      }
+      if (a.ball->high() < b.ball->low() || b.ball->high() < a.ball->low())
+        return is_counterexample(point, "both sides at one point, with certain bounds of error");
       common.push_back(point);
     }
     if (common.empty())
@@ -246,17 +245,15 @@ private:
       return true;
     }
     const auto with = [&](Expr value) { return kernel::substitute(exponent, {{x, value}}); };
-    try {  // x = (m - rest)/step for exponent = rest + step x = m
+    const bool is_linear = is_proved([&] {  // x = (m - rest)/step for exponent = rest + step x = m
       const Expr step = with(1) - with(0);
-      Forms forms(domain);
-      if (!forms.is_zero(forms.of(exponent - with(0) - step * x))) return false;
       const Expr value = (kernel::integer("whole_exponent") - with(0)) / step;
-      if (!is_proved_for(x, value, {.is_integer = true})) return false;
-    } catch (const NotDefined&) {
-      return false;
-    }
-    verdict.conditions.push_back(notation::typed_text(exponent) + condition);
-    return true;
+      Forms forms(domain);
+      return forms.is_zero(forms.of(exponent - with(0) - step * x)) &&
+             is_proved_for(x, value, {.is_integer = true});
+    });
+    if (is_linear) verdict.conditions.push_back(notation::typed_text(exponent) + condition);
+    return is_linear;
   }
   bool is_same_form(Expr other) {
     try {
@@ -287,13 +284,10 @@ private:
   }
   // What agrees to fifty digits may still differ.
   bool is_different_exactly() {
-    for (std::size_t i = 0; i < std::min(common.size(), points_exactly); ++i) {
-      const auto sign = exact_sign(at(common[i], left - right));
-      if (sign && *sign != 0) {
-        found(common[i], "both sides at one point, compared with as many bits as it takes");
-        return true;
-      }
-    }
+    for (std::size_t i = 0; i < std::min(common.size(), points_exactly); ++i)
+      if (exact_sign(at(common[i], left - right)).value_or(0) != 0)
+        return is_counterexample(common[i],
+                                 "both sides at one point, compared with as many bits as it takes");
     return false;
   }
 

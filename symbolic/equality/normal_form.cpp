@@ -31,7 +31,6 @@ void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
   for (const auto& [p, times] : primes(cln::denominator(q)))
     multiply(into, p, kernel::scaled(e, -times));
 }
-Sum imaginary() { return atom(circle(), times_pi(cln::cl_RA(1) / 2)); }
 }  // namespace
 
 Sum Forms::of(Expr term) {

@@ -28,7 +28,6 @@ struct Requirement {
   enum class Kind { NotZero, NotNegative, Positive };
   Kind kind;
   Expr term;
-  friend auto operator<=>(const Requirement&, const Requirement&) = default;
 };
 /// Of the term and all of its parts, inner ones first, each once.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
@@ -120,7 +119,6 @@ private:
   int sign_of(const Sum& sum);
   int sign_of_powers(const Product& powers);
   int sign_of_number(const Sum& sum);
-  bool is_not_zero(Expr atom) const;
   int sign_of_composite(const Sum& sum);
   int sign_by_terms(const Sum& sum);
   int sign_by_shift(const Sum& sum);

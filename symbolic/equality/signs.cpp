@@ -25,29 +25,22 @@ int Forms::sign_of_atom(Expr atom) {
   if (atom == kernel::pi() || atom == euler()) return 2;
   if (atom == circle()) return 0;
   if (const auto it = assumed_signs.find(atom); it != assumed_signs.end()) return it->second;
-  if (atom.op() == Op::Var) {
-    const auto it = where.ranges.find(atom);
-    const int sign = it == where.ranges.end() ? 0 : sign_on(it->second);
-    return std::abs(sign) == 1 && is_not_zero(atom) ? 2 * sign : sign;
-  }
-  if (is_function(atom, "abs")) return is_not_zero(atom.arg(0)) ? 2 : 1;
-  if (const auto it = composites.find(atom); it != composites.end()) {
-    const int sign = sign_of_composite(it->second);
-    return std::abs(sign) == 1 && is_not_zero(atom) ? 2 * sign : sign;
-  }
-  if (atom.op() != Op::Fun || depth >= deepest) return 0;
-  ++depth;
+  const auto is_not_zero = [&](Expr e) { return assumed_not_zero.contains(e); };
   int sign = 0;
-  if (is_function(atom, "log")) {
-    const Sum over = of(atom.arg(0)) - number(1);
-    sign = sign_of(over);
-  } else if (is_inverse_angle(atom)) {
-    sign = sign_of(of(atom.arg(0)));
+  if (const auto it = where.ranges.find(atom); it != where.ranges.end()) {
+    sign = sign_on(it->second);
+  } else if (is_function(atom, "abs")) {
+    sign = is_not_zero(atom.arg(0)) ? 2 : 1;
+  } else if (composites.contains(atom)) {
+    sign = sign_of_composite(composites.at(atom));
+  } else if (depth < deepest) {
+    ++depth;
+    if (is_function(atom, "log")) sign = sign_of(of(atom.arg(0)) - number(1));
+    if (is_inverse_angle(atom)) sign = sign_of(of(atom.arg(0)));
+    --depth;
   }
-  --depth;
-  return sign;
+  return std::abs(sign) == 1 && is_not_zero(atom) ? 2 * sign : sign;
 }
-bool Forms::is_not_zero(Expr atom) const { return assumed_not_zero.contains(atom); }
 
 int Forms::sign_of(const Sum& sum) {
   for (int sign : {2, -2, 1, -1})
@@ -62,7 +55,7 @@ int Forms::sign_of_powers(const Product& powers) {
     const bool is_integer = k && is_whole(*k);
     int one = sign_of_atom(atom);
     if (is_integer && is_even(*k))
-      one = std::abs(one) == 2 || is_not_zero(atom) ? 2 : 1;
+      one = std::abs(one) == 2 || assumed_not_zero.contains(atom) ? 2 : 1;
     else if (k && cln::evenp(cln::denominator(*k)))
       one = std::max(one, 1);  // a root is not negative
     else if (one < 0 && !is_integer)

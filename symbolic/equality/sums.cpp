@@ -33,6 +33,7 @@ Expr euler() { return notation::call("exp", 1); }
 Expr absolute(Expr e) { return notation::call("abs", e); }
 Sum number(const cln::cl_RA& q) { return q == 0 ? Sum() : Sum{{Product(), q}}; }
 Sum atom(Expr e, const Exponent& exponent) { return {{Product{{e, exponent}}, 1}}; }
+Sum imaginary() { return atom(circle(), times_pi(cln::cl_RA(1) / 2)); }
 Sum operator+(const Sum& a, const Sum& b) {
   Sum out = a;
   for (const auto& [product, q] : b) add(out, product, q);

@@ -64,19 +64,12 @@ bool Forms::is_zero_by_coefficients(const Sum& sum) {
 }
 bool Forms::is_zero_number(const Sum& coefficient) {
   if (coefficient.size() == 1) return false;
-  Exprs real{0};
-  Exprs imaginary{0};
-  for (const auto& [powers, q] : coefficient) {
-    Product rest = powers;
-    const Exponent turn = exponent_in(powers, circle());
-    const cln::cl_RA angle = turn.empty() ? cln::cl_RA(0) : turn.begin()->second;
-    rest.erase(circle());
-    const Expr size = rest.empty() ? Expr(q) : Expr(q) * expression(rest);
-    real.push_back(angle == 0 ? size : size * kernel::cos(Expr(angle) * kernel::pi()));
-    if (angle != 0) imaginary.push_back(size * kernel::sin(Expr(angle) * kernel::pi()));
+  const Sum other = conjugated(coefficient);
+  for (const Sum& part : {coefficient + other, times(imaginary(), coefficient - other)}) {
+    const std::optional<Expr> real = real_expression(part);
+    if (!real || exact_sign(*real) != 0) return false;
   }
-  return exact_sign(kernel::sum(real)) == 0 &&
-         (imaginary.size() == 1 || exact_sign(kernel::sum(imaginary)) == 0);
+  return true;
 }
 
 bool is_zero_constant(Expr constant) {
