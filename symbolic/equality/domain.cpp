@@ -13,21 +13,13 @@ namespace {
 constexpr int most_tried = 3000;          // where few points satisfy the further conditions
 constexpr std::size_t most_special = 24;  // values that the numbers of the terms suggest
 
-const std::map<std::string, Range>& usual_ranges() {
-  const Range positive{.low = End{0}};
-  const Range counting{.is_integer = true, .low = End{1, true}};
-  static const std::map<std::string, Range> table{{"alpha", positive},
-                                                  {"V", positive},
-                                                  {"L", positive},
-                                                  {"M", positive},
-                                                  {"m", positive},
-                                                  {"M_A", positive},
-                                                  {"M_B", positive},
-                                                  {"e", {.low = End{0}, .high = End{1, true}}},
-                                                  {"n", counting},
-                                                  {"k", counting},
-                                                  {"j", {.is_integer = true, .low = End{0, true}}}};
-  return table;
+Range usual_range(const std::string& name) {
+  static const std::set<std::string> positive{"alpha", "V", "L", "M", "m", "M_A", "M_B"};
+  if (positive.contains(name)) return {.low = End{0}};
+  if (name == "e") return {.low = End{0}, .high = End{1, true}};
+  if (name == "n" || name == "k") return {.is_integer = true, .low = End{1, true}};
+  if (name == "j") return {.is_integer = true, .low = End{0, true}};
+  return {};
 }
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
@@ -46,25 +38,18 @@ std::vector<std::string> separated(const std::string& text) {  // at commas outs
   }
   return parts;
 }
-std::string turned_round(const std::string& relation) {
-  if (relation[0] == '<') return ">" + relation.substr(1);
-  if (relation[0] == '>') return "<" + relation.substr(1);
-  return relation;
-}
 // A bound of one symbol, the strictest one counts; false where the comparison is none.
-bool bound(notation::Comparison c, std::map<Expr, Range>& given) {
-  if (!notation::name_of(c.right).empty()) {
-    std::swap(c.left, c.right);
-    c.relation = turned_round(c.relation);
-  }
-  const auto value = notation::rational_value(c.right);
-  if (notation::name_of(c.left).empty() || !value) return false;
+bool bound(const notation::Comparison& c, std::map<Expr, Range>& given) {
+  const bool is_turned = !notation::name_of(c.right).empty();
+  const Expr symbol = is_turned ? c.right : c.left;
+  const auto value = notation::rational_value(is_turned ? c.left : c.right);
+  if (notation::name_of(symbol).empty() || !value) return false;
   if (c.relation == "=" || c.relation == "!=") return false;
   const End end{*value, c.relation.size() == 2};
-  if (c.relation[0] == '<')
-    given[c.left].cut_above(end);
+  if ((c.relation[0] == '<') != is_turned)
+    given[symbol].cut_above(end);
   else
-    given[c.left].cut_below(end);
+    given[symbol].cut_below(end);
   return true;
 }
 bool holds(const notation::Comparison& c, const Point& point) {
@@ -180,10 +165,7 @@ void Range::cut_above(const End& end) {
 Domain read_domain(const std::string& text, const std::set<std::string>& symbols,
                    std::vector<std::string>& unused) {
   Domain domain;
-  for (const std::string& name : symbols) {
-    const auto it = usual_ranges().find(name);
-    domain.ranges[notation::symbol(name)] = it == usual_ranges().end() ? Range() : it->second;
-  }
+  for (const std::string& name : symbols) domain.ranges[notation::symbol(name)] = usual_range(name);
   std::map<Expr, Range> given;
   std::map<Expr, bool> is_integer;
   const auto is_present = [&](Expr e, const std::string& condition) {

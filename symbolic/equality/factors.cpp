@@ -33,27 +33,23 @@ cln::cl_RA coefficient(const Product& product, Expr atom, const Monomial& monomi
   return it == e.end() ? cln::cl_RA(0) : it->second;
 }
 std::vector<Generator> generators(const Sum& sum) {
-  std::map<std::pair<Expr, Monomial>, int> seen;
+  std::set<std::pair<Expr, Monomial>> seen;
   for (const auto& [product, q] : sum)
     for (const auto& [atom, e] : product)
-      for (const auto& [monomial, r] : e) seen[{atom, monomial}] = 1;
+      for (const auto& [monomial, r] : e) seen.emplace(atom, monomial);
   std::vector<Generator> out;
-  for (const auto& [key, once] : seen) {
-    Generator g{key.first, key.second, 0, 0, {}};
-    g.least = coefficient(sum.begin()->first, g.atom, g.monomial);
-    cln::cl_RA greatest = g.least;
-    for (const auto& [product, q] : sum) {
-      g.least = std::min(g.least, coefficient(product, g.atom, g.monomial));
-      greatest = std::max(greatest, coefficient(product, g.atom, g.monomial));
-    }
-    for (const auto& [product, q] : sum)
-      g.step = common_divisor(g.step, coefficient(product, g.atom, g.monomial) - g.least);
+  for (const auto& [atom, monomial] : seen) {
+    std::set<cln::cl_RA> exponents;
+    for (const auto& [product, q] : sum) exponents.insert(coefficient(product, atom, monomial));
+    const cln::cl_RA least = *exponents.begin(), greatest = *exponents.rbegin();
+    const Expr variable = kernel::real("generator_" + std::to_string(out.size()));
+    Generator g{atom, monomial, least, 0, variable};
+    for (const cln::cl_RA& e : exponents) g.step = common_divisor(g.step, e - least);
     // e^(2x) - 1 has the factor e^x - 1, e^(2000x) - 1 at least e^(1000x) - 1.
     if (g.step != 0) {
       const cln::cl_RA finest = cln::cl_RA(1) / cln::denominator(g.step);
-      g.step = greatest - g.least <= finest * highest_degree ? finest : g.step / 2;
+      g.step = greatest - least <= finest * highest_degree ? finest : g.step / 2;
     }
-    g.variable = kernel::real("generator_" + std::to_string(out.size()));
     out.push_back(g);
   }
   return out;

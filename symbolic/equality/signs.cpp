@@ -215,13 +215,8 @@ void Forms::assume(const Requirement& requirement) {
 }
 bool Forms::holds(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
-  switch (requirement.kind) {
-    case Requirement::Kind::Positive:
-      return is_positive(sum);
-    case Requirement::Kind::NotNegative:
-      return is_not_negative(sum);
-    default:
-      return is_positive(sum) || has_sign(sum, -1, true);
-  }
+  if (requirement.kind == Requirement::Kind::NotZero)
+    return is_positive(sum) || has_sign(sum, -1, true);
+  return has_sign(sum, 1, requirement.kind == Requirement::Kind::Positive);
 }
 }  // namespace equality
