@@ -119,14 +119,14 @@ private:
   }
   Ball raised(Expr base, Expr exponent) {
     const auto value = notation::rational_value(exponent);
-    if (value && cln::denominator(*value) == 1 && cln::abs(*value) <= 10000) {
+    const bool is_whole = value && cln::denominator(*value) == 1;
+    if (is_whole && cln::abs(*value) <= 10000) {
       const int n = cln::cl_I_to_int(cln::numerator(*value));
       if (n <= 0 && sign(base) == 0) throw NotDefined("a power of 0 that has no value");
       const Ball whole = power((*this)(base), std::abs(n));
       return n < 0 ? Ball(1) / whole : whole;
     }
     const int side = sign(base);
-    const bool is_whole = value && cln::denominator(*value) == 1;
     if (side < 0 && !is_whole) throw NotDefined("a power of a negative number");
     if (side != 0) {
       const Ball size = side < 0 ? -(*this)(base) : (*this)(base);

@@ -25,32 +25,31 @@ struct Generator {
   Monomial monomial;
   cln::cl_RA least;
   cln::cl_RA step;
-  Expr variable;
 };
 cln::cl_RA coefficient(const Product& product, Expr atom, const Monomial& monomial) {
   const Exponent e = exponent_in(product, atom);
   const auto it = e.find(monomial);
   return it == e.end() ? cln::cl_RA(0) : it->second;
 }
-std::vector<Generator> generators(const Sum& sum) {
+// By the variables that stand for them.
+std::map<Expr, Generator> generators(const Sum& sum) {
   std::set<std::pair<Expr, Monomial>> seen;
   for (const auto& [product, q] : sum)
     for (const auto& [atom, e] : product)
       for (const auto& [monomial, r] : e) seen.emplace(atom, monomial);
-  std::vector<Generator> out;
+  std::map<Expr, Generator> out;
   for (const auto& [atom, monomial] : seen) {
     std::set<cln::cl_RA> exponents;
     for (const auto& [product, q] : sum) exponents.insert(coefficient(product, atom, monomial));
     const cln::cl_RA least = *exponents.begin(), greatest = *exponents.rbegin();
-    const Expr variable = kernel::real("generator_" + std::to_string(out.size()));
-    Generator g{atom, monomial, least, 0, variable};
+    Generator g{atom, monomial, least, 0};
     for (const cln::cl_RA& e : exponents) g.step = common_divisor(g.step, e - least);
     // e^(2x) - 1 has the factor e^x - 1, e^(2000x) - 1 at least e^(1000x) - 1.
     if (g.step != 0) {
       const cln::cl_RA finest = cln::cl_RA(1) / cln::denominator(g.step);
       g.step = greatest - least <= finest * highest_degree ? finest : g.step / 2;
     }
-    out.push_back(g);
+    out.emplace(kernel::real("generator_" + std::to_string(out.size())), g);
   }
   return out;
 }
@@ -107,27 +106,26 @@ Forms::Factors Forms::factors_of(const Sum& sum) {
   Factors out;
   const Sum plain = expanded(sum, &out.powers);
   if (plain.empty()) throw NotDefined("0, written as a sum");
-  const std::vector<Generator> all = generators(plain);
+  const std::map<Expr, Generator> all = generators(plain);
   Polynomial p;
   for (const auto& [product, q] : plain) {
     Monomial monomial;
-    for (const Generator& g : all) {
+    for (const auto& [variable, g] : all) {
       const cln::cl_RA over = coefficient(product, g.atom, g.monomial) - g.least;
-      if (over != 0) monomial.emplace_back(g.variable, whole(over / g.step));
+      if (over != 0) monomial.emplace_back(variable, whole(over / g.step));
     }
-    std::sort(monomial.begin(), monomial.end());
     p = p + Polynomial{{monomial, q}};
   }
-  for (const Generator& g : all)
+  for (const auto& [variable, g] : all)
     if (g.least != 0) multiply(out.powers, g.atom, {{g.monomial, g.least}});
   for (const auto& [factor, times_taken] : factorized(p)) {
     Sum part;
     for (const auto& [monomial, q] : factor) {
       Product product;
-      for (const auto& [variable, k] : monomial)
-        for (const Generator& g : all)
-          if (g.variable == variable)
-            multiply(product, g.atom, {{g.monomial, g.step * cln::cl_RA(k)}});
+      for (const auto& [variable, k] : monomial) {
+        const Generator& g = all.at(variable);
+        multiply(product, g.atom, {{g.monomial, g.step * cln::cl_RA(k)}});
+      }
       part = part + reduced(product, q);
     }
     take_factor(out, part, times_taken);

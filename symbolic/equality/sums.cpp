@@ -181,19 +181,14 @@ void Forms::reduce(Product& product, cln::cl_RA& number) {
 }
 /// pi times an integer.
 bool Forms::is_half_turn(const kernel::Monomial& monomial) const {
-  bool has_pi = false;
-  for (const auto& [part, k] : monomial) {
-    if (part == kernel::pi() && k == 1)
-      has_pi = true;
-    else if (!is_integer_symbol(part))
-      return false;
-  }
-  return has_pi;
+  kernel::Monomial others = monomial;
+  return std::erase(others, std::pair(kernel::pi(), 1)) == 1 &&
+         std::all_of(others.begin(), others.end(),
+                     [&](const auto& part) { return is_integer_symbol(part.first); });
 }
 bool Forms::is_complex(Expr atom) {
   if (atom == circle()) return true;
-  const auto it = composites.find(atom);
-  return it != composites.end() && conjugated(it->second) != it->second;
+  return composites.contains(atom) && conjugated(composites.at(atom)) != composites.at(atom);
 }
 Sum Forms::conjugated(const Sum& sum) {
   Sum out;
@@ -279,9 +274,8 @@ std::optional<Expr> Forms::real_expression(const Sum& sum) {
   for (const auto& [product, q] : sum) {
     Exprs factors{Expr(q)};
     for (const auto& [atom, e] : product) {
-      const auto composite = composites.find(atom);
       const auto base =
-          composite == composites.end() ? std::optional(atom) : real_expression(composite->second);
+          composites.contains(atom) ? real_expression(composites.at(atom)) : std::optional(atom);
       if (!base) return {};
       factors.push_back(atom == circle() ? kernel::cos(kernel::expression(e)) : raised(*base, e));
     }
