@@ -18,7 +18,7 @@ int parts_of(const Sum& sum) {
   cln::cl_I parts = 1;
   bool has_angles = false;
   for (const auto& [product, q] : sum) {
-    if (product.size() != 1 || number_of(product.begin()->second) != cln::cl_RA(1)) continue;
+    if (product.size() != 1 || product.begin()->second != exponent(1)) continue;
     const Expr atom = product.begin()->first;
     has_angles = has_angles || is_inverse_angle(atom);
     if (is_inverse_angle(atom) || atom == kernel::pi())

@@ -199,7 +199,7 @@ Sum Forms::exponential(const Sum& sum) {
     Product rest = product;
     Expr base = euler();
     for (const auto& [atom, e] : product)
-      if (is_function(atom, "log") && number_of(e) == cln::cl_RA(1)) base = atom;
+      if (is_function(atom, "log") && e == exponent(1)) base = atom;
     if (base != euler()) {
       rest.erase(base);
       base = base.arg(0);
@@ -217,7 +217,7 @@ Sum Forms::divided(Sum sum) {
     if (std::count_if(product.begin(), product.end(), is_sum) > 1) continue;  // each would undo
     for (const auto& [divisor, power] : product) {
       const auto composite = composites.find(divisor);
-      if (composite == composites.end() || number_of(power) != cln::cl_RA(-1)) continue;
+      if (composite == composites.end() || power != exponent(-1)) continue;
       const Sum& whole = composite->second;
       // One symbol for each divisor, so that this comes to an end.
       const auto above = std::find_if(whole.begin(), whole.end(), [](const auto& part) {
@@ -250,7 +250,7 @@ Sum Forms::turned(const Sum& whole_angle) {
   }
   for (const auto& [product, q] : angle) {
     const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
-                            number_of(product.begin()->second) == cln::cl_RA(1);
+                            product.begin()->second == exponent(1);
     if (is_inverse && is_whole(2 * q) && cln::abs(q) <= most_multiples)
       out = times(out, turned_by_inverse(product.begin()->first, q));
     else

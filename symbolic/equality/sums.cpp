@@ -61,9 +61,8 @@ cln::cl_RA constant_part(const Exponent& e) {
   return it == e.end() ? cln::cl_RA(0) : it->second;
 }
 std::optional<cln::cl_RA> number_of(const Exponent& e) {
-  if (e.empty()) return cln::cl_RA(0);
-  if (e.size() > 1 || !e.begin()->first.empty()) return {};
-  return e.begin()->second;
+  const cln::cl_RA q = constant_part(e);
+  return e == exponent(q) ? std::optional(q) : std::nullopt;
 }
 std::optional<int> whole_number(const Exponent& e) {
   const auto k = number_of(e);

@@ -78,12 +78,8 @@ cln::cl_RA number_of(const Token& token) {
   const std::size_t mark = token.text.find('E');
   std::string digits = token.text.substr(0, mark);
   if (digits.size() > 20000) refuse_at(token.column, "a number of more than 20000 digits");
-  int exponent = 0;
-  if (mark != token.text.npos) {
-    const std::string word = token.text.substr(mark + 1);
-    if (word.size() > 6) refuse_at(token.column, "an exponent above 10000");
-    exponent = std::stoi(word);
-  }
+  const std::string word = mark == token.text.npos ? "0" : token.text.substr(mark + 1);
+  int exponent = word.size() > 6 ? largest_exponent + 1 : std::stoi(word);
   if (std::abs(exponent) > largest_exponent) refuse_at(token.column, "an exponent above 10000");
   if (const std::size_t point = digits.find('.'); point != digits.npos) {
     exponent -= int(digits.size() - point - 1);

@@ -305,13 +305,10 @@ private:
     if (!factors.contains(word)) refuse_function(token);
     if (!token.typed.empty()) note(token.typed + " is read as " + word);
     const bool is_word = word.size() > 1 && word.find('_') == word.npos && !is_greek_name(word);
-    if (is_word && !factors.contains(word)) note_word(word);
+    const std::string product = word.size() == 2 ? word.substr(0, 1) + "*" + word[1] : "with *";
+    if (is_word && !factors.contains(word))
+      note(word + " is read as one name; a product is written " + product);
     return symbol(word);
-  }
-  void note_word(const std::string& word) {
-    const std::string product =
-        word.size() == 2 ? word.substr(0, 1) + "*" + word.substr(1) : "with *";
-    note(word + " is read as one name; a product is written " + product);
   }
   // sin_2 and f(x): no functions here.
   void refuse_function(const Token& token) const {
