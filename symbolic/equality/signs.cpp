@@ -68,12 +68,10 @@ int Forms::sign_of_powers(const Product& powers) {
 bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
   if (sum.empty()) return !strictly;
   const auto fits = [&](int found) { return found * sign >= (strictly ? 2 : 1); };
-  for (const auto& [known, is_positive] : assumed)
-    if (known.size() == sum.size() && known.begin()->first == sum.begin()->first) {
-      const cln::cl_RA ratio = sum.begin()->second / known.begin()->second;
-      if (scaled(known, ratio) == sum && fits((ratio > 0 ? 1 : -1) * (is_positive ? 2 : 1)))
-        return true;
-    }
+  for (const auto& [known, strength] : assumed) {
+    const cln::cl_RA ratio = sum.begin()->second / known.begin()->second;
+    if (scaled(known, ratio) == sum && fits(ratio > 0 ? strength : -strength)) return true;
+  }
   const Factors f = factors(sum);
   if (fits(product(sign_of_powers(f.powers), f.number > 0 ? 2 : -2))) return true;
   return fits(sign_of_composite(sum));
@@ -195,7 +193,8 @@ void Forms::assume(const Requirement& requirement) {
     for (const auto& [atom, e] : f.powers) assumed_not_zero[atom] = true;
   } else {
     const bool strictly = requirement.kind == Requirement::Kind::Positive;
-    assumed.emplace_back(sum, strictly);
+    const int strength = strictly ? 2 : 1;
+    assumed.emplace_back(sum, strength);
     Product known = f.powers;
     Exprs unknown;
     for (const auto& [atom, e] : f.powers) {
@@ -206,7 +205,7 @@ void Forms::assume(const Requirement& requirement) {
     const int rest = product(sign_of_powers(known), f.number > 0 ? 2 : -2);
     const bool is_certain = strictly ? rest != 0 : std::abs(rest) == 2;
     const int sign = rest > 0 ? 1 : -1;
-    if (unknown.size() == 1 && is_certain) assumed_signs[unknown[0]] = sign * (strictly ? 2 : 1);
+    if (unknown.size() == 1 && is_certain) assumed_signs[unknown[0]] = sign * strength;
     if (unknown.size() > 1 && is_certain) signed_products.emplace_back(unknown, sign);
   }
   forms.clear();
