@@ -198,7 +198,8 @@ void Forms::assume(const Requirement& requirement) {
     Product known = f.powers;
     Exprs unknown;
     for (const auto& [atom, e] : f.powers) {
-      if (whole_number(e).value_or(0) % 2 == 0 || sign_of_atom(atom) != 0) continue;
+      const bool is_odd = whole_number(e).value_or(0) % 2 != 0;
+      if (!is_odd || is_complex(atom) || sign_of_atom(atom) != 0) continue;
       unknown.push_back(atom);
       known.erase(atom);
     }
