@@ -34,6 +34,7 @@ struct Answer {
   std::string document;       ///< instead of the table where it is not empty
   bool check_failed = false;  ///< not proved, stale: exit code 1
   bool is_undecided = false;  ///< exit code 3, with what is known
+  std::string note = {};      ///< for stderr, where the format has no place for it
   /// Instead of both: hands on what is printed, piece by piece; an empty one has it seen at once.
   std::function<void(const std::function<void(std::string_view)>&)> stream = {};
 };

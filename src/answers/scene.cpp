@@ -39,7 +39,11 @@ Cell number_cell(const Number& number, bool exact) {
   const auto* value = std::get_if<Quadratic>(&number);
   if (exact && value != nullptr) return exact_cell(value->text());
   const auto rounded = double_of(number);
-  return rounded ? real_cell(*rounded) : missing_cell();
+  if (!rounded)
+    throw Undecided(
+        "simulate: a number of the answer does not fit a double; possible: --exact, "
+        "other units of V and L, or fewer outputs");
+  return real_cell(*rounded);
 }
 
 /// What fits a table of 80 columns: 8 digits.
@@ -61,6 +65,12 @@ Table table_of(const Fields& fields) {
     table.rows[0].push_back(cell);
   }
   return table;
+}
+
+Fields status_fields(const Result& result) {
+  Fields fields{{"status", text_cell(status_name(result.status))}};
+  if (!result.why.empty()) fields.emplace_back("why", text_cell(result.why));
+  return fields;
 }
 
 Fields plan_fields(const Result& result) {
@@ -87,7 +97,7 @@ Cell terminal_cell(const Scene& scene, const Result& result, bool exact) {
   Fields terminal;
   for (std::size_t i = 0; i < result.terminal.size(); ++i)
     terminal.emplace_back(body_name(scene, i), number_cell(result.terminal[i], exact));
-  if (scene.kind == Kind::three_body)
+  if (scene.kind == Kind::three_body && scene.receiver())
     terminal.emplace_back("rho", number_cell(result.transmitted, exact));
   return object_cell(terminal);
 }
@@ -98,8 +108,7 @@ Fields head_fields(const Asked& asked) {
   const Scene& scene = asked.scene;
   const auto shown = [&](const Number& number) { return number_cell(number, scene.is_exact); };
   const std::string plan = result.plan.model + ": " + result.plan.reason;
-  Fields fields{{"status", text_cell(status_name(result.status))}};
-  if (!result.why.empty()) fields.emplace_back("why", text_cell(result.why));
+  Fields fields = status_fields(result);
   fields.emplace_back("plan", Cell{plan, object_cell(plan_fields(result)).json});
   if (result.collapse_time)
     fields.emplace_back("collapse", object_cell({{"time", shown(*result.collapse_time)},
@@ -171,7 +180,10 @@ void write_all(const Asked& asked, const std::string& format, const Write& write
   if (format == "csv" || format == "jsonl") {
     const bool is_points = asked.scene.wants("trajectory") && !asked.scene.wants("events");
     const Format as = format == "csv" ? Format::csv : Format::json_lines;
-    return write_list(is_points ? points : events, asked, as, write);
+    write_list(is_points ? points : events, asked, as, write);
+    if (format == "jsonl" && asked.result.status != Status::complete)
+      write(written(table_of(status_fields(asked.result)), as));
+    return;
   }
   const Format as = format == "json" ? Format::json : Format::text;
   std::string head = written(table_of(head_fields(asked)), as);
@@ -191,13 +203,25 @@ void write_all(const Asked& asked, const std::string& format, const Write& write
 }  // namespace
 
 Answer plan(const Request& request) {
-  return {table_of(plan_fields(asked(request, "plan").result)), ""};
+  const Result result = asked(request, "plan").result;
+  Fields fields = plan_fields(result);
+  if (result.status == Status::limited) fields.emplace_back("limited", text_cell(result.why));
+  Answer answer{table_of(fields), ""};
+  answer.is_undecided = result.is_undecided;
+  return answer;
 }
 
 Answer simulate(const Request& request) {
+  const Asked scene = asked(request, "simulate");
   Answer answer;
-  answer.stream = [asked = asked(request, "simulate"), format = request.format](
-                      const Write& write) { write_all(asked, format, write); };
+  const Result& result = scene.result;
+  answer.is_undecided = result.is_undecided;
+  const bool is_list = request.format == "csv" || request.format == "jsonl";
+  if (is_list && result.status != Status::complete)
+    answer.note = "simulate: " + status_name(result.status) + ": " + result.why;
+  answer.stream = [scene, format = request.format](const Write& write) {
+    write_all(scene, format, write);
+  };
   return answer;
 }
 

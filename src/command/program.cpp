@@ -151,6 +151,7 @@ ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
     code = given.check_failed   ? ExitCode::check_failed
            : given.is_undecided ? ExitCode::undecided
                                 : ExitCode::done;
+    if (!given.note.empty()) say(given.note, code);
   }
   output.finish();
   return code;

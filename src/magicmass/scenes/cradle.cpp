@@ -54,7 +54,8 @@ std::optional<Cradle> Cradle::of(const Places& places) {
     const std::int64_t k = magic_number(masses[ball]);
     const Quadratic L = x[ball + 1] - x[ball];
     if (k == 0 || !(Quadratic(0) < L)) return {};
-    const Trio trio = *Trio::of({{masses[0], masses[ball], masses[0]},
+    const Value alpha = value_of(notation::Magic{cln::cl_I(static_cast<long long>(k))});
+    const Trio trio = *Trio::of({{masses[0], alpha, masses[0]},
                                  {{}, {x[0], x[ball], x[ball + 1]}, {v[0], 0, 0}, {}, {}, 1}});
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(trio, k, *next)) return {};  // cradle.room
@@ -68,20 +69,6 @@ std::optional<Cradle> Cradle::of(const Places& places) {
 std::optional<std::int64_t> Cradle::count() const {
   if (ahead_ && behind_) return {};
   return ahead_ ? 2 * way_ + 1 : way_;
-}
-std::int64_t Cradle::count_until(const Quadratic& time, std::int64_t most) const {
-  return with_bits(17, [&] {
-    const Shape s = shape();
-    std::int64_t low = 0, high = most;
-    while (low < high) {
-      const std::int64_t middle = low + (high - low) / 2;
-      if (collision(s, middle).time <= ball_of(time))
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    return low;
-  });
 }
 
 Cradle::Shape Cradle::shape() const {
@@ -108,14 +95,24 @@ const Cradle::Pair& Cradle::pair_at(std::int64_t of_way) const {
                        [](std::int64_t number, const Pair& pair) { return number < pair.before; });
   return *(after - 1);
 }
-Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
-  const Moment m = moment(j);
-  Trio::Collision c{0, 0, 0, 0};
-  Quadratic from = 0;  // the time is that far after c.time, or before it on the way back
+/// On the way back motion runs backwards.
+Quadratic Cradle::time_of(const Moment& m, const Quadratic& on_first_way) const {
+  Quadratic from = 0;
   if (ahead_ && behind_)
     from = Quadratic(2 * cln::cl_I(static_cast<long long>(m.round))) *
            (time_at(*ahead_) - time_at(*behind_));
-  if (m.is_back) from = from + 2 * time_at(*ahead_);
+  return m.is_back ? from + 2 * time_at(*ahead_) - on_first_way : from + on_first_way;
+}
+std::optional<Quadratic> Cradle::exact_time(std::int64_t j) const {
+  const Moment m = moment(j);
+  if (m.of_way == way_) return time_of(m, time_at(m.is_back ? *behind_ : *ahead_));
+  const Pair& pair = pair_at(m.of_way);
+  const auto on_first_way = pair.trio.exact_time(m.of_way - pair.before);
+  return on_first_way ? std::optional(time_of(m, *on_first_way)) : std::nullopt;
+}
+Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
+  const Moment m = moment(j);
+  Trio::Collision c{0, 0, 0, 0};
   if (m.of_way == way_) {
     const Quadratic& wall = m.is_back ? *behind_ : *ahead_;
     c = {ball_of(time_at(wall)), ball_of(wall), 0, 0};
@@ -132,7 +129,7 @@ Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
       c.v_right = -earlier[right];
     }
   }
-  c.time = ball_of(from) + (m.is_back ? -c.time : c.time);
+  c.time = ball_of(time_of(m, 0)) + (m.is_back ? -c.time : c.time);
   return c;
 }
 std::size_t Cradle::gap(std::int64_t j) const {

@@ -20,14 +20,18 @@ public:
 
   /// How many collisions; nothing between two walls, where they never end.
   std::optional<std::int64_t> count() const;
-  /// How many of the first `most` come by this time. Throws Undecided where one is too close to it.
-  std::int64_t count_until(const Quadratic& time, std::int64_t most) const;
 
   /// What is the same for each ball of one magic ratio, by its number.
   using Shape = std::map<std::int64_t, Trio::Shape>;
   Shape shape() const;
   Trio::Collision collision(const Shape& s, std::int64_t j) const;
-  std::int64_t period() const { return 2 * way_ + 2; }
+  /// When it takes place, where that is known to be in the field of V and places.
+  std::optional<Quadratic> exact_time(std::int64_t j) const;
+  struct Stepping {
+    std::int64_t j = 0;
+  };
+  Stepping begin(const Shape& /*s*/) const { return {}; }
+  Trio::Collision step(const Shape& s, Stepping& now) const { return collision(s, now.j++); }
   std::size_t bodies() const { return 2 * pairs_.size() + 1; }
   std::size_t gap(std::int64_t j) const;
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
@@ -45,9 +49,11 @@ private:
   Quadratic x_, V_;                          // the straight line: where it begins at time 0
   std::optional<Quadratic> ahead_, behind_;  // walls
 
+  std::int64_t period() const { return 2 * way_ + 2; }  // then all comes again, only later
   struct Moment;
   Moment moment(std::int64_t j) const;
   const Pair& pair_at(std::int64_t of_way) const;
+  Quadratic time_of(const Moment& m, const Quadratic& on_first_way) const;
   Quadratic time_at(const Quadratic& place) const { return (place - x_) / V_; }
 };
 

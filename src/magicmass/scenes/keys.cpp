@@ -85,12 +85,16 @@ std::int64_t whole_at(const Field& f, std::int64_t least, std::int64_t most = IN
   return number->get();
 }
 
-void read_alpha(const Field& f) {
-  f.scene.masses = {value_of(1), value_at(f)};
-  if (f.scene.kind == Kind::three_body) f.scene.masses.push_back(value_of(1));
+/// Blocks of one mass, and the ball before the other block or the wall, wherever that is.
+void set_masses(Scene& scene, const Value& block, const Value& ball) {
+  scene.masses = {block, ball};
+  if (scene.kind == Kind::three_body) scene.masses.push_back(block);
+  if (scene.has("left_wall")) std::swap(scene.masses[0], scene.masses[1]);
 }
 
-void read_mass_ratio(const Field& f) { f.scene.masses = {value_at(f), value_of(1)}; }
+void read_alpha(const Field& f) { set_masses(f.scene, value_of(1), value_at(f)); }
+
+void read_mass_ratio(const Field& f) { set_masses(f.scene, value_at(f), value_of(1)); }
 
 void read_blocks(const Field& f) {
   const auto blocks = static_cast<std::size_t>(whole_at(f, 1, most_blocks));

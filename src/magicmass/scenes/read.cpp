@@ -63,21 +63,21 @@ void check_together(const Scene& scene) {
                "with the output events, or with trajectory but no times");
   const std::size_t bodies = scene.kind == Kind::three_body ? 3 : 2;
   if (scene.masses.empty())
-    refuse_key(scene, "masses", "missing",
-               scene.kind == Kind::chain ? "one or more, or blocks" : "or alpha");
+    refuse_key(scene, "masses", scene.has("masses") ? "no bodies" : "missing",
+               scene.kind == Kind::chain ? "masses, one or more, or blocks" : "masses, or alpha");
   if (scene.kind != Kind::chain && scene.masses.size() != bodies)
     refuse_key(scene, "masses", std::to_string(scene.masses.size()) + " masses",
                std::to_string(bodies) + " in this kind of scene");
 }
 
+Quadratic exactly(const Scene& scene, const char* key, const Value& value) {
+  if (value.exact() == nullptr) refuse_key(scene, key, "a ratio of the paper", "here a number");
+  return *value.exact();
+}
+
 /// A chain's bodies one after the other, and walls as far from them.
 void lay_out_chain(Scene& scene) {
-  const auto exactly = [&](const char* key, const Value& value) {
-    if (value.exact() == nullptr)
-      refuse_key(scene, key, "a ratio of the paper", "where places are sums, a number");
-    return *value.exact();
-  };
-  const Quadratic L = exactly("L", scene.L), gap = exactly("gap", scene.gap);
+  const Quadratic L = exactly(scene, "L", scene.L), gap = exactly(scene, "gap", scene.gap);
   const auto wall = [&](const char* side) { return scene.walls == side || scene.walls == "both"; };
   Quadratic place = 0;
   try {
@@ -92,7 +92,8 @@ void lay_out_chain(Scene& scene) {
   if (wall("right")) scene.right_wall = Value{"", place};
 }
 
-/// What the file leaves out: the first two bodies touch at 0, and the first one moves.
+/// What the file leaves out: the first two bodies touch at 0, and the first one moves to the right,
+/// or with a wall on the left the second one to the left.
 void lay_out(Scene& scene) {
   if (scene.kind == Kind::wall && !scene.has("left_wall") && !scene.has("right_wall"))
     scene.right_wall = scene.L;
@@ -103,23 +104,29 @@ void lay_out(Scene& scene) {
   }
   if (!scene.has("velocities")) {
     scene.velocities.assign(scene.masses.size(), value_of(0));
-    scene.velocities[0] = scene.V;
+    if (scene.kind == Kind::wall && scene.left_wall)
+      scene.velocities[1] = {"", Quadratic(0) - exactly(scene, "V", scene.V)};
+    else
+      scene.velocities[0] = scene.V;
   }
 }
 
 void check_meaning(const Scene& scene) {
   if (scene.kind == Kind::wall && scene.left_wall && scene.right_wall)
     refuse_key(scene, "left_wall", "two walls", "one wall; two in kind = \"chain\"");
-  for (const Value& time : scene.times)
-    if (time.exact() != nullptr && *time.exact() < 0)
-      refuse_key(scene, "times", "got " + time.text.substr(0, 40), "0 or later");
+  const auto refuse_below_0 = [&](const char* key, const Value& value) {
+    if (value.exact() != nullptr && *value.exact() < 0)
+      refuse_key(scene, key, "got " + value.text.substr(0, 40), "0 or more");
+  };
+  for (const Value& time : scene.times) refuse_below_0("times", time);
+  refuse_below_0("until", scene.until.value_or(value_of(0)));
+  refuse_below_0("L", scene.L);
+  refuse_below_0("gap", scene.gap);
   const auto found = has_exact_numbers(scene) ? simulator::fault(line_of<Quadratic>(scene))
                                               : simulator::fault(line_of<double>(scene));
   if (!found) return;
-  for (const auto& [key, member] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"alpha", "masses"}, {"mass_ratio", "masses"}, {"L", "positions"}})
-    if (found->key == member && scene.has(key) && !scene.has(member))
-      refuse_key(scene, key, found->what, found->allowed);
+  for (const char* key : {"alpha", "mass_ratio", "balls"})
+    if (found->key == "masses" && scene.has(key)) refuse_key(scene, key, "not above 0", "above 0");
   refuse_key(scene, found->key, found->what, found->allowed);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <concepts>
 #include <span>
 
@@ -16,14 +17,9 @@ namespace {
 using simulator::Collision;
 using simulator::Engine;
 
-constexpr std::int64_t events_unless_told = 1'000'000;
 constexpr std::size_t most_bits = 1U << 17U;
 constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for
 constexpr double some_work = 1e8;  // where they are only tried
-
-std::int64_t most_events(const Scene& scene) {
-  return scene.max_events.value_or(events_unless_told);
-}
 
 const char* const at_until = "the scene ends at the time `until`";
 std::string at_limit(std::int64_t limit) {
@@ -35,15 +31,18 @@ class Lengths {
 public:
   Lengths(double most, std::size_t bodies)
       : most_(most), comparisons_(1 + static_cast<double>(std::bit_width(bodies) / 4)) {}
-  void look([[maybe_unused]] const Collision<double>& event) {}
+  void look(const Collision<double>& event) {
+    if (!std::isfinite(event.v_right - event.v_left))
+      throw Undecided("the velocities after collision " + std::to_string(event.number) +
+                      " do not fit a double");
+  }
   void look(const Collision<Quadratic>& event) {
     const std::size_t bits = std::max(event.time.bits(), event.v_right.bits());
     const auto length = static_cast<double>(bits);
     work_ += comparisons_ * (2000 + length * (1 + length / 2000));
     if (bits <= most_bits && work_ <= most_) return;
-    throw Undecided("exact numbers have " + std::to_string(bits) + " bits after " +
-                    std::to_string(event.number) + " collisions, more than are taken; at most " +
-                    std::to_string(event.number - 1) + " collisions are possible exactly");
+    throw Undecided("exact numbers become too long; possible with --max-events " +
+                    std::to_string(event.number - 1));
   }
 
 private:
@@ -52,15 +51,28 @@ private:
   double work_ = 0;
 };
 
-/// Why a motion ended where it did, if nothing stopped it, and whether more is to come.
+/// Exactly, of bodies in doubles too: it overflows where velocities do not.
+Quadratic energy_of(const auto& bodies) { return simulator::kinetic_energy<Quadratic>(bodies); }
+
+/// Of bodies at the end.
+void set_energies(const Scene& scene, const auto& bodies, Result& result) {
+  result.energy = energy_of(bodies);
+  if (const auto receiver = scene.receiver())
+    result.transmitted =
+        energy_of(std::span(&bodies[*receiver], 1)) / std::get<Quadratic>(result.energy_before);
+}
+
+/// Whether rounding decided where the motion ends, and whether more is to come.
 template <class Scalar>
 void decide_status(const Engine<Scalar>& engine, Result& result) {
+  std::string doubt;
   if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost())
-    result.why = "bodies have become too slow for doubles";
-  if (result.why.empty() && result.ties.near > 0) {
-    result.why = "decisions closer than doubles can tell: " + std::to_string(result.ties.near) +
-                 ", the first after collision " + std::to_string(result.ties.first_near);
-  }
+    doubt = "bodies have become too slow for doubles";
+  if (result.ties.near > 0)
+    doubt = "uncertain after collision " + std::to_string(result.ties.first_near) +
+            ": decisions are closer than doubles can tell";
+  result.is_undecided = !doubt.empty();
+  if (!doubt.empty()) result.why = result.why.empty() ? doubt : result.why + "; " + doubt;
   result.status = result.why.empty() ? Status::complete : Status::limited;
 }
 
@@ -73,7 +85,7 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   Lengths lengths(work, scene.masses.size());
   Result result;
   result.counts.resize(scene.masses.size() + 1);
-  const Scalar before = simulator::kinetic_energy<Scalar>(engine.bodies());
+  result.energy_before = energy_of(engine.bodies());
   while (engine.next()) {
     if (until && !engine.is_due_by(*until)) {
       result.why = at_until;
@@ -93,10 +105,7 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
       sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
   }
   for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
-  result.energy = simulator::kinetic_energy<Scalar>(engine.bodies());
-  result.energy_before = before;
-  const Scalar last = simulator::kinetic_energy<Scalar>(std::span(&engine.bodies().back(), 1));
-  result.transmitted = before == Scalar(0) ? before : Scalar(last / before);
+  set_energies(scene, engine.bodies(), result);
   result.ties = engine.ties();
   decide_status(engine, result);
   return result;
@@ -105,50 +114,67 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
 /// Few collisions are also had exactly, sooner than their theorem's balls.
 constexpr std::int64_t few = 64;
 
-/// One triple; nothing where it is cut off or stepped exactly.
-std::optional<Result> theorem(const Scene& scene, bool has_exact) {
-  const auto trio = Seen<Trio>::of(scene);
-  if (!trio || scene.until) return {};
-  const auto N = trio->motion.count();
-  if (N && (scene.is_exact || scene.max_events.value_or(*N) < *N)) return {};
-  const bool is_exact = N && has_exact && *N <= few;
-  Result result = is_exact ? motion<Quadratic>(scene, few) : trio->after(N);
-  result.plan = {"theorem", is_exact, "one body meets a ball at rest before a block or a wall"};
-  return result;
+/// Of a collapse, those that are told one by one.
+std::int64_t told(const Seen<Trio>& collapse) {
+  std::int64_t rows = 0;
+  collapse.stream({}, [&](const Row&) { ++rows; });
+  return rows;
 }
 
-/// How many collisions of a cradle are within the scene's limits.
-std::int64_t within(const Cradle& cradle, const Scene& scene) {
-  const std::int64_t limit = most_events(scene);
-  const std::int64_t most = std::min(cradle.count().value_or(limit), limit);
-  return scene.until ? cradle.count_until(*scene.until->exact(), most) : most;
-}
-
-/// One triple after the other; nothing where it is stepped exactly.
-std::optional<Result> transfers(const Scene& scene, bool has_exact) try {
-  const auto cradle = scene.is_exact ? std::nullopt : Seen<Cradle>::of(scene);
-  if (!cradle) return {};
-  const std::int64_t limit = most_events(scene), events = within(cradle->motion, scene);
-  const bool is_exact = has_exact && events <= few;
-  Result result = is_exact ? motion<Quadratic>(scene, limit) : cradle->after(events);
-  if (!is_exact && cradle->motion.count() != events) {
-    const bool is_limit = events == limit;
-    result.status = Status::limited;
-    result.why = is_limit ? at_limit(limit) : at_until;
-    result.known_until =
-        is_limit ? time_by_theorem(cradle->motion, events) : scene.until->to_double();
+/// In exact numbers what a collapse comes to, but for its time and place: bodies stick together.
+void make_exact(const Scene& scene, std::int64_t told, Result& result) {
+  const Result stepped = motion<Quadratic>(scene, told);
+  const auto masses = line_of<Quadratic>(scene).masses;
+  std::vector<simulator::Body<Quadratic>> bodies;
+  for (std::size_t i = 0; i < masses.size(); ++i)
+    bodies.push_back({masses[i], 0, std::get<Quadratic>(stepped.terminal[i])});
+  auto all = bodies[0];
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    auto next = bodies[i];
+    simulator::collide(all, next, Quadratic(0));
+    all.mass = all.mass + next.mass;
   }
-  result.plan = {"transfers", is_exact,
-                 "a cradle: each ball of a magic ratio hands on all to the next block"};
+  if (bodies.size() == 2) all.velocity = 0;  // at a wall
+  for (auto& body : bodies) body.velocity = all.velocity;
+  result.terminal.assign(bodies.size(), all.velocity);
+  result.energy_before = stepped.energy_before;
+  set_energies(scene, bodies, result);
+  result.known_until = stepped.known_until;
+}
+
+template <class Motion>
+std::optional<Result> by_theorem(const Scene& scene, bool has_exact, const Plan& plan) try {
+  const auto seen = Seen<Motion>::of(scene);
+  if (!seen) return {};
+  const auto events = seen->within(scene);
+  if (scene.is_exact && (events || !has_exact)) return {};
+  const bool is_few = has_exact && events && *events <= few;
+  Result result = is_few ? motion<Quadratic>(scene, scene.limit()) : seen->after(events);
+  if (!is_few && events != seen->motion.count()) {
+    const bool is_limit = events == scene.limit();
+    result.status = Status::limited;
+    result.why = is_limit ? at_limit(*events) : at_until;
+    result.known_until = is_limit ? seen->time(*events) : scene.until->to_double();
+  }
+  if (!events)
+    result.why = "infinitely many collisions; a list has those whose times doubles can tell apart";
+  result.plan = plan;
+  result.plan.is_exact = is_few || scene.is_exact;
+  if constexpr (std::same_as<Motion, Trio>)
+    if (scene.is_exact) make_exact(scene, told(*seen), result);
   return result;
 } catch (const Undecided&) {
+  if (std::same_as<Motion, Trio> && !scene.until && !scene.max_events) throw;
   return {};
 }
 
 /// The models of theorems; nothing where none serves.
 std::optional<Result> solved(const Scene& scene, bool has_exact) try {
-  if (auto result = theorem(scene, has_exact)) return result;
-  return transfers(scene, has_exact);
+  const Plan theorem{"theorem", false, "one body meets a ball at rest before a block or a wall"};
+  const Plan transfers{"transfers", false,
+                       "a cradle: each ball of a magic ratio hands on all to the next block"};
+  if (auto result = by_theorem<Trio>(scene, has_exact, theorem)) return result;
+  return by_theorem<Cradle>(scene, has_exact, transfers);
 } catch (const std::domain_error&) {
   return {};
 }
@@ -157,7 +183,8 @@ std::optional<Result> solved(const Scene& scene, bool has_exact) try {
 
 std::optional<double> double_of(const Number& number) {
   const auto* value = std::get_if<double>(&number);
-  return value != nullptr ? std::optional(*value) : std::get<Quadratic>(number).to_double();
+  if (value == nullptr) return std::get<Quadratic>(number).to_double();
+  return *value == 0 || std::isnormal(*value) ? std::optional(*value) : std::nullopt;
 }
 
 std::string status_name(Status status) {
@@ -167,7 +194,7 @@ std::string status_name(Status status) {
 
 Result run(const Scene& scene) {
   const bool has_exact = has_exact_numbers(scene);
-  const std::int64_t limit = most_events(scene);
+  const std::int64_t limit = scene.limit();
   if (auto result = solved(scene, has_exact)) return *result;
   if (scene.is_exact && !has_exact) {
     throw InvalidInput(scene.source +
@@ -195,20 +222,21 @@ Result run(const Scene& scene) {
 }
 
 void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
-  constexpr std::int64_t many = 100'000;  // from here on stepping in doubles is worth its error
-  std::int64_t limit = most_events(scene);
-  if (plan.is_exact) return void(motion<Quadratic>(scene, limit, sink));
-  if (plan.model == "transfers") {
+  std::int64_t limit = scene.limit();
+  if (plan.model == "transfers" && !plan.is_exact) {
     const auto cradle = Seen<Cradle>::of(scene);
-    return cradle->stream(within(cradle->motion, scene), sink);
+    return cradle->stream(cradle->within(scene), sink);
   }
   if (plan.model == "theorem") {
     const auto trio = Seen<Trio>::of(scene);
-    const auto N = trio->motion.count();
-    if (N && *N <= many) return trio->stream(*N, sink);
-    limit = N.value_or(limit);
+    const auto events = trio->within(scene);
+    if (!plan.is_exact) return trio->stream(events, sink);
+    if (!events) limit = told(*trio);
   }
-  motion<double>(scene, limit, sink);
+  if (plan.is_exact)
+    motion<Quadratic>(scene, limit, sink);
+  else
+    motion<double>(scene, limit, sink);
 }
 
 }  // namespace magicmass::scenes

@@ -27,20 +27,21 @@ enum class Status { complete, limited, collapse };
 std::string status_name(Status status);
 
 using Number = std::variant<double, Quadratic>;
-/// It, or what is near it; nothing where that is infinite or subnormal.
+/// It, or what is near it; nothing where that is not finite or subnormal.
 std::optional<double> double_of(const Number& number);
 
 /// What a scene comes to.
 struct Result {
   Plan plan;
   Status status = Status::complete;
-  std::string why;                   ///< where limited
+  std::string why;                   ///< where not complete
+  bool is_undecided = false;         ///< a decision was closer than could be told
   std::int64_t events = 0;           ///< collisions; nothing is said of them in a collapse
   std::vector<std::int64_t> counts;  ///< of them at each gap
   std::vector<Number> terminal;      ///< velocity of each body
   Number energy_before;              ///< kinetic
   Number energy;                     ///< at the end
-  Number transmitted;  ///< the part of energy_before that the last body has at the end
+  Number transmitted;  ///< the part of energy_before that the scene's receiver has at the end
   std::optional<Number> collapse_time, collapse_position;
   simulator::Ties ties;
   std::optional<Number> known_until;  ///< the time up to which bodies go on so; nothing: for ever
@@ -57,12 +58,13 @@ struct Row {
 };
 using Sink = std::function<void(const Row&)>;
 
-/// By theorem where the scene is a Trio and nothing cuts it off, or a Cradle. Else it is stepped,
-/// in doubles, and again in exact numbers where a decision was closer than doubles can tell.
+/// By theorem where the scene is a Trio or a Cradle. Else it is stepped, in doubles, and again in
+/// exact numbers where a decision was closer than doubles can tell.
 /// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
 /// they become too long.
 Result run(const Scene& scene);
-/// The same run once more, collision by collision, in constant memory.
+/// The same run once more, collision by collision, in constant memory. A collapse ends where its
+/// doubles have the time of its end, in exact numbers, too.
 void stream(const Scene& scene, const Plan& plan, const Sink& sink);
 
 }  // namespace magicmass::scenes

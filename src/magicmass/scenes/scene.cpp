@@ -12,6 +12,14 @@ bool Scene::wants(const std::string& output) const {
   return std::count(outputs.begin(), outputs.end(), output) != 0;
 }
 
+std::optional<std::size_t> Scene::receiver() const {
+  const std::size_t last = masses.size() - 1;
+  const auto rests = [](const Value& velocity) { return velocity.is(0); };
+  if (std::count_if(velocities.begin(), velocities.end(), rests) != std::ptrdiff_t(last)) return {};
+  if (!rests(velocities[0])) return last;
+  return rests(velocities[last]) ? std::nullopt : std::optional<std::size_t>(0);
+}
+
 std::string body_name(const Scene& scene, std::size_t body) {
   if (scene.has("blocks")) return (body % 2 == 0 ? "A_" : "C_") + std::to_string(body / 2 + 1);
   if (scene.kind == Kind::chain) return std::to_string(body + 1);

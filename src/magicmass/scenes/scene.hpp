@@ -41,6 +41,10 @@ struct Scene {
   bool wants(const std::string& output) const;
   /// Whether the file has this key.
   bool has(const std::string& key) const { return lines.count(key) != 0; }
+  /// Of collisions that are stepped, or that would never end.
+  std::int64_t limit() const { return max_events.value_or(1'000'000); }
+  /// At which end a body receives what the only one that moves, at the other end, hands on.
+  std::optional<std::size_t> receiver() const;
 };
 
 /// Reads a file of at most a mebibyte. What is no scene, or has no meaning, is refused: throws

@@ -2,8 +2,8 @@
 #include "magicmass/scenes/theorem.hpp"
 
 #include <algorithm>
-#include <array>
 #include <concepts>
+#include <limits>
 #include <utility>
 
 #include "magicmass/numbers/errors.hpp"
@@ -12,12 +12,18 @@ namespace magicmass::scenes {
 namespace {
 using Balls = std::function<std::vector<Ball>()>;
 
-/// Nearest doubles; nothing where one is not certain.
+/// Nearest doubles; nothing where one is not certain. What is too large is infinite, what is too
+/// small is subnormal: nothing for double_of().
 std::optional<std::vector<double>> rounded(const Balls& balls) try {
+  using Limits = std::numeric_limits<double>;
+  const cln::cl_RA largest = exact(Limits::max());
   std::vector<double> all;
   for (const Ball& ball : balls()) {
-    const auto number = nearest_double(ball.low(), ball.high());
+    const cln::cl_RA low = ball.low(), high = ball.high();
+    auto number = nearest_double(low, high);
+    if (low > largest || high < -largest) number = Limits::infinity();
     if (!number) return {};
+    if (*number == 0 && (low > 0 || high < 0)) number = Limits::denorm_min();
     all.push_back(*number);
   }
   return all;
@@ -51,6 +57,27 @@ Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities
     sum = sum + masses[i] * velocities[i] * velocities[i];
   return sum / Ball(2);
 }
+std::vector<Ball> row_of(const Trio::Collision& c) {
+  return {c.time, c.position, c.v_left, c.v_right};
+}
+/// How many of the first `most` come by this time.
+template <class Motion>
+std::int64_t count_until(const Motion& motion, const Quadratic& time, std::int64_t most) {
+  return with_bits(17, [&] {
+    const auto s = motion.shape();
+    std::int64_t count = 0, more = 1;
+    const auto are_by = [&] {
+      const std::int64_t last = count + more - 1;
+      if (last >= most) return false;
+      if (const auto exact = motion.exact_time(last)) return !(time < *exact);
+      return motion.collision(s, last).time <= ball_of(time);
+    };
+    for (; are_by(); more *= 2) count += more;
+    for (; more > 0; more /= 2)
+      if (are_by()) count += more;
+    return count;
+  });
+}
 }  // namespace
 
 template <class Motion>
@@ -63,13 +90,30 @@ std::optional<Seen<Motion>> Seen<Motion>::of(const Scene& scene) {
 }
 
 template <class Motion>
+std::optional<std::int64_t> Seen<Motion>::within(const Scene& scene) const {
+  auto N = motion.count();
+  const bool is_collapse = std::same_as<Motion, Trio> && !N;
+  const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
+  if (scene.max_events || (!N && !is_collapse)) N = std::min(N.value_or(limit), limit);
+  if (!scene.until) return N;
+  const Quadratic& until = *scene.until->exact();
+  if constexpr (std::same_as<Motion, Trio>) {
+    const auto collapses_by = [&] {
+      return motion.collapse(motion.shape()).time <= ball_of(until);
+    };
+    if (is_collapse && with_bits(17, collapses_by)) return N;
+  }
+  return count_until(motion, until, N.value_or(limit));
+}
+
+template <class Motion>
 Result Seen<Motion>::after(std::optional<std::int64_t> collisions) const {
   Result result;
   result.events = collisions.value_or(0);
   result.counts = motion.counts(result.events);
   if (is_mirrored) std::reverse(result.counts.begin(), result.counts.end());
   result.status = collisions ? Status::complete : Status::collapse;
-  const std::size_t bodies = motion.bodies(), last = is_mirrored ? 0 : bodies - 1;
+  const std::size_t bodies = motion.bodies();
   const std::vector<double> numbers = certain([&] {
     const auto s = motion.shape();
     const std::vector<Ball> masses = motion.masses(s);
@@ -82,7 +126,7 @@ Result Seen<Motion>::after(std::optional<std::int64_t> collisions) const {
       }
     }
     const Ball before = energy(masses, motion.velocities(s, 0)), after = energy(masses, all);
-    const Ball of_last = energy({masses[last]}, {all[last]});
+    const Ball of_last = energy({masses.back()}, {all.back()});
     if (is_mirrored) turn(all);
     all.insert(all.end(), {before, after, of_last / before});
     all.insert(all.end(), end.begin(), end.end());
@@ -100,39 +144,41 @@ Result Seen<Motion>::after(std::optional<std::int64_t> collisions) const {
 }
 
 template <class Motion>
-void Seen<Motion>::stream(std::int64_t collisions, const Sink& sink) const {
-  constexpr int enough_bits = 192;
+void Seen<Motion>::stream(std::optional<std::int64_t> collisions, const Sink& sink) const {
+  constexpr int enough_bits = 196;
   Ball::set_bits(enough_bits);
-  auto shape = motion.shape();
-  constexpr std::size_t most_kept = 1U << 14U;
-  std::vector<std::array<double, 3>> first;  // place and velocities, which come again
-  for (std::int64_t j = 0; j < collisions; ++j) {
-    const auto again = static_cast<std::size_t>(j % motion.period());
-    const bool is_known = again < first.size();
-    const auto row = [&](const typename Motion::Shape& s) {
-      const Trio::Collision c = motion.collision(s, j);
-      if (is_known) return std::vector{c.time};
-      return std::vector{c.time, c.position, c.v_left, c.v_right};
-    };
-    auto numbers = rounded([&] { return row(shape); });
-    if (!numbers) {
-      numbers = certain([&] { return row(motion.shape()); });
-      Ball::set_bits(enough_bits);
-      shape = motion.shape();
+  typename Motion::Shape shape;
+  typename Motion::Stepping now;
+  const auto begin = [&](std::int64_t j) {
+    shape = motion.shape();
+    for (now = motion.begin(shape); now.j < j;) motion.step(shape, now);
+  };
+  begin(0);
+  double before = -1;
+  for (std::int64_t j = 0; j < collisions.value_or(INT64_MAX); ++j) {
+    const auto next = [&] { return row_of(motion.step(shape, now)); };
+    const auto is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
+    auto row = is_last ? std::nullopt : rounded(next);
+    if (!row) {
+      row = certain([&] {
+        if (is_last) return row_of(motion.collision(motion.shape(), j));
+        begin(j);
+        return next();
+      });
     }
-    const std::vector<double>& n = *numbers;
-    const std::array<double, 3> of_place = is_known ? first[again] : std::array{n[1], n[2], n[3]};
-    if (again == first.size() && again < most_kept) first.push_back(of_place);
-    const auto [position, v_left, v_right] = of_place;
+    const std::vector<double>& n = *row;
+    if (!collisions && n[0] == before) return;
+    before = n[0];
     if (is_mirrored)
-      sink({j + 1, motion.bodies() - motion.gap(j), n[0], -position, -v_right, -v_left});
+      sink({j + 1, motion.bodies() - motion.gap(j), n[0], -n[1], -n[3], -n[2]});
     else
-      sink({j + 1, motion.gap(j), n[0], position, v_left, v_right});
+      sink({j + 1, motion.gap(j), n[0], n[1], n[2], n[3]});
   }
 }
 
-double time_by_theorem(const Cradle& cradle, std::int64_t j) {
-  return certain([&] { return std::vector{cradle.collision(cradle.shape(), j).time}; })[0];
+template <class Motion>
+double Seen<Motion>::time(std::int64_t j) const {
+  return certain([&] { return std::vector{motion.collision(motion.shape(), j).time}; })[0];
 }
 
 template struct Seen<Trio>;

@@ -120,9 +120,51 @@ std::optional<std::int64_t> Trio::count() const {
   return cln::cl_I_to_long(cln::numerator(N));
 }
 
+Trio::Stepping Trio::begin(const Shape& s) const {
+  const Ball M[]{s.A, s.C, B_ ? s.C / s.per_B : Ball(0)};
+  Stepping now;
+  for (std::size_t i = 0; i + 1 < bodies(); ++i) {
+    for (const int u : {1, 0}) {
+      simulator::Body<Ball> left{M[i], 0, u}, right{M[i + 1], 0, 1 - u};
+      simulator::collide(left, right, s.e);
+      now.law[i][u == 1 ? 0 : 1] = {left.velocity, right.velocity};
+    }
+  }
+  return now;
+}
+Trio::Collision Trio::step(const Shape& s, Stepping& now) const {
+  const std::size_t right = gap(now.j), left = right - 1;
+  const bool is_at_wall = right == bodies();
+  auto& [v, law, t, x, open, j] = now;
+  if (j++ > 0) {
+    const Ball wait = open / (v[left] - v[right]);
+    open = (left == 0 ? v[2] - v[1] : v[1] - v[0]) * wait;
+    x = x + v[1] * wait;
+    t = t + wait;
+  }
+  if (is_at_wall) {
+    v[left] = -s.e * v[left];
+  } else {
+    const auto& [of_left, of_right] = law[left];
+    const Ball u = v[left], w = v[right];
+    v[left] = of_left[0] * u + of_right[0] * w;
+    v[right] = of_left[1] * u + of_right[1] * w;
+  }
+  const Ball time = ball_of(start_) + ball_of(L_ / V_) * now.time;
+  const Ball drift = ball_of(drift_), V = ball_of(V_);
+  return {time, is_at_wall ? ball_of(place_ + L_) : place_of(time, x), drift + V * v[left],
+          is_at_wall ? Ball(0) : drift + V * v[right]};
+}
+Ball Trio::place_of(const Ball& time, const Ball& from_C) const {
+  return ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * from_C;
+}
 std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
   std::vector<Ball> all{1, 0, 0};
-  if (const std::int64_t j = collisions - 1; j >= 0) {
+  if (collisions > 0 && s.q_e <= 0) {
+    Stepping now = begin(s);
+    while (now.j < collisions) step(s, now);
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = now.velocities[i];
+  } else if (const std::int64_t j = collisions - 1; j >= 0) {
     const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
                                                 power_of(s, j));
     all = {v.A_next, v.C_next, j == 0 ? Ball(0) : v.B_next};  // B was not met
@@ -136,7 +178,18 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
   for (Ball& u : all) u = ball_of(drift_) + ball_of(V_) * u;
   return all;
 }
+std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
+  if (j == 0) return start_;
+  const auto N = by_theorem();
+  if (N && *N == 2 * j) return start_ + L_ / V_;  // t_j = L/V sin(jh)/sin((j+1)h), (2j+1)h = pi
+  return {};
+}
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
+  if (s.q_e <= 0) {
+    Stepping now = begin(s);
+    while (now.j < j) step(s, now);
+    return step(s, now);
+  }
   const std::vector<Ball> v = velocities(s, j + 1);
   const std::size_t right = gap(j);
   const bool is_at_wall = right == v.size();
@@ -145,16 +198,14 @@ Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
   const auto at =
       generated::at_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j), power_of(s, j));
   const Ball time = ball_of(start_) + ball_of(L_ / V_) * at.moment;
-  const Ball place = is_at_wall ? ball_of(place_ + L_)
-                                : ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * at.place;
-  return {time, place, v[right - 1], v_right};
+  return {time, is_at_wall ? ball_of(place_ + L_) : place_of(time, at.place), v[right - 1],
+          v_right};
 }
 Trio::Collapse Trio::collapse(const Shape& s) const {
   const auto end = generated::collapse_restitution(s.A, s.per_B, s.C, s.e, s.q_e);
   const Ball time = ball_of(start_) + ball_of(L_ / V_) * end.t_end;
   if (!B_) return {time, ball_of(place_ + L_), 0};
-  return {time, ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * end.x_end,
-          ball_of(drift_) + ball_of(V_) * end.v_end};
+  return {time, place_of(time, end.x_end), ball_of(drift_) + ball_of(V_) * end.v_end};
 }
 std::vector<Ball> Trio::masses(const Shape& /*s*/) const {
   if (!B_) return {ball_of(A_), ball_of(C_)};

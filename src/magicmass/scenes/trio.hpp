@@ -3,6 +3,7 @@
 // the motion that the theorems are about, with any masses and restitution.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -11,6 +12,7 @@
 
 #include "magicmass/scenes/ball.hpp"
 #include "magicmass/scenes/scene.hpp"
+#include "magicmass/simulator/contact.hpp"
 
 namespace magicmass::scenes {
 
@@ -42,10 +44,23 @@ public:
   struct Collision {
     Ball time, position, v_left, v_right;
   };
-  /// Collision j, from 0 on.
+  /// Collision j, from 0 on; where they never end, stepped.
   Collision collision(const Shape& s, std::int64_t j) const;
-  /// After so many collisions all comes again, only later.
-  std::int64_t period() const { return INT64_MAX; }
+  /// When it takes place, where that is known to be in the field of V, L and places.
+  std::optional<Quadratic> exact_time(std::int64_t j) const;
+  /// The motion collision by collision, in the units of a Shape; a wall is the last body.
+  struct Stepping {
+    std::array<Ball, 3> velocities{1, 0, 0};
+    /// At each gap, velocities after a collision where only the left or the right one moved, at 1.
+    /// The law is linear, and balls grow least where it is applied as a matrix.
+    std::array<std::array<std::array<Ball, 2>, 2>, 2> law;
+    Ball time = 0, place = 0;  ///< of the last collision
+    Ball open = 1;             ///< how wide the other gap was then
+    std::int64_t j = 0;        ///< the next one
+  };
+  Stepping begin(const Shape& s) const;
+  /// The next collision, which must exist: quicker than collision(), with a few bits lost.
+  Collision step(const Shape& s, Stepping& now) const;
   std::size_t bodies() const { return B_ ? 3 : 2; }
   /// The gap that closes there.
   std::size_t gap(std::int64_t j) const { return j % 2 == 0 ? 1 : 2; }
@@ -70,6 +85,7 @@ private:
   Quadratic drift_;        ///< velocity of C and B before that
   bool is_paper_ = false;  ///< equal blocks of mass 1, nothing lost
 
+  Ball place_of(const Ball& time, const Ball& from_C) const;
   std::optional<Quadratic> exact_q_e() const;
   std::optional<std::int64_t> by_theorem() const;
 };

@@ -47,10 +47,11 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
       return Fault{key, std::to_string(values->size()) + " " + key,
                    "as many as there are masses: " + std::to_string(bodies)};
     for (std::size_t i = 0; i < bodies; ++i)
-      if (!((*values)[i] - (*values)[i] == zero)) return Fault{key, body(i), "finite numbers"};
+      if (!((*values)[i] - (*values)[i] == zero))
+        return Fault{key, body(i) + " has none", "finite numbers"};
   }
   for (std::size_t i = 0; i < bodies; ++i) {
-    if (!(zero < line.masses[i])) return Fault{"masses", body(i), "masses above 0"};
+    if (!(zero < line.masses[i])) return Fault{"masses", body(i) + " has none", "masses above 0"};
     if (i > 0 && line.positions[i] < line.positions[i - 1])
       return Fault{"positions", body(i) + " is left of " + body(i - 1), "from left to right"};
   }
@@ -59,7 +60,7 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
   if (line.right_wall && *line.right_wall < line.positions.back())
     return Fault{"right_wall", "left of " + body(bodies - 1), "at the last body or right of it"};
   if (!(zero < line.restitution) || one < line.restitution)
-    return Fault{"restitution", "not a coefficient of restitution", "above 0, at most 1"};
+    return Fault{"restitution", "0 or less, or above 1", "above 0, at most 1"};
   return std::nullopt;
 }
 
@@ -67,7 +68,8 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
 template <Field Scalar, class Bodies>
 Scalar kinetic_energy(const Bodies& bodies) {
   Scalar sum(0);
-  for (const auto& body : bodies) sum = sum + body.mass * body.velocity * body.velocity;
+  for (const auto& body : bodies)
+    sum = sum + Scalar(body.mass) * Scalar(body.velocity) * Scalar(body.velocity);
   return sum / Scalar(2);
 }
 
