@@ -28,10 +28,12 @@ public:
   /// When it takes place, where that is known to be in the field of V and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   struct Stepping {
-    std::int64_t j = 0;
+    std::int64_t collisions = 0;
   };
   Stepping begin(const Shape& /*s*/) const { return {}; }
-  Trio::Collision step(const Shape& s, Stepping& now) const { return collision(s, now.j++); }
+  Trio::Collision step(const Shape& s, Stepping& now) const {
+    return collision(s, now.collisions++);
+  }
   std::size_t bodies() const { return 2 * pairs_.size() + 1; }
   std::size_t gap(std::int64_t j) const;
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;

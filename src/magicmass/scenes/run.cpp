@@ -21,6 +21,8 @@ constexpr std::size_t most_bits = 1U << 17U;
 constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for
 constexpr double some_work = 1e8;  // where they are only tried
 
+const char* const of_trio = "one body meets a ball at rest before a block or a wall";
+const char* const of_cradle = "a cradle: each ball of a magic ratio hands on all to the next block";
 const char* const at_until = "the scene ends at the time `until`";
 std::string at_limit(std::int64_t limit) {
   return "stopped after " + std::to_string(limit) + " collisions; more with --max-events";
@@ -111,70 +113,54 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   return result;
 }
 
-/// Few collisions are also had exactly, sooner than their theorem's balls.
-constexpr std::int64_t few = 64;
-
-/// Of a collapse, those that are told one by one.
+/// Of a collapse, how many are told one by one.
 std::int64_t told(const Seen<Trio>& collapse) {
   std::int64_t rows = 0;
   collapse.stream({}, [&](const Row&) { ++rows; });
   return rows;
 }
 
-/// In exact numbers what a collapse comes to, but for its time and place: bodies stick together.
-void make_exact(const Scene& scene, std::int64_t told, Result& result) {
-  const Result stepped = motion<Quadratic>(scene, told);
+/// What a collapse comes to in exact numbers, but for its time and place: momentum is kept.
+void make_exact(const Scene& scene, std::int64_t rows, Result& result) {
+  const Result stepped = motion<Quadratic>(scene, rows);
+  Quadratic mass = 0, momentum = 0;
   const auto masses = line_of<Quadratic>(scene).masses;
   std::vector<simulator::Body<Quadratic>> bodies;
-  for (std::size_t i = 0; i < masses.size(); ++i)
-    bodies.push_back({masses[i], 0, std::get<Quadratic>(stepped.terminal[i])});
-  auto all = bodies[0];
-  for (std::size_t i = 1; i < bodies.size(); ++i) {
-    auto next = bodies[i];
-    simulator::collide(all, next, Quadratic(0));
-    all.mass = all.mass + next.mass;
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    mass = mass + masses[i];
+    momentum = momentum + masses[i] * std::get<Quadratic>(stepped.terminal[i]);
   }
-  if (bodies.size() == 2) all.velocity = 0;  // at a wall
-  for (auto& body : bodies) body.velocity = all.velocity;
-  result.terminal.assign(bodies.size(), all.velocity);
+  const Quadratic velocity = scene.kind == Kind::wall ? Quadratic(0) : momentum / mass;
+  for (const Quadratic& m : masses) bodies.push_back({m, 0, velocity});
+  result.terminal.assign(bodies.size(), velocity);
   result.energy_before = stepped.energy_before;
   set_energies(scene, bodies, result);
   result.known_until = stepped.known_until;
 }
 
+/// The model of a theorem; nothing where the scene has another one, or is to be stepped exactly.
 template <class Motion>
-std::optional<Result> by_theorem(const Scene& scene, bool has_exact, const Plan& plan) try {
+std::optional<Result> by_theorem(const Scene& scene, const Plan& plan) try {
   const auto seen = Seen<Motion>::of(scene);
   if (!seen) return {};
   const auto events = seen->within(scene);
-  if (scene.is_exact && (events || !has_exact)) return {};
-  const bool is_few = has_exact && events && *events <= few;
-  Result result = is_few ? motion<Quadratic>(scene, scene.limit()) : seen->after(events);
-  if (!is_few && events != seen->motion.count()) {
+  if (scene.is_exact && events) return {};
+  Result result = seen->after(events);
+  result.plan = plan;
+  if (!events) {
+    result.why = "infinitely many collisions; a list has those whose times doubles can tell apart";
+  } else if (events != seen->motion.count()) {
     const bool is_limit = events == scene.limit();
     result.status = Status::limited;
     result.why = is_limit ? at_limit(*events) : at_until;
     result.known_until = is_limit ? seen->time(*events) : scene.until->to_double();
   }
-  if (!events)
-    result.why = "infinitely many collisions; a list has those whose times doubles can tell apart";
-  result.plan = plan;
-  result.plan.is_exact = is_few || scene.is_exact;
   if constexpr (std::same_as<Motion, Trio>)
     if (scene.is_exact) make_exact(scene, told(*seen), result);
   return result;
 } catch (const Undecided&) {
   if (std::same_as<Motion, Trio> && !scene.until && !scene.max_events) throw;
   return {};
-}
-
-/// The models of theorems; nothing where none serves.
-std::optional<Result> solved(const Scene& scene, bool has_exact) try {
-  const Plan theorem{"theorem", false, "one body meets a ball at rest before a block or a wall"};
-  const Plan transfers{"transfers", false,
-                       "a cradle: each ball of a magic ratio hands on all to the next block"};
-  if (auto result = by_theorem<Trio>(scene, has_exact, theorem)) return result;
-  return by_theorem<Cradle>(scene, has_exact, transfers);
 } catch (const std::domain_error&) {
   return {};
 }
@@ -195,12 +181,13 @@ std::string status_name(Status status) {
 Result run(const Scene& scene) {
   const bool has_exact = has_exact_numbers(scene);
   const std::int64_t limit = scene.limit();
-  if (auto result = solved(scene, has_exact)) return *result;
   if (scene.is_exact && !has_exact) {
     throw InvalidInput(scene.source +
                        ": --exact: values that are not of one quadratic field; "
                        "allowed: fractions and one square root");
   }
+  if (auto result = by_theorem<Trio>(scene, {"theorem", scene.is_exact, of_trio})) return *result;
+  if (auto result = by_theorem<Cradle>(scene, {"transfers", false, of_cradle})) return *result;
   if (scene.is_exact) {
     Result result = motion<Quadratic>(scene, limit);
     result.plan = {"events", true, "exact numbers are asked for"};
@@ -222,21 +209,18 @@ Result run(const Scene& scene) {
 }
 
 void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
-  std::int64_t limit = scene.limit();
-  if (plan.model == "transfers" && !plan.is_exact) {
+  if (plan.model == "transfers") {
     const auto cradle = Seen<Cradle>::of(scene);
-    return cradle->stream(cradle->within(scene), sink);
-  }
-  if (plan.model == "theorem") {
+    cradle->stream(cradle->within(scene), sink);
+  } else if (plan.model == "events") {
+    (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, scene.limit(), sink, most_work);
+  } else {
     const auto trio = Seen<Trio>::of(scene);
-    const auto events = trio->within(scene);
-    if (!plan.is_exact) return trio->stream(events, sink);
-    if (!events) limit = told(*trio);
+    if (plan.is_exact)
+      motion<Quadratic>(scene, told(*trio), sink);
+    else
+      trio->stream(trio->within(scene), sink);
   }
-  if (plan.is_exact)
-    motion<Quadratic>(scene, limit, sink);
-  else
-    motion<double>(scene, limit, sink);
 }
 
 }  // namespace magicmass::scenes

@@ -147,13 +147,8 @@ template <class Motion>
 void Seen<Motion>::stream(std::optional<std::int64_t> collisions, const Sink& sink) const {
   constexpr int enough_bits = 196;
   Ball::set_bits(enough_bits);
-  typename Motion::Shape shape;
-  typename Motion::Stepping now;
-  const auto begin = [&](std::int64_t j) {
-    shape = motion.shape();
-    for (now = motion.begin(shape); now.j < j;) motion.step(shape, now);
-  };
-  begin(0);
+  auto shape = motion.shape();
+  auto now = motion.begin(shape);
   double before = -1;
   for (std::int64_t j = 0; j < collisions.value_or(INT64_MAX); ++j) {
     const auto next = [&] { return row_of(motion.step(shape, now)); };
@@ -162,7 +157,8 @@ void Seen<Motion>::stream(std::optional<std::int64_t> collisions, const Sink& si
     if (!row) {
       row = certain([&] {
         if (is_last) return row_of(motion.collision(motion.shape(), j));
-        begin(j);
+        shape = motion.shape();
+        for (now = motion.begin(shape); now.collisions < j;) next();
         return next();
       });
     }

@@ -121,61 +121,45 @@ std::optional<std::int64_t> Trio::count() const {
 }
 
 Trio::Stepping Trio::begin(const Shape& s) const {
-  const Ball M[]{s.A, s.C, B_ ? s.C / s.per_B : Ball(0)};
-  Stepping now;
-  for (std::size_t i = 0; i + 1 < bodies(); ++i) {
-    for (const int u : {1, 0}) {
-      simulator::Body<Ball> left{M[i], 0, u}, right{M[i + 1], 0, 1 - u};
-      simulator::collide(left, right, s.e);
-      now.law[i][u == 1 ? 0 : 1] = {left.velocity, right.velocity};
-    }
-  }
-  return now;
+  return {s.A, s.C, B_ ? std::optional(s.C / s.per_B) : std::nullopt, s.e};
 }
-Trio::Collision Trio::step(const Shape& s, Stepping& now) const {
-  const std::size_t right = gap(now.j), left = right - 1;
-  const bool is_at_wall = right == bodies();
-  auto& [v, law, t, x, open, j] = now;
-  if (j++ > 0) {
-    const Ball wait = open / (v[left] - v[right]);
-    open = (left == 0 ? v[2] - v[1] : v[1] - v[0]) * wait;
-    x = x + v[1] * wait;
-    t = t + wait;
-  }
-  if (is_at_wall) {
-    v[left] = -s.e * v[left];
-  } else {
-    const auto& [of_left, of_right] = law[left];
-    const Ball u = v[left], w = v[right];
-    v[left] = of_left[0] * u + of_right[0] * w;
-    v[right] = of_left[1] * u + of_right[1] * w;
-  }
-  const Ball time = ball_of(start_) + ball_of(L_ / V_) * now.time;
-  const Ball drift = ball_of(drift_), V = ball_of(V_);
-  return {time, is_at_wall ? ball_of(place_ + L_) : place_of(time, x), drift + V * v[left],
-          is_at_wall ? Ball(0) : drift + V * v[right]};
+Trio::Collision Trio::step(const Shape& /*s*/, Stepping& now) const {
+  now.step();
+  return in_scene(now.collisions - 1, now.time, now.place, now.velocities);
 }
-Ball Trio::place_of(const Ball& time, const Ball& from_C) const {
-  return ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * from_C;
+Ball Trio::time_of(const Ball& moment) const { return ball_of(start_) + ball_of(L_ / V_) * moment; }
+Ball Trio::place_of(const Ball& time, const Ball& place) const {
+  return ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * place;
 }
-std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
-  std::vector<Ball> all{1, 0, 0};
-  if (collisions > 0 && s.q_e <= 0) {
-    Stepping now = begin(s);
-    while (now.j < collisions) step(s, now);
-    for (std::size_t i = 0; i < all.size(); ++i) all[i] = now.velocities[i];
-  } else if (const std::int64_t j = collisions - 1; j >= 0) {
-    const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
-                                                power_of(s, j));
-    all = {v.A_next, v.C_next, j == 0 ? Ball(0) : v.B_next};  // B was not met
-  }
+Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& place,
+                               const Velocities& u) const {
+  const Ball time = time_of(moment);
+  const std::size_t right = gap(j);
+  return {time, right == bodies() ? ball_of(place_ + L_) : place_of(time, place),
+          velocity_of(u[right - 1]), velocity_of(u[right])};
+}
+Trio::Velocities Trio::in_units(const Shape& s, std::int64_t collisions) const {
+  if (collisions == 0) return {1, 0, 0};
+  const std::int64_t j = collisions - 1;
+  const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
+                                              power_of(s, j));
+  Velocities all{v.A_next, v.C_next, j == 0 || !B_ ? Ball(0) : v.B_next};  // B was not met
   const auto N = by_theorem();
   if (N && *N % 2 == 0) {  // magic.velocities
     if (collisions >= *N - 1) all[0] = 0;
     if (collisions == *N) all = {0, 0, 1};
   }
-  if (!B_) all.pop_back();
-  for (Ball& u : all) u = ball_of(drift_) + ball_of(V_) * u;
+  return all;
+}
+Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
+  Stepping now = begin(s);
+  while (now.collisions < collisions) now.step();
+  return now;
+}
+std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
+  const Velocities u = s.q_e > 0 ? in_units(s, collisions) : stepped(s, collisions).velocities;
+  std::vector<Ball> all;
+  for (std::size_t i = 0; i < bodies(); ++i) all.push_back(velocity_of(u[i]));
   return all;
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
@@ -185,27 +169,19 @@ std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
-  if (s.q_e <= 0) {
-    Stepping now = begin(s);
-    while (now.j < j) step(s, now);
+  if (j == 0 || s.q_e <= 0) {
+    Stepping now = stepped(s, j);
     return step(s, now);
   }
-  const std::vector<Ball> v = velocities(s, j + 1);
-  const std::size_t right = gap(j);
-  const bool is_at_wall = right == v.size();
-  const Ball v_right = is_at_wall ? Ball(0) : v[right];
-  if (j == 0) return {ball_of(start_), ball_of(place_ + drift_ * start_), v[0], v_right};
   const auto at =
       generated::at_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j), power_of(s, j));
-  const Ball time = ball_of(start_) + ball_of(L_ / V_) * at.moment;
-  return {time, is_at_wall ? ball_of(place_ + L_) : place_of(time, at.place), v[right - 1],
-          v_right};
+  return in_scene(j, at.moment, at.place, in_units(s, j + 1));
 }
 Trio::Collapse Trio::collapse(const Shape& s) const {
   const auto end = generated::collapse_restitution(s.A, s.per_B, s.C, s.e, s.q_e);
-  const Ball time = ball_of(start_) + ball_of(L_ / V_) * end.t_end;
+  const Ball time = time_of(end.t_end);
   if (!B_) return {time, ball_of(place_ + L_), 0};
-  return {time, place_of(time, end.x_end), ball_of(drift_) + ball_of(V_) * end.v_end};
+  return {time, place_of(time, end.x_end), velocity_of(end.v_end)};
 }
 std::vector<Ball> Trio::masses(const Shape& /*s*/) const {
   if (!B_) return {ball_of(A_), ball_of(C_)};

@@ -3,7 +3,6 @@
 // the motion that the theorems are about, with any masses and restitution.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -12,7 +11,7 @@
 
 #include "magicmass/scenes/ball.hpp"
 #include "magicmass/scenes/scene.hpp"
-#include "magicmass/simulator/contact.hpp"
+#include "magicmass/simulator/in_turn.hpp"
 
 namespace magicmass::scenes {
 
@@ -48,18 +47,9 @@ public:
   Collision collision(const Shape& s, std::int64_t j) const;
   /// When it takes place, where that is known to be in the field of V, L and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
-  /// The motion collision by collision, in the units of a Shape; a wall is the last body.
-  struct Stepping {
-    std::array<Ball, 3> velocities{1, 0, 0};
-    /// At each gap, velocities after a collision where only the left or the right one moved, at 1.
-    /// The law is linear, and balls grow least where it is applied as a matrix.
-    std::array<std::array<std::array<Ball, 2>, 2>, 2> law;
-    Ball time = 0, place = 0;  ///< of the last collision
-    Ball open = 1;             ///< how wide the other gap was then
-    std::int64_t j = 0;        ///< the next one
-  };
+  /// The motion collision by collision, quicker than collision(), with a few bits lost.
+  using Stepping = simulator::InTurn<Ball>;
   Stepping begin(const Shape& s) const;
-  /// The next collision, which must exist: quicker than collision(), with a few bits lost.
   Collision step(const Shape& s, Stepping& now) const;
   std::size_t bodies() const { return B_ ? 3 : 2; }
   /// The gap that closes there.
@@ -85,7 +75,14 @@ private:
   Quadratic drift_;        ///< velocity of C and B before that
   bool is_paper_ = false;  ///< equal blocks of mass 1, nothing lost
 
-  Ball place_of(const Ball& time, const Ball& from_C) const;
+  using Velocities = std::array<Ball, 3>;
+  Stepping stepped(const Shape& s, std::int64_t collisions) const;
+  Velocities in_units(const Shape& s, std::int64_t collisions) const;
+  Collision in_scene(std::int64_t j, const Ball& moment, const Ball& place,
+                     const Velocities& u) const;
+  Ball time_of(const Ball& moment) const;
+  Ball place_of(const Ball& time, const Ball& place) const;
+  Ball velocity_of(const Ball& u) const { return ball_of(drift_) + ball_of(V_) * u; }
   std::optional<Quadratic> exact_q_e() const;
   std::optional<std::int64_t> by_theorem() const;
 };

@@ -55,10 +55,8 @@ TEST_CASE("the paper's scenes", "[exam]") {
   CHECK(told.status == Status::complete);
   const Result exact = result_of("alpha = 'sqrt(5)-2'");
   CHECK(exact.status == Status::complete);
-  CHECK(exact.plan.is_exact);
   CHECK(exact.plan.model == "theorem");
-  CHECK(std::get<Quadratic>(exact.terminal[0]) == Quadratic(0));
-  CHECK(std::get<Quadratic>(exact.transmitted) == Quadratic(1));
+  CHECK((number(exact.terminal[0]) == 0 && number(exact.transmitted) == 1));
 }
 
 TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
@@ -98,9 +96,32 @@ TEST_CASE("where a run stops it says so", "[exam]") {
   CHECK(result_of("alpha = 0.12\nmax_events = 6").status == Status::complete);
   const Result early = result_of("alpha = 0.12\nuntil = 1");
   CHECK((early.events == 3 && early.status == Status::limited));
+  CHECK_FALSE(early.is_undecided);
   const Result at_until = result_of("alpha = '1/3'\nuntil = '2/3'");
   CHECK((at_until.events == 2 && at_until.plan.is_exact));
   CHECK(result_of("alpha = '1/3'\nuntil = '1999999999/3000000000'").events == 1);
+}
+
+TEST_CASE("a collision at the time `until` belongs to the run, by theorem too", "[exam]") {
+  const auto counts = [](const std::string& scene, const std::string& until) {
+    const Result result = result_of("kind = 'chain'\n" + scene + "until = " + until);
+    CHECK(result.plan.model == "transfers");
+    CHECK_FALSE(result.is_undecided);
+    return result.events;
+  };
+  const std::string one_wall =
+      "blocks = 5\nballs = ['magic:1', 'magic:2', 'magic:2', 'magic:1']\n"
+      "V = '1/3'\ngap = 4\nwalls = 'left'\n";
+  CHECK(counts(one_wall, "60") == 12);
+  CHECK(counts(one_wall, "'59999999999999999999/1000000000000000000'") == 11);
+  // The first collision of a trio, its middle one, and the wall.
+  const std::string walls = "blocks = 2\nballs = 'magic:3'\nwalls = 'both'\n";
+  for (const auto& [time, events] :
+       {std::pair{1, 1}, {2, 4}, {3, 7}, {4, 10}, {5, 13}, {7, 14}, {9, 15}}) {
+    const std::string before = "'" + std::to_string(time) + "-1/10^30'";
+    CHECK(counts(walls, std::to_string(time)) == events);
+    CHECK(counts(walls, before) == events - 1);
+  }
 }
 
 TEST_CASE("what cools below doubles is limited, not complete", "[exam]") {
@@ -117,10 +138,59 @@ TEST_CASE("exact numbers that grow too long are no answer", "[exam]") {
       "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
       "velocities = [1, 0, 0, 0]\nrestitution = '" +
       e + "'";
-  CHECK_THROWS_WITH(result_of(text, true), ContainsSubstring("exact numbers become too long; possible with --max-events 19"));
+  CHECK_THROWS_WITH(
+      result_of(text, true),
+      ContainsSubstring("exact numbers become too long; possible with --max-events 19"));
   CHECK(result_of(text + "\nmax_events = 3", true).events == 3);
   CHECK_THROWS_WITH(result_of("alpha = 'magic:3'", true),
                     ContainsSubstring("--exact: values that are not of one quadratic field"));
+}
+
+TEST_CASE("a ball between a block and a wall on the left is the mirror image", "[exam]") {
+  const std::string wall = "kind = 'wall'\n";
+  for (const std::string mass : {"mass_ratio = '100^2'\n", "alpha = '1/10000'\n"}) {
+    const Result right = result_of(wall + mass);
+    for (const std::string text : {"left_wall = -1", "left_wall = -1\nvelocities = [0, -1]"}) {
+      const Scene scene = scene_of(wall + mass + text);
+      const Result left = run(scene);
+      CHECK(left.events == 314);
+      CHECK(left.counts == std::vector(right.counts.rbegin(), right.counts.rend()));
+      CHECK(number(left.terminal[1]) == -number(right.terminal[0]));
+      CHECK((body_name(scene, 0) == "C" && body_name(scene, 1) == "A"));
+    }
+  }
+  CHECK_THROWS_WITH(result_of("kind = 'wall'\nalpha = 1\nleft_wall = -1\nV = 'magic:3'"),
+                    ContainsSubstring("V: a ratio of the paper; allowed: here a number"));
+}
+
+TEST_CASE("what a body at the other end receives", "[exam]") {
+  const std::string text = "alpha = 0.12\npositions = [0, 1, 1]\nvelocities = ";
+  const Result mirrored = result_of(text + "[0, 0, -1]");
+  CHECK(number(mirrored.transmitted) == number(result_of("alpha = 0.12").transmitted));
+  CHECK_THAT(number(mirrored.transmitted), WithinAbs(0.9913169341460811, 1e-15));
+  CHECK(scene_of(text + "[0, 0, -1]").receiver() == std::size_t(0));
+  for (const char* other : {"[1, 0, -1]", "[0, 1, 0]", "[0, 0, 0]"})
+    CHECK_FALSE(scene_of(text + other).receiver());
+}
+
+TEST_CASE("what doubles do not hold is no number", "[exam]") {
+  const auto energy = [](const std::string& V) {
+    return double_of(result_of("kind = 'chain'\nmasses = [1, 1, 2]\nvelocities = [0.5, 0, " + V +
+                               "]\npositions = [0, 1, 2]")
+                         .energy);
+  };
+  CHECK(energy("1e100") == 1e200);
+  CHECK_FALSE(energy("1e200"));
+  for (const char* V : {"1e200", "1e-200"}) {
+    const Result result = result_of("alpha = 0.12\nV = " + std::string(V));
+    CHECK_FALSE(double_of(result.energy));
+    CHECK(number(result.transmitted) > 0.99);
+  }
+  CHECK_THROWS_WITH(result_of("alpha = '2^10000'"),
+                    "2^10000 does not fit a double; --exact may do");
+  CHECK_THROWS_WITH(result_of("kind = 'chain'\nmasses = [1, 1e-9]\nvelocities = [1e308, 0]\n"
+                              "positions = [0, 1]\nleft_wall = 0"),
+                    ContainsSubstring("the velocities after collision 1 do not fit a double"));
 }
 
 TEST_CASE("every key's refusal has its line", "[exam]") {

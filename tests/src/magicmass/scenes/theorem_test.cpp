@@ -158,6 +158,60 @@ TEST_CASE("a wall gives digits of pi, however many", "[exam]") {
     CHECK_THROWS_AS(result_of(text + beyond), magicmass::Undecided);
 }
 
+TEST_CASE("the last of 140,496 rows is what the theorem says", "[check]") {
+  const Scene scene = scene_of("kind = 'wall'\nmass_ratio = 2000000000");
+  const Result result = run(scene);
+  Numbers last{};
+  std::int64_t rows = 0;
+  stream(scene, result.plan, [&](const Row& row) {
+    last = numbers(row);
+    ++rows;
+  });
+  CHECK(rows == 140'496);
+  CHECK(rows == result.events);
+  CHECK(last[3] == number(result.terminal[1]));
+  CHECK(last[4] == 0);
+}
+
+TEST_CASE("of a collapse those collisions are told whose times differ", "[exam]") {
+  const std::string text = "alpha = 1\nrestitution = '7/100'\n";
+  const std::vector<Numbers> rows = numbers_of(scene_of(text));
+  Line line{1, 1, 1, cl_RA(7) / 100, {1, 0, 0}, {0, 1, 0}};
+  const std::vector<Step> expected = stepped(line, 200);
+  REQUIRE(rows.size() == 117);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Step& exact = expected[i];
+    CHECK(rows[i] == Numbers{double(exact.left + 1), near(exact.time), near(exact.x),
+                             near(exact.v_left), near(exact.v_right)});
+    CHECK((i == 0 || rows[i - 1][1] < rows[i][1]));
+  }
+  CHECK(near(expected[117].time) == rows[116][1]);
+  const Scene scene = scene_of(text, true);
+  const Result result = run(scene);
+  CHECK(result.status == Status::collapse);
+  CHECK(std::get<Quadratic>(result.terminal[0]).text() == "1/3");
+  CHECK(std::get<Quadratic>(result.energy).text() == "1/6");
+  const std::vector<Row> exact_rows = rows_of(scene);
+  CHECK(exact_rows.size() == 117);
+  CHECK(std::get<Quadratic>(exact_rows[0].v_left).text() == "93/200");
+}
+
+TEST_CASE("a collapse ends at the scene's limits, or is not reached by them", "[exam]") {
+  const std::string text = "alpha = 1\nrestitution = '7/100'\n";  // it is at 3.25786...
+  for (const bool is_exact : {false, true}) {
+    const Result two = result_of(text + "max_events = 2", is_exact);
+    CHECK((two.status == Status::limited && !two.is_undecided));
+    CHECK(two.counts == std::vector<std::int64_t>{0, 1, 1, 0});
+    const Result early = result_of(text + "until = 2.5", is_exact);
+    CHECK((early.status == Status::limited && early.events == 3));
+    for (const char* late : {"until = 3.258", "until = 5"})
+      CHECK(result_of(text + late, is_exact).status == Status::collapse);
+  }
+  const Result many = result_of(text + "max_events = 1000");
+  CHECK((many.status == Status::limited && !many.is_undecided));
+  CHECK(many.counts == std::vector<std::int64_t>{0, 500, 500, 0});
+}
+
 TEST_CASE("a collapse has its time and place, for touching bodies as for near ones", "[exam]") {
   const std::string text =
       "kind = 'three-body'\nmasses = [1, 1, 1]\nvelocities = [1, 0, 0]\n"
