@@ -27,6 +27,8 @@ public:
   Trio::Collision collision(const Shape& s, std::int64_t j) const;
   /// When it takes place, where that is known to be in the field of V and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
+  /// After so many collisions all comes again, only later.
+  std::int64_t period() const { return 2 * way_ + 2; }
   struct Stepping {
     std::int64_t collisions = 0;
   };
@@ -51,7 +53,6 @@ private:
   Quadratic x_, V_;                          // the straight line: where it begins at time 0
   std::optional<Quadratic> ahead_, behind_;  // walls
 
-  std::int64_t period() const { return 2 * way_ + 2; }  // then all comes again, only later
   struct Moment;
   Moment moment(std::int64_t j) const;
   const Pair& pair_at(std::int64_t of_way) const;

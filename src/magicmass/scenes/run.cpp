@@ -21,13 +21,6 @@ constexpr std::size_t most_bits = 1U << 17U;
 constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for
 constexpr double some_work = 1e8;  // where they are only tried
 
-const char* const of_trio = "one body meets a ball at rest before a block or a wall";
-const char* const of_cradle = "a cradle: each ball of a magic ratio hands on all to the next block";
-const char* const at_until = "the scene ends at the time `until`";
-std::string at_limit(std::int64_t limit) {
-  return "stopped after " + std::to_string(limit) + " collisions; more with --max-events";
-}
-
 /// Refuses numbers that grow too long; multiplying takes more than the length.
 class Lengths {
 public:
@@ -114,15 +107,15 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
 }
 
 /// Of a collapse, how many are told one by one.
-std::int64_t told(const Seen<Trio>& collapse) {
+std::int64_t told(const Scene& collapse) {
   std::int64_t rows = 0;
-  collapse.stream({}, [&](const Row&) { ++rows; });
+  stream_by_theorem(collapse, [&](const Row&) { ++rows; });
   return rows;
 }
 
 /// What a collapse comes to in exact numbers, but for its time and place: momentum is kept.
-void make_exact(const Scene& scene, std::int64_t rows, Result& result) {
-  const Result stepped = motion<Quadratic>(scene, rows);
+void make_exact(const Scene& scene, Result& result) {
+  const Result stepped = motion<Quadratic>(scene, told(scene));
   Quadratic mass = 0, momentum = 0;
   const auto masses = line_of<Quadratic>(scene).masses;
   std::vector<simulator::Body<Quadratic>> bodies;
@@ -136,33 +129,7 @@ void make_exact(const Scene& scene, std::int64_t rows, Result& result) {
   result.energy_before = stepped.energy_before;
   set_energies(scene, bodies, result);
   result.known_until = stepped.known_until;
-}
-
-/// The model of a theorem; nothing where the scene has another one, or is to be stepped exactly.
-template <class Motion>
-std::optional<Result> by_theorem(const Scene& scene, const Plan& plan) try {
-  const auto seen = Seen<Motion>::of(scene);
-  if (!seen) return {};
-  const auto events = seen->within(scene);
-  if (scene.is_exact && events) return {};
-  Result result = seen->after(events);
-  result.plan = plan;
-  if (!events) {
-    result.why = "infinitely many collisions; a list has those whose times doubles can tell apart";
-  } else if (events != seen->motion.count()) {
-    const bool is_limit = events == scene.limit();
-    result.status = Status::limited;
-    result.why = is_limit ? at_limit(*events) : at_until;
-    result.known_until = is_limit ? seen->time(*events) : scene.until->to_double();
-  }
-  if constexpr (std::same_as<Motion, Trio>)
-    if (scene.is_exact) make_exact(scene, told(*seen), result);
-  return result;
-} catch (const Undecided&) {
-  if (std::same_as<Motion, Trio> && !scene.until && !scene.max_events) throw;
-  return {};
-} catch (const std::domain_error&) {
-  return {};
+  result.plan.is_exact = true;
 }
 
 }  // namespace
@@ -186,8 +153,9 @@ Result run(const Scene& scene) {
                        ": --exact: values that are not of one quadratic field; "
                        "allowed: fractions and one square root");
   }
-  if (auto result = by_theorem<Trio>(scene, {"theorem", scene.is_exact, of_trio})) return *result;
-  if (auto result = by_theorem<Cradle>(scene, {"transfers", false, of_cradle})) return *result;
+  auto solved = by_theorem(scene);
+  if (solved && scene.is_exact && solved->status == Status::collapse) make_exact(scene, *solved);
+  if (solved && solved->plan.is_exact == scene.is_exact) return *solved;
   if (scene.is_exact) {
     Result result = motion<Quadratic>(scene, limit);
     result.plan = {"events", true, "exact numbers are asked for"};
@@ -209,18 +177,10 @@ Result run(const Scene& scene) {
 }
 
 void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
-  if (plan.model == "transfers") {
-    const auto cradle = Seen<Cradle>::of(scene);
-    cradle->stream(cradle->within(scene), sink);
-  } else if (plan.model == "events") {
-    (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, scene.limit(), sink, most_work);
-  } else {
-    const auto trio = Seen<Trio>::of(scene);
-    if (plan.is_exact)
-      motion<Quadratic>(scene, told(*trio), sink);
-    else
-      trio->stream(trio->within(scene), sink);
-  }
+  const bool is_stepped = plan.model == "events";
+  if (!is_stepped && !plan.is_exact) return stream_by_theorem(scene, sink);
+  const std::int64_t limit = is_stepped ? scene.limit() : told(scene);
+  (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, limit, sink, most_work);
 }
 
 }  // namespace magicmass::scenes

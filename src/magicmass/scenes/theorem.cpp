@@ -57,127 +57,172 @@ Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities
     sum = sum + masses[i] * velocities[i] * velocities[i];
   return sum / Ball(2);
 }
-std::vector<Ball> row_of(const Trio::Collision& c) {
-  return {c.time, c.position, c.v_left, c.v_right};
-}
-/// How many of the first `most` come by this time.
+/// A motion that theorems tell, or what a mirror shows of it; each number the nearest double.
 template <class Motion>
-std::int64_t count_until(const Motion& motion, const Quadratic& time, std::int64_t most) {
-  return with_bits(17, [&] {
-    const auto s = motion.shape();
-    std::int64_t count = 0, more = 1;
-    const auto are_by = [&] {
-      const std::int64_t last = count + more - 1;
-      if (last >= most) return false;
-      if (const auto exact = motion.exact_time(last)) return !(time < *exact);
-      return motion.collision(s, last).time <= ball_of(time);
-    };
-    for (; are_by(); more *= 2) count += more;
-    for (; more > 0; more /= 2)
-      if (are_by()) count += more;
-    return count;
-  });
-}
+struct Seen {
+  Motion motion;
+  bool is_mirrored;
+
+  /// Nothing where the scene is neither.
+  static std::optional<Seen> of(const Scene& scene) {
+    const auto places = exact_places(scene);
+    if (!places) return {};
+    if (auto motion = Motion::of(*places)) return Seen{std::move(*motion), false};
+    if (auto motion = Motion::of(mirrored(*places))) return Seen{std::move(*motion), true};
+    return {};
+  }
+  /// How many of the first `most` come by this time.
+  std::int64_t count_until(const Quadratic& time, std::int64_t most) const {
+    return with_bits(17, [&] {
+      const auto s = motion.shape();
+      std::int64_t count = 0, more = 1;
+      const auto are_by = [&] {
+        const std::int64_t last = count + more - 1;
+        if (last >= most) return false;
+        if (const auto exact = motion.exact_time(last)) return !(time < *exact);
+        return motion.collision(s, last).time <= ball_of(time);
+      };
+      for (; are_by(); more *= 2) count += more;
+      for (; more > 0; more /= 2)
+        if (are_by()) count += more;
+      return count;
+    });
+  }
+  /// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
+  std::optional<std::int64_t> within(const Scene& scene) const {
+    auto N = motion.count();
+    const bool is_collapse = std::same_as<Motion, Trio> && !N;
+    const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
+    if (scene.max_events || (!N && !is_collapse)) N = std::min(N.value_or(limit), limit);
+    if (!scene.until) return N;
+    const Quadratic& until = *scene.until->exact();
+    if constexpr (std::same_as<Motion, Trio>) {
+      const auto collapses_by = [&] {
+        return motion.collapse(motion.shape()).time <= ball_of(until);
+      };
+      if (is_collapse && with_bits(17, collapses_by)) return N;
+    }
+    return count_until(until, N.value_or(limit));
+  }
+  /// All but the plan after so many collisions, or after infinitely many.
+  Result after(std::optional<std::int64_t> collisions) const {
+    Result result;
+    result.events = collisions.value_or(0);
+    result.counts = motion.counts(result.events);
+    if (is_mirrored) std::reverse(result.counts.begin(), result.counts.end());
+    result.status = collisions ? Status::complete : Status::collapse;
+    const std::size_t bodies = motion.bodies();
+    const std::vector<double> numbers = certain([&] {
+      const auto s = motion.shape();
+      const std::vector<Ball> masses = motion.masses(s);
+      std::vector<Ball> all = motion.velocities(s, result.events), end;
+      if constexpr (std::same_as<Motion, Trio>) {
+        if (!collisions) {
+          const Trio::Collapse c = motion.collapse(s);
+          all.assign(bodies, c.velocity);
+          end = {c.time, is_mirrored ? -c.position : c.position};
+        }
+      }
+      const Ball before = energy(masses, motion.velocities(s, 0)), after = energy(masses, all);
+      const Ball of_last = energy({masses.back()}, {all.back()});
+      if (is_mirrored) turn(all);
+      all.insert(all.end(), {before, after, of_last / before});
+      all.insert(all.end(), end.begin(), end.end());
+      return all;
+    });
+    const auto next = numbers.begin() + static_cast<std::ptrdiff_t>(bodies);
+    result.terminal.assign(numbers.begin(), next);
+    result.energy_before = next[0];
+    result.energy = next[1];
+    result.transmitted = next[2];
+    if (collisions) return result;
+    result.collapse_time = result.known_until = next[3];
+    result.collapse_position = next[4];
+    return result;
+  }
+  /// So many collisions; of infinitely many those whose times doubles can tell apart.
+  void stream(std::optional<std::int64_t> collisions, const Sink& sink) const {
+    constexpr bool is_stepped = std::same_as<Motion, Trio>;
+    constexpr int enough_bits = 196;
+    constexpr std::int64_t most_kept = 1 << 14;
+    Ball::set_bits(enough_bits);
+    auto shape = motion.shape();
+    auto now = motion.begin(shape);
+    std::vector<std::vector<double>> kept;  // of a cradle: all but the time comes again
+    double before = -1;
+    for (std::int64_t j = 0; j < collisions.value_or(INT64_MAX); ++j) {
+      const auto again = static_cast<std::size_t>(j % motion.period());
+      const auto row_of = [&](const Trio::Collision& c) {
+        if (again < kept.size()) return std::vector{c.time};
+        return std::vector{c.time, c.position, c.v_left, c.v_right};
+      };
+      const auto next = [&] { return row_of(motion.step(shape, now)); };
+      const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
+      auto row = is_stepped && is_last ? std::nullopt : rounded(next);
+      if (!row) {
+        row = certain([&] {
+          auto closer = motion.shape();
+          if (!is_stepped || is_last) return row_of(motion.collision(closer, j));
+          shape = closer;
+          for (now = motion.begin(shape); now.collisions < j;) motion.step(shape, now);
+          return next();
+        });
+        if (!is_stepped) Ball::set_bits(enough_bits);
+      }
+      std::vector<double>& n = *row;
+      if (!collisions && n[0] == before) return;
+      before = n[0];
+      if (again < kept.size()) n.insert(n.end(), kept[again].begin() + 1, kept[again].end());
+      if (!is_stepped && again == kept.size() && j < most_kept) kept.push_back(n);
+      if (is_mirrored)
+        sink({j + 1, motion.bodies() - motion.gap(j), n[0], -n[1], -n[3], -n[2]});
+      else
+        sink({j + 1, motion.gap(j), n[0], n[1], n[2], n[3]});
+    }
+  }
+  Result result(const Scene& scene, const char* model, const char* reason) const {
+    const auto events = within(scene);
+    Result result = after(events);
+    result.plan = {model, false, reason};
+    if (!events) {
+      result.why =
+          "infinitely many collisions; a list has those whose times doubles can tell apart";
+    } else if (events != motion.count()) {
+      const bool is_limit = events == scene.limit();
+      const auto next = [&] { return std::vector{motion.collision(motion.shape(), *events).time}; };
+      result.status = Status::limited;
+      result.why = is_limit ? at_limit(*events) : at_until;
+      result.known_until = is_limit ? certain(next)[0] : scene.until->to_double();
+    }
+    return result;
+  }
+};
 }  // namespace
 
-template <class Motion>
-std::optional<Seen<Motion>> Seen<Motion>::of(const Scene& scene) {
-  const auto places = exact_places(scene);
-  if (!places) return {};
-  if (auto motion = Motion::of(*places)) return Seen{std::move(*motion), false};
-  if (auto motion = Motion::of(mirrored(*places))) return Seen{std::move(*motion), true};
+std::string at_limit(std::int64_t limit) {
+  return "stopped after " + std::to_string(limit) + " collisions; more with --max-events";
+}
+
+std::optional<Result> by_theorem(const Scene& scene) {
+  const auto trio = Seen<Trio>::of(scene);
+  try {
+    if (trio)
+      return trio->result(scene, "theorem",
+                          "one body meets a ball at rest before a block or a wall");
+    if (const auto cradle = Seen<Cradle>::of(scene))
+      return cradle->result(scene, "transfers",
+                            "a cradle: each ball of a magic ratio hands on all to the next block");
+  } catch (const Undecided&) {
+    if (trio && !scene.until && !scene.max_events) throw;
+  } catch (const std::domain_error&) {
+  }
   return {};
 }
 
-template <class Motion>
-std::optional<std::int64_t> Seen<Motion>::within(const Scene& scene) const {
-  auto N = motion.count();
-  const bool is_collapse = std::same_as<Motion, Trio> && !N;
-  const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
-  if (scene.max_events || (!N && !is_collapse)) N = std::min(N.value_or(limit), limit);
-  if (!scene.until) return N;
-  const Quadratic& until = *scene.until->exact();
-  if constexpr (std::same_as<Motion, Trio>) {
-    const auto collapses_by = [&] {
-      return motion.collapse(motion.shape()).time <= ball_of(until);
-    };
-    if (is_collapse && with_bits(17, collapses_by)) return N;
-  }
-  return count_until(motion, until, N.value_or(limit));
+void stream_by_theorem(const Scene& scene, const Sink& sink) {
+  const auto stream = [&](const auto& seen) { seen.stream(seen.within(scene), sink); };
+  if (const auto trio = Seen<Trio>::of(scene)) return stream(*trio);
+  stream(*Seen<Cradle>::of(scene));
 }
-
-template <class Motion>
-Result Seen<Motion>::after(std::optional<std::int64_t> collisions) const {
-  Result result;
-  result.events = collisions.value_or(0);
-  result.counts = motion.counts(result.events);
-  if (is_mirrored) std::reverse(result.counts.begin(), result.counts.end());
-  result.status = collisions ? Status::complete : Status::collapse;
-  const std::size_t bodies = motion.bodies();
-  const std::vector<double> numbers = certain([&] {
-    const auto s = motion.shape();
-    const std::vector<Ball> masses = motion.masses(s);
-    std::vector<Ball> all = motion.velocities(s, result.events), end;
-    if constexpr (std::same_as<Motion, Trio>) {
-      if (!collisions) {
-        const Trio::Collapse c = motion.collapse(s);
-        all.assign(bodies, c.velocity);
-        end = {c.time, is_mirrored ? -c.position : c.position};
-      }
-    }
-    const Ball before = energy(masses, motion.velocities(s, 0)), after = energy(masses, all);
-    const Ball of_last = energy({masses.back()}, {all.back()});
-    if (is_mirrored) turn(all);
-    all.insert(all.end(), {before, after, of_last / before});
-    all.insert(all.end(), end.begin(), end.end());
-    return all;
-  });
-  const auto next = numbers.begin() + static_cast<std::ptrdiff_t>(bodies);
-  result.terminal.assign(numbers.begin(), next);
-  result.energy_before = next[0];
-  result.energy = next[1];
-  result.transmitted = next[2];
-  if (collisions) return result;
-  result.collapse_time = result.known_until = next[3];
-  result.collapse_position = next[4];
-  return result;
-}
-
-template <class Motion>
-void Seen<Motion>::stream(std::optional<std::int64_t> collisions, const Sink& sink) const {
-  constexpr int enough_bits = 196;
-  Ball::set_bits(enough_bits);
-  auto shape = motion.shape();
-  auto now = motion.begin(shape);
-  double before = -1;
-  for (std::int64_t j = 0; j < collisions.value_or(INT64_MAX); ++j) {
-    const auto next = [&] { return row_of(motion.step(shape, now)); };
-    const auto is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
-    auto row = is_last ? std::nullopt : rounded(next);
-    if (!row) {
-      row = certain([&] {
-        if (is_last) return row_of(motion.collision(motion.shape(), j));
-        shape = motion.shape();
-        for (now = motion.begin(shape); now.collisions < j;) next();
-        return next();
-      });
-    }
-    const std::vector<double>& n = *row;
-    if (!collisions && n[0] == before) return;
-    before = n[0];
-    if (is_mirrored)
-      sink({j + 1, motion.bodies() - motion.gap(j), n[0], -n[1], -n[3], -n[2]});
-    else
-      sink({j + 1, motion.gap(j), n[0], n[1], n[2], n[3]});
-  }
-}
-
-template <class Motion>
-double Seen<Motion>::time(std::int64_t j) const {
-  return certain([&] { return std::vector{motion.collision(motion.shape(), j).time}; })[0];
-}
-
-template struct Seen<Trio>;
-template struct Seen<Cradle>;
 
 }  // namespace magicmass::scenes

@@ -7,26 +7,14 @@
 
 namespace magicmass::scenes {
 
-/// A motion that theorems tell, or what a mirror shows of it.
-template <class Motion>
-struct Seen {
-  Motion motion;
-  bool is_mirrored;
+inline constexpr const char* at_until = "the scene ends at the time `until`";
+std::string at_limit(std::int64_t limit);
 
-  /// Nothing where the scene is neither.
-  static std::optional<Seen> of(const Scene& scene);
-  /// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
-  /// Throws Undecided where one may be as late as `until`.
-  std::optional<std::int64_t> within(const Scene& scene) const;
-  /// All but the plan after so many collisions, or after infinitely many of a trio; each number the
-  /// nearest double. Throws Undecided where that is not certain with the bits that are allowed,
-  /// std::domain_error where masses are too far apart.
-  Result after(std::optional<std::int64_t> collisions) const;
-  /// So many collisions, each number the nearest double; of infinitely many those whose times
-  /// doubles can tell apart.
-  void stream(std::optional<std::int64_t> collisions, const Sink& sink) const;
-  /// When collision j takes place, the nearest double.
-  double time(std::int64_t j) const;
-};
+/// The run of a trio or a cradle, each number the nearest double. Nothing for other scenes, and
+/// where a collision may be as late as `until` or masses are too far apart. Throws Undecided where
+/// a trio that nothing cuts off has more collisions than can be counted.
+std::optional<Result> by_theorem(const Scene& scene);
+/// Its collisions; of a collapse those whose times doubles can tell apart.
+void stream_by_theorem(const Scene& scene, const Sink& sink);
 
 }  // namespace magicmass::scenes

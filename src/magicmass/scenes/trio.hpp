@@ -47,6 +47,7 @@ public:
   Collision collision(const Shape& s, std::int64_t j) const;
   /// When it takes place, where that is known to be in the field of V, L and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
+  std::int64_t period() const { return INT64_MAX; }
   /// The motion collision by collision, quicker than collision(), with a few bits lost.
   using Stepping = simulator::InTurn<Ball>;
   Stepping begin(const Shape& s) const;
