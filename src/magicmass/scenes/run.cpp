@@ -108,13 +108,13 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
 
 /// Of a collapse, how many are told one by one.
 std::int64_t told(const Scene& collapse) {
-  std::int64_t rows = 0;
-  stream_by_theorem(collapse, [&](const Row&) { ++rows; });
+  std::int64_t rows = 2;
+  stream_by_theorem(collapse, 3, [&](const Row&) { ++rows; });
   return rows;
 }
 
 /// What a collapse comes to in exact numbers, but for its time and place: momentum is kept.
-void make_exact(const Scene& scene, Result& result) {
+Result exactly(const Scene& scene, Result result) {
   const Result stepped = motion<Quadratic>(scene, told(scene));
   Quadratic mass = 0, momentum = 0;
   const auto masses = line_of<Quadratic>(scene).masses;
@@ -130,6 +130,7 @@ void make_exact(const Scene& scene, Result& result) {
   set_energies(scene, bodies, result);
   result.known_until = stepped.known_until;
   result.plan.is_exact = true;
+  return result;
 }
 
 }  // namespace
@@ -154,11 +155,14 @@ Result run(const Scene& scene) {
                        "allowed: fractions and one square root");
   }
   auto solved = by_theorem(scene);
-  if (solved && scene.is_exact && solved->status == Status::collapse) make_exact(scene, *solved);
-  if (solved && solved->plan.is_exact == scene.is_exact) return *solved;
-  if (scene.is_exact) {
+  if (solved && !solved->plan.is_exact) {
+    if (!scene.is_exact) return *solved;
+    if (solved->status == Status::collapse) return exactly(scene, std::move(*solved));
+  }
+  if (solved || scene.is_exact) {
     Result result = motion<Quadratic>(scene, limit);
-    result.plan = {"events", true, "exact numbers are asked for"};
+    result.plan =
+        scene.is_exact ? Plan{"events", true, "exact numbers are asked for"} : solved->plan;
     return result;
   }
   Result result = motion<double>(scene, limit);
@@ -178,8 +182,20 @@ Result run(const Scene& scene) {
 
 void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
   const bool is_stepped = plan.model == "events";
-  if (!is_stepped && !plan.is_exact) return stream_by_theorem(scene, sink);
-  const std::int64_t limit = is_stepped ? scene.limit() : told(scene);
+  if (!is_stepped && !plan.is_exact) {
+    std::int64_t from =
+        1;  // where a number is just between doubles, it is one of the first two rows
+    const auto round = [&](const Row& row) {
+      const auto near = [](const Number& x) { return double_of(x).value_or(HUGE_VAL); };
+      sink({from++, row.gap, near(row.time), near(row.position), near(row.v_left),
+            near(row.v_right)});
+    };
+    if (has_exact_numbers(scene))
+      motion<Quadratic>(scene, std::min<std::int64_t>(2, scene.limit()), round);
+    return stream_by_theorem(scene, from, sink);
+  }
+  const bool is_collapse = !is_stepped && scene.is_exact;
+  const std::int64_t limit = is_collapse ? told(scene) : scene.limit();
   (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, limit, sink, most_work);
 }
 

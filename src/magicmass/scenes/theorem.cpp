@@ -141,7 +141,7 @@ struct Seen {
     return result;
   }
   /// So many collisions; of infinitely many those whose times doubles can tell apart.
-  void stream(std::optional<std::int64_t> collisions, const Sink& sink) const {
+  void stream(std::optional<std::int64_t> collisions, std::int64_t from, const Sink& sink) const {
     constexpr bool is_stepped = std::same_as<Motion, Trio>;
     constexpr int enough_bits = 196;
     constexpr std::int64_t most_kept = 1 << 14;
@@ -150,7 +150,8 @@ struct Seen {
     auto now = motion.begin(shape);
     std::vector<std::vector<double>> kept;  // of a cradle: all but the time comes again
     double before = -1;
-    for (std::int64_t j = 0; j < collisions.value_or(INT64_MAX); ++j) {
+    while (now.collisions + 1 < from) motion.step(shape, now);
+    for (std::int64_t j = now.collisions; j < collisions.value_or(INT64_MAX); ++j) {
       const auto again = static_cast<std::size_t>(j % motion.period());
       const auto row_of = [&](const Trio::Collision& c) {
         if (again < kept.size()) return std::vector{c.time};
@@ -181,9 +182,12 @@ struct Seen {
     }
   }
   Result result(const Scene& scene, const char* model, const char* reason) const {
+    constexpr std::int64_t few = 64;
     const auto events = within(scene);
-    Result result = after(events);
-    result.plan = {model, false, reason};
+    const bool is_few = events && *events <= few && has_exact_numbers(scene);
+    Result result = is_few ? Result() : after(events);
+    result.plan = {model, is_few, reason};
+    if (is_few) return result;
     if (!events) {
       result.why =
           "infinitely many collisions; a list has those whose times doubles can tell apart";
@@ -219,8 +223,8 @@ std::optional<Result> by_theorem(const Scene& scene) {
   return {};
 }
 
-void stream_by_theorem(const Scene& scene, const Sink& sink) {
-  const auto stream = [&](const auto& seen) { seen.stream(seen.within(scene), sink); };
+void stream_by_theorem(const Scene& scene, std::int64_t from, const Sink& sink) {
+  const auto stream = [&](const auto& seen) { seen.stream(seen.within(scene), from, sink); };
   if (const auto trio = Seen<Trio>::of(scene)) return stream(*trio);
   stream(*Seen<Cradle>::of(scene));
 }

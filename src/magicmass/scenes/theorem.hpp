@@ -10,11 +10,12 @@ namespace magicmass::scenes {
 inline constexpr const char* at_until = "the scene ends at the time `until`";
 std::string at_limit(std::int64_t limit);
 
-/// The run of a trio or a cradle, each number the nearest double. Nothing for other scenes, and
+/// The run of a trio or a cradle, each number the nearest double; of what is few and exact only its
+/// plan, since there numbers may be just between doubles. Nothing for other scenes, and
 /// where a collision may be as late as `until` or masses are too far apart. Throws Undecided where
 /// a trio that nothing cuts off has more collisions than can be counted.
 std::optional<Result> by_theorem(const Scene& scene);
-/// Its collisions; of a collapse those whose times doubles can tell apart.
-void stream_by_theorem(const Scene& scene, const Sink& sink);
+/// Its collisions from number `from` on; of a collapse those whose times doubles can tell apart.
+void stream_by_theorem(const Scene& scene, std::int64_t from, const Sink& sink);
 
 }  // namespace magicmass::scenes

@@ -48,10 +48,11 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
                    "as many as there are masses: " + std::to_string(bodies)};
     for (std::size_t i = 0; i < bodies; ++i)
       if (!((*values)[i] - (*values)[i] == zero))
-        return Fault{key, body(i) + " has none", "finite numbers"};
+        return Fault{key, "that of " + body(i) + " is not finite", "finite numbers"};
   }
   for (std::size_t i = 0; i < bodies; ++i) {
-    if (!(zero < line.masses[i])) return Fault{"masses", body(i) + " has none", "masses above 0"};
+    if (!(zero < line.masses[i]))
+      return Fault{"masses", "that of " + body(i) + " is not above 0", "masses above 0"};
     if (i > 0 && line.positions[i] < line.positions[i - 1])
       return Fault{"positions", body(i) + " is left of " + body(i - 1), "from left to right"};
   }
