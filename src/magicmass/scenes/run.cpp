@@ -123,7 +123,7 @@ Result exactly(const Scene& scene, Result result) {
     mass = mass + masses[i];
     momentum = momentum + masses[i] * std::get<Quadratic>(stepped.terminal[i]);
   }
-  const Quadratic velocity = scene.kind == Kind::wall ? Quadratic(0) : momentum / mass;
+  const Quadratic velocity = masses.size() == 2 ? Quadratic(0) : momentum / mass;
   for (const Quadratic& m : masses) bodies.push_back({m, 0, velocity});
   result.terminal.assign(bodies.size(), velocity);
   result.energy_before = stepped.energy_before;
@@ -183,8 +183,8 @@ Result run(const Scene& scene) {
 void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
   const bool is_stepped = plan.model == "events";
   if (!is_stepped && !plan.is_exact) {
-    std::int64_t from =
-        1;  // where a number is just between doubles, it is one of the first two rows
+    // Where a number is just between two doubles, it is one of the first two rows'.
+    std::int64_t from = 1;
     const auto round = [&](const Row& row) {
       const auto near = [](const Number& x) { return double_of(x).value_or(HUGE_VAL); };
       sink({from++, row.gap, near(row.time), near(row.position), near(row.v_left),

@@ -35,19 +35,18 @@ std::string gap_name(const Scene& scene, std::size_t gap) {
 }
 
 bool has_exact_numbers(const Scene& scene) {
+  std::vector<Value> all{scene.restitution};
+  for (const auto* list : {&scene.masses, &scene.positions, &scene.velocities, &scene.times})
+    all.insert(all.end(), list->begin(), list->end());
+  for (const auto* one : {&scene.left_wall, &scene.right_wall, &scene.until})
+    if (*one) all.push_back(**one);
   cln::cl_I root = 1;
-  const auto is_exact = [&](const Value& value) {
+  return std::all_of(all.begin(), all.end(), [&](const Value& value) {
     if (value.exact() == nullptr) return false;
     const cln::cl_I& radicand = value.exact()->radicand();
     if (root == 1) root = radicand;
     return radicand == 1 || radicand == root;
-  };
-  const auto are_exact = [&](const auto&... values) {
-    return (std::all_of(values.begin(), values.end(), is_exact) && ...);
-  };
-  const auto may_be = [&](const auto&... value) { return ((!value || is_exact(*value)) && ...); };
-  return are_exact(scene.masses, scene.positions, scene.velocities, scene.times) &&
-         may_be(scene.left_wall, scene.right_wall, scene.until) && is_exact(scene.restitution);
+  });
 }
 
 template <class Scalar>

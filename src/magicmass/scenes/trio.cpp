@@ -7,7 +7,6 @@
 #include "magicmass/numbers/errors.hpp"
 #include "magicmass/plain/closed.hpp"
 #include "magicmass/plain/restitution.hpp"
-#include "magicmass/simulator/engine.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -96,18 +95,12 @@ std::optional<std::int64_t> Trio::count() const {
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
     if (*q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision.
-    simulator::Line<Quadratic> line{{*A_.exact(), *C_.exact()}, {0, 0}, {1, 0}, {}, {}, e_};
-    if (B_) {
-      line.masses.push_back(*B_->exact());
-      line.positions.emplace_back(1);
-      line.velocities.emplace_back(0);
-    } else {
-      line.right_wall = 1;
-    }
-    simulator::Engine<Quadratic> engine(line);
-    std::int64_t N = 0;
-    for (; N <= largest_tie && engine.next(); ++N) engine.step();
-    if (N <= largest_tie) return N;
+    const auto B = B_ ? std::optional(*B_->exact()) : std::nullopt;
+    simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_);
+    const auto& v = now.velocities;
+    const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
+    while (now.collisions <= largest_tie && approach()) now.step();
+    if (now.collisions <= largest_tie) return now.collisions;
   }
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();

@@ -8,6 +8,7 @@
 #include <cln/rational.h>
 
 #include "catch.hpp"
+#include "magicmass/simulator/in_turn.hpp"
 
 using namespace magicmass::simulator;
 using cln::cl_RA;
@@ -292,16 +293,38 @@ TEST_CASE("a line with a fault does not move", "[exam]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_NOTHROW(Engine<double>(good));
   refused([](auto& line) { line = {}; }, "masses: no bodies; allowed: one or more");
-  refused([](auto& line) { line.masses[1] = 0; }, "masses: body 2; allowed: masses above 0");
-  refused([&](auto& line) { line.masses[0] = nan; }, "masses: body 1");
+  refused([](auto& line) { line.masses[1] = 0; }, "masses: that of body 2 is not above 0");
+  refused([&](auto& line) { line.masses[0] = nan; }, "masses: that of body 1 is not finite");
   refused([](auto& line) { line.positions[1] = -1; }, "positions: body 2 is left of body 1");
-  refused([&](auto& line) { line.positions[1] = nan; }, "positions: body 2; allowed: finite");
+  refused([&](auto& line) { line.positions[1] = nan; }, "positions: that of body 2 is not finite");
   refused([&](auto& line) { line.velocities[0] = -1 / 0.0; },
-          "velocities: body 1; allowed: finite");
+          "velocities: that of body 1 is not finite");
   refused([](auto& line) { line.positions.pop_back(); }, "1 positions; allowed: as many");
   refused([](auto& line) { line.velocities.push_back(0); }, "3 velocities; allowed: as many");
   refused([](auto& line) { line.left_wall = 0.5; }, "left_wall: right of body 1");
   refused([](auto& line) { line.right_wall = 0.5; }, "right_wall: left of body 2");
-  refused([](auto& line) { line.restitution = 0; }, "restitution: not a coefficient");
+  refused([](auto& line) { line.restitution = 0; }, "restitution: 0 or less, or above 1");
   refused([](auto& line) { line.restitution = 1.5; }, "above 0, at most 1");
+}
+
+TEST_CASE("collisions in turn are those of the engine", "[check]") {
+  const cl_RA e = cl_RA(9) / 10;
+  for (const bool has_wall : {false, true}) {
+    Line<cl_RA> line{{2, cl_RA(1) / 7, 3}, {0, 0, 1}, {1, 0, 0}, {}, {}, e};
+    if (has_wall) {
+      for (auto* list : {&line.masses, &line.positions, &line.velocities}) list->pop_back();
+      line.right_wall = 1;
+    }
+    Engine<cl_RA> engine(line);
+    InTurn<cl_RA> in_turn(2, cl_RA(1) / 7, has_wall ? std::nullopt : std::optional<cl_RA>(3), e);
+    while (engine.next()) {
+      const auto met = engine.step();
+      in_turn.step();
+      CHECK(in_turn.collisions == met.number);
+      CHECK((in_turn.time == met.time && in_turn.place == met.position));
+      CHECK(in_turn.velocities[met.gap - 1] == met.v_left);
+      CHECK(in_turn.velocities[met.gap] == met.v_right);
+    }
+    CHECK(in_turn.collisions > 3);
+  }
 }
