@@ -63,8 +63,8 @@ void decide_status(const Engine<Scalar>& engine, Result& result) {
   std::string doubt;
   if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost())
     doubt = "bodies have become too slow for doubles";
-  if (result.ties.near > 0)
-    doubt = "uncertain after collision " + std::to_string(result.ties.first_near) +
+  if (engine.ties().near > 0)
+    doubt = "uncertain after collision " + std::to_string(engine.ties().first_near) +
             ": decisions are closer than doubles can tell";
   result.is_undecided = !doubt.empty();
   if (!doubt.empty()) result.why = result.why.empty() ? doubt : result.why + "; " + doubt;
@@ -101,7 +101,6 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   }
   for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
   set_energies(scene, engine.bodies(), result);
-  result.ties = engine.ties();
   decide_status(engine, result);
   return result;
 }
@@ -167,7 +166,7 @@ Result run(const Scene& scene) {
   }
   Result result = motion<double>(scene, limit);
   result.plan = {"events", false, "no decision is closer than doubles can tell"};
-  if (result.ties.near == 0) return result;
+  if (!result.is_undecided) return result;
   const std::string close = "decisions are closer than doubles can tell";
   result.plan.reason = close + "; the scene has no exact numbers";
   if (!has_exact) return result;

@@ -43,7 +43,6 @@ struct Result {
   Number energy;                     ///< at the end
   Number transmitted;  ///< the part of energy_before that the scene's receiver has at the end
   std::optional<Number> collapse_time, collapse_position;
-  simulator::Ties ties;
   std::optional<Number> known_until;  ///< the time up to which bodies go on so; nothing: for ever
 };
 
