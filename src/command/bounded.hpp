@@ -2,18 +2,12 @@
 // The bound on time and memory, put once around whatever a command does.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <string>
 
 #include "command/command.hpp"
 
 namespace command {
-
-struct Limits {
-  std::int64_t seconds;
-  std::int64_t mebibytes;
-};
 
 /// Tells the terminal's progress line that output begins.
 using HideProgress = std::function<void()>;

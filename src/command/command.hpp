@@ -26,23 +26,27 @@ struct Option {
                            ///< --input
 };
 
+struct Limits {
+  std::int64_t seconds = 30;
+  std::int64_t mebibytes = 1024;
+};
+
 struct Command {
   std::string name;
   std::string summary;
   std::string example;  ///< a line to try, with which help begins
-  std::vector<Option> options;
-  std::string words;  ///< how help calls the words that no option takes; "" where there are none
-  std::vector<std::string> formats;  ///< of --format, the first one unless told otherwise
+  std::vector<Option> options = {};
+  std::string words = {};  ///< how help calls the words that no option takes; "" for none
+  std::vector<std::string> formats = {"text", "json", "csv"};  ///< the first unless told otherwise
   /// Of answers to --input, where it may have no row; of the request's options only names count.
-  std::function<answers::Names(const answers::Request&)> columns;
+  std::function<answers::Names(const answers::Request&)> columns = {};
   std::function<answers::Answer(const answers::Request&)> run;
   /// The same answers for many rows of --input; those without one are handed to `run`.
   std::function<answers::Block(const answers::Rows&)> run_block = {};
-  std::int64_t seconds = 30;       ///< of --time-limit unless told otherwise
-  std::int64_t mebibytes = 1024;   ///< of --memory-limit unless told otherwise
+  Limits limits = {};              ///< unless told otherwise
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
   bool takes_formulas = false;     ///< its words may begin with a minus sign
-  std::vector<std::string> endless = {};  ///< first words for which that time is no_limit
+  std::vector<std::string> endless = {};  ///< first words for which the time is no_limit
 };
 
 /// The program: all that differs between magicmass and a test's.

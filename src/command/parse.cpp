@@ -34,11 +34,11 @@ std::vector<Option> options_of(const Command& command) {
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
   const std::string endless = command.endless.empty() ? "" : "; none: " + joined(command.endless);
   options.push_back({"time-limit", "SECONDS",
-                     "give up after so long, " + std::to_string(command.seconds) +
+                     "give up after so long, " + std::to_string(command.limits.seconds) +
                          " unless told otherwise" + endless});
-  options.push_back(
-      {"memory-limit", "MIB",
-       "at most so much memory, " + std::to_string(command.mebibytes) + " unless told otherwise"});
+  options.push_back({"memory-limit", "MIB",
+                     "at most so much memory, " + std::to_string(command.limits.mebibytes) +
+                         " unless told otherwise"});
   return options;
 }
 
@@ -156,10 +156,10 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
   const auto& endless = command.endless;
   const bool has_end = asked.request.words.empty() ||
                        std::count(endless.begin(), endless.end(), asked.request.words[0]) == 0;
-  asked.seconds =
-      asked.request.whole("time-limit", 1, no_limit).value_or(has_end ? command.seconds : no_limit);
-  asked.mebibytes =
-      asked.request.whole("memory-limit", 16, 1'000'000'000).value_or(command.mebibytes);
+  asked.limits.seconds = asked.request.whole("time-limit", 1, no_limit)
+                             .value_or(has_end ? command.limits.seconds : no_limit);
+  asked.limits.mebibytes =
+      asked.request.whole("memory-limit", 16, 1'000'000'000).value_or(command.limits.mebibytes);
   asked.output = asked.request.text("output");
   if (asked.request.has("format")) asked.request.format = asked.request.text("format");
   if (asked.request.has("input")) asked.input = asked.request.text("input");

@@ -2,7 +2,6 @@
 // From the words of the command line to a request.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -19,8 +18,7 @@ struct Asked {
   answers::Request request;
   std::string output;                ///< -o: a file's name, "" or "-" for stdout
   std::optional<std::string> input;  ///< --input: a file of CSV, "-" for stdin
-  std::int64_t seconds = 0;          ///< --time-limit
-  std::int64_t mebibytes = 1024;     ///< --memory-limit
+  Limits limits;                     ///< --time-limit, --memory-limit
 };
 
 /// What was asked, or the text of --help or --version. Throws answers::InvalidInput for words that

@@ -167,7 +167,7 @@ ExitCode run(const Program& program, const std::vector<std::string>& words) {
   }
   const Asked& asked = std::get<Asked>(parsed);
   const std::string& name = asked.command->name;
-  return run_bounded(name, {asked.seconds, asked.mebibytes}, [&](const HideProgress& hide) {
+  return run_bounded(name, asked.limits, [&](const HideProgress& hide) {
     return guarded(name, [&] { return answer(asked, hide); });
   });
 }
