@@ -68,9 +68,9 @@ Format format_of(const std::string& name);
 class Writer {
 public:
   Writer(Format format, Names columns, bool is_list);
-  /// What follows for these rows; the first call writes the header too.
+  /// What follows for these rows; the first call of this or the next writes the header too.
   std::string rows(std::span<const Row> block);
-  /// Appends a row of the block to what rows() wrote before; JSON and CSV alone.
+  /// Appends a row of the block to the text; JSON and CSV alone.
   void append(std::string& text, const Block& block, std::size_t row);
   /// What ends the whole, after one call of rows() at least.
   std::string end() const;

@@ -55,15 +55,15 @@ public:
         reader_(reader),
         output_(output),
         format_(answers::format_of(asked.request.format)),
-        columns_(std::move(columns)) {}
+        writer_(format_, std::move(columns), true) {}
 
   void add(const answers::Rows& rows) {
     answers::Block block;
     if (command_.run_block && format_ != answers::Format::text) block = command_.run_block(rows);
     for (std::size_t row = 0; row < rows.fields.size(); ++row) {
       if (!block.columns.empty() && block.is_answered[row]) {
-        if (!writer_ || !alone_.empty()) write_alone();
-        writer_->append(text_, block, row);
+        if (!alone_.empty()) write_alone();
+        writer_.append(text_, block, row);
       } else {
         answer_alone(rows.request(row), reader_.place(rows.fields.size() - 1 - row));
         if (bytes_ > most_bytes) write_alone();
@@ -72,8 +72,8 @@ public:
     write_alone();
   }
   void end() {
-    if (!writer_) write_alone();
-    output_.write(writer_->end());
+    write_alone();
+    output_.write(writer_.end());
   }
 
 private:
@@ -81,8 +81,7 @@ private:
   const CsvReader& reader_;
   Destination& output_;
   answers::Format format_;
-  std::optional<answers::Writer> writer_ = {};  // knows its columns from the first answer
-  answers::Names columns_;
+  answers::Writer writer_;
   std::vector<answers::Row> alone_ = {};
   std::size_t bytes_ = 0;  // of these
   std::string text_ = {};
@@ -91,7 +90,6 @@ private:
   void answer_alone(const answers::Request& request, const std::string& place) {
     try {
       answers::Table table = command_.run(request).table;
-      columns_ = std::move(table.columns);
       for (answers::Row& row : table.rows) {
         for (const answers::Cell& cell : row) bytes_ += cell.text.size() + cell.json.size();
         alone_.push_back(std::move(row));
@@ -103,8 +101,7 @@ private:
     }
   }
   void write_alone() {
-    if (!writer_) writer_.emplace(format_, columns_, true);
-    output_.write(text_ + writer_->rows(alone_));
+    output_.write(text_ + writer_.rows(alone_));
     text_.clear();
     alone_.clear();
     bytes_ = 0;

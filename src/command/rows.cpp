@@ -124,19 +124,11 @@ void CsvReader::split_line() {
 bool CsvReader::next(std::vector<std::string>& row) {
   bool is_there = next_line();
   const std::int64_t first = number_;
-  bool is_end = true;
-  while (is_there && trimmed(line_).empty()) {
-    is_end = false;
-    is_there = next_line();
-  }
-  if (!is_there) {
-    number_ = first - 1;
-    return false;
-  }
-  if (!is_end) {
-    number_ = first;
-    refuse("an empty line; allowed: at the end");
-  }
+  const bool is_empty = trimmed(line_).empty();
+  while (is_there && trimmed(line_).empty()) is_there = next_line();
+  number_ = is_there ? first : first - 1;
+  if (!is_there) return false;
+  if (is_empty) refuse("an empty line; allowed: at the end");
   split_line();
   if (size_ != names_.size()) {
     refuse(std::to_string(size_) + " fields where the header names " +

@@ -15,12 +15,6 @@ Rows rows_of(std::vector<std::vector<std::string>> fields, const std::string& ti
   return {shared, {"n", "alpha"}, std::move(fields)};
 }
 
-/// The one row as CSV has it, without the header.
-std::string alone(const Rows& rows, std::size_t row, Answer (*run)(const Request&)) {
-  const std::string text = written(run(rows.request(row)).table, Format::csv);
-  return text.substr(text.find('\n') + 1);
-}
-
 /// How many rows the block answers; each as alone.
 std::size_t checked(const Rows& rows, Block (*run_block)(const Rows&),
                     Answer (*run)(const Request&), const Names& columns) {
@@ -30,7 +24,7 @@ std::size_t checked(const Rows& rows, Block (*run_block)(const Rows&),
     if (!block.is_answered[row]) continue;
     std::string text;
     Writer(Format::csv, columns, true).append(text, block, row);
-    CHECK(text == alone(rows, row, run));
+    CHECK(text == written(run(rows.request(row)).table, Format::csv));
     ++count;
   }
   return count;
