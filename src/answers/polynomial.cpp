@@ -9,31 +9,24 @@
 namespace answers {
 namespace {
 
-/// p over q, which divides it and whose first coefficient is 1.
-Polynomial quotient(Polynomial p, const Polynomial& q) {
-  Polynomial out(p.size() - q.size() + 1, 0);
-  for (std::size_t i = out.size(); i-- > 0;) {
-    out[i] = p[i + q.size() - 1];
-    for (std::size_t j = 0; j < q.size(); ++j) p[i + j] = p[i + j] - out[i] * q[j];
-  }
-  return out;
-}
-/// p(x^n)
-Polynomial at_power(const Polynomial& p, std::size_t n) {
-  Polynomial out((p.size() - 1) * n + 1, 0);
-  for (std::size_t i = 0; i < p.size(); ++i) out[i * n] = p[i];
-  return out;
-}
-/// Phi_m, whose roots are the primitive m-th roots of 1: for a prime p, Phi_np(x) is Phi_n(x^p) if
-/// p divides n, else Phi_n(x^p)/Phi_n(x).
+/// Phi_m for m > 1, whose roots are the primitive m-th roots of 1: the product of
+/// (1 - x^(m/e))^mu(e) over the squarefree divisors e of m, as a series up to x^m.
 Polynomial cyclotomic(int m) {
-  Polynomial phi{-1, 1};
-  for (int n = 1, p = 2; n < m; ++p) {
-    for (; m / n % p == 0; n *= p) {
-      const Polynomial of_power = at_power(phi, std::size_t(p));
-      phi = n % p == 0 ? of_power : quotient(of_power, phi);
-    }
+  std::vector<std::pair<int, int>> factors{{m, 1}};  // m/e, mu(e)
+  for (int rest = m, p = 2; rest > 1; ++p) {
+    if (rest % p != 0) continue;
+    while (rest % p == 0) rest /= p;
+    for (std::size_t i = factors.size(); i-- > 0;)
+      factors.emplace_back(factors[i].first / p, -factors[i].second);
   }
+  Polynomial phi(std::size_t(m) + 1, 0);
+  phi[0] = 1;
+  for (const auto& [power, mu] : factors) {
+    const auto d = std::size_t(power);
+    for (std::size_t i = d; mu < 0 && i < phi.size(); ++i) phi[i] = phi[i] + phi[i - d];
+    for (std::size_t i = phi.size(); mu > 0 && i-- > d;) phi[i] = phi[i] - phi[i - d];
+  }
+  while (phi.back() == 0) phi.pop_back();
   return phi;
 }
 cln::cl_RA value(const Polynomial& p, const cln::cl_RA& x) {
