@@ -68,26 +68,17 @@ bool agree(const std::string& printed, const std::string& ours) {
   return answers::are_equal(printed, ours);
 }
 
-/// Why a number of the paper differs, and whether that is so.
-struct Reason {
-  std::string words;
-  bool (*holds)(const PaperNumber& row, const std::string& ours);
-};
-const Reason* reason_of(const std::string& name) {
-  static const std::map<std::string, Reason> all{
-      {"cut off",
-       {"The digits printed are cut off; those of the other rows are rounded.",
-        [](const PaperNumber& row, const std::string& ours) {
-          return with_decimals(ours, decimals(row.printed) + 6).starts_with(row.printed);
-        }}},
-      {"rounded extremum",
-       {"The paper's shift is that of the extremum rounded to three decimals.",
-        [](const PaperNumber& row, const std::string&) {
-          return agree(row.printed, answer_to(row.question + " --decimals 3").at(row.column));
-        }}},
+/// Why a number of the paper differs; "" where the reason given is none or does not hold.
+std::string explanation(const PaperNumber& row, const std::string& ours) {
+  const auto with_three_decimals = [&] {
+    return answer_to(row.question + " --decimals 3").at(row.column);
   };
-  const auto found = all.find(name);
-  return found == all.end() ? nullptr : &found->second;
+  if (row.reason == "cut off" &&
+      with_decimals(ours, decimals(row.printed) + 6).starts_with(row.printed))
+    return "The digits printed are cut off; those of the other rows are rounded.";
+  if (row.reason == "rounded extremum" && agree(row.printed, with_three_decimals()))
+    return "The paper's shift is that of the extremum rounded to three decimals.";
+  return "";
 }
 
 Comparison compared(const PaperNumber& row) {
@@ -99,11 +90,11 @@ Comparison compared(const PaperNumber& row) {
   result.agrees =
       other != cells.end() ? other->second == ours->second : agree(row.printed, ours->second);
   if (result.agrees && row.reason.empty()) return result;
-  const Reason* const reason = reason_of(row.reason);
-  result.is_fine = !result.agrees && reason != nullptr && reason->holds(row, ours->second);
+  const std::string why = explanation(row, ours->second);
+  result.is_fine = !result.agrees && !why.empty();
   result.reason = result.agrees        ? "It agrees: no reason is needed."
                   : row.reason.empty() ? "Nobody knows why: one of the two is wrong."
-                  : result.is_fine     ? reason->words
+                  : result.is_fine     ? why
                                        : "The reason given does not hold: " + row.reason + ".";
   return result;
 }
