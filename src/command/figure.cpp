@@ -108,9 +108,14 @@ std::string picture(const Figure& figure, const answers::Table& data, const std:
                            : drawing;
 }
 
-answers::Answer figure(const answers::Request& request) {
+std::vector<Figure> all_figures() {
   std::vector<Figure> all = answers::figures();
   all.insert(all.end(), report::figures().begin(), report::figures().end());
+  return all;
+}
+
+answers::Answer figure(const answers::Request& request) {
+  const std::vector<Figure> all = all_figures();
   std::vector<std::string> names;
   std::string list;
   for (const Figure& f : all) {

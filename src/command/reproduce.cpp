@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/reproduce.hpp"
 
-#include <algorithm>
-#include <iterator>
-
 #include "answers/velocities.hpp"
 #include "command/comparison.hpp"
 #include "command/figure.hpp"
 #include "command/generate.hpp"
 #include "host/embedded.hpp"
-#include "report/report.hpp"
 
 namespace command {
 namespace {
@@ -21,10 +17,8 @@ generate::Texts files_of(const std::vector<Comparison>& all) {
   generate::Texts files{{"reproduce.md", page_of(all, "markdown").document},
                         {"reproduce.csv", written(page_of(all, "csv").table, Format::csv)},
                         {"ratios.csv", written(ratios({}).table, Format::csv)}};
-  std::vector<Figure> wanted = figures();
-  std::copy_if(report::figures().begin(), report::figures().end(), std::back_inserter(wanted),
-               [](const Figure& figure) { return figure.name != "speed"; });  // it is measured
-  for (const Figure& figure : wanted) {
+  for (const Figure& figure : all_figures()) {
+    if (figure.name == "speed") continue;  // it is measured
     const Table data = figure.data();
     for (const std::string format : {"svg", "png", "pdf", "csv"})
       files[figure.name + "." + format] = picture(figure, data, format);
