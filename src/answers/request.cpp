@@ -9,6 +9,13 @@
 
 namespace answers {
 
+std::optional<std::int64_t> read_whole(std::string_view digits) {
+  std::int64_t value = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [read_to, error] = std::from_chars(digits.data(), end, value);
+  return error == std::errc() && read_to == end ? std::optional(value) : std::nullopt;
+}
+
 std::string Request::text(const std::string& option) const {
   return has(option) ? options.at(option) : "";
 }
@@ -16,15 +23,10 @@ std::string Request::text(const std::string& option) const {
 std::optional<std::int64_t> Request::whole(const std::string& option, std::int64_t least,
                                            std::int64_t most) const {
   if (!has(option)) return std::nullopt;
-  const std::string digits = text(option);
-  std::int64_t value = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [read_to, error] = std::from_chars(digits.data(), end, value);
-  if (error != std::errc() || read_to != end || value < least || value > most) {
-    throw InvalidInput(option + " must be a whole number from " + std::to_string(least) + " to " +
-                       std::to_string(most) + ", got " + shown_text(digits));
-  }
-  return value;
+  const auto value = read_whole(text(option));
+  if (value && *value >= least && *value <= most) return value;
+  throw InvalidInput(option + " must be a whole number from " + std::to_string(least) + " to " +
+                     std::to_string(most) + ", got " + shown_text(text(option)));
 }
 
 }  // namespace answers

@@ -14,6 +14,9 @@
 
 namespace answers {
 
+/// A whole number in decimal digits, or nothing for another text.
+std::optional<std::int64_t> read_whole(std::string_view digits);
+
 struct Request {
   std::map<std::string, std::string> options;  ///< by name without dashes; a flag has the value ""
   std::vector<std::string> words;              ///< what no option takes
@@ -22,7 +25,7 @@ struct Request {
   bool has(const std::string& option) const { return options.count(option) != 0; }
   /// The option's value, "" where it was not given.
   std::string text(const std::string& option) const;
-  /// A whole number in decimal digits from least to most, or nothing where it was not given.
+  /// A whole number from least to most, or nothing where it was not given.
   /// Throws InvalidInput for anything else.
   std::optional<std::int64_t> whole(const std::string& option, std::int64_t least,
                                     std::int64_t most) const;

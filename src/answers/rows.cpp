@@ -3,7 +3,6 @@
 #include "answers/rows.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -32,12 +31,7 @@ double alpha_of_row(std::string_view text) {
 }
 
 /// -1 where it is none.
-std::int64_t cycles_of_row(std::string_view digits) {
-  std::int64_t cycles = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto [read_to, error] = std::from_chars(digits.data(), end, cycles);
-  return error == std::errc() && read_to == end ? cycles : -1;
-}
+std::int64_t cycles_of_row(std::string_view digits) { return read_whole(digits).value_or(-1); }
 
 /// An option of each row: its field, or what all share.
 template <class Number>

@@ -162,7 +162,7 @@ Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
   const auto* number = std::get_if<double>(&restitution);
   const bool is_fast = in.tier == "fast" && in.number != nullptr && number != nullptr;
   if (const auto t = is_fast ? magicmass::fast::terminal(*in.number, *number) : std::nullopt)
-    return concatenated({counts_and_velocities(*t), {missing_cell()}});
+    return counts_and_velocities(*t);
   const cln::cl_RA e = *fraction_of(restitution);
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), e);
   try {
@@ -170,7 +170,7 @@ Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
       const Row four = in.wants_fractions
                            ? stepped(in.alpha, e, *N)
                            : rounded([&] { return answers::terminal(trio, *N); }, in.digits);
-      return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four, {missing_cell()}});
+      return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four});
     }
     if (in.wants_fractions)
       throw Undecided(
@@ -214,8 +214,8 @@ Answer terminal(const Request& request) {
   if (!request.has("restitution"))
     return answer(columns, {{alpha_cell(in.alpha)}, elastic_terminal(in)});
   const Alpha e = restitution_of(request);
-  const Row end = *fraction_of(e) == 1 ? concatenated({elastic_terminal(in), {missing_cell()}})
-                                       : inelastic_terminal(in, e);
+  Row end = *fraction_of(e) == 1 ? elastic_terminal(in) : inelastic_terminal(in, e);
+  end.resize(columns.size() - 2, missing_cell());  // where collisions end: no collapse_time
   return answer(columns, {{alpha_cell(in.alpha), alpha_cell(e)}, end});
 }
 
