@@ -134,19 +134,18 @@ Answer derive(const Request& request) {
 }
 
 Answer verify(const Request&) {
-  const Names columns{"proved", "failed", "steps"};
-  const derivation::Book* book = nullptr;
-  try {
-    book = &derivation::the_book();
-  } catch (const kernel::Refused& refused) {
-    Table failed{columns, {{whole_cell(0), whole_cell(1), whole_cell(0)}}, false};
-    return {failed, "not proved: " + std::string(refused.what()) + "\n", true};
-  }
   kernel::Theorems shown;
-  for (const auto& entry : Index(*book).all) shown.push_back(entry.statement.theorem);
-  const auto steps = static_cast<std::int64_t>(coq::proofs_of(shown).size());
-  const auto proved = static_cast<std::int64_t>(shown.size());
-  return {{columns, {{whole_cell(proved), whole_cell(0), whole_cell(steps)}}, false}, ""};
+  std::string problem;
+  try {
+    for (const auto& entry : Index(derivation::the_book()).all)
+      shown.push_back(entry.statement.theorem);
+  } catch (const kernel::Refused& refused) {
+    problem = "not proved: " + std::string(refused.what()) + "\n";
+  }
+  const bool has_failed = !problem.empty();
+  const std::size_t steps = coq::proofs_of(shown).size();
+  const Row row{whole_cell(shown.size()), whole_cell(has_failed ? 1 : 0), whole_cell(steps)};
+  return {{{"proved", "failed", "steps"}, {row}, false}, problem, has_failed};
 }
 
 }  // namespace answers

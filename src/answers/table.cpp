@@ -132,7 +132,6 @@ Row concatenated(std::initializer_list<Row> parts) {
   return row;
 }
 
-Cell whole_cell(std::int64_t value) { return whole_cell(std::to_string(value)); }
 Cell whole_cell(const std::string& digits) { return {digits, digits}; }
 Cell exact_cell(const std::string& value) { return text_cell(value); }
 Cell missing_cell() { return {"", "null"}; }

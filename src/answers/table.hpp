@@ -2,6 +2,7 @@
 // Answers are tables that know their columns; they are written as text, JSON or CSV.
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -26,9 +27,9 @@ Cell text_cell(std::string_view text);
 /// The shortest decimal that reads back as the same double; -0 is 0; null in JSON and nothing else
 /// where it is not finite.
 Cell real_cell(double value);
-Cell whole_cell(std::int64_t value);
 /// A whole number of any size from its decimal digits: a number in JSON, too.
 Cell whole_cell(const std::string& digits);
+Cell whole_cell(std::integral auto value) { return whole_cell(std::to_string(value)); }
 /// "p/q", "p" or certified digits: a string in JSON, since no number there would hold it.
 Cell exact_cell(const std::string& value);
 /// Several texts: "a; b" and ["a", "b"].

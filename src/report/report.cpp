@@ -27,7 +27,6 @@ Cell short_cell(double value) {
 Cell hex_cell(double value) {
   return value == 0 ? missing_cell() : text_cell(printed("%a", value));
 }
-Cell size_cell(std::size_t size) { return whole_cell(std::int64_t(size)); }
 
 Row row_of(const Measurement& one) {
   const Errors& errors = one.errors;
@@ -36,13 +35,13 @@ Row row_of(const Measurement& one) {
   return {text_cell(one.evaluator),
           text_cell(name_of(one.quantity)),
           one.family.empty() ? missing_cell() : text_cell(one.family),
-          size_cell(errors.samples),
+          whole_cell(errors.samples),
           short_cell(errors.max_ulp),
           hex_cell(errors.worst.alpha),
           has_worst && has_index ? whole_cell(errors.worst.index) : missing_cell(),
           short_cell(errors.over_envelope),
-          size_cell(errors.misrounded),
-          size_cell(errors.wrong),
+          whole_cell(errors.misrounded),
+          whole_cell(errors.wrong),
           short_cell(one.times.ns),
           short_cell(one.times.ratio),
           short_cell(one.times.ratio_low),
