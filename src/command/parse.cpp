@@ -77,13 +77,19 @@ const Command& command_of(const Program& program, const std::string& word) {
   throw InvalidInput("unknown command " + shown_text(word) + "; see " + program.name + " --help");
 }
 
-/// `--name VALUE` as one word, so that a value may begin with a minus sign (not with two) and CLI11
-/// takes no word for one that is missing. Formulas go to `formulas`, if that is given: CLI11 would
-/// take -x for an option and [1, 2] for two words.
-std::vector<std::string> with_values_joined(const std::vector<std::string>& words,
-                                            const std::vector<Option>& options,
-                                            std::vector<std::string>* formulas) {
-  std::vector<std::string> result;
+std::string the(const Command& command, const std::string& what) {
+  return command.name + ": " + what;
+}
+
+/// Takes options and their values out of the words, so that a value may begin with a minus sign
+/// (not with two) and CLI11 takes no word for one that is missing. Formulas go to `formulas`, if
+/// that is given: CLI11 would take -x for an option and [1, 2] for two words.
+std::map<std::string, std::string> take_values(std::vector<std::string>& words,
+                                               const Command& command,
+                                               const std::vector<Option>& options,
+                                               std::vector<std::string>* formulas) {
+  std::map<std::string, std::string> values;
+  std::vector<std::string> others;
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string word = words[i] == "-o" ? "--output" : words[i];
     const std::size_t equals = word.find('=');
@@ -94,21 +100,24 @@ std::vector<std::string> with_values_joined(const std::vector<std::string>& word
       throw InvalidInput("-o= is not an option; allowed: -o FILE and --output=FILE");
     if (option == options.end()) {
       const bool is_formula = formulas && !word.starts_with("--") && word != "-h";
-      (is_formula ? *formulas : result).push_back(word);
+      (is_formula ? *formulas : others).push_back(word);
       continue;
     }
     const bool takes_value = !option->value.empty();
-    if (!takes_value && equals != std::string::npos)
-      throw InvalidInput("--" + option->name + " takes no value");
-    const bool is_apart = takes_value && equals == std::string::npos;
-    const std::string next = is_apart && i + 1 < words.size() ? words[++i] : "";
-    if (is_apart ? next.empty() || next.starts_with("--") : equals + 1 == word.size())
+    const bool is_apart = equals == std::string::npos;
+    if (!takes_value && !is_apart) throw InvalidInput("--" + option->name + " takes no value");
+    std::string value = is_apart ? "" : word.substr(equals + 1);
+    if (takes_value && is_apart && i + 1 < words.size()) value = words[++i];
+    if (takes_value && (value.empty() || (is_apart && value.starts_with("--"))))
       throw InvalidInput("--" + option->name + " has no value");
-    result.push_back(is_apart ? word + "=" + next : word);
+    if (!values.emplace(option->name, value).second)
+      throw InvalidInput(the(command, "--" + option->name + ": given twice"));
   }
-  return result;
+  words = others;
+  return values;
 }
 
+/// For help alone.
 void add_options(CLI::App& app, const std::vector<Option>& options) {
   const CLI::callback_t keep = [](const CLI::results_t&) { return true; };
   for (const Option& option : options) {
@@ -116,39 +125,15 @@ void add_options(CLI::App& app, const std::vector<Option>& options) {
     if (option.value.empty())
       app.add_flag(names, option.words);
     else
-      app.add_option(names, keep, option.words)
-          ->type_name(option.value)
-          ->type_size(1)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+      app.add_option(names, keep, option.words)->type_name(option.value);
   }
 }
 
-std::string the(const Command& command, const std::string& what) {
-  return command.name + ": " + what;
-}
-
-/// Which were given, each of the allowed values.
-std::map<std::string, std::string> values_of(const CLI::App& app, const Command& command) {
-  std::map<std::string, std::string> values;
-  for (const Option& option : options_of(command)) {
-    const CLI::Option& given = *app.get_option("--" + option.name);
-    if (given.count() == 0) continue;
-    if (given.count() > 1) throw InvalidInput(the(command, "--" + option.name + ": given twice"));
-    const std::string value = option.value.empty() ? "" : given.results().back();
-    const auto& allowed = option.choices;
-    if (!allowed.empty() && std::count(allowed.begin(), allowed.end(), value) == 0) {
-      throw InvalidInput(the(command, "unknown " + option.name + " " + shown_text(value) +
-                                          "; allowed: " + joined(allowed)));
-    }
-    values[option.name] = value;
-  }
-  return values;
-}
-
-Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::string> words) {
+Asked asked_for(const Command& command, const std::vector<Option>& options,
+                const std::map<std::string, std::string>& values, std::vector<std::string> words) {
   Asked asked;
   asked.command = &command;
-  asked.request.options = values_of(app, command);
+  asked.request.options = values;
   if (command.words.ends_with("- for stdin"))
     std::replace(words.begin(), words.end(), "-"s, "/dev/stdin"s);
   asked.request.words = std::move(words);
@@ -160,12 +145,17 @@ Asked asked_for(const CLI::App& app, const Command& command, std::vector<std::st
                              .value_or(has_end ? command.limits.seconds : no_limit);
   asked.limits.mebibytes =
       asked.request.whole("memory-limit", 16, 1'000'000'000).value_or(command.limits.mebibytes);
-  asked.output = asked.request.text("output");
   if (asked.request.has("format")) asked.request.format = asked.request.text("format");
-  if (asked.request.has("input")) asked.input = asked.request.text("input");
-  for (const Option& option : command.options) {
-    const bool may_be_column = asked.input && option.is_column;
-    if (option.is_required && !may_be_column && !asked.request.has(option.name)) {
+  for (const Option& option : options) {
+    const auto& allowed = option.choices;
+    const std::string value = asked.request.text(option.name);
+    const bool is_given = asked.request.has(option.name);
+    if (is_given && !allowed.empty() && std::count(allowed.begin(), allowed.end(), value) == 0) {
+      throw InvalidInput(the(command, "unknown " + option.name + " " + shown_text(value) +
+                                          "; allowed: " + joined(allowed)));
+    }
+    const bool may_be_column = asked.request.has("input") && option.is_column;
+    if (option.is_required && !is_given && !may_be_column) {
       throw InvalidInput(
           the(command, "--" + option.name + " is missing; example: " + command.example));
     }
@@ -211,11 +201,11 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   add_options(app, options);
   std::vector<std::string> free_words;
   if (!command.words.empty()) app.add_option("words", free_words, command.words)->type_name("");
-  std::vector<std::string> joined_words =
-      with_values_joined(words, options, command.takes_formulas ? &free_words : nullptr);
-  std::reverse(joined_words.begin(), joined_words.end());  // as CLI11 takes them
+  const auto values =
+      take_values(words, command, options, command.takes_formulas ? &free_words : nullptr);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
   try {
-    app.parse(joined_words);
+    app.parse(words);
   } catch (const CLI::CallForHelp&) {
     return help_of(app);
   } catch (const CLI::ExtrasError&) {
@@ -224,7 +214,7 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   } catch (const CLI::ParseError& error) {
     throw InvalidInput(the(command, shown_text(error.what(), 200)));
   }
-  return asked_for(app, command, free_words);
+  return asked_for(command, options, values, free_words);
 }
 
 }  // namespace command

@@ -2,7 +2,6 @@
 // From the words of the command line to a request.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,13 +11,10 @@
 
 namespace command {
 
-/// What all commands share.
 struct Asked {
   const Command* command = nullptr;
-  answers::Request request;
-  std::string output;                ///< -o: a file's name, "" or "-" for stdout
-  std::optional<std::string> input;  ///< --input: a file of CSV, "-" for stdin
-  Limits limits;                     ///< --time-limit, --memory-limit
+  answers::Request request;  ///< with what all commands share: input, output
+  Limits limits;             ///< --time-limit, --memory-limit
 };
 
 /// What was asked, or the text of --help or --version. Throws answers::InvalidInput for words that

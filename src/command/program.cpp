@@ -114,7 +114,7 @@ void answer_rows(const Asked& asked, Destination& output) {
   std::vector<std::string> may_be_columns, others;
   for (const Option& option : asked.command->options)
     (option.is_column ? may_be_columns : others).push_back(option.name);
-  CsvReader reader(*asked.input, may_be_columns, others);
+  CsvReader reader(asked.request.text("input"), may_be_columns, others);
   answers::Rows rows{asked.request, reader.columns()};
   answers::Request any_row = asked.request;
   for (const std::string& column : rows.columns)
@@ -130,9 +130,9 @@ void answer_rows(const Asked& asked, Destination& output) {
 
 ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
   const bool is_folder = asked.request.format == asked.command->folder_format;
-  Destination output(is_folder ? "" : asked.output, hide_progress);
+  Destination output(is_folder ? "" : asked.request.text("output"), hide_progress);
   ExitCode code = ExitCode::done;
-  if (asked.input) {
+  if (asked.request.has("input")) {
     answer_rows(asked, output);
   } else {
     const answers::Answer given = asked.command->run(asked.request);
