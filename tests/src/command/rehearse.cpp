@@ -15,23 +15,16 @@ namespace {
 using answers::Answer;
 using answers::Request;
 
-Answer document(const std::string& text) {
-  Answer answer;
-  answer.document = text;
-  return answer;
-}
+Answer document(const std::string& text) { return {{}, text}; }
 
 const answers::Names echo_columns{"text", "times"};
 
 Answer echo(const Request& request) {
   const auto times = request.whole("times", 1, 99);
   if (request.text("text") == "hard") throw answers::Undecided("hard is not decided");
-  Answer answer;
-  answer.table = {echo_columns,
-                  {{answers::text_cell(answers::shown_text(request.text("text"))),
-                    times ? answers::whole_cell(*times) : answers::missing_cell()}},
-                  false};
-  return answer;
+  const answers::Row row{answers::text_cell(answers::shown_text(request.text("text"))),
+                         times ? answers::whole_cell(*times) : answers::missing_cell()};
+  return {{echo_columns, {row}, false}, ""};
 }
 
 Answer many(const Request& request) {
@@ -41,11 +34,7 @@ Answer many(const Request& request) {
   return document(text);
 }
 
-Answer false_check(const Request&) {
-  Answer answer = document("not proved\n");
-  answer.check_failed = true;
-  return answer;
-}
+Answer false_check(const Request&) { return {{}, "not proved\n", true}; }
 
 Answer wait(const Request&) {
   std::this_thread::sleep_for(std::chrono::seconds(60));
@@ -82,29 +71,32 @@ Answer crash(const Request&) {
 Answer bug(const Request&) { throw std::logic_error("index past the end"); }
 
 command::Command plain(const std::string& name, Answer (*run)(const Request&)) {
-  return {name, "Does what " + name + " does", "rehearse " + name, {}, "", {"text"}, {}, run};
+  return {.name = name,
+          .summary = "Does what " + name + " does",
+          .example = "rehearse " + name,
+          .formats = {"text"},
+          .run = run};
 }
 Answer words(const Request& request) { return document(answers::joined(request.words) + "\n"); }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  command::Command echo_row = plain("echo", echo);
-  echo_row.summary = "Says a text again";
-  echo_row.example = "rehearse echo --text hello";
-  echo_row.options = {{"text", "TEXT", "what to say", {}, true, true},
-                      {"times", "N", "how often, from 1 to 99", {}, false, true},
-                      {"voice", "VOICE", "loud, soft", {"loud", "soft"}},
-                      {"twice", "", "a flag"}};
-  echo_row.formats = {"text", "json", "csv"};
-  echo_row.columns = [](const Request&) { return echo_columns; };
+  const command::Command echo_row{
+      .name = "echo",
+      .summary = "Says a text again",
+      .example = "rehearse echo --text hello",
+      .options = {{"text", "TEXT", "what to say", {}, true, true},
+                  {"times", "N", "how often, from 1 to 99", {}, false, true},
+                  {"voice", "VOICE", "loud, soft", {"loud", "soft"}},
+                  {"twice", "", "a flag"}},
+      .columns = [](const Request&) { return echo_columns; },
+      .run = echo};
   command::Command many_row = plain("many", many);
   many_row.summary = "Many lines";
-  many_row.example = "rehearse many --lines 9";
   many_row.options = {{"lines", "N", "how many"}};
   command::Command words_row = plain("words", words);
   words_row.summary = "Says its words";
-  words_row.example = "rehearse words a b";
   words_row.words = "WORD...";
   const command::Program program = {
       "rehearse",
