@@ -34,11 +34,6 @@ void note(Errors& errors, const Input& input, double ulp, bool is_wrong) {
 
 bool same_sign(double x, double y) { return (x > 0) == (y > 0) && (x < 0) == (y < 0); }
 
-struct Sample {
-  Input input;
-  Truth truth;
-};
-
 bool takes(const Implementation& implementation, const Input& input) {
   Columns one({&input, 1});
   try {
@@ -63,7 +58,7 @@ Pair paired(const Implementation& baseline, const Implementation& ours,
 }  // namespace
 
 Truth truth(Quantity quantity, const Input& input) {
-  Truth found;
+  Truth found{.input = input};
   const cln::cl_I index = static_cast<long long>(input.index);
   const cln::cl_RA alpha = oracle::exact(input.alpha);
   if (quantity == Quantity::ratios) {
@@ -84,7 +79,6 @@ Truth truth(Quantity quantity, const Input& input) {
 Errors errors_of(const Columns& results, std::span<const Truth* const> truths) {
   Errors errors{.samples = truths.size()};
   for (std::size_t row = 0; row < truths.size(); ++row) {
-    const Input input{results.alpha[row], results.index[row]};
     const Truth& truth = *truths[row];
     for (std::size_t i = 0; i < truth.values.size(); ++i) {
       const double got = results.values[i][row];
@@ -93,13 +87,13 @@ Errors errors_of(const Columns& results, std::span<const Truth* const> truths) {
       const double ulp = is_zero ? 0 : oracle::ulp_error(got, truth.values[i]);
       errors.over_envelope = std::max(errors.over_envelope, ulp / truth.envelopes[i]);
       errors.misrounded += got != nearest ? 1 : 0;
-      note(errors, input, ulp, std::isnan(got) || !same_sign(got, nearest));
+      note(errors, truth.input, ulp, std::isnan(got) || !same_sign(got, nearest));
     }
     if (!truth.counts) continue;
     const std::int64_t exact[] = {truth.counts->N_A, truth.counts->N_B};
     for (std::size_t i = 0; i < 2; ++i) {
       const double off = std::abs(double(results.counts[i][row] - exact[i]));
-      note(errors, input, truth.values.empty() ? off : 0, off != 0);
+      note(errors, truth.input, truth.values.empty() ? off : 0, off != 0);
     }
   }
   return errors;
@@ -110,7 +104,7 @@ std::vector<Measurement> measure(const Plan& plan) {
   std::vector<Pair> pairs;
   for (const auto& [quantity, name] : quantities) {
     for (const Family& family : families()) {
-      std::vector<Sample> samples;  // made when the first implementation asks for them
+      std::vector<Truth> samples;  // made when the first implementation asks for them
       const Implementation* naive = nullptr;
       for (const Implementation& one : plan.implementations) {
         if (one.quantity != quantity) continue;
@@ -118,13 +112,13 @@ std::vector<Measurement> measure(const Plan& plan) {
         if (!std::set{std::string(), one.name, name, family.name}.contains(plan.only)) continue;
         if (samples.empty())
           for (const Input& input : inputs_of(family, quantity, plan.draws))
-            samples.push_back({input, truth(quantity, input)});
+            samples.push_back(truth(quantity, input));
         std::vector<Input> inputs;
         std::vector<const Truth*> truths;
-        for (const Sample& sample : samples) {
+        for (const Truth& sample : samples) {
           if (!takes(one, sample.input)) continue;
           inputs.push_back(sample.input);
-          truths.push_back(&sample.truth);
+          truths.push_back(&sample);
         }
         if (inputs.empty()) continue;
         Columns results(inputs);

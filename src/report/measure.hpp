@@ -18,10 +18,11 @@
 namespace report {
 
 struct Truth {
-  std::vector<cln::cl_RA> values;  ///< exact where n is small, else to 120 bits
-  std::vector<double> rounded;     ///< the nearest doubles, with certainty
-  std::vector<double> envelopes;   ///< max(1/2, |alpha y'/(2 y)|) in ulp; infinite where y = 0
-  std::optional<magicmass::Counts> counts;  ///< of terminal and counts
+  Input input;
+  std::vector<cln::cl_RA> values = {};  ///< exact where n is small, else to 120 bits
+  std::vector<double> rounded = {};     ///< the nearest doubles, with certainty
+  std::vector<double> envelopes = {};   ///< max(1/2, |alpha y'/(2 y)|) in ulp; infinite where y = 0
+  std::optional<magicmass::Counts> counts = {};  ///< of terminal and counts
 };
 Truth truth(Quantity quantity, const Input& input);
 
