@@ -49,15 +49,14 @@ Answer angle(const Request& request) {
 
 Answer extremum(const Request& request) {
   const Alpha near = alpha_of(request.text("near"));
-  const Alpha e = alpha_of(request.text("restitution"));
-  if (!std::holds_alternative<cln::cl_RA>(e) || std::get<cln::cl_RA>(e) >= 1)
-    throw InvalidInput("restitution: allowed: a fraction below 1");
+  const Alpha restitution = alpha_of(request.text("restitution"));
+  const auto* e = std::get_if<cln::cl_RA>(&restitution);
+  if (e == nullptr || *e >= 1) throw InvalidInput("restitution: allowed: a fraction below 1");
   const double scale = std::pow(10, double(request.whole("decimals", 0, 7).value_or(7)));
   auto [is_maximum, low, high] = range_of(near);
   while (high - low > 1e-9) {  // rho is flat at a maximum: nearer, its last bits decide
     const double third = (high - low) / 3;
-    const bool rises = rho_at(low + third, std::get<cln::cl_RA>(e)) <
-                       rho_at(high - third, std::get<cln::cl_RA>(e));
+    const bool rises = rho_at(low + third, *e) < rho_at(high - third, *e);
     (rises == is_maximum ? low : high) = rises == is_maximum ? low + third : high - third;
   }
   const double elastic = nearest(near);
