@@ -9,6 +9,7 @@
 namespace answers {
 namespace {
 
+using namespace magicmass::scenes;
 using cln::cl_I;
 using cln::cl_RA;
 using notation::Alpha;

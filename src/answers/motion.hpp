@@ -15,13 +15,9 @@
 namespace answers {
 
 using magicmass::scenes::Ball;
-using magicmass::scenes::decimal;
-using magicmass::scenes::exact;
-using magicmass::scenes::nearest_double;
 using magicmass::scenes::Quadratic;
 using magicmass::scenes::Trio;
 using magicmass::scenes::value_of;
-using magicmass::scenes::with_bits;
 
 /// The mass ratio of a request. Throws InvalidInput.
 notation::Alpha alpha_of(const std::string& text);
