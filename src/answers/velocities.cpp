@@ -221,19 +221,18 @@ Answer terminal(const Request& request) {
 
 Answer ratios(const Request& request) {
   constexpr int rows_at_once = 100;
-  const auto most = request.whole("count", 1, 1'000'000'000);
+  const int count = static_cast<int>(request.whole("count", 1, 1'000'000'000).value_or(10));
   const std::optional<int> digits = digits_wanted(request);
   const bool has_polynomials = request.has("polynomials");
-  const std::int64_t at_once = has_polynomials ? 200 : 100'000;
-  if (most.value_or(10) > at_once) {
-    throw Undecided("ratios: " + std::to_string(*most) +
+  const int at_once = has_polynomials ? 200 : 100'000;
+  if (count > at_once) {
+    throw Undecided("ratios: " + std::to_string(count) +
                     " rows are more than are answered at once; "
                     "at most --count " +
                     std::to_string(at_once) + (has_polynomials ? " with polynomials" : ""));
   }
   Names columns{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"};
   if (has_polynomials) columns.insert(columns.end(), {"magic_polynomial", "deficient_polynomial"});
-  const int count = static_cast<int>(most.value_or(10));
   const auto rows_from = [=](int first) {
     std::vector<Row> rows;
     for (int k = first; k <= std::min(count, first + rows_at_once - 1); ++k) {
