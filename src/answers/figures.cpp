@@ -33,8 +33,7 @@ std::vector<Alpha> alphas() {
   std::vector<Alpha> all = thresholds_above(least);
   for (int i = 0; i <= steps; ++i)
     all.emplace_back(least * std::pow(1.2 / least, double(i) / steps));
-  std::sort(all.begin(), all.end(),
-            [](const Alpha& a, const Alpha& b) { return nearest(a) < nearest(b); });
+  std::ranges::sort(all, {}, nearest);
   return all;
 }
 

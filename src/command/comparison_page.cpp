@@ -25,8 +25,7 @@ Table table_of(const std::vector<Comparison>& all) {
 
 std::string summary_of(const std::vector<Comparison>& all) {
   const auto count = [&](const std::string& wanted) {
-    return std::to_string(std::count_if(all.begin(), all.end(),
-                                        [&](const auto& one) { return verdict(one) == wanted; }));
+    return std::to_string(std::ranges::count(all, wanted, verdict));
   };
   return std::to_string(all.size()) + " numbers of the paper: " + count("agrees") + " agree, " +
          count("explained") + " differ for the reason given, " + count("differs") +
@@ -56,7 +55,7 @@ std::string document_of(const std::vector<Comparison>& all, bool is_markdown) {
       row.pop_back();
     };
     narrow(table.columns);
-    std::for_each(table.rows.begin(), table.rows.end(), narrow);
+    std::ranges::for_each(table.rows, narrow);
     text += is_markdown ? markdown(table) : written(table, Format::text);
     for (const std::string& reason : reasons) text += "\n" + reason + "\n";
   }
@@ -69,8 +68,7 @@ Answer page_of(const std::vector<Comparison>& all, const std::string& format) {
   Answer answer{table_of(all), ""};
   if (format == "text" || format == "markdown")
     answer.document = document_of(all, format == "markdown");
-  answer.check_failed =
-      !std::all_of(all.begin(), all.end(), [](const Comparison& one) { return one.is_fine; });
+  answer.check_failed = !std::ranges::all_of(all, &Comparison::is_fine);
   return answer;
 }
 

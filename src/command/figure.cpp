@@ -126,8 +126,7 @@ answers::Answer figure(const answers::Request& request) {
   if (request.words.size() != 1 || request.has("list"))
     throw answers::InvalidInput("figure: give one name, or --list; allowed: " +
                                 answers::joined(names));
-  const auto found = std::find_if(all.begin(), all.end(),
-                                  [&](const Figure& f) { return f.name == request.words[0]; });
+  const auto found = std::ranges::find(all, request.words[0], &Figure::name);
   if (found == all.end()) {
     throw answers::InvalidInput("figure: no figure " + answers::shown_text(request.words[0]) +
                                 "; allowed: " + answers::joined(names));
