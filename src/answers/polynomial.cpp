@@ -2,6 +2,7 @@
 #include "answers/polynomial.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "answers/motion.hpp"
 #include "kernel/print.hpp"

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <functional>
 #include <map>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 

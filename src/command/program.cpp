@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From the command line to an exit code.
-#include <algorithm>
 #include <csignal>
-#include <cstdlib>
 #include <new>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
