@@ -117,8 +117,17 @@ private:
     if (order == 2) return sqrt(value);
     return Ball(side) * exp(log(value) / Ball(order));
   }
+  // sqrt(4) is 2.
+  std::optional<cln::cl_RA> whole_number(Expr e) {
+    const Ball value = (*this)(e);
+    const cln::cl_RA nearest = cln::round1(value.low());
+    if (cln::abs(value.low() - nearest) > cln::cl_RA(1) / 1000 || sign(e - Expr(nearest)) != 0)
+      return {};
+    return nearest;
+  }
   Ball raised(Expr base, Expr exponent) {
-    const auto value = notation::rational_value(exponent);
+    auto value = notation::rational_value(exponent);
+    if (!value && sign(base) < 0) value = whole_number(exponent);
     const bool is_whole = value && cln::denominator(*value) == 1;
     if (is_whole && cln::abs(*value) <= 10000) {
       const int n = cln::cl_I_to_int(cln::numerator(*value));

@@ -24,6 +24,13 @@ constexpr int largest_denominator = 1000;
 struct Value {
   std::optional<Ball> ball = {};  // nothing: no value, or not certain
   std::string why_none = {};      // where it is certain that there is none
+
+  /// To fifty digits, or that there is none.
+  bool is_known() const {
+    if (!ball) return !why_none.empty();
+    const cln::cl_RA size = cln::max(cln::cl_RA(1), cln::abs(ball->low()));
+    return ball->high() - ball->low() < size / cln::ash(cln::cl_I(1), 166);
+  }
 };
 // x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
 // power is, though (-1/2)^y has a value by accident at some fractions.
@@ -90,8 +97,10 @@ public:
     }
     if (!is_different_exactly() && verdict.proof.empty())
       verdict.proof =
-          "neither a proof nor a counterexample was found; both sides agree to 50 digits at " +
-          std::to_string(common.size()) + (common.size() == 1 ? " point" : " points");
+          "neither a proof nor a counterexample was found; " +
+          (common.empty() ? "the values are too large, or take too many digits to know"
+                          : "both sides agree to 50 digits at " + std::to_string(common.size()) +
+                                (common.size() == 1 ? " point" : " points"));
     return verdict;
   }
 
@@ -118,13 +127,18 @@ private:
     for (const Point& point : points(narrowed(domain, needs), points_inside, {}, true))
       if (std::find(all.begin(), all.end(), point) == all.end()) all.push_back(point);
     std::string why_none;
+    bool is_open = false;  // somewhere it would take more bits to know a value
     for (const Point& point : all) {
       Value a;
       Value b;
       for (int bits = 192; bits <= 3072; bits *= 4) {
         a = value_at(point, left, bits);
         b = value_at(point, right, bits);
-        if ((a.ball || !a.why_none.empty()) && (b.ball || !b.why_none.empty())) break;
+        if (a.is_known() && b.is_known()) break;
+      }
+      if (!a.is_known() || !b.is_known()) {
+        is_open = true;
+        continue;
       }
       for (const Value& v : {a, b})
         if (!v.why_none.empty()) why_none = v.why_none;
@@ -136,7 +150,7 @@ private:
         return is_counterexample(point, "both sides at one point, with certain bounds of error");
       common.push_back(point);
     }
-    if (common.empty())
+    if (common.empty() && !is_open)
       kernel::refuse("no point was found where both sides have a value" +
                      (why_none.empty() ? "" : ": " + why_none));
     return false;
@@ -150,11 +164,15 @@ private:
                             none.why_none);
   }
 
-  /// Under a condition that never holds everything can be proved.
+  /// Under conditions that never hold everything can be proved.
   bool has_impossible_need() {
-    return std::any_of(needs.begin(), needs.end(), [&](const Requirement& r) {
-      return r.kind != Need::NotZero && is_certain({Need::Positive, Expr(-1) * r.term}, domain);
-    });
+    const auto may_hold_at = [&](const Point& point) {
+      return std::none_of(needs.begin(), needs.end(), [&](const Requirement& r) {
+        const Value value = value_at(point, r.term, 192);
+        return r.kind != Need::NotZero && value.ball && value.ball->high() < 0;
+      });
+    };
+    return std::none_of(common.begin(), common.end(), may_hold_at);
   }
   bool proved(const std::string& how) {
     verdict.proof = how;

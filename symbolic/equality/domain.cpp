@@ -202,8 +202,11 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   for (const auto& [symbol, integer] : is_integer) domain.ranges[symbol] = {.is_integer = integer};
   for (const auto& [symbol, range] : given) {
     Range& known = domain.ranges[symbol];
+    const Range usual = known;
     if (range.low) known.low = range.low;
     if (range.high) known.high = range.high;
+    if (known.is_empty() && !range.is_empty())
+      known = {.is_integer = usual.is_integer, .low = range.low, .high = range.high};
   }
   for (const auto& [symbol, range] : domain.ranges)
     if (range.is_empty())

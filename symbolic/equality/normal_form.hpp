@@ -49,7 +49,7 @@ public:
   /// z^u - 1 for u = the sum: 0 where it is a multiple of 2 pi.
   bool is_whole_turns(const Sum& sum);
   /// Whether the term is an integer all over the domain.
-  bool is_integer(Expr term) { return is_integer(exponent_of(of(term))); }
+  bool is_integer(Expr term);
   Expr expression(const Sum& sum);
   /// The same where the sum is real, with cos(u) for z^u; else nothing. This alone is a term of
   /// real numbers: in the other one z is just a name.

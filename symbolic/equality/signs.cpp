@@ -23,7 +23,7 @@ int sign_on(const Range& range) {
 int Forms::sign_of_atom(Expr atom) {
   if (atom.op() == Op::Num) return 2;
   if (atom == kernel::pi() || atom == euler()) return 2;
-  if (atom == circle()) return 0;
+  if (is_complex(atom)) return 0;
   if (const auto it = assumed_signs.find(atom); it != assumed_signs.end()) return it->second;
   const auto is_not_zero = [&](Expr e) { return assumed_not_zero.contains(e); };
   int sign = 0;

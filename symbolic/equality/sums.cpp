@@ -201,6 +201,9 @@ Sum Forms::conjugated(const Sum& sum) {
   return out;
 }
 
+bool Forms::is_integer(Expr term) {
+  return is_proved([&] { return is_integer(exponent_of(of(term))); });
+}
 bool Forms::is_integer_symbol(Expr atom) const {
   const auto it = where.ranges.find(atom);
   return it != where.ranges.end() && it->second.is_integer;

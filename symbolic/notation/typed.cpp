@@ -375,18 +375,22 @@ private:
       refuse_at(token.column, "log(" + x + "," + base + ") has two readings: write log(" + x + "." +
                                   base + ") or log(" + x + ")/log(" + base + ")");
     const Expr value = logarithm(args[0], args[1], token.column);
-    note(typed(from - 1, place) + " is read as " + typed_text(value));
+    note("log(" + typed(from + 1, place - 1) + ") is read as " + typed_text(value));
     return value;
   }
   // log_2(8)
   Expr logarithm_to_base(Token token) {
     const std::string base = token.text.substr(4);
     const bool is_number = base.find_first_not_of("0123456789") == npos;
+    const bool is_name = base.size() == 1 || is_greek_name(base) || factors.contains(base);
+    if (!is_number && !is_name)
+      refuse_at(token.column,
+                "unknown function " + token.text + "; write log(x, b) for the logarithm to base b");
     note(token.text + " is read as the logarithm to base " + base);
     token.text = "log";
     const Expr x = argument(token);
     token.text = base;
-    return logarithm(x, is_number ? Expr(number_of(token)) : symbol(base), token.column);
+    return logarithm(x, is_number ? Expr(number_of(token)) : name(token), token.column);
   }
   // What a function is taken of. Without brackets: cos theta, \cos n\psi, sin 2 x, sqrt 2.
   Expr argument(const Token& token) {

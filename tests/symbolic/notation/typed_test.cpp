@@ -90,6 +90,8 @@ TEST_CASE("Slips are named, with their column") {
       {"\\ln_3 x", "unknown function ln_3"},
       {"log(x, 2, 3)", "column 12: write log(x, b) for the logarithm to base b"},
       {"log_1(x)", "no logarithm to base 1"},
+      {"log_2x(8)", "column 1: unknown function log_2x; write log(x, b)"},
+      {"log_sin(x)", "unknown function log_sin"},
       {"x sin_2(y)", "column 3: unknown function sin_2"},
       {"T_(m+1)", "column 3: an index is a name or a number"},
       {"T_{m+1}", "column 5: an index is a name or a number"},
