@@ -33,23 +33,9 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
 std::vector<double> certain(const Balls& balls) {
   return with_bits(17, [&] { return rounded(balls); });
 }
-/// What a mirror shows; a wall's place likewise.
-void turn(Quadratic& x) { x = Quadratic(0) - x; }
-void turn(Ball& x) { x = -x; }
-template <class Number>
-void turn(std::vector<Number>& line) {
-  std::reverse(line.begin(), line.end());
-  for (Number& x : line) turn(x);
-}
 Places mirrored(Places places) {
-  auto& [masses, line] = places;
-  std::reverse(masses.begin(), masses.end());
-  turn(line.positions);
-  turn(line.velocities);
-  std::swap(line.left_wall, line.right_wall);
-  for (auto* wall : {&line.left_wall, &line.right_wall})
-    if (*wall) turn(**wall);
-  return places;
+  std::reverse(places.masses.begin(), places.masses.end());
+  return {std::move(places.masses), simulator::mirrored(std::move(places.line))};
 }
 Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities) {
   Ball sum = 0;
@@ -125,7 +111,10 @@ struct Seen {
       }
       const Ball before = energy(masses, motion.velocities(s, 0)), after = energy(masses, all);
       const Ball of_last = energy({masses.back()}, {all.back()});
-      if (is_mirrored) turn(all);
+      if (is_mirrored) {
+        std::reverse(all.begin(), all.end());
+        for (Ball& v : all) v = -v;
+      }
       all.insert(all.end(), {before, after, of_last / before});
       all.insert(all.end(), end.begin(), end.end());
       return all;

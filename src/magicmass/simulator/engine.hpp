@@ -29,9 +29,8 @@ struct Collision {
 };
 
 struct Ties {
-  std::int64_t near = 0;          ///< decisions closer than rounding can tell
-  std::int64_t first_near = 0;    ///< so many collisions were before the first of them
-  std::int64_t simultaneous = 0;  ///< pairs of gaps that closed at once and share a body
+  std::int64_t near = 0;        ///< decisions closer than rounding can tell
+  std::int64_t first_near = 0;  ///< so many collisions were before the first of them
 };
 
 /// A body where it was at the time `since`, its velocity from then on.
@@ -50,7 +49,7 @@ class Engine {
 public:
   /// Throws std::invalid_argument for a line with a fault.
   explicit Engine(const Line<Scalar>& line)
-      : line_(line), e_(line.restitution), due_(line.masses.size() + 1), margin_(line) {
+      : line_(line), due_(line.masses.size() + 1), margin_(line) {
     if (const auto found = fault(line))
       throw std::invalid_argument(found->key + ": " + found->what + "; allowed: " + found->allowed);
     const Scalar zero(0);
@@ -112,7 +111,6 @@ private:
   // infinite in floating point and matters in no exact field.
   std::vector<MovingBody<Scalar>> all_;
   Line<Scalar> line_;  // as it was at time 0
-  Scalar e_;
   DueTimes<Scalar> due_;
   RoundingMargin<Scalar> margin_;
   Scalar now_{0};
@@ -182,9 +180,9 @@ private:
     const Scalar where = meeting_place(gap);
     for (MovingBody<Scalar>* body : {&all_[gap], &all_[gap + 1]}) {
       put(*body, where);
-      if (has_wall(gap)) body->velocity = Scalar(0) - e_ * body->velocity;  // a wall's stays 0
+      if (has_wall(gap)) body->velocity = Scalar(0) - line_.restitution * body->velocity;  // a wall's stays 0
     }
-    if (!has_wall(gap)) collide(all_[gap], all_[gap + 1], e_);
+    if (!has_wall(gap)) collide(all_[gap], all_[gap + 1], line_.restitution);
     tell(gap);
   }
   /// Gaps `gap` and gap + 1, mirror images of each other.
@@ -195,7 +193,7 @@ private:
     const Scalar centre = all_[gap + 1].velocity;
     for (std::size_t i = gap; i <= gap + 2; ++i) {
       put(all_[i], where);
-      if (i != gap + 1) all_[i].velocity = centre - e_ * (all_[i].velocity - centre);
+      if (i != gap + 1) all_[i].velocity = centre - line_.restitution * (all_[i].velocity - centre);
     }
     tell(gap);
     tell(gap + 1);
@@ -224,7 +222,7 @@ private:
   void note_error([[maybe_unused]] std::size_t gap) {
     if constexpr (rounds) {
       const bool is_swap = all_[gap].mass == all_[gap + 1].mass && !line_.is_rounded;
-      const bool only_turns = e_ == Scalar(1) && (has_wall(gap) || is_swap);
+      const bool only_turns = line_.restitution == Scalar(1) && (has_wall(gap) || is_swap);
       margin_.add_collision(now_, sides(gap), !only_turns);
     }
   }
@@ -240,14 +238,12 @@ private:
     }
   }
   /// Of this gap and the next ones, where they are still due.
-  void note_ties(std::size_t gap) {
-    for (const std::size_t other : {gap - 1, gap + 1}) {
-      if (other >= all_.size() - 1 || !due_[other]) continue;
-      if constexpr (rounds) {
+  void note_ties([[maybe_unused]] std::size_t gap) {
+    if constexpr (rounds) {
+      for (const std::size_t other : {gap - 1, gap + 1}) {
+        if (other >= all_.size() - 1 || !due_[other]) continue;
         if (margin_.reaches_time(due_[other]->time - now_, now_, sides(gap), sides(other)))
           note_near();
-      } else if (due_[other]->time == now_) {
-        ++ties_.simultaneous;
       }
     }
   }

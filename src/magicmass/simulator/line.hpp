@@ -2,6 +2,7 @@
 // Bodies on a line, between walls or none, and what makes them a line that can move.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -63,6 +64,20 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
   if (!(zero < line.restitution) || one < line.restitution)
     return Fault{"restitution", "0 or less, or above 1", "above 0, at most 1"};
   return std::nullopt;
+}
+
+/// What a mirror shows of it.
+template <Field Scalar>
+Line<Scalar> mirrored(Line<Scalar> line) {
+  const auto turn = [](Scalar& x) { x = Scalar(0) - x; };
+  for (auto* values : {&line.masses, &line.positions, &line.velocities})
+    std::reverse(values->begin(), values->end());
+  for (auto* values : {&line.positions, &line.velocities})
+    std::for_each(values->begin(), values->end(), turn);
+  std::swap(line.left_wall, line.right_wall);
+  for (auto* wall : {&line.left_wall, &line.right_wall})
+    if (*wall) turn(**wall);
+  return line;
 }
 
 /// sum m v^2 / 2

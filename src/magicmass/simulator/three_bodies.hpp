@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 
 #include "magicmass/simulator/engine.hpp"
 
@@ -28,7 +27,8 @@ public:
   /// The paper's: at time 0, A moves with V = 1 and touches C; C rests at 0, B rests at L = 1; the
   /// blocks have mass 1 and the ball alpha. Throws std::invalid_argument unless alpha > 0 (and, in
   /// floating point, finite).
-  explicit ThreeBodies(const Scalar& alpha) : engine_(line(alpha)) {}
+  explicit ThreeBodies(const Scalar& alpha)
+      : engine_({{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}}) {}
 
   /// Goes on to just after the next collision; returns nothing where none comes.
   std::optional<Event<Scalar>> step() {
@@ -49,13 +49,6 @@ public:
 
 private:
   Engine<Scalar> engine_;
-
-  static Line<Scalar> line(const Scalar& alpha) {
-    const Scalar zero(0), one(1);
-    if (!(zero < alpha) || !(zero < one / alpha))
-      throw std::invalid_argument("alpha must be a positive finite number");
-    return {{one, alpha, one}, {zero, zero, one}, {one, zero, zero}, {}, {}};
-  }
 };
 
 }  // namespace magicmass::simulator
