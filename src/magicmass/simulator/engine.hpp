@@ -180,7 +180,8 @@ private:
     const Scalar where = meeting_place(gap);
     for (MovingBody<Scalar>* body : {&all_[gap], &all_[gap + 1]}) {
       put(*body, where);
-      if (has_wall(gap)) body->velocity = Scalar(0) - line_.restitution * body->velocity;  // a wall's stays 0
+      if (has_wall(gap))
+        body->velocity = Scalar(0) - line_.restitution * body->velocity;  // a wall's stays 0
     }
     if (!has_wall(gap)) collide(all_[gap], all_[gap + 1], line_.restitution);
     tell(gap);

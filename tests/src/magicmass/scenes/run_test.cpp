@@ -34,6 +34,13 @@ std::string random_chain(std::uint64_t seed, bool only_halves) {
          "max_events = 12\n";
 }
 
+/// Four bodies a length apart, the first of which moves.
+std::string four_equal(const std::string& e) {
+  return "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
+         "velocities = [1, 0, 0, 0]\nrestitution = '" +
+         e + "'\n";
+}
+
 }  // namespace
 
 TEST_CASE("the paper's scenes", "[exam]") {
@@ -132,23 +139,17 @@ TEST_CASE("a collision at the time `until` belongs to the run, by theorem too", 
 }
 
 TEST_CASE("what cools below doubles is limited, not complete", "[exam]") {
-  const Result cold = result_of(
-      "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
-      "velocities = [1, 0, 0, 0]\nrestitution = '7/100'");
+  const Result cold = result_of(four_equal("7/100"));
   CHECK(cold.status == Status::limited);
   CHECK_THAT(cold.plan.reason, ContainsSubstring("exact numbers become too long"));
 }
 
 TEST_CASE("exact numbers that grow too long are no answer", "[exam]") {
-  const std::string e = std::string(1000, '1') + "/1" + std::string(1002, '0');
-  const std::string text =
-      "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
-      "velocities = [1, 0, 0, 0]\nrestitution = '" +
-      e + "'";
+  const std::string text = four_equal(std::string(1000, '1') + "/1" + std::string(1002, '0'));
   CHECK_THROWS_WITH(
       result_of(text, true),
       ContainsSubstring("exact numbers become too long; possible with --max-events 19"));
-  CHECK(result_of(text + "\nmax_events = 3", true).events == 3);
+  CHECK(result_of(text + "max_events = 3", true).events == 3);
   CHECK_THROWS_WITH(result_of("alpha = 'magic:3'", true),
                     ContainsSubstring("--exact: values that are not of one quadratic field"));
 }

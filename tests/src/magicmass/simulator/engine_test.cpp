@@ -252,14 +252,7 @@ TEST_CASE("100,000 equal masses hand the velocity on in order", "[exam]") {
   CHECK(engine.bodies().back().velocity == 1);
 }
 
-TEST_CASE("what floating point cannot tell is counted", "[exam]") {
-  const double magic_2 = 0.2360679774997897;  // sqrt(5) - 2
-  for (const auto& [alpha, is_near] : {std::pair{magic_2, true}, {0.1, false}, {0.24, false}}) {
-    const Line<double> line{{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}};
-    Engine<double> engine(line);
-    run(engine, 100);
-    CHECK((engine.ties().near > 0) == is_near);
-  }
+TEST_CASE("what doubles cannot hold, and a time that they cannot tell apart", "[exam]") {
   Engine<double> slow(Line<double>{{1, 1}, {0, 1e300}, {5e-324, 0}, {}, {}});
   CHECK_FALSE(slow.next());
   CHECK(slow.has_lost());
