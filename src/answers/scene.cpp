@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/scene.hpp"
 
-#include <array>
-#include <charconv>
+#include <iomanip>
+#include <sstream>
 #include <utility>
 
 #include "answers/errors.hpp"
@@ -50,11 +50,9 @@ Cell number_cell(const Number& number, bool exact) {
 Cell short_cell(const Number& number, bool exact) {
   const Cell cell = number_cell(number, exact);
   if (exact || cell.text.size() < 11) return cell;
-  std::array<char, 32> digits{};
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), *double_of(number),
-                                  std::chars_format::general, 8)
-                        .ptr;
-  return {std::string(digits.data(), end), cell.json};
+  std::ostringstream digits;
+  digits << std::setprecision(8) << *double_of(number);
+  return {digits.str(), cell.json};
 }
 
 /// The one row of a table.
@@ -93,12 +91,12 @@ Cell counts_cell(const Scene& scene, const Result& result) {
   return object_cell(counts);
 }
 
-Cell terminal_cell(const Scene& scene, const Result& result, bool exact) {
+Cell terminal_cell(const Scene& scene, const Result& result) {
   Fields terminal;
   for (std::size_t i = 0; i < result.terminal.size(); ++i)
-    terminal.emplace_back(body_name(scene, i), number_cell(result.terminal[i], exact));
+    terminal.emplace_back(body_name(scene, i), number_cell(result.terminal[i], scene.is_exact));
   if (scene.kind == Kind::three_body && scene.receiver())
-    terminal.emplace_back("rho", number_cell(result.transmitted, exact));
+    terminal.emplace_back("rho", number_cell(result.transmitted, scene.is_exact));
   return object_cell(terminal);
 }
 
@@ -114,8 +112,7 @@ Fields head_fields(const Asked& asked) {
     fields.emplace_back("collapse", object_cell({{"time", shown(*result.collapse_time)},
                                                  {"position", shown(*result.collapse_position)}}));
   if (scene.wants("counts")) fields.emplace_back("counts", counts_cell(scene, result));
-  if (scene.wants("terminal"))
-    fields.emplace_back("terminal", terminal_cell(scene, result, scene.is_exact));
+  if (scene.wants("terminal")) fields.emplace_back("terminal", terminal_cell(scene, result));
   if (scene.wants("energy"))
     fields.emplace_back("energy", object_cell({{"before", shown(result.energy_before)},
                                                {"after", shown(result.energy)}}));
@@ -173,31 +170,32 @@ void write_list(const List& list, const Asked& asked, Format format, const Write
   write(writer.end());
 }
 
-void write_all(const Asked& asked, const std::string& format, const Write& write) {
+/// One list alone, without what stands before it.
+bool is_list(Format format) { return format == Format::csv || format == Format::json_lines; }
+
+void write_all(const Asked& asked, Format format, const Write& write) {
   const List events{
       "events", {"number", "left", "right", "time", "position", "v_left", "v_right"}, add_events};
   const List points{"trajectory", {"time", "body", "position"}, add_points};
-  if (format == "csv" || format == "jsonl") {
+  if (is_list(format)) {
     const bool is_points = asked.scene.wants("trajectory") && !asked.scene.wants("events");
-    const Format as = format == "csv" ? Format::csv : Format::json_lines;
-    write_list(is_points ? points : events, asked, as, write);
-    if (format == "jsonl" && asked.result.status != Status::complete)
-      write(written(table_of(status_fields(asked.result)), as));
+    write_list(is_points ? points : events, asked, format, write);
+    if (format == Format::json_lines && asked.result.status != Status::complete)
+      write(written(table_of(status_fields(asked.result)), format));
     return;
   }
-  const Format as = format == "json" ? Format::json : Format::text;
-  std::string head = written(table_of(head_fields(asked)), as);
-  if (as == Format::json) head.erase(head.size() - 2);  // "}\n"
+  std::string head = written(table_of(head_fields(asked)), format);
+  if (format == Format::json) head.erase(head.size() - 2);  // "}\n"
   write(head);
   for (const List& list : {events, points}) {
     if (!asked.scene.wants(list.name)) continue;
-    write(as == Format::text ? "\n" : ", \"" + std::string(list.name) + "\": ");
+    write(format == Format::text ? "\n" : ", \"" + std::string(list.name) + "\": ");
     const auto without_end = [&](std::string_view text) {
       write(text == "\n]\n" || text == "]\n" ? text.substr(0, text.size() - 1) : text);
     };
-    write_list(list, asked, as, as == Format::text ? write : without_end);
+    write_list(list, asked, format, format == Format::text ? write : without_end);
   }
-  if (as == Format::json) write("}\n");
+  if (format == Format::json) write("}\n");
 }
 
 }  // namespace
@@ -216,12 +214,10 @@ Answer simulate(const Request& request) {
   Answer answer;
   const Result& result = scene.result;
   answer.is_undecided = result.is_undecided;
-  const bool is_list = request.format == "csv" || request.format == "jsonl";
-  if (is_list && result.status != Status::complete)
+  const Format format = format_of(request.format);
+  if (is_list(format) && result.status != Status::complete)
     answer.note = "simulate: " + status_name(result.status) + ": " + result.why;
-  answer.stream = [scene, format = request.format](const Write& write) {
-    write_all(scene, format, write);
-  };
+  answer.stream = [scene, format](const Write& write) { write_all(scene, format, write); };
   return answer;
 }
 
