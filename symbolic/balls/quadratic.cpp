@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/scenes/quadratic.hpp"
+#include "balls/quadratic.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -10,9 +10,8 @@
 #include <cln/real.h>
 
 #include "kernel/print.hpp"
-#include "magicmass/scenes/ball.hpp"
 
-namespace magicmass::scenes {
+namespace balls {
 namespace {
 
 using cln::cl_I;
@@ -105,4 +104,9 @@ std::string Quadratic::text() const {
          (size == 1 ? "" : kernel::digits(size) + "*") + root;
 }
 
-}  // namespace magicmass::scenes
+Ball ball_of(const Quadratic& x) {
+  const Ball a(x.rational_part());
+  return x.radicand() == 1 ? a : a + Ball(x.root_part()) * sqrt(Ball(cl_RA(x.radicand())));
+}
+
+}  // namespace balls

@@ -7,7 +7,9 @@
 
 #include <cln/rational.h>
 
-namespace magicmass::scenes {
+#include "balls/ball.hpp"
+
+namespace balls {
 
 class Quadratic {
 public:
@@ -48,4 +50,7 @@ private:
   static const cln::cl_I& common(const Quadratic& x, const Quadratic& y);
 };
 
-}  // namespace magicmass::scenes
+/// Contains x.
+Ball ball_of(const Quadratic& x);
+
+}  // namespace balls

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "magicmass/numbers/errors.hpp"
-#include "magicmass/simulator/three_bodies.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -19,11 +18,8 @@ std::int64_t magic_number(const Value& mass) {
   if (magic != nullptr && magic->k <= cln::cl_I(static_cast<long long>(largest)))
     return cln::cl_I_to_long(magic->k);
   if (mass.exact() == nullptr) return 0;
-  simulator::ThreeBodies<Quadratic> trio(*mass.exact());
-  std::int64_t collisions = 0;
-  while (collisions <= Trio::largest_tie && trio.step()) ++collisions;
-  const auto [A, C, B] = trio.bodies();
-  return A.velocity == 0 && C.velocity == 0 ? collisions / 2 : 0;
+  const auto end = Trio::equal_blocks(mass, 1).first_collisions();
+  return end.velocities[0] == 0 && end.velocities[1] == 0 ? end.collisions / 2 : 0;
 }
 
 /// Does B reach this place only after the last collision of its trio?
@@ -78,16 +74,20 @@ Cradle::Shape Cradle::shape() const {
   return all;
 }
 
-/// Where collision j is: in which round trip, and which one of the way out or back it is.
+/// Where collision j is: in which round trip, on the way out or back, and which one of a pair.
 struct Cradle::Moment {
   std::int64_t round;
-  std::int64_t of_way;  ///< way_ for a wall
   bool is_back;         ///< or at the wall behind
+  const Pair* pair;     ///< nothing for a wall
+  std::int64_t number;  ///< on the way out
 };
 Cradle::Moment Cradle::moment(std::int64_t j) const {
   const std::int64_t of_round = j % period(), round = j / period();
-  if (of_round <= way_) return {round, of_round, false};
-  return {round, of_round == 2 * way_ + 1 ? way_ : 2 * way_ - of_round, true};
+  const bool is_back = of_round > way_;
+  if (of_round % (way_ + 1) == way_) return {round, is_back, nullptr, 0};
+  const std::int64_t of_way = is_back ? 2 * way_ - of_round : of_round;
+  const Pair& pair = pair_at(of_way);
+  return {round, is_back, &pair, of_way - pair.before};
 }
 const Cradle::Pair& Cradle::pair_at(std::int64_t of_way) const {
   const auto after =
@@ -105,39 +105,35 @@ Quadratic Cradle::time_of(const Moment& m, const Quadratic& on_first_way) const 
 }
 std::optional<Quadratic> Cradle::exact_time(std::int64_t j) const {
   const Moment m = moment(j);
-  if (m.of_way == way_) return time_of(m, time_at(m.is_back ? *behind_ : *ahead_));
-  const Pair& pair = pair_at(m.of_way);
-  const auto on_first_way = pair.trio.exact_time(m.of_way - pair.before);
+  const auto on_first_way =
+      m.pair ? m.pair->trio.exact_time(m.number) : time_at(m.is_back ? *behind_ : *ahead_);
   return on_first_way ? std::optional(time_of(m, *on_first_way)) : std::nullopt;
 }
 Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
   const Moment m = moment(j);
   Trio::Collision c{0, 0, 0, 0};
-  if (m.of_way == way_) {
-    const Quadratic& wall = m.is_back ? *behind_ : *ahead_;
-    c = {ball_of(time_at(wall)), ball_of(wall), 0, 0};
-    (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
-  } else {
-    const Pair& pair = pair_at(m.of_way);
-    const Trio::Shape& of_pair = s.at(pair.k);
-    const std::int64_t number = m.of_way - pair.before;
-    c = pair.trio.collision(of_pair, number);
+  if (m.pair) {
+    const Trio& trio = m.pair->trio;
+    const Trio::Shape& of_pair = s.at(m.pair->k);
+    c = trio.collision(of_pair, m.number);
     if (m.is_back) {
-      const std::vector<Ball> earlier = pair.trio.velocities(of_pair, number);
-      const std::size_t right = pair.trio.gap(number);
+      const std::vector<Ball> earlier = trio.velocities(of_pair, m.number);
+      const std::size_t right = trio.gap(m.number);
       c.v_left = -earlier[right - 1];
       c.v_right = -earlier[right];
     }
+  } else {
+    const Quadratic& wall = m.is_back ? *behind_ : *ahead_;
+    c = {ball_of(time_at(wall)), ball_of(wall), 0, 0};
+    (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
   }
   c.time = ball_of(time_of(m, 0)) + (m.is_back ? -c.time : c.time);
   return c;
 }
 std::size_t Cradle::gap(std::int64_t j) const {
   const Moment m = moment(j);
-  if (m.of_way == way_) return m.is_back ? 0 : bodies();
-  const Pair& pair = pair_at(m.of_way);
-  return 2 * static_cast<std::size_t>(&pair - pairs_.data()) +
-         pair.trio.gap(m.of_way - pair.before);
+  if (!m.pair) return m.is_back ? 0 : bodies();
+  return first_of(*m.pair) + m.pair->trio.gap(m.number);
 }
 std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) const {
   const std::int64_t of_round = collisions % period();
@@ -149,7 +145,7 @@ std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) co
   } else {
     const Pair& pair = pair_at(of_way);
     const std::vector<Ball> v = pair.trio.velocities(s.at(pair.k), of_way - pair.before);
-    std::copy(v.begin(), v.end(), all.begin() + 2 * (&pair - pairs_.data()));
+    std::copy(v.begin(), v.end(), all.begin() + static_cast<std::ptrdiff_t>(first_of(pair)));
   }
   if (is_back)
     for (Ball& u : all) u = -u;

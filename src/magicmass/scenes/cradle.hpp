@@ -27,8 +27,6 @@ public:
   Trio::Collision collision(const Shape& s, std::int64_t j) const;
   /// When it takes place, where that is known to be in the field of V and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
-  /// After so many collisions all comes again, only later.
-  std::int64_t period() const { return 2 * way_ + 2; }
   struct Stepping {
     std::int64_t collisions = 0;
   };
@@ -53,9 +51,15 @@ private:
   Quadratic x_, V_;                          // the straight line: where it begins at time 0
   std::optional<Quadratic> ahead_, behind_;  // walls
 
+  /// After so many collisions all comes again, only later.
+  std::int64_t period() const { return 2 * way_ + 2; }
   struct Moment;
   Moment moment(std::int64_t j) const;
   const Pair& pair_at(std::int64_t of_way) const;
+  /// Which body its block is.
+  std::size_t first_of(const Pair& pair) const {
+    return 2 * static_cast<std::size_t>(&pair - pairs_.data());
+  }
   Quadratic time_of(const Moment& m, const Quadratic& on_first_way) const;
   Quadratic time_at(const Quadratic& place) const { return (place - x_) / V_; }
 };

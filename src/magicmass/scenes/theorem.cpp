@@ -133,19 +133,15 @@ struct Seen {
   void stream(std::optional<std::int64_t> collisions, std::int64_t from, const Sink& sink) const {
     constexpr bool is_stepped = std::same_as<Motion, Trio>;
     constexpr int enough_bits = 196;
-    constexpr std::int64_t most_kept = 1 << 14;
     Ball::set_bits(enough_bits);
     auto shape = motion.shape();
     auto now = motion.begin(shape);
-    std::vector<std::vector<double>> kept;  // of a cradle: all but the time comes again
     double before = -1;
+    const auto row_of = [](const Trio::Collision& c) {
+      return std::vector{c.time, c.position, c.v_left, c.v_right};
+    };
     while (now.collisions + 1 < from) motion.step(shape, now);
     for (std::int64_t j = now.collisions; j < collisions.value_or(INT64_MAX); ++j) {
-      const auto again = static_cast<std::size_t>(j % motion.period());
-      const auto row_of = [&](const Trio::Collision& c) {
-        if (again < kept.size()) return std::vector{c.time};
-        return std::vector{c.time, c.position, c.v_left, c.v_right};
-      };
       const auto next = [&] { return row_of(motion.step(shape, now)); };
       const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
       auto row = is_stepped && is_last ? std::nullopt : rounded(next);
@@ -159,11 +155,9 @@ struct Seen {
         });
         if (!is_stepped) Ball::set_bits(enough_bits);
       }
-      std::vector<double>& n = *row;
+      const std::vector<double>& n = *row;
       if (!collisions && n[0] == before) return;
       before = n[0];
-      if (again < kept.size()) n.insert(n.end(), kept[again].begin() + 1, kept[again].end());
-      if (!is_stepped && again == kept.size() && j < most_kept) kept.push_back(n);
       if (is_mirrored)
         sink({j + 1, motion.bodies() - motion.gap(j), n[0], -n[1], -n[3], -n[2]});
       else

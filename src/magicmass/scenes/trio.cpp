@@ -32,11 +32,6 @@ Ball power_of(const Trio::Shape& s, std::int64_t j) {
 }
 }  // namespace
 
-Ball ball_of(const Quadratic& x) {
-  const Ball a(x.rational_part());
-  return x.radicand() == 1 ? a : a + Ball(x.root_part()) * sqrt(Ball(cl_RA(x.radicand())));
-}
-
 std::optional<Trio> Trio::of(const Places& places) {
   const auto& [masses, line] = places;
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
@@ -87,6 +82,14 @@ std::optional<std::int64_t> Trio::by_theorem() const {
   if (deficient != nullptr) return 2 * cln::cl_I_to_long(deficient->k) + 1;
   return {};
 }
+simulator::InTurn<Quadratic> Trio::first_collisions() const {
+  const auto B = B_ ? std::optional(*B_->exact()) : std::nullopt;
+  simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_);
+  const auto& v = now.velocities;
+  const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
+  while (now.collisions <= largest_tie && approach()) now.step();
+  return now;
+}
 std::optional<std::int64_t> Trio::count() const {
   if (const auto known = by_theorem()) return known;
   const cl_I most = cln::ash(cl_I(1), 62);
@@ -95,12 +98,8 @@ std::optional<std::int64_t> Trio::count() const {
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
     if (*q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision.
-    const auto B = B_ ? std::optional(*B_->exact()) : std::nullopt;
-    simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_);
-    const auto& v = now.velocities;
-    const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
-    while (now.collisions <= largest_tie && approach()) now.step();
-    if (now.collisions <= largest_tie) return now.collisions;
+    const std::int64_t few = first_collisions().collisions;
+    if (few <= largest_tie) return few;
   }
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();

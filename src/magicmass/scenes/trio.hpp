@@ -15,8 +15,6 @@
 
 namespace magicmass::scenes {
 
-Ball ball_of(const Quadratic& x);
-
 class Trio {
 public:
   /// Nothing for what moves otherwise.
@@ -24,10 +22,9 @@ public:
   /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
   static Trio equal_blocks(const Value& alpha, const Quadratic& e);
 
-  /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
-  /// for larger m.
-  static constexpr std::int64_t largest_tie = 12;
-
+  /// Exactly, in units of V and L, at most one more than `largest_tie` of them. Masses must be
+  /// exact.
+  simulator::InTurn<Quadratic> first_collisions() const;
   /// How many collisions; nothing where they never end. Throws Undecided where more bits than are
   /// allowed would be needed, or 2^62 collisions are not enough.
   std::optional<std::int64_t> count() const;
@@ -47,7 +44,6 @@ public:
   Collision collision(const Shape& s, std::int64_t j) const;
   /// When it takes place, where that is known to be in the field of V, L and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
-  std::int64_t period() const { return INT64_MAX; }
   /// The motion collision by collision, quicker than collision(), with a few bits lost.
   using Stepping = simulator::InTurn<Ball>;
   Stepping begin(const Shape& s) const;
@@ -68,6 +64,9 @@ public:
   std::vector<std::int64_t> counts(std::int64_t collisions) const;
 
 private:
+  /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
+  /// for larger m.
+  static constexpr std::int64_t largest_tie = 12;
   Value A_, C_;
   std::optional<Value> B_;  ///< nothing: a wall
   Quadratic e_, V_, L_;

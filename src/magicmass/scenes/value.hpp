@@ -8,10 +8,12 @@
 #include <string_view>
 #include <variant>
 
-#include "magicmass/scenes/quadratic.hpp"
+#include "balls/quadratic.hpp"
 #include "notation/alpha.hpp"
 
 namespace magicmass::scenes {
+
+using balls::Quadratic;
 
 struct Value {
   std::string text;  ///< as it was written
