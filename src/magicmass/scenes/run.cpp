@@ -6,7 +6,6 @@
 #include <bit>
 #include <cmath>
 #include <concepts>
-#include <span>
 
 #include "magicmass/numbers/errors.hpp"
 #include "magicmass/scenes/theorem.hpp"
@@ -47,14 +46,21 @@ private:
 };
 
 /// Exactly, of bodies in doubles too: it overflows where velocities do not.
-Quadratic energy_of(const auto& bodies) { return simulator::kinetic_energy<Quadratic>(bodies); }
-
-/// Of bodies at the end.
-void set_energies(const Scene& scene, const auto& bodies, Result& result) {
-  result.energy = energy_of(bodies);
-  if (const auto receiver = scene.receiver())
-    result.transmitted =
-        energy_of(std::span(&bodies[*receiver], 1)) / std::get<Quadratic>(result.energy_before);
+template <class Scalar>
+void set_energies(const Scene& scene, const simulator::Line<Scalar>& start, Result& result) {
+  const auto energy = [&](std::size_t body, const Number& velocity) {
+    const Quadratic v(std::get<Scalar>(velocity));
+    return Quadratic(start.masses[body]) * v * v / 2;
+  };
+  Quadratic before = 0, after = 0;
+  for (std::size_t i = 0; i < start.masses.size(); ++i) {
+    before = before + energy(i, start.velocities[i]);
+    after = after + energy(i, result.terminal[i]);
+  }
+  result.energy_before = before;
+  result.energy = after;
+  if (const auto last = scene.receiver())
+    result.transmitted = energy(*last, result.terminal[*last]) / before;
 }
 
 /// Whether rounding decided where the motion ends, and whether more is to come.
@@ -76,11 +82,11 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
               double work = most_work) {
   std::optional<Scalar> until;
   if (scene.until) until = number_of<Scalar>(*scene.until);
-  Engine<Scalar> engine(line_of<Scalar>(scene));
+  const auto line = line_of<Scalar>(scene);
+  Engine<Scalar> engine(line);
   Lengths lengths(work, scene.masses.size());
   Result result;
   result.counts.resize(scene.masses.size() + 1);
-  result.energy_before = energy_of(engine.bodies());
   while (engine.next()) {
     if (until && !engine.is_due_by(*until)) {
       result.why = at_until;
@@ -100,7 +106,7 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
       sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
   }
   for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
-  set_energies(scene, engine.bodies(), result);
+  set_energies(scene, line, result);
   decide_status(engine, result);
   return result;
 }
@@ -114,20 +120,17 @@ std::int64_t told(const Scene& collapse) {
 
 /// What a collapse comes to in exact numbers, but for its time and place: momentum is kept.
 Result exactly(const Scene& scene, Result result) {
-  const Result stepped = motion<Quadratic>(scene, told(scene));
+  const auto line = line_of<Quadratic>(scene);
+  const std::size_t bodies = line.masses.size();
   Quadratic mass = 0, momentum = 0;
-  const auto masses = line_of<Quadratic>(scene).masses;
-  std::vector<simulator::Body<Quadratic>> bodies;
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    mass = mass + masses[i];
-    momentum = momentum + masses[i] * std::get<Quadratic>(stepped.terminal[i]);
+  for (std::size_t i = 0; i < bodies; ++i) {
+    mass = mass + line.masses[i];
+    momentum = momentum + line.masses[i] * line.velocities[i];
   }
-  const Quadratic velocity = masses.size() == 2 ? Quadratic(0) : momentum / mass;
-  for (const Quadratic& m : masses) bodies.push_back({m, 0, velocity});
-  result.terminal.assign(bodies.size(), velocity);
-  result.energy_before = stepped.energy_before;
-  set_energies(scene, bodies, result);
-  result.known_until = stepped.known_until;
+  const bool has_wall = bodies == 2;
+  result.terminal.assign(bodies, has_wall ? Quadratic(0) : momentum / mass);
+  set_energies(scene, line, result);
+  result.known_until = motion<Quadratic>(scene, told(scene)).known_until;
   result.plan.is_exact = true;
   return result;
 }

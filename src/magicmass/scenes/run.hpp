@@ -46,15 +46,7 @@ struct Result {
   std::optional<Number> known_until;  ///< the time up to which bodies go on so; nothing: for ever
 };
 
-/// A collision.
-struct Row {
-  std::int64_t number;
-  std::size_t gap;
-  Number time;
-  Number position;
-  Number v_left;
-  Number v_right;
-};
+using Row = simulator::Collision<Number>;
 using Sink = std::function<void(const Row&)>;
 
 /// By theorem where the scene is a Trio or a Cradle. Else it is stepped, in doubles, and again in

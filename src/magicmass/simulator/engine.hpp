@@ -18,7 +18,7 @@
 namespace magicmass::simulator {
 
 /// Gap g closed: bodies g - 1 and g met, or body 0 (g = 0) or the last one a wall.
-template <Field Scalar>
+template <class Scalar>
 struct Collision {
   std::int64_t number;  ///< 1 for the first
   std::size_t gap;

@@ -80,13 +80,4 @@ Line<Scalar> mirrored(Line<Scalar> line) {
   return line;
 }
 
-/// sum m v^2 / 2
-template <Field Scalar, class Bodies>
-Scalar kinetic_energy(const Bodies& bodies) {
-  Scalar sum(0);
-  for (const auto& body : bodies)
-    sum = sum + Scalar(body.mass) * Scalar(body.velocity) * Scalar(body.velocity);
-  return sum / Scalar(2);
-}
-
 }  // namespace magicmass::simulator
