@@ -272,11 +272,20 @@ TEST_CASE("a line with a fault does not move", "[exam]") {
     spoil(line);
     CHECK_THROWS_WITH(Engine<double>(line), ContainsSubstring(part));
   };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
+  using Limits = std::numeric_limits<double>;
+  const double nan = Limits::quiet_NaN();
+  const auto with_mass = [&](double mass) {
+    return [=](Line<double>& line) { line.masses[1] = mass; };
+  };
   CHECK_NOTHROW(Engine<double>(good));
+  for (const double mass : {Limits::max(), Limits::denorm_min()})
+    CHECK_NOTHROW(Engine<double>({{1, mass}, {0, 1}, {1, 0}, {}, {}}));
+  CHECK_THROWS_AS(Engine<cl_RA>({{1, 0}, {0, 1}, {1, 0}, {}, {}}), std::invalid_argument);
   refused([](auto& line) { line = {}; }, "masses: no bodies; allowed: one or more");
-  refused([](auto& line) { line.masses[1] = 0; }, "masses: that of body 2 is not above 0");
-  refused([&](auto& line) { line.masses[0] = nan; }, "masses: that of body 1 is not finite");
+  for (const double mass : {0.0, -1.0})
+    refused(with_mass(mass), "masses: that of body 2 is not above 0");
+  for (const double mass : {nan, Limits::infinity()})
+    refused(with_mass(mass), "masses: that of body 2 is not finite");
   refused([](auto& line) { line.positions[1] = -1; }, "positions: body 2 is left of body 1");
   refused([&](auto& line) { line.positions[1] = nan; }, "positions: that of body 2 is not finite");
   refused([&](auto& line) { line.velocities[0] = -1 / 0.0; },
