@@ -86,14 +86,11 @@ Cradle::Moment Cradle::moment(std::int64_t j) const {
   const bool is_back = of_round > way_;
   if (of_round % (way_ + 1) == way_) return {round, is_back, nullptr, 0};
   const std::int64_t of_way = is_back ? 2 * way_ - of_round : of_round;
-  const Pair& pair = pair_at(of_way);
-  return {round, is_back, &pair, of_way - pair.before};
-}
-const Cradle::Pair& Cradle::pair_at(std::int64_t of_way) const {
   const auto after =
       std::upper_bound(pairs_.begin(), pairs_.end(), of_way,
                        [](std::int64_t number, const Pair& pair) { return number < pair.before; });
-  return *(after - 1);
+  const Pair& pair = *(after - 1);
+  return {round, is_back, &pair, of_way - pair.before};
 }
 /// On the way back motion runs backwards.
 Quadratic Cradle::time_of(const Moment& m, const Quadratic& on_first_way) const {
@@ -136,16 +133,14 @@ std::size_t Cradle::gap(std::int64_t j) const {
   return first_of(*m.pair) + m.pair->trio.gap(m.number);
 }
 std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) const {
-  const std::int64_t of_round = collisions % period();
-  const bool is_back = of_round > way_;
-  const std::int64_t of_way = is_back ? 2 * way_ + 1 - of_round : of_round;
+  const bool is_back = collisions % period() > way_;
+  const Moment m = moment(is_back ? collisions - 1 : collisions);
   std::vector<Ball> all(bodies());
-  if (of_way == way_) {
-    all.back() = ball_of(V_);
+  if (m.pair) {
+    const std::vector<Ball> v = m.pair->trio.velocities(s.at(m.pair->k), m.number);
+    std::copy(v.begin(), v.end(), all.begin() + static_cast<std::ptrdiff_t>(first_of(*m.pair)));
   } else {
-    const Pair& pair = pair_at(of_way);
-    const std::vector<Ball> v = pair.trio.velocities(s.at(pair.k), of_way - pair.before);
-    std::copy(v.begin(), v.end(), all.begin() + static_cast<std::ptrdiff_t>(first_of(pair)));
+    all.back() = ball_of(V_);
   }
   if (is_back)
     for (Ball& u : all) u = -u;

@@ -28,9 +28,9 @@ public:
   /// When it takes place, where that is known to be in the field of V and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   struct Stepping {
-    std::int64_t collisions = 0;
+    std::int64_t collisions;
   };
-  Stepping begin(const Shape& /*s*/) const { return {}; }
+  Stepping stepped(const Shape& /*s*/, std::int64_t collisions) const { return {collisions}; }
   Trio::Collision step(const Shape& s, Stepping& now) const {
     return collision(s, now.collisions++);
   }
@@ -55,7 +55,6 @@ private:
   std::int64_t period() const { return 2 * way_ + 2; }
   struct Moment;
   Moment moment(std::int64_t j) const;
-  const Pair& pair_at(std::int64_t of_way) const;
   /// Which body its block is.
   std::size_t first_of(const Pair& pair) const {
     return 2 * static_cast<std::size_t>(&pair - pairs_.data());

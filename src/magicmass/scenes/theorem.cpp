@@ -135,12 +135,11 @@ struct Seen {
     constexpr int enough_bits = 196;
     Ball::set_bits(enough_bits);
     auto shape = motion.shape();
-    auto now = motion.begin(shape);
+    auto now = motion.stepped(shape, from - 1);
     double before = -1;
     const auto row_of = [](const Trio::Collision& c) {
       return std::vector{c.time, c.position, c.v_left, c.v_right};
     };
-    while (now.collisions + 1 < from) motion.step(shape, now);
     for (std::int64_t j = now.collisions; j < collisions.value_or(INT64_MAX); ++j) {
       const auto next = [&] { return row_of(motion.step(shape, now)); };
       const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
@@ -150,7 +149,7 @@ struct Seen {
           auto closer = motion.shape();
           if (!is_stepped || is_last) return row_of(motion.collision(closer, j));
           shape = closer;
-          for (now = motion.begin(shape); now.collisions < j;) motion.step(shape, now);
+          now = motion.stepped(shape, j);
           return next();
         });
         if (!is_stepped) Ball::set_bits(enough_bits);

@@ -112,8 +112,10 @@ std::optional<std::int64_t> Trio::count() const {
   return cln::cl_I_to_long(cln::numerator(N));
 }
 
-Trio::Stepping Trio::begin(const Shape& s) const {
-  return {s.A, s.C, B_ ? std::optional(s.C / s.per_B) : std::nullopt, s.e};
+Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
+  Stepping now(s.A, s.C, B_ ? std::optional(s.C / s.per_B) : std::nullopt, s.e);
+  while (now.collisions < collisions) now.step();
+  return now;
 }
 Trio::Collision Trio::step(const Shape& /*s*/, Stepping& now) const {
   now.step();
@@ -142,11 +144,6 @@ Trio::Velocities Trio::in_units(const Shape& s, std::int64_t collisions) const {
     if (collisions == *N) all = {0, 0, 1};
   }
   return all;
-}
-Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
-  Stepping now = begin(s);
-  while (now.collisions < collisions) now.step();
-  return now;
 }
 std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
   const Velocities u = s.q_e > 0 ? in_units(s, collisions) : stepped(s, collisions).velocities;

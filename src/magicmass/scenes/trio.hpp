@@ -46,7 +46,7 @@ public:
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   /// The motion collision by collision, quicker than collision(), with a few bits lost.
   using Stepping = simulator::InTurn<Ball>;
-  Stepping begin(const Shape& s) const;
+  Stepping stepped(const Shape& s, std::int64_t collisions) const;
   Collision step(const Shape& s, Stepping& now) const;
   std::size_t bodies() const { return B_ ? 3 : 2; }
   /// The gap that closes there.
@@ -76,7 +76,6 @@ private:
   bool is_paper_ = false;  ///< equal blocks of mass 1, nothing lost
 
   using Velocities = std::array<Ball, 3>;
-  Stepping stepped(const Shape& s, std::int64_t collisions) const;
   Velocities in_units(const Shape& s, std::int64_t collisions) const;
   Collision in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                      const Velocities& u) const;
