@@ -172,7 +172,9 @@ private:
         return r.kind != Need::NotZero && value.ball && value.ball->high() < 0;
       });
     };
-    return std::none_of(common.begin(), common.end(), may_hold_at);
+    const auto is_of_sign = [](const Requirement& r) { return r.kind != Need::NotZero; };
+    return std::any_of(needs.begin(), needs.end(), is_of_sign) &&
+           std::none_of(common.begin(), common.end(), may_hold_at);
   }
   bool proved(const std::string& how) {
     verdict.proof = how;
