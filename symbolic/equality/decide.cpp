@@ -181,9 +181,9 @@ private:
     return true;
   }
   bool prove() {
+    if (left == right) return proved("both sides are the same expression");
     if (prove_at_whole_exponents()) return true;
     if (has_impossible_need()) return false;
-    if (left == right) return proved("both sides are the same expression");
     if (domain.ranges.empty() && prove_constants()) return true;
     if (is_same_form(right)) return true;
     const Expr other = with_one_angle(left, right, domain, common);

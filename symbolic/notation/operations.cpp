@@ -136,7 +136,7 @@ Expr raised_to(Expr base, Expr exponent, std::size_t column) {
 Expr ordered_root(Expr order, Expr x, std::size_t column) {
   const auto value = rational_value(order);
   if (value && *value < 0) return quotient(1, ordered_root(Expr(-*value), x, column), column);
-  const bool is_usual = value && *value >= 2 && *value <= 100 && cln::denominator(*value) == 1;
+  const bool is_usual = value && *value >= 2 && *value <= 1000 && cln::denominator(*value) == 1;
   if (!is_usual) return raised_to(x, quotient(1, order, column), column);
   return root(cln::cl_I_to_int(cln::numerator(*value)), x);
 }
