@@ -45,9 +45,10 @@ std::optional<std::string> text_in(const std::string& folder, const std::string&
   if (::fstat(file.number, &about) != 0) refuse();
   if (!S_ISREG(about.st_mode)) throw InvalidInput("not a file with text");
   std::string text(most_bytes + 1, '\0');
-  const ssize_t size = ::read(file.number, text.data(), text.size());
-  if (size < 0) refuse();
-  text.resize(static_cast<std::size_t>(size));
+  std::size_t size = 0;
+  for (ssize_t count = 1; count > 0; size += std::size_t(count))  // a read may end early
+    if ((count = ::read(file.number, &text[size], text.size() - size)) < 0) refuse();
+  text.resize(size);
   if (text.size() > most_bytes) throw InvalidInput("more than 64 KiB");
   if (text.find('\0') != text.npos) throw InvalidInput("it has a zero byte, so it is no text");
   return text;

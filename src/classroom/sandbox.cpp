@@ -53,8 +53,8 @@ std::string first_error(const End& compiled, const std::string& folder, const st
     for (const std::string& function : expected_functions(driver)) {
       const std::size_t end = function.find('('), name = function.rfind(' ', end) + 1;
       const std::string called = function.substr(name, end + 1 - name);
-      const bool is_missing = line.find("undefined reference to `" + called) != line.npos;
-      if (is_missing || line.find("ambiguating new declaration of") != line.npos)
+      if (line.find("undefined reference to `" + called) != line.npos ||
+          line.find("ambiguating new declaration of") != line.npos)
         return "a function with this signature is expected: " + answers::shown_text(function, 200);
     }
     learn::replace_all(line, folder + "/", "");
@@ -162,10 +162,9 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
   // Declared again, lest a float is returned where a double is expected.
-  std::ofstream signatures(folder.path + "/signatures.cpp");
-  signatures << "#include \"answer.cpp\"\n";
-  for (const std::string& function : expected_functions(e.driver)) signatures << function << ";\n";
-  signatures.close();
+  std::string signatures = "#include \"answer.cpp\"\n";
+  for (const std::string& function : expected_functions(e.driver)) signatures += function + ";\n";
+  std::ofstream(folder.path + "/signatures.cpp") << signatures;
   std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n" << e.driver;
   const auto compile = [&](std::vector<std::string> options) {
     options.insert(options.begin(),

@@ -39,9 +39,10 @@ Names needed(const std::string& file) {
   const auto* block = scene.masses[0].exact();
   if (scene.kind != Kind::three_body || !places || !Trio::of(*places) || block == nullptr ||
       !scene.masses[2].is(*block) || !scene.restitution.is(1)) {
-    throw InvalidInput(scene.source +
-                       ": no evaluators for this scene; allowed: blocks A and B of one mass, B at "
-                       "rest beside the ball C, A on its way to them, restitution 1");
+    throw InvalidInput(
+        scene.source +
+        ": no evaluators for this scene; allowed: blocks A and B of equal mass, B at "
+        "rest beside the ball C, A on its way to them, restitution 1");
   }
   Names names;
   for (const std::string& output : scene.outputs) {

@@ -43,8 +43,8 @@ CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wa
     const std::string& name = fields_[i];
     const bool is_wanted = std::count(wanted.begin(), wanted.end(), name) != 0;
     if (std::count(refused.begin(), refused.end(), name) != 0) {
-      refuse(name + ": no column but an option of all rows, --" + name +
-             "; columns that are options: " + allowed);
+      refuse(name + ": not a column but one option for all rows, --" + name +
+             "; options that may be columns: " + allowed);
     }
     if (is_wanted && std::count(names_.begin(), names_.end(), name) != 0)
       refuse(name + ": a column of that name was there before");

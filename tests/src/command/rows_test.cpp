@@ -70,7 +70,7 @@ TEST_CASE("what is refused, and where", "[exam]") {
   refuses("", "1: the first line must name a column, got (nothing); allowed: alpha, n");
   refuses("beta\n1\n", "1: the first line must name a column, got beta; allowed: alpha, n");
   refuses("alpha,tier\n1,2\n",
-          "1: tier: no column but an option of all rows, --tier; columns that are options: "
+          "1: tier: not a column but one option for all rows, --tier; options that may be columns: "
           "alpha, n");
   refuses("n,n\n1,2\n", "1: n: a column of that name was there before");
   refuses("alpha,n\n1,2\n3\n", "3: 1 fields where the header names 2");
