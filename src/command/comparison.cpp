@@ -3,18 +3,16 @@
 
 #include <array>
 #include <charconv>
-#include <functional>
-#include <map>
 #include <sstream>
 #include <stdexcept>
 
 #include "answers/paper.hpp"
-#include "answers/velocities.hpp"
+#include "answers/question.hpp"
 
 namespace command {
 namespace {
 
-using answers::Request;
+using answers::answer_to;
 
 struct PaperNumber {
   std::string label, number, printed, question, column, reason;
@@ -28,26 +26,6 @@ PaperNumber paper_number(const std::string& line) {
   if (!fields) throw std::runtime_error("six fields are allowed");
   std::getline(fields, row.reason);
   return row;
-}
-
-/// "count --alpha 0.12": the columns of the last row that it answers.
-std::map<std::string, std::string> answer_to(const std::string& question) {
-  static const std::map<std::string, std::function<answers::Answer(const Request&)>> all{
-      {"angle", answers::angle},   {"count", answers::count},       {"extremum", answers::extremum},
-      {"ratios", answers::ratios}, {"terminal", answers::terminal},
-  };
-  std::istringstream words(question);
-  std::string name, option, value;
-  words >> name;
-  Request request;
-  while (words >> option >> value) request.options[option.substr(2)] = value;
-  const auto found = all.find(name);
-  if (found == all.end()) throw std::runtime_error("nobody answers " + question);
-  const answers::Table table = found->second(request).table;
-  std::map<std::string, std::string> cells;
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
-    cells[table.columns[i]] = table.rows.back()[i].text;
-  return cells;
 }
 
 std::size_t decimals(const std::string& number) {

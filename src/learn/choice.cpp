@@ -4,7 +4,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "equality/constant.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {
@@ -13,7 +12,7 @@ namespace {
 bool are_true(const Terms& terms, const std::string& conditions) {
   for (const std::string& part : split(conditions, ','))
     for (const auto& [left, relation, right] : notation::read_comparisons(part)) {
-      const auto is_true = holds({terms.in_full(left), relation, terms.in_full(right)});
+      const auto is_true = equality::holds({terms.in_full(left), relation, terms.in_full(right)});
       if (!is_true) throw answers::InvalidInput("when: " + part + ": not decided");
       if (!*is_true) return false;
     }
@@ -21,19 +20,6 @@ bool are_true(const Terms& terms, const std::string& conditions) {
 }
 
 }  // namespace
-
-std::optional<bool> holds(const notation::Comparison& c) {
-  const Expr difference = c.left - c.right;
-  if (!notation::symbols_of(difference).empty()) return {};
-  try {
-    const auto sign = equality::exact_sign(difference);
-    if (!sign) return {};
-    if (*sign == 0) return c.relation.ends_with('=') && c.relation != "!=";
-    return c.relation == "!=" || c.relation[0] == (*sign < 0 ? '<' : '>');
-  } catch (const equality::NotDefined&) {
-    return false;
-  }
-}
 
 char right_choice(const Exercise& e) {
   if (e.when.empty()) return e.answer.empty() ? '?' : e.answer[0];

@@ -57,7 +57,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   if (said.mark != Mark::wrong) return said;
   if (is_prediction && !e.within.empty()) {
     const Expr gap = notation::call("abs", given - expected);
-    const auto is_near = holds({gap, "<=", terms.in_full(terms.content(e.within))});
+    const auto is_near = equality::holds({gap, "<=", terms.in_full(terms.content(e.within))});
     if (!is_near) return {Mark::undecided, "It could not be decided whether yours is near enough."};
     if (*is_near) return {Mark::right, "Right: near enough."};
   }

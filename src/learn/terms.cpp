@@ -2,12 +2,11 @@
 #include "learn/terms.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "answers/equality.hpp"
 #include "answers/errors.hpp"
+#include "answers/question.hpp"
 #include "answers/shown_text.hpp"
-#include "answers/velocities.hpp"
 #include "equality/constant.hpp"
 #include "notation/tokens.hpp"
 
@@ -16,27 +15,15 @@ namespace {
 
 using answers::InvalidInput;
 
-/// "count --alpha 3/25": the numbers of its one row by their columns' names.
-kernel::Substitution ran(const std::string& line) {
-  static const std::map<std::string, answers::Answer (*)(const answers::Request&)> commands{
-      {"eval", answers::eval}, {"count", answers::count}, {"terminal", answers::terminal}};
+/// The numbers that answer a question, by their columns' names.
+kernel::Substitution numbers_of(const std::string& question) {
   kernel::Substitution numbers;
-  std::istringstream words(line);
-  std::string command, option, value;
-  words >> command;
-  answers::Request request;
-  while (words >> option >> value) request.options.emplace(option.erase(0, 2), value);
-  const auto found = commands.find(command);
-  if (found == commands.end()) throw InvalidInput("run: allowed: eval, count, terminal");
-  const answers::Table table = found->second(request).table;
-  for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    std::string text = table.rows.at(0).at(i).text;
+  for (auto [column, text] : answers::answer_to(question))
     if (text.find_first_of("0123456789") != text.npos &&
         text.find_first_not_of("-+./e0123456789") == text.npos) {
       std::replace(text.begin(), text.end(), 'e', 'E');  // 1e-12 has two readings
-      numbers.emplace(notation::symbol(table.columns[i]), notation::read_typed(text).term);
+      numbers.emplace(notation::symbol(column), notation::read_typed(text).term);
     }
-  }
   return numbers;
 }
 
@@ -105,7 +92,7 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
     known.insert(name);
     values.emplace(notation::symbol(name), content(text));
   }
-  if (!e.run.empty()) values.merge(ran(e.run));
+  if (!e.run.empty()) values.merge(numbers_of(e.run));
 }
 
 Expr Terms::typed(const std::string& text, Texts& notes) const {

@@ -47,8 +47,6 @@ std::string quoted(const std::string& typed, Expr read);
 Judgement mistake(const Exercise& exercise,
                   const std::function<bool(const std::string& answer)>& was_given,
                   const std::string& otherwise);
-/// Whether a comparison of numbers is true; nothing where it is not decided.
-std::optional<bool> holds(const notation::Comparison& comparison);
 
 inline const std::string happens = "Right: this is what happens.";
 Judgement judge_choice(const Exercise& exercise, const std::string& typed);

@@ -52,21 +52,11 @@ bool bound(const notation::Comparison& c, std::map<Expr, Range>& given) {
     given[symbol].cut_below(end);
   return true;
 }
-bool holds(const notation::Comparison& c, const Point& point) {
-  std::optional<int> sign;
-  try {
-    sign = exact_sign(at(point, c.left - c.right));
-  } catch (const NotDefined&) {
-  }
-  if (!sign) return false;
-  if (c.relation == "=") return *sign == 0;
-  if (c.relation == "!=") return *sign != 0;
-  if (*sign == 0) return c.relation.size() == 2;
-  return (*sign < 0) == (c.relation[0] == '<');
-}
 bool is_in(const Domain& domain, const Point& point) {
   return std::all_of(domain.further.begin(), domain.further.end(),
-                     [&](const notation::Comparison& c) { return holds(c, point); });
+                     [&](const notation::Comparison& c) {
+                       return holds({at(point, c.left), c.relation, at(point, c.right)}) == true;
+                     });
 }
 std::string shown(const std::string& name, const Range& range) {
   const auto with = [](const std::string& sign, const End& end) {
@@ -270,6 +260,18 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
     if (is_in(domain, point)) out.push_back(point);
   }
   return out;
+}
+std::optional<bool> holds(const notation::Comparison& c) {
+  const Expr difference = c.left - c.right;
+  if (!notation::symbols_of(difference).empty()) return {};
+  try {
+    const auto sign = exact_sign(difference);
+    if (!sign) return {};
+    if (*sign == 0) return c.relation.ends_with('=') && c.relation != "!=";
+    return c.relation == "!=" || c.relation[0] == (*sign < 0 ? '<' : '>');
+  } catch (const NotDefined&) {
+    return false;
+  }
 }
 Expr at(const Point& point, Expr term) {
   kernel::Substitution s;

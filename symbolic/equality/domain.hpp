@@ -57,6 +57,8 @@ std::vector<std::string> texts(const Domain& domain);
 /// turns. `is_inside`: fractions first, which lie inside of short intervals, then values far apart.
 std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& terms,
                           bool is_inside = false);
+/// Whether it is true of constants; nothing where that is not decided, or where symbols are left.
+std::optional<bool> holds(const notation::Comparison& comparison);
 /// The term with numbers for the symbols of the point.
 Expr at(const Point& point, Expr term);
 std::string text(const Point& point);  ///< "alpha = 1/2, n = 3"

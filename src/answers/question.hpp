@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Questions of exercises and of the table of the paper's numbers, written as a command's words.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace answers {
+
+/// "count --alpha 3/25": the cells of the last row of its answer, by their columns' names.
+/// Throws InvalidInput where the command is none of those that answer in numbers.
+std::map<std::string, std::string> answer_to(const std::string& question);
+
+}  // namespace answers
