@@ -97,6 +97,8 @@ Answer equal(const Request& request) {
     const equality::Domain domain = equality::read_domain(request.text("domain"), symbols, notes);
     const Verdict verdict = equality::decide(sides[0], sides[1], domain);
     notes.insert(notes.end(), verdict.notes.begin(), verdict.notes.end());
+    for (auto note = notes.begin(); note != notes.end(); ++note)  // of both sides: said once
+      notes.erase(std::remove(note + 1, notes.end(), *note), notes.end());
     const Row row{text_cell(equality::word(verdict.answer)),
                   text_cell(verdict.proof),
                   counterexample_cell(verdict),

@@ -297,8 +297,7 @@ private:
   }
   Expr name(const Token& token) {
     const std::string& word = token.text;
-    if (is_function(word)) return function(token);
-    if (word.starts_with("log_")) return logarithm_to_base(token);
+    if (is_function(word) || has_base(word)) return function(token);
     if (word == "pi" || word == "Pi" || word == "PI") return kernel::pi();
     if (const std::string meant = hidden_function(word); !meant.empty() && !factors.contains(word))
       refuse_at(token.column, word + ": is " + meant + " meant?");
@@ -330,9 +329,10 @@ private:
   bool has_comma_ahead() const {
     int open = 0;
     for (std::size_t i = place; i < words.size(); ++i) {
-      open += words[i].text == "(" ? 1 : words[i].text == ")" ? -1 : 0;
+      const std::string& text = words[i].text;
+      open += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
       if (open == 0) return false;
-      if (open == 1 && words[i].text == ",") return true;
+      if (open == 1 && text == ",") return true;
     }
     return false;
   }
@@ -344,11 +344,14 @@ private:
       exponent = signed_factor();
       const auto value = rational_value(exponent);
       if (!value || *value < 1 || cln::denominator(*value) != 1)
-        refuse_at(column, token.text + "^-1 has two readings: write a" + token.text +
-                              "(x) for the inverse function, 1/" + token.text +
-                              "(x) for the quotient");
+        refuse_at(column, token.text + "^-1 has two readings: write " +
+                              (is_function("a" + token.text)
+                                   ? "a" + token.text + "(x) for the inverse function, "
+                                   : "") +
+                              "1/" + token.text + "(x) for the quotient");
     }
-    const Expr value = token.text == "root" ? root_call(token)
+    const Expr value = token.text == "root"   ? root_call(token)
+                       : has_base(token.text) ? logarithm_to_base(token)
                        : token.text == "log" && has_comma_ahead()
                            ? logarithm_call(token)
                            : applied(token.text, argument(token));
@@ -378,12 +381,16 @@ private:
     note("log(" + typed(from + 1, place - 1) + ") is read as " + typed_text(value));
     return value;
   }
-  // log_2(8)
+  // log_2(8), log2(8)
+  bool has_base(const std::string& word) const {
+    return word.starts_with("log_") || ((word == "log2" || word == "log10") && is("("));
+  }
   Expr logarithm_to_base(Token token) {
-    const std::string base = token.text.substr(4);
+    const std::string base = token.text.substr(token.text[3] == '_' ? 4 : 3);
     const bool is_number = base.find_first_not_of("0123456789") == npos;
     const bool is_name = base.size() == 1 || is_greek_name(base) || factors.contains(base);
-    if (!is_number && !is_name)
+    const bool is_decimal = now().kind == Kind::Number && now().text[0] == '.';
+    if ((!is_number && !is_name) || is_decimal)
       refuse_at(token.column,
                 "unknown function " + token.text + "; write log(x, b) for the logarithm to base b");
     note(token.text + " is read as the logarithm to base " + base);
