@@ -104,9 +104,8 @@ Answer check(const Request& request) {
   if (request.words.size() != (is_file ? 2 : 3))
     throw InvalidInput(
         "learn check: give an ID and one answer, in quotation marks, or --file FILE");
-  const std::string file = request.text("file") == "-" ? "/dev/stdin" : request.text("file");
   const std::string text =
-      is_file ? magicmass::scenes::text_of(file, allowed_file) : request.words[2];
+      is_file ? magicmass::scenes::text_of(request.text("file"), allowed_file) : request.words[2];
   learn::Judgement said = judge(e, text, run_code);
   remember(e, text, said);
   Answer answer;

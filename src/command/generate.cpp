@@ -34,7 +34,7 @@ Names needed(const std::string& file) {
   static const std::map<std::string, Names> all{{"counts", {"N_A", "N_B"}},
                                                 {"terminal", {"a_t", "b_t", "c_t", "rho"}},
                                                 {"events", {"a", "b", "c", "c_prime"}}};
-  const Scene scene = read_scene(file == "-" ? "/dev/stdin" : file);
+  const Scene scene = read_scene(file);
   const auto places = exact_places(scene);
   const auto* block = scene.masses[0].exact();
   if (scene.kind != Kind::three_body || !places || !Trio::of(*places) || block == nullptr ||

@@ -15,7 +15,6 @@
 namespace command {
 namespace {
 
-using namespace std::string_literals;
 using answers::InvalidInput;
 using answers::joined;
 using answers::shown_text;
@@ -134,8 +133,6 @@ Asked asked_for(const Command& command, const std::vector<Option>& options,
   Asked asked;
   asked.command = &command;
   asked.request.options = values;
-  if (command.words.ends_with("- for stdin"))
-    std::replace(words.begin(), words.end(), "-"s, "/dev/stdin"s);
   asked.request.words = std::move(words);
   asked.request.format = command.formats.front();
   const auto& endless = command.endless;

@@ -9,6 +9,8 @@
 namespace magicmass::scenes {
 namespace {
 
+std::string shown_source(const std::string& path) { return path == "-" ? "stdin" : path; }
+
 const std::string allowed_scene = "a scene in TOML, lines like alpha = \"magic:3\"";
 constexpr std::size_t longest_file = std::size_t{1} << 20U;
 
@@ -168,20 +170,20 @@ Scene parse_scene(std::string_view text, const std::string& source) {
 }
 
 std::string text_of(const std::string& path, const std::string& allowed) {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream file(path == "-" ? "/dev/stdin" : path, std::ios::binary);
   std::string text(longest_file + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
-    throw InvalidInput("cannot read " + path + "; allowed: " + allowed);
+    throw InvalidInput("cannot read " + shown_source(path) + "; allowed: " + allowed);
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > longest_file)
-    throw InvalidInput(path + ":1: more than " + std::to_string(longest_file) +
+    throw InvalidInput(shown_source(path) + ":1: more than " + std::to_string(longest_file) +
                        " bytes; allowed: " + allowed);
   return text;
 }
 
 Scene read_scene(const std::string& path) {
-  return parse_scene(text_of(path, "a scene file in TOML"), path);
+  return parse_scene(text_of(path, "a scene file in TOML"), shown_source(path));
 }
 
 }  // namespace magicmass::scenes
