@@ -22,27 +22,33 @@ using Numbers = std::set<std::size_t>;
 class Index {
 public:
   explicit Index(const derivation::Book& book) {
+    kernel::Theorems shown;
     for (const Chapter& chapter : book.chapters()) {
       chapters.push_back(chapter.name);
       for (const Statement& s : chapter.statements) {
         numbers.emplace(s.theorem.conclusion(), all.size());
         all.push_back({chapter, s});
+        shown.push_back(s.theorem);
       }
     }
+    proofs = coq::proofs_of(shown);
   }
   Numbers premises(std::size_t of) const {
     Numbers found;
     std::set<coq::Sequent> seen;
-    kernel::Theorems open = all[of].statement.theorem.step().premises;
+    const auto premises_of = [&](const Theorem& t) {
+      return proofs.at(coq::sequent_of(t)).step().premises;
+    };
+    kernel::Theorems open = premises_of(all[of].statement.theorem);
     while (!open.empty()) {
       const Theorem t = open.back();
       open.pop_back();
-      if (!seen.insert(coq::sequent_of(t)).second) continue;
+      if (t.step().rule == "assume" || !seen.insert(coq::sequent_of(t)).second) continue;
       const auto shown = numbers.find(t.conclusion());
       if (shown != numbers.end() && shown->second < of)  // what is shown later is another one
         found.insert(shown->second);
       else
-        for (const Theorem& p : t.step().premises) open.push_back(p);
+        for (const Theorem& p : premises_of(t)) open.push_back(p);
     }
     return found;
   }
@@ -59,6 +65,7 @@ public:
   std::vector<std::string> chapters;
 
 private:
+  coq::Proofs proofs;                           // none rests on itself
   std::map<kernel::Expr, std::size_t> numbers;  // a definition may be shown under more hypotheses
 };
 
