@@ -15,6 +15,7 @@ namespace {
 
 using derivation::Chapter;
 using derivation::Statement;
+using kernel::Op;
 using kernel::Theorem;
 
 /// The shown theorems by number, in the book's order, and which of them each was made from.
@@ -26,7 +27,10 @@ public:
     for (const Chapter& chapter : book.chapters()) {
       chapters.push_back(chapter.name);
       for (const Statement& s : chapter.statements) {
-        numbers.emplace(s.theorem.conclusion(), all.size());
+        const kernel::Expr conclusion = s.theorem.conclusion();
+        numbers.emplace(conclusion, all.size());
+        if (conclusion.op() == Op::And)
+          for (const kernel::Expr& part : conclusion.args()) numbers.emplace(part, all.size());
         all.push_back({chapter, s});
         shown.push_back(s.theorem);
       }
