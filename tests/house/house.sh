@@ -82,15 +82,17 @@ awk '
       known = 1
     }
   }
-  /^#include "/ {
+  /^[ \t]*#[ \t]*include[ \t]*"/ {
     split($0, quoted, "\"")
+    if (quoted[2] ~ /\.\./) print FILENAME ":" FNR ": .. in an include"
     to = ""
     for (i = 1; i <= roots; ++i) if (root[i] quoted[2] in is_file) to = room_of(root[i] quoted[2])
     if (to != "" && to != room && room != "" && !allowed(to))
       print FILENAME ":" FNR ": " room " may not see " to
   }
-  /^#include </ {
-    for (p in package) if (index($0, "#include <" p) == 1 && room != "" && !allowed(package[p]))
+  /^[ \t]*#[ \t]*include[ \t]*</ {
+    split($0, quoted, "<")
+    for (p in package) if (index(quoted[2], p) == 1 && room != "" && !allowed(package[p]))
       print FILENAME ":" FNR ": " room " may not see " package[p]
   }' "$here/rooms.txt" "$here/packages.txt" "${code[@]}" >>"$broken"
 packages | while read -r _ include found debian; do

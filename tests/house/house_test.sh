@@ -35,6 +35,8 @@ fresh && echo 'int a;' >"$copy/symbolic/kernel/a.inc" && expect "a.inc: this end
 fresh && echo 'int a;' >"$copy/lost.cpp" && expect "lost.cpp: is in no room"
 fresh && for _ in {1..1500}; do echo true; done >"$copy/long.sh" && expect "scripts: 15"
 fresh && echo '#include "codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see symbolic/codegen"
+fresh && echo '# include  "codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see symbolic/codegen"
+fresh && echo '#include "../codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && expect ": .. in an include"
 fresh && echo '#include <ginac/ginac.h>' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see ginac"
 fresh && echo '#include <boost/any.hpp>' >>"$copy/symbolic/kernel/a.cpp" && expect "lacks the package of <boost/any.hpp>"
 fresh && echo 'find_package(Boost)' >>"$copy/CMakeLists.txt" && expect "CMake finds as Boost"

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Rooms that see the kernel hold no words by which C++ could make a theorem past its rules.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <regex>
 
 #include "catch.hpp"
@@ -19,35 +21,70 @@ std::string contents(const fs::path& file) {
 std::string bare(std::string code) {
   code = std::regex_replace(code, std::regex(R"(\\\r?\n)"), "");
   code += std::regex_replace(code, std::regex(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/)"), " ");
+  code = std::regex_replace(code, std::regex(R"(\[\[[^\]]*\]\])"), " ");  // attributes
   code = std::regex_replace(code, std::regex(R"(\s+)"), " ");
   code = std::regex_replace(code, std::regex(R"( ?:: ?)"), "::");
   code = std::regex_replace(code, std::regex(R"(# )"), "#");
   return std::regex_replace(code, std::regex("using namespace (::)?kernel"), "using kernel");
 }
-// "file: word" for each forging word in C++ below the folder, but not in the kernel itself.
-std::vector<std::string> forged(const fs::path& folder) {
+/// C++ below the folders that sees the kernel and is not in it: it includes a file of it, or
+/// one that sees it.
+std::map<std::string, std::string> seeing(const std::vector<fs::path>& folders) {
+  std::map<std::string, std::string> all, found;
+  for (const fs::path& folder : folders)
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      const std::string file = entry.path().generic_string();
+      if (file.ends_with(".cpp") || file.ends_with(".hpp"))
+        all.emplace(file, bare(contents(entry.path())));
+    }
+  std::vector<std::string> open{"kernel/"};  // ends of names as others write them
+  const auto take = [&](const std::string& file) {
+    const auto code = all.find(file);
+    if (file.find("symbolic/kernel/") != file.npos || !found.insert(*code).second) return;
+    for (auto slash = file.rfind('/'); slash != file.npos && slash > 0;
+         slash = file.rfind('/', slash - 1))
+      open.push_back(file.substr(slash + 1) + '"');
+  };
+  while (!open.empty()) {
+    const std::string included = "#include \"" + open.back();
+    open.pop_back();
+    for (const auto& [file, code] : all)
+      if (code.find(included) != code.npos) take(file);
+  }
+  for (const auto& [file, code] : all)
+    if (file.find("symbolic/") != file.npos) take(file);
+  return found;
+}
+/// "file: word" for each forging word in it.
+std::vector<std::string> forged(const std::vector<fs::path>& folders) {
   std::vector<std::string> out;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    const std::string file = entry.path().generic_string();
-    const bool is_code = file.ends_with(".cpp") || file.ends_with(".hpp");
-    if (!is_code || file.find("symbolic/kernel/") != file.npos) continue;
-    const std::string code = bare(contents(entry.path()));
-    if (code.find("#include \"kernel/") == code.npos && file.find("symbolic/") == file.npos)
-      continue;
+  for (const auto& [file, code] : seeing(folders)) {
     for (const char* word :
          {"namespace kernel", "const_cast", "reinterpret_cast", "bit_cast", "memcpy", "memmove",
-          "Theorem::", "::content", "::Content", "::place",
-          "Theorem kernel::", "Theorems kernel::", "#define", "%:", ".cpp\"", "asm(", "asm ("})
+          "Theorem::", "::content>", "::content,", "::Content", "::place",
+          "Theorem kernel::", "Theorems kernel::", "#define", "%:", "asm(", "asm ("})
       if (code.find(word) != code.npos)
-        out.push_back(entry.path().filename().string() + ": " + word);
+        out.push_back(fs::path(file).filename().string() + ": " + word);
+    if (std::regex_search(code, std::regex(R"(#include "[^"]*\.cpp")")))
+      out.push_back(fs::path(file).filename().string() + ": code that is no header");
   }
   return out;
 }
 }  // namespace
 
 TEST_CASE("no room that sees the kernel holds a forging word") {
-  for (const char* folder : {"symbolic", "src"})
-    CHECK(forged(fs::path(MAGICMASS_SOURCE_DIR) / folder) == std::vector<std::string>{});
+  std::vector<fs::path> folders;
+  for (const char* folder : {"symbolic", "src", "tutorials", "examples"})
+    folders.push_back(fs::path(MAGICMASS_SOURCE_DIR) / folder);
+  CHECK(forged(folders) == std::vector<std::string>{});
+  const auto all = seeing(folders);
+  CHECK(all.size() > 100);
+  const auto sees = [&](const std::string& end) {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const auto& file) { return file.first.ends_with(end); });
+  };
+  CHECK(sees("src/command/coq.cpp"));  // through other rooms
+  CHECK_FALSE(sees("numbers/ziv.cpp"));
 }
 
 TEST_CASE("a planted forgery is found, and named") {
@@ -59,17 +96,18 @@ TEST_CASE("a planted forgery is found, and named") {
   };
   plant("kernel/rules.cpp", "namespace kernel { }");
   plant("honest.cpp", "using namespace kernel;\n// no cast here\nint x = kernel::f();\n");
-  CHECK(forged(folder).empty());
+  CHECK(forged({folder}).empty());
   for (const auto& [code, word] : std::vector<std::pair<std::string, std::string>>{
            {"namespace kernel { struct Rules; }", "namespace kernel"},
            {"namespace\n kernel::inner {}", "namespace kernel"},
            {"namespace /* hidden */ kernel {}", "namespace kernel"},
+           {"namespace [[maybe_unused]] kernel {}", "namespace kernel"},
            {"auto& e = const_cast<Exprs&>(t.hypotheses());", "const_cast"},
            {"auto& e = reinterpret_cast<Fake&>(t);", "reinterpret_cast"},
            {"auto t = std::bit_cast<Theorem>(fake);", "bit_cast"},
            {"std::memcpy(&t, &u, sizeof t);", "memcpy"},
            {"std::memmove(&t, &u, sizeof t);", "memmove"},
-           {"using T = Theorem; template struct Thief<&T::content>;", "::content"},
+           {"using T = Theorem; template struct Thief<&T::content>;", "::content>"},
            {"using T = Theorem; using C = T::Content;", "::Content"},
            {"template struct Thief<&Expr::place>;", "::place"},
            {"Theorem kernel::assume(Expr f) { return lie(f); }", "Theorem kernel::"},
@@ -78,10 +116,19 @@ TEST_CASE("a planted forgery is found, and named") {
            {"auto s = \"//\"; auto& e = const_cast<Exprs&>(f);", "const_cast"},
            {"#define private public", "#define"},
            {"# def\\\nine private public", "#define"},
-           {"#include \"kernel/logic.cpp\"", ".cpp\""}}) {
+           {"#include \"kernel/logic.cpp\"", "code that is no header"}}) {
     INFO(code);
     plant("forged.cpp", code);
-    CHECK(forged(folder) == std::vector<std::string>{"forged.cpp: " + word});
+    CHECK(forged({folder}) == std::vector<std::string>{"forged.cpp: " + word});
   }
+  fs::remove(folder / "forged.cpp");
+  const fs::path room = folder.parent_path() / "src";
+  fs::create_directories(room);
+  std::ofstream(room / "far.cpp") << "#include \"src/near.hpp\"\n#define private public";
+  std::ofstream(room / "blind.cpp") << "#define harmless";
+  std::ofstream(room / "near.hpp") << "int x;";
+  CHECK(forged({folder, room}).empty());
+  std::ofstream(room / "near.hpp") << "#include \"kernel/theorem.hpp\"";
+  CHECK(forged({folder, room}) == std::vector<std::string>{"far.cpp: #define"});
   fs::remove_all(folder.parent_path());
 }
