@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "codegen/emit_evaluator.hpp"
 #include "codegen/exact.hpp"
 #include "codegen/plain_text.hpp"
 #include "codegen/text.hpp"
@@ -105,7 +106,7 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   const Expr first = q.cases[0].outputs[0].conclusion().arg(0);
   std::string branches;
   std::set<std::string> functions;  // of <cmath>
-  Words domains, parameters;
+  Words domains, counts, parameters;
   for (const Case& c : q.cases) {
     const bool is_exact = f.form == "exact";
     const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
@@ -115,6 +116,7 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
     functions.merge(text.functions);
     if (!p.doubling.empty()) r.doubling = p.doubling;
     domains.push_back(domain_in_words(q, c, is_exact));
+    counts.push_back(operation_counts(p) + (p.calls.empty() ? "" : ", and those of the calls"));
   }
   for (const Input& i : q.inputs) {
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
@@ -127,6 +129,7 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   r.code +=
       "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
   if (!theorems.empty()) r.code += "/// Theorems: " + theorems + ".\n";
+  r.code += "/// Operations: " + joined(counts, "; or ") + ".\n";
   r.code += head +
             (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
                        : structure + "<Number>") +
@@ -170,9 +173,12 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
     if (body.find(used) != std::string::npos) includes.push_back(header);
   }
   const std::string numbers =
-      is_exact ? "any field, without error"
-               : "any real type of double's precision and exponents, or better, with <cmath>'s "
-                 "functions; each operation is rounded as the type rounds";
+      is_exact
+          ? "any field, without error"
+          : "any real type of double's precision and exponents, or better, with <cmath>'s "
+            "functions; each operation is rounded as the type rounds. No error is bounded: where "
+            "terms cancel, the result has their absolute error, and few right digits where it "
+            "is far below them";
   result.header = broken(
       opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers +
                   ". Outside of its domain a function throws std::domain_error.",

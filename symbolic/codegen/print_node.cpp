@@ -41,6 +41,8 @@ const std::map<Op, Spelling> spellings{
     {Op::exact_product, {"times(#0, $1)", "products by doubles"}},
     {Op::quotient, {"quotient(#0, #1)", "quotients"}},
     {Op::reciprocal_root, {"reciprocal_root(#0)", "reciprocal roots"}},
+    {Op::root, {"", "roots"}},        // plain forms' alone, as errors.cpp says
+    {Op::ceiling, {"", "ceilings"}},  // and these
     {Op::arc_tangent, {"arc_tangent<Tier>(#0, #1)", "arctangents"}},
     {Op::sine, {"of_@0.sine", "sines"}},
     {Op::cosine, {"of_@0.cosine", "cosines"}},

@@ -42,6 +42,7 @@ struct VelocitiesExact {
 ///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904.
 /// Theorems: cycle.start_vector, cycle.c_start, power.V_CM, exact.b_before, exact.a, exact.b,
 ///   exact.c, exact.c_prime.
+/// Operations: none; or products: 6, quotients: 3, sums: 9, and those of the calls.
 template <class Number>
 VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   if (n >= 0 && n <= 0) {
@@ -51,7 +52,9 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
     const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
+    // shared by lines below
     const Number t5 = Number(1) + alpha;
+    // shared by lines below
     const Number t6 = t5 * T_at_n.second;
     // b_before_n = V_CM*(1 - 2*T_(2*n) + (1 + alpha)*T_(2*n + 1))
     const Number b_before = V_CM * (Number(1) - Number(2) * T_at_n.first + t6);
@@ -59,6 +62,7 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
     const Number a = V_CM * (Number(1) + t5 * T_at_n.first);
     // b_n = V_CM*(1 - (1 + alpha)*T_(2*n + 1))
     const Number b = V_CM * (Number(1) - t6);
+    // shared by lines below
     const Number t13 = Number(1) - a;
     // c_n = (1 - a_n - b_before_n)/alpha
     const Number c = (t13 - b_before) / alpha;
@@ -77,6 +81,7 @@ struct TerminalExact {
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
 ///   alpha > 0, N_A from 1 to 4611686018427387904, N_B from 1 to 4611686018427387904.
 /// Theorems: power.V_CM, exact.a_t, exact.b_t, terminal.definitions, evaluators_end.def_rho.
+/// Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
 template <class Number>
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
   if (N_A >= 1 && N_A <= 4611686018427387904 && N_B >= 1 && N_B <= 4611686018427387904) {
@@ -84,6 +89,7 @@ TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std:
     const std::pair<Number, Number> T_at_N_B = T_doubled(alpha, N_B);
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
+    // shared by lines below
     const Number t2 = Number(1) + alpha;
     // a_t = V_CM*(1 + (1 + alpha)*T_(2*N_A))
     const Number a_t = V_CM * (Number(1) + t2 * T_at_N_A.first);
@@ -104,10 +110,12 @@ struct ShapeExact {
 };
 /// shape: K, q_e. Domain: M_A > 0, w_B > 0, M_C > 0, e > 0.
 /// Theorems: collapse.def_K, bodies.def_q_e.
+/// Operations: products: 3, quotients: 4, sums: 4.
 template <class Number>
 ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e) {
   if (true) {
+    // shared by lines below
     const Number t1 = Number(1) + e;
     // K = (1 + e)^2*M_A/(4*e*(M_A + M_C)*(1 + w_B*M_C))
     const Number K = t1 * t1 * M_A / e / (M_A + M_C) / (Number(1) + w_B * M_C) / Number(4);
@@ -127,12 +135,17 @@ struct TwoCollisionsExact {
 /// Theorems: evaluators_restitution.def_ends, evaluators_restitution.def_two,
 ///   evaluators_restitution.def_tie, evaluators_restitution.a_two, evaluators_restitution.b_two,
 ///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two.
+/// Operations: products: 14, quotients: 2, sums: 7.
 template <class Number>
 TwoCollisionsExact<Number> two_collisions_exact(const Number& alpha, const Number& e) {
   if (true) {
+    // shared by lines below
     const Number t2 = Number(1) + alpha;
+    // shared by lines below
     const Number t3 = t2 * t2;
+    // shared by lines below
     const Number t5 = Number(1) + e;
+    // shared by lines below
     const Number t6 = t5 * t5;
     // ends = 4*e*(1 + alpha)^2 - (1 + e)^2
     const Number ends = Number(4) * e * t3 - t6;
@@ -142,7 +155,9 @@ TwoCollisionsExact<Number> two_collisions_exact(const Number& alpha, const Numbe
     const Number tie = Number(2) * e * t3 - t6;
     // a_two = 1*((1 - e*alpha)/(1 + alpha))
     const Number a_two = (Number(1) - e * alpha) / t2;
+    // shared by lines below
     const Number t15 = Number(1) / t2;
+    // shared by lines below
     const Number t16 = t15 * t15;
     // b_two = 1*((1 + e)^2*alpha/(1 + alpha)^2)
     const Number b_two = t6 * alpha * t16;

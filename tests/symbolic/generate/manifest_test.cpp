@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <set>
 
 #include <nlohmann/json.hpp>
@@ -54,6 +55,9 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     for (const std::string name : entry.at("outputs")) check_says(header, name);
     for (const std::string name : entry.at("inputs")) check_says(header, name);
     check_says(header, std::string(entry.at("labels")));
+    check_says(header, "Operations: ");
+    if (form != "evaluator" && form != "exact") check_says(header, "No error is bounded");
+    CHECK_FALSE(std::regex_search(header, std::regex("(;|\\{)\n *const Number ")));  // a why first
     CHECK_FALSE(entry.at("cases").empty());
     for (const json& c : entry.at("cases")) {
       check_says(header, std::string(c.at("domain")));
