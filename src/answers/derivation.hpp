@@ -3,6 +3,7 @@
 #pragma once
 
 #include "answers/request.hpp"
+#include "kernel/theorem.hpp"
 #include "render/pages.hpp"
 
 namespace answers {
@@ -16,5 +17,7 @@ std::vector<render::Section> derivation_sections();
 
 /// Proves everything again: how many theorems are shown, how many failed, kernel steps.
 Answer verify(const Request& request);
+/// What verify says where these were shown before the problem; "" where there was none.
+Answer verified(const kernel::Theorems& shown, const std::string& problem);
 
 }  // namespace answers

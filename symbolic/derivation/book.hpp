@@ -69,6 +69,8 @@ Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs
 Exprs unproved_needs(const Theorem& theorem);
 /// The book of this process, each chapter proved when it is first asked for.
 const Book& the_book();
+/// What is proved already; after a chapter that threw, all that was before its fault.
+const Book& proved_so_far();
 /// The theorem of an id; no chapter is proved beyond the id's own. Throws Refused where there is
 /// none.
 Theorem shown(const std::string& id);

@@ -21,10 +21,14 @@ bool is_finished(const std::string& chapter, const Book& book) {
   return !all.empty() && all.back().name != chapter &&
          std::any_of(all.begin(), all.end(), [&](const Chapter& c) { return c.name == chapter; });
 }
+Book& proved_book() {
+  static Book book;
+  return book;
+}
 // Up to `id`, or the end of its chapter; all of them for "".
 const Book& proved_until(const std::string& id) {
-  static Book book;
   static std::size_t proved = 0;
+  Book& book = proved_book();
   static Theorems facts = assumed({alpha_positive, V_positive});
   const Known while_deriving;
   for (const Theorem& fact : facts) know_for_good(fact);
@@ -38,6 +42,7 @@ const Book& proved_until(const std::string& id) {
 }  // namespace
 
 const Book& the_book() { return proved_until(""); }
+const Book& proved_so_far() { return proved_book(); }
 bool is_shown(const std::string& id) { return proved_until(id).has(id); }
 Theorem shown(const std::string& id) { return proved_until(id)[id]; }
 }  // namespace derivation

@@ -43,6 +43,7 @@ private:
     } else {
       for (Expr a : e.args()) collect(a, guards);
       if (e.op() == Op::Fun) of_function(e, guards);
+      if (e.op() == Op::MatrixPower) need(le(0, e.arg(1)), guards);  // of others nothing is known
     }
   }
   void of_function(Expr e, const Exprs& guards) {
@@ -50,7 +51,9 @@ private:
     if (s.body) collect(at_arguments(s.body, s.variables, e.args()), guards);
     const auto it = domains().find(e.name());
     if (it == domains().end()) return;
-    Expr condition = at_arguments(it->second.condition, it->second.params, e.args());
+    need(at_arguments(it->second.condition, it->second.params, e.args()), guards);
+  }
+  void need(Expr condition, const Exprs& guards) {
     if (!guards.empty()) condition = imp(logic_and(guards), condition);
     if (std::find(found.begin(), found.end(), condition) == found.end()) found.push_back(condition);
   }

@@ -12,6 +12,15 @@ TEST_CASE("verify goes through all steps of every proof") {
   CHECK(proved > 300);
   CHECK(steps > 10 * proved);
 }
+TEST_CASE("a proof that fails is counted, and said beside the counts") {
+  const kernel::Theorems shown{kernel::assume(kernel::eq(1, 1))};
+  const Answer answer = verified(shown, "no proof of a = b");
+  CHECK(answer.check_failed);
+  CHECK(answer.note == "verify: not proved: no proof of a = b");
+  const Row& row = answer.table.rows.at(0);
+  CHECK((row[0].text == "1" && row[1].text == "1" && row[2].text == "1"));
+  CHECK_FALSE(verified(shown, "").check_failed);
+}
 TEST_CASE("a step names the shown theorems that it was made from, --from adds theirs") {
   Request request;
   request.format = "json";

@@ -31,7 +31,8 @@ TEST_CASE("each division and root asks for its condition, under what is said bef
            {imp(lt(0, real("any1")), all(x, imp(lt(x, 0), all(y, eq(1 / y, 1 / x))))),
             {"0 < any1 and any2 < 0 implies any3 != 0", "0 < any1 and any2 < 0 implies any2 != 0"}},
            {all(n, eq(1 / n, 0)), {"any_integer1 != 0"}},
-           {eq(det(matrix(1, {1 / x})), 0), {"x != 0"}}}) {
+           {eq(det(matrix(1, {1 / x})), 0), {"x != 0"}},
+           {eq(det(power(matrix(1, {x}), n)), 1), {"0 <= n"}}}) {
     INFO(text(formula));
     CHECK(words(needs(formula)) == conditions);
   }
