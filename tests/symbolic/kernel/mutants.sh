@@ -49,6 +49,13 @@ guards() {
     done
   done
 }
+# Of names, the reasons why one is none are guards, too.
+reasons() {
+  grep -nE 'return (read_as_index|name \+|"\\"")' "$kernel/names.cpp" | grep -v 'could be read' |
+    while IFS=: read -r number line; do
+      printf '%s\0%s\0%s\0' names.cpp "${number}s/return .*;/;/" "$line"
+    done
+}
 bends() {
   local file command
   while IFS='|' read -r file command; do
@@ -57,7 +64,7 @@ bends() {
     printf '%s\0%s\0%s\0' "$file" "$command" "$command"
   done <"$list"
 }
-{ guards; bends; } >"$work/mutants"
+{ guards; reasons; bends; } >"$work/mutants"
 count=$(($(tr -cd '\0' <"$work/mutants" | wc -c) / 3))
 xargs -0 -n 3 -P "$(nproc)" bash -c 'try "$@"' _ <"$work/mutants" | tee "$work/verdicts"
 echo "$count mutants, $(wc -l <"$work/verdicts") not turned red"

@@ -49,6 +49,7 @@ TEST_CASE("names are identifiers and mean one thing for ever") {
   real("plain_k");
   declare("plain", {.args = {Sort::Int}, .result = Sort::Real});
   const auto function = [](const std::string& name) { define(name, {}, 1); };
+  function("tube_3");
   const auto declared = [](const std::string& name, const Signature& s) {
     return [=] { declare(name, s); };
   };
@@ -72,6 +73,7 @@ TEST_CASE("names are identifiers and mean one thing for ever") {
   refused("two functions at an index", "prints as step_", declared("step", {.args = {Sort::Int}}));
   refused("beside one at an index", "prints as step_", declared("step", {.args = {Sort::Real}}));
   refused("h beside h_3", "depth at an index", declared("depth", {.args = {Sort::Int}}));
+  refused("h beside a function h_3", "tube_3 could be", declared("tube", {.args = {Sort::Int}}));
   refused("h by h_n", "at an index", [&] { define_recursive({"depth"}, {}, n, {x}, {0}, {x}); });
   refused("an index k beside p and p_k", "plain at an index", [&] { integer("k"); });
   refused("an unknown function", "no function", [&] { fun("unheard_of", {x}); });
