@@ -44,7 +44,9 @@ for file in "${code[@]}"; do
 done >>"$broken"
 
 # 3. C++ has the endings .cpp and .hpp; scripts are few.
-of '\.(h|hh|hxx|inl|inc|ipp|tcc|tpp|cc|cxx|c\+\+|def|py|pl)$' | sed 's/$/: this ending is not allowed (.cpp, .hpp; scripts are bash)/' >>"$broken"
+printf '%s\n' "${all[@]}" | grep -vE '\.(cpp|hpp|cpp\.in|pc\.in|cmake\.in|md|txt|toml|tsv|csv|json|sh|gp|v|svg|css|supp)$' |
+  grep -vE '(^|/)(setup|\.ci/run|LICENSE|\.git|\.gitignore|\.clang-(format|tidy))$' |
+  sed 's/$/: this ending is not allowed (C++ is .cpp, .hpp; scripts are bash)/' >>"$broken" || true
 mapfile -t scripts < <(of '(\.sh|\.gp|\.cmake|^setup|^\.ci/run)$')
 lines=$(cat "${scripts[@]}" | grep -cv '^[[:space:]]*$')
 printf '%-28s %7d %7d %7d %6d\n' scripts "$lines" 1500 1500 "${#scripts[@]}"
