@@ -74,7 +74,7 @@ Program magicmass() {
        .run = answers::terminal,
        .run_block = answers::terminal_block},
       {.name = "ratios",
-       .summary = "Magic and deficient mass ratios",
+       .summary = "Magic and deficient mass ratios, in square roots where those suffice",
        .example = "magicmass ratios --count 10 --digits 30",
        .options = {{"count", "K", "how many, 10 unless told otherwise"},
                    digits,

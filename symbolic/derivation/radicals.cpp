@@ -173,6 +173,12 @@ void radicals(Book& book) {
     const Theorem simpler = rewrite(equation(right(value).arg(0), under_root), value);
     cosines.emplace(d, restate(eq(cos(angle_of(d)), sqrt(under_root)), simpler));
   }
+  const Expr two = sqrt(Expr(2)), three = sqrt(Expr(3));
+  const std::map<int, std::pair<Expr, Theorems>> forms{
+      // no root of a fraction
+      {4, {two - 1, {root_is(rational(1, 2), 1 / two)}}},
+      {5, {sqrt(Expr(5)) - 2, {}}},
+      {6, {2 / three - 1, {root_is(rational(3, 4), three / 2)}}}};
   for (const int d : {4, 5, 6, 8, 10, 12, 15, 16, 17, 20}) {
     const bool magic = d % 2 == 1;
     const int index = magic ? (d - 1) / 2 : d / 2 - 1;
@@ -186,10 +192,8 @@ void radicals(Book& book) {
       know(linear(lt(0, w.arg(1)), known()));
       value = chain(value, equation(right(value), 4 / w.arg(1) - 1));
     }
-    if (d == 5) {  // the root out of the denominator
-      const Expr r = right(value);
-      value = chain(value, equation(r, simplified(r)));
-    }
+    if (const auto form = forms.find(d); form != forms.end())
+      value = chain(value, equation(right(value), form->second.first, form->second.second));
     book.show(name + std::to_string(index), "The ratio of pi/" + std::to_string(d) + ":", value);
   }
 }
