@@ -23,6 +23,30 @@ void threshold(Book& book) {
       "threshold", "so kappa is below 1, and the collisions end, if and only if",
       tautology(iff(below, K_below), {same_sign(iff(K_below, below), kappa() + 1, {square})}));
 }
+/// One statement for both: that all collisions take place, and that K is 1 or more.
+void endless(Book& book) {
+  const Expr K = left(book["collapse.def_K"]), i = integer("i");
+  const auto from_K = [&](Expr of_kappa, Expr of_K) {
+    return tautology(of_kappa, {book["collapse.threshold"], assume(of_K)});
+  };
+  const Theorem below = from_K(lt(kappa(), 1), lt(K, 1)), above = from_K(le(1, kappa()), le(1, K));
+  const auto ends = [&](const Theorem& all) {
+    const Theorem number = cut(below, book["wedge.N"]), last = cut(below, book["wedge.happens"]);
+    const Expr N = left(number);
+    const Theorem turns = cut(below, positive(right(number).arg(0).arg(0), {book["wedge.acute"]}));
+    const Theorem from_0 = linear(le(0, N), {number, turns});
+    const Theorem another = tautology(lt(0, closing(N)), {specialize(all, N), from_0});
+    return tautology(le(1, K), {refute(lt(K, 1), linear(lt(0, 0), {another, part(last, 1)}))});
+  };
+  const Theorem each = given(le(0, i), [&](const Theorem& from_0) {
+    return cut(above, at(book["wedge.never_ends"], {{j, i}}, {from_0}));
+  });
+  const Expr all = generalize(i, each).conclusion();
+  book.show("endless", "All collisions take place, without end, if and only if it is 1 or more:",
+            equivalent(all, le(1, K), ends, [&](const Theorem& K_from_1) {
+              return cut(K_from_1, generalize(i, each));
+            }));
+}
 /// What K is for a block of mass M_B, and for a wall.
 void special_cases(Book& book) {
   const Expr M_B = real("M_B");
@@ -59,13 +83,7 @@ void in_time(Book& book) {
             both({quadratic, at_most_1}));
 
   const auto power_of = [&](Expr index) { return fun("pow", {y_e, index}); };
-  const Theorems powers = parts({at(book["multiples.pow"], {{y, y_e}})});
-  const auto in_range = [&](Expr i) { return logic_and({lt(0, power_of(i)), le(power_of(i), 1)}); };
-  const Theorem powers_from_0_to_1 =
-      by_induction(j, in_range(j), linear(in_range(0), {powers[0]}), [&](const Theorem& now) {
-        return linear(in_range(j + 1), {at(powers[1]), times(part(now, 0), y_e),
-                                        times(part(now, 1), y_e), at_most_1});
-      });
+  const Theorem powers_from_0_to_1 = powers_of(book, at_most_1);
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
   know(linear(lt(0, U(j)), {rise}));
   const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
@@ -117,10 +135,22 @@ void equal_blocks(Book& book) {
 }
 }  // namespace
 
+Theorem powers_of(const Book& book, const Theorem& at_most_1) {
+  const Expr base = left(at_most_1);
+  const auto power_of = [&](Expr index) { return fun("pow", {base, index}); };
+  const auto in_range = [&](Expr i) { return logic_and({lt(0, power_of(i)), le(power_of(i), 1)}); };
+  const Theorems powers = parts({at(book["multiples.pow"], {{y, base}})});
+  return by_induction(j, in_range(j), linear(in_range(0), {powers[0]}), [&](const Theorem& now) {
+    return linear(in_range(j + 1),
+                  {at(powers[1]), times(part(now, 0), base), times(part(now, 1), base), at_most_1});
+  });
+}
+
 void collapse(Book& book) {
   book.chapter("collapse", "Collapse", of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)}));
   know(at(book["wedge.signs"], {{j, 0}}));
   threshold(book);
+  endless(book);
   special_cases(book);
   in_time(book);
   equal_blocks(book);

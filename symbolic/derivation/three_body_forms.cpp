@@ -37,6 +37,48 @@ struct Forms : Names {
   }
 };
 
+/// Where collisions never end: the blocks come together, and the ball with them at x_end.
+void come_together(Book& book, const Theorem& from_1, const Theorem& x_end) {
+  const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
+    return at(cut(from_1, book["wedge.never_ends"]), {{j, i}}, {range});
+  });
+  const Known here({all_of_them, book["wedge.signs"]});
+  const auto there = [&](const char* id) { return cut(all_of_them, book[id]); };
+  const Theorem distance = there("places.distance"), place = there("places.place");
+  const Expr D = left(distance),
+             left_over = fun("t_end", {M_A, w_B, M_C, e, V, L}) - at_collision("time", j);
+  book.show("place_left",
+            "The ball is as far from that place as the time left and the blocks' distance say,",
+            equation(left(x_end) - left(place),
+                     (w_B * M_A * V * left_over + is_P(j) * D - is_Q(j) * (w_B * M_A * D)) /
+                         mass_of_all(),
+                     {x_end, place}));
+  // 1/side = is_P + is_Q r_B/r_A, at most 1 + r_B/r_A; powers of sqrt(e) are 1 at most, U_j j + 1
+  // or more.
+  const Expr root = sqrt(e), U = chebyshev(j, kappa()), ratio = r_B() / r_A();
+  const Theorem above = assume(lt(1, root)), no_gain = assume(le(e, 1));
+  const Theorem absurd =
+      linear(lt(0, 0), {above, times(above, root), root_squared(assume(lt(0, e))), no_gain});
+  const Theorem powers = powers_of(book, tautology(le(root, 1), {refute(lt(1, root), absurd)}));
+  const Theorem rise = part(at(book["chebyshev.rise"], {{x, kappa()}}, {from_1}), 0);
+  know(linear(lt(0, U), {rise}));
+  know(rewrite(turned(distance), positive(right(distance))));
+  const Theorem turns = book["motion.turn_squared"];
+  const Expr sides = is_P(j) + is_Q(j) * ratio;
+  know(rewrite(equation(1 / side(j), sides, {turns}), positive(1 / side(j))));
+  const Theorem at_most = arithmetic(
+      le(sides, 1 + ratio), {.equations = {{(1 + ratio) / 4, turns}},
+                             .products = {{1, {}, {is_Q(j)}}, {1, {positive(ratio)}, {is_P(j)}}}});
+  const Expr bound = L * root_power(j) * sides;
+  const Theorem is = arithmetic(
+      eq(D * U, bound),
+      {.equations = {{U, distance}, {1, equation(right(distance) * U, bound, {turns})}}});
+  book.show("come_together", "and the blocks come as close to each other as you like:",
+            both({positive(D), linear(le((j + 1) * D, L * (1 + ratio)),
+                                      {times(rise, D), is, times(part(powers, 1), L * sides),
+                                       times(at_most, L)})}));
+}
+
 /// q_e = 1 - K, above 0 where collisions end; the time of the collapse where they do not.
 Theorem definition_of_q_e(Book& book) {
   const Theorem q_is = book.define("q_e", masses_and_e(), 1 - K(), of_wedge({lt(0, e)}),
@@ -52,18 +94,16 @@ Theorem definition_of_q_e(Book& book) {
     return book.define(symbol, {M_A, w_B, M_C, e, V, L}, value / mass_of_all(), of_wedge(domain),
                        words);
   };
-  at_end("x_end", "Then all are at one place: the centre of mass is there, or the wall,",
-         {lt(0, e), V_positive, lt(0, L), none.conclusion()},
-         L + w_B * M_A * V * fun("t_end", {M_A, w_B, M_C, e, V, L}));
-  const Theorem v_end = at_end("v_end", "and go on together with", {}, w_B * M_A * V);
-  const auto as_B = [](const char* name) {
-    return assume(eq(velocity(name, j), velocity("B", j)));
-  };
-  const Expr v_B = velocity("B", j), all = mass_of_all();
-  const Theorem kept = rewrite(as_B("C"), rewrite(as_B("A"), book["motion.momentum"]));
-  const Theorem whole = linear(eq(v_B * all, w_B * M_A * V), {kept});
-  book.show("together",
-            "as momentum is kept:", chain(divided(v_B, right(v_end), {all}, whole), turned(v_end)));
+  const Theorem x_end =
+      at_end("x_end", "All come together where the centre of mass is then, or the wall,",
+             {lt(0, e), V_positive, lt(0, L), none.conclusion()},
+             L + w_B * M_A * V * fun("t_end", {M_A, w_B, M_C, e, V, L}));
+  const Theorem v_end =
+      at_end("v_end", "which goes on with its velocity, 0 for a wall,", {}, w_B * M_A * V);
+  book.show("momentum", "the one that it had all the time, as momentum is kept:",
+            chain(book["motion.momentum"],
+                  equation(w_B * M_A * V, left(v_end) * mass_of_all(), {v_end})));
+  come_together(book, from_1, x_end);
   return q_is;
 }
 /// Where q_e is above 0 the angle; |- kappa < 1.

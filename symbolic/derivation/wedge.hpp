@@ -52,6 +52,8 @@ Theorem for_blocks(const Theorem& t, Substitution terms = {}, const Theorems& fa
 Theorems first_collisions(const Book& book, int count);
 /// The squares of r_A and r_B.
 Theorems squared_shares(const Book& book);
+/// |- 0 < pow_j(t) and pow_j(t) <= 1, from t <= 1 for a t that is known to be positive.
+Theorem powers_of(const Book& book, const Theorem& at_most_1);
 /// Where kappa is cos(h), U_j and U_last are sines of multiples of h over sin(h).
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
 /// The same where nothing is lost and powers of e are 1, as the first two of four say.
