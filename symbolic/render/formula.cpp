@@ -121,11 +121,9 @@ private:
   /// A quotient with its sign in front.
   Piece product(Expr e) const {
     cln::cl_RA coefficient = 1;
-    Strings over;
-    Strings under;
+    std::vector<Piece> over, under;
     Exprs factors = e.op() == Op::Mul ? e.args() : Exprs{e};
     flatten(factors);
-    const auto divisors = std::count_if(factors.begin(), factors.end(), is_inverse);
     for (const Expr& f : factors) {
       if (f.op() == Op::Num) {
         coefficient = coefficient * f.value();
@@ -134,22 +132,21 @@ private:
       const Expr shown = !is_inverse(f)      ? f
                          : f.op() == Op::Pow ? kernel::power(f.arg(0).arg(0), f.exponent())
                                              : f.arg(0);
-      const Piece p = visit(shown);
-      (is_inverse(f) ? under : over).push_back(whole(p));
-      // Alone over or under a line nothing needs parentheses.
-      const bool alone = is_inverse(f)
-                             ? divisors == 1 && cln::denominator(coefficient) == 1
-                             : factors.size() == 1 + std::size_t(divisors) && divisors > 0;
-      if (!alone && p.level < Product + (p.minus ? 1 : 0))
-        (is_inverse(f) ? under : over).back() = style.parentheses(whole(p));
+      (is_inverse(f) ? under : over).push_back(visit(shown));
     }
-    const cln::cl_I times = cln::abs(cln::numerator(coefficient));
-    if (times != 1 || over.empty()) over.insert(over.begin(), number(times));
-    if (cln::denominator(coefficient) != 1)
-      under.insert(under.begin(), number(cln::denominator(coefficient)));
-    const std::string text = under.empty()
-                                 ? style.product(over)
-                                 : style.fraction(style.product(over), style.product(under));
+    const cln::cl_I times = cln::abs(cln::numerator(coefficient)),
+                    parts = cln::denominator(coefficient);
+    if (times != 1 || over.empty()) over.insert(over.begin(), {number(times)});
+    if (parts != 1) under.insert(under.begin(), {number(parts)});
+    const auto line = [&](const std::vector<Piece>& all) {  // alone on it nothing needs parentheses
+      Strings out;
+      for (const Piece& p : all)
+        out.push_back((all.size() == 1 && !under.empty()) || (p.level >= Product && !p.minus)
+                          ? whole(p)
+                          : style.parentheses(whole(p)));
+      return style.product(out);
+    };
+    const std::string text = under.empty() ? line(over) : style.fraction(line(over), line(under));
     return {text, coefficient < 0 ? Sum : Product, coefficient < 0};
   }
   static void flatten(Exprs& factors) {

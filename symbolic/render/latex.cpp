@@ -18,7 +18,7 @@ public:
   std::string indexed(const std::string& base, const std::string& index) const override {
     // A prime comes before the index: c'_{n}. A second index joins the first.
     if (base.back() == '}' && base.find("_{") != std::string::npos)
-      return "{" + base + "}_{" + index + "}";
+      return base.substr(0, base.size() - 1) + ", " + index + "}";
     return base + "_{" + index + "}";
   }
   std::string call(const std::string& function, const std::string& arguments) const override {
@@ -80,7 +80,7 @@ std::string latex_name(const std::string& name) {
   const std::string head = plain.substr(0, underscore);
   std::string out;
   if (is_among(head, {"alpha", "beta", "theta", "psi", "pi", "Gamma", "Lambda", "lambda", "rho",
-                      "kappa"}))
+                      "kappa", "delta"}))
     out = "\\" + head;
   else if (is_among(head, {"sin", "cos", "det"}))
     out = "\\" + head;

@@ -15,9 +15,9 @@ std::string row(const std::string& inside) { return element("mrow", inside); }
 /// Greek letters by their entities' characters; words stay upright.
 std::string letters(const std::string& name) {
   static const std::map<std::string, std::string> greek{
-      {"alpha", "α"},  {"beta", "β"},   {"theta", "θ"},    {"psi", "ψ"},
-      {"pi", "π"},     {"rho", "ρ"},    {"kappa", "κ"},    {"Gamma", "Γ"},
-      {"Lambda", "Λ"}, {"lambda", "λ"}, {"atan", "arctan"}};
+      {"alpha", "α"}, {"beta", "β"},   {"theta", "θ"},  {"psi", "ψ"},
+      {"pi", "π"},    {"rho", "ρ"},    {"kappa", "κ"},  {"delta", "δ"},
+      {"Gamma", "Γ"}, {"Lambda", "Λ"}, {"lambda", "λ"}, {"atan", "arctan"}};
   const auto found = greek.find(name);
   return element("mi", found == greek.end() ? name : found->second);
 }
