@@ -28,7 +28,8 @@ public:
     return "\\frac{" + over + "}{" + under + "}";
   }
   std::string power(const std::string& base, const std::string& exponent) const override {
-    return base + "^{" + exponent + "}";
+    const bool is_primed = base.find('\'') != base.npos;  // a prime is a superscript
+    return (is_primed ? "{" + base + "}" : base) + "^{" + exponent + "}";
   }
   std::string root(const std::string& radicand) const override {
     return "\\sqrt{" + radicand + "}";

@@ -112,6 +112,13 @@ std::string escaped(const std::string& text, const std::map<char, std::string>& 
 }
 std::string as_it_is(const std::string& text) { return text; }
 std::string in_dollars(Expr e) { return "$" + latex(e) + "$"; }
+/// A long formula as a line of text, which TeX breaks at its signs.
+std::string shown_in_latex(Expr e) {
+  constexpr std::size_t fits = 240;
+  const std::string text = latex(e);
+  return text.size() <= fits ? "\\[" + text + "\\]\n"
+                             : "\n{\\raggedright $\\displaystyle " + text + "$\\par}\n\n";
+}
 std::string in_latex(const std::string& text) {
   return escaped(text, {{'_', "\\_"}, {'^', "\\^{}"}, {'&', "\\&"}, {'%', "\\%"}, {'#', "\\#"}});
 }
@@ -138,14 +145,14 @@ std::string latex_page(const std::vector<Section>& sections) {
   return page(
       sections,
       {.head = "\\documentclass{article}\n\\usepackage{amsmath}\n"
-               "\\usepackage[margin=2cm]{geometry}\n\\begin{document}\n",
+               "\\usepackage[margin=2cm]{geometry}\n\\sloppy\n\\begin{document}\n",
        .foot = "\\end{document}\n",
        .escaped = in_latex,
        .heading = [](const std::string& title) { return "\n\\section{" + title + "}\n"; },
        .paragraph = [](const std::string& inside,
                        const std::string&) { return "\n" + inside + "\n"; },
        .in_line = in_dollars,
-       .block = [](Expr e) { return "\\[" + latex(e) + "\\]\n"; },
+       .block = shown_in_latex,
        .own_id = [](const std::string& id) { return "\\texttt{" + in_latex(id) + "}"; },
        .link = in_latex,
        .reason = [](const std::string& inside) { return "{\\footnotesize " + inside + "}\n"; }});

@@ -23,6 +23,7 @@ TEST_CASE("LaTeX of terms and formulas") {
       {x / (y * (1 + a)), "\\frac{x}{y \\, \\left(1 + \\alpha\\right)}"},
       {(1 + x) / 2, "\\frac{1 + x}{2}"},
       {2 * (1 + x) / y, "\\frac{2 \\, \\left(1 + x\\right)}{y}"},
+      {power(real("c'"), 2), "{c'}^{2}"},
       {real("delta_e"), "\\delta_{e}"},
       {x - (y - a), "x - \\left(y - \\alpha\\right)"},
       {x + (-y), "x - y"},

@@ -68,5 +68,8 @@ TEST_CASE("a page of LaTeX is a document, with signs of its own escaped") {
   CHECK_THAT(page, ContainsSubstring("\\[x \\, y = y \\, x\\]\n"));
   auto odd = sections();
   odd[0].steps[0].id = "a.first_one";
+  const Exprs many(80, real("x"));
+  odd[0].steps[0].formula = eq(sum(many), 0);
+  CHECK_THAT(render::latex_page(odd), ContainsSubstring("{\\raggedright $\\displaystyle x + x"));
   CHECK_THAT(render::latex_page(odd), ContainsSubstring("\\texttt{a.first\\_one}"));
 }
