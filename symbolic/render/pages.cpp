@@ -85,16 +85,26 @@ struct Markup {
   std::string (*link)(const std::string& id);
   std::string (*reason)(const std::string& inside);
 };
+/// In a line of words, or each by itself where one is too wide for that: nothing breaks it.
+std::string conditions(const Markup& m, const std::string& before, const Exprs& all,
+                       const std::string& between, const std::string& after) {
+  constexpr std::size_t columns = 40;
+  const auto is_wide = [](Expr e) { return kernel::text(e).size() > columns; };
+  if (all.empty()) return "";
+  if (std::none_of(all.begin(), all.end(), is_wide))
+    return m.paragraph(before + listed(all, m.in_line, between) + after, "");
+  std::string out = m.paragraph(before.substr(0, before.find(' ')), "");
+  for (const Expr& condition : all) out += m.block(condition);
+  return out;
+}
 std::string page(const std::vector<Section>& sections, const Markup& m) {
   std::string out = m.head;
   for (const Section& section : sections) {
     out += m.heading(m.escaped(section.title));
-    if (!section.assumptions.empty())
-      out += m.paragraph("Throughout: " + listed(section.assumptions, m.in_line, ", ") + ".", "");
+    out += conditions(m, "Throughout: ", section.assumptions, ", ", ".");
     for (const Step& s : section.steps) {
       out += m.paragraph(m.escaped(s.words), s.id);
-      if (!s.conditions.empty())
-        out += m.paragraph("If " + listed(s.conditions, m.in_line, " and ") + ":", "");
+      out += conditions(m, "If ", s.conditions, " and ", ":");
       for (const Expr& line : lines_of(s.formula)) out += m.block(line);
       out += m.reason(m.own_id(s.id) + (s.label.empty() ? "" : " (" + m.escaped(s.label) + ")") +
                       ": " + because(s, m.link));

@@ -70,6 +70,8 @@ TEST_CASE("a page of LaTeX is a document, with signs of its own escaped") {
   odd[0].steps[0].id = "a.first_one";
   const Exprs many(80, real("x"));
   odd[0].steps[0].formula = eq(sum(many), 0);
+  odd[0].steps[0].conditions = {eq(sum(many), 0)};
+  CHECK_THAT(render::html_body(odd), ContainsSubstring("<p>If</p>\n<math display=\"block\">"));
   CHECK_THAT(render::latex_page(odd), ContainsSubstring("{\\raggedright $\\displaystyle x + x"));
   CHECK_THAT(render::latex_page(odd), ContainsSubstring("\\texttt{a.first\\_one}"));
 }
