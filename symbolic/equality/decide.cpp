@@ -316,7 +316,11 @@ private:
     for (const Requirement& r : needs) {
       const bool is_base =
           r.kind == Need::NotNegative && is_certain({Need::Positive, Expr(-1) * r.term}, domain);
-      if (!is_base && !is_certain(r, domain) && seen.insert(text(r)).second)
+      const bool is_weaker = r.kind == Need::NotNegative &&
+                             std::any_of(needs.begin(), needs.end(), [&](const Requirement& other) {
+                               return other.kind == Need::Positive && other.term == r.term;
+                             });
+      if (!is_base && !is_weaker && !is_certain(r, domain) && seen.insert(text(r)).second)
         verdict.conditions.push_back(text(r));
     }
   }

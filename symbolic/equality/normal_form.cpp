@@ -31,6 +31,18 @@ void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
   for (const auto& [p, times] : primes(cln::denominator(q)))
     multiply(into, p, kernel::scaled(e, -times));
 }
+bool has_logarithm(Expr e) {
+  const Exprs parts = e.args();
+  return is_function(e, "log") || std::any_of(parts.begin(), parts.end(), has_logarithm);
+}
+bool is_over_logarithm(const Sum& sum) {
+  const auto divides = [](const auto& power) {
+    return has_logarithm(power.first) && whole_number(power.second).value_or(0) < 0;
+  };
+  return std::any_of(sum.begin(), sum.end(), [&](const auto& term) {
+    return std::any_of(term.first.begin(), term.first.end(), divides);
+  });
+}
 }  // namespace
 
 Sum Forms::of(Expr term) {
@@ -87,11 +99,14 @@ Sum Forms::function(Expr term) {
     return real_power(x, exponent(cln::cl_RA(1) / order));
   }
   if (name == "raised") {
-    const Exponent e = exponent_of(of(term.arg(1)));
+    const Sum power = divided(of(term.arg(1)));
+    const Exponent e = exponent_of(power);
     // As expression() writes it, and no real power.
     if (term.arg(0) == circle()) return reduced({{circle(), e}});
     const auto k = whole_number(e);
     if (k && std::abs(*k) <= 10000) return integer_power(x, *k);
+    if (is_over_logarithm(power) && is_positive(x))  // 2^(log(x)/log(2)) is x
+      return exponential(sum_of(multiplied(e, exponent_of(logarithm(x)))));
     return is_integer(e) ? symbolic_power(x, e) : real_power(x, e);
   }
   Exprs args;
@@ -147,7 +162,7 @@ Exponent Forms::multiplied(const Exponent& a, const Exponent& b) {
     const bool is_power = composites.contains(atom) && k > 0;
     out = times(out, is_power ? integer_power(composites.at(atom), k) : equality::atom(atom, e));
   }
-  return exponent_of(out);
+  return exponent_of(divided(out));
 }
 Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
   if (base.empty()) return {};
@@ -195,7 +210,7 @@ Sum Forms::logarithm(const Sum& sum) {
 }
 Sum Forms::exponential(const Sum& sum) {
   Product out;
-  for (const auto& [product, q] : sum) {
+  for (const auto& [product, q] : divided(sum)) {
     Product rest = product;
     Expr base = euler();
     for (const auto& [atom, e] : product)

@@ -31,7 +31,8 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
     if (!Forms(domain).is_integer(e.arg(1)))
       out.push_back({Need::NotNegative, x});
     else if (!is_certain({Need::Positive, e.arg(1)}, domain))
-      out.push_back({Need::NotZero, x});
+      out.push_back(x == Expr(0) ? Requirement{Need::Positive, e.arg(1)}
+                                 : Requirement{Need::NotZero, x});
   };
   visit(visit, term);
   return out;

@@ -17,6 +17,9 @@ constexpr std::size_t most_bits = 70000;
 // e^x + e^-x and e^x - e^-x
 Expr sum_of_two(Expr x) { return call("exp", x) + call("exp", -x); }
 Expr difference_of_two(Expr x) { return call("exp", x) - call("exp", -x); }
+Expr asinh(Expr x) { return call("log", x + kernel::sqrt(power(x, 2) + 1)); }
+Expr acosh(Expr x) { return call("log", x + kernel::sqrt(power(x, 2) - 1)); }
+Expr atanh(Expr x) { return call("log", (1 + x) / (1 - x)) / Expr(2); }
 using Function = Expr (*)(Expr);
 const std::map<std::string, Function>& functions() {
   static const std::map<std::string, Function> table{
@@ -44,6 +47,12 @@ const std::map<std::string, Function>& functions() {
       {"tanh", [](Expr x) { return difference_of_two(x) / sum_of_two(x); }},
       {"csch", [](Expr x) { return Expr(2) / difference_of_two(x); }},
       {"sech", [](Expr x) { return Expr(2) / sum_of_two(x); }},
+      {"asinh", asinh},
+      {"arsinh", asinh},
+      {"acosh", acosh},
+      {"arcosh", acosh},
+      {"atanh", atanh},
+      {"artanh", atanh},
       {"coth", [](Expr x) { return sum_of_two(x) / difference_of_two(x); }},
   };
   return table;

@@ -127,9 +127,15 @@ std::string alike(const std::string& name, const std::set<std::string>& names) {
 std::string parted(const std::string& word, const std::set<std::string>& names) {
   if (names.contains(word)) return word;
   for (const std::string& name : names) {
-    if (!word.starts_with(name)) continue;
-    const std::string rest = parted(word.substr(name.size()), names);
-    if (!rest.empty()) return name + " " + rest;
+    const std::size_t mark = name.find_last_not_of("0123456789");  // u2 is u_2
+    std::string plain = name;
+    if (mark < name.size() - 1 && name[mark] == '_') plain.erase(mark, 1);
+    for (const std::string& form : {name, plain}) {
+      if (!word.starts_with(form)) continue;
+      if (word == form) return name;
+      const std::string rest = parted(word.substr(form.size()), names);
+      if (!rest.empty()) return name + " " + rest;
+    }
   }
   return {};
 }

@@ -15,7 +15,8 @@ namespace {
 using Kind = Token::Kind;
 constexpr int deepest = 200;
 constexpr std::size_t npos = std::string::npos;
-const std::string wrong_comma = "unexpected comma; decimals are written 0.5";
+const std::string wrong_comma =
+    "unexpected comma; decimals are written 0.5, matrices [[a, b], [c, d]]";
 
 class Parser : Words {
 public:
@@ -149,6 +150,7 @@ private:
   }
   Expr term() {
     std::size_t from = place;  // of the quotient that was read last
+    while (words[from].text == "+" || words[from].text == "-") ++from;
     std::size_t slash = 0;
     Expr e = signed_factor();
     for (;;) {
@@ -161,7 +163,7 @@ private:
         if (now().kind == Kind::Number)
           refuse_at(now().column, "an operator is missing before " + now().text);
         refuse_mixed(from);
-        if (slash != 0) read_after_slash(from, slash);
+        if (slash != 0 && !is_matrix_ahead()) read_after_slash(from, slash);
         slash = 0;
         e = times(e, power(), now().column);
       } else {
@@ -189,7 +191,13 @@ private:
     deeper();
     const Expr base = primary();
     const std::size_t column = now().column;
-    const Expr e = takes("^") ? raised_to(base, signed_factor(), column) : base;
+    Expr e = base;
+    if (takes("^")) {
+      const Expr exponent = signed_factor();
+      if (name_of(base) == "e" && !free_variables(exponent).empty())
+        note("e is a number as any other, restitution; the exponential function is exp(x)");
+      e = raised_to(base, exponent, column);
+    }
     --depth;
     return e;
   }
@@ -336,6 +344,9 @@ private:
     }
     return false;
   }
+  bool is_matrix_ahead() const {  // which is never below a line
+    return is("[") || (now().kind == Kind::Command && now().text == "begin") || has_comma_ahead();
+  }
   bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
   Expr function(const Token& token) {
     const std::size_t column = now().column;
@@ -420,10 +431,10 @@ private:
     const std::string taken = typed(from, place);
     const bool goes_on = (starts_factor() && !is_call_ahead()) || is("^") || (is("/") && !is_root);
     if (goes_on)
-      refuse_at(now().column, token.text + " " + taken + now().text +
-                                  "... has two readings: write " + token.text + "(" + taken +
-                                  now().text + "...) or " + token.text + "(" + taken + ")" +
-                                  now().text + "...");
+      refuse_at(now().column, token.text + " " + typed(from, place + 1) +
+                                  "... has two readings: write " + token.text + "(" +
+                                  typed(from, place + 1) + "...) or " + token.text + "(" + taken +
+                                  ")" + now().text + "...");
     if (place > from + 1)
       note(token.text + " " + taken + " is read as " + token.text + "(" + taken + ")");
     return e;

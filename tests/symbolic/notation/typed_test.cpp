@@ -40,6 +40,9 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
       {"\\cos n\\psi", "cos(n*psi)"},
       {"cos 2 theta", "cos(2*theta)"},
       {"sin^2(x)", "sin(x)^2"},
+      {"-1/2 M_1 u_1^2", "-1/2*M_1*u_1^2"},
+      {"1/(1+x) [[1, x], [y, 2]]", "1/(1 + x); x/(1 + x); y/(1 + x); 2/(1 + x)"},
+      {"asinh(x)", "log(x + sqrt(x^2 + 1))"},
       {"log_10^2(x)", "(log(x)/log(10))^2"},
       {"log2(8)", "log(8)/log(2)"},
       {"|c-2|", "abs(c - 2)"},
@@ -70,7 +73,8 @@ TEST_CASE("What has two readings is refused with both") {
   const auto [typed, why] = GENERATE(table<std::string, std::string>({
       {"cos pi/5", "write cos(pi/...) or cos(pi)/..."},
       {"sin x^2", "write sin(x^...) or sin(x)^..."},
-      {"sin x y", "two readings"},
+      {"sin x y", "write sin(x y...) or sin(x)y..."},
+      {"cos nψ", "write cos(n psi...) or cos(n)psi..."},
       {"sin^-1(x)", "asin(x) for the inverse function"},
       {"2\\frac{19}{64}", "2 + 19/64 or 2*19/64"},
       {"2½", "2+1/2 or 2*1/2"},
@@ -139,6 +143,9 @@ TEST_CASE("A reading that was chosen is said") {
   CHECK(read_typed("\\cos n\\psi").notes ==
         std::vector<std::string>{"cos n psi is read as cos(n psi)"});
   CHECK(read_typed("M1").notes == std::vector<std::string>{"M1 is read as M_1"});
+  CHECK(typed_text(read_typed("2M2u2", {"M_2", "u_2"}).term) == "2*M_2*u_2");
+  CHECK_THAT(read_typed("e^x").notes.at(0), ContainsSubstring("exp(x)"));
+  CHECK(read_typed("e^2").notes.empty());
   const Typed apart = read_typed("2M_2u_2^2", {"M_2", "u_2"});
   CHECK(typed_text(apart.term) == "2*M_2*u_2^2");
   CHECK(apart.notes == std::vector<std::string>{"M_2u_2 is read as M_2 u_2"});
