@@ -153,7 +153,8 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
   return {Mark::right, "Right: each line follows, and the last one is the answer."};
 }
 
-/// Lines that are equal to what stands before, each by an identity or by putting in the laws.
+/// Lines that are equal to what stands before, each by an identity or by putting in the laws. An
+/// equation that begins with something else stands for itself.
 Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   const Exercise& e = terms.exercise;
   const Expr start = terms.content(e.start);
@@ -168,11 +169,18 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   const auto is_finished = [&] {
     return lacking(e.form, before, terms.domain(notation::symbols_of(before))).empty();
   };
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    for (const std::string& part : split(lines[i], '=')) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Expr reached = before;
+    bool is_aside = false;
+    Texts parts = split(lines[i], '=');
+    const bool has_more = parts.size() > 1;
+    for (const std::string& part : parts) {
+      const bool is_first = &part == &parts[0];
       const Expr now = side(terms, part, i, notes), given = terms.in_full(now);
-      const std::string what =
-          before == start ? e.start + ", with which the chain begins" : "what comes before it";
+      if (has_more && is_first && now == start) continue;  // goes on from what was reached
+      const std::string what = is_aside          ? "what stands before it"
+                               : before == start ? e.start + ", with which the chain begins"
+                                                 : "what comes before it";
       const std::string shown = quoted(part, now);
       const Mark mark = terms.compare(given, terms.in_full(before)).mark;
       if (mark == Mark::undecided)
@@ -181,19 +189,23 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
       if (mark == Mark::wrong) {
         const std::string differs =
             "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
-        return is_finished() ? Judgement{mark, differs} : terms.mistake(given, differs);
-      }
-      // Whatever psi is, or by the laws alone.
-      if (!terms.are_equal(before, now) && !terms.are_equal(with_laws(before), now))
+        const Judgement said =
+            is_finished() ? Judgement{mark, differs} : terms.mistake(given, differs);
+        if (!has_more || !is_first || !said.misconception.empty()) return said;
+        is_aside = true;  // an equation of its own, such as a law
+      } else if (!is_aside && !terms.are_equal(before, now) &&
+                 !terms.are_equal(with_laws(before), now)) {  // whatever psi is, or by the laws
         return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
                                       notation::typed_text(before) + " and " +
                                       notation::typed_text(now) + ", though they are equal."};
+      }
       before = now;
     }
+    if (is_aside) before = reached;
+  }
   if (before == start || !is_finished())
-    return {
-        Mark::incomplete,
-        "Every line is right, but the last one is not yet in the form asked for: " + e.form + "."};
+    return {Mark::incomplete, "Every line is right, but what " + e.start +
+                                  " is equal to is not yet in the form asked for: " + e.form + "."};
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer."};
 }
 
