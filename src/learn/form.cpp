@@ -50,10 +50,28 @@ bool is_difference(Expr e, const equality::Domain& domain) {
   return false;
 }
 
-/// Whether a sum is a product in disguise: 4*x, x*y + x, or x^2 + 2*x + 1, but not 1 - x^2.
+/// The same as over and under one line, without quotients in either.
+std::pair<Expr, Expr> one_fraction(Expr e) {
+  if (is_quotient(e) || e.op() == Op::Pow) {
+    const auto [over, under] = one_fraction(e.arg(0));
+    if (e.op() != Op::Pow) return {under, over};
+    return {kernel::power(over, e.exponent()), kernel::power(under, e.exponent())};
+  }
+  if (e.op() != Op::Add && e.op() != Op::Mul) return {e, 1};
+  auto [all_over, all_under] = one_fraction(e.arg(0));
+  for (std::size_t i = 1; i < e.size(); ++i) {
+    const auto [over, under] = one_fraction(e.arg(i));
+    all_over = e.op() == Op::Mul ? all_over * over : all_over * under + over * all_under;
+    all_under = all_under * under;
+  }
+  return {all_over, all_under};
+}
+
+/// Whether a sum is a product in disguise: 4*x, x*y + x, x^2 + 2*x + 1 or 1/x + 2 + x, but not
+/// 1 - x^2 or 1/x + 1/y.
 bool hides_product(Expr e, const equality::Domain&) {
   if (e.op() != Op::Add) return false;
-  const kernel::Polynomial terms = kernel::polynomial(e);
+  const kernel::Polynomial terms = kernel::polynomial(one_fraction(e).first);
   for (const auto& [factor, times] : equality::factorized(terms))
     if (times > 1 || (factor.size() == 1 && !factor.begin()->first.empty())) return true;
   cln::cl_I common = 0;
