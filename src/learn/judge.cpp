@@ -116,6 +116,12 @@ Texts faults(const Exercise& e, const Run& run) {
     };
     const Judgement own = judge(e, own_answer(e), run);
     need(own.mark == Mark::right, "its own answer", own);
+    if (e.kind == "symbolic" && e.answer_from.empty() && !e.name.empty()) {
+      const Terms terms(e);
+      const Expr answer = terms.in_full(terms.answer());
+      const Judgement said = terms.compare(answer, terms.stated().value_or(answer));
+      need(said.mark == Mark::right, "its own answer, held against the book,", said);
+    }
     for (const Misconception& one : e.misconceptions)
       for (const std::string& text : one.answers) {
         const Judgement said = judge(e, with_numbers(e, text), run);

@@ -84,6 +84,16 @@ std::string without_value(Expr given, Expr expected, const equality::Domain& dom
   return 2 * gaps > all ? first : "";
 }
 
+/// What are functions of alpha and V in the book, as symbols.
+Expr with_symbols(Expr e) {
+  static const std::set<std::string> names{"N_A", "N_B", "a_t", "b_t"};
+  if (e.size() == 0) return e;
+  if (e.op() == kernel::Op::Fun && names.contains(e.name())) return notation::symbol(e.name());
+  kernel::Exprs args;
+  for (Expr arg : e.args()) args.push_back(with_symbols(arg));
+  return kernel::with_args(e, args);
+}
+
 }  // namespace
 
 Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symbols.end()) {
@@ -131,10 +141,19 @@ Expr Terms::content(const std::string& text) const {
 
 Expr Terms::from_step(const std::string& id) const {
   try {
-    return answers::stated_value(id);
+    return with_symbols(answers::stated_value(id));
   } catch (const kernel::Refused& r) {
     throw InvalidInput(r.what());
   }
+}
+
+std::optional<Expr> Terms::stated() const {
+  static const std::map<std::string, std::string> steps{
+      {"a_t", "terminal.a"}, {"b_t", "terminal.b"}, {"c_t", "terminal.definitions: c_t"}};
+  const Expr name = content(exercise.name);
+  const auto step = steps.find(exercise.name);
+  const Expr value = in_full(step == steps.end() ? name : from_step(step->second));
+  return value == name || !foreign(value).empty() ? std::optional<Expr>() : value;
 }
 
 Expr Terms::answer() const {

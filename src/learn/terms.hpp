@@ -22,6 +22,8 @@ public:
   /// The answer: of the derivation's step, or typed by the teacher.
   Expr answer() const;
   Expr from_step(const std::string& id) const;
+  /// What the book says of the name that is asked for, in full, where the symbols do for it.
+  std::optional<Expr> stated() const;
   /// Names that an answer has no right to, "" where there are none: with what is allowed.
   std::string foreign(Expr term) const;
   Expr in_full(Expr term) const;  ///< with values and the meanings of the paper's names
