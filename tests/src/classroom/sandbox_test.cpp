@@ -2,6 +2,7 @@
 // Programs of others: each attack ends with a line that says why, and leaves nothing behind.
 #include "classroom/sandbox.hpp"
 
+#include <cfloat>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -200,4 +201,29 @@ TEST_CASE("Each exercise in code is sound") {
     ++count;
   }
   CHECK(count >= 8);
+}
+
+TEST_CASE("No double's rounding, nor a long double's, counts right at every threshold") {
+  for (const auto& [name, text] : host::all_embedded()) {
+    if (!name.ends_with("/counter.toml")) continue;
+    const auto counter = learn::read_exercise(text, name);
+    for (const std::string real : {"double", "long double"}) {
+      if (real != "double" && LDBL_MANT_DIG >= 113) continue;
+      const learn::Judgement said =
+          judge(counter,
+                "#include <cmath>\n#include <numbers>\nstruct Counts { double N_A, N_B; };\n"
+                "Counts count_collisions(double alpha) {\n if (alpha == 1) return {1, 1};\n"
+                " const auto x = static_cast<" +
+                    real +
+                    ">(alpha);\n"
+                    " const auto turns = std::numbers::pi_v<" +
+                    real +
+                    "> / (4 * std::atan(std::sqrt(x / (2 + x))));\n"
+                    " return {double(std::ceil(turns - 0.5L)), double(std::ceil(turns - 1))};\n}\n",
+                classroom::run_code);
+      INFO(real << said.feedback);
+      CHECK(said.mark == learn::Mark::wrong);
+      if (real != "double") CHECK_THAT(said.feedback, ContainsSubstring("sec(pi/39062) - 1: "));
+    }
+  }
 }
