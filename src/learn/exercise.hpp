@@ -27,12 +27,14 @@ struct Exercise {
   std::string form = {};                           ///< one of forms()
   std::string answer = {};       ///< as a student would type it; of choices the letter
   std::string answer_from = {};  ///< a step of the derivation, "contact.v_1": its right side
-  std::string run = {};          ///< "count --alpha 3/25": its columns are names in answers
-  std::string within = {};       ///< how far a number may be off
-  Texts choices = {};            ///< a), b), ...
-  Texts when = {};               ///< for each choice: the conditions on what was run
-  Texts laws = {};               ///< equations from which a derivation may start
-  std::string start = {};        ///< of a chain: the expression with which it begins
+  /// "count --alpha 3/25": its columns are names in answers; or a scene, whose collisions are N and
+  /// whose velocities at the end are called as its bodies are.
+  std::string run = {};
+  std::string within = {};  ///< how far a number may be off
+  Texts choices = {};       ///< a), b), ...
+  Texts when = {};          ///< for each choice: the conditions on what was run
+  Texts laws = {};          ///< equations from which a derivation may start
+  std::string start = {};   ///< of a chain: the expression with which it begins
   std::map<std::string, std::string> unknowns = {};  ///< and the steps that tell their values
   Texts not_zero = {};             ///< what a line of a derivation may be divided by
   std::string starter = {};        ///< of code: what a student begins with, in C++

@@ -7,7 +7,9 @@
 #include "answers/errors.hpp"
 #include "answers/question.hpp"
 #include "answers/shown_text.hpp"
+#include "balls/ball.hpp"
 #include "equality/constant.hpp"
+#include "magicmass/scenes/run.hpp"
 #include "notation/tokens.hpp"
 
 namespace learn {
@@ -15,9 +17,19 @@ namespace {
 
 using answers::InvalidInput;
 
-/// The numbers that answer a question, by their columns' names.
+/// The numbers that answer a question, by their columns' names. Of a scene: N, all its collisions,
+/// and the velocity of each body at the end, by its name.
 kernel::Substitution numbers_of(const std::string& question) {
   kernel::Substitution numbers;
+  if (question.find('=') != question.npos) {
+    const magicmass::scenes::Scene scene = magicmass::scenes::parse_scene(question, "run");
+    const magicmass::scenes::Result end = magicmass::scenes::run(scene);
+    numbers.emplace(notation::symbol("N"), cln::cl_RA(cln::cl_I(end.events)));
+    for (std::size_t i = 0; i < end.terminal.size(); ++i)
+      if (const auto velocity = magicmass::scenes::double_of(end.terminal[i]))
+        numbers.emplace(notation::symbol(body_name(scene, i)), balls::exact(*velocity));
+    return numbers;
+  }
   for (auto [column, text] : answers::answer_to(question))
     if (text.find_first_of("0123456789") != text.npos &&
         text.find_first_not_of("-+./e0123456789") == text.npos) {

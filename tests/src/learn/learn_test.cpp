@@ -108,6 +108,8 @@ TEST_CASE("Each exercise is sound, in each variant") {
       INFO(id << ", variant " << i);
       CHECK(learn::faults(variants[i]) == Texts{});
       CHECK((i == 0 || variants[i].prompt != variants[0].prompt));
+      if (variants[i].kind != "predict") continue;  // what a program says is not typed
+      CHECK((!variants[i].run.empty() || !variants[i].answer_from.empty()));
     }
   }
   CHECK(more >= 15);
@@ -148,6 +150,22 @@ TEST_CASE("A variant fills all texts of an exercise") {
     CHECK(e.hints == Texts{"Not {beta}."});
   }
   CHECK(learn::judge(learn::read_exercise(varied, "x.toml"), "5").misconception.empty());
+}
+
+TEST_CASE("A scene that is run tells its collisions and the velocities at its end") {
+  Exercise e = read("symbolic");
+  e.kind = "predict";
+  e.symbols = {};
+  e.run = "kind = 'wall'\nmass_ratio = 100";
+  e.answer = "N";
+  CHECK(learn::judge(e, "31").mark == learn::Mark::right);
+  CHECK(learn::judge(e, "32").mark == learn::Mark::wrong);
+  e.choices = {"away", "towards", "at rest"};
+  e.when = {"-1 < A, A < 0", "A > 0", "A = 0"};
+  CHECK(learn::own_answer(e) == "a");
+  e.run = "kind = 'chain'\nmasses = [1, 1]\npositions = [0, 1]\nvelocities = [1, 0]\n";
+  e.run += "mass = 1";
+  CHECK_THAT(learn::faults(e).at(0), ContainsSubstring("run:5: mass"));
 }
 
 TEST_CASE("A program is held against exact results at its doubles") {
