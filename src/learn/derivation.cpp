@@ -16,6 +16,10 @@ constexpr std::size_t most_lines = 40;
 
 std::string line_name(std::size_t i) { return "line " + std::to_string(i + 1); }
 
+void add_gaps(const Judgement& compared, std::size_t line, Texts& notes) {
+  for (const std::string& gap : compared.notes) notes.push_back(line_name(line) + ": " + gap);
+}
+
 /// A side of a line, or what is wrong with it by the line's number.
 Expr side(const Terms& terms, const std::string& text, std::size_t line, Texts& notes) {
   try {
@@ -52,8 +56,14 @@ public:
     return left - right;
   }
   bool is_zero(Expr e) const { return terms_.are_equal(e, 0); }
-  Mark truth(Expr left, Expr right) const {
-    return terms_.compare(kernel::substitute(left, truth_), kernel::substitute(right, truth_)).mark;
+  /// Also notes where one side alone has no value.
+  Mark truth(Expr left, Expr right, std::size_t line, Texts& notes) const {
+    left = kernel::substitute(left, truth_);
+    right = kernel::substitute(right, truth_);
+    add_gaps(terms_.compare(right, left), line, notes);
+    const Judgement said = terms_.compare(left, right);
+    add_gaps(said, line, notes);
+    return said.mark;
   }
   bool has(Expr e, Expr unknown) const { return kernel::free_variables(e).contains(unknown); }
   bool has_unknowns(Expr e) const { return kernel::substitute(e, truth_) != e; }
@@ -125,7 +135,7 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     if (equations.is_zero(e))
       return {Mark::incomplete,
               the_line + " says nothing: both sides are the same for all velocities."};
-    const Mark mark = equations.truth(left, right);
+    const Mark mark = equations.truth(left, right, i, notes);
     if (mark == Mark::undecided)
       return {mark, "It could not be decided whether " + line_name(i) + " is true."};
     if (mark == Mark::wrong) {
@@ -182,7 +192,9 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
                                : before == start ? e.start + ", with which the chain begins"
                                                  : "what comes before it";
       const std::string shown = quoted(part, now);
-      const Mark mark = terms.compare(given, terms.in_full(before)).mark;
+      const Judgement compared = terms.compare(given, terms.in_full(before));
+      const Mark mark = compared.mark;
+      add_gaps(compared, i, notes);
       if (mark == Mark::undecided)
         return {mark, "It could not be decided whether " + shown + " in " + line_name(i) +
                           " is equal to " + what + "."};

@@ -258,9 +258,11 @@ Judgement Terms::compare(Expr given, Expr expected) const {
     for (int column = 0; column < given.cols(); ++column) {
       Judgement one =
           compare_numbers(kernel::entry(given, row, column), kernel::entry(expected, row, column));
+      const std::string place =
+          "row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) + ": ";
+      for (const std::string& note : one.notes) all.notes.push_back(place + note);
       if (one.mark == Mark::right) continue;
-      one.feedback = "Row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) +
-                     ": " + one.feedback;
+      one.feedback = "R" + place.substr(1) + one.feedback;
       if (one.mark == Mark::wrong) return one;
       all = one;
     }

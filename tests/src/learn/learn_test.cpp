@@ -225,6 +225,27 @@ TEST_CASE("Right results come from a command, a step or the solution") {
   CHECK(mark({"n", "solution_code"}, "", {3, 6}) == "wrong");
 }
 
+TEST_CASE("Where an answer alone has no value at single points is noted, whatever its kind") {
+  const std::string gap = "yours has no value at alpha = 1: division by zero";
+  for (const auto& [id, answer, note] : {
+           std::tuple{"half_angle", "(1-alpha)/(1-alpha^2)", gap},
+           {"gamma_matrix",
+            "[[(1-alpha)^2/((1+alpha)(1-alpha)), 2sqrt(alpha)/(1+alpha)], "
+            "[2sqrt(alpha)/(1+alpha), (alpha-1)/(1+alpha)]]",
+            "row 1, column 1: " + gap},
+           {"double_angle", "2cos(psi/2)^2-1;2/(1+alpha)^2-1;(2/(1+alpha)^2-1)(alpha-1)/(alpha-1)",
+            "line 3: " + gap},
+       })
+    CHECK(learn::judge(exercises().at(id)[0], answer).notes == Texts{note});
+  const Exercise& lines = exercises().at("momentum_lines")[0];
+  std::string text = lines.answer;
+  learn::replace_all(text, ")/(M_1 + M_2)", ")(M_1 - M_2)/(M_1^2 - M_2^2)");
+  const learn::Judgement said = learn::judge(lines, text);
+  CHECK(said.mark == learn::Mark::right);
+  REQUIRE(said.notes.size() == 1);
+  CHECK(said.notes[0].starts_with("line 6: yours has no value at M_1 = 1, M_2 = 1"));
+}
+
 TEST_CASE("A byte order mark, comments and lines of an answer's file are read as typed") {
   const Exercise e = read("symbolic");
   CHECK(learn::judge(e, "\xEF\xBB\xBF# mine\r\n  1/(1 + alpha)\r\n\n").mark == learn::Mark::right);
