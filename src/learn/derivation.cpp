@@ -169,6 +169,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   const Exercise& e = terms.exercise;
   const Expr start = terms.content(e.start);
   Expr before = start;
+  std::string shown_before = e.start;
   const auto with_laws = [&](Expr term) {
     for (const std::string& law : e.laws) {
       const auto [left, right] = both_sides(terms, law);
@@ -177,10 +178,10 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
     return term;
   };
   const auto is_finished = [&] {
-    return lacking(e.form, before, terms.domain(notation::symbols_of(before))).empty();
+    return !lacking(e.form, before, terms.domain(notation::symbols_of(before)));
   };
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Expr reached = before;
+    const std::pair reached{before, shown_before};
     bool is_aside = false;
     Texts parts = split(lines[i], '=');
     const bool has_more = parts.size() > 1;
@@ -191,7 +192,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
       const std::string what = is_aside          ? "what stands before it"
                                : before == start ? e.start + ", with which the chain begins"
                                                  : "what comes before it";
-      const std::string shown = quoted(part, now);
+      const std::string shown = terms.quoted(part, now);
       const Judgement compared = terms.compare(given, terms.in_full(before));
       const Mark mark = compared.mark;
       add_gaps(compared, i, notes);
@@ -208,12 +209,12 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
       } else if (!is_aside && !terms.are_equal(before, now) &&
                  !terms.are_equal(with_laws(before), now)) {  // whatever psi is, or by the laws
         return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
-                                      notation::typed_text(before) + " and " +
-                                      notation::typed_text(now) + ", though they are equal."};
+                                      shown_before + " and " + shown + ", though they are equal."};
       }
       before = now;
+      shown_before = shown;
     }
-    if (is_aside) before = reached;
+    if (is_aside) std::tie(before, shown_before) = reached;
   }
   if (before == start || !is_finished())
     return {Mark::incomplete, "Every line is right, but what " + e.start +

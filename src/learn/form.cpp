@@ -103,12 +103,12 @@ Texts forms() {
   return names;
 }
 
-std::string lacking(const std::string& form, Expr typed, const equality::Domain& domain) {
-  if (form == "factored" && typed.op() == Op::Add) return "it is a sum";
+std::optional<Lack> lacking(const std::string& form, Expr typed, const equality::Domain& domain) {
+  if (form == "factored" && typed.op() == Op::Add) return Lack{typed, " is a sum"};
   for (const Form& one : all_forms) {
     if (one.name != form) continue;
-    const auto part = found(typed, [&](Expr e) { return one.is_lack(e, domain); });
-    return part ? notation::typed_text(*part) + one.lack : "";
+    if (const auto part = found(typed, [&](Expr e) { return one.is_lack(e, domain); }))
+      return Lack{*part, one.lack};
   }
   return {};
 }

@@ -9,7 +9,12 @@ namespace learn {
 
 /// The forms that an exercise may ask for.
 Texts forms();
-/// What a typed term lacks of a form, "" where it has it: "sqrt(2) - cos(x) is a difference".
-std::string lacking(const std::string& form, kernel::Expr typed, const equality::Domain& domain);
+/// What a typed term lacks of a form: the part that has no place in it, and why: " is a difference".
+struct Lack {
+  kernel::Expr part;
+  std::string why;
+};
+std::optional<Lack> lacking(const std::string& form, kernel::Expr typed,
+                            const equality::Domain& domain);
 
 }  // namespace learn

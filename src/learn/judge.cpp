@@ -28,14 +28,10 @@ std::string with_numbers(const Exercise& e, const std::string& text) {
 /// What lacks of the form that is asked for, of a term that is equal to the answer.
 Judgement judge_form(const Terms& terms, const std::string& text, Expr typed) {
   const std::string& form = terms.exercise.form;
-  std::string lack = lacking(form, typed, terms.domain(notation::symbols_of(typed)));
-  if (lack.empty()) return {Mark::right, "Right."};
-  // All of it is quoted as it was typed: + (-1) would be shown as - 1.
-  const std::string all = notation::typed_text(typed) + " ";
-  if (lack.starts_with(all) && text.find('=') == text.npos)
-    lack.replace(0, all.size() - 1, quoted(text, typed));
-  return {Mark::other_form,
-          "Equal to the answer, but not in the form asked for (" + form + "): " + lack + "."};
+  const auto lack = lacking(form, typed, terms.domain(notation::symbols_of(typed)));
+  if (!lack) return {Mark::right, "Right."};
+  return {Mark::other_form, "Equal to the answer, but not in the form asked for (" + form +
+                                "): " + terms.quoted(text, lack->part) + lack->why + "."};
 }
 
 Judgement judge_expression(const Exercise& e, const std::string& text, Texts& notes) {

@@ -106,6 +106,12 @@ Expr with_symbols(Expr e) {
   return kernel::with_args(e, args);
 }
 
+bool contains(Expr e, Expr part) {
+  if (e == part) return true;
+  const kernel::Exprs args = e.args();
+  return std::ranges::any_of(args, [&](Expr arg) { return contains(arg, part); });
+}
+
 }  // namespace
 
 Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symbols.end()) {
@@ -276,9 +282,20 @@ Judgement Terms::mistake(Expr given, const std::string& otherwise) const {
   return learn::mistake(exercise, was_given, otherwise);
 }
 
-std::string quoted(const std::string& typed, Expr read) {
+std::string Terms::quoted(const std::string& typed, Expr part) const {
   constexpr std::size_t longest = 80;
-  return answers::shown_text(typed, longest) == typed ? typed : notation::typed_text(read);
+  if (answers::shown_text(typed, longest) != typed) return notation::typed_text(part);
+  for (std::size_t size = 1; size <= typed.size(); ++size)
+    for (std::size_t first = 0; first + size <= typed.size(); ++first) {
+      const std::string some = typed.substr(first, size);
+      const bool is_cut = first > 0 && typed[first - 1] == '\\';
+      if (is_cut || some.front() == ' ' || some.back() == ' ') continue;
+      try {
+        if (contains(content(some), part)) return some;
+      } catch (const InvalidInput&) {
+      }
+    }
+  return notation::typed_text(part);
 }
 
 }  // namespace learn

@@ -33,6 +33,9 @@ public:
   bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
   /// What is said to a wrong term, in full.
   Judgement mistake(Expr given, const std::string& otherwise) const;
+  /// The least of what was typed that has this part of its term, where that is short and all ASCII;
+  /// else the part.
+  std::string quoted(const std::string& typed, Expr part) const;
   equality::Domain domain(const std::set<std::string>& symbols) const;
 
   const Exercise& exercise;
@@ -43,8 +46,6 @@ private:
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
-/// What was typed, where it is short and all ASCII; else the term that was read.
-std::string quoted(const std::string& typed, Expr read);
 /// Wrong, with the feedback of the first misconception that has an answer that was given.
 Judgement mistake(const Exercise& exercise,
                   const std::function<bool(const std::string& answer)>& was_given,
