@@ -104,14 +104,14 @@ std::optional<std::string> misnamed(const std::string& file, const learn::Texts&
 
 std::string answer_file(const Exercise& e) { return e.id + (e.kind == "code" ? ".cpp" : ".txt"); }
 
-std::optional<AnswerInFile> judged_file(const Exercise& e, const std::string& folder,
-                                        const learn::Run& run, unsigned seconds) {
+std::optional<Judgement> judged_file(const Exercise& e, const std::string& folder,
+                                     const learn::Run& run, unsigned seconds) {
   try {
     const std::optional<std::string> text = text_in(folder, answer_file(e));
     if (!text) return {};
-    return AnswerInFile{*text, judged_apart(e, *text, run, seconds)};
+    return judged_apart(e, *text, run, seconds);
   } catch (const InvalidInput& error) {
-    return AnswerInFile{"", {Mark::unread, std::string("Not read: ") + error.what() + "."}};
+    return Judgement{Mark::unread, std::string("Not read: ") + error.what() + "."};
   }
 }
 

@@ -15,15 +15,12 @@ std::string answer_file(const learn::Exercise& exercise);
 /// What is said of a file that looks like an answer but is none of these; else nothing.
 std::optional<std::string> misnamed(const std::string& file, const learn::Texts& answer_files);
 
-struct AnswerInFile {
-  std::string text;
-  learn::Judgement said;
-};
 /// What is said to the answer in a folder; nothing where there is none. Links, pipes, devices, and
 /// what is too long or no text are unread. Each is judged in a process of its own: one that is
 /// late, or ends that process, is undecided. What all answers need is computed once, before.
-std::optional<AnswerInFile> judged_file(const learn::Exercise& exercise, const std::string& folder,
-                                        const learn::Run& run, unsigned seconds = 20);
+std::optional<learn::Judgement> judged_file(const learn::Exercise& exercise,
+                                            const std::string& folder, const learn::Run& run,
+                                            unsigned seconds = 20);
 
 /// The table of what is said to one answer.
 answers::Table told(const learn::Exercise& exercise, const learn::Judgement& said);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "classroom/attempts.hpp"
 
-#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -37,15 +36,6 @@ void keep(const learn::Texts& fields) {
   ::close(file);
 }
 
-/// Alike for answers that differ in spaces alone (FNV-1a).
-std::string fingerprint(const std::string& answer) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : answer)
-    if (c != ' ' && c != '\t' && c != '\r' && c != '\n')
-      hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return std::to_string(hash);
-}
-
 bool is_miss(const std::string& verdict) {
   return verdict == "wrong" || verdict == "incomplete" || verdict == "other form";
 }
@@ -60,10 +50,10 @@ std::map<std::string, Attempts> attempts() {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
     learn::Texts fields = learn::fields(line, '\t');
-    fields.resize(4);  // hints have two; others may have written here
+    fields.resize(2);  // others may have written here
     const std::string& said = fields[1];
     Attempts& one = all[fields[0]];
-    if (is_miss(said)) one.misses.insert(fields[3]);
+    one.misses += is_miss(said) ? 1 : 0;
     if (said.starts_with("hint "))
       one.shown.insert(said);
     else if (one.done != "right")
@@ -72,14 +62,11 @@ std::map<std::string, Attempts> attempts() {
   return all;
 }
 
-void remember(const learn::Exercise& e, const std::string& answer, learn::Judgement& said) {
-  const std::string verdict = word(said.mark), print = fingerprint(answer);
-  Attempts before = attempts()[e.id];
-  keep({e.id, verdict, said.misconception.empty() ? "" : answers::shown_text(said.misconception),
-        print});
-  const bool is_new = is_miss(verdict) && before.misses.insert(print).second;
-  // Without a memory nothing was missed before.
-  if (!is_new || before.misses.size() <= misses_without_hint) return;
+void remember(const learn::Exercise& e, learn::Judgement& said) {
+  const std::string verdict = word(said.mark);
+  const Attempts before = attempts()[e.id];  // nothing where there is no memory
+  keep({e.id, verdict, said.misconception.empty() ? "" : answers::shown_text(said.misconception)});
+  if (!is_miss(verdict) || before.misses < misses_without_hint) return;
   for (std::size_t i = 1; i <= e.hints.size(); ++i) {
     if (before.shown.contains("hint " + std::to_string(i))) continue;
     said.feedback += " Hint " + std::to_string(i) + ": " + e.hints[i - 1];

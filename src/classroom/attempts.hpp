@@ -11,16 +11,16 @@
 namespace classroom {
 
 struct Attempts {
-  std::string done = {};              ///< "right" where it was once, "tried", or ""
-  std::set<std::string> misses = {};  ///< different ones
-  std::set<std::string> shown = {};   ///< "hint 1" and so on
+  std::string done = {};  ///< "right" where it was once, "tried", or ""
+  std::size_t misses = 0;
+  std::set<std::string> shown = {};  ///< "hint 1" and so on
 };
 
 /// By exercise. Nothing where nothing was kept, or where it cannot be.
 std::map<std::string, Attempts> attempts();
-/// Keeps what was said to an answer. From the third miss on, each that is new adds to the feedback
-/// the next hint that was not shown yet, or else where the solution is.
-void remember(const learn::Exercise& exercise, const std::string& answer, learn::Judgement& said);
+/// Keeps what was said to an answer. From the third miss on, each adds to the feedback the next hint
+/// that was not shown yet, or else where the solution is.
+void remember(const learn::Exercise& exercise, learn::Judgement& said);
 /// Keeps that a hint, counted from 1, was shown.
 void remember_hint(const learn::Exercise& exercise, std::size_t number);
 

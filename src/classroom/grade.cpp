@@ -93,13 +93,13 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
         cell_of(request, is_letters(name) ? name : answers::shown_text(name));
     answers::Row& row = marks.rows.emplace_back(answers::Row{shown});
     for (std::size_t i = 0; i < exercises.size(); ++i) {
-      const std::optional<AnswerInFile> answer = judged_file(exercises[i], student, run);
-      row.push_back(text_cell(answer ? word(answer->said.mark) : "missing"));
-      if (!answer) continue;
-      const std::string& misconception = answer->said.misconception;
+      const std::optional<learn::Judgement> said = judged_file(exercises[i], student, run);
+      row.push_back(text_cell(said ? word(said->mark) : "missing"));
+      if (!said) continue;
+      const std::string& misconception = said->misconception;
       if (!misconception.empty()) ++had[{i, misconception}];
       why.rows.push_back(
-          {shown, text_cell(exercises[i].id), row.back(), cell_of(request, answer->said.feedback),
+          {shown, text_cell(exercises[i].id), row.back(), cell_of(request, said->feedback),
            misconception.empty() ? answers::missing_cell() : cell_of(request, misconception)});
     }
     std::set<std::string> there;  // of what may be a great many

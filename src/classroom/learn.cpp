@@ -107,7 +107,7 @@ Answer check(const Request& request) {
   const std::string text =
       is_file ? magicmass::scenes::text_of(request.text("file"), allowed_file) : request.words[2];
   learn::Judgement said = judge(e, text, run_code);
-  remember(e, text, said);
+  remember(e, said);
   Answer answer;
   answer.table = told(e, said);
   if (request.has("reveal")) {

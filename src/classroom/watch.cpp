@@ -75,10 +75,10 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       const bool is_written = std::exchange(file.last, *now) != *now;  // perhaps it goes on
       if (is_written || std::exchange(file.judged, *now) == *now) continue;
       const Exercise& e = all[static_cast<std::size_t>(found - names.begin())];
-      std::optional<AnswerInFile> answer = judged_file(e, place, run);
-      if (!answer) continue;
-      remember(e, answer->text, answer->said);
-      tell("\n" + answers::written(told(e, answer->said), answers::Format::text));
+      std::optional<learn::Judgement> said = judged_file(e, place, run);
+      if (!said) continue;
+      remember(e, *said);
+      tell("\n" + answers::written(told(e, *said), answers::Format::text));
     }
     if (is_first)
       tell("Watching " + answers::shown_text(place, 200) +

@@ -71,7 +71,7 @@ struct Place : host::TemporaryFolder {
 
 std::string feedback_of(const std::string& answer, const Exercise& e = half) {
   learn::Judgement said = judge(e, answer, run);
-  classroom::remember(e, answer, said);
+  classroom::remember(e, said);
   return said.feedback;
 }
 
@@ -81,18 +81,16 @@ learn::Texts lines_of(const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("The third miss and those after it show a hint that is new") {
+TEST_CASE("The third miss and those after it say something new, also to the same answer") {
   const Place place;
   const auto wrong = [](const std::string& number) {
     return "At alpha = 1 yours is " + number + "; it should be 1/2.";
   };
   CHECK(feedback_of("3") == wrong("3"));
   CHECK(feedback_of("1 + alpha") == "=Upside down.");
-  CHECK(feedback_of("1+alpha\n") == "=Upside down.");
   CHECK(feedback_of("(") == judge(half, "(").feedback);
   classroom::remember_hint(half, 1);
-  CHECK(feedback_of("4") == wrong("4") + " Hint 2: two");
-  CHECK(feedback_of("4") == wrong("4"));
+  CHECK(feedback_of("3") == wrong("3") + " Hint 2: two");
   CHECK(feedback_of("5") == wrong("5") + " There are no more hints: magicmass learn solution half");
   CHECK(classroom::attempts().at("half").done == "tried");
   CHECK(feedback_of("1/(1 + alpha)") == "Right.");
@@ -100,7 +98,7 @@ TEST_CASE("The third miss and those after it show a hint that is new") {
   feedback_of("6");
   CHECK(classroom::attempts().at("half").done == "right");
   CHECK(classroom::attempts().at("twice").done == "");
-  CHECK(lines_of(place.memory()).at(1).starts_with("half\twrong\t=upside down\t"));
+  CHECK(lines_of(place.memory()).at(1).starts_with("half\twrong\t=upside down"));
 }
 
 TEST_CASE("Checks at once lose no line of the memory") {
@@ -114,9 +112,9 @@ TEST_CASE("Checks at once lose no line of the memory") {
   for (const pid_t child : children) ::waitpid(child, nullptr, 0);
   int answers = 0;
   for (const std::string& line : lines_of(place.memory()))
-    answers += line.starts_with("twice\twrong\t\t") ? 1 : 0;
+    answers += line.starts_with("twice\twrong\t") ? 1 : 0;
   CHECK(answers == 200);
-  CHECK(classroom::attempts().at("twice").misses.size() == 200);
+  CHECK(classroom::attempts().at("twice").misses == 200);
 }
 
 TEST_CASE("Without a memory nothing is remembered, and nothing is said") {
@@ -211,10 +209,10 @@ TEST_CASE("An answer that never ends is undecided, one that ends the judge too")
   };
   for (int i = 0; i < 50 && files() > 1; ++i) ::usleep(100000);
   CHECK(files() == 1);  // the answer's folder is gone
-  CHECK(late.said.mark == Mark::undecided);
-  CHECK(late.said.feedback == "It was not judged within 1 s.");
+  CHECK(late.mark == Mark::undecided);
+  CHECK(late.feedback == "It was not judged within 1 s.");
   save(place.path + "/twice.cpp", "end");
-  CHECK(classroom::judged_file(twice, place.path, run).value().said.feedback ==
+  CHECK(classroom::judged_file(twice, place.path, run).value().feedback ==
         "Its judge ended before it said anything.");
   CHECK_FALSE(classroom::judged_file(half, place.path, run));
 }
