@@ -153,7 +153,8 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
                           : " is true, but how does it follow from the lines before it? ") +
                   (!missing.empty() ? "This law is missing: " + missing + "."
                    : !later.empty() ? "This law must stand before it: " + later + "."
-                                    : "A step is missing.")};
+                                    : "A step is missing between " + line_name(i - 1) + " and " +
+                                          line_name(i) + ".")};
     }
   }
   const auto [left, right] = all.back();
