@@ -88,8 +88,8 @@ Answer show(const Request& request) {
   std::string text = e.title + "\n\n" + e.prompt + "\n";
   for (std::size_t i = 0; i < e.choices.size(); ++i)
     text += (i == 0 ? "\n" : "") + std::string(1, char('a' + i)) + ") " + e.choices[i] + "\n";
-  if (!e.symbols.empty()) text += "\nAn answer may use: " + answers::joined(e.symbols) + "\n";
-  if (!e.form.empty()) text += "Form: " + e.form + "\n";
+  if (const learn::Texts lines = rules(e); !lines.empty())
+    text += "\n" + answers::joined(lines, "\n") + "\n";
   const bool is_code = e.kind == "code";
   if (is_code)
     text += "\nBegin with this in a file, answer.cpp, for c++ -std=c++20:\n\n" + e.starter + "\n";

@@ -98,6 +98,19 @@ Judgement mistake(const Exercise& e,
   return {Mark::wrong, otherwise};
 }
 
+Texts rules(const Exercise& e) {
+  if (!e.choices.empty() || e.kind == "code") return {};
+  Texts numbers;
+  for (const auto& [name, value] : e.values) numbers.push_back(name + " = " + value);
+  Texts lines{"An answer may use: " + answers::joined(e.symbols)};
+  if (e.symbols.empty()) lines[0] = "An answer is a number";
+  if (e.symbols.empty() && !numbers.empty()) lines[0] += "; it may use " + answers::joined(numbers);
+  if (!e.name.empty() && e.kind != "derivation")
+    lines.push_back("It may be an equation for: " + e.name);
+  if (!e.form.empty()) lines.push_back("Form: " + e.form);
+  return lines;
+}
+
 std::string own_answer(const Exercise& e) {
   if (e.kind == "code") return e.solution_code;
   if (!e.when.empty()) return std::string(1, right_choice(e));

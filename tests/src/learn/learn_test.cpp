@@ -119,6 +119,21 @@ TEST_CASE("Each exercise is sound, in each variant") {
                                         "what_is_left"});
 }
 
+TEST_CASE("What an answer may use is said of each that is typed") {
+  const std::map<std::string, std::string> some{
+      {"half_angle",
+       "An answer may use: alpha, psi|It may be an equation for: cos(psi/2)|Form: no trigonometric "
+       "functions"},
+      {"light_ball", "An answer is a number; it may use V = 1|It may be an equation for: c"},
+      {"exact_speeds", "An answer is a number; it may use V = 1|It may be an equation for: c_2"},
+      {"count_them", "An answer is a number|It may be an equation for: N"},
+      {"momentum_lines", "An answer may use: M_1, M_2, u_1, u_2, v_1, v_2"},
+      {"three_equal", ""},
+      {"ladder", ""}};
+  for (const auto& [id, lines] : some)
+    CHECK(answers::joined(learn::rules(exercises().at(id)[0]), "|") == lines);
+}
+
 TEST_CASE("What is spoilt in an exercise is refused by line, or a fault of it") {
   for (const char* name : {"symbolic.toml", "varied.toml", "code.toml"})
     CHECK(complaint(text_of(name)) == "sound");
