@@ -12,6 +12,7 @@
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 #include "course/printed.hpp"
+#include "learn/judge.hpp"
 #include "render/mathml.hpp"
 
 namespace course {
@@ -49,6 +50,24 @@ std::string theorem(const render::Step& s) {
   return "\n<div class=\"theorem\" data-theorem=\"" + s.id + "\">" +
          display(has_parts ? s.formula.args() : kernel::Exprs{s.formula}) + "<p class=\"source\">" +
          proof_link(s.id, s.id) + conditions + "</p></div>";
+}
+
+/// Paragraphs and blocks of indented lines of a text in which no sign is Markdown's.
+std::string plain_html(const std::string& text) {
+  std::string html, part;
+  bool is_block = false;
+  const auto end_part = [&] {
+    if (!part.empty()) html += is_block ? code_html(part) : "<p>" + html_text(part) + "</p>\n";
+    part.clear();
+  };
+  for (const std::string& line : learn::fields(text, '\n')) {
+    const bool is_indented = line.starts_with("    ");
+    if (line.empty() || is_indented != is_block) end_part();
+    is_block = is_indented;
+    if (!line.empty()) part += line.substr(is_block ? 4 : 0) + "\n";
+  }
+  end_part();
+  return html;
 }
 
 /// From Markdown with references to HTML. What is looked up stands in the Markdown as a number
@@ -183,10 +202,14 @@ private:
   }
   std::string exercises() const {
     std::string list = "\n";
-    for (const learn::Exercise& e : chapter_.exercises)
+    for (const learn::Exercise& e : chapter_.exercises) {
       list += "<details data-exercise=\"" + e.id + "\"><summary>" + html_text(e.title) +
-              "</summary>" + html_of(e.prompt) + code_html("magicmass learn show " + e.id) +
-              "</details>\n";
+              "</summary>" + plain_html(e.prompt);
+      for (std::size_t i = 0; i < e.choices.size(); ++i)
+        list += "<p>" + html_text(std::string(1, char('a' + i)) + ") " + e.choices[i]) + "</p>\n";
+      for (const std::string& rule : rules(e)) list += "<p>" + html_text(rule) + "</p>\n";
+      list += code_html("magicmass learn show " + e.id) + "</details>\n";
+    }
     return list;
   }
 };

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A chapter becomes a page; what would drift from the program or the proofs is refused.
+#include <regex>
+
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
 #include "catch.hpp"
 #include "course/chapter.hpp"
 #include "course/page.hpp"
+#include "host/embedded.hpp"
+#include "learn/judge.hpp"
 #include "refusal.hpp"
 
 using course::Chapter;
@@ -43,7 +47,10 @@ Chapter small_chapter() {
               "  a_t | words\n"
               "  1 | two words\n",
           .session = "$ magicmass count --alpha 1\nN_A = 1 & more\n",
-          .exercises = {{.id = "x", .title = "How many?", .prompt = "Count *them*."}}};
+          .exercises = {{.id = "x",
+                         .title = "How many?",
+                         .prompt = "Count *them*, <all> M_1*u_1 of it.\n    double *x;\n\nHow?",
+                         .choices = {"so", "not so"}}}};
 }
 std::string html(const Chapter& chapter) {
   static const course::Surroundings around{answers::derivation_sections(),
@@ -79,13 +86,39 @@ TEST_CASE("a chapter becomes HTML in which all that is computed is marked") {
         "more",
         "return 1 &lt; 2;", "<img src=\"figures/setup.svg\" alt=\"three &quot;bodies&quot;\"/>",
         "in a <em>line</em>",
-        "<details data-exercise=\"x\"><summary>How many?</summary><p>Count <em>them</em>.</p>"}) {
+        "<details data-exercise=\"x\"><summary>How many?</summary><p>Count *them*, &lt;all&gt; "
+        "M_1*u_1 of it.\n</p>\n"
+        "<pre tabindex=\"0\"><code>double *x;\n</code></pre><p>How?\n</p>\n<p>a) so</p>\n<p>b) not "
+        "so</p>\n<pre"}) {
     CAPTURE(part);
     CHECK_THAT(page, ContainsSubstring(part));
   }
   CHECK_THAT(page, !ContainsSubstring("<script>") && !ContainsSubstring("{{") &&
                        !ContainsSubstring("\x01"));
   CHECK(title_of(small_chapter()) == "A *small* chapter");
+}
+
+TEST_CASE("each exercise's prompt is on its page as it is written, and what an answer may use") {
+  Chapter chapter = small_chapter();
+  int count = 0;
+  for (const auto& [name, text] : host::all_embedded()) {
+    if (name.find("/exercises/") == name.npos || !name.ends_with(".toml")) continue;
+    chapter.exercises = {learn::read_exercise(text, name)};
+    const learn::Exercise& e = chapter.exercises[0];
+    std::string page = html(chapter);
+    page.erase(0, page.find("</summary>"));
+    const auto shows = [&](std::string expected) {  // whatever the tags and blanks are
+      expected = std::regex_replace(render::html_text(expected), std::regex("\\s+"), "");
+      static const std::regex no_text("<[^>]*>|\\s+");
+      return std::regex_replace(page, no_text, "").find(expected) != expected.npos;
+    };
+    CAPTURE(e.id);
+    CHECK(shows(e.prompt));
+    for (const std::string& line : rules(e)) CHECK(shows(line));
+    for (const std::string& choice : e.choices) CHECK(shows(choice));
+    ++count;
+  }
+  CHECK(count == 50);
 }
 
 TEST_CASE("a text that would drift is refused, with its place") {
