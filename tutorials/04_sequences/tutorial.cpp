@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // All velocities in closed form: exact fractions by the formula and collision by collision; then a
 // leap.
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 
 #include <cln/rational.h>
@@ -39,7 +41,8 @@ int main() {
   const double feather = 1e-20;
   const std::int64_t middle = magicmass::count_collisions(feather)->N_B / 2;
   const auto v = magicmass::accurate::velocities(feather, middle);
-  std::printf("feather: %g\nmiddle: %lld\n", feather, static_cast<long long>(middle));
+  std::printf("feather: %g\nmiddle: %lld\ndoublings: %d\n", feather, static_cast<long long>(middle),
+              int(std::bit_width(std::uint64_t(middle))));
   std::printf("leap:\n  a_n | b_n | c_n | c'_n\n  %.6g | %.6g | %.6g | %.6g\n", v.a, v.b, v.c,
               v.c_prime);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A ball between a block and a wall: counting collisions, and the digits of pi among the counts.
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -27,15 +28,16 @@ Matrix operator*(const Matrix& x, const Matrix& y) {
   return {x[0] * y[0] + x[1] * y[2], x[0] * y[1] + x[1] * y[3],  //
           x[2] * y[0] + x[3] * y[2], x[2] * y[1] + x[3] * y[3]};
 }
-// By doubling and halving, in numbers of 200 digits: in the first column are the velocities of
+constexpr unsigned carried = 200;
+// By doubling and halving, in numbers of so many digits: in the first column are the velocities of
 // block and ball, after so many cycles, each a collision of the two and one with the wall.
 cln::cl_I counted_by_squaring(const cln::cl_RA& mass) {
   Matrix cycle;
   for (int i : {0, 1}) {
     magicmass::simulator::Body<cln::cl_RA> block{mass, 0, 1 - i}, ball{1, 0, i};
     collide(block, ball);
-    cycle[std::size_t(i)] = cln::cl_float(block.velocity, cln::float_format(200));
-    cycle[std::size_t(i) + 2] = cln::cl_float(-ball.velocity, cln::float_format(200));
+    cycle[std::size_t(i)] = cln::cl_float(block.velocity, cln::float_format(carried));
+    cycle[std::size_t(i) + 2] = cln::cl_float(-ball.velocity, cln::float_format(carried));
   }
   const auto approaches = [](const Matrix& m) { return m[2] < m[0]; };
   std::vector<Matrix> doubled{cycle};
@@ -58,8 +60,11 @@ int main() {
   for (int k = 0; k <= 5; ++k, mass = 100 * mass)
     std::printf("  %s | %d | %s\n", kernel::digits(mass).c_str(), counted(cln::double_approx(mass)),
                 kernel::digits(counted_by_squaring(mass)).c_str());
-  std::printf("many_digits: %s\n",
-              kernel::digits(counted_by_squaring(cln::expt_pos(cln::cl_I(100), 50))).c_str());
+  const cln::cl_I many = counted_by_squaring(cln::expt_pos(cln::cl_I(100), 50));
+  const auto doublings = cln::integer_length(cln::ash(many, -1));  // of cycles: two collisions each
+  std::printf("many_digits: %s\n", kernel::digits(many).c_str());
+  std::printf("doublings: %d\nlost: %.0f\ncarried: %u\n", int(doublings),
+              double(doublings) * std::log10(2), carried);
   // At a billion collisions a second, with as many seconds in a year.
   std::printf("years: %.0g\n", 1e50 / 1e9 / 3.15e7);
 }

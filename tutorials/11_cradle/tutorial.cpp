@@ -32,6 +32,7 @@ void print_row(const std::string& what, const Balls& balls, double gap) {
 }
 
 int main() {
+  std::printf("grams: %.0f\nfewer_grams: %.0f\n", 1000 * magic(3), 1000 * magic(9));
   std::printf("cradles:\n  four balls | energy of the last block | collisions\n");
   print_row("magic 1, 2, 3, 4", {magic(1), magic(2), magic(3), magic(4)}, 1);
   print_row("magic 4, 2, 9, 6", {magic(4), magic(2), magic(9), magic(6)}, 1);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include <cln/cln.h>
 
@@ -48,6 +49,8 @@ void print_row(const char* what, double alpha, std::int64_t first, std::int64_t 
 }
 
 int main() {
+  constexpr int bits = std::numeric_limits<double>::digits;
+  std::printf("bits: %d\ndecimals: %.0f\n", bits, bits * std::log10(2));
   const double closest = 0x1.1c7397cb68b7ep-18;  // very close to alpha_539: the ball nearly stops
   std::printf("errors:\n  input | paper | products | tangents | fast | accurate\n");
   print_row("one half, first cycle", 0.5, 1, 1);
