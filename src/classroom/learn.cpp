@@ -86,8 +86,6 @@ Answer list(const Request& request) {
 Answer show(const Request& request) {
   const Exercise e = exercise(request);
   std::string text = e.title + "\n\n" + e.prompt + "\n";
-  for (std::size_t i = 0; i < e.choices.size(); ++i)
-    text += (i == 0 ? "\n" : "") + std::string(1, char('a' + i)) + ") " + e.choices[i] + "\n";
   if (const learn::Texts lines = rules(e); !lines.empty())
     text += "\n" + answers::joined(lines, "\n") + "\n";
   const bool is_code = e.kind == "code";

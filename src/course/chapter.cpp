@@ -206,8 +206,6 @@ private:
     for (const learn::Exercise& e : chapter_.exercises) {
       list += "<details data-exercise=\"" + e.id + "\"><summary>" + html_text(e.title) +
               "</summary>" + plain_html(e.prompt);
-      for (std::size_t i = 0; i < e.choices.size(); ++i)
-        list += "<p>" + html_text(std::string(1, char('a' + i)) + ") " + e.choices[i]) + "</p>\n";
       for (const std::string& rule : rules(e)) list += "<p>" + html_text(rule) + "</p>\n";
       list += code_html("magicmass learn show " + e.id) + "</details>\n";
     }

@@ -184,15 +184,13 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::pair reached{before, shown_before};
     bool is_aside = false;
-    Texts parts = split(lines[i], '=');
-    const bool has_more = parts.size() > 1;
+    const Texts parts = split(lines[i], '=');
     for (const std::string& part : parts) {
-      const bool is_first = &part == &parts[0];
+      const bool is_left = parts.size() > 1 && &part == &parts[0];
       const Expr now = side(terms, part, i, notes), given = terms.in_full(now);
-      if (has_more && is_first && now == start) continue;  // goes on from what was reached
-      const std::string what = is_aside          ? "what stands before it"
-                               : before == start ? e.start + ", with which the chain begins"
-                                                 : "what comes before it";
+      if (is_left && now == start) continue;  // goes on from what was reached
+      const std::string what =
+          before == start ? e.start + ", with which the chain begins" : "what comes before it";
       const std::string shown = terms.quoted(part, now);
       const Judgement compared = terms.compare(given, terms.in_full(before));
       const Mark mark = compared.mark;
@@ -205,7 +203,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
             "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
         const Judgement said =
             is_finished() ? Judgement{mark, differs} : terms.mistake(given, differs);
-        if (!has_more || !is_first || !said.misconception.empty()) return said;
+        if (!is_left || !said.misconception.empty()) return said;
         is_aside = true;  // an equation of its own, such as a law
       } else if (!is_aside && !terms.are_equal(before, now) &&
                  !terms.are_equal(with_laws(before), now)) {  // whatever psi is, or by the laws

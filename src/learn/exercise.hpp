@@ -27,9 +27,7 @@ struct Exercise {
   std::string form = {};                           ///< one of forms()
   std::string answer = {};       ///< as a student would type it; of choices the letter
   std::string answer_from = {};  ///< a step of the derivation, "contact.v_1": its right side
-  /// "count --alpha 3/25": its columns are names in answers; or a scene, whose collisions are N and
-  /// whose velocities at the end are called as its bodies are.
-  std::string run = {};
+  std::string run = {};     ///< "count --alpha 3/25", or a scene: what it says has names in answers
   std::string within = {};  ///< how far a number may be off
   Texts choices = {};       ///< a), b), ...
   Texts when = {};          ///< for each choice: the conditions on what was run

@@ -99,12 +99,14 @@ Judgement mistake(const Exercise& e,
 }
 
 Texts rules(const Exercise& e) {
-  if (!e.choices.empty() || e.kind == "code") return {};
-  Texts numbers;
-  for (const auto& [name, value] : e.values) numbers.push_back(name + " = " + value);
-  Texts lines{"An answer may use: " + answers::joined(e.symbols)};
+  Texts lines;
+  for (const std::string& choice : e.choices)
+    lines.push_back(std::string(1, char('a' + int(lines.size()))) + ") " + choice);
+  if (!e.choices.empty() || e.kind == "code") return lines;
+  lines = {"An answer may use: " + answers::joined(e.symbols)};
   if (e.symbols.empty()) lines[0] = "An answer is a number";
-  if (e.symbols.empty() && !numbers.empty()) lines[0] += "; it may use " + answers::joined(numbers);
+  for (const auto& [name, value] : e.values)
+    if (e.symbols.empty()) lines[0] += "; " + name + " = " + value;
   if (!e.name.empty() && e.kind != "derivation")
     lines.push_back("It may be an equation for: " + e.name);
   if (!e.form.empty()) lines.push_back("Form: " + e.form);
@@ -129,7 +131,7 @@ Texts faults(const Exercise& e, const Run& run) {
       const Terms terms(e);
       const Expr answer = terms.in_full(terms.answer());
       const Judgement said = terms.compare(answer, terms.stated().value_or(answer));
-      need(said.mark == Mark::right, "its own answer, held against the book,", said);
+      need(said.mark != Mark::wrong, "its own answer, held against the book,", said);
     }
     for (const Misconception& one : e.misconceptions)
       for (const std::string& text : one.answers) {

@@ -32,8 +32,8 @@ struct Judgement {
 /// What is said to one answer; of kind code it is a program, which `run` runs.
 Judgement judge(const Exercise& exercise, const std::string& typed, const Run& run = {});
 
-/// What an answer may use, a line each: its symbols, the name that it may be an equation for, its
-/// form. None of choices and code.
+/// What an answer may be, a line each: the choices; or its symbols, the name that it may be an
+/// equation for, its form; none of code.
 Texts rules(const Exercise& exercise);
 /// The answer as it is shown.
 std::string own_answer(const Exercise& exercise);

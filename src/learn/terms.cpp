@@ -106,12 +106,6 @@ Expr with_symbols(Expr e) {
   return kernel::with_args(e, args);
 }
 
-bool contains(Expr e, Expr part) {
-  if (e == part) return true;
-  const kernel::Exprs args = e.args();
-  return std::ranges::any_of(args, [&](Expr arg) { return contains(arg, part); });
-}
-
 }  // namespace
 
 Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symbols.end()) {
@@ -288,10 +282,10 @@ std::string Terms::quoted(const std::string& typed, Expr part) const {
   for (std::size_t size = 1; size <= typed.size(); ++size)
     for (std::size_t first = 0; first + size <= typed.size(); ++first) {
       const std::string some = typed.substr(first, size);
-      const bool is_cut = first > 0 && typed[first - 1] == '\\';
-      if (is_cut || some.front() == ' ' || some.back() == ' ') continue;
+      if (first > 0 && typed[first - 1] == '\\') continue;
       try {
-        if (contains(content(some), part)) return some;
+        const Expr read = content(some);
+        if (kernel::replace(read, part, part + 1) != read) return some;
       } catch (const InvalidInput&) {
       }
     }

@@ -124,11 +124,14 @@ TEST_CASE("What an answer may use is said of each that is typed") {
       {"half_angle",
        "An answer may use: alpha, psi|It may be an equation for: cos(psi/2)|Form: no trigonometric "
        "functions"},
-      {"light_ball", "An answer is a number; it may use V = 1|It may be an equation for: c"},
-      {"exact_speeds", "An answer is a number; it may use V = 1|It may be an equation for: c_2"},
+      {"light_ball", "An answer is a number; V = 1|It may be an equation for: c"},
+      {"exact_speeds", "An answer is a number; V = 1|It may be an equation for: c_2"},
       {"count_them", "An answer is a number|It may be an equation for: N"},
       {"momentum_lines", "An answer may use: M_1, M_2, u_1, u_2, v_1, v_2"},
-      {"three_equal", ""},
+      {"what_is_left",
+       "a) A stands still, ball and B move on together|b) A and the ball stand still, B moves on "
+       "with "
+       "V|c) A comes back slowly, B moves on with nearly V"},
       {"ladder", ""}};
   for (const auto& [id, lines] : some)
     CHECK(answers::joined(learn::rules(exercises().at(id)[0]), "|") == lines);
