@@ -18,8 +18,8 @@ struct Attempts {
 
 /// By exercise. Nothing where nothing was kept, or where it cannot be.
 std::map<std::string, Attempts> attempts();
-/// Keeps what was said to an answer. From the third miss on, each adds to the feedback the next hint
-/// that was not shown yet, or else where the solution is.
+/// Keeps what was said to an answer. From the third miss on, each adds to the feedback the next
+/// hint that was not shown yet, or else where the solution is.
 void remember(const learn::Exercise& exercise, learn::Judgement& said);
 /// Keeps that a hint, counted from 1, was shown.
 void remember_hint(const learn::Exercise& exercise, std::size_t number);

@@ -132,7 +132,7 @@ private:
     // A reference, a term; what stays: code, a link's target, a list's number; what is refused.
     static const std::regex special(
         R"(\{\{(.*?)\}\}|\$(.*?)\$|(`.*?`|\]\(.*?\)|^[ 0-9]*\. )|(\{\{|\$|`|\]\()|([0-9].*|)"
-        R"(\b(?:eleven|twelve|[a-z]+teen|(?:twen|thir|for|fif|six|seven|eigh|nine)ty|hundred and)\b.*))");
+        R"((eleven|twelve|\w+teen|(twen|thir|for|fif|six|seven|eigh|nine)ty|hundred and)\b.*))");
     static const Texts ends{{"{{", "}}"}, {"$", "$"}, {"`", "`"}, {"](", ")"}};
     const bool is_alone = line.starts_with("{{") && line.find("}}") == line.size() - 2;
     std::string out;

@@ -9,7 +9,7 @@ namespace learn {
 
 /// The forms that an exercise may ask for.
 Texts forms();
-/// What a typed term lacks of a form: the part that has no place in it, and why: " is a difference".
+/// What a typed term lacks of a form: the part that has no place in it; why: " is a difference".
 struct Lack {
   kernel::Expr part;
   std::string why;

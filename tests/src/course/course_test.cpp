@@ -126,6 +126,7 @@ TEST_CASE("a text that would drift is refused, with its place") {
       {"{{theorem:power.a}}", "{{theorem:power.b_n}}",
        "small.md:6: no theorem is called power.b_n"},
       {"at last", "some fourteen times", "small.md:12: a number is typed: fourteen tim"},
+      {"at last", "twenty-six", "small.md:12: a number is typed: twenty-six"},
       {"at last", "a hundred and six", "small.md:12: a number is typed: hundred and"},
       {"$c'_n$", "$c'_n = a_n$", "small.md:3: $c'_n = a_n$ claims something"},
       {"$c'_n$", "$c'_n +$", "is not in the derivation's notation"},
