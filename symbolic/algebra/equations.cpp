@@ -95,7 +95,7 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
     divisors.emplace(canonical(gap(t)), &t);
     divisors.emplace(canonical(-gap(t)), &t);
   }
-  constexpr int most_rounds = 400;
+  constexpr int most_rounds = 2400;
   bool changed = true;
   for (int round = 0; changed && round < most_rounds; ++round) {
     changed = false;

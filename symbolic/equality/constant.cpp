@@ -169,9 +169,10 @@ public:
     try {
       const Bounds bounds = (*this)(e);
       double degree = 1;
-      for (const auto& [root, order] : roots) degree *= order;
-      // The angles' cosines and sines lie in the field of one root of unity.
-      degree *= double(totient(circle));
+      for (const auto& [root, order] : roots)
+        if (order != 2 || !is_in_circle(root.arg(0))) degree *= order;
+      // The angles' cosines and sines lie in the real part of the field of one root of unity.
+      degree *= circle > 2 ? double(totient(circle)) / 2 : 1;
       return (degree - 1) * std::max(bounds.u, 0.0) + bounds.l + 2;
     } catch (const NotCertain&) {
       return {};
@@ -182,6 +183,15 @@ private:
   std::map<Expr, int> roots;
   std::int64_t circle = 1;
 
+  // sqrt(m) for a whole m without squares lies in the field of the root of unity of order 4 m.
+  bool is_in_circle(Expr radicand) const {
+    const auto value = notation::rational_value(radicand);
+    if (!value || cln::denominator(*value) != 1 || *value > 1000000) return false;
+    std::int64_t m = cln::cl_I_to_int(cln::numerator(*value));
+    for (std::int64_t p = 2; p * p <= m; ++p)
+      while (m % (p * p) == 0) m /= p * p;
+    return m <= 1 || circle % (4 * m) == 0;
+  }
   static std::int64_t totient(std::int64_t n) {
     std::int64_t left = n;
     std::int64_t out = n;

@@ -324,26 +324,45 @@ private:
         verdict.conditions.push_back(text(r));
     }
   }
-  static bool is_rational(Expr e) {
+  static bool is_algebraic_term(Expr e) {
     if (e.op() == Op::Num || e.op() == Op::Var) return true;
-    if (e.op() == Op::Pow && e.exponent() > most_certified) return false;  // multiplied out there
-    if (e.op() == Op::Fun && e.name() != "inv") return false;
-    for (Expr arg : e.args())
-      if (!is_rational(arg)) return false;
-    return e.op() != Op::Fun || e.size() == 1;
+    const Exprs parts = e.args();
+    if (e.op() == Op::Fun && e.name() != "inv" && e.name() != "sqrt") return false;
+    return !parts.empty() && std::all_of(parts.begin(), parts.end(), is_algebraic_term);
   }
-  // The kernel proves it again from its own rules, where both sides are rational functions.
+  // Sums to high powers are names, for they are not multiplied out.
+  static void name_bases(Expr e, kernel::Substitution& names) {
+    const bool is_high = e.op() == Op::Pow && e.exponent() > most_certified;
+    if (is_high && e.arg(0).op() == Op::Add && names.size() < most_certified)
+      names.emplace(kernel::real("base_" + std::to_string(names.size())), e.arg(0));
+    for (Expr part : e.args()) name_bases(part, names);
+  }
+  // The kernel proves it again from its own rules, where both sides are built by +, *, / and roots.
   void certify() {
-    if (domain.ranges.empty() || !is_rational(left) || !is_rational(right)) return;
+    if (!is_algebraic_term(left) || !is_algebraic_term(right)) return;
     if (left.weight() + right.weight() > 400) return;
+    kernel::Substitution bases;
+    name_bases(left - right, bases);
+    const auto named = [&](Expr e) {
+      for (const auto& [name, base] : bases) e = kernel::replace(e, base, name);
+      return e;
+    };
     try {
-      algebra::Theorems not_zero;
-      for (const Requirement& r : needs) not_zero.push_back(kernel::assume(kernel::neq(r.term, 0)));
-      const algebra::Theorem theorem = algebra::equation(left, right, not_zero);
+      algebra::Theorems facts;
+      for (const auto& [kind, term] : needs) {
+        const Expr e = named(term);
+        facts.push_back(kernel::assume(kind == Need::NotZero       ? kernel::neq(e, 0)
+                                       : kind == Need::NotNegative ? kernel::le(0, e)
+                                                                   : kernel::lt(0, e)));
+      }
+      const algebra::Theorem theorem =
+          kernel::instantiate(algebra::equation(named(left), named(right), facts), bases);
       std::string hypotheses;
       for (Expr h : theorem.hypotheses())
-        hypotheses +=
-            (hypotheses.empty() ? "" : ", ") + notation::typed_text(h.arg(0).arg(0)) + " != 0";
+        for (const Requirement& r : needs)
+          if (h == kernel::neq(r.term, 0) || h == kernel::le(0, r.term) ||
+              h == kernel::lt(0, r.term))
+            hypotheses += (hypotheses.empty() ? "" : ", ") + text(r);
       verdict.theorem = (hypotheses.empty() ? "" : hypotheses + " |- ") +
                         notation::typed_text(left) + " = " + notation::typed_text(right);
       verdict.proof += ", certified by the kernel";

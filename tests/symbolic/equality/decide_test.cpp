@@ -73,6 +73,19 @@ TEST_CASE("Where the domains differ, a point is named; conditions say where both
   CHECK(v.conditions == std::vector<std::string>{"x - 1 != 0"});
   CHECK(v.theorem == "x - 1 != 0 |- (x^3 - 1)/(x - 1) = x^2 + x + 1");
   CHECK(verdict_of("1/(1+alpha)", "1/(1+alpha)", "").conditions.empty());
+  CHECK(verdict_of("0^n", "0", "n >= 0").conditions == std::vector<std::string>{"n > 0"});
+  CHECK(verdict_of("x^log(y)", "y^log(x)", "").conditions ==
+        std::vector<std::string>{"y > 0", "x > 0"});
+}
+
+TEST_CASE("What is algebraic has a theorem of the kernel, what is not has none") {
+  const auto [left, right, theorem] = GENERATE(table<std::string, std::string, std::string>({
+      {"1/sqrt(2)", "sqrt(2)/2", "sqrt(2) != 0 |- 1/sqrt(2) = 1/2*sqrt(2)"},
+      {"sqrt(x)^2", "x", "x >= 0 |- sqrt(x)^2 = x"},
+      {"(1+a)^1000/(1+a)^1001", "1/(1+a)", "1 + a != 0 |- (1 + a)^1000/(1 + a)^1001 = 1/(1 + a)"},
+      {"sqrt(x^2)", "abs(x)", ""},
+  }));
+  CHECK(verdict_of(left, right, "").theorem == theorem);
 }
 
 TEST_CASE("Domains: what is usual, what is said, what is absent or empty") {
