@@ -55,8 +55,60 @@ Theorem one_more_not_0(Expr t) {
   return tautology(neq(1 + t, 0), {assume(neq(t, -1)), linear(imp(eq(1 + t, 0), eq(t, -1)))});
 }
 
+/// Shows theorems of matrices of names with Q, O, F and S for them, and keeps them in full.
+class Pages {
+public:
+  explicit Pages(Book& the_book) : book(the_book) {
+    const auto named = [&](const char* name, int size, const char* entry, const char* words) {
+      const Expr m = matrix_of_names(size, entry);
+      const Theorem is = define(name, kernel::entries(m), m);  // none of its entries is printed
+      names.push_back(equation(m, left(is), {is}));
+      book.show(std::string("def_") + name, words, is);
+    };
+    named("Q", 2, "o", "Any matrix of the plane,");
+    named("O", 3, "o", "any one of space,");
+    named("F", 3, "r", "a frame,");
+    named("S", 3, "m", "and what a matrix is in it:");
+  }
+  Book& book;
+  Theorem operator[](const std::string& id) const { return book[id]; }
+  Theorem in_full(const std::string& name) const { return full.at(name); }
+  void show(const std::string& name, const std::string& words, const Theorem& t) {
+    show(name, "", words, t);
+  }
+  void show(const std::string& name, const std::string& label, const std::string& words,
+            const Theorem& t) {
+    full.emplace(name, t);
+    book.show(name, label, words, with_names(t));
+  }
+
+private:
+  Theorems names;  // |- matrix = name
+  std::map<std::string, Theorem> full;
+
+  static Theorem in_entries(const Theorem& name) {
+    return equation(right(name), left(name), {name});
+  }
+  Theorem with_names(Theorem t) const {
+    if (t.conclusion().op() == Op::And) {  // of fewer cases each
+      Theorems parts;
+      for (std::size_t i = 0; i < t.conclusion().size(); ++i)
+        parts.push_back(with_names(part(t, i)));
+      return both(parts);
+    }
+    for (const Theorem& name : names) {
+      for (const Expr& h : t.hypotheses()) {
+        const Expr named = rewrite(name, assume(h)).conclusion();
+        if (named != h) t = cut(rewrite(in_entries(name), assume(named)), t);
+      }
+      t = rewrite(name, t);
+    }
+    return t;
+  }
+};
+
 /// Lengths are kept if and only if O^T O = 1; then det(O) is 1 or -1.
-Theorem orthogonal(Book& book, int size) {
+Theorem orthogonal(Pages& book, int size) {
   const bool plane = size == 2;
   const std::string where = plane ? "plane" : "space";
   const Expr o = matrix_of_names(size), d = det(o);
@@ -92,7 +144,7 @@ Theorem orthogonal(Book& book, int size) {
 }
 
 /// An orthogonal matrix of the plane is a rotation, after a reflection where its determinant is -1.
-void in_the_plane(Book& book, const Theorem& is) {
+void in_the_plane(Pages& book, const Theorem& is) {
   const Expr o = matrix_of_names(2);
   const Expr p = entry(o, 0, 0), q = entry(o, 0, 1), r = entry(o, 1, 0), s = entry(o, 1, 1);
   const Theorems products = entries(is);
@@ -145,7 +197,7 @@ Theorems cofactor_rule(Expr o, const Theorem& is) {
                              {{times(cofactors, gram(o)), is}}));
 }
 /// In space: with determinant 1 there is an axis, with -1 there is one after the reflection P_3.
-void in_space(Book& book, const Theorem& is) {
+void in_space(Pages& book, const Theorem& is) {
   const Expr o = matrix_of_names(3), d = det(o), one = identity(3);
   const Theorem d_is_1 = assume(eq(d, 1));
   Exprs less_1, without;
@@ -169,8 +221,8 @@ void in_space(Book& book, const Theorem& is) {
   const Expr along = column({names[7] - names[5], names[2] - names[6], names[3] - names[1]});
   book.show("axis_along", "which is this one, unless all three differences are 0:",
             by_entries(times(o, along), along, parts(own_cofactors)));
-  const Theorem mirror = book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
-                                   "The reflection of the third axis:");
+  const Theorem mirror = book.book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
+                                        "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
   const Expr columns = matrix(3, {names[0], names[1], -names[2], names[3], names[4], -names[5],
                                   names[6], names[7], -names[8]});
@@ -180,26 +232,29 @@ void in_space(Book& book, const Theorem& is) {
       "with determinant -1 the matrix is this reflection and then a rotation:",
       both({equation(det(mirrored), -d, {mirror}), equation(o, times(mirrored, P_3), {mirror}),
             rewrite(equation(columns, mirrored, {mirror}), by_entries(gram(columns), one, {is}))}));
-  const auto turn = [&](const std::string& name, const std::string& label, const Exprs& m) {
-    return book.name(name, {x}, matrix(3, m), {}, "A rotation about an axis:", label);
+  const auto turn = [&](const std::string& name, const std::string& label, const std::string& axis,
+                        const Exprs& m) {
+    return book.book.name(name, {x}, matrix(3, m), {},
+                          "A rotation about the " + axis + " axis:", label);
   };
   const Theorem first_axis =
-      turn("lambda_1", "eq:lambda-1", {1, 0, 0, 0, cos(x), -sin(x), 0, sin(x), cos(x)});
+      turn("lambda_1", "eq:lambda-1", "first", {1, 0, 0, 0, cos(x), -sin(x), 0, sin(x), cos(x)});
   const Theorem second_axis =
-      turn("lambda_2", "eq:lambda-2", {cos(x), 0, sin(x), 0, 1, 0, -sin(x), 0, cos(x)});
+      turn("lambda_2", "eq:lambda-2", "second", {cos(x), 0, sin(x), 0, 1, 0, -sin(x), 0, cos(x)});
   const auto collision = [&](const std::string& name, const std::string& id, const Theorem& turn_is,
-                             Expr angle) {
+                             Expr angle, const std::string& bodies) {
     const Expr l = left(book[id]);
-    book.show(name, "Lam-GAM", "A collision is a rotation after a reflection:",
+    book.show(name, "Lam-GAM", bodies,
               equation(l, times(substitute(left(turn_is), {{x, angle}}), P_3),
                        {book[id], book["ball.Gamma_theta"], mirror, at(turn_is, {{x, angle}})},
                        {theta()}));
   };
-  collision("Gamma_A", "cycle.Gamma_A", second_axis, -theta());
-  collision("Gamma_B", "cycle.Gamma_B", first_axis, theta());
+  collision("Gamma_A", "cycle.Gamma_A", second_axis, -theta(),
+            "The collision of A and C is a rotation after a reflection,");
+  collision("Gamma_B", "cycle.Gamma_B", first_axis, theta(), "and so is that of C and B:");
 }
 /// With determinant 1 it is lambda_3(phi) in a frame whose third axis it leaves as it is.
-void about_an_axis(Book& book, const Theorem& is) {
+void about_an_axis(Pages& book, const Theorem& is) {
   const Expr o = matrix_of_names(3), r = matrix_of_names(3, "r"), one = identity(3), d = det(r);
   const Expr e_3 = column({0, 0, 1}), back = transpose(r);
   const Expr third_axis = column({entry(r, 0, 2), entry(r, 1, 2), entry(r, 2, 2)});
@@ -248,7 +303,8 @@ void about_an_axis(Book& book, const Theorem& is) {
   const Expr m = matrix_of_names(3, "m");
   const Theorem named = assume(eq(s, m));
   const auto in_case = [&](const std::string& id, Expr angle, Expr given_angle) {
-    const Theorem plane = cut(orthogonal_block, cut(determinant_1, instantiate(book[id], terms)));
+    const Theorem plane =
+        cut(orthogonal_block, cut(determinant_1, instantiate(book.in_full(id), terms)));
     const Expr turn = lambda_3(angle), there = times(times(r, turn), back);
     const Theorem of_turn =
         by_entries(s, turn,
@@ -262,14 +318,12 @@ void about_an_axis(Book& book, const Theorem& is) {
   };
   const Expr first = entry(matrix_of_names(2), 0, 0);
   know(one_more_not_0(entry(m, 0, 0)));
-  book.show(
-      "lambda_n", "eq:lambda-n",
-      "In a frame R whose third axis stays as it is, it is a rotation about that axis,",
-      under(
-          {is.conclusion(), eq(det(o), 1), of_r.conclusion(), fixed.conclusion(),
-           named.conclusion()},
-          both({in_case("orthogonal.rotation", 2 * atan(s_(1, 0) / (1 + s_(0, 0))), neq(first, -1)),
-                in_case("orthogonal.rotation_half", pi(), eq(first, -1))})));
+  book.show("lambda_n", "eq:lambda-n",
+            "In a frame F whose third axis stays as it is, it is a rotation about that axis,",
+            under({is.conclusion(), eq(det(o), 1), of_r.conclusion(), fixed.conclusion(),
+                   named.conclusion()},
+                  both({in_case("rotation", 2 * atan(s_(1, 0) / (1 + s_(0, 0))), neq(first, -1)),
+                        in_case("rotation_half", pi(), eq(first, -1))})));
   const Expr turned_by = times(r, lambda_3(x));
   const Theorem keeps_e_3 = equation(times(lambda_3(x), e_3), e_3, {book["rotation.lambda_3"]});
   book.show("lambda_n_keeps", "and any such rotation keeps the third axis of its frame:",
@@ -281,9 +335,10 @@ void about_an_axis(Book& book, const Theorem& is) {
 
 void orthogonal(Book& book) {
   book.chapter("orthogonal", "Orthogonal matrices", {});
-  in_the_plane(book, orthogonal(book, 2));
-  const Theorem is = orthogonal(book, 3);
-  in_space(book, is);
-  about_an_axis(book, is);
+  Pages chapter(book);
+  in_the_plane(chapter, orthogonal(chapter, 2));
+  const Theorem is = orthogonal(chapter, 3);
+  in_space(chapter, is);
+  about_an_axis(chapter, is);
 }
 }  // namespace derivation

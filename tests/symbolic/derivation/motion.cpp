@@ -141,6 +141,9 @@ Matrix matrix_function(const std::string& f, const Vector& x) {
   if (f == "lambda_1") return rotation(x[0], 1, 2, 3);
   if (f == "lambda_2") return rotation(x[0], 2, 0, 3);
   if (f == "lambda_3") return rotation(x[0], 0, 1, 3);
+  if (f == "Q") return {{x[0], x[1]}, {x[2], x[3]}};
+  if (f == "O" || f == "F" || f == "S")
+    return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
   if (f == "P_2") return {{1, 0}, {0, -1}};
   if (f == "P_3") return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   if (f == "mirror" || f == "Gamma") {
