@@ -73,11 +73,23 @@ private:
   std::map<kernel::Expr, std::size_t> numbers;  // a definition may be shown under more hypotheses
 };
 
+/// The chapters and steps that are named.
+std::vector<std::string> words_of(const Request& request) {
+  std::vector<std::string> words = request.words;
+  if (request.has("from")) words.push_back(request.text("from"));
+  return words;
+}
+/// Proved as far as they need.
+const derivation::Book& book_for(const Request& request) {
+  const std::vector<std::string> words = words_of(request);
+  for (const std::string& word : words)  // to the end of a chapter that is named
+    derivation::is_shown(word.find('.') == word.npos ? word + "." : word);
+  return words.empty() ? derivation::the_book() : derivation::proved_so_far();
+}
 /// What is asked for; all where no word is given.
 Numbers asked_for(const Request& request, const Index& index) {
   Numbers wanted;
-  std::vector<std::string> words = request.words;
-  if (request.has("from")) words.push_back(request.text("from"));
+  const std::vector<std::string> words = words_of(request);
   for (const std::string& word : words) {
     Numbers named;
     for (std::size_t k = 0; k < index.all.size(); ++k)
@@ -119,7 +131,7 @@ std::vector<render::Section> derivation_sections() {
 }
 
 Answer derive(const Request& request) {
-  const Index index(derivation::the_book());
+  const Index index(book_for(request));
   const Numbers wanted = asked_for(request, index);
   const std::map<std::string, std::string (*)(const std::vector<render::Section>&)> pages{
       {"text", render::text_page},
