@@ -68,7 +68,9 @@ std::string difference(const equality::Counterexample& c) {
   const auto shown = [](const std::string& value) {
     return value.starts_with("too close") ? "0, or very nearly" : value;
   };
-  const bool is_close = c.difference.find("e-") != c.difference.npos;
+  const std::size_t slash = std::min(c.difference.find('/'), c.difference.size());
+  const bool is_close =
+      c.difference.find("e-") != c.difference.npos || c.difference.size() > 2 * slash + 6;
   return "At " + c.point + " yours is " + shown(c.left) + "; it should be " + shown(c.right) +
          (is_close ? ", apart by " + c.difference + "." : ".");
 }
