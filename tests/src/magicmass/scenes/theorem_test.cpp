@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "law_of_collision.hpp"
 #include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/trio.hpp"
 #include "runs.hpp"
 
 using namespace magicmass::scenes;
@@ -72,12 +73,58 @@ Numbers numbers(const Step& step) {
   return {double(step.left + 1), near(step.time), near(step.x), near(step.v_left),
           near(step.v_right)};
 }
+bool holds(const Ball& ball, const cl_RA& x) {
+  const cl_RA width = ball.high() - ball.low(), most = cln::expt(cl_RA(2), -100);
+  return ball.low() <= x && x <= ball.high() && width < most * (1 + cln::abs(x));
+}
+/// What the theorem says of the first collisions, and of the velocities after all of them.
+void compare(const Trio& trio, const std::vector<Step>& rows, const Line& after) {
+  Ball::set_bits(320);
+  const Trio::Shape shape = trio.shape();
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    INFO(j);
+    const auto index = std::int64_t(j);
+    const Trio::Collision c = trio.collision(shape, index);
+    REQUIRE(trio.gap(index) == rows[j].left + 1);
+    REQUIRE(holds(c.time, rows[j].time));
+    REQUIRE(holds(c.position, rows[j].x));
+    REQUIRE(holds(c.v_left, rows[j].v_left));
+    REQUIRE(holds(c.v_right, rows[j].v_right));
+  }
+  const std::vector<Ball> v = trio.velocities(shape, std::int64_t(rows.size()));
+  for (std::size_t k = 0; k < v.size(); ++k) REQUIRE(holds(v[k], after.v[(2 * k) % 3]));  // A, C, B
+}
+/// A collapse lies between what its first collisions leave open. A becomes slower with each one, B
+/// faster. Each wait is a part of the one before that rises, to 1 at most: all that are left are
+/// `rest` or more, and at most some twice as much. How far the limits are apart.
+cl_RA compare_end(const Trio& trio, const std::vector<Step>& rows, Line line) {
+  const auto time = [&](std::size_t before_last) {
+    return rows.at(rows.size() - before_last).time;
+  };
+  const cl_RA wait = time(1) - time(2), part = wait == 0 ? cl_RA(0) : wait / (time(2) - time(3));
+  const cl_RA rest = wait * part / (1 - part);
+  Ball::set_bits(1024);
+  const Trio::Collapse end = trio.collapse(trio.shape());
+  const auto between = [](const cl_RA& low, const Ball& x, const cl_RA& high) {
+    REQUIRE(low <= x.high());
+    REQUIRE(x.low() <= high);
+    return high - low;
+  };
+  const auto& [A, B, C] = line.v;
+  const cl_RA of_time = between(line.time + rest, end.time, line.time + 3 * rest);
+  const cl_RA of_place = between(line.place[0] + std::min(B * rest, 3 * B * rest), end.position,
+                                 line.place[1] + std::max(A * rest, 3 * A * rest));
+  const cl_RA of_velocity = between(B, end.velocity, A);
+  const cl_RA M_A = line.per_B * line.A_mass, M_C = line.per_B * line.ball;
+  REQUIRE(holds(end.velocity, (M_A * A + B + M_C * C) / (M_A + 1 + M_C)));
+  return std::max({of_time, of_place, of_velocity});
+}
 }  // namespace
 
 TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "[check]") {
   std::mt19937_64 random(41);
-  int ended = 0, collapsed = 0;
-  for (int i = 0; i < 5000; ++i) {
+  int few = 0, many = 0, collapsed = 0, narrow = 0;
+  for (int i = 0; i < 10'000; ++i) {
     Line line = random_line(random);
     const std::string text = text_of(line, false);
     const std::string mirrored_text = text_of(line, true);
@@ -85,33 +132,45 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
     const Result result = result_of(text), mirrored = result_of(mirrored_text);
     REQUIRE(result.plan.model == "theorem");
     REQUIRE(mirrored.plan.model == "theorem");
-    const std::vector<Step> rows = stepped(line, 120);
     REQUIRE(mirrored.status == result.status);
     REQUIRE(mirrored.events == result.events);
     const std::size_t bodies = result.terminal.size();
     for (std::size_t k = 0; k < bodies; ++k)
       REQUIRE(number(result.terminal[k]) == -number(mirrored.terminal[bodies - 1 - k]));
-    if (result.status == Status::collapse) {
+    const bool is_collapse = result.status == Status::collapse;
+    const std::size_t most = !is_collapse || i % 20 == 0 ? 120 : 30;
+    if (!is_collapse && result.events > 110) continue;
+    const std::vector<Step> rows = stepped(line, int(most));
+    const Trio trio = *Trio::of(*exact_places(scene_of(text)));
+    const auto count = trio.count();
+    if (is_collapse) {
       ++collapsed;
-      REQUIRE(rows.size() == 120);
-      REQUIRE(near(rows.back().time) <= number(*result.collapse_time) * (1 + 1e-12));
+      REQUIRE((!count && rows.size() == most));
+      narrow += compare_end(trio, rows, line) < cln::expt(cl_RA(2), -20) ? 1 : 0;
       continue;
     }
+    ++(result.plan.is_exact ? few : many);
     REQUIRE(result.status == Status::complete);
-    if (result.events > 110) continue;
-    ++ended;
     REQUIRE(result.events == std::int64_t(rows.size()));
-    const Result engine = result_of(text, true);
-    REQUIRE(engine.plan.model == "events");
-    REQUIRE(engine.events == result.events);
-    for (std::size_t k = 0; k < bodies; ++k) {
-      const double v = near(line.v[(2 * k) % 3]);  // A, C, B
-      REQUIRE(number(result.terminal[k]) == v);
-      REQUIRE(number(engine.terminal[k]) == v);
-    }
+    REQUIRE(count == result.events);
+    for (std::size_t k = 0; k < bodies; ++k)
+      REQUIRE(number(result.terminal[k]) == near(line.v[(2 * k) % 3]));  // A, C, B
+    compare(trio, rows, line);
+    std::size_t n = 0;
+    stream(scene_of(text), {"events", true, ""}, [&](const Row& row) {
+      const Step& step = rows.at(n++);
+      REQUIRE(row.gap == step.left + 1);
+      REQUIRE(std::get<Quadratic>(row.time) == Quadratic(step.time));
+      REQUIRE(std::get<Quadratic>(row.position) == Quadratic(step.x));
+      REQUIRE(std::get<Quadratic>(row.v_left) == Quadratic(step.v_left));
+      REQUIRE(std::get<Quadratic>(row.v_right) == Quadratic(step.v_right));
+    });
+    REQUIRE(n == rows.size());
   }
-  CHECK(ended > 3000);
-  CHECK(collapsed > 100);
+  CHECK(few > 7000);
+  CHECK(many > 50);
+  CHECK(collapsed > 1000);
+  CHECK(narrow > 100);
 }
 
 TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[check]") {
