@@ -39,7 +39,7 @@ std::string csv_field(const std::string& text) {
 std::string shown(const Cell& cell) { return cell.text.empty() ? "-" : cell.text; }
 
 /// Characters, where bytes 10xxxxxx go on with one.
-std::size_t width(const std::string& text) {
+std::size_t width(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
@@ -79,17 +79,19 @@ void append_number(std::string& text, Number value) {
 
 /// Broken at commas, or else blanks, where it would be too wide; lines below the first indented.
 std::string wrapped(const std::string& text, std::size_t indent) {
+  const std::size_t room = widest_text - indent;
   std::string lines;
-  std::string rest = text;
-  while (width(rest) + indent > widest_text) {
-    const std::size_t comma = rest.rfind(", ", widest_text - indent - 1);
-    const std::size_t blank =
-        comma == std::string::npos ? rest.rfind(' ', widest_text - indent) : comma + 1;
-    if (blank == std::string::npos) break;
-    lines += rest.substr(0, blank) + "\n" + std::string(indent, ' ');
-    rest.erase(0, blank + 1);
+  std::string_view rest = text;
+  for (std::size_t left = width(text); left > room;) {
+    const std::string_view line = rest.substr(0, room + 1);
+    const std::size_t comma = line.rfind(", ");
+    const std::size_t blank = comma == line.npos ? line.rfind(' ') : comma + 1;
+    if (blank == line.npos) break;
+    left -= width(rest.substr(0, blank + 1));
+    lines.append(rest.substr(0, blank)).append("\n").append(indent, ' ');
+    rest.remove_prefix(blank + 1);
   }
-  return lines + rest;
+  return lines.append(rest);
 }
 
 std::string block_of(const Names& columns, const Row& row) {

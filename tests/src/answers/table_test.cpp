@@ -2,6 +2,7 @@
 // Tables as text, JSON and CSV.
 #include "answers/table.hpp"
 
+#include <chrono>
 #include <limits>
 #include <utility>
 
@@ -57,6 +58,21 @@ TEST_CASE("a table of 80 columns is a table, one of 81 becomes blocks", "[exam]"
   CHECK(written(table, Format::text).ends_with("x\n\na  2\nb  y\n"));
   table.rows[0][1] = text_cell("\u03b1\u2264");  // two characters, five bytes
   CHECK(written(table, Format::text) == "a  b\n1  \u03b1\u2264\n2  y\n");
+}
+
+TEST_CASE("a cell of a million numbers is wrapped in linear time", "[check]") {
+  std::string numbers;
+  for (int n = 0; n < 1'000'000; ++n) numbers += "0.125, ";
+  const auto start = std::chrono::steady_clock::now();
+  const std::string text = written({{"a"}, {{text_cell(numbers)}}, false}, Format::text);
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));
+  std::size_t lines = 0;
+  for (std::size_t from = 0; from < text.size(); ++lines) {
+    const std::size_t end = text.find('\n', from);
+    if (end - from > 80 || end - from < 70) break;
+    from = end + 1;
+  }
+  CHECK(lines == 1'000'000 / 11);  // all but the last
 }
 
 TEST_CASE("blocks are what the whole is", "[check]") {
