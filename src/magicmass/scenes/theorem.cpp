@@ -129,7 +129,8 @@ struct Seen {
     result.collapse_position = next[4];
     return result;
   }
-  /// So many collisions; of infinitely many those whose times doubles can tell apart.
+  /// So many collisions; of infinitely many the first three, and more while doubles can tell their
+  /// times apart.
   void stream(std::optional<std::int64_t> collisions, std::int64_t from, const Sink& sink) const {
     constexpr bool is_stepped = std::same_as<Motion, Trio>;
     constexpr int enough_bits = 196;
@@ -155,7 +156,7 @@ struct Seen {
         if (!is_stepped) Ball::set_bits(enough_bits);
       }
       const std::vector<double>& n = *row;
-      if (!collisions && n[0] == before) return;
+      if (!collisions && j >= 3 && n[0] == before) return;
       before = n[0];
       if (is_mirrored)
         sink({j + 1, motion.bodies() - motion.gap(j), n[0], -n[1], -n[3], -n[2]});
@@ -163,16 +164,18 @@ struct Seen {
         sink({j + 1, motion.gap(j), n[0], n[1], n[2], n[3]});
     }
   }
-  Result result(const Scene& scene, const char* model, const char* reason) const {
+  Result result(const Scene& scene, const char* model, const std::string& reason) const {
     constexpr std::int64_t few = 64;
     const auto events = within(scene);
     const bool is_few = events && *events <= few && has_exact_numbers(scene);
     Result result = is_few ? Result() : after(events);
-    result.plan = {model, is_few, reason};
+    result.plan = {model, is_few,
+                   reason + (is_few ? "; so few collisions are stepped exactly" : "")};
     if (is_few) return result;
     if (!events) {
       result.why =
-          "infinitely many collisions; a list has those whose times doubles can tell apart";
+          "infinitely many collisions; a list has the first three, and more while doubles can tell "
+          "their times apart";
     } else if (events != motion.count()) {
       const bool is_limit = events == scene.limit();
       const auto next = [&] { return std::vector{motion.collision(motion.shape(), *events).time}; };

@@ -48,6 +48,8 @@ TEST_CASE("the paper's scenes", "[exam]") {
   CHECK(b.status == Status::complete);
   CHECK(b.counts == std::vector<std::int64_t>{0, 3, 3, 0});
   CHECK(b.plan.model == "theorem");
+  CHECK_THAT(b.plan.reason, ContainsSubstring("; so few collisions are stepped exactly"));
+  CHECK_THAT(result_of("alpha = 0.0001").plan.reason, !ContainsSubstring("stepped"));
   CHECK_THAT(number(b.terminal[2]), WithinAbs(0.9956490014789751, 1e-14));
   // As a chain of four it is stepped, and doubles cannot tell whether more would come.
   const Result near = result_of(

@@ -270,6 +270,9 @@ TEST_CASE("a collapse has its time and place, for touching bodies as for near on
   const Result touching = result_of(text + "1]");
   CHECK(touching.status == Status::collapse);
   CHECK((number(*touching.collapse_time) == 1 && number(*touching.collapse_position) == 1));
+  CHECK_THAT(touching.why, ContainsSubstring("a list has the first three, and more while doubles"));
+  for (const std::string alpha : {"1", "'magic:3'"})
+    CHECK(rows_of(scene_of("alpha = " + alpha + "\nL = 0\nrestitution = '1/20'")).size() == 3);
   const Scene cut_off = scene_of(text + "1]\nmax_events = 3");
   std::int64_t rows = 0;
   stream(cut_off, run(cut_off).plan, [&](const Row& row) { CHECK(row.number == ++rows); });
