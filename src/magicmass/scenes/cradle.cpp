@@ -10,16 +10,11 @@ namespace {
 
 constexpr std::int64_t most_of_way = std::int64_t(1) << 60;
 
-/// k where a mass is alpha_k, else 0. What is exact is stepped: by Niven's theorem it is no alpha_k
-/// of more than a few collisions.
+/// k where a mass is alpha_k, else 0.
 std::int64_t magic_number(const Value& mass) {
   constexpr std::int64_t largest = std::int64_t(1) << 50;
-  const auto* magic = std::get_if<notation::Magic>(&mass.number);
-  if (magic != nullptr && magic->k <= cln::cl_I(static_cast<long long>(largest)))
-    return cln::cl_I_to_long(magic->k);
-  if (mass.exact() == nullptr) return 0;
-  const auto end = Trio::equal_blocks(mass, 1).first_collisions();
-  return end.velocities[0] == 0 && end.velocities[1] == 0 ? end.collisions / 2 : 0;
+  const std::int64_t N = Trio::equal_blocks(mass, 1).at_threshold().value_or(1);
+  return N % 2 == 0 && N <= 2 * largest ? N / 2 : 0;
 }
 
 /// Does B reach this place only after the last collision of its trio?

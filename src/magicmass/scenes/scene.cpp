@@ -81,6 +81,7 @@ template simulator::Line<Quadratic> line_of(const Scene&);
 std::optional<Places> exact_places(const Scene& scene) {
   Scene places = scene;
   places.masses.assign(scene.masses.size(), value_of(1));
+  places.times.clear();
   if (!has_exact_numbers(places)) return {};
   return Places{scene.masses, line_of<Quadratic>(places)};
 }

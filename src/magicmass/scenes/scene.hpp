@@ -69,7 +69,7 @@ struct Places {
   std::vector<Value> masses;
   simulator::Line<Quadratic> line;  ///< its masses are 1
 };
-/// Nothing where a value but for the masses is not exact.
+/// Nothing where a value is not exact, but for the masses and times of the trajectory.
 std::optional<Places> exact_places(const Scene& scene);
 
 /// Throws InvalidInput with the place of a key.

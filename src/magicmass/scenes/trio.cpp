@@ -48,7 +48,7 @@ std::optional<Trio> Trio::of(const Places& places) {
   t.A_ = masses[0];
   t.C_ = masses[1];
   if (!wall) t.B_ = masses[2];
-  t.is_paper_ = t.B_ && t.A_.is(1) && t.B_->is(1) && t.e_ == 1;
+  if (t.B_ && t.A_.is(1) && t.B_->is(1) && t.e_ == 1) t.at_threshold_ = t.count_at_threshold();
   return t;
 }
 Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
@@ -73,14 +73,15 @@ Trio::Shape Trio::shape() const {
   if (s.q_e > 0) s.h_e = generated::angle_restitution(s.A, s.per_B, s.C, s.e, s.q_e).h_e;
   return s;
 }
-/// At the paper's thresholds (magic.counts, deficient.counts).
-std::optional<std::int64_t> Trio::by_theorem() const {
-  if (!is_paper_) return {};
+/// magic.counts, deficient.counts
+std::optional<std::int64_t> Trio::count_at_threshold() const {
   const auto* magic = std::get_if<notation::Magic>(&C_.number);
   const auto* deficient = std::get_if<notation::Deficient>(&C_.number);
   if (magic != nullptr) return 2 * cln::cl_I_to_long(magic->k);
   if (deficient != nullptr) return 2 * cln::cl_I_to_long(deficient->k) + 1;
-  return {};
+  const auto end = first_collisions();
+  return end.velocities[0] == 0 && end.velocities[1] == 0 ? std::optional(end.collisions)
+                                                          : std::nullopt;
 }
 simulator::InTurn<Quadratic> Trio::first_collisions() const {
   const auto B = B_ ? std::optional(*B_->exact()) : std::nullopt;
@@ -91,7 +92,7 @@ simulator::InTurn<Quadratic> Trio::first_collisions() const {
   return now;
 }
 std::optional<std::int64_t> Trio::count() const {
-  if (const auto known = by_theorem()) return known;
+  if (at_threshold_) return at_threshold_;
   const cl_I most = cln::ash(cl_I(1), 62);
   if (const auto q_e = exact_q_e()) {
     if (!(Quadratic(0) < *q_e)) return {};
@@ -138,7 +139,7 @@ Trio::Velocities Trio::in_units(const Shape& s, std::int64_t collisions) const {
   const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
                                               power_of(s, j));
   Velocities all{v.A_next, v.C_next, j == 0 || !B_ ? Ball(0) : v.B_next};  // B was not met
-  const auto N = by_theorem();
+  const auto& N = at_threshold_;
   if (N && *N % 2 == 0) {  // magic.velocities
     if (collisions >= *N - 1) all[0] = 0;
     if (collisions == *N) all = {0, 0, 1};
@@ -153,7 +154,7 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
   if (j == 0) return start_;
-  const auto N = by_theorem();
+  const auto& N = at_threshold_;
   if (N && *N == 2 * j) return start_ + L_ / V_;  // t_j = L/V sin(jh)/sin((j+1)h), (2j+1)h = pi
   return {};
 }

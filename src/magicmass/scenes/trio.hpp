@@ -29,6 +29,10 @@ public:
   /// allowed would be needed, or 2^62 collisions are not enough.
   std::optional<std::int64_t> count() const;
 
+  /// How many they are where the paper's theorems say so: at its ratios, with blocks of mass 1 and
+  /// nothing lost.
+  std::optional<std::int64_t> at_threshold() const { return at_threshold_; }
+
   /// What all of the motion depends on, with the bits that are set now; in units of V, L and the
   /// mass of C. Throws std::domain_error where the masses are too far apart.
   struct Shape {
@@ -70,10 +74,10 @@ private:
   Value A_, C_;
   std::optional<Value> B_;  ///< nothing: a wall
   Quadratic e_, V_, L_;
-  Quadratic start_;        ///< when A meets C
-  Quadratic place_;        ///< where C is at time 0
-  Quadratic drift_;        ///< velocity of C and B before that
-  bool is_paper_ = false;  ///< equal blocks of mass 1, nothing lost
+  Quadratic start_;  ///< when A meets C
+  Quadratic place_;  ///< where C is at time 0
+  Quadratic drift_;  ///< velocity of C and B before that
+  std::optional<std::int64_t> at_threshold_;
 
   using Velocities = std::array<Ball, 3>;
   Velocities in_units(const Shape& s, std::int64_t collisions) const;
@@ -83,7 +87,8 @@ private:
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const { return ball_of(drift_) + ball_of(V_) * u; }
   std::optional<Quadratic> exact_q_e() const;
-  std::optional<std::int64_t> by_theorem() const;
+  /// What is in a quadratic field is stepped: by Niven's theorem it is no alpha_k of more than a few.
+  std::optional<std::int64_t> count_at_threshold() const;
 };
 
 }  // namespace magicmass::scenes

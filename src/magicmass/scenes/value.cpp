@@ -19,6 +19,14 @@ using kernel::Op;
 constexpr std::size_t longest_text = 4096;
 constexpr std::size_t most_bits = 1U << 17U;
 
+/// All ratios of the paper that are in a quadratic field.
+constexpr std::pair<const char*, const char*> quadratic_ratios[]{
+    {"magic:1", "1"},
+    {"magic:2", "sqrt(5)-2"},
+    {"deficient:1", "sqrt(2)-1"},
+    {"deficient:2", "2/sqrt(3)-1"},
+};
+
 [[noreturn]] void refuse(const std::string& why) { throw InvalidInput(why); }
 
 Quadratic checked(Quadratic x) {
@@ -106,13 +114,13 @@ Value read_value(std::string_view text) {
 }
 
 Value value_of(const notation::Alpha& ratio) {
-  if (const auto* magic = std::get_if<notation::Magic>(&ratio))
-    return {notation::text(ratio), *magic};
-  if (const auto* deficient = std::get_if<notation::Deficient>(&ratio))
-    return {notation::text(ratio), *deficient};
+  const std::string text = notation::text(ratio);
+  for (const auto& [name, value] : quadratic_ratios)
+    if (text == name) return {text, evaluate(notation::read(value))};
+  if (const auto* magic = std::get_if<notation::Magic>(&ratio)) return {text, *magic};
+  if (const auto* deficient = std::get_if<notation::Deficient>(&ratio)) return {text, *deficient};
   const auto* rational = std::get_if<cln::cl_RA>(&ratio);
-  return {notation::text(ratio),
-          rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
+  return {text, rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
 }
 
 Value value_of(double number) {

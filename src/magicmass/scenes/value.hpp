@@ -19,7 +19,7 @@ struct Value {
   std::string text;  ///< as it was written
   std::variant<Quadratic, notation::Magic, notation::Deficient> number;
 
-  /// Nothing for a ratio of the paper, which is no number of a quadratic field.
+  /// Nothing for a ratio of the paper that is no number of a quadratic field.
   const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
   bool is(const Quadratic& x) const { return exact() != nullptr && *exact() == x; }
   /// The nearest double. Throws Undecided where none is near.

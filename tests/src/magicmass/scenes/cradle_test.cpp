@@ -48,8 +48,10 @@ Texts random_cradle(std::mt19937_64& random) {
            "]\nvelocities = [" + velocities + "]\n" + (has_left ? before : "") +
            (has_right ? after.substr(0, after.size() - 1) + "\n" : "") + cut;
   };
-  return {text("'magic:1',", "'magic:2',", false), text("1,", "'sqrt(5)-2',", false),
-          text("'magic:1',", "'magic:2',", true)};
+  // A time outside of the field has the theorem asked for few collisions, too.
+  const std::string inexact = "outputs = ['trajectory']\ntimes = ['magic:3']\n";
+  return {text("'magic:1',", "'magic:2',", false) + inexact, text("1,", "'sqrt(5)-2',", false),
+          text("'magic:1',", "'magic:2',", true) + inexact};
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 #include <random>
 
 #include "catch.hpp"
-#include "magicmass/scenes/value.hpp"
+#include "magicmass/numbers/accurate.hpp"
+#include "magicmass/scenes/trio.hpp"
 
 using namespace magicmass::scenes;
 
@@ -42,6 +43,23 @@ TEST_CASE("values are kept as what they are", "[exam]") {
   const std::string says = " does not fit a double; --exact may do";
   for (const std::string text : {"10^400", "1/10^400"})
     CHECK_THROWS_WITH(read_value(text).to_double(), text + says);
+}
+
+TEST_CASE("ratios of the paper in a quadratic field are exact, and are those of the paper",
+          "[exam]") {
+  for (const int k : {1, 2})
+    for (const std::string name : {"magic:", "deficient:"}) {
+      INFO(name << k);
+      const Value value = read_value(name + std::to_string(k));
+      REQUIRE(value.exact() != nullptr);
+      const auto ratios = magicmass::accurate::ratios(k);
+      CHECK(value.to_double() == (name == "magic:" ? ratios.magic : ratios.deficient));
+      const bool is_magic = name == "magic:";
+      const auto end = Trio::equal_blocks(value, 1).first_collisions();
+      const auto& [A, C, B] = end.velocities;
+      CHECK(end.collisions == 2 * k + (is_magic ? 0 : 1));
+      CHECK((is_magic ? A == 0 && C == 0 && B == 1 : C == B));
+    }
 }
 
 TEST_CASE("what is no value is refused", "[exam]") {
