@@ -126,15 +126,15 @@ using Write = std::function<void(std::string_view)>;
 /// Of all collisions those that the scene wants to see.
 void add_events(const Asked& asked, const Shown& shown, const AddRow& add) {
   const Scene& scene = asked.scene;
-  stream(scene, asked.result.plan, [&](const auto& event) {
-    if (event.number % scene.every != 0) return;
+  const auto add_event = [&](const auto& event) {
     const auto name = [&](std::size_t body, bool is_there) {
       return text_cell(is_there ? body_name(scene, body) : "wall");
     };
     add({whole_cell(event.number), name(event.gap - 1, event.gap > 0),
          name(event.gap, event.gap < scene.masses.size()), shown(event.time), shown(event.position),
          shown(event.v_left), shown(event.v_right)});
-  });
+  };
+  stream(scene, asked.result.plan, add_event, scene.every);
 }
 
 void add_points(const Asked& asked, const Shown& shown, const AddRow& add) {

@@ -141,6 +141,23 @@ std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) co
     for (Ball& u : all) u = -u;
   return all;
 }
+std::vector<Ball> Cradle::places(const Shape& s, const Ball& time, std::int64_t collisions) const {
+  const std::int64_t of_round = collisions % period();
+  const bool is_back = of_round > way_;
+  const Ball from = ball_of(time_of({collisions / period(), is_back, nullptr, 0}, 0));
+  const Ball on_first_way = is_back ? from - time : time - from;
+  const std::int64_t before = is_back ? 2 * way_ + 1 - of_round : of_round;
+  std::vector<Ball> all(bodies());
+  for (const Pair& pair : pairs_) {
+    const std::int64_t N = std::clamp(before - pair.before, std::int64_t(0), 2 * pair.k);
+    const std::vector<Ball> x = pair.trio.places(s.at(pair.k), on_first_way, N);
+    const std::size_t first = first_of(pair);
+    if (before >= pair.before) all[first] = x[0];  // else it waits for what comes
+    all[first + 1] = x[1];
+    all[first + 2] = x[2];
+  }
+  return all;
+}
 std::vector<Ball> Cradle::masses(const Shape& s) const {
   std::vector<Ball> all(bodies(), 1);
   for (std::size_t i = 0; i < pairs_.size(); ++i) all[2 * i + 1] = s.at(pairs_[i].k).per_B;

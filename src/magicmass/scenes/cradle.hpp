@@ -37,6 +37,8 @@ public:
   std::size_t bodies() const { return 2 * pairs_.size() + 1; }
   std::size_t gap(std::int64_t j) const;
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
+  /// Where all bodies are at a time, after so many collisions.
+  std::vector<Ball> places(const Shape& s, const Ball& time, std::int64_t collisions) const;
   std::vector<Ball> masses(const Shape& s) const;
   std::vector<std::int64_t> counts(std::int64_t collisions) const;
 

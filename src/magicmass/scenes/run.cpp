@@ -113,8 +113,8 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
 
 /// Of a collapse, how many are told one by one.
 std::int64_t told(const Scene& collapse) {
-  std::int64_t rows = 2;
-  stream_by_theorem(collapse, 3, [&](const Row&) { ++rows; });
+  std::int64_t rows = 0;
+  stream_by_theorem(collapse, 1, [&](const Row&) { ++rows; });
   return rows;
 }
 
@@ -182,23 +182,15 @@ Result run(const Scene& scene) {
   return result;
 }
 
-void stream(const Scene& scene, const Plan& plan, const Sink& sink) {
+void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t every) {
   const bool is_stepped = plan.model == "events";
-  if (!is_stepped && !plan.is_exact) {
-    // Where a number is just between two doubles, it is one of the first two rows'.
-    std::int64_t from = 1;
-    const auto round = [&](const Row& row) {
-      const auto near = [](const Number& x) { return double_of(x).value_or(HUGE_VAL); };
-      sink({from++, row.gap, near(row.time), near(row.position), near(row.v_left),
-            near(row.v_right)});
-    };
-    if (has_exact_numbers(scene))
-      motion<Quadratic>(scene, std::min<std::int64_t>(2, scene.limit()), round);
-    return stream_by_theorem(scene, from, sink);
-  }
+  if (!is_stepped && !plan.is_exact) return stream_by_theorem(scene, every, sink);
   const bool is_collapse = !is_stepped && scene.is_exact;
   const std::int64_t limit = is_collapse ? told(scene) : scene.limit();
-  (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, limit, sink, most_work);
+  const auto show = [&](const Row& row) {
+    if (row.number % every == 0) sink(row);
+  };
+  (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, limit, show, most_work);
 }
 
 }  // namespace magicmass::scenes

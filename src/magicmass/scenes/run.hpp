@@ -54,8 +54,8 @@ using Sink = std::function<void(const Row&)>;
 /// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
 /// they become too long.
 Result run(const Scene& scene);
-/// The same run once more, collision by collision, in constant memory. A collapse ends where its
-/// doubles have the time of its end, in exact numbers, too.
-void stream(const Scene& scene, const Plan& plan, const Sink& sink);
+/// The same run once more, every so many of its collisions, in constant memory. A collapse ends
+/// where its doubles have the time of its end, in exact numbers, too.
+void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t every = 1);
 
 }  // namespace magicmass::scenes

@@ -2,6 +2,7 @@
 #include "magicmass/scenes/theorem.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <limits>
 #include <utility>
@@ -12,7 +13,14 @@ namespace magicmass::scenes {
 namespace {
 using Balls = std::function<std::vector<Ball>()>;
 
-/// Nearest doubles; nothing where one is not certain. What is too large is infinite, what is too
+/// The even one of two neighbouring doubles, where these are nearest to low and to high.
+std::optional<double> tie(const cln::cl_RA& low, const cln::cl_RA& high) {
+  const auto below = nearest_double(low, low), above = nearest_double(high, high);
+  if (!below || !above || std::nextafter(*below, *above) != *above) return {};
+  const cln::cl_RA middle = (exact(*below) + exact(*above)) / 2;
+  return nearest_double(middle, middle);
+}
+/// Nearest doubles; nothing where one is not certain, even with many bits but for a tie. What is too large is infinite, what is too
 /// small is subnormal: nothing for double_of().
 std::optional<std::vector<double>> rounded(const Balls& balls) try {
   using Limits = std::numeric_limits<double>;
@@ -21,6 +29,7 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
   for (const Ball& ball : balls()) {
     const cln::cl_RA low = ball.low(), high = ball.high();
     auto number = nearest_double(low, high);
+    if (!number && Ball::bits() > 1500) number = tie(low, high);
     if (low > largest || high < -largest) number = Limits::infinity();
     if (!number) return {};
     if (*number == 0 && (low > 0 || high < 0)) number = Limits::denorm_min();
@@ -58,15 +67,20 @@ struct Seen {
     return {};
   }
   /// How many of the first `most` come by this time.
-  std::int64_t count_until(const Quadratic& time, std::int64_t most) const {
+  std::int64_t count_until(const Value& time, std::int64_t most) const {
     return with_bits(17, [&] {
       const auto s = motion.shape();
+      const Ball until = ball_of(time);
       std::int64_t count = 0, more = 1;
       const auto are_by = [&] {
         const std::int64_t last = count + more - 1;
         if (last >= most) return false;
-        if (const auto exact = motion.exact_time(last)) return !(time < *exact);
-        return motion.collision(s, last).time <= ball_of(time);
+        const auto exact = motion.exact_time(last);
+        if (exact && time.exact() != nullptr) try {
+            return !(*time.exact() < *exact);
+          } catch (const std::domain_error&) {  // of two fields, so not equal
+          }
+        return motion.collision(s, last).time <= until;
       };
       for (; are_by(); more *= 2) count += more;
       for (; more > 0; more /= 2)
@@ -81,14 +95,13 @@ struct Seen {
     const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
     if (scene.max_events || (!N && !is_collapse)) N = std::min(N.value_or(limit), limit);
     if (!scene.until) return N;
-    const Quadratic& until = *scene.until->exact();
     if constexpr (std::same_as<Motion, Trio>) {
       const auto collapses_by = [&] {
-        return motion.collapse(motion.shape()).time <= ball_of(until);
+        return motion.collapse(motion.shape()).time <= ball_of(*scene.until);
       };
       if (is_collapse && with_bits(17, collapses_by)) return N;
     }
-    return count_until(until, N.value_or(limit));
+    return count_until(*scene.until, N.value_or(limit));
   }
   /// All but the plan after so many collisions, or after infinitely many.
   Result after(std::optional<std::int64_t> collisions) const {
@@ -129,35 +142,56 @@ struct Seen {
     result.collapse_position = next[4];
     return result;
   }
-  /// So many collisions; of infinitely many the first three, and more while doubles can tell their
-  /// times apart.
-  void stream(std::optional<std::int64_t> collisions, std::int64_t from, const Sink& sink) const {
-    constexpr bool is_stepped = std::same_as<Motion, Trio>;
+  /// Where bodies are at a time, after so many collisions.
+  std::vector<double> places(const Value& time, std::int64_t collisions) const {
+    return certain([&] {
+      std::vector<Ball> all = motion.places(motion.shape(), ball_of(time), collisions);
+      if (is_mirrored) {
+        std::reverse(all.begin(), all.end());
+        for (Ball& x : all) x = -x;
+      }
+      return all;
+    });
+  }
+  /// Every so many collisions; of infinitely many at least the first three, and more while doubles
+  /// can tell their times apart.
+  void stream(std::optional<std::int64_t> collisions, std::int64_t every, const Sink& sink) const {
     constexpr int enough_bits = 196;
     Ball::set_bits(enough_bits);
     auto shape = motion.shape();
-    auto now = motion.stepped(shape, from - 1);
+    auto now = motion.stepped(shape, 0);
+    const bool is_stepped = std::same_as<Motion, Trio> && (!collisions || every < 64);
+    const std::int64_t end = collisions.value_or(INT64_MAX), step = is_stepped ? 1 : every;
     double before = -1;
     const auto row_of = [](const Trio::Collision& c) {
       return std::vector{c.time, c.position, c.v_left, c.v_right};
     };
-    for (std::int64_t j = now.collisions; j < collisions.value_or(INT64_MAX); ++j) {
+    for (std::int64_t j = step - 1; j<end; j = end - j> step ? j + step : end) {
       const auto next = [&] { return row_of(motion.step(shape, now)); };
+      if (collisions && (j + 1) % every != 0) {
+        next();
+        continue;
+      }
       const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
-      auto row = is_stepped && is_last ? std::nullopt : rounded(next);
+      const bool is_alone = !is_stepped || is_last;
+      const auto alone = [&] { return row_of(motion.collision(shape, j)); };
+      auto row = is_alone ? rounded(alone) : rounded(next);
       if (!row) {
         row = certain([&] {
-          auto closer = motion.shape();
-          if (!is_stepped || is_last) return row_of(motion.collision(closer, j));
-          shape = closer;
+          shape = motion.shape();
+          if (is_alone) return alone();
           now = motion.stepped(shape, j);
           return next();
         });
-        if (!is_stepped) Ball::set_bits(enough_bits);
+        if (is_alone) {
+          Ball::set_bits(enough_bits);
+          shape = motion.shape();
+        }
       }
       const std::vector<double>& n = *row;
       if (!collisions && j >= 3 && n[0] == before) return;
       before = n[0];
+      if ((j + 1) % every != 0) continue;
       if (is_mirrored)
         sink({j + 1, motion.bodies() - motion.gap(j), n[0], -n[1], -n[3], -n[2]});
       else
@@ -208,10 +242,18 @@ std::optional<Result> by_theorem(const Scene& scene) {
   return {};
 }
 
-void stream_by_theorem(const Scene& scene, std::int64_t from, const Sink& sink) {
-  const auto stream = [&](const auto& seen) { seen.stream(seen.within(scene), from, sink); };
-  if (const auto trio = Seen<Trio>::of(scene)) return stream(*trio);
-  stream(*Seen<Cradle>::of(scene));
+/// What to do with what the scene's motion is seen as.
+template <class Do>
+auto with_motion(const Scene& scene, const Do& act) {
+  if (const auto trio = Seen<Trio>::of(scene)) return act(*trio);
+  return act(*Seen<Cradle>::of(scene));
+}
+void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink) {
+  with_motion(scene, [&](const auto& seen) { seen.stream(seen.within(scene), every, sink); });
+}
+std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time) {
+  return with_motion(
+      scene, [&](const auto& seen) { return seen.places(time, seen.count_until(time, most)); });
 }
 
 }  // namespace magicmass::scenes

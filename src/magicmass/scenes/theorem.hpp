@@ -15,8 +15,10 @@ std::string at_limit(std::int64_t limit);
 /// where a collision may be as late as `until` or masses are too far apart. Throws Undecided where
 /// a trio that nothing cuts off has more collisions than can be counted.
 std::optional<Result> by_theorem(const Scene& scene);
-/// Its collisions from number `from` on; of a collapse the first three, and more while doubles can
-/// tell their times apart.
-void stream_by_theorem(const Scene& scene, std::int64_t from, const Sink& sink);
+/// Every so many of its collisions; of a collapse at least the first three, and more while doubles
+/// can tell their times apart.
+void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink);
+/// Where its bodies are at a time, which is after so many collisions at most.
+std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time);
 
 }  // namespace magicmass::scenes

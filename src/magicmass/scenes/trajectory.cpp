@@ -2,6 +2,9 @@
 #include "magicmass/scenes/trajectory.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "magicmass/scenes/theorem.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -43,11 +46,28 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
   if (has_corners) all_at(end ? std::get<Scalar>(*end) : last);
 }
 
+/// Without all collisions before them.
+void follow_by_theorem(const Scene& scene, const Result& result, const Points& sink) {
+  std::vector<std::pair<double, Value>> known;
+  for (const Value& time : scene.times)
+    if (!result.known_until || time.to_double() <= std::get<double>(*result.known_until))
+      known.emplace_back(time.to_double(), time);
+  const auto is_earlier = [](const auto& x, const auto& y) { return x.first < y.first; };
+  std::stable_sort(known.begin(), known.end(), is_earlier);
+  for (const auto& [number, time] : known) {
+    const std::vector<double> places = places_by_theorem(scene, result.events, time);
+    for (std::size_t i = 0; i < places.size(); ++i) sink({number, i, places[i]});
+  }
+}
+
 }  // namespace
 
 void trajectory(const Scene& scene, const Result& result, const Points& sink) {
   if (result.plan.is_exact)
     follow<Quadratic>(scene, result, sink);
+  else if (result.plan.model != "events" && result.status != Status::collapse &&
+           !scene.times.empty())
+    follow_by_theorem(scene, result, sink);
   else
     follow<double>(scene, result, sink);
 }

@@ -12,6 +12,7 @@ namespace magicmass::scenes {
 namespace {
 using cln::cl_I;
 using cln::cl_RA;
+}  // namespace
 
 Ball ball_of(const Value& value) {
   const auto number = [](const cl_I& k) -> std::int64_t { return cln::cl_I_to_long(k); };
@@ -21,6 +22,8 @@ Ball ball_of(const Value& value) {
     return generated::deficient_closed<Ball>(number(deficient->k)).beta_;
   return ball_of(*value.exact());
 }
+
+namespace {
 [[noreturn]] void too_many() {
   throw Undecided("there are more than 2^62 collisions; possible: masses that are less far apart");
 }
@@ -166,6 +169,20 @@ Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
   const auto at =
       generated::at_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j), power_of(s, j));
   return in_scene(j, at.moment, at.place, in_units(s, j + 1));
+}
+std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N) const {
+  const std::vector<Ball> v = velocities(s, N);
+  const std::int64_t last_of[]{N - 1 - (N - 1) % 2, N - 1, N - 1 - N % 2};  // of A, C, B
+  std::vector<Ball> all;
+  for (std::size_t i = 0; i < bodies(); ++i) {
+    if (i == 2 && N < 2) {
+      all.push_back(place_of(time, 1));
+      continue;
+    }
+    const Collision c = collision(s, std::max<std::int64_t>(last_of[i], 0));
+    all.push_back(c.position + v[i] * (time - c.time));
+  }
+  return all;
 }
 Trio::Collapse Trio::collapse(const Shape& s) const {
   const auto end = generated::collapse_restitution(s.A, s.per_B, s.C, s.e, s.q_e);

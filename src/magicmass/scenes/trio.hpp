@@ -15,6 +15,8 @@
 
 namespace magicmass::scenes {
 
+Ball ball_of(const Value& value);
+
 class Trio {
 public:
   /// Nothing for what moves otherwise.
@@ -57,6 +59,9 @@ public:
   std::size_t gap(std::int64_t j) const { return j % 2 == 0 ? 1 : 2; }
   /// Velocities of all bodies after so many collisions.
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
+
+  /// Where all bodies are at a time, after so many collisions.
+  std::vector<Ball> places(const Shape& s, const Ball& time, std::int64_t collisions) const;
 
   struct Collapse {
     Ball time, position, velocity;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Cradles by theorem, against the engine in exact numbers and in doubles; and where bodies are.
+#include <cmath>
 #include <random>
 #include <utility>
 
@@ -151,9 +152,16 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
   const std::string chain =
       "kind = 'chain'\nmasses = [2, '1/3', 3, '4/7']\npositions = [0, '1/2', '5/4', 2]\n"
       "velocities = [1, 0, '-1/4', 0]\nright_wall = 4\nrestitution = '7/8'\nuntil = 60\n";
+  const std::string wall =
+      "kind = 'wall'\nmass_ratio = 4567\nleft_wall = '-7/3'\npositions = ['-1/3', '1/7']\n"
+      "velocities = [0, '-1/7']\nuntil = 60\n";
+  const std::string drifting =
+      "masses = [1, '1/999', 2]\npositions = ['-1/3', 0, '5/2']\nvelocities = ['1/2', '1/4', "
+      "'1/4']\n"
+      "restitution = '9998/10000'\nuntil = 60\n";
   std::string times;
   for (int n = 0; n < 300; ++n) times += "'" + std::to_string(n) + "/5',";
-  for (const std::string& text : {cradle, chain}) {
+  for (const std::string& text : {cradle, chain, wall, drifting}) {
     for (const bool exact : {true, false}) {
       const Scene scene =
           scene_of(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", exact);
@@ -172,6 +180,39 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
       });
       CHECK(points == 300 * scene.masses.size());  // 70 is after the end
     }
+  }
+}
+
+TEST_CASE("places and rows are found without all collisions before them", "[exam]") {
+  const std::string text = "kind = 'wall'\nmass_ratio = '100^12'\n";
+  const Scene scene = scene_of(text + "outputs = ['trajectory']\ntimes = ['sqrt(3)', 1, 2]\n");
+  std::vector<double> places;
+  trajectory(scene, run(scene), [&](const Point& p) { places.push_back(number(p.position)); });
+  REQUIRE(places.size() == 6);
+  // A is |1 - t| from the wall, but for what is left over for C.
+  CHECK_THAT(places[0], WithinAbs(1, 1e-11));
+  CHECK_THAT(places[2], WithinAbs(2 - std::sqrt(3), 1e-11));
+  CHECK_THAT(places[4], WithinAbs(0, 1e-11));
+  std::vector<std::int64_t> numbers;
+  const Scene events = scene_of(text + "outputs = ['events']\nevery = 1000000000000\n");
+  stream(
+      events, run(events).plan, [&](const Row& row) { numbers.push_back(row.number); },
+      events.every);
+  CHECK(numbers == std::vector<std::int64_t>{1000000000000, 2000000000000, 3000000000000});
+  const Scene every = scene_of("kind = 'wall'\nmass_ratio = '100^3'");
+  const std::vector<Row> rows = rows_of(every);
+  for (const std::int64_t step : {7, 100}) {
+    std::int64_t count = 0;
+    stream(
+        every, run(every).plan,
+        [&](const Row& row) {
+          count += step;
+          REQUIRE(row.number == count);
+          REQUIRE(magicmass::scenes::numbers(row) ==
+                  magicmass::scenes::numbers(rows[std::size_t(count) - 1]));
+        },
+        step);
+    CHECK(count == 3141 / step * step);
   }
 }
 

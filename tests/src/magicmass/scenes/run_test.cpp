@@ -100,7 +100,7 @@ TEST_CASE("rounding at the start hides no collision", "[exam]") {
 TEST_CASE("a number just between two doubles is one of them", "[exam]") {
   // (1 + alpha)/2, and with equal masses (1 - e)/2 and (1 + e)/2, have 54 bits.
   for (const char* text :
-       {"alpha = 0.12\nmax_events = 2", "alpha = 0.0012", "alpha = 1\nrestitution = 0.07"})
+       {"alpha = 0.12\nmax_events = 2", "alpha = 0.00012", "alpha = 1\nrestitution = 0.07"})
     CHECK(rows_of(scene_of(text)).size() > 1);
 }
 
