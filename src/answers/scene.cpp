@@ -113,9 +113,14 @@ Fields head_fields(const Asked& asked) {
                                                  {"position", shown(*result.collapse_position)}}));
   if (scene.wants("counts")) fields.emplace_back("counts", counts_cell(scene, result));
   if (scene.wants("terminal")) fields.emplace_back("terminal", terminal_cell(scene, result));
-  if (scene.wants("energy"))
-    fields.emplace_back("energy", object_cell({{"before", shown(result.energy_before)},
-                                               {"after", shown(result.energy)}}));
+  if (scene.wants("energy")) {
+    const bool is_cold = result.status == Status::limited && double_of(result.energy_before) &&
+                         !double_of(result.energy);
+    fields.emplace_back(
+        "energy",
+        object_cell({{"before", shown(result.energy_before)},
+                     {"after", is_cold ? Cell{"below doubles", "null"} : shown(result.energy)}}));
+  }
   return fields;
 }
 

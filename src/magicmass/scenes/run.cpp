@@ -63,12 +63,20 @@ void set_energies(const Scene& scene, const simulator::Line<Scalar>& start, Resu
     result.transmitted = energy(*last, result.terminal[*last]) / before;
 }
 
+const std::string too_slow = "bodies have become too slow for doubles";
+/// Little more, and numbers would be subnormal.
+template <class Scalar>
+bool is_too_slow(const Collision<Scalar>& event) {
+  const auto is_slow = [](double v) { return v != 0 && std::abs(v) < 0x1p-1000; };
+  if constexpr (std::floating_point<Scalar>) return is_slow(event.v_left) || is_slow(event.v_right);
+  return false;
+}
+
 /// Whether rounding decided where the motion ends, and whether more is to come.
 template <class Scalar>
 void decide_status(const Engine<Scalar>& engine, Result& result) {
   std::string doubt;
-  if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost())
-    doubt = "bodies have become too slow for doubles";
+  if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost()) doubt = too_slow;
   if (engine.ties().near > 0)
     doubt = "uncertain after collision " + std::to_string(engine.ties().first_near) +
             ": decisions are closer than doubles can tell";
@@ -104,6 +112,11 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
     ++result.counts[event.gap];
     if (sink)
       sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
+    if (is_too_slow(event)) {
+      result.why = too_slow;
+      result.known_until = event.time;
+      break;
+    }
   }
   for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
   set_energies(scene, line, result);

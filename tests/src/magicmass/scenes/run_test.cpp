@@ -144,6 +144,12 @@ TEST_CASE("what cools below doubles is limited, not complete", "[exam]") {
   const Result cold = result_of(four_equal("7/100"));
   CHECK(cold.status == Status::limited);
   CHECK_THAT(cold.plan.reason, ContainsSubstring("exact numbers become too long"));
+  const Result between_walls = result_of(
+      "kind = 'chain'\nmasses = [2, 1, 2]\npositions = [-1, 0, 1]\nvelocities = [1, 0, -1]\n"
+      "left_wall = -1\nright_wall = 1\nrestitution = 0.5");
+  CHECK(between_walls.status == Status::limited);
+  CHECK_THAT(between_walls.why, ContainsSubstring("bodies have become too slow for doubles"));
+  for (const Number& v : between_walls.terminal) CHECK(double_of(v));
 }
 
 TEST_CASE("exact numbers that grow too long are no answer", "[exam]") {
