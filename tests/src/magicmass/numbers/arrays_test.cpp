@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <functional>
+#include <string>
 
 #include "catch.hpp"
 #include "magicmass/numbers/fast.hpp"
@@ -195,16 +197,26 @@ TEST_CASE("columns that are not wanted are left out, others must have as many ro
   CHECK_THROWS_WITH(fast::velocities(wrong, n, {}), "n has 40 rows, alpha has 39");
   CHECK_THROWS_AS(accurate::terminal(alpha, {.rho = wrong}), InvalidInput);
 }
-TEST_CASE("array calls refuse another rounding mode, and say so") {
+TEST_CASE("array calls refuse another rounding mode or lost subnormal numbers, and say which") {
   const std::vector<double> alpha(3, 0.1);
+  const std::vector<std::int64_t> n(3, 1);
   std::vector<double> out(3);
-  for (const Calls& calls : both) {
+  std::vector<std::int64_t> counts(3);
+  std::vector<std::function<void()>> calls{[&] { count_collisions(alpha, counts, counts); }};
+  for (const Calls& tier : both) {
+    calls.emplace_back([&] { tier.terminal_rows(alpha, {.a_t = out}); });
+    calls.emplace_back([&] { tier.velocity_rows(alpha, n, {.a = out}); });
+  }
+  for (const auto& call : calls) {
     const auto refuses = [&] {
+      const bool is_rounding = std::fegetround() != FE_TONEAREST;
       try {
-        calls.terminal_rows(alpha, {.a_t = out});
+        call();
         return false;
-      } catch (const NotIeee&) {
-        return true;
+      } catch (const NotIeee& error) {
+        return std::string("this thread ") + (is_rounding ? "does not round to nearest"
+                                                          : "flushes subnormal numbers to zero") ==
+               error.what();
       }
     };
     CHECK(in_foreign_modes(refuses) == all_modes);
