@@ -148,6 +148,12 @@ Result exactly(const Scene& scene, Result result) {
   return result;
 }
 
+Result asked_exactly(const Scene& scene) {
+  Result result = motion<Quadratic>(scene, scene.limit());
+  result.plan = {"events", true, "exact numbers are asked for"};
+  return result;
+}
+
 }  // namespace
 
 std::optional<double> double_of(const Number& number) {
@@ -173,11 +179,17 @@ Result run(const Scene& scene) {
   if (solved && !solved->plan.is_exact) {
     if (!scene.is_exact) return *solved;
     if (solved->status == Status::collapse) return exactly(scene, std::move(*solved));
+    try {
+      return asked_exactly(scene);
+    } catch (const Undecided& error) {
+      throw Undecided(std::to_string(solved->events) + " collisions by theorem, but " +
+                      error.what() + ", or without --exact");
+    }
   }
-  if (solved || scene.is_exact) {
+  if (scene.is_exact) return asked_exactly(scene);
+  if (solved) {
     Result result = motion<Quadratic>(scene, limit);
-    result.plan =
-        scene.is_exact ? Plan{"events", true, "exact numbers are asked for"} : solved->plan;
+    result.plan = solved->plan;
     return result;
   }
   Result result = motion<double>(scene, limit);
