@@ -165,27 +165,20 @@ Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
     return counts_and_velocities(*t);
   const cln::cl_RA e = *fraction_of(restitution);
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), e);
-  try {
-    if (const auto N = trio.count()) {
-      const Row four = in.wants_fractions
-                           ? stepped(in.alpha, e, *N)
-                           : rounded([&] { return answers::terminal(trio, *N); }, in.digits);
-      return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four});
-    }
-    if (in.wants_fractions)
-      throw Undecided(
-          "terminal: collisions never end, at a time that may be no fraction; "
-          "add --digits D");
-    const auto end = [&] {
-      const auto [time, position, v] = trio.collapse(trio.shape());
-      return Balls{v, v, v, v * v, time};
-    };
-    return concatenated({Row(2, {"infinitely many", "null"}), rounded(end, in.digits)});
-  } catch (const std::domain_error&) {
-    throw Undecided(
-        "terminal: alpha or the restitution is too far from 1 for this version; "
-        "answered: both from 2^-60, alpha to 2^60");
+  if (const auto N = trio.count()) {
+    const Row four = in.wants_fractions
+                         ? stepped(in.alpha, e, *N)
+                         : rounded([&] { return answers::terminal(trio, *N); }, in.digits);
+    return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four});
   }
+  if (in.wants_fractions)
+    throw Undecided(
+        "terminal: collisions never end, at a time that may be no fraction; add --digits D");
+  const auto end = [&] {
+    const auto [time, position, v] = trio.collapse(trio.shape());
+    return Balls{v, v, v, v * v, time};
+  };
+  return concatenated({Row(2, {"infinitely many", "null"}), rounded(end, in.digits)});
 }
 
 /// Likewise where nothing is lost.

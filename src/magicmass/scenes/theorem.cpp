@@ -156,9 +156,8 @@ struct Seen {
   /// Every so many collisions; of infinitely many at least the first three, and more while doubles
   /// can tell their times apart.
   void stream(std::optional<std::int64_t> collisions, std::int64_t every, const Sink& sink) const {
-    constexpr int enough_bits = 196;
-    Ball::set_bits(enough_bits);
-    auto shape = motion.shape();
+    auto shape = with_bits(17, [&] { return motion.shape(); });
+    const int enough_bits = Ball::bits();
     auto now = motion.stepped(shape, 0);
     const bool is_stepped = std::same_as<Motion, Trio> && (!collisions || every < 64);
     const std::int64_t end = collisions.value_or(INT64_MAX), step = is_stepped ? 1 : every;
@@ -237,7 +236,6 @@ std::optional<Result> by_theorem(const Scene& scene) {
                             "a cradle: each ball of a magic ratio hands on all to the next block");
   } catch (const Undecided&) {
     if (trio && !scene.until && !scene.max_events) throw;
-  } catch (const std::domain_error&) {
   }
   return {};
 }

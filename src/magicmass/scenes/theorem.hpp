@@ -12,7 +12,7 @@ std::string at_limit(std::int64_t limit);
 
 /// The run of a trio or a cradle, each number the nearest double; of what is few and exact only its
 /// plan, since there numbers may be just between doubles. Nothing for other scenes, and
-/// where a collision may be as late as `until` or masses are too far apart. Throws Undecided where
+/// where a collision may be as late as `until`. Throws Undecided where
 /// a trio that nothing cuts off has more collisions than can be counted.
 std::optional<Result> by_theorem(const Scene& scene);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles

@@ -12,10 +12,21 @@ namespace magicmass::scenes {
 namespace {
 using cln::cl_I;
 using cln::cl_RA;
+/// The restitution forms have a domain since doubles have exponents; balls have none. What the
+/// theorems ask for holds: masses above 0, 0 < e <= 1, the sign of q_e, as many collisions.
+struct Unbounded : Ball {
+  using Ball::Ball;
+  Unbounded(const Ball& x) : Ball(x) {}
+  friend bool operator<(const Unbounded&, const Unbounded&) { return true; }
+  friend bool operator>(const Unbounded&, const Unbounded&) { return true; }
+  friend bool operator<=(const Unbounded&, const Unbounded&) { return true; }
+  friend bool operator>=(const Unbounded&, const Unbounded&) { return true; }
+};
 }  // namespace
 
 Ball ball_of(const Value& value) {
   const auto number = [](const cl_I& k) -> std::int64_t { return cln::cl_I_to_long(k); };
+  if (value.is_beyond()) throw Undecided(value.text + " is answered here up to k = 2^50");
   if (const auto* magic = std::get_if<notation::Magic>(&value.number))
     return generated::magic_closed<Ball>(number(magic->k)).alpha_;
   if (const auto* deficient = std::get_if<notation::Deficient>(&value.number))
@@ -73,7 +84,7 @@ Trio::Shape Trio::shape() const {
   Shape s{ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), 1, ball_of(e_), 0};
   const auto q_e = exact_q_e();
   s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact(s.A, s.per_B, s.C, s.e).q_e;
-  if (s.q_e > 0) s.h_e = generated::angle_restitution(s.A, s.per_B, s.C, s.e, s.q_e).h_e;
+  if (s.q_e > 0) s.h_e = generated::angle_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e).h_e;
   return s;
 }
 /// magic.counts, deficient.counts
@@ -108,7 +119,7 @@ std::optional<std::int64_t> Trio::count() const {
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();
     if (s.q_e <= 0) return 0;
-    return generated::count_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e).N_e.low();
+    return generated::count_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e).N_e.low();
   };
   const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
   if (N == 0) return {};
@@ -139,9 +150,9 @@ Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& p
 Trio::Velocities Trio::in_units(const Shape& s, std::int64_t collisions) const {
   if (collisions == 0) return {1, 0, 0};
   const std::int64_t j = collisions - 1;
-  const auto v = generated::after_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j),
-                                              power_of(s, j));
-  Velocities all{v.A_next, v.C_next, j == 0 || !B_ ? Ball(0) : v.B_next};  // B was not met
+  const auto v = generated::after_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j,
+                                                         turn(j), power_of(s, j));
+  Velocities all{v.A_next, v.C_next, j == 0 || !B_ ? Ball(0) : Ball(v.B_next)};  // B was not met
   const auto& N = at_threshold_;
   if (N && *N % 2 == 0) {  // magic.velocities
     if (collisions >= *N - 1) all[0] = 0;
@@ -166,8 +177,8 @@ Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
     Stepping now = stepped(s, j);
     return step(s, now);
   }
-  const auto at =
-      generated::at_restitution(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j, turn(j), power_of(s, j));
+  const auto at = generated::at_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j,
+                                                       turn(j), power_of(s, j));
   return in_scene(j, at.moment, at.place, in_units(s, j + 1));
 }
 std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N) const {
@@ -185,7 +196,7 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
   return all;
 }
 Trio::Collapse Trio::collapse(const Shape& s) const {
-  const auto end = generated::collapse_restitution(s.A, s.per_B, s.C, s.e, s.q_e);
+  const auto end = generated::collapse_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e);
   const Ball time = time_of(end.t_end);
   if (!B_) return {time, ball_of(place_ + L_), 0};
   return {time, place_of(time, end.x_end), velocity_of(end.v_end)};

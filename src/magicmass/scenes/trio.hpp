@@ -15,6 +15,7 @@
 
 namespace magicmass::scenes {
 
+/// Throws Undecided for a ratio of the paper whose number is above 2^50.
 Ball ball_of(const Value& value);
 
 class Trio {
@@ -36,7 +37,7 @@ public:
   std::optional<std::int64_t> at_threshold() const { return at_threshold_; }
 
   /// What all of the motion depends on, with the bits that are set now; in units of V, L and the
-  /// mass of C. Throws std::domain_error where the masses are too far apart.
+  /// mass of C.
   struct Shape {
     Ball A, per_B, C, e, q_e;
     Ball h_e = 0;  ///< where q_e is above 0

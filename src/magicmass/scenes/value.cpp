@@ -89,6 +89,13 @@ std::int64_t k_of(const cln::cl_I& k) { return cln::cl_I_to_long(k); }
 
 }  // namespace
 
+bool Value::is_beyond() const {
+  const auto* magic = std::get_if<notation::Magic>(&number);
+  const auto* deficient = std::get_if<notation::Deficient>(&number);
+  const cln::cl_I k = magic ? magic->k : deficient ? deficient->k : cln::cl_I(1);
+  return cln::integer_length(k - 1) > 50;
+}
+
 double Value::to_double() const {
   if (const auto* magic = std::get_if<notation::Magic>(&number))
     return accurate::ratios(k_of(magic->k)).magic;
@@ -102,8 +109,12 @@ Value read_value(std::string_view text) {
   if (text.size() > longest_text)
     refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));
   try {
-    if (text.starts_with("magic:") || text.starts_with("deficient:"))
-      return value_of(notation::read_alpha(text));
+    if (text.starts_with("magic:") || text.starts_with("deficient:")) {
+      const Value ratio = value_of(notation::read_alpha(text));
+      if (ratio.is_beyond())
+        refuse("k above 2^50, for which there are counts alone: magicmass count");
+      return ratio;
+    }
     if (is_float(text)) return {std::string(text), Quadratic(read_float(text))};
     return {std::string(text), checked(evaluate(notation::read(text)))};
   } catch (const std::domain_error& error) {

@@ -22,6 +22,8 @@ struct Value {
   /// Nothing for a ratio of the paper that is no number of a quadratic field.
   const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
   bool is(const Quadratic& x) const { return exact() != nullptr && *exact() == x; }
+  /// Whether it is a ratio of the paper whose number is above 2^50: too close to 0 but for counts.
+  bool is_beyond() const;
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
 };

@@ -281,3 +281,23 @@ TEST_CASE("a collapse has its time and place, for touching bodies as for near on
   CHECK(near_ones.status == Status::collapse);
   CHECK((number(*near_ones.collapse_time) > 1 && number(*near_ones.collapse_time) < 1.00001));
 }
+
+TEST_CASE("masses may be as far apart as numbers are", "[exam]") {
+  // As alpha goes to 0, C takes no time: A and B go on together from t = 1 on.
+  const Scene light = scene_of("alpha = 1e-100\nrestitution = 0.5");
+  const Result end = run(light);
+  CHECK((end.status == Status::collapse && !end.is_undecided));
+  CHECK((number(*end.collapse_time) == 1 && number(end.terminal[0]) == 0.5));
+  CHECK(rows_of(light).size() >= 3);
+  const Result heavy =
+      result_of("alpha = 1e100\nrestitution = 0.5\noutputs = ['trajectory']\ntimes = ['magic:3']");
+  CHECK((heavy.status == Status::complete && heavy.events == 2));
+  const Result whole = result_of("alpha = 'magic:1125899906842624'");
+  CHECK((whole.events == std::int64_t(1) << 51 && number(whole.terminal[2]) == 1));
+}
+
+TEST_CASE("exact numbers of a counted motion that become too long", "[exam]") {
+  CHECK_THROWS_WITH(result_of("kind = 'wall'\nmass_ratio = '100^6'", true),
+                    ContainsSubstring("3141592 collisions by theorem, but exact numbers become too "
+                                      "long; possible with --max-events 1"));
+}

@@ -84,6 +84,8 @@ TEST_CASE("what is no value is refused", "[exam]") {
       {"0x", "not a number"},
       {"magic:0", "k must be"},
       {"magic:x", "k must be"},
+      {"magic:1125899906842625", "k above 2^50, for which there are counts alone"},
+      {"deficient:1125899906842625", "k above 2^50, for which there are counts alone"},
       {"magic:9999999999999999999", "k must be"},
   };
   for (const auto& [text, part] : rows) {
@@ -91,6 +93,7 @@ TEST_CASE("what is no value is refused", "[exam]") {
     CHECK_THROWS_WITH(read_value(text), ContainsSubstring(part));
   }
   CHECK_NOTHROW(read_value("1/7 "));
+  CHECK_NOTHROW(read_value("magic:1125899906842624"));
   CHECK_THROWS_WITH(read_value(std::string(5000, '1')), "5000 characters, at most 4096");
   CHECK_THROWS_WITH(value_of(INFINITY), "not a finite number");
 }
