@@ -28,7 +28,8 @@ bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
 }  // namespace
 
 std::optional<Cradle> Cradle::of(const Places& places) {
-  const auto& [masses, line] = places;
+  const auto& [masses, line, unit_V, unit_L] = places;
+  if (!unit_V.is(1) || !unit_L.is(1)) return {};
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
   if (bodies < 3 || bodies % 2 == 0 || !(line.restitution == 1)) return {};

@@ -44,7 +44,8 @@ std::vector<double> certain(const Balls& balls) {
 }
 Places mirrored(Places places) {
   std::reverse(places.masses.begin(), places.masses.end());
-  return {std::move(places.masses), simulator::mirrored(std::move(places.line))};
+  places.line = simulator::mirrored(std::move(places.line));
+  return places;
 }
 Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities) {
   Ball sum = 0;

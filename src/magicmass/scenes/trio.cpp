@@ -47,7 +47,7 @@ Ball power_of(const Trio::Shape& s, std::int64_t j) {
 }  // namespace
 
 std::optional<Trio> Trio::of(const Places& places) {
-  const auto& [masses, line] = places;
+  const auto& [masses, line, unit_V, unit_L] = places;
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const auto& wall = line.right_wall;
   if (masses.size() + (wall ? 1 : 0) != 3 || line.left_wall) return {};
@@ -59,6 +59,8 @@ std::optional<Trio> Trio::of(const Places& places) {
   t.start_ = (x[1] - x[0]) / t.V_;
   t.place_ = x[1];
   t.e_ = line.restitution;
+  t.unit_V_ = unit_V;
+  t.unit_L_ = unit_L;
   t.A_ = masses[0];
   t.C_ = masses[1];
   if (!wall) t.B_ = masses[2];
@@ -136,16 +138,22 @@ Trio::Collision Trio::step(const Shape& /*s*/, Stepping& now) const {
   now.step();
   return in_scene(now.collisions - 1, now.time, now.place, now.velocities);
 }
-Ball Trio::time_of(const Ball& moment) const { return ball_of(start_) + ball_of(L_ / V_) * moment; }
+Ball Trio::time_of(const Ball& moment) const {
+  return (ball_of(start_) + ball_of(L_ / V_) * moment) * ball_of(unit_L_) / ball_of(unit_V_);
+}
 Ball Trio::place_of(const Ball& time, const Ball& place) const {
-  return ball_of(place_) + ball_of(drift_) * time + ball_of(L_) * place;
+  return ball_of(drift_) * ball_of(unit_V_) * time +
+         (ball_of(place_) + ball_of(L_) * place) * ball_of(unit_L_);
+}
+Ball Trio::velocity_of(const Ball& u) const {
+  return (ball_of(drift_) + ball_of(V_) * u) * ball_of(unit_V_);
 }
 Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                                const Velocities& u) const {
   const Ball time = time_of(moment);
   const std::size_t right = gap(j);
-  return {time, right == bodies() ? ball_of(place_ + L_) : place_of(time, place),
-          velocity_of(u[right - 1]), velocity_of(u[right])};
+  return {time, place_of(time, right == bodies() ? Ball(1) : place), velocity_of(u[right - 1]),
+          velocity_of(u[right])};
 }
 Trio::Velocities Trio::in_units(const Shape& s, std::int64_t collisions) const {
   if (collisions == 0) return {1, 0, 0};
@@ -167,6 +175,7 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
   return all;
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
+  if (!unit_V_.is(1) || !unit_L_.is(1)) return {};
   if (j == 0) return start_;
   const auto& N = at_threshold_;
   if (N && *N == 2 * j) return start_ + L_ / V_;  // t_j = L/V sin(jh)/sin((j+1)h), (2j+1)h = pi
@@ -198,7 +207,7 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
 Trio::Collapse Trio::collapse(const Shape& s) const {
   const auto end = generated::collapse_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e);
   const Ball time = time_of(end.t_end);
-  if (!B_) return {time, ball_of(place_ + L_), 0};
+  if (!B_) return {time, place_of(time, 1), 0};
   return {time, place_of(time, end.x_end), velocity_of(end.v_end)};
 }
 std::vector<Ball> Trio::masses(const Shape& /*s*/) const {

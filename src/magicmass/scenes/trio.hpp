@@ -79,6 +79,7 @@ private:
   static constexpr std::int64_t largest_tie = 12;
   Value A_, C_;
   std::optional<Value> B_;  ///< nothing: a wall
+  Value unit_V_, unit_L_;   ///< in which all is that follows
   Quadratic e_, V_, L_;
   Quadratic start_;  ///< when A meets C
   Quadratic place_;  ///< where C is at time 0
@@ -91,7 +92,7 @@ private:
                      const Velocities& u) const;
   Ball time_of(const Ball& moment) const;
   Ball place_of(const Ball& time, const Ball& place) const;
-  Ball velocity_of(const Ball& u) const { return ball_of(drift_) + ball_of(V_) * u; }
+  Ball velocity_of(const Ball& u) const;
   std::optional<Quadratic> exact_q_e() const;
   /// What is in a quadratic field is stepped: by Niven's theorem it is no alpha_k of more than a few.
   std::optional<std::int64_t> count_at_threshold() const;

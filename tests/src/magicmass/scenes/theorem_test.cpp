@@ -301,3 +301,33 @@ TEST_CASE("exact numbers of a counted motion that become too long", "[exam]") {
                     ContainsSubstring("3141592 collisions by theorem, but exact numbers become too "
                                       "long; possible with --max-events 1"));
 }
+
+TEST_CASE("V and L are units: only ratios need a field of their own", "[check]") {
+  for (const std::string masses : {"alpha = 'magic:3'\n", "alpha = '1/7'\nrestitution = '7/8'\n",
+                                   "alpha = '1/9999'\n", "alpha = 1\nrestitution = '7/100'\n"})
+    for (const auto& [V, L] :
+         {std::pair{"'sqrt(3)'", "'sqrt(2)'"}, {"'magic:5'", "'deficient:3'"}}) {
+      INFO(masses << V << L);
+      const std::string keys = "V = " + std::string(V) + "\nL = " + L + "\n";
+      const Scene scene = scene_of(masses + keys);
+      const double v = scene.V.to_double(), l = scene.L.to_double();
+      const Result result = run(scene), unit = result_of(masses);
+      REQUIRE(result.plan.model == "theorem");
+      CHECK_FALSE(result.is_undecided);
+      CHECK((result.status == unit.status && result.counts == unit.counts));
+      for (std::size_t i = 0; i < 3; ++i)
+        CHECK_THAT(number(result.terminal[i]), WithinRel(v * number(unit.terminal[i]), 1e-15));
+      const std::vector<Numbers> rows = numbers_of(scene), of_unit = numbers_of(scene_of(masses));
+      for (std::size_t i = 0; i < std::min(rows.size(), of_unit.size()); ++i) {
+        CHECK_THAT(rows[i][1], WithinRel(l / v * of_unit[i][1], 1e-14));
+        CHECK_THAT(rows[i][2], WithinRel(l * of_unit[i][2], 1e-14));
+        CHECK_THAT(rows[i][4], WithinRel(v * of_unit[i][4], 1e-14));
+      }
+    }
+  const Result ended = result_of("alpha = '1/7'\nV = 'sqrt(3)'\nL = 'sqrt(2)'\nuntil = 1.2");
+  CHECK((ended.plan.model == "theorem" && ended.status == Status::limited));
+  const std::string explicit_ones =
+      "masses = [1, '1/7', 1]\npositions = [0, 'sqrt(2)', 'sqrt(8)']\n";
+  const Result left = result_of(explicit_ones + "velocities = [0, 0, '-sqrt(3)']");
+  CHECK((left.plan.model == "theorem" && left.status == Status::complete));
+}
