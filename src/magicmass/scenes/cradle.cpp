@@ -10,13 +10,6 @@ namespace {
 
 constexpr std::int64_t most_of_way = std::int64_t(1) << 60;
 
-/// k where a mass is alpha_k, else 0.
-std::int64_t magic_number(const Value& mass) {
-  constexpr std::int64_t largest = std::int64_t(1) << 50;
-  const std::int64_t N = Trio::equal_blocks(mass, 1).at_threshold().value_or(1);
-  return N % 2 == 0 && N <= 2 * largest ? N / 2 : 0;
-}
-
 /// Does B reach this place only after the last collision of its trio?
 bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
   return with_bits(
@@ -43,12 +36,11 @@ std::optional<Cradle> Cradle::of(const Places& places) {
   cradle.ahead_ = line.right_wall;
   cradle.behind_ = line.left_wall;
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
-    const std::int64_t k = magic_number(masses[ball]);
-    const Quadratic L = x[ball + 1] - x[ball];
-    if (k == 0 || !(Quadratic(0) < L)) return {};
-    const Value alpha = value_of(notation::Magic{cln::cl_I(static_cast<long long>(k))});
-    const Trio trio = *Trio::of({{masses[0], alpha, masses[0]},
+    const Trio trio = *Trio::of({{masses[0], masses[ball], masses[0]},
                                  {{}, {x[0], x[ball], x[ball + 1]}, {v[0], 0, 0}, {}, {}, 1}});
+    const std::int64_t N = trio.at_threshold().value_or(1), k = N / 2;
+    const Quadratic L = x[ball + 1] - x[ball];
+    if (N % 2 != 0 || !(Quadratic(0) < L)) return {};
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(trio, k, *next)) return {};  // cradle.room
     cradle.pairs_.push_back({trio, k, cradle.way_});

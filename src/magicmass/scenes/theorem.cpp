@@ -67,6 +67,13 @@ struct Seen {
     if (auto motion = Motion::of(mirrored(*places))) return Seen{std::move(*motion), true};
     return {};
   }
+  /// Velocities or places of all bodies.
+  std::vector<Ball> seen(std::vector<Ball> all) const {
+    if (!is_mirrored) return all;
+    std::reverse(all.begin(), all.end());
+    for (Ball& x : all) x = -x;
+    return all;
+  }
   /// How many of the first `most` come by this time.
   std::int64_t count_until(const Value& time, std::int64_t most) const {
     return with_bits(17, [&] {
@@ -125,10 +132,7 @@ struct Seen {
       }
       const Ball before = energy(masses, motion.velocities(s, 0)), after = energy(masses, all);
       const Ball of_last = energy({masses.back()}, {all.back()});
-      if (is_mirrored) {
-        std::reverse(all.begin(), all.end());
-        for (Ball& v : all) v = -v;
-      }
+      all = seen(std::move(all));
       all.insert(all.end(), {before, after, of_last / before});
       all.insert(all.end(), end.begin(), end.end());
       return all;
@@ -145,14 +149,7 @@ struct Seen {
   }
   /// Where bodies are at a time, after so many collisions.
   std::vector<double> places(const Value& time, std::int64_t collisions) const {
-    return certain([&] {
-      std::vector<Ball> all = motion.places(motion.shape(), ball_of(time), collisions);
-      if (is_mirrored) {
-        std::reverse(all.begin(), all.end());
-        for (Ball& x : all) x = -x;
-      }
-      return all;
-    });
+    return certain([&] { return seen(motion.places(motion.shape(), ball_of(time), collisions)); });
   }
   /// Every so many collisions; of infinitely many at least the first three, and more while doubles
   /// can tell their times apart.
@@ -160,18 +157,14 @@ struct Seen {
     auto shape = with_bits(17, [&] { return motion.shape(); });
     const int enough_bits = Ball::bits();
     auto now = motion.stepped(shape, 0);
-    const bool is_stepped = std::same_as<Motion, Trio> && (!collisions || every < 64);
+    const bool is_stepped = std::same_as<Motion, Trio> && (!collisions || every < 8);
     const std::int64_t end = collisions.value_or(INT64_MAX), step = is_stepped ? 1 : every;
     double before = -1;
     const auto row_of = [](const Trio::Collision& c) {
       return std::vector{c.time, c.position, c.v_left, c.v_right};
     };
-    for (std::int64_t j = step - 1; j<end; j = end - j> step ? j + step : end) {
+    for (std::int64_t j = step - 1; j < end; j += std::min(step, end - j)) {
       const auto next = [&] { return row_of(motion.step(shape, now)); };
-      if (collisions && (j + 1) % every != 0) {
-        next();
-        continue;
-      }
       const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
       const bool is_alone = !is_stepped || is_last;
       const auto alone = [&] { return row_of(motion.collision(shape, j)); };

@@ -2,7 +2,6 @@
 #include "magicmass/scenes/trajectory.hpp"
 
 #include <algorithm>
-#include <utility>
 
 #include "magicmass/scenes/theorem.hpp"
 
@@ -48,15 +47,15 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
 
 /// Without all collisions before them.
 void follow_by_theorem(const Scene& scene, const Result& result, const Points& sink) {
-  std::vector<std::pair<double, Value>> known;
-  for (const Value& time : scene.times)
-    if (!result.known_until || time.to_double() <= std::get<double>(*result.known_until))
-      known.emplace_back(time.to_double(), time);
-  const auto is_earlier = [](const auto& x, const auto& y) { return x.first < y.first; };
-  std::stable_sort(known.begin(), known.end(), is_earlier);
-  for (const auto& [number, time] : known) {
-    const std::vector<double> places = places_by_theorem(scene, result.events, time);
-    for (std::size_t i = 0; i < places.size(); ++i) sink({number, i, places[i]});
+  std::vector<Value> times = scene.times;
+  const auto is_earlier = [](auto& x, auto& y) { return x.to_double() < y.to_double(); };
+  std::stable_sort(times.begin(), times.end(), is_earlier);
+  for (const Value& at : times) {
+    const double time = at.to_double();
+    if (result.known_until && time > std::get<double>(*result.known_until)) return;
+    std::size_t body = 0;
+    for (const double place : places_by_theorem(scene, result.events, at))
+      sink({time, body++, place});
   }
 }
 

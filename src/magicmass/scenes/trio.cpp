@@ -25,13 +25,12 @@ struct Unbounded : Ball {
 }  // namespace
 
 Ball ball_of(const Value& value) {
-  const auto number = [](const cl_I& k) -> std::int64_t { return cln::cl_I_to_long(k); };
-  if (value.is_beyond()) throw Undecided(value.text + " is answered here up to k = 2^50");
-  if (const auto* magic = std::get_if<notation::Magic>(&value.number))
-    return generated::magic_closed<Ball>(number(magic->k)).alpha_;
-  if (const auto* deficient = std::get_if<notation::Deficient>(&value.number))
-    return generated::deficient_closed<Ball>(number(deficient->k)).beta_;
-  return ball_of(*value.exact());
+  const Ratio* const ratio = value.ratio();
+  if (!ratio) return ball_of(*value.exact());
+  if (ratio->k > std::int64_t(1) << 50U)
+    throw Undecided(value.text + " is answered here up to k = 2^50");
+  return ratio->is_magic ? generated::magic_closed<Ball>(ratio->k).alpha_
+                         : generated::deficient_closed<Ball>(ratio->k).beta_;
 }
 
 namespace {
@@ -91,10 +90,7 @@ Trio::Shape Trio::shape() const {
 }
 /// magic.counts, deficient.counts
 std::optional<std::int64_t> Trio::count_at_threshold() const {
-  const auto* magic = std::get_if<notation::Magic>(&C_.number);
-  const auto* deficient = std::get_if<notation::Deficient>(&C_.number);
-  if (magic != nullptr) return 2 * cln::cl_I_to_long(magic->k);
-  if (deficient != nullptr) return 2 * cln::cl_I_to_long(deficient->k) + 1;
+  if (const Ratio* const ratio = C_.ratio()) return 2 * ratio->k + (ratio->is_magic ? 0 : 1);
   const auto end = first_collisions();
   return end.velocities[0] == 0 && end.velocities[1] == 0 ? std::optional(end.collisions)
                                                           : std::nullopt;

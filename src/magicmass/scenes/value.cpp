@@ -89,18 +89,11 @@ std::int64_t k_of(const cln::cl_I& k) { return cln::cl_I_to_long(k); }
 
 }  // namespace
 
-bool Value::is_beyond() const {
-  const auto* magic = std::get_if<notation::Magic>(&number);
-  const auto* deficient = std::get_if<notation::Deficient>(&number);
-  const cln::cl_I k = magic ? magic->k : deficient ? deficient->k : cln::cl_I(1);
-  return cln::integer_length(k - 1) > 50;
-}
-
 double Value::to_double() const {
-  if (const auto* magic = std::get_if<notation::Magic>(&number))
-    return accurate::ratios(k_of(magic->k)).magic;
-  if (const auto* deficient = std::get_if<notation::Deficient>(&number))
-    return accurate::ratios(k_of(deficient->k)).deficient;
+  if (ratio()) {
+    const auto both = accurate::ratios(ratio()->k);
+    return ratio()->is_magic ? both.magic : both.deficient;
+  }
   if (const auto value = exact()->to_double()) return *value;
   throw Undecided(text.substr(0, 60) + " does not fit a double; --exact may do");
 }
@@ -110,10 +103,10 @@ Value read_value(std::string_view text) {
     refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));
   try {
     if (text.starts_with("magic:") || text.starts_with("deficient:")) {
-      const Value ratio = value_of(notation::read_alpha(text));
-      if (ratio.is_beyond())
+      const Value value = value_of(notation::read_alpha(text));
+      if (value.ratio() && value.ratio()->k > std::int64_t(1) << 50U)
         refuse("k above 2^50, for which there are counts alone: magicmass count");
-      return ratio;
+      return value;
     }
     if (is_float(text)) return {std::string(text), Quadratic(read_float(text))};
     return {std::string(text), checked(evaluate(notation::read(text)))};
@@ -128,8 +121,10 @@ Value value_of(const notation::Alpha& ratio) {
   const std::string text = notation::text(ratio);
   for (const auto& [name, value] : quadratic_ratios)
     if (text == name) return {text, evaluate(notation::read(value))};
-  if (const auto* magic = std::get_if<notation::Magic>(&ratio)) return {text, *magic};
-  if (const auto* deficient = std::get_if<notation::Deficient>(&ratio)) return {text, *deficient};
+  if (const auto* magic = std::get_if<notation::Magic>(&ratio))
+    return {text, Ratio{true, k_of(magic->k)}};
+  if (const auto* deficient = std::get_if<notation::Deficient>(&ratio))
+    return {text, Ratio{false, k_of(deficient->k)}};
   const auto* rational = std::get_if<cln::cl_RA>(&ratio);
   return {text, rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
 }

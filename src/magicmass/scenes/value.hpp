@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,15 +16,18 @@ namespace magicmass::scenes {
 
 using balls::Quadratic;
 
+/// alpha_k or beta_k of the paper, where it is in no quadratic field.
+struct Ratio {
+  bool is_magic;
+  std::int64_t k;
+};
 struct Value {
   std::string text;  ///< as it was written
-  std::variant<Quadratic, notation::Magic, notation::Deficient> number;
+  std::variant<Quadratic, Ratio> number;
 
-  /// Nothing for a ratio of the paper that is no number of a quadratic field.
   const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
   bool is(const Quadratic& x) const { return exact() != nullptr && *exact() == x; }
-  /// Whether it is a ratio of the paper whose number is above 2^50: too close to 0 but for counts.
-  bool is_beyond() const;
+  const Ratio* ratio() const { return std::get_if<Ratio>(&number); }
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
 };
