@@ -65,12 +65,8 @@ void set_energies(const Scene& scene, const simulator::Line<Scalar>& start, Resu
 
 const std::string too_slow = "bodies have become too slow for doubles";
 /// Little more, and numbers would be subnormal.
-template <class Scalar>
-bool is_too_slow(const Collision<Scalar>& event) {
-  const auto is_slow = [](double v) { return v != 0 && std::abs(v) < 0x1p-1000; };
-  if constexpr (std::floating_point<Scalar>) return is_slow(event.v_left) || is_slow(event.v_right);
-  return false;
-}
+bool is_too_slow(double v) { return v != 0 && std::abs(v) < 0x1p-1000; }
+bool is_too_slow(const Quadratic& /*v*/) { return false; }
 
 /// Whether rounding decided where the motion ends, and whether more is to come.
 template <class Scalar>
@@ -112,7 +108,7 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
     ++result.counts[event.gap];
     if (sink)
       sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
-    if (is_too_slow(event)) {
+    if (is_too_slow(event.v_left) || is_too_slow(event.v_right)) {
       result.why = too_slow;
       result.known_until = event.time;
       break;
@@ -148,12 +144,6 @@ Result exactly(const Scene& scene, Result result) {
   return result;
 }
 
-Result asked_exactly(const Scene& scene) {
-  Result result = motion<Quadratic>(scene, scene.limit());
-  result.plan = {"events", true, "exact numbers are asked for"};
-  return result;
-}
-
 }  // namespace
 
 std::optional<double> double_of(const Number& number) {
@@ -179,19 +169,17 @@ Result run(const Scene& scene) {
   if (solved && !solved->plan.is_exact) {
     if (!scene.is_exact) return *solved;
     if (solved->status == Status::collapse) return exactly(scene, std::move(*solved));
-    try {
-      return asked_exactly(scene);
+  }
+  if (solved || scene.is_exact) try {
+      Result result = motion<Quadratic>(scene, limit);
+      result.plan =
+          scene.is_exact ? Plan{"events", true, "exact numbers are asked for"} : solved->plan;
+      return result;
     } catch (const Undecided& error) {
+      if (!solved || solved->plan.is_exact) throw;
       throw Undecided(std::to_string(solved->events) + " collisions by theorem, but " +
                       error.what() + ", or without --exact");
     }
-  }
-  if (scene.is_exact) return asked_exactly(scene);
-  if (solved) {
-    Result result = motion<Quadratic>(scene, limit);
-    result.plan = solved->plan;
-    return result;
-  }
   Result result = motion<double>(scene, limit);
   result.plan = {"events", false, "no decision is closer than doubles can tell"};
   if (!result.is_undecided) return result;
