@@ -60,6 +60,7 @@ std::optional<Trio> Trio::of(const Places& places) {
   t.e_ = line.restitution;
   t.unit_V_ = unit_V;
   t.unit_L_ = unit_L;
+  t.has_units_ = !unit_V.is(1) || !unit_L.is(1);
   t.A_ = masses[0];
   t.C_ = masses[1];
   if (!wall) t.B_ = masses[2];
@@ -135,14 +136,16 @@ Trio::Collision Trio::step(const Shape& /*s*/, Stepping& now) const {
   return in_scene(now.collisions - 1, now.time, now.place, now.velocities);
 }
 Ball Trio::time_of(const Ball& moment) const {
-  return (ball_of(start_) + ball_of(L_ / V_) * moment) * ball_of(unit_L_) / ball_of(unit_V_);
+  const Ball time = ball_of(start_) + ball_of(L_ / V_) * moment;
+  return has_units_ ? time * ball_of(unit_L_) / ball_of(unit_V_) : time;
 }
 Ball Trio::place_of(const Ball& time, const Ball& place) const {
-  return ball_of(drift_) * ball_of(unit_V_) * time +
-         (ball_of(place_) + ball_of(L_) * place) * ball_of(unit_L_);
+  const Ball drift = ball_of(drift_) * time, at = ball_of(place_) + ball_of(L_) * place;
+  return has_units_ ? drift * ball_of(unit_V_) + at * ball_of(unit_L_) : drift + at;
 }
 Ball Trio::velocity_of(const Ball& u) const {
-  return (ball_of(drift_) + ball_of(V_) * u) * ball_of(unit_V_);
+  const Ball v = ball_of(drift_) + ball_of(V_) * u;
+  return has_units_ ? v * ball_of(unit_V_) : v;
 }
 Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                                const Velocities& u) const {
@@ -171,7 +174,7 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
   return all;
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
-  if (!unit_V_.is(1) || !unit_L_.is(1)) return {};
+  if (has_units_) return {};
   if (j == 0) return start_;
   const auto& N = at_threshold_;
   if (N && *N == 2 * j) return start_ + L_ / V_;  // t_j = L/V sin(jh)/sin((j+1)h), (2j+1)h = pi

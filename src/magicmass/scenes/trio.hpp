@@ -80,6 +80,7 @@ private:
   Value A_, C_;
   std::optional<Value> B_;  ///< nothing: a wall
   Value unit_V_, unit_L_;   ///< in which all is that follows
+  bool has_units_ = false;  ///< other than 1
   Quadratic e_, V_, L_;
   Quadratic start_;  ///< when A meets C
   Quadratic place_;  ///< where C is at time 0
