@@ -13,15 +13,17 @@ namespace magicmass::scenes {
 namespace {
 using Balls = std::function<std::vector<Ball>()>;
 
-/// The even one of two neighbouring doubles, where these are nearest to low and to high.
+/// The even one of two neighbouring doubles, where low and high are by far closer than these and on
+/// both sides of their middle.
 std::optional<double> tie(const cln::cl_RA& low, const cln::cl_RA& high) {
   const auto below = nearest_double(low, low), above = nearest_double(high, high);
   if (!below || !above || std::nextafter(*below, *above) != *above) return {};
-  const cln::cl_RA middle = (exact(*below) + exact(*above)) / 2;
+  const cln::cl_RA x = exact(*below), y = exact(*above), middle = (x + y) / 2;
+  if ((high - low) * cln::ash(cln::cl_I(1), 300) > y - x) return {};
   return nearest_double(middle, middle);
 }
-/// Nearest doubles; nothing where one is not certain, even with many bits but for a tie. What is too large is infinite, what is too
-/// small is subnormal: nothing for double_of().
+/// Nearest doubles, ties to even as far as many bits tell; nothing where one is not certain. What
+/// is too large is infinite, what is too small is subnormal: nothing for double_of().
 std::optional<std::vector<double>> rounded(const Balls& balls) try {
   using Limits = std::numeric_limits<double>;
   const cln::cl_RA largest = exact(Limits::max());

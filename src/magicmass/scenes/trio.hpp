@@ -95,7 +95,7 @@ private:
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
   std::optional<Quadratic> exact_q_e() const;
-  /// What is in a quadratic field is stepped: by Niven's theorem it is no alpha_k of more than a few.
+  /// What is in a quadratic field is stepped: by Niven's theorem it is no large alpha_k.
   std::optional<std::int64_t> count_at_threshold() const;
 };
 
