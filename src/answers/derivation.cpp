@@ -82,9 +82,13 @@ std::vector<std::string> words_of(const Request& request) {
 /// Proved as far as they need.
 const derivation::Book& book_for(const Request& request) {
   const std::vector<std::string> words = words_of(request);
-  for (const std::string& word : words)  // to the end of a chapter that is named
-    derivation::is_shown(word.find('.') == word.npos ? word + "." : word);
-  return words.empty() ? derivation::the_book() : derivation::proved_so_far();
+  bool is_all = words.empty();
+  for (const std::string& word : words) {
+    const bool is_step = word.find('.') != word.npos;
+    const bool is_there = derivation::is_shown(is_step ? word : word + ".");  // or a chapter's end
+    is_all = is_all || (is_step && !is_there);
+  }
+  return is_all ? derivation::the_book() : derivation::proved_so_far();
 }
 /// What is asked for; all where no word is given.
 Numbers asked_for(const Request& request, const Index& index) {
