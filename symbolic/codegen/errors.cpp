@@ -302,9 +302,8 @@ private:
     const Form plain = absorber.absorbed(absorber.constant(angle));
     if (p[k].op == Op::sine || top > 1.5707) {
       add(f, plain, and_more);
-    } else {  // |cos x - cos y| <= |x - y| (sin top + |x - y|)
+    } else {  // |cos x - cos y| <= |x - y| (sin top + |x - y|); `close` keeps the last in and_more
       add(f, plain, std::sin(top) * (1 + 0x1p-40) * and_more);
-      for (const auto& [sizes, c] : plain) add(f, plain, c, sizes);
     }
   }
 };

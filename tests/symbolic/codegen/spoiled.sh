@@ -63,6 +63,15 @@ errors.cpp|s/clear = 2 \/ close/clear = 1 \/ close/
 errors.cpp|s/least->second < p\[k\].range.low/least->second < 0/
 errors.cpp|s/if (is_divisor(y)) {/if (p[x].op == Op::constant) {/
 errors.cpp|s/add_loss(f, t.is_pair() ? low(k) : t.u, k);/;/
+errors.cpp|s/^    check_close(k);/;/
+errors.cpp|s/if ((\*this)\[k\].spill > 0) throw/if (false) throw/
+errors.cpp|s/if (!(here.loose >= 0 && here.loose <= loosest))/if (false)/
+errors.cpp|s/ + 3 \* t.u \* (\*this)\[o\].spill//
+errors.cpp|s/take(t.constant(lost(n)));/take(t.constant(0));/
+errors.cpp|s/^      add_loss(f, of_y, k);/;/
+errors.cpp|s/add_loss(angle, of.angle, x);/;/
+errors.cpp|s/(\*r + of_turn) \*/*r */
+errors.cpp|s/: 1) \* and_more;/: 1);/
 emit_case.cpp|s/} else if (r.kind != Result::guard) {/} else if (r.kind == Result::sign) {/
 form.cpp|s/f\[into\] += \*of_part/f[into] += 0.01 * *of_part/
 form.cpp|s/by \*= most(v);$/by *= 0.25 * most(v);/
