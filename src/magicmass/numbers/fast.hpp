@@ -10,8 +10,8 @@
 #include "magicmass/numbers/values.hpp"
 
 /// Errors are at most 4 envelopes of max(1/2, |alpha y'/(2 y)|) ulp, half of which rounding alpha
-/// alone would cost; counts are exact. A zero may have either sign, as may a value that is smaller
-/// than its promised error.
+/// alone would cost, and without restitution 2^-50 of the largest velocity of that body; counts are
+/// exact. A zero may have either sign, as may a value that is smaller than its promised error.
 /// All functions are thread-safe; an alpha that is not positive and finite is InvalidInput. Single
 /// calls rely on rounding to nearest and on subnormal numbers; array calls throw NotIeee else.
 namespace magicmass::fast {
