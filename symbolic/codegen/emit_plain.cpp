@@ -98,7 +98,11 @@ struct Function {
 Function function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted) {
   Function r{wanted_part(f.quantity, wanted)};
   const Quantity& q = r.quantity;
-  for (const Output& o : outputs_of(q.cases[0])) r.outputs.push_back(o.name);
+  Words ceilings;
+  for (const Output& o : outputs_of(q.cases[0])) {
+    r.outputs.push_back(o.name);
+    if (o.is_whole) ceilings.push_back(o.name);
+  }
   if (r.outputs.empty()) return r;
   const bool is_matrix = f.form == "matrices";
   const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
@@ -130,6 +134,10 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
       "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
   if (!theorems.empty()) r.code += "/// Theorems: " + theorems + ".\n";
   r.code += "/// Operations: " + joined(counts, "; or ") + ".\n";
+  if (!ceilings.empty())
+    r.code +=
+        "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
+        joined(ceilings, ", ") + ".\n";
   r.code += head +
             (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
                        : structure + "<Number>") +

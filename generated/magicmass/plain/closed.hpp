@@ -61,6 +61,7 @@ struct TerminalClosed {
 ///   terminal.definitions, evaluators_end.def_rho.
 /// Operations: arctangents: 1, ceilings: 2, cosines: 2, products: 7, quotients: 4, roots: 1, sums:
 ///   9.
+/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
 template <class Number>
 TerminalClosed<Number> terminal_closed(const Number& alpha) {
   using std::atan;

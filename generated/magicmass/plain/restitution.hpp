@@ -51,6 +51,7 @@ struct CountRestitution {
 ///   0x1p-128 to 0x1p+2.
 /// Theorems: bodies.N_e.
 /// Operations: ceilings: 1, quotients: 1, sums: 1.
+/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_e.
 template <class Number>
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e) {

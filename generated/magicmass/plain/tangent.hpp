@@ -81,6 +81,7 @@ struct TerminalTangent {
 ///   evaluators_end.terminal, evaluators_end.def_rho.
 /// Operations: arctangents: 1, ceilings: 2, cosines: 1, products: 12, quotients: 4, roots: 1,
 ///   sines: 1, sums: 7.
+/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
 template <class Number>
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   using std::abs;
