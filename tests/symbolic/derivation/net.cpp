@@ -271,7 +271,7 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
 }
 Tried tried(const Exprs& hypotheses, Expr conclusion, int wanted) {
   Tried out;
-  constexpr int most_tries = 4000;
+  constexpr int most_tries = 8000;
   for (int i = 0; i < most_tries && out.points < wanted; ++i) {
     Point point;
     try {
