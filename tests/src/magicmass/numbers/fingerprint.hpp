@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// All bits of 4000 rows, from the array calls of both tiers: compilers and processors agree.
+#pragma once
+
+#include "magicmass/numbers/fast.hpp"
+#include "src/magicmass/numbers/families.hpp"
+
+namespace magicmass::testing {
+/// As g++ 12 and clang 14 give it on x86-64, g++ 12 on aarch64 (tests/aarch64.sh).
+constexpr std::uint64_t pinned_fingerprint = 0x5715f31315d49271;
+
+inline std::uint64_t fingerprint() {
+  constexpr std::size_t rows = 4000;
+  Random random(43);
+  std::vector<double> alpha;
+  std::vector<std::int64_t> n;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const int exponent = int(random() % 20);
+    alpha.push_back(std::ldexp(double(1 + (random() >> 11)), -53 - exponent));
+    const std::int64_t some = 1 + std::int64_t(random() % 2);
+    n.push_back(alpha.back() < 0.4 ? some : 1);
+  }
+  std::array<Table, 2> both{Table(rows), Table(rows)};
+  accurate::velocities(alpha, n, both[0].velocities());
+  accurate::terminal(alpha, both[0].terminal());
+  fast::velocities(alpha, n, both[1].velocities());
+  fast::terminal(alpha, both[1].terminal());
+  std::uint64_t bits = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (const Table& tier : both) {
+      for (const auto& column : tier.values)
+        bits = bits * 6364136223846793005U + std::bit_cast<std::uint64_t>(column[row]);
+      bits += std::uint64_t(tier.counts[0][row] + 3 * tier.counts[1][row]);
+    }
+  }
+  return bits;
+}
+}  // namespace magicmass::testing
