@@ -11,6 +11,7 @@
 
 #include "catch.hpp"
 #include "codegen/exact.hpp"
+#include "law_of_collision.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/plain/closed.hpp"
 #include "magicmass/plain/matrices.hpp"
@@ -22,20 +23,21 @@ namespace {
 using namespace magicmass::generated;
 using cln::cl_RA;
 
-/// Collision by collision: masses 1, 1 and alpha, no formula but the law.
-struct Motion {
-  cl_RA alpha, a = 1, b = 0, c = 0, ball = 0;
-  static void collide(const cl_RA& mass, cl_RA& block, cl_RA& other) {
-    const cl_RA mean = (block + mass * other) / (1 + mass);
-    block = 2 * mean - block;
-    other = 2 * mean - other;
+/// By the law alone: V = L = 1.
+template <class Number>
+law::ThreeBodies<Number> bodies(Number A_mass, Number per_B, Number ball, Number e) {
+  return {A_mass, per_B, ball, e, {1, 0, 0}, {0, 1, 0}};
+}
+/// a, b, c and c' after n cycles.
+std::array<cl_RA, 4> after(const cl_RA& alpha, std::int64_t n) {
+  law::ThreeBodies<cl_RA> m = bodies<cl_RA>(1, 1, alpha, 1);
+  cl_RA c = 0;
+  while (m.N < 2 * n) {
+    m.collide();
+    if (!m.A_next()) c = m.v[2];
   }
-  void cycle() {
-    collide(alpha, a, ball);
-    c = ball;
-    collide(alpha, b, ball);
-  }
-};
+  return {m.v[0], m.v[1], c, m.v[2]};
+}
 double near(const cl_RA& x) { return cln::double_approx(x); }
 /// |got - wanted| <= share * scale
 template <class Number>
@@ -44,12 +46,13 @@ void check_near(Number got, const cl_RA& wanted, double scale, double share) {
   CHECK(std::fabs(double(got) - near(wanted)) <= share * scale);
 }
 template <class Number, class Velocities>
-void check_velocities(const Velocities& got, const Motion& m, double share) {
-  const double of_ball = std::sqrt(1 / near(m.alpha));
-  check_near<Number>(got.a, m.a, 1, share);
-  check_near<Number>(got.b, m.b, 1, share);
-  check_near<Number>(got.c, m.c, of_ball, share);
-  check_near<Number>(got.c_prime, m.ball, of_ball, share);
+void check_velocities(const Velocities& got, Number alpha, std::int64_t n, double share) {
+  const std::array<cl_RA, 4> v = after(codegen::exact(double(alpha)), n);
+  const double of_ball = std::sqrt(1 / double(alpha));
+  check_near<Number>(got.a, v[0], 1, share);
+  check_near<Number>(got.b, v[1], 1, share);
+  check_near<Number>(got.c, v[2], of_ball, share);
+  check_near<Number>(got.c_prime, v[3], of_ball, share);
 }
 template <class Function>
 bool throws(const Function& f) {
@@ -70,36 +73,29 @@ void check_edge(Number end, double towards, const Function& f) {
 
 TEST_CASE("exact velocities are those of the collisions, for any n") {
   for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("22/7"), cl_RA("1/1000003")}) {
-    Motion m{alpha};
     for (int n = 0; n <= 40; ++n) {
       const auto v = velocities_exact<cl_RA>(alpha, n);
-      CHECK((v.a == m.a && v.b == m.b && v.c == m.c && v.c_prime == m.ball));
-      m.cycle();
+      CHECK(std::array{v.a, v.b, v.c, v.c_prime} == after(alpha, n));
     }
   }
 }
 TEST_CASE("exact terminal velocities, from the counts") {
   for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("1/100"), cl_RA("9/10"), cl_RA("5")}) {
-    Motion m{alpha};
-    std::int64_t N_A = 0;
-    std::int64_t N_B = 0;
-    while (m.a > m.ball) {
-      Motion::collide(alpha, m.a, m.ball);
-      ++N_A;
-      if (!(m.ball > m.b)) break;
-      Motion::collide(alpha, m.b, m.ball);
-      ++N_B;
-    }
+    law::ThreeBodies<cl_RA> m = bodies<cl_RA>(1, 1, alpha, 1);
+    while (m.approach() > 0) m.collide();
+    const int N_A = (m.N + 1) / 2;
+    const int N_B = m.N / 2;
+    const auto [a, b, ball] = m.v;
     const auto v = terminal_exact<cl_RA>(alpha, N_A, N_B);
-    CHECK((v.a_t == m.a && v.b_t == m.b && v.c_t == m.ball && v.rho == m.b * m.b));
+    CHECK((v.a_t == a && v.b_t == b && v.c_t == ball && v.rho == b * b));
     const auto closed = terminal_closed<double>(near(alpha));
     const auto tangent = terminal_tangent<double>(near(alpha));
     CHECK((closed.N_A == double(N_A) && closed.N_B == double(N_B)));
     CHECK((tangent.N_A == double(N_A) && tangent.N_B == double(N_B)));
-    check_near(closed.b_t, m.b, 1, 1e-13);
-    check_near(tangent.a_t, m.a, 1, 1e-14);
-    check_near(tangent.c_t, m.ball, 1, 1e-13);
-    check_near(tangent.rho, m.b * m.b, 1, 1e-14);
+    check_near(closed.b_t, b, 1, 1e-13);
+    check_near(tangent.a_t, a, 1, 1e-14);
+    check_near(tangent.c_t, ball, 1, 1e-13);
+    check_near(tangent.rho, b * b, 1, 1e-14);
   }
   CHECK(throws([] { terminal_exact<cl_RA>(1, 0, 1); }));
   CHECK(throws([] { velocities_exact<cl_RA>(1, -1); }));
@@ -109,12 +105,10 @@ TEMPLATE_TEST_CASE("plain velocities hold at the ends of what they state", "", d
   const TestType least = TestType(0x1p-300);
   for (std::int64_t n : {0, 1, 2, 7}) {
     for (const TestType alpha : {least, TestType(0.125), TestType(1), TestType(0x1p20)}) {
-      Motion m{codegen::exact(double(alpha))};
-      for (std::int64_t k = 0; k < n; ++k) m.cycle();
       const double lost = 1 + double(alpha);  // what a rounded psi loses
-      check_velocities<TestType>(velocities_closed(alpha, n), m, 1e-14 * lost);
-      check_velocities<TestType>(velocities_product(alpha, n), m, 1e-14 * lost);
-      check_velocities<TestType>(velocities_tangent(alpha, n), m, 1e-14);
+      check_velocities(velocities_closed(alpha, n), alpha, n, 1e-14 * lost);
+      check_velocities(velocities_product(alpha, n), alpha, n, 1e-14 * lost);
+      check_velocities(velocities_tangent(alpha, n), alpha, n, 1e-14);
     }
     const TestType most = TestType(0x1p300);
     for (const auto& v : {velocities_tangent(most, n).c, velocities_product(most, n).c}) {
@@ -182,69 +176,50 @@ TEMPLATE_TEST_CASE("matrices turn the velocities, and Lambda is Gamma_B Gamma_A 
   check_edge(TestType(-0x1p50), -INFINITY, [](TestType x) { return lambda_3(x); });
 }
 
-namespace {
-/// Three bodies of any masses, or two and a wall, by their laws alone: V = L = 1.
-struct Bodies {
-  double A, per_B, C, e;
-  double v[3] = {1, 0, 0}, x[3] = {0, 1, 0}, time = 0;
-  bool A_next = true;
-  double approach() const { return A_next ? v[0] - v[2] : v[2] - v[1]; }
-  void collide() {
-    const double share = per_B * C, centre = A_next ? (A * v[0] + C * v[2]) / (A + C)
-                                                    : (share * v[2] + v[1]) / (share + 1);
-    for (double* u : {A_next ? &v[0] : &v[1], &v[2]}) *u = (1 + e) * centre - e * *u;
-    A_next = !A_next;
-  }
-  void wait() {
-    const double t = (A_next ? x[2] - x[0] : x[1] - x[2]) / approach();
-    time += t;
-    for (int i = 0; i < 3; ++i) x[i] += t * v[i];
-  }
-};
-}  // namespace
-
 TEST_CASE("three bodies with restitution, and a wall, move as their laws say") {
   constexpr double near_enough = 1e-11;
-  for (const Bodies& start :
-       {Bodies{1, 1, 0.1, 1}, Bodies{2, 0.3, 0.25, 0.9}, Bodies{1, 0, 0.01, 1},
-        Bodies{3, 0, 0.2, 0.95}, Bodies{0.5, 4, 0.02, 0.98}}) {
-    Bodies m = start;
-    const double q_e = shape_exact(m.A, m.per_B, m.C, m.e).q_e;
-    const double h_e = angle_restitution(m.A, m.per_B, m.C, m.e, q_e).h_e;
-    const double N_e = count_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e).N_e;
+  for (const auto& start : {bodies<double>(1, 1, 0.1, 1), bodies<double>(2, 0.3, 0.25, 0.9),
+                            bodies<double>(1, 0, 0.01, 1), bodies<double>(3, 0, 0.2, 0.95),
+                            bodies<double>(0.5, 4, 0.02, 0.98)}) {
+    law::ThreeBodies<double> m = start;
+    const double q_e = shape_exact(m.A_mass, m.per_B, m.ball, m.e).q_e;
+    const double h_e = angle_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e).h_e;
+    const double N_e = count_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e).N_e;
     double power = 1;
     int j = 0;
     for (; m.approach() > 0; ++j, power *= std::sqrt(m.e)) {
       INFO("collision " << j << ", wall: " << (m.per_B == 0));
       if (j > 0) m.wait();
       const double turn = j % 2 == 0 ? 1 : -1;
-      const auto at = at_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e, j, turn, power);
+      const auto at = at_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e, j, turn, power);
       CHECK(std::fabs(at.moment - m.time) <= near_enough * (1 + m.time));
-      CHECK(std::fabs(at.blocks - (m.x[1] - m.x[0])) <= near_enough * (1 + m.time));
-      CHECK(std::fabs(at.place - m.x[2]) <= near_enough * (1 + m.time));
+      CHECK(std::fabs(at.blocks - (m.place[1] - m.place[0])) <= near_enough * (1 + m.time));
+      CHECK(std::fabs(at.place - m.place[2]) <= near_enough * (1 + m.time));
       m.collide();
-      const auto after = after_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e, j, turn, power);
+      const auto after =
+          after_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e, j, turn, power);
       CHECK(std::fabs(after.A_next - m.v[0]) <= near_enough);
       CHECK(std::fabs(after.B_next - m.v[1]) <= near_enough);
       CHECK(std::fabs(after.C_next - m.v[2]) <= 10 * near_enough);
     }
     CHECK(N_e == j);
     CHECK(throws([&] {
-      at_restitution(m.A, m.per_B, m.C, m.e, q_e, h_e, j, j % 2 == 0 ? 1.0 : -1.0, power);
+      at_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e, j, j % 2 == 0 ? 1.0 : -1.0, power);
     }));
-    CHECK(throws([&] { angle_restitution(m.A, m.per_B, m.C, m.e, 0.0); }));
+    CHECK(throws([&] { angle_restitution(m.A_mass, m.per_B, m.ball, m.e, 0.0); }));
   }
 }
 
 TEST_CASE("the time of a collapse is what the times of collisions come to") {
-  for (const Bodies& start : {Bodies{1, 1, 1, 0.05}, Bodies{2, 0, 0.5, 0.04}}) {
-    Bodies m = start;
-    const double q_e = shape_exact(m.A, m.per_B, m.C, m.e).q_e;
+  for (const auto& start : {bodies<double>(1, 1, 1, 0.05), bodies<double>(2, 0, 0.5, 0.04)}) {
+    law::ThreeBodies<double> m = start;
+    const double q_e = shape_exact(m.A_mass, m.per_B, m.ball, m.e).q_e;
     for (int j = 0; j < 30; ++j) {
       m.collide();
       m.wait();
     }
-    CHECK(std::fabs(collapse_restitution(m.A, m.per_B, m.C, m.e, q_e).t_end - m.time) <= 1e-8);
-    CHECK(throws([&] { collapse_restitution(m.A, m.per_B, m.C, m.e, 0.1); }));
+    CHECK(std::fabs(collapse_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e).t_end - m.time) <=
+          1e-8);
+    CHECK(throws([&] { collapse_restitution(m.A_mass, m.per_B, m.ball, m.e, 0.1); }));
   }
 }
