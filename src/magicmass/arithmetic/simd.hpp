@@ -37,6 +37,17 @@ inline constexpr bool has_fma = true;
 inline constexpr bool has_fma = false;
 #endif
 
+#if defined(__x86_64__) || defined(__i386__)
+/// Whether the processor runs what is compiled for a target, and the system saves its registers.
+[[gnu::always_inline]] inline bool runs_avx2() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+}
+[[gnu::always_inline]] inline bool runs_avx512() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
+}
+#endif
+
 typedef double Simd __attribute__((vector_size(8 * lanes)));
 typedef std::int64_t SimdMask __attribute__((vector_size(8 * lanes)));
 // One number is compared and selected in a register of two: no branch, so nothing to mispredict.

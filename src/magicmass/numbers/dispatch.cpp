@@ -2,6 +2,7 @@
 // Which of the compiled tables this processor can run.
 #include <cstring>
 
+#include "magicmass/arithmetic/simd.hpp"
 #include "magicmass/numbers/kernels.hpp"
 
 namespace magicmass::numbers {
@@ -19,16 +20,12 @@ extern const Kernels table;
 namespace {
 struct Target {
   const Kernels* table;
-  bool (*runs)();  // asks the system, too, whether it saves the registers
+  bool (*runs)();
 };
 const Target targets[] = {
 #if defined(MAGICMASS_HAS_X86_TABLES)
-    {&avx512::table,
-     [] {
-       return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
-              __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("fma");
-     }},
-    {&avx2::table, [] { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }},
+    {&avx512::table, [] { return arithmetic::runs_avx512(); }},
+    {&avx2::table, [] { return arithmetic::runs_avx2(); }},
 #endif
     {&baseline::table, [] { return true; }}};
 }  // namespace
