@@ -2,8 +2,12 @@
 // Times beside naive, and the report as an answer.
 #include "report/report.hpp"
 
+#include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
+
+#include <nlohmann/json.hpp>
 
 #include "catch.hpp"
 
@@ -41,6 +45,22 @@ TEST_CASE("A table of 14 columns, a row for each implementation", "[check]") {
   for (const answers::Row& row : table.rows) {
     CHECK(row.size() == 14);
     CHECK(row[10].json != "null");
+  }
+}
+
+TEST_CASE("Each form that the manifest has of a quantity is measured", "[exam]") {
+  const std::map<std::string, std::string> ours{{"collision", "collisions"},
+                                                {"magic", "ratios"},
+                                                {"deficient", "ratios"},
+                                                {"evaluator", "accurate"},
+                                                {"exact", "exact rational"}};
+  const auto word = [&](const std::string& of) { return ours.contains(of) ? ours.at(of) : of; };
+  std::map<std::string, std::set<std::string>> forms;
+  for (const Implementation& one : implementations()) forms[name_of(one.quantity)].insert(one.name);
+  for (const auto& entry : nlohmann::json::parse(std::ifstream(MANIFEST))) {
+    const auto of = forms.find(word(entry.at("name")));
+    INFO(entry.at("name") << ", " << entry.at("form"));
+    CHECK((of == forms.end() || of->second.contains(word(entry.at("form")))));
   }
 }
 
