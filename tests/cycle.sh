@@ -13,5 +13,5 @@ edited() { # file, test
   printf '%-40s %-12s %3d s\n' "$1" "$2" $((SECONDS - begin))
 }
 edited symbolic/derivation/power.cpp derivation
-edited symbolic/codegen/passes.cpp codegen
+edited symbolic/codegen/passes/names.cpp codegen
 edited src/magicmass/numbers/ladder.cpp numbers
