@@ -114,6 +114,10 @@ grep -hoE '^#include <[A-Za-z0-9_]+[/.][^>]*>' "${code[@]}" | sed 's/#include </
     esac
 done
 
+# One file knows a processor.
+grep -lE '__AVX|__builtin_cpu|immintrin|__ARM|__aarch64' "${code[@]}" | grep -v '^tests/\|/arithmetic/simd.hpp$' |
+  sed 's/$/: names a processor, which simd.hpp alone may/' >>"$broken" || true
+
 # 5. Files are as the committed .clang-format prints them, where that clang-format is.
 if [[ ${2-} == format ]]; then
   clang-format --dry-run --Werror "${code[@]}" 2>&1 | grep 'error:' | sed 's/error: .*/not as .clang-format prints it/' >>"$broken" || true

@@ -33,6 +33,7 @@ fresh && echo 'int a = 1; int b = 2;' >>"$copy/symbolic/kernel/a.cpp" && expect 
 fresh && echo 'const char* s = "a; b";  // one; two' >>"$copy/symbolic/kernel/a.cpp" && expect ""
 fresh && echo 'int a;' >"$copy/symbolic/kernel/a.inc" && expect "a.inc: this ending"
 fresh && echo 'int a;' >"$copy/symbolic/kernel/a.ixx" && expect "a.ixx: this ending"
+fresh && echo '#ifdef __AVX2__' >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp: names a processor"
 fresh && echo 'int a;' >"$copy/lost.cpp" && expect "lost.cpp: is in no room"
 fresh && for _ in {1..1500}; do echo true; done >"$copy/long.sh" && expect "scripts: 15"
 fresh && echo '#include "codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see symbolic/codegen"
