@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A child holds one end of a pipe: a byte on it hides the progress line, its end is the child's.
+// A child holds one end of a pipe: numbers on it tell of rows, its end is the child's.
 #include "command/bounded.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -58,6 +59,8 @@ public:
       write_to_terminal("\r" + name_ + ": " + std::to_string(seconds) + " s" + limit + "\033[K");
     }
   }
+  std::uint64_t rows = 0;  ///< that are done
+
   void hide() {
     if (shown_ > 0) write_to_terminal("\r\033[K");
     shown_ = 0;
@@ -72,7 +75,7 @@ private:
 };
 
 [[noreturn]] void run_child(const Limits& limits, int to_parent,
-                            const std::function<ExitCode(const HideProgress&)>& action) {
+                            const std::function<ExitCode(const Tell&)>& action) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit no_core{0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -81,8 +84,9 @@ private:
     const rlimit memory{bytes, bytes};
     ::setrlimit(RLIMIT_AS, &memory);
   }
-  const ExitCode code =
-      action([to_parent] { [[maybe_unused]] const ssize_t ignored = ::write(to_parent, "h", 1); });
+  const ExitCode code = action([to_parent](std::uint64_t rows) {
+    [[maybe_unused]] const ssize_t ignored = ::write(to_parent, &rows, sizeof rows);
+  });
   ::_exit(static_cast<int>(code));
 }
 
@@ -93,9 +97,13 @@ bool wait_for(int from_child, const Limits& limits, Progress& progress) {
   while (Clock::now() - start < limit) {
     pollfd watched{from_child, POLLIN, 0};
     if (::poll(&watched, 1, 100) > 0) {
-      std::array<char, 64> bytes{};
-      if (::read(from_child, bytes.data(), bytes.size()) == 0) return true;
-      progress.hide();
+      std::array<std::uint64_t, 64> told{};
+      const ssize_t bytes = ::read(from_child, told.data(), sizeof told);
+      if (bytes == 0) return true;
+      for (std::size_t i = 0; i < std::size_t(std::max<ssize_t>(bytes, 0)) / sizeof told[0]; ++i) {
+        if (told[i] == 0) progress.hide();
+        progress.rows = std::max(progress.rows, told[i]);
+      }
     }
     progress.show(Clock::now() - start);
   }
@@ -120,7 +128,7 @@ ExitCode verdict(const std::string& name, int status, const Limits& limits) {
 }  // namespace
 
 ExitCode run_bounded(const std::string& name, const Limits& limits,
-                     const std::function<ExitCode(const HideProgress&)>& action) {
+                     const std::function<ExitCode(const Tell&)>& action) {
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
     throw answers::Undecided(name + ": no pipe: " + std::strerror(errno));
@@ -143,8 +151,9 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   ::close(pipe[0]);
   progress.hide();
   if (!is_done) {
-    return say(name + ": not done after " + std::to_string(limits.seconds) +
-                   " s; a smaller question may do, or a longer --time-limit",
+    return say(name + ": not done after " + std::to_string(limits.seconds) + " s" +
+                   (progress.rows > 0 ? ", only " + std::to_string(progress.rows) + " rows" : "") +
+                   "; a smaller question may do, or a longer --time-limit",
                ExitCode::undecided);
   }
   return verdict(name, status, limits);

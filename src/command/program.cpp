@@ -49,12 +49,13 @@ void open_standard_streams() {
 class RowsAnswered {
 public:
   RowsAnswered(const Asked& asked, const CsvReader& reader, Destination& output,
-               answers::Names columns)
+               answers::Names columns, const Tell& tell)
       : command_(*asked.command),
         reader_(reader),
         output_(output),
         format_(answers::format_of(asked.request.format)),
-        writer_(format_, std::move(columns), true) {}
+        writer_(format_, std::move(columns), true),
+        tell_(tell) {}
 
   void add(const answers::Rows& rows) {
     answers::Block block;
@@ -66,9 +67,11 @@ public:
       } else {
         answer_alone(rows.request(row), reader_.place(rows.fields.size() - 1 - row));
         if (bytes_ > most_bytes) write_alone();
+        tell_(done_ + row + 1);
       }
     }
     write_alone();
+    tell_(done_ += rows.fields.size());
   }
   void end() {
     write_alone();
@@ -81,6 +84,8 @@ private:
   Destination& output_;
   answers::Format format_;
   answers::Writer writer_;
+  const Tell& tell_;
+  std::uint64_t done_ = 0;
   std::vector<answers::Row> alone_ = {};
   std::size_t bytes_ = 0;  // of these
   std::string text_ = {};
@@ -108,7 +113,7 @@ private:
 };
 
 /// Each row of the input is a request.
-void answer_rows(const Asked& asked, Destination& output) {
+void answer_rows(const Asked& asked, Destination& output, const Tell& tell) {
   constexpr std::size_t rows_at_once = 4096;
   std::vector<std::string> may_be_columns, others;
   for (const Option& option : asked.command->options)
@@ -122,17 +127,17 @@ void answer_rows(const Asked& asked, Destination& output) {
   for (const Option& option : asked.command->options)
     if (option.is_required && !any_row.has(option.name))
       throw InvalidInput(reader.place() + "no column " + option.name);
-  RowsAnswered answered(asked, reader, output, asked.command->columns(any_row));
+  RowsAnswered answered(asked, reader, output, asked.command->columns(any_row), tell);
   while (reader.read(rows.fields, rows_at_once)) answered.add(rows);
   answered.end();
 }
 
-ExitCode answer(const Asked& asked, const HideProgress& hide_progress) {
+ExitCode answer(const Asked& asked, const Tell& tell) {
   const bool is_folder = asked.request.format == asked.command->folder_format;
-  Destination output(is_folder ? "" : asked.request.text("output"), hide_progress);
+  Destination output(is_folder ? "" : asked.request.text("output"), [&] { tell(0); });
   ExitCode code = ExitCode::done;
   if (asked.request.has("input")) {
-    answer_rows(asked, output);
+    answer_rows(asked, output, tell);
   } else {
     const answers::Answer given = asked.command->run(asked.request);
     if (given.stream)
@@ -163,8 +168,8 @@ ExitCode run(const Program& program, const std::vector<std::string>& words) {
   }
   const Asked& asked = std::get<Asked>(parsed);
   const std::string& name = asked.command->name;
-  return run_bounded(name, asked.limits, [&](const HideProgress& hide) {
-    return guarded(name, [&] { return answer(asked, hide); });
+  return run_bounded(name, asked.limits, [&](const Tell& tell) {
+    return guarded(name, [&] { return answer(asked, tell); });
   });
 }
 
