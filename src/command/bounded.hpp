@@ -14,9 +14,9 @@ namespace command {
 using Tell = std::function<void(std::uint64_t rows)>;
 
 /// Runs the action in a child with these limits and returns its exit code. Where that was late, out
-/// of memory or crashed, says so after `name`, with rows done and what would do, and returns ExitCode::undecided.
-/// After a second a terminal on stderr shows how long it has been. Ends by the signal that ended
-/// the child, where that was the user's.
+/// of memory or crashed, says so after `name`, with the rows done and what would do, and returns
+/// ExitCode::undecided. After a second a terminal on stderr shows how long it has been. Ends by the
+/// signal that ended the child, where that was the user's.
 ExitCode run_bounded(const std::string& name, const Limits& limits,
                      const std::function<ExitCode(const Tell&)>& action);
 
