@@ -92,7 +92,7 @@ Theorem one_more_angle(const Sums& s, const Theorem& pascal, const Theorem& vani
                {s.pow_next(c_x, n), at(s.coefficients[0], {{n, n + 1}}), s.coefficients[0]});
   Theorems starts{even_0, at(odd_term, {{j, 0}})}, nexts{even_term, at(odd_term, {{j, j + 1}})};
   for (const Expr& of : {n + 1, n})
-    for (const std::size_t which : {0, 1}) {
+    for (const std::size_t which : {0U, 1U}) {
       starts.push_back(at(s.sums[which], {{n, of}}));
       nexts.push_back(at(s.sums[which + 2], {{n, of}}));
     }

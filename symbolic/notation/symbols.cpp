@@ -127,9 +127,9 @@ std::string alike(const std::string& name, const std::set<std::string>& names) {
 std::string parted(const std::string& word, const std::set<std::string>& names) {
   if (names.contains(word)) return word;
   for (const std::string& name : names) {
-    const std::size_t mark = name.find_last_not_of("0123456789");  // u2 is u_2
+    const std::size_t before = name.find_last_not_of("0123456789");  // u2 is u_2
     std::string plain = name;
-    if (mark < name.size() - 1 && name[mark] == '_') plain.erase(mark, 1);
+    if (before < name.size() - 1 && name[before] == '_') plain.erase(before, 1);
     for (const std::string& form : {name, plain}) {
       if (!word.starts_with(form)) continue;
       if (word == form) return name;

@@ -68,7 +68,7 @@ TEST_CASE("collisions that never end come to an end in time") {
     const Row row = asked(alpha, e);
     CHECK(row[2].json == "null");
     CHECK(row[3].text == "infinitely many");
-    for (const std::size_t body : {4, 5, 6})
+    for (const std::size_t body : {4U, 5U, 6U})
       CHECK(row[body].text == shown(1 / (2 + *fraction_of(alpha_of(alpha)))));
     CHECK_THROWS_AS(asked(alpha, e, "exact"), Undecided);
     const double end = std::stod(row[8].text);
