@@ -9,6 +9,7 @@
 #include <cln/real.h>
 
 #include "catch.hpp"
+#include "law_of_collision.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/oracle/rational.hpp"
 
@@ -23,18 +24,10 @@ struct Motion {
 };
 /// Until none takes place, or `most` have.
 Motion motion(const cl_RA& alpha, const cl_RA& e, int most) {
-  Values v{1, 0, 0, 0};
-  int j = 0;
-  for (; j < most; ++j) {
-    cl_RA& block = v[j % 2 == 0 ? 0 : 1];
-    const cl_RA closing = j % 2 == 0 ? block - v[2] : v[2] - block;
-    if (closing <= 0) break;
-    const cl_RA gain = (1 + e) * (v[2] - block) / (1 + alpha);
-    block = block + gain * alpha;
-    v[2] = v[2] - gain;
-  }
-  v[3] = v[1] * v[1];
-  return {j, v};
+  law::ThreeBodies<cl_RA> bodies{1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
+  while (bodies.N < most && bodies.approach() > 0) bodies.collide();
+  const auto& [a, b, c] = bodies.v;
+  return {bodies.N, {a, b, c, b * b}};
 }
 double size(const cl_RA& x) { return std::fabs(cln::double_approx(x)); }
 /// The largest error in envelopes, or -1 where counts differ.

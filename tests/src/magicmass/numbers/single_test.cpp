@@ -3,56 +3,45 @@
 #include <cfenv>
 #include <limits>
 
-#include "catch.hpp"
-#include "magicmass/numbers/fast.hpp"
 #include "magicmass/oracle/certain.hpp"
-#include "src/magicmass/numbers/by_oracle.hpp"
-#include "src/magicmass/numbers/families.hpp"
+#include "src/magicmass/numbers/checks.hpp"
 
 using namespace magicmass;
 using namespace magicmass::testing;
 
 TEST_CASE("every family is rounded right, and counted right") {
   Random random(21);
-  for (const Family& family : families) {
-    for (int row = 0; row < 25; ++row) {
-      const double alpha = family.alpha(random);
-      INFO(family.name << ", alpha = " << in_hex(alpha));
-      const std::optional<Counts> counts = counts_by_oracle(alpha);
-      REQUIRE(count_collisions(alpha) == counts);
-      const std::optional<Terminal> terminal = accurate::terminal(alpha);
-      REQUIRE(terminal.has_value() == counts.has_value());
-      if (terminal) REQUIRE(*terminal == terminal_by_oracle(alpha, *counts));
-      const std::int64_t n = some_cycle(random, alpha);
-      INFO("n = " << n);
-      REQUIRE(accurate::velocities(alpha, n) == velocities_by_oracle(alpha, n));
-    }
-  }
+  for_families(random, 25, [&](double alpha) {
+    const std::optional<Counts> counts = counts_by_oracle(alpha);
+    REQUIRE(count_collisions(alpha) == counts);
+    const std::optional<Terminal> terminal = accurate::terminal(alpha);
+    REQUIRE(terminal.has_value() == counts.has_value());
+    if (terminal) REQUIRE(*terminal == terminal_by_oracle(alpha, *counts));
+    const std::int64_t n = some_cycle(random, alpha);
+    INFO("n = " << n);
+    REQUIRE(accurate::velocities(alpha, n) == velocities_by_oracle(alpha, n));
+  });
 }
 TEST_CASE("errors of fast: at most 3 envelopes, and 2^-50 of its body's fastest; counts exact") {
   Random random(22);
-  for (const Family& family : families) {
-    for (int row = 0; row < 12; ++row) {
-      const double alpha = family.alpha(random);
-      const std::int64_t n = some_cycle(random, alpha);
-      INFO(family.name << ", alpha = " << in_hex(alpha) << ", n = " << n);
-      const Velocities v = fast::velocities(alpha, n);
-      CHECK(envelopes_of(v, alpha, n) <= 3);
-      const std::optional<Terminal> terminal = fast::terminal(alpha);
-      if (!terminal) continue;
-      REQUIRE(terminal->counts == counts_by_oracle(alpha));
-      CHECK(envelopes_of(*terminal, alpha) <= 3);
-      // The ball is fastest in the middle, B at the end.
-      const double ball = velocities_by_oracle(alpha, (terminal->counts.N_A + 1) / 2).c;
-      const Terminal end = terminal_by_oracle(alpha, terminal->counts);
-      const Velocities exact = velocities_by_oracle(alpha, n);
-      for (const double off :
-           {v.a - exact.a, (v.b - exact.b) / end.b_t, (v.c - exact.c) / ball,
-            (v.c_prime - exact.c_prime) / ball, terminal->a_t - end.a_t,
-            (terminal->b_t - end.b_t) / end.b_t, (terminal->c_t - end.c_t) / ball})
-        CHECK(std::fabs(off) <= 0x1p-50 - 0x1p-53);  // less the oracle's rounding
-    }
-  }
+  for_families(random, 12, [&](double alpha) {
+    const std::int64_t n = some_cycle(random, alpha);
+    INFO("n = " << n);
+    const Velocities v = fast::velocities(alpha, n);
+    CHECK(envelopes_of(v, alpha, n) <= 3);
+    const std::optional<Terminal> terminal = fast::terminal(alpha);
+    if (!terminal) return;
+    REQUIRE(terminal->counts == counts_by_oracle(alpha));
+    CHECK(envelopes_of(*terminal, alpha) <= 3);
+    // The ball is fastest in the middle, B at the end.
+    const double ball = velocities_by_oracle(alpha, (terminal->counts.N_A + 1) / 2).c;
+    const Terminal end = terminal_by_oracle(alpha, terminal->counts);
+    const Velocities exact = velocities_by_oracle(alpha, n);
+    for (const double off : {v.a - exact.a, (v.b - exact.b) / end.b_t, (v.c - exact.c) / ball,
+                             (v.c_prime - exact.c_prime) / ball, terminal->a_t - end.a_t,
+                             (terminal->b_t - end.b_t) / end.b_t, (terminal->c_t - end.c_t) / ball})
+      CHECK(std::fabs(off) <= 0x1p-50 - 0x1p-53);  // less the oracle's rounding
+  });
 }
 TEST_CASE("rational alpha up to the last cycle") {
   Random random(23);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Ratios, the angle and the nearest threshold.
-#include "catch.hpp"
-#include "magicmass/numbers/fast.hpp"
 #include "magicmass/oracle/certain.hpp"
-#include "src/magicmass/numbers/by_oracle.hpp"
-#include "src/magicmass/numbers/families.hpp"
+#include "src/magicmass/numbers/checks.hpp"
 
 using namespace magicmass;
 using namespace magicmass::testing;
@@ -34,51 +31,30 @@ double distance_by_oracle(double alpha, bool is_magic, std::int64_t k) {
 TEST_CASE("ratios are rounded right") {
   Random random(31);
   CHECK(accurate::ratios(1).magic == 1);
-  for (int row = 0; row < 150; ++row) {
-    const std::int64_t k = row < 20 ? row + 1 : some_whole(random, row % 2 == 0 ? 1e6 : 0x1p62);
-    INFO("k = " << k);
-    const Ratios exact = ratios_by_oracle(k);
-    REQUIRE(accurate::ratios(k) == exact);
-    const Ratios near = fast::ratios(k);
-    CHECK_THAT(near.magic, WithinULP(exact.magic, 1));
-    CHECK_THAT(near.deficient, WithinULP(exact.deficient, 1));
-  }
-  for (const std::int64_t k : {(std::int64_t{1} << 50) + 1, INT64_MAX}) {
-    CHECK(accurate::ratios(k) == ratios_by_oracle(k));
-  }
+  for (int row = 0; row < 150; ++row)
+    check_ratios(row < 20 ? row + 1 : some_whole(random, row % 2 == 0 ? 1e6 : 0x1p62));
+  for (const std::int64_t k : {(std::int64_t{1} << 50) + 1, INT64_MAX}) check_ratios(k);
 }
 TEST_CASE("the angle is rounded right for every alpha") {
   Random random(32);
-  for (const Family& family : families) {
-    for (int row = 0; row < 12; ++row) {
-      const double alpha = family.alpha(random);
-      INFO(family.name << ", alpha = " << in_hex(alpha));
-      const double exact = angle_by_oracle(alpha);
-      REQUIRE(accurate::angle(alpha) == exact);
-      CHECK_THAT(fast::angle(alpha), WithinULP(exact, 1));
-    }
-  }
+  for_families(random, 12, check_angle);
 }
 TEST_CASE("the nearest threshold and its distance") {
   Random random(33);
-  for (const Family& family : families) {
-    for (int row = 0; row < 8; ++row) {
-      const double alpha = family.alpha(random);
-      INFO(family.name << ", alpha = " << in_hex(alpha));
-      const std::optional<Threshold> t = nearest_threshold(alpha);
-      REQUIRE(t.has_value() == counts_by_oracle(alpha).has_value());
-      if (!t) continue;
-      REQUIRE(t->distance == distance_by_oracle(alpha, t->is_magic, t->k));
-      // alpha_k > beta_k > alpha_(k+1): neither neighbour is nearer.
-      const double above =
-          t->is_magic && t->k == 1
-              ? 1e300
-              : distance_by_oracle(alpha, !t->is_magic, t->is_magic ? t->k - 1 : t->k);
-      const double below = distance_by_oracle(alpha, !t->is_magic, t->is_magic ? t->k : t->k + 1);
-      CHECK(std::fabs(above) >= std::fabs(t->distance));
-      CHECK(std::fabs(below) >= std::fabs(t->distance));
-    }
-  }
+  for_families(random, 8, [&](double alpha) {
+    const std::optional<Threshold> t = nearest_threshold(alpha);
+    REQUIRE(t.has_value() == counts_by_oracle(alpha).has_value());
+    if (!t) return;
+    REQUIRE(t->distance == distance_by_oracle(alpha, t->is_magic, t->k));
+    // alpha_k > beta_k > alpha_(k+1): neither neighbour is nearer.
+    const double above =
+        t->is_magic && t->k == 1
+            ? 1e300
+            : distance_by_oracle(alpha, !t->is_magic, t->is_magic ? t->k - 1 : t->k);
+    const double below = distance_by_oracle(alpha, !t->is_magic, t->is_magic ? t->k : t->k + 1);
+    CHECK(std::fabs(above) >= std::fabs(t->distance));
+    CHECK(std::fabs(below) >= std::fabs(t->distance));
+  });
   CHECK(nearest_threshold(0x1.1c7397cb68b7ep-18)->k == 539);
   CHECK(nearest_threshold(0x1.bc7fb47556f22p-29)->k == 19530);
   CHECK_FALSE(nearest_threshold(0x1.bc7fb47556f22p-29)->is_magic);
