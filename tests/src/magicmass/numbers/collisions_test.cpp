@@ -12,14 +12,8 @@ std::int64_t number_of_collisions(double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   return counts ? counts->N_A + counts->N_B : INT64_MAX;
 }
-/// 0, 1, 2, the last ones, or any between.
 std::int64_t some_collision(Random& random, double alpha) {
-  const std::int64_t number = number_of_collisions(alpha);
-  const std::uint64_t way = random() % 4;
-  if (way == 0) return std::min<std::int64_t>(std::int64_t(random() % 4), number - 1);
-  if (way == 1) return number - 1 - std::int64_t(random() % 2);
-  if (way == 2) return std::int64_t(random() % std::uint64_t(number));
-  return std::int64_t(std::fmin(std::floor(log_uniform(random, 1, 0x1p62)), double(number / 2)));
+  return some_index(random, number_of_collisions(alpha) - 1);
 }
 }  // namespace
 

@@ -3,6 +3,7 @@
 // seed gives the same rows everywhere but for libm's last bits.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -76,15 +77,17 @@ struct Table {
   std::array<std::vector<std::int64_t>, 2> counts;
 };
 
-/// 0, 1, N_A - 1, N_A, or any between; where N_A + N_B is beyond 63 bits any number below 2^62.
+/// 0 to 3, one of the last two, or any between; `last` may be INT64_MAX.
+inline std::int64_t some_index(Random& random, std::int64_t last) {
+  const std::uint64_t way = random() % 5;
+  if (way == 0) return std::min(std::int64_t(random() % 4), last);
+  if (way <= 2) return last - std::int64_t(random() % 2);
+  if (way == 3) return std::int64_t(random() % (std::uint64_t(last) + 1));
+  return std::int64_t(std::fmin(std::floor(log_uniform(random, 1, 0x1p62)), double(last / 2)));
+}
+/// Where N_A + N_B is beyond 63 bits, any number below 2^62.
 inline std::int64_t some_cycle(Random& random, double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
-  const std::int64_t last = counts ? counts->N_A : INT64_MAX / 2;
-  const std::uint64_t way = random() % 5;
-  if (way == 0) return random() % 4 == 0 ? 0 : 1;
-  if (way == 1) return last - 1;
-  if (way == 2) return last;
-  if (way == 4) return std::int64_t(random() % std::uint64_t(last));
-  return std::int64_t(std::fmin(std::floor(log_uniform(random, 1, 0x1p62)), double(last / 2)));
+  return some_index(random, counts ? counts->N_A : INT64_MAX / 2);
 }
 }  // namespace magicmass::testing
