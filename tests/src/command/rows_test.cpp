@@ -2,12 +2,12 @@
 // CSV as it is written, and as it should not be.
 #include "command/rows.hpp"
 
-#include <filesystem>
 #include <fstream>
 #include <map>
 
 #include "answers/errors.hpp"
 #include "catch.hpp"
+#include "host/child.hpp"
 #include "refusal.hpp"
 
 using command::CsvReader;
@@ -15,31 +15,23 @@ using Rows = std::vector<std::map<std::string, std::string>>;
 
 namespace {
 
-/// A file for the time of a test.
-class Csv {
-public:
-  std::size_t rows_at_once = 2;
-  explicit Csv(const std::string& text) { std::ofstream(name_, std::ios::binary) << text; }
-  ~Csv() { std::filesystem::remove(name_); }
-  Csv(const Csv&) = delete;
-  Csv& operator=(const Csv&) = delete;
+const host::TemporaryFolder folder("rows");
+const std::string file = folder.path + "/rows.csv";
 
-  Rows rows() const {
-    CsvReader reader(name_, {"alpha", "n"}, {"tier"});
-    Rows all;
-    std::vector<std::vector<std::string>> block;
-    while (reader.read(block, rows_at_once)) {
-      for (const std::vector<std::string>& fields : block) {
-        all.emplace_back();
-        for (std::size_t i = 0; i < fields.size(); ++i) all.back()[reader.columns()[i]] = fields[i];
-      }
+/// The rows of a text, two at once.
+Rows rows_of(const std::string& text) {
+  std::ofstream(file, std::ios::binary) << text;
+  CsvReader reader(file, {"alpha", "n"}, {"tier"});
+  Rows all;
+  std::vector<std::vector<std::string>> block;
+  while (reader.read(block, 2)) {
+    for (const std::vector<std::string>& fields : block) {
+      all.emplace_back();
+      for (std::size_t i = 0; i < fields.size(); ++i) all.back()[reader.columns()[i]] = fields[i];
     }
-    return all;
   }
-
-private:
-  std::string name_ = "rows_test.csv";
-};
+  return all;
+}
 
 }  // namespace
 
@@ -55,17 +47,15 @@ TEST_CASE("what is read", "[exam]") {
            "\"alpha\",\"n\"\n\"0.1\" , \"2\"\n\"1/7\",3\n",
            "alpha,other,n\n0.1,,2\n1/7,\"a,\"\"b\"\"\",3\n",
        }) {
-    CHECK(Csv(text).rows() == two);
+    CHECK(rows_of(text) == two);
   }
-  CHECK(Csv("alpha\n").rows().empty());
-  CHECK(Csv("alpha\n\"a \"\"b\"\"\"\n").rows() == Rows{{{"alpha", "a \"b\""}}});
+  CHECK(rows_of("alpha\n").empty());
+  CHECK(rows_of("alpha\n\"a \"\"b\"\"\"\n") == Rows{{{"alpha", "a \"b\""}}});
 }
 
 TEST_CASE("what is refused, and where", "[exam]") {
-  const std::string file = "rows_test.csv:";
   const auto refuses = [&](const std::string& text, const std::string& message) {
-    const Csv csv(text);
-    CHECK(refusal<answers::InvalidInput>([&] { csv.rows(); }) == file + message);
+    CHECK(refusal<answers::InvalidInput>([&] { rows_of(text); }) == file + ":" + message);
   };
   refuses("", "1: the first line must name a column, got (nothing); allowed: alpha, n");
   refuses("beta\n1\n", "1: the first line must name a column, got beta; allowed: alpha, n");
@@ -82,7 +72,7 @@ TEST_CASE("what is refused, and where", "[exam]") {
           "2: something follows a quoted field; allowed: a comma or the line's end");
   refuses(std::string("alpha\n1\0\n", 9), "2: a zero byte; allowed: text");
   refuses("alpha\n" + std::string(65537, '1') + "\n", "2: a line of more than 65536 bytes");
-  CHECK(Csv("alpha\n" + std::string(65536, '1') + "\n").rows().size() == 1);
+  CHECK(rows_of("alpha\n" + std::string(65536, '1') + "\n").size() == 1);
 }
 
 TEST_CASE("what is not a file", "[exam]") {
