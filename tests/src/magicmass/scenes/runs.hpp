@@ -17,9 +17,11 @@ inline Scene scene_of(const std::string& text, bool is_exact = false) {
 inline Result result_of(const std::string& text, bool is_exact = false) {
   return run(scene_of(text, is_exact));
 }
+/// Those that the scene wants to see.
 inline std::vector<Row> rows_of(const Scene& scene) {
   std::vector<Row> rows;
-  stream(scene, run(scene).plan, [&](const Row& row) { rows.push_back(row); });
+  const auto keep = [&](const Row& row) { rows.push_back(row); };
+  stream(scene, run(scene).plan, keep, scene.every);
   return rows;
 }
 /// Gap, time, position, velocities after it.
