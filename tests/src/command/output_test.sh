@@ -14,6 +14,10 @@ check() { # what it shows, command
     failed=1
   fi
 }
+run() { # command, whose exit code is then in status
+  status=0
+  "$@" || status=$?
+}
 holds() { [[ $(cat "$1") == "$2" ]]; }                      # file, text
 only() { [[ $(ls -A) == "$(printf '%s\n' "$@" | sort)" ]]; } # names
 fresh() { rm -rf "$scratch/place" && mkdir "$scratch/place" && cd "$scratch/place"; }
@@ -40,14 +44,12 @@ echo mine >".magicmass-1-0" && echo old >file
 "$program" check -o file || true
 check "a failed check is written" holds file "not proved"
 check "somebody's file is not consumed" holds .magicmass-1-0 mine
-status=0
-"$program" crash -o file 2>errors || status=$?
+run "$program" crash -o file 2>errors
 check "after a crash the file is as it was" holds file "not proved"
 check "and the exit code is 3" test $status = 3
-status=0
-"$program" many --lines 100000 -o file 2>errors --time-limit 1 || status=$?
+run "$program" many --lines 100000 -o file 2>errors --time-limit 1
 check "enough time: done" test $status = 0
-(ulimit -f 8 && "$program" many --lines 100000 -o file 2>errors) || status=$?
+(ulimit -f 8 && "$program" many --lines 100000 -o file 2>errors) || true
 check "a file too large for its limit: refused" grep -q 'cannot write file: File too large' errors
 check "and the old one is there, whole" test "$(tail -n 1 file)" = 100000
 
@@ -77,14 +79,11 @@ check "links in a circle stay" test -L round -a -L about
 check "and are refused" grep -q 'cannot write round: Too many levels' errors
 "$program" many --lines 3 -o whole <&- >&- 2>&-
 check "with all streams closed the file is whole" holds whole "$three"
-status=0
-"$program" many --lines 3 >&- 2>errors || status=$?
+run "$program" many --lines 3 >&- 2>errors
 check "closed stdout: said in one line" test $status = 2 -a "$(wc -l <errors)" = 1
-status=0
-"$program" many --lines 3 <&- >&- 2>errors || status=$?
+run "$program" many --lines 3 <&- >&- 2>errors
 check "closed stdin and stdout: said in one line" test $status = 2 -a "$(wc -l <errors)" = 1
-status=0
-"$program" bug 2>/dev/full || status=$?
+run "$program" bug 2>/dev/full
 check "a full stderr does not change the exit code" test $status = 3
 
 fresh
@@ -95,8 +94,7 @@ for signal in INT TERM HUP KILL; do
   until pgrep -P $! >/dev/null; do sleep 0.01; done
   child=$(pgrep -P $!)
   kill -$signal $!
-  status=0
-  wait $! 2>/dev/null || status=$?
+  run wait $! 2>/dev/null
   check "SIG$signal: it ends by the signal" test $status = $((128 + $(kill -l $signal)))
   for _ in {1..200}; do [[ -e /proc/$child/exe ]] || break; sleep 0.01; done
   check "SIG$signal: its child is gone" test ! -e "/proc/$child/exe"
@@ -107,8 +105,7 @@ fresh
 "$program" wait 2>errors &
 until pgrep -P $! >/dev/null; do sleep 0.01; done
 kill -TERM "$(pgrep -P $!)"
-status=0
-wait $! 2>/dev/null || status=$?
+run wait $! 2>/dev/null
 check "the child alone ended by SIGTERM: so does the program" test $status = 143
 
 fresh
@@ -125,8 +122,7 @@ for signal in INT KILL none; do
   until [[ -e $(echo magicmass-*/file) ]]; do sleep 0.01; done
   sleeper=$(pgrep -f 'sleep 60' -P "$(pgrep -d, -P "$(pgrep -P $!)")") # its watcher's child
   if [[ $signal == none ]]; then
-    status=0
-    wait $! || status=$?
+    run wait $!
     check "late: exit code 3" test $status = 3
     check "late: no folder is left when it says so" test -z "$(ls -A)"
   else
@@ -136,11 +132,10 @@ for signal in INT KILL none; do
   gone "SIG$signal" "$sleeper"
 done
 unset TMPDIR
-status=0
 (trap '' INT && exec "$program" wait --time-limit 2 2>errors) &
 until pgrep -P $! >/dev/null; do sleep 0.01; done
 kill -INT $! "$(pgrep -P $!)"
-wait $! || status=$?
+run wait $!
 check "SIGINT that is ignored on entry stays ignored" test $status = 3
 
 fresh
