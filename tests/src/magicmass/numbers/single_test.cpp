@@ -3,7 +3,6 @@
 #include <cfenv>
 #include <limits>
 
-#include "magicmass/oracle/certain.hpp"
 #include "src/magicmass/numbers/checks.hpp"
 
 using namespace magicmass;

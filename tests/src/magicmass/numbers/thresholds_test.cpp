@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Ratios, the angle and the nearest threshold.
-#include "magicmass/oracle/certain.hpp"
 #include "src/magicmass/numbers/checks.hpp"
 
 using namespace magicmass;
@@ -19,8 +18,7 @@ struct Distance {
   }
 };
 oracle::MassRatio threshold(bool is_magic, std::int64_t k) {
-  const cln::cl_I whole = static_cast<long long>(k);
-  return is_magic ? oracle::magic(whole) : oracle::deficient(whole);
+  return is_magic ? oracle::magic(whole(k)) : oracle::deficient(whole(k));
 }
 double distance_by_oracle(double alpha, bool is_magic, std::int64_t k) {
   return oracle::certain(threshold(is_magic, k), Distance{oracle::exact(alpha)},
