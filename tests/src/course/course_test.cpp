@@ -61,12 +61,10 @@ std::string html(const Chapter& chapter) {
 std::string refused(const Chapter& chapter) {
   return refusal<answers::InvalidInput>([&] { html(chapter); });
 }
-/// With one thing replaced in its text.
+/// With something replaced in its text.
 Chapter spoiled(const std::string& what, const std::string& by) {
   Chapter chapter = small_chapter();
-  const std::size_t at = chapter.text.find(what);
-  REQUIRE(at != std::string::npos);
-  chapter.text.replace(at, what.size(), by);
+  learn::replace_all(chapter.text, what, by);
   return chapter;
 }
 
