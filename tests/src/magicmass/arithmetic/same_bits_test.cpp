@@ -4,17 +4,15 @@
 
 #include "catch.hpp"
 
-namespace magicmass::arithmetic {
-namespace baseline {
+namespace magicmass::arithmetic::baseline {
 std::uint64_t fingerprint();
 }
-namespace avx2 {
+namespace magicmass::arithmetic::avx2 {
 std::uint64_t fingerprint();
 }
-namespace avx512 {
+namespace magicmass::arithmetic::avx512 {
 std::uint64_t fingerprint();
 }
-}  // namespace magicmass::arithmetic
 
 TEST_CASE("all targets give the same bits as one number at a time") {
   // As g++ 12 and clang 14 give it on x86-64 and aarch64.

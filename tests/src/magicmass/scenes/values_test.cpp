@@ -45,8 +45,7 @@ TEST_CASE("values are kept as what they are", "[exam]") {
     CHECK_THROWS_WITH(read_value(text).to_double(), text + says);
 }
 
-TEST_CASE("ratios of the paper in a quadratic field are exact, and are those of the paper",
-          "[exam]") {
+TEST_CASE("ratios of the paper in a quadratic field are exact, and are right", "[exam]") {
   for (const int k : {1, 2})
     for (const std::string name : {"magic:", "deficient:"}) {
       INFO(name << k);
