@@ -26,7 +26,8 @@ inline std::vector<Row> rows_of(const Scene& scene) {
 }
 /// Gap, time, position, velocities after it.
 using Numbers = std::array<double, 5>;
-inline Numbers numbers(const Row& row) {
+template <class Scalar>
+Numbers numbers(const simulator::Collision<Scalar>& row) {
   return {double(row.gap), number(row.time), number(row.position), number(row.v_left),
           number(row.v_right)};
 }

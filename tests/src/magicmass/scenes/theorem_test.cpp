@@ -14,10 +14,7 @@ using cln::cl_RA;
 
 namespace {
 using Line = law::ThreeBodies<cl_RA>;
-struct Step {
-  std::size_t left;
-  cl_RA time, x, v_left, v_right;
-};
+using Step = magicmass::simulator::Collision<cl_RA>;
 /// The first collisions, at most so many; the line is then as after them.
 std::vector<Step> stepped(Line& line, int most) {
   std::vector<Step> rows;
@@ -26,8 +23,8 @@ std::vector<Step> stepped(Line& line, int most) {
     line.wait();
     const bool is_left = line.A_next();
     line.collide();
-    rows.push_back(
-        {is_left ? std::size_t(0) : 1, line.time, line.place[2], is_left ? A : C, is_left ? C : B});
+    rows.push_back({line.N, is_left ? std::size_t(1) : 2, line.time, line.place[2], is_left ? A : C,
+                    is_left ? C : B});
   }
   return rows;
 }
@@ -68,11 +65,6 @@ Line random_line(std::mt19937_64& random) {
           {drift + fraction(1, 12, 4), drift, drift},
           {start, start + free + L, start + free}};
 }
-double near(const cl_RA& x) { return Quadratic(x).to_double().value_or(0.0); }
-Numbers numbers(const Step& step) {
-  return {double(step.left + 1), near(step.time), near(step.x), near(step.v_left),
-          near(step.v_right)};
-}
 bool holds(const Ball& ball, const cl_RA& x) {
   const cl_RA width = ball.high() - ball.low(), most = cln::expt(cl_RA(2), -100);
   return ball.low() <= x && x <= ball.high() && width < most * (1 + cln::abs(x));
@@ -85,9 +77,9 @@ void compare(const Trio& trio, const std::vector<Step>& rows, const Line& after)
     INFO(j);
     const auto index = std::int64_t(j);
     const Trio::Collision c = trio.collision(shape, index);
-    REQUIRE(trio.gap(index) == rows[j].left + 1);
+    REQUIRE(trio.gap(index) == rows[j].gap);
     REQUIRE(holds(c.time, rows[j].time));
-    REQUIRE(holds(c.position, rows[j].x));
+    REQUIRE(holds(c.position, rows[j].position));
     REQUIRE(holds(c.v_left, rows[j].v_left));
     REQUIRE(holds(c.v_right, rows[j].v_right));
   }
@@ -154,14 +146,14 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
     REQUIRE(result.events == std::int64_t(rows.size()));
     REQUIRE(count == result.events);
     for (std::size_t k = 0; k < bodies; ++k)
-      REQUIRE(number(result.terminal[k]) == near(line.v[(2 * k) % 3]));  // A, C, B
+      REQUIRE(number(result.terminal[k]) == number(line.v[(2 * k) % 3]));  // A, C, B
     compare(trio, rows, line);
     std::size_t n = 0;
     stream(scene_of(text), {"events", true, ""}, [&](const Row& row) {
       const Step& step = rows.at(n++);
-      REQUIRE(row.gap == step.left + 1);
+      REQUIRE(row.gap == step.gap);
       REQUIRE(std::get<Quadratic>(row.time) == Quadratic(step.time));
-      REQUIRE(std::get<Quadratic>(row.position) == Quadratic(step.x));
+      REQUIRE(std::get<Quadratic>(row.position) == Quadratic(step.position));
       REQUIRE(std::get<Quadratic>(row.v_left) == Quadratic(step.v_left));
       REQUIRE(std::get<Quadratic>(row.v_right) == Quadratic(step.v_right));
     });
@@ -236,7 +228,7 @@ TEST_CASE("of a collapse those collisions are told whose times differ", "[exam]"
     CHECK(rows[i] == numbers(expected[i]));
     CHECK((i == 0 || rows[i - 1][1] < rows[i][1]));
   }
-  CHECK(near(expected[117].time) == rows[116][1]);
+  CHECK(number(expected[117].time) == rows[116][1]);
   const Scene scene = scene_of(text, true);
   const Result result = run(scene);
   CHECK(result.status == Status::collapse);
