@@ -12,16 +12,23 @@ namespace magicmass::scenes {
 namespace {
 using cln::cl_I;
 using cln::cl_RA;
-/// The restitution forms have a domain since doubles have exponents; balls have none. What the
-/// theorems ask for holds: masses above 0, 0 < e <= 1, the sign of q_e, as many collisions.
-struct Unbounded : Ball {
+/// A number for which no guard of a restitution form refuses anything.
+struct Unguarded : Ball {
   using Ball::Ball;
-  Unbounded(const Ball& x) : Ball(x) {}
-  friend bool operator<(const Unbounded&, const Unbounded&) { return true; }
-  friend bool operator>(const Unbounded&, const Unbounded&) { return true; }
-  friend bool operator<=(const Unbounded&, const Unbounded&) { return true; }
-  friend bool operator>=(const Unbounded&, const Unbounded&) { return true; }
+  Unguarded(const Ball& x) : Ball(x) {}
+  friend bool operator<(const Unguarded&, const Unguarded&) { return true; }
+  friend bool operator>(const Unguarded&, const Unguarded&) { return true; }
+  friend bool operator<=(const Unguarded&, const Unguarded&) { return true; }
+  friend bool operator>=(const Unguarded&, const Unguarded&) { return true; }
 };
+/// A restitution form of the motion. Its guards are ranges of doubles' exponents, which balls do
+/// not have. What its theorems ask for is seen to elsewhere: masses above 0 and 0 < e <= 1 by
+/// simulator::fault(), the sign of q_e by who calls, no more collisions than there are by count(),
+/// and no divisor that may be 0 by Ball.
+template <class Form, class... More>
+auto value_of_form(const Form& form, const Trio::Shape& s, const More&... more) {
+  return form(s.A, s.per_B, 1, s.e, s.q_e, more...);
+}
 }  // namespace
 
 Ball ball_of(const Value& value) {
@@ -83,10 +90,10 @@ std::optional<Quadratic> Trio::exact_q_e() const {
 }
 Trio::Shape Trio::shape() const {
   const Ball C = ball_of(C_);
-  Shape s{ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), 1, ball_of(e_), 0};
+  Shape s{ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), ball_of(e_), 0};
   const auto q_e = exact_q_e();
-  s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact(s.A, s.per_B, s.C, s.e).q_e;
-  if (s.q_e > 0) s.h_e = generated::angle_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e).h_e;
+  s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact<Ball>(s.A, s.per_B, 1, s.e).q_e;
+  if (s.q_e > 0) s.h_e = value_of_form(generated::angle_restitution<Unguarded>, s).h_e;
   return s;
 }
 /// magic.counts, deficient.counts
@@ -118,7 +125,7 @@ std::optional<std::int64_t> Trio::count() const {
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();
     if (s.q_e <= 0) return 0;
-    return generated::count_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e).N_e.low();
+    return value_of_form(generated::count_restitution<Unguarded>, s, s.h_e).N_e.low();
   };
   const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
   if (N == 0) return {};
@@ -127,7 +134,7 @@ std::optional<std::int64_t> Trio::count() const {
 }
 
 Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
-  Stepping now(s.A, s.C, B_ ? std::optional(s.C / s.per_B) : std::nullopt, s.e);
+  Stepping now(s.A, 1, B_ ? std::optional(1 / s.per_B) : std::nullopt, s.e);
   while (now.collisions < collisions) now.step();
   return now;
 }
@@ -157,8 +164,8 @@ Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& p
 Trio::Velocities Trio::in_units(const Shape& s, std::int64_t collisions) const {
   if (collisions == 0) return {1, 0, 0};
   const std::int64_t j = collisions - 1;
-  const auto v = generated::after_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j,
-                                                         turn(j), power_of(s, j));
+  const auto v =
+      value_of_form(generated::after_restitution<Unguarded>, s, s.h_e, j, turn(j), power_of(s, j));
   Velocities all{v.A_next, v.C_next, j == 0 || !B_ ? Ball(0) : Ball(v.B_next)};  // B was not met
   const auto& N = at_threshold_;
   if (N && *N % 2 == 0) {  // magic.velocities
@@ -185,8 +192,8 @@ Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
     Stepping now = stepped(s, j);
     return step(s, now);
   }
-  const auto at = generated::at_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e, s.h_e, j,
-                                                       turn(j), power_of(s, j));
+  const auto at =
+      value_of_form(generated::at_restitution<Unguarded>, s, s.h_e, j, turn(j), power_of(s, j));
   return in_scene(j, at.moment, at.place, in_units(s, j + 1));
 }
 std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N) const {
@@ -204,7 +211,7 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
   return all;
 }
 Trio::Collapse Trio::collapse(const Shape& s) const {
-  const auto end = generated::collapse_restitution<Unbounded>(s.A, s.per_B, s.C, s.e, s.q_e);
+  const auto end = value_of_form(generated::collapse_restitution<Unguarded>, s);
   const Ball time = time_of(end.t_end);
   if (!B_) return {time, place_of(time, 1), 0};
   return {time, place_of(time, end.x_end), velocity_of(end.v_end)};

@@ -39,7 +39,7 @@ public:
   /// What all of the motion depends on, with the bits that are set now; in units of V, L and the
   /// mass of C.
   struct Shape {
-    Ball A, per_B, C, e, q_e;
+    Ball A, per_B, e, q_e;
     Ball h_e = 0;  ///< where q_e is above 0
   };
   Shape shape() const;
