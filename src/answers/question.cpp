@@ -1,13 +1,74 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/question.hpp"
 
+#include <cmath>
 #include <sstream>
 
 #include "answers/errors.hpp"
-#include "answers/paper.hpp"
+#include "answers/motion.hpp"
 #include "answers/velocities.hpp"
 
 namespace answers {
+namespace {
+
+using notation::Alpha;
+using notation::Deficient;
+using notation::Magic;
+
+/// Between two neighbours on a logarithmic axis.
+double between(const Alpha& one, const Alpha& other) {
+  return std::sqrt(nearest(one) * nearest(other));
+}
+
+/// A maximum or a minimum, and a range about it that has no other.
+struct Range {
+  bool is_maximum;
+  double low, high;
+};
+
+Range range_of(const Alpha& near) {
+  if (const auto* magic = std::get_if<Magic>(&near)) {
+    const double low = between(Deficient{magic->k}, near);
+    return {true, low, magic->k == 1 ? 1 / low : between(near, Deficient{magic->k - 1})};
+  }
+  if (const auto* deficient = std::get_if<Deficient>(&near))
+    return {false, between(Magic{deficient->k + 1}, near), between(near, Magic{deficient->k})};
+  throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
+}
+
+double rho_at(double alpha, const cln::cl_RA& e) { return std::stod(rho(alpha, e).text); }
+
+/// psi over pi.
+Answer angle(const Request& request) {
+  const Alpha alpha = alpha_of(request.text("alpha"));
+  const auto turns = [&] {
+    return Balls{right_side_at("rotation.psi", ball_of(alpha)) / Ball::pi()};
+  };
+  return {{{"psi_over_pi"}, {rounded(turns)}, false}, ""};
+}
+
+/// Where rho has the extremum that an elastic motion has at `near`, a magic:k or deficient:k, for a
+/// restitution below 1, a fraction, and the shift in percent. The place has 7 decimals unless told
+/// otherwise: a search finds no more.
+Answer extremum(const Request& request) {
+  const Alpha near = alpha_of(request.text("near"));
+  const Alpha restitution = alpha_of(request.text("restitution"));
+  const auto* e = std::get_if<cln::cl_RA>(&restitution);
+  if (e == nullptr || *e >= 1) throw InvalidInput("restitution: allowed: a fraction below 1");
+  const double scale = std::pow(10, double(request.whole("decimals", 0, 7).value_or(7)));
+  auto [is_maximum, low, high] = range_of(near);
+  while (high - low > 1e-9) {  // rho is flat at a maximum: nearer, its last bits decide
+    const double third = (high - low) / 3;
+    const bool rises = rho_at(low + third, *e) < rho_at(high - third, *e);
+    (rises == is_maximum ? low : high) = rises == is_maximum ? low + third : high - third;
+  }
+  const double elastic = nearest(near);
+  const double place = std::round((low + high) / 2 * scale) / scale;
+  const double percent = std::round(1e5 * (place - elastic) / elastic) / 1e3;
+  return {{{"alpha", "elastic", "shift"}, {real_cells({place, elastic, percent})}, false}, ""};
+}
+
+}  // namespace
 
 std::map<std::string, std::string> answer_to(const std::string& question) {
   static const std::map<std::string, Answer (*)(const Request&)> commands{
@@ -28,6 +89,13 @@ std::map<std::string, std::string> answer_to(const std::string& question) {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     cells.emplace(table.columns[i], table.rows.back()[i].text);
   return cells;
+}
+
+bool are_equal(const std::string& one, const std::string& other) {
+  const auto left = magicmass::scenes::read_value(one);
+  const auto right = magicmass::scenes::read_value(other);
+  if (other.find('.') != std::string::npos) return left.to_double() == right.to_double();
+  return right.exact() != nullptr && left.is(*right.exact());
 }
 
 }  // namespace answers

@@ -6,7 +6,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "answers/paper.hpp"
 #include "answers/question.hpp"
 
 namespace command {
