@@ -175,11 +175,9 @@ Answer verify(const Request&) {
 
 Answer verified(const kernel::Theorems& shown, const std::string& problem) {
   const bool has_failed = !problem.empty();
-  Answer answer{{{"proved", "failed", "steps"},
-                 {{whole_cell(shown.size()), whole_cell(has_failed ? 1 : 0),
-                   whole_cell(coq::proofs_of(shown).size())}},
-                 false},
-                ""};
+  Answer answer{one_row({{"proved", whole_cell(shown.size())},
+                         {"failed", whole_cell(has_failed ? 1 : 0)},
+                         {"steps", whole_cell(coq::proofs_of(shown).size())}})};
   answer.check_failed = has_failed;
   if (has_failed) answer.note = "verify: not proved: " + problem;
   return answer;

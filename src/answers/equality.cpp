@@ -99,19 +99,17 @@ Answer equal(const Request& request) {
     notes.insert(notes.end(), verdict.notes.begin(), verdict.notes.end());
     for (auto note = notes.begin(); note != notes.end(); ++note)  // of both sides: said once
       notes.erase(std::remove(note + 1, notes.end(), *note), notes.end());
-    const Row row{text_cell(equality::word(verdict.answer)),
-                  text_cell(verdict.proof),
-                  counterexample_cell(verdict),
-                  list_cell(verdict.domain),
-                  list_cell(verdict.conditions),
-                  verdict.theorem.empty() ? missing_cell() : text_cell(verdict.theorem),
-                  list_cell(notes)};
-    return {{{"verdict", "proof", "counterexample", "domain", "conditions", "theorem", "notes"},
-             {row},
-             false},
-            "",
-            verdict.answer == equality::Answer::Different,
-            verdict.answer == equality::Answer::Undecided};
+    Answer answer{
+        one_row({{"verdict", text_cell(equality::word(verdict.answer))},
+                 {"proof", text_cell(verdict.proof)},
+                 {"counterexample", counterexample_cell(verdict)},
+                 {"domain", list_cell(verdict.domain)},
+                 {"conditions", list_cell(verdict.conditions)},
+                 {"theorem", verdict.theorem.empty() ? missing_cell() : text_cell(verdict.theorem)},
+                 {"notes", list_cell(notes)}})};
+    answer.check_failed = verdict.answer == equality::Answer::Different;
+    answer.is_undecided = verdict.answer == equality::Answer::Undecided;
+    return answer;
   } catch (const kernel::Refused& r) {
     throw InvalidInput("equal: " + place + shown_text(r.what(), 300));
   }

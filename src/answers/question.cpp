@@ -44,7 +44,7 @@ Answer angle(const Request& request) {
   const auto turns = [&] {
     return Balls{right_side_at("rotation.psi", ball_of(alpha)) / Ball::pi()};
   };
-  return {{{"psi_over_pi"}, {rounded(turns)}, false}, ""};
+  return {one_row({{"psi_over_pi", rounded(turns)[0]}})};
 }
 
 /// Where rho has the extremum that an elastic motion has at `near`, a magic:k or deficient:k, for a
@@ -65,7 +65,9 @@ Answer extremum(const Request& request) {
   const double elastic = nearest(near);
   const double place = std::round((low + high) / 2 * scale) / scale;
   const double percent = std::round(1e5 * (place - elastic) / elastic) / 1e3;
-  return {{{"alpha", "elastic", "shift"}, {real_cells({place, elastic, percent})}, false}, ""};
+  return {one_row({{"alpha", real_cell(place)},
+                   {"elastic", real_cell(elastic)},
+                   {"shift", real_cell(percent)}})};
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Request {
 /// A table, or a document that is printed as it is (a derivation, a figure).
 struct Answer {
   Table table;
-  std::string document;       ///< instead of the table where it is not empty
+  std::string document = {};  ///< instead of the table where it is not empty
   bool check_failed = false;  ///< not proved, stale: exit code 1
   bool is_undecided = false;  ///< exit code 3, with what is known
   std::string note = {};      ///< for stderr, where the format has no place for it

@@ -55,16 +55,6 @@ Cell short_cell(const Number& number, bool exact) {
   return {digits.str(), cell.json};
 }
 
-/// The one row of a table.
-Table table_of(const Fields& fields) {
-  Table table{{}, {{}}, false};
-  for (const auto& [name, cell] : fields) {
-    table.columns.push_back(name);
-    table.rows[0].push_back(cell);
-  }
-  return table;
-}
-
 Fields status_fields(const Result& result) {
   Fields fields{{"status", text_cell(status_name(result.status))}};
   if (!result.why.empty()) fields.emplace_back("why", text_cell(result.why));
@@ -186,10 +176,10 @@ void write_all(const Asked& asked, Format format, const Write& write) {
     const bool is_points = asked.scene.wants("trajectory") && !asked.scene.wants("events");
     write_list(is_points ? points : events, asked, format, write);
     if (format == Format::json_lines && asked.result.status != Status::complete)
-      write(written(table_of(status_fields(asked.result)), format));
+      write(written(one_row(status_fields(asked.result)), format));
     return;
   }
-  std::string head = written(table_of(head_fields(asked)), format);
+  std::string head = written(one_row(head_fields(asked)), format);
   if (format == Format::json) head.erase(head.size() - 2);  // "}\n"
   write(head);
   for (const List& list : {events, points}) {
@@ -209,7 +199,7 @@ Answer plan(const Request& request) {
   const Result result = asked(request, "plan").result;
   Fields fields = plan_fields(result);
   if (result.status == Status::limited) fields.emplace_back("limited", text_cell(result.why));
-  Answer answer{table_of(fields), ""};
+  Answer answer{one_row(fields)};
   answer.is_undecided = result.is_undecided;
   return answer;
 }

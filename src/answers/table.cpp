@@ -153,6 +153,15 @@ Cell object_cell(const Fields& fields) {
   return {joined(texts), "{" + joined(pairs) + "}"};
 }
 
+Table one_row(const Fields& fields) {
+  Table table{{}, {{}}, false};
+  for (const auto& [name, cell] : fields) {
+    table.columns.push_back(name);
+    table.rows[0].push_back(cell);
+  }
+  return table;
+}
+
 Writer::Writer(Format format, Names columns, bool is_list)
     : format_(format), columns_(std::move(columns)), is_list_(is_list) {
   for (const std::string& column : columns_) {

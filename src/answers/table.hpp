@@ -59,6 +59,8 @@ struct Table {
   std::vector<Row> rows;
   bool is_list = true;  ///< else the one row is the answer: a JSON object, a block of text
 };
+/// The one row of an answer, its cells with their columns' names.
+Table one_row(const Fields& fields);
 
 enum class Format { text, json, json_lines, csv };  // JSON Lines: an object a line
 /// Of --format; text where it is none of tables.
