@@ -25,10 +25,7 @@ std::optional<Cradle> Cradle::of(const Places& places) {
   if (!unit_V.is(1) || !unit_L.is(1)) return {};
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
-  if (bodies < 3 || bodies % 2 == 0 || !(line.restitution == 1)) return {};
-  for (std::size_t i = 0; i < bodies; i += 2)
-    if (!masses[i].is(1)) return {};
-  if (!(Quadratic(0) < v[0])) return {};
+  if (bodies < 3 || bodies % 2 == 0) return {};
   if (std::any_of(v.begin() + 1, v.end(), [](const Quadratic& u) { return !(u == 0); })) return {};
   Cradle cradle;
   cradle.x_ = x[0];
@@ -36,14 +33,15 @@ std::optional<Cradle> Cradle::of(const Places& places) {
   cradle.ahead_ = line.right_wall;
   cradle.behind_ = line.left_wall;
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
-    const Trio trio = *Trio::of({{masses[0], masses[ball], masses[0]},
-                                 {{}, {x[0], x[ball], x[ball + 1]}, {v[0], 0, 0}, {}, {}, 1}});
-    const std::int64_t N = trio.at_threshold().value_or(1), k = N / 2;
+    const auto trio =
+        Trio::of({{masses[ball - 1], masses[ball], masses[ball + 1]},
+                  {{}, {x[0], x[ball], x[ball + 1]}, {v[0], 0, 0}, {}, {}, line.restitution}});
+    const std::int64_t N = trio ? trio->at_threshold().value_or(1) : 1, k = N / 2;
     const Quadratic L = x[ball + 1] - x[ball];
     if (N % 2 != 0 || !(Quadratic(0) < L)) return {};
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
-    if (next && *next - x[ball + 1] < L && !has_room(trio, k, *next)) return {};  // cradle.room
-    cradle.pairs_.push_back({trio, k, cradle.way_});
+    if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next)) return {};  // cradle.room
+    cradle.pairs_.push_back({*trio, k, cradle.way_});
     cradle.way_ += 2 * k;  // cradle.number
     if (cradle.way_ > most_of_way) return {};
   }
