@@ -21,10 +21,11 @@ constexpr double most_work = 5e8;  // some five seconds where exact numbers are 
 constexpr double some_work = 1e8;  // where they are only tried
 
 /// Refuses numbers that grow too long; multiplying takes more than the length.
-class Lengths {
-public:
-  Lengths(double most, std::size_t bodies)
-      : most_(most), comparisons_(1 + static_cast<double>(std::bit_width(bodies) / 4)) {}
+struct Lengths {
+  double most;
+  double comparisons;  ///< of times, in a tournament of all gaps
+  double work = 0;
+
   void look(const Collision<double>& event) {
     if (!std::isfinite(event.v_right - event.v_left))
       throw Undecided("the velocities after collision " + std::to_string(event.number) +
@@ -33,16 +34,11 @@ public:
   void look(const Collision<Quadratic>& event) {
     const std::size_t bits = std::max(event.time.bits(), event.v_right.bits());
     const auto length = static_cast<double>(bits);
-    work_ += comparisons_ * (2000 + length * (1 + length / 2000));
-    if (bits <= most_bits && work_ <= most_) return;
+    work += comparisons * (2000 + length * (1 + length / 2000));
+    if (bits <= most_bits && work <= most) return;
     throw Undecided("exact numbers become too long; possible with --max-events " +
                     std::to_string(event.number - 1));
   }
-
-private:
-  double most_;
-  double comparisons_;  // of times, in a tournament of so many bodies
-  double work_ = 0;
 };
 
 /// Exactly, of bodies in doubles too: it overflows where velocities do not.
@@ -88,7 +84,7 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   if (scene.until) until = number_of<Scalar>(*scene.until);
   const auto line = line_of<Scalar>(scene);
   Engine<Scalar> engine(line);
-  Lengths lengths(work, scene.masses.size());
+  Lengths lengths{work, 1 + static_cast<double>(std::bit_width(scene.masses.size()) / 4)};
   Result result;
   result.counts.resize(scene.masses.size() + 1);
   while (engine.next()) {
