@@ -162,7 +162,9 @@ void write_list(const List& list, const Asked& asked, Format format, const Write
     if (block.size() == rows_at_once) flush();
   });
   flush();
-  write(writer.end());
+  std::string end = writer.end();
+  if (format == Format::json) end.pop_back();  // an object goes on
+  write(end);
 }
 
 /// One list alone, without what stands before it.
@@ -185,10 +187,7 @@ void write_all(const Asked& asked, Format format, const Write& write) {
   for (const List& list : {events, points}) {
     if (!asked.scene.wants(list.name)) continue;
     write(format == Format::text ? "\n" : ", \"" + std::string(list.name) + "\": ");
-    const auto without_end = [&](std::string_view text) {
-      write(text == "\n]\n" || text == "]\n" ? text.substr(0, text.size() - 1) : text);
-    };
-    write_list(list, asked, format, format == Format::text ? write : without_end);
+    write_list(list, asked, format, write);
   }
   if (format == Format::json) write("}\n");
 }
