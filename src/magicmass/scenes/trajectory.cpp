@@ -48,8 +48,7 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
 /// Without all collisions before them.
 void follow_by_theorem(const Scene& scene, const Result& result, const Points& sink) {
   std::vector<Value> times = scene.times;
-  const auto is_earlier = [](auto& x, auto& y) { return x.to_double() < y.to_double(); };
-  std::stable_sort(times.begin(), times.end(), is_earlier);
+  std::ranges::stable_sort(times, {}, &Value::to_double);
   for (const Value& at : times) {
     const double time = at.to_double();
     if (result.known_until && time > std::get<double>(*result.known_until)) return;
