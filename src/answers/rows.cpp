@@ -47,10 +47,8 @@ std::vector<Number> option_of(const Rows& rows, const std::string& option,
 
 /// Whether the array functions answer for them.
 bool is_of_arrays(const Rows& rows) {
-  const auto& columns = rows.columns;
   return !rows.shared.has("digits") && rows.shared.text("tier") != "exact" &&
-         !rows.shared.has("restitution") &&
-         std::count(columns.begin(), columns.end(), "restitution") == 0;
+         !rows.shared.has("restitution") && std::ranges::count(rows.columns, "restitution") == 0;
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ std::string shown(const Cell& cell) { return cell.text.empty() ? "-" : cell.text
 
 /// Characters, where bytes 10xxxxxx go on with one.
 std::size_t width(std::string_view text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  return std::size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 std::string padded(const std::string& text, std::size_t to) {

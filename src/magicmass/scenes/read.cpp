@@ -31,12 +31,12 @@ bool is_too_deep(std::string_view text) {
 void check_names(const Scene& scene) {
   std::vector<std::string> names;
   for (const Key& key : keys())
-    if (key.kinds.empty() || std::count(key.kinds.begin(), key.kinds.end(), scene.kind) != 0)
+    if (key.kinds.empty() || std::ranges::count(key.kinds, scene.kind) != 0)
       names.push_back(key.name);
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   for (const auto& [name, line] : scene.lines) {
-    if (std::count(names.begin(), names.end(), name) != 0) continue;
+    if (std::ranges::count(names, name) != 0) continue;
     const std::string nearest = nearest_name(name, names);
     const std::string meant = nearest.empty() ? "" : "; is " + nearest + " meant?";
     refuse_key(scene, name.substr(0, 40), "no such key in this kind of scene" + meant, all);
@@ -139,9 +139,7 @@ toml::table table_of(std::string_view text, const std::string& source, const std
     throw InvalidInput(source + ":" + std::to_string(line) + ": " + what + "; allowed: " + allowed);
   };
   const std::size_t zero = text.find('\0');
-  if (zero != text.npos)
-    refuse(std::count(text.begin(), text.begin() + static_cast<long>(zero), '\n') + 1,
-           "a zero byte");
+  if (zero != text.npos) refuse(std::ranges::count(text.substr(0, zero), '\n') + 1, "a zero byte");
   if (is_too_deep(text)) refuse(1, "a key of more than 100 parts, or so many brackets");
   try {
     return toml::parse(text);

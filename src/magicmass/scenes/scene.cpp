@@ -9,13 +9,13 @@
 namespace magicmass::scenes {
 
 bool Scene::wants(const std::string& output) const {
-  return std::count(outputs.begin(), outputs.end(), output) != 0;
+  return std::ranges::count(outputs, output) != 0;
 }
 
 std::optional<std::size_t> Scene::receiver() const {
   const std::size_t last = masses.size() - 1;
   const auto rests = [](const Value& velocity) { return velocity.is(0); };
-  if (std::count_if(velocities.begin(), velocities.end(), rests) != std::ptrdiff_t(last)) return {};
+  if (std::ranges::count_if(velocities, rests) != std::ptrdiff_t(last)) return {};
   if (!rests(velocities[0])) return last;
   return rests(velocities[last]) ? std::nullopt : std::optional<std::size_t>(0);
 }
@@ -41,7 +41,7 @@ bool has_exact_numbers(const Scene& scene) {
   for (const auto* one : {&scene.left_wall, &scene.right_wall, &scene.until})
     if (*one) all.push_back(**one);
   cln::cl_I root = 1;
-  return std::all_of(all.begin(), all.end(), [&](const Value& value) {
+  return std::ranges::all_of(all, [&](const Value& value) {
     if (value.exact() == nullptr) return false;
     const cln::cl_I& radicand = value.exact()->radicand();
     if (root == 1) root = radicand;
@@ -71,8 +71,7 @@ simulator::Line<Scalar> line_of(const Scene& scene) {
                                all(scene.velocities),  wall(scene.left_wall),
                                wall(scene.right_wall), number(scene.restitution)};
   line.is_rounded = is_rounded;
-  line.has_rounded_velocities =
-      std::any_of(scene.velocities.begin(), scene.velocities.end(), rounds);
+  line.has_rounded_velocities = std::ranges::any_of(scene.velocities, rounds);
   return line;
 }
 template simulator::Line<double> line_of(const Scene&);
