@@ -181,16 +181,13 @@ TEST_CASE("sums, products, quotients and roots lose what the table allows, and n
       };
     };
     const std::vector<Entry> entries{
-        {"sum", 1, 4, l, l, relative(t.sum(l, l)), [](D x, D y) { return x + y; },
-         [](const cl_RA& x, const cl_RA& y) { return x + y; }},
-        {"product", 1, 4, l, l, relative(t.product(l, l)), [](D x, D y) { return x * y; },
-         [](const cl_RA& x, const cl_RA& y) { return x * y; }},
+        {"sum", 1, 4, l, l, relative(t.sum(l, l)), std::plus<>(), std::plus<>()},
+        {"product", 1, 4, l, l, relative(t.product(l, l)), std::multiplies<>(),
+         std::multiplies<>()},
         {"product by an exact number", 1, 4, l, 0, relative(t.product(l)),
-         [](D x, D y) { return times(x, y.high); },
-         [](const cl_RA& x, const cl_RA& y) { return x * y; }},
+         [](D x, D y) { return times(x, y.high); }, std::multiplies<>()},
         {"quotient", 1, 4, l, l, relative(t.quotient(l, l)),
-         [](D x, D y) { return quotient(x, y); },
-         [](const cl_RA& x, const cl_RA& y) { return x / y; }},
+         [](D x, D y) { return quotient(x, y); }, std::divides<>()},
         {"reciprocal root", 1, 4, l, l, relative(t.reciprocal_root(l)),
          [](D x, D) { return reciprocal_root(x); },
          [](const cl_RA& x, const cl_RA&) { return by_float(cln::sqrt, 1 / x); }},
@@ -209,8 +206,7 @@ TEST_CASE("sums, products, quotients and roots lose what the table allows, and n
            [](const cl_RA& x, const cl_RA& y) { return y - x / 4; }},
           500, wide);
     check({"what cancels", 1, 2, 64 * l, l, cancelling(64 * l, l),
-           [](D x, D y) { return cancelling_sum(x, -y); },
-           [](const cl_RA& x, const cl_RA& y) { return x - y; }, 128},
+           [](D x, D y) { return cancelling_sum(x, -y); }, std::minus<>(), 128},
           2000, {0.3, 0.3});
   }
 }
