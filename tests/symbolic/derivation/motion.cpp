@@ -14,6 +14,7 @@ const cln::float_format_t digits = cln::float_format(80);
 using Vector = std::vector<cl_R>;
 using Trio = law::ThreeBodies<cl_R>;
 
+cl_R acos(const cl_R& x) { return cln::realpart(cln::acos(x)); }
 cl_R root(const cl_R& x) { return cln::realpart(cln::sqrt(exact(x))); }
 /// x holds M_A, 1/M_B or 0 for a wall, M_C, e, V, and perhaps L.
 Trio trio(const Vector& x) {
@@ -130,7 +131,6 @@ int whole(const cl_R& x) {
   if (cln::abs(x - r) > tiny()) throw Undefined();
   return cln::cl_I_to_int(cln::round1(x));
 }
-cl_R acos(const cl_R& x) { return cln::realpart(cln::acos(x)); }
 
 Matrix matrix_function(const std::string& f, const Vector& x) {
   if (f == "Gamma_A") return collisions(1, x[0], true, false);

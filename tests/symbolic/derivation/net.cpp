@@ -212,6 +212,8 @@ bool truth(Expr f, const Point& point) {
   return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
 }
 
+namespace {
+/// The hypotheses are asked for there: variables at random, equations solved.
 Point random_point(const Exprs& hypotheses, Expr conclusion) {
   std::set<Expr> variables = free_variables(conclusion);
   for (const Expr& h : hypotheses) variables.merge(free_variables(h));
@@ -269,6 +271,7 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   }
   return point;
 }
+}  // namespace
 Tried tried(const Exprs& hypotheses, Expr conclusion, int wanted) {
   Tried out;
   constexpr int most_tries = 8000;

@@ -20,16 +20,13 @@ struct Undefined {};
 
 cl_R exact(const cl_R& x);
 cl_R circle();
-const cl_R& tiny();  ///< what is smaller than this is 0
-cl_R acos(const cl_R& x);
+const cl_R& tiny();        ///< what is smaller than this is 0
 int whole(const cl_R& x);  ///< x where it is an integer, else Undefined
 /// What a function is worth at numbers. Everything about the motion comes from motion.cpp.
 cl_R function(const std::string& name, const std::vector<cl_R>& x);
 Matrix matrix_function(const std::string& name, const std::vector<cl_R>& x);
 cl_R value(Expr term, const Point& point);
 bool truth(Expr formula, const Point& point);
-/// A point at which the hypotheses are asked for: variables at random, equations solved.
-Point random_point(const kernel::Exprs& hypotheses, Expr conclusion);
 
 struct Tried {
   int points = 0;        ///< that satisfy the hypotheses
