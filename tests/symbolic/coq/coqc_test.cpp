@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // coqc accepts what is emitted for each rule, each kind of definition and each axiom, and nothing
 // that was spoiled.
+#include <array>
 #include <cstdlib>
 #include <fstream>
 
@@ -123,10 +124,7 @@ TEST_CASE("coqc proves every step of the examples, and refuses what was spoiled"
   }
   CHECK(coq::foreign_assumption(said_of("assumptions")) == "");
 
-  struct Spoiled {
-    std::string chapter, from, to, says;
-  };
-  for (const Spoiled& s : std::vector<Spoiled>{
+  for (const auto& [chapter, from, to, says] : std::vector<std::array<std::string, 4>>{
            // a cofactor, a coefficient, what is not 0, a hypothesis
            {"certificates", "((x'0 + (2 * x'1)) * (", "((x'0 + (3 * x'1)) * (", "No applicable"},
            {"certificates", "((1 / 3) * ((x'2 + x'1) - 0))", "((1 / 4) * ((x'2 + x'1) - 0))",
@@ -138,10 +136,10 @@ TEST_CASE("coqc proves every step of the examples, and refuses what was spoiled"
            {"certificates", "(4 * y * y)).\nProof. exact s'", "(4 * y * x)).\nProof. exact s'",
             "has type"},
        }) {
-    INFO(s.from);
-    const std::string said = refusal("spoiled", spoiled(texts[s.chapter], s.from, s.to));
+    INFO(from);
+    const std::string said = refusal("spoiled", spoiled(texts[chapter], from, to));
     CHECK_THAT(said, ContainsSubstring("Error"));
-    CHECK_THAT(said, ContainsSubstring(s.says));
+    CHECK_THAT(said, ContainsSubstring(says));
   }
 }
 TEST_CASE("an axiom that is not of Coq's library is seen") {

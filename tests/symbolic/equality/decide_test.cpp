@@ -2,6 +2,7 @@
 // Verdicts on pairs that fell elsewhere, each family with a wrong neighbour.
 #include "equality/decide.hpp"
 
+#include <array>
 #include <fstream>
 #include <sstream>
 
@@ -11,19 +12,15 @@
 using namespace equality;
 
 namespace {
-struct Pair {
-  std::string left, right, domain, verdict;
-};
+/// Left, right, domain, verdict.
+using Pair = std::array<std::string, 4>;
 std::vector<Pair> pairs_of(const std::string& file) {
   std::ifstream in(std::string(MAGICMASS_TEST_FOLDER) + "/" + file);
   std::vector<Pair> out;
   for (std::string line; std::getline(in, line);) {
     if (line.empty() || line[0] == '#') continue;
     std::istringstream fields(line);
-    Pair pair;
-    for (std::string* field : {&pair.left, &pair.right, &pair.domain, &pair.verdict})
-      std::getline(fields, *field, '\t');
-    out.push_back(pair);
+    for (std::string& field : out.emplace_back()) std::getline(fields, field, '\t');
   }
   return out;
 }
@@ -35,9 +32,9 @@ Verdict verdict_of(const std::string& left, const std::string& right, const std:
   std::vector<std::string> unused;
   return decide(l, r, read_domain(domain, symbols, unused));
 }
-std::string word_of(const Pair& pair) {
+std::string word_of(const std::string& left, const std::string& right, const std::string& domain) {
   try {
-    return word(verdict_of(pair.left, pair.right, pair.domain).answer);
+    return word(verdict_of(left, right, domain).answer);
   } catch (const kernel::Refused&) {
     return "no point";
   }
@@ -47,10 +44,10 @@ std::string word_of(const Pair& pair) {
 TEST_CASE("Pairs have the verdict that mathematics gives them, on either side") {
   const std::vector<Pair> all = pairs_of("pairs.tsv");
   REQUIRE(all.size() > 60);
-  for (const Pair& pair : all) {
-    CAPTURE(pair.left, pair.right, pair.domain);
-    CHECK(word_of(pair) == pair.verdict);
-    CHECK(word_of({pair.right, pair.left, pair.domain, ""}) == pair.verdict);
+  for (const auto& [left, right, domain, verdict] : all) {
+    CAPTURE(left, right, domain);
+    CHECK(word_of(left, right, domain) == verdict);
+    CHECK(word_of(right, left, domain) == verdict);
   }
 }
 
