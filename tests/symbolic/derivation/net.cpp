@@ -3,6 +3,7 @@
 #include "net.hpp"
 
 #include <algorithm>
+#include <map>
 #include <random>
 #include <set>
 #include <sstream>
@@ -14,6 +15,8 @@ namespace net {
 namespace {
 using kernel::Exprs;
 using kernel::Op;
+using Point = std::map<Expr, cl_R>;  ///< values of variables
+cl_R value(Expr term, const Point& point);
 
 /// A name that the book makes for evaluation alone, such as plus_n, is what its definition says.
 Expr defined(Expr e) {
@@ -169,7 +172,6 @@ bool hits(const std::vector<cl_R>& x) {
   return sign(x[1] * x[3] + x[2] * x[4], x[1] * x[5] + x[2] * x[6]) == 0 &&
          sign(x[6] - x[5], x[0] * (x[3] - x[4])) == 0;
 }
-}  // namespace
 
 cl_R value(Expr e, const Point& point) {
   const Op op = e.op();
@@ -212,7 +214,6 @@ bool truth(Expr f, const Point& point) {
   return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
 }
 
-namespace {
 /// The hypotheses are asked for there: variables at random, equations solved.
 Point random_point(const Exprs& hypotheses, Expr conclusion) {
   std::set<Expr> variables = free_variables(conclusion);

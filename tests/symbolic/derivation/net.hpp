@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The second net: a formula's truth at a point, to 50 digits, from the law of one collision.
 #pragma once
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,7 +11,6 @@
 namespace net {
 using cln::cl_R;
 using kernel::Expr;
-using Point = std::map<Expr, cl_R>;  ///< values of variables
 using Matrix = std::vector<std::vector<cl_R>>;
 
 /// Thrown where a term has no value: 1/0, the root of a negative number, a count without speed.
@@ -25,8 +23,6 @@ int whole(const cl_R& x);  ///< x where it is an integer, else Undefined
 /// What a function is worth at numbers. Everything about the motion comes from motion.cpp.
 cl_R function(const std::string& name, const std::vector<cl_R>& x);
 Matrix matrix_function(const std::string& name, const std::vector<cl_R>& x);
-cl_R value(Expr term, const Point& point);
-bool truth(Expr formula, const Point& point);
 
 struct Tried {
   int points = 0;        ///< that satisfy the hypotheses
