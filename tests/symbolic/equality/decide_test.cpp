@@ -27,10 +27,8 @@ std::vector<Pair> pairs_of(const std::string& file) {
 Verdict verdict_of(const std::string& left, const std::string& right, const std::string& domain) {
   const Expr l = notation::read_typed(left).term;
   const Expr r = notation::read_typed(right).term;
-  std::set<std::string> symbols = notation::symbols_of(l);
-  symbols.merge(notation::symbols_of(r));
   std::vector<std::string> unused;
-  return decide(l, r, read_domain(domain, symbols, unused));
+  return decide(l, r, read_domain(domain, notation::symbols_of(eq(l, r)), unused));
 }
 std::string word_of(const std::string& left, const std::string& right, const std::string& domain) {
   try {
