@@ -23,19 +23,11 @@ std::string read(const fs::path& path) {
 }
 /// Comments are broken into lines.
 std::string unbroken(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    if (c == '/' || c == '"') continue;
-    if (c != '\n' && c != ' ') {
-      out += c;
-    } else if (!out.ends_with(' ')) {
-      out += ' ';
-    }
-  }
-  return out;
+  const std::string bare = std::regex_replace(text, std::regex("[/\"]"), "");
+  return std::regex_replace(bare, std::regex("[ \n]+"), " ");
 }
 void check_says(const std::string& header, const std::string& what) {
-  CHECK_THAT(unbroken(header), ContainsSubstring(unbroken(what)));
+  CHECK_THAT(header, ContainsSubstring(unbroken(what)));
 }
 }  // namespace
 
@@ -43,7 +35,8 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
   const json manifest = json::parse(read(fs::path(GENERATED) / "manifest.json"));
   const std::set<std::string> forms{"evaluator", "closed",   "product",    "tangent",
                                     "exact",     "matrices", "restitution"};
-  const std::string errors = read(fs::path(GENERATED) / "magicmass/evaluators/errors.txt");
+  const std::string errors =
+      unbroken(read(fs::path(GENERATED) / "magicmass/evaluators/errors.txt"));
   std::set<std::string> headers, seen;
   for (const json& entry : manifest) {
     const std::string path = entry.at("header");
@@ -51,18 +44,18 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     INFO(path << ", " << std::string(entry.at("name")));
     seen.insert(form);
     headers.insert(path);
-    const std::string header = read(fs::path(GENERATED) / path);
+    const std::string code = read(fs::path(GENERATED) / path), header = unbroken(code);
     for (const std::string name : entry.at("outputs")) {
       check_says(header, name);
       const std::regex ceilings("Ceilings of rounded numbers, maybe off[^.]* " + name + "[,.]");
       const bool is_count = form != "evaluator" && name.starts_with("N_");
-      CHECK(std::regex_search(unbroken(header), ceilings) == is_count);
+      CHECK(std::regex_search(header, ceilings) == is_count);
     }
     for (const std::string name : entry.at("inputs")) check_says(header, name);
     check_says(header, std::string(entry.at("labels")));
     check_says(header, "Operations: ");
     if (form != "evaluator" && form != "exact") check_says(header, "No error is bounded");
-    CHECK_FALSE(std::regex_search(header, std::regex("(;|\\{)\n *const Number ")));  // a why first
+    CHECK_FALSE(std::regex_search(code, std::regex("(;|\\{)\n *const Number ")));  // a why first
     CHECK_FALSE(entry.at("cases").empty());
     for (const json& c : entry.at("cases")) {
       check_says(header, std::string(c.at("domain")));
