@@ -49,12 +49,7 @@ TEST_CASE("Pairs have the verdict that mathematics gives them, on either side") 
   }
 }
 
-TEST_CASE("A counterexample is the simplest that was found, with both values") {
-  const Verdict v = verdict_of("(a+b)^2", "a^2+b^2", "");
-  REQUIRE(v.counterexample);
-  CHECK(v.counterexample->point == "a = 1, b = 1");
-  CHECK(v.counterexample->left == "4");
-  CHECK(v.counterexample->right == "2");
+TEST_CASE("A counterexample says by how little its sides are apart") {
   const Verdict close = verdict_of("x+10^-400", "x", "");
   REQUIRE(close.counterexample);
   CHECK(close.counterexample->difference == "1.000000000000000e-400");
