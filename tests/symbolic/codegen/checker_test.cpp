@@ -209,6 +209,7 @@ cln::cl_RA near_collapse(const cln::cl_RA& e, const cln::cl_RA& share) {
 /// Draws inputs of a case until its guards hold, and evaluates its definitions there.
 Point draw(const codegen::Quantity& q, const codegen::Case& c, const NumberType& type,
            std::mt19937_64& random, const Printed& steps, const auto& seen) {
+  const auto number = [&] { return double(random() >> 11) * 0x1p-53; };
   while (true) {
     Point p(type);
     for (const auto& [unit, value] : q.units) p.known[unit] = just(value.value());
@@ -223,13 +224,11 @@ Point draw(const codegen::Quantity& q, const codegen::Case& c, const NumberType&
           r = {std::max(r.low, w.range.low), std::min(r.high, w.range.high)};
       }
       const double low = std::max(r.low, 0x1p-40);
-      const double share = double(random() >> 11) * 0x1p-53;
-      double x = low * std::pow(std::min(r.high, 0x1p40) / low, share);
+      double x = low * std::pow(std::min(r.high, 0x1p40) / low, number());
       if (i.variable.sort() == kernel::Sort::Int) x = std::max(r.low, std::floor(x));
       p.known[i.variable] = just(codegen::exact(x));
     }
     if (q.name == "restitution") {
-      const auto number = [&] { return double(random() >> 11) * 0x1p-53; };
       const double e =
           random() % 2 == 0 ? std::exp2(-40 * number()) : 1 - std::exp2(-30 * number());
       const cln::cl_RA part =
