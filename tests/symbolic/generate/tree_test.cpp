@@ -20,7 +20,6 @@ struct Scratch {
     fs::create_directories(folder);
   }
   ~Scratch() { fs::remove_all(folder); }
-  std::string name() const { return folder.string(); }
 };
 }  // namespace
 
@@ -32,12 +31,12 @@ TEST_CASE("the committed files are what the theorems give, and a second time the
 TEST_CASE("what differs is named") {
   const Scratch scratch;
   const generate::Texts texts{{"a.hpp", "1\n"}, {"deep/b.hpp", "2\n"}};
-  generate::write(scratch.name(), texts);
-  CHECK(generate::differences(scratch.name(), texts).empty());
+  generate::write(scratch.folder, texts);
+  CHECK(generate::differences(scratch.folder, texts).empty());
   std::ofstream(scratch.folder / "a.hpp") << "3\n";
   std::ofstream(scratch.folder / "more.hpp") << "4\n";
   fs::remove(scratch.folder / "deep/b.hpp");
-  CHECK(generate::differences(scratch.name(), texts) ==
+  CHECK(generate::differences(scratch.folder, texts) ==
         Lines{"a.hpp: differs", "deep/b.hpp: is not there", "more.hpp: is not generated"});
 }
 TEST_CASE("a folder is written whole or not at all, and nobody's file is taken") {
@@ -45,10 +44,10 @@ TEST_CASE("a folder is written whole or not at all, and nobody's file is taken")
   std::ofstream(scratch.folder / "a.hpp") << "old\n";
   std::ofstream(scratch.folder / "a.hpp.new-0") << "somebody's\n";
   std::ofstream(scratch.folder / "deep") << "a file, no folder\n";
-  CHECK_THROWS_WITH(generate::write(scratch.name(), {{"a.hpp", "new\n"}, {"deep/b.hpp", "2\n"}}),
+  CHECK_THROWS_WITH(generate::write(scratch.folder, {{"a.hpp", "new\n"}, {"deep/b.hpp", "2\n"}}),
                     ContainsSubstring("deep"));
   CHECK(generate::differences(
-            scratch.name(),
+            scratch.folder,
             {{"a.hpp", "old\n"}, {"a.hpp.new-0", "somebody's\n"}, {"deep", "a file, no folder\n"}})
             .empty());
 }
