@@ -16,35 +16,18 @@ class Writer {
 public:
   explicit Writer(unsigned seed) : random(seed) {}
   int below(int n) { return int(random() % unsigned(n)); }
+  template <class T>
+  T one_of(const std::vector<T>& all) {
+    return all[std::size_t(below(int(all.size())))];
+  }
   /// Of the symbols x and n.
   std::string term(int depth) {
-    const std::vector<std::string> leaves{"x", "n", "2", "3", "1/2", "pi", "x", "n"};
-    if (depth == 0) return leaves[std::size_t(below(int(leaves.size())))];
+    if (depth == 0) return one_of<std::string>({"x", "n", "2", "3", "1/2", "pi", "x", "n"});
     const std::string a = term(depth - 1), b = term(depth - 1);
-    switch (below(12)) {
-      case 0:
-        return "(" + a + "+" + b + ")";
-      case 1:
-        return "(" + a + "-" + b + ")";
-      case 2:
-        return a + "*" + b;
-      case 3:
-        return "(" + a + ")/(" + b + ")";
-      case 4:
-        return "(" + a + ")^2";
-      case 5:
-        return "sqrt(" + a + ")";
-      case 6:
-        return "abs(" + a + ")";
-      case 7:
-        return "exp(-(" + a + "))";
-      case 8:
-        return "log(" + a + ")";
-      case 9:
-        return "atan(" + a + ")";
-      default:
-        return (below(2) == 0 ? "sin(" : "cos(") + a + ")";
-    }
+    return one_of<std::string>({"(" + a + "+" + b + ")", "(" + a + "-" + b + ")", a + "*" + b,
+                                "(" + a + ")/(" + b + ")", "(" + a + ")^2", "sqrt(" + a + ")",
+                                "abs(" + a + ")", "exp(-(" + a + "))", "log(" + a + ")",
+                                "atan(" + a + ")", "sin(" + a + ")", "cos(" + a + ")"});
   }
   std::mt19937 random;
 };
@@ -68,26 +51,24 @@ TEST_CASE("What is called equal agrees at random points") {
   int equal = 0;
   for (int i = 0; i < pairs; ++i) {
     const std::string f = writer.term(2), g = writer.term(1);
-    const std::vector<std::pair<std::string, std::string>> forms{
-        {"abs(" + f + ")", f},
-        {"sqrt(x-3)*abs(" + f + ")", "sqrt(x-3)*(" + f + ")"},
-        {"sqrt((" + f + ")^2)", f},
-        {"log((" + f + ")^2)", "2*log(" + f + ")"},
-        {"sqrt((" + f + ")*(" + g + "))", "sqrt(" + f + ")*sqrt(" + g + ")"},
-        {"(" + f + ")^(" + g + ")*(" + f + ")^2", "(" + f + ")^(2+" + g + ")"},
-        {"atan(tan(" + f + "))", f},
-        {"abs(" + f + ")*abs(" + g + ")", "(" + f + ")*(" + g + ")"},
-        {"sqrt((" + f + ")*(" + g + "))^2", "abs(" + f + ")*abs(" + g + ")"},
-        {"sqrt((" + f + ")*(" + g + "))^3/sqrt((" + f + ")*(" + g + "))", f + "*(" + g + ")"},
-        {"((" + f + ")^(1/(" + g + ")))^(" + g + ")", f},
-        {"(-2)^(" + f + ")*(-3)^(" + f + ")", "6^(" + f + ")"},
-        {"(-1)^(" + f + ")", "cos(pi*(" + f + "))"},
-        {"(2-sqrt(3))^(" + f + ")*(sqrt(2)+1)^(" + g + ")",
-         "(2+sqrt(3))^(-(" + f + "))/(sqrt(2)-1)^(" + g + ")"}};
-    const auto& [one, other] = forms[std::size_t(writer.below(int(forms.size())))];
-    const std::string domain =
-        std::vector<std::string>{"", "0 < x < 1", "x >= 2, n integer, n >= 1",
-                                 "n integer, 0 <= x < 1.571"}[std::size_t(writer.below(4))];
+    const auto [one, other] = writer.one_of<std::pair<std::string, std::string>>(
+        {{"abs(" + f + ")", f},
+         {"sqrt(x-3)*abs(" + f + ")", "sqrt(x-3)*(" + f + ")"},
+         {"sqrt((" + f + ")^2)", f},
+         {"log((" + f + ")^2)", "2*log(" + f + ")"},
+         {"sqrt((" + f + ")*(" + g + "))", "sqrt(" + f + ")*sqrt(" + g + ")"},
+         {"(" + f + ")^(" + g + ")*(" + f + ")^2", "(" + f + ")^(2+" + g + ")"},
+         {"atan(tan(" + f + "))", f},
+         {"abs(" + f + ")*abs(" + g + ")", "(" + f + ")*(" + g + ")"},
+         {"sqrt((" + f + ")*(" + g + "))^2", "abs(" + f + ")*abs(" + g + ")"},
+         {"sqrt((" + f + ")*(" + g + "))^3/sqrt((" + f + ")*(" + g + "))", f + "*(" + g + ")"},
+         {"((" + f + ")^(1/(" + g + ")))^(" + g + ")", f},
+         {"(-2)^(" + f + ")*(-3)^(" + f + ")", "6^(" + f + ")"},
+         {"(-1)^(" + f + ")", "cos(pi*(" + f + "))"},
+         {"(2-sqrt(3))^(" + f + ")*(sqrt(2)+1)^(" + g + ")",
+          "(2+sqrt(3))^(-(" + f + "))/(sqrt(2)-1)^(" + g + ")"}});
+    const auto domain = writer.one_of<std::string>(
+        {"", "0 < x < 1", "x >= 2, n integer, n >= 1", "n integer, 0 <= x < 1.571"});
     CAPTURE(i, one, other, domain);
     Expr left, right;
     Domain where;
@@ -109,7 +90,7 @@ TEST_CASE("What is called equal agrees at random points") {
     for (int k = 0; k < 40; ++k) {
       Point point;
       for (const auto& [symbol, range] : where.ranges) {
-        const int scale = std::vector<int>{1, 7, 1000}[std::size_t(writer.below(3))];
+        const int scale = writer.one_of<int>({1, 7, 1000});
         cln::cl_RA value = cln::cl_RA(writer.below(9000) - 3000) / scale;
         if (range.is_integer || at_whole) value = cln::floor1(value);
         if (range.contains(value)) point[symbol] = value;
