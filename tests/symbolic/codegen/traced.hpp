@@ -27,19 +27,16 @@ struct Traced {
   /// Slopes that a step of Newton's makes small are of second order.
   double worst(std::size_t from = 0) const {
     long double sum = 0;
-    for (std::size_t k = from; k < slopes.size(); ++k) sum += slope(k) * roundings[k].most;
+    for (std::size_t k = from; k < slopes.size(); ++k)
+      sum += std::fabs(slope(k)) * roundings[k].most;
     return double(sum);
   }
   double here(std::size_t from) const {
     long double sum = 0;
-    for (std::size_t k = from; k < slopes.size(); ++k) {
-      if (slope(k) > 0) sum += slopes[k] * roundings[k].here;
-    }
+    for (std::size_t k = from; k < slopes.size(); ++k) sum += slope(k) * roundings[k].here;
     return double(sum);
   }
-  long double slope(std::size_t k) const {
-    return std::fabs(slopes[k]) < 0x1p-45 ? 0 : std::fabs(slopes[k]);
-  }
+  long double slope(std::size_t k) const { return std::fabs(slopes[k]) < 0x1p-45 ? 0 : slopes[k]; }
   void add(const Traced& x, long double by) {
     slopes.resize(std::max(slopes.size(), x.slopes.size()));
     for (std::size_t k = 0; k < x.slopes.size(); ++k) slopes[k] += by * x.slopes[k];
