@@ -108,7 +108,7 @@ Texts rules(const Exercise& e) {
   for (const auto& [name, value] : e.values)
     if (e.symbols.empty()) lines[0] += "; " + name + " = " + value;
   if (!e.name.empty() && e.kind != "derivation")
-    lines.push_back("It may be an equation for: " + e.name);
+    lines.push_back("It may begin with: " + e.name + " =");
   if (!e.form.empty()) lines.push_back("Form: " + e.form);
   return lines;
 }

@@ -122,11 +122,11 @@ TEST_CASE("Each exercise is sound, in each variant") {
 TEST_CASE("What an answer may use is said of each that is typed") {
   const std::map<std::string, std::string> some{
       {"half_angle",
-       "An answer may use: alpha, psi|It may be an equation for: cos(psi/2)|Form: no trigonometric "
+       "An answer may use: alpha, psi|It may begin with: cos(psi/2) =|Form: no trigonometric "
        "functions"},
-      {"light_ball", "An answer is a number; V = 1|It may be an equation for: c"},
-      {"exact_speeds", "An answer is a number; V = 1|It may be an equation for: c_2"},
-      {"count_them", "An answer is a number|It may be an equation for: N"},
+      {"light_ball", "An answer is a number; V = 1|It may begin with: c ="},
+      {"exact_speeds", "An answer is a number; V = 1|It may begin with: c_2 ="},
+      {"count_them", "An answer is a number|It may begin with: N ="},
       {"momentum_lines", "An answer may use: M_1, M_2, u_1, u_2, v_1, v_2"},
       {"what_is_left",
        "a) A stands still, ball and B move on together|b) A and the ball stand still, B moves on "
