@@ -181,12 +181,12 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
     if (body.find(used) != std::string::npos) includes.push_back(header);
   }
   const std::string numbers =
-      is_exact
-          ? "any field, without error"
-          : "any real type of double's precision and exponents, or better, with <cmath>'s "
-            "functions; each operation is rounded as the type rounds. No error is bounded: where "
-            "terms cancel, the result has their absolute error, and few right digits where it "
-            "is far below them";
+      is_exact ? "any field, without error"
+               : "any real type of double's precision and exponents, or better, with <cmath>'s "
+                 "functions; each operation is rounded as the type rounds. No error bound is "
+                 "derived: where "
+                 "terms cancel, the result has their absolute error, and few right digits where it "
+                 "is far below them";
   result.header = broken(
       opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers +
                   ". Outside of its domain a function throws std::domain_error.",

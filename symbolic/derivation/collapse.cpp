@@ -42,7 +42,7 @@ void endless(Book& book) {
     return cut(above, at(book["wedge.never_ends"], {{j, i}}, {from_0}));
   });
   const Expr all = generalize(i, each).conclusion();
-  book.show("endless", "All collisions take place, without end, if and only if it is 1 or more:",
+  book.show("endless", "The collisions never end if and only if K is 1 or more:",
             equivalent(all, le(1, K), ends, [&](const Theorem& K_from_1) {
               return cut(K_from_1, generalize(i, each));
             }));

@@ -43,7 +43,7 @@ Theorem velocities_after(Book& book) {
   const Expr back_again = right(reverse);
   const Theorem stays =
       given(eq(-u_1, -v_1), [&](const Theorem& same) { return linear(eq(v_1, u_1), {same}); });
-  book.show("reversed", "Backwards in time it is a collision, too:",
+  book.show("reversed", "Run backwards in time, a collision is a collision again:",
             tautology(left(reverse), {reverse, linear(back_again.arg(0), {P}),
                                       linear(back_again.arg(1), {E}), stays, changes}));
 

@@ -66,9 +66,9 @@ public:
       book.show(std::string("def_") + name, words, is);
     };
     named("Q", 2, "o", "Any matrix of the plane,");
-    named("O", 3, "o", "any one of space,");
+    named("O", 3, "o", "any matrix of space,");
     named("F", 3, "r", "a frame,");
-    named("S", 3, "m", "and what a matrix is in it:");
+    named("S", 3, "m", "and a matrix as seen in that frame:");
   }
   Book& book;
   Theorem operator[](const std::string& id) const { return book[id]; }

@@ -47,12 +47,13 @@ void come_together(Book& book, const Theorem& from_1, const Theorem& x_end) {
   const Theorem distance = there("places.distance"), place = there("places.place");
   const Expr D = left(distance),
              left_over = fun("t_end", {M_A, w_B, M_C, e, V, L}) - at_collision("time", j);
-  book.show("place_left",
-            "The ball is as far from that place as the time left and the blocks' distance say,",
-            equation(left(x_end) - left(place),
-                     (w_B * M_A * V * left_over + is_P(j) * D - is_Q(j) * (w_B * M_A * D)) /
-                         mass_of_all(),
-                     {x_end, place}));
+  book.show(
+      "place_left",
+      "The ball's distance from that place follows from the time left and that of the blocks,",
+      equation(
+          left(x_end) - left(place),
+          (w_B * M_A * V * left_over + is_P(j) * D - is_Q(j) * (w_B * M_A * D)) / mass_of_all(),
+          {x_end, place}));
   // 1/side = is_P + is_Q r_B/r_A, at most 1 + r_B/r_A; powers of sqrt(e) are 1 at most, U_j j + 1
   // or more.
   const Expr root = sqrt(e), U = chebyshev(j, kappa()), ratio = r_B() / r_A();
@@ -73,7 +74,7 @@ void come_together(Book& book, const Theorem& from_1, const Theorem& x_end) {
   const Theorem is = arithmetic(
       eq(D * U, bound),
       {.equations = {{U, distance}, {1, equation(right(distance) * U, bound, {turns})}}});
-  book.show("come_together", "and the blocks come as close to each other as you like:",
+  book.show("come_together", "and the blocks come arbitrarily close to each other:",
             both({positive(D), linear(le((j + 1) * D, L * (1 + ratio)),
                                       {times(rise, D), is, times(part(powers, 1), L * sides),
                                        times(at_most, L)})}));
@@ -95,12 +96,12 @@ Theorem definition_of_q_e(Book& book) {
                        words);
   };
   const Theorem x_end =
-      at_end("x_end", "All come together where the centre of mass is then, or the wall,",
+      at_end("x_end", "All three come together at the centre of mass, or at the wall,",
              {lt(0, e), V_positive, lt(0, L), none.conclusion()},
              L + w_B * M_A * V * fun("t_end", {M_A, w_B, M_C, e, V, L}));
   const Theorem v_end =
-      at_end("v_end", "which goes on with its velocity, 0 for a wall,", {}, w_B * M_A * V);
-  book.show("momentum", "the one that it had all the time, as momentum is kept:",
+      at_end("v_end", "which moves with the velocity (0 for a wall)", {}, w_B * M_A * V);
+  book.show("momentum", "at all times, as momentum is kept:",
             chain(book["motion.momentum"],
                   equation(w_B * M_A * V, left(v_end) * mass_of_all(), {v_end})));
   come_together(book, from_1, x_end);

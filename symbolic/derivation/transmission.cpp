@@ -131,8 +131,8 @@ void first_cycles(Book& book, const Theorems& names) {
   know(assume(lt(0, room)));
   know(assume(lt(0, room_more)));
   rises(book, "rises_2",
-        "and with the second, where that collision takes place (with more it is seen in figures, "
-        "not proved):",
+        "and with the second, where that collision takes place (for more collisions figures "
+        "show it, but it is not proved):",
         after_2, (2 + e + e_more) * (room + room_more) + (1 + e) * e_more + (1 + e_more) * e);
 }
 }  // namespace

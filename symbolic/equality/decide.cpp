@@ -358,11 +358,14 @@ private:
       const algebra::Theorem theorem =
           kernel::instantiate(algebra::equation(named(left), named(right), facts), bases);
       std::string hypotheses;
-      for (Expr h : theorem.hypotheses())
-        for (const Requirement& r : needs)
-          if (h == kernel::neq(r.term, 0) || h == kernel::le(0, r.term) ||
-              h == kernel::lt(0, r.term))
-            hypotheses += (hypotheses.empty() ? "" : ", ") + text(r);
+      for (Expr h : theorem.hypotheses()) {
+        const auto r = std::find_if(needs.begin(), needs.end(), [&](const Requirement& need) {
+          return h == kernel::neq(need.term, 0) || h == kernel::le(0, need.term) ||
+                 h == kernel::lt(0, need.term);
+        });
+        if (r == needs.end()) return;  // a hypothesis that nobody is told of
+        hypotheses += (hypotheses.empty() ? "" : ", ") + text(*r);
+      }
       verdict.theorem = (hypotheses.empty() ? "" : hypotheses + " |- ") +
                         notation::typed_text(left) + " = " + notation::typed_text(right);
       verdict.proof += ", certified by the kernel";

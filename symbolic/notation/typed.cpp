@@ -195,7 +195,7 @@ private:
     if (takes("^")) {
       const Expr exponent = signed_factor();
       if (name_of(base) == "e" && !free_variables(exponent).empty())
-        note("e is a number as any other, restitution; the exponential function is exp(x)");
+        note("e is read as the coefficient of restitution; the exponential function is exp(x)");
       e = raised_to(base, exponent, column);
     }
     --depth;

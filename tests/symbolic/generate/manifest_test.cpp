@@ -54,7 +54,7 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     for (const std::string name : entry.at("inputs")) check_says(header, name);
     check_says(header, std::string(entry.at("labels")));
     check_says(header, "Operations: ");
-    if (form != "evaluator" && form != "exact") check_says(header, "No error is bounded");
+    if (form != "evaluator" && form != "exact") check_says(header, "No error bound is derived");
     CHECK_FALSE(std::regex_search(code, std::regex("(;|\\{)\n *const Number ")));  // a why first
     CHECK_FALSE(entry.at("cases").empty());
     for (const json& c : entry.at("cases")) {
