@@ -62,7 +62,8 @@ Interval Builder::range_of(const Node& n) const {
     case Op::cancelling_sum:
       return of(0) + of(1);
     case Op::scale:
-      return of(0) * Interval{n.factor, n.factor};
+      return n.factor < 0 ? Interval{of(0).high * n.factor, of(0).low * n.factor}
+                          : Interval{of(0).low * n.factor, of(0).high * n.factor};  // exact
     case Op::product:
     case Op::exact_product:
       return n.of[0] == n.of[1] ? square(of(0)) : of(0) * of(1);

@@ -64,7 +64,7 @@ std::string shown(const Quantity& q, Expr formula) {
 Interval range_of(const Input& input, const Case& which, bool is_wide) {
   Interval r = is_wide ? input.wide_range : input.range;
   for (const Condition& w : which.where) {
-    if (w.name == input.variable.name()) r = meet(r, w.range);
+    if (w.name == input.variable.name()) r = meet(r, w.of(is_wide));
   }
   return r;
 }

@@ -30,7 +30,10 @@ Interval around(double low, double high, int steps) {
   }
   return {low, high};
 }
-Interval operator+(Interval x, Interval y) { return around(x.low + y.low, x.high + y.high); }
+Interval operator+(Interval x, Interval y) {
+  const Interval sum{x.low + y.low, x.high + y.high}, r = around(sum.low, sum.high);
+  return {sum.low == 0 ? 0 : r.low, sum.high == 0 ? 0 : r.high};  // a sum that rounds to 0 is 0
+}
 Interval operator*(Interval x, Interval y) {
   const auto of = [](double a, double b) { return a == 0.0 || b == 0.0 ? 0.0 : a * b; };
   const double p[] = {of(x.low, y.low), of(x.low, y.high), of(x.high, y.low), of(x.high, y.high)};

@@ -119,6 +119,7 @@ int Terms::plain_product(const Exprs& factors) {
 int Terms::product(const Exprs& factors) {
   if (builder.is_plain()) return plain_product(factors);
   const Fraction f = fraction(factors);
+  if (f.factor == 0) return builder.constant(0);
   double power = 1;
   std::vector<int> over, below;
   for (Expr e : f.above) over.push_back(build(e));
@@ -132,6 +133,9 @@ int Terms::product(const Exprs& factors) {
   } else {
     over.push_back(builder.constant(f.factor));
   }
+  std::erase_if(over, [&](int k) {
+    return builder[k].op == Op::constant && !builder[k].of_pi && builder[k].value == 1;
+  });
   std::stable_partition(over.begin(), over.end(), [&](int k) { return !builder[k].is_exact; });
   int p = -1;
   for (int k : over) {

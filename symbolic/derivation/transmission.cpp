@@ -141,12 +141,15 @@ Theorem for_blocks(const Theorem& t, Substitution terms, const Theorems& facts) 
   terms.insert(blocks_of_paper.begin(), blocks_of_paper.end());
   return at(t, terms, facts);
 }
-Theorems first_collisions(const Book& book, int count) {
-  Theorems out = parts({book["cycle.turn"], for_blocks(book["motion.start"])});
+Theorems first_collisions(const Book& book, int count, const Substitution& bodies) {
+  Theorems out = parts({book["cycle.turn"], at(book["motion.start"], bodies)});
   const Theorems laws = parts({out[1], book["motion.next"]});
   out.erase(out.begin() + 1);
-  for (int i = 0; i < count; ++i)
-    for (const Theorem& law : laws) out.push_back(canonical_form(for_blocks(law, {{j, i}})));
+  for (int i = 0; i < count; ++i) {
+    Substitution there = bodies;
+    there.insert({j, i});
+    for (const Theorem& law : laws) out.push_back(canonical_form(at(law, there)));
+  }
   return out;
 }
 

@@ -48,8 +48,9 @@ Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_facto
 inline const Substitution blocks_of_paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
 /// A theorem for them.
 Theorem for_blocks(const Theorem& t, Substitution terms = {}, const Theorems& facts = {});
-/// Their start, and what the first collisions change.
-Theorems first_collisions(const Book& book, int count);
+/// The start, and what the first collisions change.
+Theorems first_collisions(const Book& book, int count,
+                          const Substitution& bodies = blocks_of_paper);
 /// The squares of r_A and r_B.
 Theorems squared_shares(const Book& book);
 /// |- 0 < pow_j(t) and pow_j(t) <= 1, from t <= 1 for a t that is known to be positive.

@@ -59,8 +59,9 @@ private:
          input(fun("N_B", {real("alpha"), 1}), 1, most)},
         "power.V_CM -> exact.a_t b_t terminal.definitions/2 evaluators_end.def_rho");
     add("shape", three_bodies(), "-> collapse.def_K bodies.def_q_e");
-    add("two_collisions", {any, input(real("e"), 0x1p-1000, 1)},
-        "-> evaluators_restitution.def_ends def_two def_tie a_two b_two c_two def_rho_two");
+    add("two_collisions", {three_bodies()[2], three_bodies()[1], three_bodies()[3]},
+        "evaluators_restitution.def_taken_two -> evaluators_restitution.def_ends def_two def_four "
+        "def_six a_two b_two c_two def_rho_two");
   }
   /// Three bodies of any masses, or two and a wall: q_e comes from the exact form, turn and pow are
   /// of the number of the collision.

@@ -11,7 +11,7 @@ using codegen::Case;
 using codegen::Condition;
 using codegen::Quantity;
 
-kernel::Theorems Source::operator()(const std::string& words) {
+kernel::Theorems Source::at(const std::string& words, const kernel::Substitution& terms) {
   kernel::Theorems out;
   std::istringstream in(words);
   std::string chapter;
@@ -25,19 +25,20 @@ kernel::Theorems Source::operator()(const std::string& words) {
     if (slash != std::string::npos) {
       t = kernel::tautology(t.conclusion().arg(std::stoul(name.substr(slash + 1))), {t});
     }
-    out.push_back(kernel::instantiate(t, units));
+    out.push_back(kernel::instantiate(t, terms));
     ids.insert({out.back().conclusion(), id});
   }
   return out;
 }
 Case Source::of(const std::string& name, const std::vector<Condition>& where,
-                const std::string& words) {
+                const std::string& words, kernel::Substitution terms) {
   const std::size_t to = words.find("->");
   const std::size_t by = words.find('|');
-  Case c{name, where, (*this)(words.substr(0, to)), {}, {}, {}};
-  c.outputs = (*this)(words.substr(to + 2, by - to - 2));
+  terms.insert(units.begin(), units.end());
+  Case c{name, where, at(words.substr(0, to), terms), {}, {}, {}};
+  c.outputs = at(words.substr(to + 2, by - to - 2), terms);
   if (by == std::string::npos) return c;
-  for (const kernel::Theorem& t : (*this)(words.substr(by + 1))) c.facts.emplace_back(t);
+  for (const kernel::Theorem& t : at(words.substr(by + 1), terms)) c.facts.emplace_back(t);
   return c;
 }
 std::vector<Quantity> evaluators(Source& source) {
@@ -86,32 +87,41 @@ std::vector<Quantity> evaluators(Source& source) {
           about + "evaluators_collision.t_at_most sine_positive ratio_at_most");
   collision.guards = {{"half_phase", {-0.001, 1.5708}}};
   collision.divisors = {"next_cosine"};
-  const auto restitution = [&] {
+  const auto three_bodies = [&](const char* name, const Condition& per_B, const kernel::Expr& w_B) {
     const std::string chapter = "evaluators_restitution.";
     constexpr double third = 0x1.5555555555556p-2;
     Case c = source.of(
-        "small", {},
+        name, {per_B},
         chapter +
-            "def_root_e def_rise_e def_loss_e def_share_e def_gap_e def_whole_e def_z_e "
-            "def_t_e def_step_e def_sine_e N_e def_span_e def_left_e def_next_e def_power_e "
-            "def_open_ratio_e def_last_ratio_e def_kept_e def_parted_e def_odd_e def_even_e "
-            "def_second_e def_ball_e -> " +
-            chapter + "N_e a_end b_end c_end def_rho_end | " + chapter + "t_squared");
+            "def_all_e def_both_e def_side_e def_root_e def_rise_e def_loss_e def_share_e "
+            "def_gap_e def_whole_e def_z_e def_t_e def_step_e def_sine_e N_e def_span_e "
+            "def_left_e def_next_e def_power_e def_odd_e def_even_e def_last_side_e "
+            "def_open_side_e def_last_reach_e def_open_reach_e def_last_sine_e def_open_sine_e "
+            "def_kept_e def_parted_e def_second_e def_speeds_e def_moved_e def_gained_e "
+            "def_taken_e -> " +
+            chapter + "N_e a_end b_end c_end def_rho_end | " + chapter + "t_squared",
+        {{kernel::real("w_B"), w_B}});
     c.guards = {{"root_e", {0, 1 + 0x1p-42}},
                 {"loss_e", {-1, 1}},
                 {"span_e", {0, 3.1416}},
-                {"ball_e", {-1, 1.5}},
                 {"share_e", {0x1p-30, 2}, {{0x1p-80, 2}}},
                 {"z_e", {0x1p-48, third}, {{0x1p-124, third}}}};
     for (const char* rest : {"left_e", "next_e"}) c.guards.push_back({rest, {0, 1.0473}});
-    for (const char* speed : {"kept_e", "parted_e"}) c.guards.push_back({speed, {-1, 2}});
-    const codegen::Input e{kernel::real("e"), {0x1p-100, 1}, {smallest, 1}};
-    Quantity q = made("restitution", {{alpha, {0x1p-100, 0x1p60}, {smallest, 0x1p540}}, e}, {c});
-    for (const char* name : {"M_A", "w_B"}) q.units.insert({kernel::real(name), 1});
-    q.units.insert({kernel::real("M_C"), alpha});
-    q.is_tested = false;  // fast's alone
-    return q;
+    for (const char* reach : {"last_reach_e", "open_reach_e"})
+      c.guards.push_back({reach, {0, 0x1p29}, {{0, 0x1p72}}});
+    for (const char* speed : {"kept_e", "parted_e"}) c.guards.push_back({speed, {-1, 8}});
+    return c;
   };
+  Quantity restitution =
+      made("restitution",
+           {{kernel::real("M_C"), {0x1p-100, 0x1p60}, {smallest, 0x1p400}},
+            {kernel::real("w_B"), {0, 0x1p60}, {0, 0x1p200}},
+            {kernel::real("e"), {0x1p-100, 1}, {smallest, 1}}},
+           {three_bodies("block", {"w_B", {0x1p-100, 0x1p60}, {{smallest, 0x1p200}}},
+                         kernel::real("w_B")),
+            three_bodies("wall", {"w_B", {0, 0}}, 0)});
+  restitution.units.insert({{kernel::real("M_A"), 1}, {kernel::real("w_B"), 0}});
+  restitution.is_tested = false;  // fast's alone
   return {
       made("velocities",
            {{alpha, {0x1p-300, 0x1p300}, {smallest, largest}},
@@ -129,6 +139,6 @@ std::vector<Quantity> evaluators(Source& source) {
             source.of("first", {{"j", {1, 1}}}, "-> evaluators_collision.when_1 apart_1")}),
       made("angle", {{alpha, {0x1p-300, 1}, {smallest, 1}}},
            {source.of("small", {}, angle + "-> evaluators.psi" + about)}),
-      restitution()};
+      restitution};
 }
 }  // namespace generate

@@ -15,13 +15,16 @@ class Source {
 public:
   /// "evaluators.def_w def_t terminal.definitions/2": a word without a chapter is of the one before
   /// it, /2 is the theorem's part 2, counted from 0. Each is known by its id from now on.
-  kernel::Theorems operator()(const std::string& words);
-  /// "DEFINITIONS -> OUTPUTS | FACTS"
+  kernel::Theorems operator()(const std::string& words) { return at(words, units); }
+  /// "DEFINITIONS -> OUTPUTS | FACTS", of these terms in place of variables.
   codegen::Case of(const std::string& name, const std::vector<codegen::Condition>& where,
-                   const std::string& words);
+                   const std::string& words, kernel::Substitution terms = {});
 
   const kernel::Substitution units{{kernel::real("V"), 1}, {kernel::real("L"), 1}};
   codegen::Ids ids;
+
+private:
+  kernel::Theorems at(const std::string& words, const kernel::Substitution& terms);
 };
 /// Evaluators in DoubleDouble.
 std::vector<codegen::Quantity> evaluators(Source& source);

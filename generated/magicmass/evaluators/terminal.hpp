@@ -205,7 +205,7 @@ struct TerminalFirst {
     const N share = times(per_mass, alpha);
     const T t1 = alpha * -0x1p+0;
     // lead = 1 - alpha
-    const N lead = N::two_sum(N::all(0x1p+0), t1);
+    const N lead = N::fast_two_sum(t1, N::all(0x1p+0));
     of_a_t = lead * per_mass;
     t2 = share * per_mass;
     of_b_t = scaled(t2, 0x1p+2);

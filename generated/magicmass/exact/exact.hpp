@@ -128,46 +128,52 @@ ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Numbe
 }
 template <class Number>
 struct TwoCollisionsExact {
-  Number ends, two, tie, a_two, b_two, c_two, rho_two;
+  Number ends, two, four, six, a_two, b_two, c_two, rho_two;
 };
-/// two_collisions (eq:a-terminal eq:b-terminal eq:ct): ends, two, tie, a_two, b_two, c_two,
-///   rho_two. Domain: alpha > 0, e > 0.
-/// Theorems: evaluators_restitution.def_ends, evaluators_restitution.def_two,
-///   evaluators_restitution.def_tie, evaluators_restitution.a_two, evaluators_restitution.b_two,
+/// two_collisions (eq:a-terminal eq:b-terminal eq:ct): ends, two, four, six, a_two, b_two, c_two,
+///   rho_two. Domain: M_C > 0, w_B > 0, e > 0.
+/// Theorems: evaluators_restitution.def_taken_two, evaluators_restitution.def_ends,
+///   evaluators_restitution.def_two, evaluators_restitution.def_four,
+///   evaluators_restitution.def_six, evaluators_restitution.a_two, evaluators_restitution.b_two,
 ///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two.
-/// Operations: products: 14, quotients: 2, sums: 7.
+/// Operations: products: 16, quotients: 5, sums: 9.
 template <class Number>
-TwoCollisionsExact<Number> two_collisions_exact(const Number& alpha, const Number& e) {
+TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number& w_B, const Number&
+    e) {
   if (true) {
     // shared by lines below
-    const Number t2 = Number(1) + alpha;
+    const Number t1 = Number(1) + e;
     // shared by lines below
-    const Number t3 = t2 * t2;
+    const Number t2 = t1 * t1;
     // shared by lines below
-    const Number t5 = Number(1) + e;
+    const Number t4 = Number(1) + M_C;
     // shared by lines below
-    const Number t6 = t5 * t5;
-    // ends = 4*e*(1 + alpha)^2 - (1 + e)^2
-    const Number ends = Number(4) * e * t3 - t6;
-    // two = 1*e*(1 + alpha)^2 - (1 + e)^2
-    const Number two = e * t3 - t6;
-    // tie = 2*e*(1 + alpha)^2 - (1 + e)^2
-    const Number tie = Number(2) * e * t3 - t6;
-    // a_two = 1*((1 - e*alpha)/(1 + alpha))
-    const Number a_two = (Number(1) - e * alpha) / t2;
+    const Number t6 = w_B * M_C;
     // shared by lines below
-    const Number t15 = Number(1) / t2;
+    const Number t7 = Number(1) + t6;
+    // taken_two = (1 + e)^2*M_C/((1 + M_C)*(1 + w_B*M_C))
+    const Number taken_two = t2 * M_C / t4 / t7;
     // shared by lines below
-    const Number t16 = t15 * t15;
-    // b_two = 1*((1 + e)^2*alpha/(1 + alpha)^2)
-    const Number b_two = t6 * alpha * t16;
-    // c_two = 1*((alpha - e)*(1 + e)/(1 + alpha)^2)
-    const Number c_two = (alpha - e) * t5 * t16;
-    // rho_two = (b_two*inv(1))^2
-    const Number rho_two = b_two * b_two;
-    return {ends, two, tie, a_two, b_two, c_two, rho_two};
+    const Number t9 = t4 * t7;
+    // ends = 4*e*((1 + M_C)*(1 + w_B*M_C)) - (1 + e)^2
+    const Number ends = Number(4) * e * t9 - t2;
+    // two = 1*e*((1 + M_C)*(1 + w_B*M_C)) - (1 + e)^2
+    const Number two = e * t9 - t2;
+    // four = 2*e*((1 + M_C)*(1 + w_B*M_C)) - (1 + e)^2
+    const Number four = Number(2) * e * t9 - t2;
+    // six = 3*e*((1 + M_C)*(1 + w_B*M_C)) - (1 + e)^2
+    const Number six = Number(3) * e * t9 - t2;
+    // a_two = 1*((1 - e*M_C)/(1 + M_C))
+    const Number a_two = (Number(1) - e * M_C) / t4;
+    // b_two = 1*(w_B*taken_two)
+    const Number b_two = w_B * taken_two;
+    // c_two = 1*((w_B*M_C - e)*(1 + e)/((1 + M_C)*(1 + w_B*M_C)))
+    const Number c_two = (t6 - e) * t1 / t4 / t7;
+    // rho_two = w_B*taken_two^2
+    const Number rho_two = w_B * (taken_two * taken_two);
+    return {ends, two, four, six, a_two, b_two, c_two, rho_two};
   }
   throw std::domain_error("two_collisions_exact: allowed: "
-      "alpha > 0, e > 0");
+      "M_C > 0, w_B > 0, e > 0");
 }
 }  // namespace magicmass::generated

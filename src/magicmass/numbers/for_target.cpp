@@ -65,11 +65,12 @@ bool terminal(Terminal& result, double alpha) {
 }
 /// What is in doubt is counts, not roundings: up to the last sums, which lose 2^-96 of the largest
 /// velocity, the losses are those of inputs that are off by less than 2^-90. share_e, h and h N
-/// lose a few 2^-98 of loss_e, h and h N; a change of alpha changes each at least half as much,
+/// lose a few 2^-98 of loss_e, h and h N; a change of M_C changes each at least half as much,
 /// relatively. The power loses less than N 2^-100; a change of e changes it by N/2 as much.
-bool restitution(Terminal& result, double alpha, double e) {
+bool restitution(Terminal& result, const Masses& masses, double e) {
   generated::RestitutionOutputs v{};
-  const double doubt = attempt<generated::Restitution, generated::Slow>({alpha, e}, v);
+  const double doubt =
+      attempt<generated::Restitution, generated::Slow>({masses.ball, masses.per_B, e}, v);
   result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
   return doubt == 0.0;
 }

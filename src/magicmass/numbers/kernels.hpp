@@ -32,7 +32,7 @@ struct Kernels {
   const char* name;
   bool (*velocities[3])(Velocities& result, double alpha, std::int64_t n);
   bool (*terminal[3])(Terminal& result, double alpha);
-  bool (*restitution)(Terminal& result, double alpha, double e);
+  bool (*restitution)(Terminal& result, const Masses& masses, double e);
   bool (*counts)(Counts& result, double alpha);
   bool (*collision[3])(Collision& result, double alpha, std::int64_t j);
   bool (*angle[3])(double& result, double alpha);

@@ -145,11 +145,17 @@ std::optional<Terminal> fast::terminal(double alpha) {
 }
 std::optional<Terminal> fast::terminal(double alpha, double e) {
   numbers::check(alpha);
+  return e == 1.0 ? terminal(alpha) : terminal(Masses{alpha}, e);
+}
+std::optional<Terminal> fast::terminal(const Masses& masses, double e) {
+  numbers::check(masses.ball);
+  if (!(masses.per_B == 0.0 || numbers::is_mass_ratio(masses.per_B)))
+    throw InvalidInput("per_B must be finite and not negative, got " +
+                       numbers::text_of(masses.per_B));
   if (!(e > 0.0 && e <= 1.0))
     throw InvalidInput("e must be above 0 and at most 1, got " + numbers::text_of(e));
-  if (e == 1.0) return terminal(alpha);
   std::optional<Terminal> t(std::in_place);
-  if (!numbers::kernels().restitution(*t, alpha, e)) t = numbers::restitution_by_mpfr(alpha, e);
+  if (!numbers::kernels().restitution(*t, masses, e)) t = numbers::restitution_by_mpfr(masses, e);
   return t;
 }
 Collision accurate::collision(double alpha, std::int64_t j) {

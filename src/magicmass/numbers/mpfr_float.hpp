@@ -36,6 +36,7 @@ public:
   }
 
   static MpfrFloat whole(std::int64_t n) { return of(mpfr_set_sj, n); }
+  static double to_result(const MpfrFloat& x) { return mpfr_get_d(x.v, MPFR_RNDN); }
   static std::int64_t to_whole(const MpfrFloat& x) { return mpfr_get_sj(x.v, MPFR_RNDN); }
   static MpfrFloat nearest(const MpfrFloat& x) { return of(mpfr_rint, x.v); }
   static MpfrFloat pi() { return of(mpfr_const_pi); }

@@ -21,7 +21,7 @@ struct Velocities {
   double c_prime = 0;  ///< of C after its n-th collision with B
   friend bool operator==(const Velocities&, const Velocities&) = default;
 };
-/// After all collisions; rho = b_t^2 is the share of the kinetic energy that B takes.
+/// After all collisions; rho, for equal blocks b_t^2, is the share of the energy that B takes.
 struct Terminal {
   Counts counts;
   double a_t = 0;
@@ -29,6 +29,11 @@ struct Terminal {
   double c_t = 0;
   double rho = 0;
   friend bool operator==(const Terminal&, const Terminal&) = default;
+};
+/// Masses of the three in units of that of A: the ball's, and B's as 1 over it, 0 for a wall.
+struct Masses {
+  double ball = 0;
+  double per_B = 1;
 };
 /// When collision j takes place, and how far apart A and B are then, in units of L/V and L: their
 /// distance L at the first collision, A's and the ball's, which is number 0 at time 0.

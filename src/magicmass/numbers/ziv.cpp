@@ -139,27 +139,32 @@ Terminal terminal_by_mpfr(double alpha) {
   return {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
 }
 /// Signs first: of polynomials, exact in the last precision. pi/h is a whole number only where the
-/// cosine of h, whose square is rational, is that of pi/3, pi/4 or pi/6 (Niven), and the last asks
-/// for an e that 3 divides. At pi/3 two collisions are all. At pi/4 the next alpha has the same
-/// counts, and is off by two envelopes at the most.
-std::optional<Terminal> restitution_by_mpfr(double alpha, double e) {
+/// cosine of h, whose square is rational, is that of pi/3, pi/4 or pi/6 (Niven). At pi/3 two
+/// collisions are all. At the others the next M_C has the same counts, and is off by two envelopes
+/// at the most.
+std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
   MpfrFloat::bits = last_bits;
-  const auto two = generated::two_collisions_exact<MpfrFloat>(alpha, e);
+  auto& [M_C, w_B] = masses;
+  const auto two = generated::two_collisions_exact<MpfrFloat>(M_C, w_B, e);
   if (!two.ends.is_positive()) return std::nullopt;
   if (!(-two.two).is_positive())
     return Terminal{
         {1, 1}, rounded(two.a_two), rounded(two.b_two), rounded(two.c_two), rounded(two.rho_two)};
-  const bool is_tie = !two.tie.is_positive() && !(-two.tie).is_positive();
-  if (is_tie) alpha = std::nextafter(alpha, 1.0 / 0.0);
+  for (const MpfrFloat& tie : {two.four, two.six})
+    if (!tie.is_positive() && !(-tie).is_positive()) M_C = std::nextafter(M_C, 1.0 / 0.0);
   Terminal result;
-  until_certain("terminal velocities with restitution", alpha, false, [&] {
-    generated::RestitutionSmall<Ziv, MpfrFloat> k({alpha, e});
-    const double doubt = run(k);
-    if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
-      throw Undecided("restitution: too near to inelastic collapse, or above 2^62 collisions");
-    const auto v = k.outputs();
-    result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
-    return doubt;
+  until_certain("terminal velocities with restitution", M_C, false, [&] {
+    return generated::Restitution::visit<true>(
+        {M_C, w_B, e}, [&]<template <class, class> class Case>() {
+          Case<Ziv, MpfrFloat> k({M_C, w_B, e});
+          const double doubt = run(k);
+          if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
+            throw Undecided(
+                "restitution: too near to inelastic collapse, or above 2^62 collisions");
+          const auto v = k.outputs();
+          result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
+          return doubt;
+        });
   });
   return result;
 }

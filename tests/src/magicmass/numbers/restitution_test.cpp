@@ -22,30 +22,35 @@ struct Motion {
   int collisions;
   Values values;
 };
-/// Until none takes place, or `most` have.
-Motion motion(const cl_RA& alpha, const cl_RA& e, int most) {
-  law::ThreeBodies<cl_RA> bodies{1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
+/// Until none takes place, or `most` have; of A with mass 1.
+Motion motion(const cl_RA& ball, const cl_RA& per_B, const cl_RA& e, int most) {
+  law::ThreeBodies<cl_RA> bodies{1, per_B, ball, e, {1, 0, 0}, {0, 1, 0}};
   while (bodies.N < most && bodies.approach() > 0) bodies.collide();
   const auto& [a, b, c] = bodies.v;
-  return {bodies.N, {a, b, c, b * b}};
+  return {bodies.N, {a, b, c, per_B == 0 ? cl_RA(0) : b * b / per_B}};
 }
 double size(const cl_RA& x) { return std::fabs(cln::double_approx(x)); }
 /// The largest error in envelopes, or -1 where counts differ.
-double envelopes(double alpha, double e, int most = 120) {
-  const std::optional<Terminal> got = fast::terminal(alpha, e);
-  const cl_RA x = oracle::exact(alpha), y = oracle::exact(e), more = 1 + oracle::exact(0x1p-60);
-  const Motion m = motion(x, y, most);
+double envelopes(const Masses& masses, double e, int most = 120) {
+  const bool is_equal = masses.per_B == 1;
+  const std::optional<Terminal> got =
+      is_equal ? fast::terminal(masses.ball, e) : fast::terminal(masses, e);
+  const cl_RA x = oracle::exact(masses.ball), w = oracle::exact(masses.per_B), y = oracle::exact(e),
+              more = 1 + oracle::exact(0x1p-60);
+  const Motion m = motion(x, w, y, most);
   if (!got) return m.collisions == most ? 0 : -1;
   const auto [N_A, N_B] = got->counts;
   if (N_A + N_B != m.collisions || N_A - N_B != m.collisions % 2) return -1;
-  const Values by_alpha = motion(x * more, y, m.collisions).values;
-  const Values by_e = motion(x, y * more, m.collisions).values;
+  const Values moved_by[] = {motion(x * more, w, y, m.collisions).values,
+                             motion(x, w, y * more, m.collisions).values,
+                             motion(x, is_equal ? w : w * more, y, m.collisions).values};
   const double numbers[] = {got->a_t, got->b_t, got->c_t, got->rho};
   double worst = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const cl_RA& exact = m.values[i];
     const double off = size(exact - oracle::exact(numbers[i])), value = size(exact);
-    const double moved = (size(by_alpha[i] - exact) + size(by_e[i] - exact)) * 0x1p60;
+    double moved = 0;
+    for (const Values& values : moved_by) moved += size(values[i] - exact) * 0x1p60;
     const double ulp = value == 0 ? 0 : std::ldexp(1.0, std::ilogb(value) - 52);
     const double envelope =
         value == 0 ? moved * 0x1p-53 : ulp * std::fmax(0.5, moved / (2 * value));
@@ -54,17 +59,18 @@ double envelopes(double alpha, double e, int most = 120) {
   return worst;
 }
 /// How many take place, by the angle h alone.
-std::int64_t by_angle(double alpha, double e) {
+std::int64_t by_angle(const Masses& masses, double e) {
   const cln::cl_R y = cln::cl_float(oracle::exact(e), cln::float_format(100));
-  const cln::cl_R cosine = (1 + y) / (2 * cln::sqrt(y) * (1 + oracle::exact(alpha)));
+  const cl_RA x = oracle::exact(masses.ball), w = oracle::exact(masses.per_B);
+  const cln::cl_R cosine = (1 + y) / (2 * cln::sqrt(y * (1 + x) * (1 + w * x)));
   const cln::cl_R h = cln::atan(cosine, cln::sqrt(1 - cosine * cosine));
   return cln::cl_I_to_long(cln::ceiling1(cln::pi(cln::float_format(100)) / h) - 1);
 }
-double worst_of(double alpha, double e) {
+double worst_of(double ball, double e, double per_B = 1) {
   double worst = 0;
-  for (const double a : {std::nextafter(alpha, 0.0), alpha, std::nextafter(alpha, 1e308)}) {
-    const double here = envelopes(a, e);
-    INFO("alpha " << a << " e " << e << ": " << here);
+  for (const double m : {std::nextafter(ball, 0.0), ball, std::nextafter(ball, 1e308)}) {
+    const double here = envelopes({m, per_B}, e);
+    INFO("ball " << m << " per_B " << per_B << " e " << e << ": " << here);
     CHECK(here >= 0);
     CHECK(here <= 4);
     worst = std::fmax(worst, here);
@@ -84,6 +90,41 @@ TEST_CASE("with restitution errors are at most 4 envelopes, and counts exact") {
     worst = std::fmax(worst, worst_of(from * (1.01 + 5 * number()), e));
   }
   CHECK(worst > 0.5);
+}
+
+TEST_CASE("so they are for any masses, and for a wall") {
+  std::mt19937_64 random(26);
+  const auto number = [&] { return double(random() >> 11) * 0x1p-53; };
+  double worst = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double per_B = i % 4 == 0 ? 0 : std::exp2(60 * number() - 30);
+    const double e = i % 3 == 0 ? 1 : i % 3 == 1 ? 1 - number() / 8 : number();
+    // a few to 100 collisions: (1 + m)(1 + w m) above (1 + e)^2/(4 e)
+    double ball = 0x1p-30;
+    while ((1 + ball) * (1 + per_B * ball) < (1 + e) * (1 + e) / (4 * e) + 0.003 + number())
+      ball *= 1.5;
+    worst = std::fmax(worst, worst_of(ball, e, per_B));
+  }
+  CHECK(worst > 0.5);
+}
+
+TEST_CASE("of any masses whole angles, collapse and the digits of pi are exact") {
+  CHECK(worst_of(0.5, 0.5, 0) >= 0);  // pi/6, and a wall
+  CHECK(fast::terminal({0.5, 0}, 0.5).value().counts == Counts{3, 2});
+  CHECK(worst_of(3, 1, 0) >= 0);  // pi/3
+  CHECK(worst_of(1, 1, 0) >= 0);  // pi/4
+  CHECK(fast::terminal({1, 0}, 1).value().counts == Counts{2, 1});
+  CHECK_FALSE(fast::terminal({0.125, 0}, 0.5));  // kappa is 1
+  CHECK(fast::terminal({std::nextafter(0.125, 1), 0}, 0.5));
+  const Terminal wall = fast::terminal({0x1p-40, 0}, 1).value();
+  CHECK(wall.counts.N_A + wall.counts.N_B == by_angle({0x1p-40, 0}, 1));
+  CHECK(wall.b_t == 0);
+  CHECK(wall.rho == 0);
+  CHECK(fast::terminal({3, 0x1p130}, 1).value().counts == Counts{1, 1});
+  CHECK_THROWS_AS(fast::terminal({0x1p-250, 0x1p250}, 1), Undecided);
+  for (const double per_B : {-1.0, std::nan(""), HUGE_VAL})
+    CHECK_THROWS_WITH(fast::terminal({0.3, per_B}, 1),
+                      Catch::Matchers::StartsWith("per_B must be finite and not negative, got "));
 }
 
 TEST_CASE("counts change where they do, collapse begins where it does") {
@@ -106,7 +147,7 @@ TEST_CASE("counts change where they do, collapse begins where it does") {
         if (factor == 1) CHECK((fast::terminal(alpha, e).value().counts == Counts{1, 1}) == above);
         const std::optional<Terminal> got = fast::terminal(alpha, e);
         CHECK(got.has_value() == (factor == 1 || above));
-        if (got) CHECK(got->counts.N_A + got->counts.N_B == by_angle(alpha, e));
+        if (got) CHECK(got->counts.N_A + got->counts.N_B == by_angle({alpha}, e));
       }
     }
 }
@@ -115,7 +156,7 @@ TEST_CASE("close to collapse counts are exact, or refused") {
   const double e = 0x1.0000008000001p-2;  // (1 + 2^-26)^2/4: collapse is 2^-76 below this alpha
   const double alpha = (0x1p26 - 3 + 0x1p-24) / 0x1p28;
   const Terminal t = fast::terminal(alpha, e).value();
-  CHECK(t.counts.N_A + t.counts.N_B == by_angle(alpha, e));
+  CHECK(t.counts.N_A + t.counts.N_B == by_angle({alpha}, e));
   CHECK(t.counts.N_A > 500000000000);
   for (const double velocity : {t.a_t, t.b_t, t.c_t})  // nothing is left to part with
     CHECK_THAT(velocity, Catch::Matchers::WithinRel(1 / (2 + alpha), 1e-15));
