@@ -51,6 +51,11 @@ void energy(Book& book) {
   book.show("left", "after j collisions there is left",
             by_induction(j, remains(j), {at(is, {{j, 0}}), sum[0], of_motion("motion.start")},
                          {change, at(sum[1])}));
+  book.show("bounded",
+            "never less than 0; so if e < 1, and collisions never end, the terms of that sum, and "
+            "with them the approach speeds, tend to 0:",
+            linear(le(unit * fun("squares", {M_A, w_B, M_C, e, j}), M_A * power(V, 2)),
+                   {book["losses.left"], is, not_negative(right(is))}));
   const Theorem at_most_1 = assume(le(e, 1));
   book.show(
       "falls", "and energy never rises:",
