@@ -78,7 +78,7 @@ Interval Builder::range_of(const Node& n) const {
       return {std::floor(ratio.low), std::ceil(ratio.high)};
     }
     case Op::power:
-      return {least_power, 1};
+      return {least_power(numbers == Numbers::wide), 1};
     case Op::turn:
       return {-1, 1};
     case Op::step:

@@ -164,7 +164,7 @@ private:
         break;
       case Op::power:
         take(t.power(needed(x), p[y].range.high));
-        add(f, {{{}, least_power * 2}});
+        add(f, {{{}, least_power(!t.is_pair()) * 2}});
         break;
       case Op::constant:
         if (!n.is_exact) take(t.constant(lost(n)));

@@ -114,10 +114,10 @@ std::vector<Quantity> evaluators(Source& source) {
   };
   Quantity restitution =
       made("restitution",
-           {{kernel::real("M_C"), {0x1p-100, 0x1p60}, {smallest, 0x1p400}},
-            {kernel::real("w_B"), {0, 0x1p60}, {0, 0x1p200}},
+           {{kernel::real("M_C"), {0x1p-100, 0x1p60}, {smallest, 0x1p128}},
+            {kernel::real("w_B"), {0, 0x1p60}, {0, 0x1p128}},
             {kernel::real("e"), {0x1p-100, 1}, {smallest, 1}}},
-           {three_bodies("block", {"w_B", {0x1p-100, 0x1p60}, {{smallest, 0x1p200}}},
+           {three_bodies("block", {"w_B", {0x1p-100, 0x1p60}, {{smallest, 0x1p128}}},
                          kernel::real("w_B")),
             three_bodies("wall", {"w_B", {0, 0}}, 0)});
   restitution.units.insert({{kernel::real("M_A"), 1}, {kernel::real("w_B"), 0}});

@@ -26,12 +26,14 @@ std::optional<Terminal> terminal(double alpha);
 /// most 4 envelopes of max(1/2, (|alpha y_alpha| + |e y_e|)/|2 y|) ulp, counts are exact. nullopt:
 /// the collisions never end (inelastic collapse; decided exactly), or as above where e is 1.
 /// Throws Undecided where 1 - (1 - e)^2/(4 e alpha (2 + alpha)), which is 0 where collapse begins,
-/// is above 0 and below 2^-80, or where more than 2^62 collisions take place with e < 1.
+/// is above 0 and below 2^-80, or where more than 2^62 collisions take place with e < 1, or more
+/// than two with e below 2^-126.
 std::optional<Terminal> terminal(double alpha, double e);
 /// The same for any masses, or two and a wall: within 4 envelopes of max(1/2, (|m y_m| + |w y_w| +
-/// |e y_e|)/|2 y|) ulp, m and w those of `masses`; a wall's velocity and share are 0. InvalidInput
-/// unless m is positive, w not negative and both finite. Undecided also where more than two take
-/// place, and e is below 2^-140 or a block 2^200 times as heavy as the other.
+/// |e y_e|)/|2 y|) ulp, m and w those of `masses`, and before a wall, where all may come to rest,
+/// within 2^-190 at least; a wall's velocity and share are 0. InvalidInput unless m is positive, w
+/// not negative and both finite. Undecided also where more than two take place and M_A/M_B is above
+/// 2^128.
 std::optional<Terminal> terminal(const Masses& masses, double e);
 /// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1 (j = 0: 0
 /// and 1), else throws InvalidInput.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/numbers/ladder.hpp"
 
-#include <array>
-#include <charconv>
 #include <limits>
 #include <string>
 
@@ -59,10 +57,6 @@ std::int64_t last_cycle(double alpha) { return counts_or_most(alpha).N_A; }
   return v ? v : velocities_by_mpfr(alpha, n);
 }
 
-std::string text_of(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 void check(double alpha) {
   if (!is_mass_ratio(alpha))
     throw InvalidInput("alpha must be positive and finite, got " + text_of(alpha));

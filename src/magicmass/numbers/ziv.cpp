@@ -29,6 +29,8 @@
 //  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).
 #include "magicmass/numbers/ziv.hpp"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <string>
 
@@ -62,16 +64,35 @@ constexpr double three_words_below = 0x1p-30;
 struct Cache {
   ~Cache() { mpfr_free_cache(); }
 };
+/// All of MPFR's exponents, and after it the caller's again, with their flags.
+class AllExponents {
+public:
+  AllExponents() {
+    mpfr_set_emin(mpfr_get_emin_min());
+    mpfr_set_emax(mpfr_get_emax_max());
+  }
+  AllExponents(const AllExponents&) = delete;
+  ~AllExponents() {
+    mpfr_set_emin(least);
+    mpfr_set_emax(most);
+    mpfr_flags_restore(flags, MPFR_FLAGS_ALL);
+  }
+
+private:
+  mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
+  mpfr_flags_t flags = mpfr_flags_save();
+};
 
 /// Runs `attempt`, which returns a doubt, with more and more bits until that is 0.
 template <class F>
 void until_certain(const char* what, double x, bool is_exact, F attempt) {
   static thread_local const Cache freed_with_thread;
+  const AllExponents here;
   MpfrFloat::is_exact = is_exact;
   for (MpfrFloat::bits = first_bits; MpfrFloat::bits <= last_bits; MpfrFloat::bits *= 2) {
     if (attempt() == 0.0) return;
   }
-  throw Undecided(std::string(what) + " at " + std::to_string(x) + ": still open at " +
+  throw Undecided(std::string(what) + " at " + text_of(x) + ": still open at " +
                   std::to_string(last_bits) + " bits");
 }
 /// Runs one case.
@@ -121,6 +142,10 @@ double distance(double alpha, std::int64_t k, MpfrFloat Case::*threshold) {
 }
 }  // namespace
 
+std::string text_of(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
 Velocities velocities_by_mpfr(double alpha, std::int64_t n) {
   const auto v =
       settled<generated::Velocities>("velocities", alpha, has_dyadic_velocities(alpha), {alpha, n});
@@ -143,6 +168,7 @@ Terminal terminal_by_mpfr(double alpha) {
 /// collisions are all. At the others the next M_C has the same counts, and is off by two envelopes
 /// at the most.
 std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
+  const AllExponents here;
   MpfrFloat::bits = last_bits;
   auto& [M_C, w_B] = masses;
   const auto two = generated::two_collisions_exact<MpfrFloat>(M_C, w_B, e);
@@ -153,18 +179,17 @@ std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
   for (const MpfrFloat& tie : {two.four, two.six})
     if (!tie.is_positive() && !(-tie).is_positive()) M_C = std::nextafter(M_C, 1.0 / 0.0);
   Terminal result;
+  const auto attempt = [&]<template <class, class> class Case>() {
+    Case<Ziv, MpfrFloat> k({M_C, w_B, e});
+    const double doubt = run(k);
+    if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
+      throw Undecided("restitution: too near to inelastic collapse, or above 2^62 collisions");
+    const auto v = k.outputs();
+    result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
+    return doubt;
+  };
   until_certain("terminal velocities with restitution", M_C, false, [&] {
-    return generated::Restitution::visit<true>(
-        {M_C, w_B, e}, [&]<template <class, class> class Case>() {
-          Case<Ziv, MpfrFloat> k({M_C, w_B, e});
-          const double doubt = run(k);
-          if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
-            throw Undecided(
-                "restitution: too near to inelastic collapse, or above 2^62 collisions");
-          const auto v = k.outputs();
-          result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
-          return doubt;
-        });
+    return generated::Restitution::visit<true>({M_C, w_B, e}, attempt);
   });
   return result;
 }

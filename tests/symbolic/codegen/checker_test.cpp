@@ -163,9 +163,9 @@ private:
     if (e.name() == "cos") return lossy(cosine, size(sine) * angle + f.absolute, f.cosine);
     throw std::logic_error("no rule for " + e.name());
   }
-  /// By squaring; what is below 2^-200 may be anything up to there.
+  /// By squaring; what is below 2^-200, or for MPFR 2^-400, may be anything up to there.
   Value power(Value x, const Value& n) const {
-    static const cln::cl_RA least = cln::expt(cln::cl_RA(2), -200);
+    const cln::cl_RA least = cln::expt(cln::cl_RA(2), t.is_pair() ? -200 : -400);
     const cln::cl_I k = cln::numerator(n.x.low);
     Enclosure r = one.x;
     Enclosure square = x.x;
@@ -178,7 +178,7 @@ private:
     // A loss of t's own for each product, and each x is off: together less than 2^-22.
     const double share =
         cln::double_approx(k) * (x.off / x.size() + (t.is_pair() ? 6 * u * u : t.u));
-    return {r, share * size(r) + 0x1p-199, t.exact_sum().loose};
+    return {r, share * size(r) + 2 * cln::double_approx(least), t.exact_sum().loose};
   }
   /// ceil(p/q + c), whose signs are those of |p - q k| and q/2 - |p - q k|, k nearest to p/q.
   Value ceiling(Expr x) {

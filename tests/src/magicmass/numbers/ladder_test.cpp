@@ -4,7 +4,10 @@
 #include <atomic>
 #include <thread>
 
+#include <mpfr.h>
+
 #include "catch.hpp"
+#include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/numbers/kernels.hpp"
 #include "magicmass/numbers/ziv.hpp"
@@ -14,6 +17,22 @@
 
 using namespace magicmass;
 using namespace magicmass::testing;
+
+TEST_CASE("a thread that narrowed MPFR's exponents gets the same, and keeps them and its flags") {
+  const double alpha = 1e300;
+  const Velocities v = accurate::velocities(alpha, 1);
+  const mpfr_exp_t least = mpfr_get_emin(), most = mpfr_get_emax();
+  mpfr_set_emin(-1073);
+  mpfr_set_emax(1024);
+  mpfr_clear_flags();
+  CHECK(accurate::velocities(alpha, 1) == v);
+  CHECK(fast::terminal(0x1p100, 0x1p-201).value().counts == Counts{2, 1});
+  CHECK(mpfr_get_emin() == -1073);
+  CHECK(mpfr_get_emax() == 1024);
+  CHECK(mpfr_flags_save() == 0);
+  mpfr_set_emin(least);
+  mpfr_set_emax(most);
+}
 
 TEST_CASE("every step gives the same rounded numbers, or leaves them open") {
   Random random(51);
