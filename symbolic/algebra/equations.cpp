@@ -9,12 +9,6 @@
 
 namespace algebra {
 namespace {
-int degree(const Monomial& monomial, Expr atom) {
-  for (const auto& [a, k] : monomial)
-    if (a == atom) return k;
-  return 0;
-}
-
 /// m (r - l) as it is rewritten, with what the certificate needs: each step keeps
 /// remainder = multipliers (r - l) - sum of cofactors (rule's right - left).
 struct Search {

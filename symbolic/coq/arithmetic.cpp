@@ -12,6 +12,7 @@ using kernel::Certificate;
 using kernel::Expr;
 using kernel::Exprs;
 using kernel::Monomial;
+using kernel::one;
 using kernel::Op;
 using kernel::Polynomial;
 using kernel::Theorem;
@@ -23,12 +24,6 @@ Exprs sides(const Theorem& t) {
 }
 Polynomial gap(const Exprs& sides) {
   return kernel::polynomial(sides[1]) - kernel::polynomial(sides[0]);
-}
-Polynomial one() { return {{{}, 1}}; }
-int degree(const Monomial& m, Expr atom) {
-  for (const auto& [a, k] : m)
-    if (a == atom) return k;
-  return 0;
 }
 Polynomial power_of(Expr atom, int k) { return k == 0 ? one() : Polynomial{{{{atom, k}}, 1}}; }
 /// The coefficient of the atom's k-th power.
@@ -150,9 +145,9 @@ std::string Script::arithmetic(const Theorem& t, const Context& c) {
   for (const Theorem& p : certificate.multipliers) multiplier = "(" + multiplier + gap_of(p) + ")";
   const Core all = core(a, {});
   const std::string rule = goal.op() == Op::Eq ? "by_eq" : goal.op() == Op::Lt ? "by_lt" : "by_le";
-  return "assert (core : " + all.statement + statement + a.print(goal) + "). { clear. intros" +
+  return "assert (c'0 : " + all.statement + statement + a.print(goal) + "). { clear. intros" +
          all.intros + ". intros. " + nonzero + "apply (" + rule + " _ _ " + multiplier + " (" +
-         (sum.empty() ? "0" : sum) + ")); [number|sign|sign]. } exact (core" + all.arguments +
+         (sum.empty() ? "0" : sum) + ")); [number|sign|sign]. } exact (c'0" + all.arguments +
          proofs + ").";
 }
 }  // namespace coq

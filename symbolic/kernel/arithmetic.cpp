@@ -8,7 +8,6 @@
 
 namespace kernel {
 namespace {
-Polynomial one() { return {{{}, 1}}; }
 
 bool is(const Theorem& t, Op op) { return t.conclusion().op() == op; }
 bool is_unequal(const Theorem& t) {
@@ -67,11 +66,6 @@ Polynomial multiplier(Expr goal, const Certificate& c) {
   return out;
 }
 
-int degree(const Monomial& m, Expr atom) {
-  for (const auto& [a, k] : m)
-    if (a == atom) return k;
-  return 0;
-}
 // The divisors by their canonical terms, each with both signs.
 std::map<Expr, Polynomial> divisors(const Theorems& nonzero) {
   std::map<Expr, Polynomial> out;

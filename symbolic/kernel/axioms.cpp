@@ -10,13 +10,12 @@ namespace kernel {
 namespace {
 using Axioms = std::vector<std::pair<std::string, Expr>>;
 
-Axioms axioms() {
+const Axioms& table() {
   const Expr x = real("x");
   const Expr y = real("y");
   const Expr i = integer("i");
   const Expr j = integer("j");
-  const auto from_to = [](Expr a, Expr b, Expr c) { return logic_and({a, b, c}); };
-  return {
+  static const Axioms known = {
       // order
       {"equal or less or greater", logic_or({lt(x, y), eq(x, y), lt(y, x)})},
       {"less is not equal", imp(lt(x, y), neq(x, y))},
@@ -40,7 +39,7 @@ Axioms axioms() {
       {"cos pi/2", eq(cos(pi() / 2), 0)},
       {"sin positive", imp(logic_and({lt(0, x), lt(x, pi())}), lt(0, sin(x)))},
       {"sin at most x", imp(le(0, x), le(sin(x), x))},
-      {"cos falls", imp(from_to(le(0, x), lt(x, y), le(y, pi())), lt(cos(y), cos(x)))},
+      {"cos falls", imp(logic_and({le(0, x), lt(x, y), le(y, pi())}), lt(cos(y), cos(x)))},
       {"pi positive", lt(0, pi())},
       // arctangent
       {"atan range", logic_and({lt(-pi() / 2, atan(x)), lt(atan(x), pi() / 2)})},
@@ -50,9 +49,6 @@ Axioms axioms() {
       {"sin atan", eq(sin(atan(x)), x / sqrt(1 + power(x, 2)))},
       {"atan bounds", imp(le(0, x), logic_and({le(x - power(x, 3) / 3, atan(x)), le(atan(x), x)}))},
   };
-}
-const Axioms& table() {
-  static const Axioms known = axioms();
   return known;
 }
 }  // namespace

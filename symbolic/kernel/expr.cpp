@@ -23,7 +23,7 @@ struct Node {
   Sort sort = Sort::Bool;
   int rows = 0;
   int cols = 0;
-  int loose = 0;
+  std::map<int, Sort> loose = {};  // bound indices that lead out of the tree, with their sorts
   int depth = 0;
   std::uint64_t weight = 1;
 };
@@ -175,13 +175,17 @@ Node checked(const Parts& p) {
   if (form(p.op).takes == Sort::Matrix || p.op == Op::Matrix) return matrix_node(p);
   return Node{p, real && form(p.op).gives == Sort::Int ? Sort::Real : form(p.op).gives};
 }
-// Loose index, depth and weight, from the arguments'.
+// Loose indices, depth and weight, from the arguments'.
 void measure(Node& n) {
-  const int binds = n.parts.op == Op::All ? 1 : 0;
-  if (n.parts.op == Op::Bound) n.loose = n.parts.index + 1;
-  for (Expr a : n.parts.args) {
+  const Parts& p = n.parts;
+  const int binds = p.op == Op::All ? 1 : 0;
+  if (p.op == Op::Bound) n.loose = {{p.index, p.variable}};
+  for (Expr a : p.args) {
     const Node& node = at(a.id());
-    n.loose = std::max(n.loose, node.loose - binds);
+    for (const auto& [i, sort] : node.loose) {
+      const Sort is = i < binds ? p.variable : n.loose.emplace(i - binds, sort).first->second;
+      if (is != sort) refuse("a bound number of two sorts");
+    }
     n.depth = std::max(n.depth, node.depth + 1);
     n.weight = std::min(max_weight, n.weight + node.weight);
   }
@@ -255,7 +259,10 @@ int Expr::index() const { return at(place).parts.index; }
 Sort Expr::bound_sort() const { return at(place).parts.variable; }
 int Expr::rows() const { return at(place).rows; }
 int Expr::cols() const { return at(place).cols; }
-int Expr::loose() const { return at(place).loose; }
+int Expr::loose() const {
+  const std::map<int, Sort>& indices = at(place).loose;
+  return indices.empty() ? 0 : indices.rbegin()->first + 1;
+}
 std::uint64_t Expr::weight() const { return at(place).weight; }
 std::size_t Expr::size() const { return at(place).parts.args.size(); }
 Exprs Expr::args() const { return at(place).parts.args; }

@@ -10,8 +10,6 @@ namespace kernel {
 namespace {
 constexpr int max_exponent = 1000000;
 constexpr unsigned max_bits = 1000000;
-Polynomial one() { return {{{}, 1}}; }
-
 void add(Polynomial& p, const Monomial& m, const cln::cl_RA& q) {
   if (q == 0) return;
   const auto [it, fresh] = p.emplace(m, q);
@@ -106,18 +104,25 @@ Polynomial computed(Expr t) {
       return p;
     case Op::Pow:
       return raised(polynomial(t.arg(0)), t.exponent());
-    case Op::Fun:
-      return of_function(t);
     case Op::Entry:
       return atomic(with_args(t, {canonical_matrix(t.arg(0))}));
     case Op::Det:
       return determinant(t.arg(0));
+    case Op::Fun:
+      if (t.sort() != Sort::Matrix) return of_function(t);
+      [[fallthrough]];
     default:
       refuse("not a polynomial: " + brief(t));
   }
 }
 }  // namespace
 
+Polynomial one() { return {{{}, 1}}; }
+int degree(const Monomial& m, Expr atom) {
+  for (const auto& [a, k] : m)
+    if (a == atom) return k;
+  return 0;
+}
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
   Polynomial p = a;
   for (const auto& [m, q] : b) add(p, m, q);

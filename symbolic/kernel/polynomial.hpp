@@ -13,6 +13,8 @@ namespace kernel {
 using Monomial = std::vector<std::pair<Expr, int>>;  ///< atoms in order of id, exponents >= 1
 using Polynomial = std::map<Monomial, cln::cl_RA>;   ///< no coefficient is 0
 
+Polynomial one();
+int degree(const Monomial& m, Expr atom);
 // Refused: an exponent above 1,000,000, a product of more than a million monomials, numbers above a
 // million bits.
 Polynomial operator+(const Polynomial& a, const Polynomial& b);

@@ -86,6 +86,8 @@ TEST_CASE("matrices stand only where they fit") {
   refused("9 by a product", "more than 8", [] { times(matrix(1, Exprs(9, x)), matrix(1, {1})); });
   refused("det of 7 rows", "more than 6 rows", [] { polynomial(det(matrix(7, Exprs(49, x)))); });
   refused("arithmetic of matrices", "not a polynomial", [] { arithmetic(eq(a, a), {}); });
+  const Theorem named = assume(eq(turned(x), turned(y)));
+  refused("arithmetic of names", "not a polynomial", by({.equations = {{1, named}}}));
   refused("a cofactor of matrices", "must be a term", by({.equations = {{a, zero}}}));
   refused("an equation of matrices", "not a polynomial", by({.equations = {{1, turn}}}));
   refused("matrices as a divisor", "not a polynomial", by({.nonzero = {assume(neq(a, b))}}));

@@ -122,6 +122,10 @@ TEST_CASE("sorts are checked wherever a tree is made") {
   refused("a bound formula", "a bound number", made({.op = Op::Bound, .variable = Sort::Bool}));
   refused("for every formula", "a bound number",
           made({.op = Op::All, .args = {eq(x, 1)}, .variable = Sort::Bool}));
+  refused("an integer for every real", "of two sorts",
+          made({.op = Op::All, .args = {le(loose, ceil(x))}, .name = "k"}));
+  refused("one bound number, integer and real", "of two sorts",
+          [] { eq(loose, make({.op = Op::Bound})); });
   refused("no tree at all", "never given a value", [] { Expr().op(); });
   refused("the third argument of two", "no argument 2", [] { eq(x, y).arg(2); });
   CHECK(power(x, 1) == x);
