@@ -95,14 +95,14 @@ public:
 
 std::string Script::recursion(const kernel::Step& s) {
   const Recursion r(s);
-  Atoms before{{r.n, "(fromN m')"}};
+  Atoms before{{r.n, "(fromN m'0)"}};
   std::string starts;
   std::string nexts;
   std::string types;
   std::string values;
   for (std::size_t i = 0; i < r.values.size(); ++i) {
     is_defined[r.values[i].name()] = true;
-    before[r.before[i]] = r.value(i, "m'");
+    before[r.before[i]] = r.value(i, "m'0");
     define_all(r.start[i]);
     define_all(r.next[i]);
   }
@@ -114,8 +114,8 @@ std::string Script::recursion(const kernel::Step& s) {
     values += "Definition " + name(r.values[i].name()) + parameters(r.values[i].args()) +
               " : R := " + r.value(i, "(toN " + name(r.n.name()) + ")") + ".\n";
   }
-  return "Fixpoint " + r.tuple + parameters(r.params) + " (k' : nat) : " + types +
-         " :=\n  match k' with O => (" + starts + ") | S m' => (" + nexts + ") end.\n" + values;
+  return "Fixpoint " + r.tuple + parameters(r.params) + " (k'0 : nat) : " + types +
+         " :=\n  match k'0 with O => (" + starts + ") | S m'0 => (" + nexts + ") end.\n" + values;
 }
 std::string Script::recursive(const Theorem& t) {
   const kernel::Step s = t.step();
@@ -124,12 +124,12 @@ std::string Script::recursive(const Theorem& t) {
   const std::string function = (is_start ? t.conclusion() : t.conclusion().arg(1)).arg(0).name();
   std::size_t i = 0;
   while (r.values[i].name() != function) ++i;
-  const std::string jump = "(f_equal (fun k' => " + r.value(i, "k'") + ") ";
+  const std::string jump = "(f_equal (fun k'0 => " + r.value(i, "k'0") + ") ";
   if (is_start) return "exact " + jump + "toN_0).";
-  Atoms now{{r.n, "z'"}};
+  Atoms now{{r.n, "z'0"}};
   for (std::size_t k = 0; k < r.values.size(); ++k) now[r.before[k]] = text(r.values[k]);
   const std::string from_0 = " " + name(r.n.name()) + " i'" + r.n.name() + " h'0)";
-  return "intro h'0. exact (eq_trans " + jump + "(toN_next" + from_0 + ") (f_equal (fun z' => " +
+  return "intro h'0. exact (eq_trans " + jump + "(toN_next" + from_0 + ") (f_equal (fun z'0 => " +
          text(r.next[i], {}, now) + ") (fromN_toN" + from_0 + ")).";
 }
 }  // namespace coq

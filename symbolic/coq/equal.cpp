@@ -129,8 +129,8 @@ std::string Script::prove_canonical(Expr e) {
   a.add_atoms_of(form);
   const Core c = core(a, own);
   const std::string equation = a.print(e) + " = " + a.print(form);
-  return "assert (core : " + c.statement + equation + "). { clear. intros" + c.intros +
-         ". lra. } exact (core" + c.arguments + ").";
+  return "assert (c'0 : " + c.statement + equation + "). { clear. intros" + c.intros +
+         ". lra. } exact (c'0" + c.arguments + ").";
 }
 
 /// Equal arguments of one function.

@@ -116,8 +116,8 @@ std::string Script::rewritten(const Theorem& t, const Context& c) {
   const kernel::Step s = t.step();
   const Expr equation = s.premises[0].conclusion();
   const Expr l = equation.arg(0);
-  return "exact (eq_ind " + text(l) + " (fun z' => " +
-         text(s.premises[1].conclusion(), {}, {{l, "z'"}}) + ") " + applied(s.premises[1], c) +
+  return "exact (eq_ind " + text(l) + " (fun z'0 => " +
+         text(s.premises[1].conclusion(), {}, {{l, "z'0"}}) + ") " + applied(s.premises[1], c) +
          " " + text(equation.arg(1)) + " " + applied(s.premises[0], c) + ").";
 }
 std::string Script::induction(const Theorem& t, const Context& c) {

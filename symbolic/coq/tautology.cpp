@@ -83,9 +83,9 @@ std::string Script::tautology(const Theorem& t, const Context& c) {
   }
   std::string variables;
   for (Expr f : parts.order) variables += " " + parts.names.at(f);
-  return "assert (core : forall" + variables + " : Prop, " + statement +
+  return "assert (c'0 : forall" + variables + " : Prop, " + statement +
          text(t.conclusion(), {}, parts.names) +
-         "). { clear. first [tauto | intros; apply NNPP; tauto]. } exact (core" + arguments +
+         "). { clear. first [tauto | intros; apply NNPP; tauto]. } exact (c'0" + arguments +
          proofs + ").";
 }
 }  // namespace coq

@@ -11,7 +11,9 @@
 using namespace kernel;
 
 namespace {
-const Expr x = real("x"), y = real("y"), z = real("z"), n = integer("n"), m = integer("m");
+// All are names of the kernel: what the emitted proofs bind must be none.
+const Expr x = real("x"), y = real("y"), z = real("z'"), k = real("k'");
+const Expr n = integer("core"), m = integer("m");
 
 coq::Chapter logic() {
   const Theorem equation = assume(eq(x, y + z));
@@ -24,7 +26,7 @@ coq::Chapter logic() {
            {"generalized", generalize(n, discharge(lt(0, n), assume(lt(0, n))))},
            {"specialized", specialize(whole, 2 * n + power(m, 2))},
            {"restated", restate(other, whole)},
-           {"rewritten", rewrite(equation, assume(lt(sin(x) + y, x)))},
+           {"rewritten", rewrite(equation, assume(lt(sin(x) + z, x)))},
            {"order", tautology(logic_or({logic_not(lt(z, x + y)), lt(x, y)}), {ordered})},
            {"lost", tautology(lt(x, y), {assume(lt(x, y)), axiom("discrete")})},
            {"classical", tautology(logic_or({lt(x, y), logic_not(lt(x, y))}), {})},
@@ -55,14 +57,14 @@ coq::Chapter definitions() {
   const Theorem turned = define("turned", {x}, matrix(2, {cos(x), -sin(x), sin(x), cos(x)}));
   const Expr turn = fun("turned", {x});
   const Theorems counted =
-      define_recursive({"count_of", "sum_of"}, {y}, n, {x, z}, {0, y}, {x + 1, z * y + n});
+      define_recursive({"count_of", "sum_of"}, {k}, n, {x, z}, {0, k}, {x + 1, z * k + n});
   const Theorem least = define_least("first_of", {y}, n, 0, lt(y, n));
   const Theorem powers = matrix_power(turn, n);
-  const Expr count = fun("count_of", {y, n}), counts = eq(count, n);
+  const Expr count = fun("count_of", {k, n}), counts = eq(count, n);
   const Theorem from_0 = assume(logic_and({le(0, n), counts}));
   const Theorem next =
       tautology(counted[2].conclusion().arg(1), {counted[2], tautology(le(0, n), {from_0})});
-  const Theorem step = arithmetic(eq(fun("count_of", {y, n + 1}), n + 1),
+  const Theorem step = arithmetic(eq(fun("count_of", {k, n + 1}), n + 1),
                                   {.equations = {{1, next}, {1, tautology(counts, {from_0})}}});
   const Theorem hold = discharge(from_0.conclusion(), step);
   const Expr entries = logic_and({eq(entry(turn, 0, 0), cos(x)), eq(entry(turn, 0, 1), -sin(x)),
