@@ -148,4 +148,5 @@ TEST_CASE("an axiom that is not of Coq's library is seen") {
                   "Lemma one : 0 = 1 /\\ PI = PI. Proof. split; [exact hidden|easy]. Qed.\n"
                   "Print Assumptions one.\n") == "");
   CHECK(coq::foreign_assumption(said_of("hidden")) == "hidden");
+  CHECK(coq::foreign_assumption("") == "what coqc does not say");
 }
