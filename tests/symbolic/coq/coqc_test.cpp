@@ -13,7 +13,7 @@ using namespace kernel;
 namespace {
 // All are names of the kernel: what the emitted proofs bind must be none.
 const Expr x = real("x"), y = real("y"), z = real("z'"), k = real("k'");
-const Expr n = integer("core"), m = integer("m");
+const Expr n = integer("core"), m = integer("in");
 
 coq::Chapter logic() {
   const Theorem equation = assume(eq(x, y + z));
