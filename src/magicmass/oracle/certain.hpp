@@ -30,25 +30,9 @@ Rounding<std::string> to_digits(int digits);
 /// To a rational with a relative error below 2^-bits.
 Rounding<cln::cl_RA> to_within(long bits);
 
-/// Longest exact numbers given out, in bits of their denominator before reduction.
-inline constexpr long longest_exact = 1L << 17;
-
 /// Bits of the denominator of the velocities after j collisions, before reduction to lowest terms:
 /// about the length of alpha a collision.
 cln::cl_I exact_length(const cln::cl_RA& alpha, const cln::cl_I& j);
-
-/// The quantity at a rational alpha. Throws Undecided past longest_exact, std::invalid_argument for
-/// alpha <= 0.
-template <class Quantity>
-std::vector<cln::cl_RA> exactly(const cln::cl_RA& alpha, const Quantity& quantity) {
-  const MassRatio checked = ratio(alpha);
-  const cln::cl_I bits = exact_length(alpha, quantity.j);
-  if (bits > longest_exact) {
-    throw Undecided("the exact numbers have " + to_text(bits) + " bits, more than the " +
-                    std::to_string(longest_exact) + " that are computed; ask for digits instead");
-  }
-  return quantity(*checked.rational);
-}
 
 /// Rounds each number of the quantity: where alpha is rational and its exact numbers short, these
 /// themselves, which settles zeros and ties; else intervals of ever more bits. They widen by a few

@@ -52,7 +52,7 @@ TEST_CASE("powers of the collision map are what stepping gives", "[check]") {
     const auto [by_powers, by_steps] = ends_of(cycle, alpha, i);
     CHECK(by_powers == by_steps);
     const Counts counts = count_collisions(alpha);
-    const Rationals terminal = exactly(alpha, AtEnd(counts));
+    const Rationals terminal = AtEnd(counts)(alpha);
     const Rationals last = ends_of(cycle, alpha, 1000).second;
     CHECK(terminal == Rationals{last[0], last[1], last[2], last[1] * last[1]});
   }
@@ -75,26 +75,18 @@ TEST_CASE("a wrong law is seen", "[exam]") {
 
 TEST_CASE("known velocities", "[exam]") {
   const Rationals start{1, 0, 0, 0};
-  CHECK(exactly(cl_RA(1) / 3, OfCycle(0)) == start);
-  CHECK(exactly(1, OfCycle(1)) == Rationals{0, 1, 1, 0});
+  CHECK(OfCycle(0)(cl_RA(1) / 3) == start);
+  CHECK(OfCycle(1)(cl_RA(1)) == Rationals{0, 1, 1, 0});
   const cl_RA third = cl_RA(1) / 3;
-  CHECK(exactly(third, OfCycle(1)) ==
+  CHECK(OfCycle(1)(third) ==
         Rationals{third * 3 / 2, third * 9 / 4, 3 * third * 3 / 2, -third * 9 / 4});
-  CHECK(exactly(1, AtEnd({1, 1})) == Rationals{0, 1, 0, 1});
-  CHECK_THROWS_AS(exactly(0, OfCycle(1)), std::invalid_argument);
+  CHECK(AtEnd({1, 1})(cl_RA(1)) == Rationals{0, 1, 0, 1});
+  CHECK_THROWS_AS(ratio(0), std::invalid_argument);
+  CHECK(exact_length(cl_RA(1) / 7, 100) == 200);  // a denominator of 4 in each collision
   CHECK_THROWS_AS(OfCycle(-1), std::invalid_argument);
   CHECK_THROWS_AS(AtEnd({1, 2}), std::invalid_argument);
   CHECK_THROWS_AS(AtEnd({0, -1}), std::invalid_argument);
   CHECK_THROWS_AS(AtEnd({3, 1}), std::invalid_argument);
-}
-
-TEST_CASE("exact numbers are given up to a length", "[exam]") {
-  const cl_RA alpha = cl_RA(1) / 7;  // a denominator of 4 in each collision: 2 bits
-  const cl_I longest(longest_exact / 4);
-  CHECK(exact_length(alpha, 2 * longest) == longest_exact);
-  CHECK_NOTHROW(exactly(alpha, OfCycle(longest)));
-  CHECK_THROWS_AS(exactly(alpha, OfCycle(longest + 1)), Undecided);
-  CHECK_NOTHROW(exactly(1, OfCycle(cln::ash(cl_I(1), 100))));
 }
 
 TEST_CASE("enclosures hold the exact velocities, beyond the physical ones too", "[check]") {
@@ -102,7 +94,7 @@ TEST_CASE("enclosures hold the exact velocities, beyond the physical ones too", 
   for (int i = 0; i < 30; ++i) {
     const cl_RA alpha = some_alpha(random);
     const OfCycle quantity(static_cast<long>(random() % 40));
-    const Rationals values = exactly(alpha, quantity);
+    const Rationals values = quantity(alpha);
     const std::vector<Interval> enclosures = quantity(Interval(alpha, 300));
     for (std::size_t k = 0; k < values.size(); ++k) {
       CHECK(enclosures[k].low() <= values[k]);
@@ -115,7 +107,7 @@ TEST_CASE("enclosures hold the exact velocities, beyond the physical ones too", 
 TEST_CASE("long numbers are rounded as the exact ones are", "[check]") {
   const cl_RA alpha = exact(0x1.1c7397cb68b7ep-18);
   const OfCycle quantity(539);  // 123,000 bits: past what is rounded from the number itself
-  const Rationals values = exactly(alpha, quantity);
+  const Rationals values = quantity(alpha);
   const auto doubles = certain(ratio(alpha), quantity, to_double());
   const auto texts = certain(ratio(alpha), quantity, to_digits(40));
   const auto within = certain(ratio(alpha), quantity, to_within(90));
