@@ -5,6 +5,7 @@
 # needs, installed into folders of other names.
 set -euo pipefail
 source=$(realpath "$1")
+if grep -E '[a-z]-[0-9]+-dev' "$source/setup"; then exit 1; fi # a package of one Debian only
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cat >"$scratch/CMakeLists.txt" <<END
