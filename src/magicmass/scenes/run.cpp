@@ -113,6 +113,8 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
   set_energies(scene, line, result);
   decide_status(engine, result);
+  if constexpr (std::floating_point<Scalar>)
+    if (result.events > 0 && !result.is_undecided) result.errors = engine.errors();
   return result;
 }
 

@@ -43,6 +43,7 @@ struct Result {
   Number energy;                     ///< at the end
   Number transmitted;  ///< the part of energy_before that the scene's receiver has at the end
   std::optional<Number> collapse_time, collapse_position;
+  std::optional<simulator::Errors<double>> errors;  ///< of collisions in doubles; else of none
   std::optional<Number> known_until;  ///< the time up to which bodies go on so; nothing: for ever
 };
 

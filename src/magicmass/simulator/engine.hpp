@@ -96,6 +96,8 @@ public:
   /// Of the last collision; 0 before the first.
   const Scalar& now() const { return now_; }
   const Ties& ties() const { return ties_; }
+  /// Of what was told so far, if no decision was near.
+  const Errors<Scalar>& errors() const { return margin_.errors(); }
   /// Whether floating point lost a rebound (two met and, as rounded, did not separate), or holds no
   /// time at which two meet that approach. No next collision then says nothing about the motion.
   bool has_lost() const {
@@ -211,7 +213,6 @@ private:
     body.position = where;
     body.since = now_;
     body.was_met = true;
-    if constexpr (rounds) margin_.look_at(where);
   }
   void tell(std::size_t gap) {
     if constexpr (rounds)
@@ -241,6 +242,7 @@ private:
   /// Of this gap and the next ones, where they are still due.
   void note_ties([[maybe_unused]] std::size_t gap) {
     if constexpr (rounds) {
+      margin_.look_at(place(gap, now_));
       for (const std::size_t other : {gap - 1, gap + 1}) {
         if (other >= all_.size() - 1 || !due_[other]) continue;
         if (margin_.reaches_time(due_[other]->time - now_, now_, sides(gap), sides(other)))

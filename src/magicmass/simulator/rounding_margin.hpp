@@ -21,6 +21,13 @@ struct Sides {
   Scalar spread() const { return std::sqrt(1 / m1 + 1 / m2); }
 };
 
+/// How far a motion in floating point is at most from the exact one: times and places of its
+/// collisions, and velocities. Infinite where nothing is known.
+template <Field Scalar>
+struct Errors {
+  Scalar time{0}, position{0}, velocity{0};
+};
+
 /// Lengths are measured as sqrt(sum m x^2), of velocities likewise. In that length a collision is a
 /// reflection (with e < 1 a contraction) of all velocities and of the positions, so that errors
 /// only add up, and those of positions grow by those of velocities times the time. With
@@ -44,8 +51,10 @@ public:
       Scalar root_mass = 0;
       Scalar speeds = 0;
       for (std::size_t i = 0; i < line.masses.size(); ++i) {
-        root_mass += std::sqrt(line.masses[i]);
-        speeds += std::sqrt(line.masses[i]) * std::abs(line.velocities[i]);
+        const Scalar r = std::sqrt(line.masses[i]);
+        lightest_ = i == 0 ? r : std::min(lightest_, r);
+        root_mass += r;
+        speeds += r * std::abs(line.velocities[i]);
         look_at(line.positions[i]);
       }
       for (const auto& wall : {line.left_wall, line.right_wall}) look_at(wall.value_or(0));
@@ -61,10 +70,20 @@ public:
   void add_collision(Scalar time, const Sides<Scalar>& before, bool rounds) {
     const Scalar r1 = root(before.m1), r2 = root(before.m2);
     const Scalar s = r1 * std::abs(before.u1) + r2 * std::abs(before.u2);
-    positions_ += velocities_ * (time - last_) + eps() * (13 * size_ * (r1 + r2) + time * s);
+    positions_ += velocities_ * (time - last_);
+    const Scalar slowest = before.closing() - velocities_ * before.spread();
+    const Scalar off = slowest > 0 ? error(before, positions_, size_, time) / slowest
+                                   : std::numeric_limits<Scalar>::infinity();
+    positions_ += eps() * (13 * size_ * (r1 + r2) + time * s);
     last_ = time;
+    const Scalar place = (positions_ + (velocities_ + s) * off) / std::max(r1, r2);
+    worst_.time = std::max(worst_.time, off);
+    worst_.position = std::max(worst_.position, place + eps() * size_);
     if (rounds) velocities_ += 10 * eps() * s;
+    worst_.velocity = velocities_ / lightest_;
   }
+  /// Of all collisions so far.
+  const Errors<Scalar>& errors() const { return worst_; }
 
   /// May the sides of a gap in truth be at rest to each other, or go the other way?
   bool reaches_rest(const Sides<Scalar>& gap) const {
@@ -80,10 +99,9 @@ public:
     const Scalar positions = positions_ + velocities_ * (later - last_);
     const Scalar reach = size_ + apart * (std::abs(first.u1) + std::abs(first.u2) +
                                           std::abs(second.u1) + std::abs(second.u2));
-    const auto error = [&](const Sides<Scalar>& gap) {
-      return positions * gap.spread() + eps() * (12 * reach + 2 * later * gap.closing());
-    };
-    return !(error(first) * c2 + error(second) * c1 < apart * c1 * c2);
+    return !(error(first, positions, reach, later) * c2 +
+                 error(second, positions, reach, later) * c1 <
+             apart * c1 * c2);
   }
 
 private:
@@ -91,7 +109,13 @@ private:
   Scalar positions_{0};  // error of all of them, at the time last_
   Scalar velocities_{0};
   Scalar last_{0};
+  Scalar lightest_{0};  // the root of its mass
+  Errors<Scalar> worst_;
 
+  /// Of a gap's width.
+  static Scalar error(const Sides<Scalar>& gap, Scalar positions, Scalar reach, Scalar time) {
+    return positions * gap.spread() + eps() * (12 * reach + 2 * time * gap.closing());
+  }
   static Scalar root(Scalar mass) { return std::isinf(mass) ? 0 : std::sqrt(mass); }
 };
 

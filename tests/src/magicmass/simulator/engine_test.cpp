@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <random>
 
+#include <cln/dfloat.h>
 #include <cln/rational.h>
+#include <cln/real.h>
 
 #include "catch.hpp"
 #include "magicmass/simulator/in_turn.hpp"
@@ -138,11 +140,17 @@ TEST_CASE("doubles and fractions have the same collisions", "[check]") {
     if (engine.ties().near > 0) continue;
     ++compared;
     REQUIRE(events.size() == expected.size());
+    const Errors<double>& off = engine.errors();
     for (std::size_t i = 0; i < events.size(); ++i) {
       CHECK(events[i].gap == expected[i].gap);
-      CHECK_THAT(events[i].time, WithinAbs(cln::double_approx(expected[i].time), 1e-9));
-      CHECK_THAT(events[i].v_left, WithinAbs(cln::double_approx(expected[i].v_left), 1e-9));
-      CHECK_THAT(events[i].v_right, WithinAbs(cln::double_approx(expected[i].v_right), 1e-9));
+      const auto is_near = [](double got, const cl_RA& in_truth, double most) {
+        const auto number = [](double x) { return cln::rational(cln::cl_DF(x)); };
+        return cln::abs(number(got) - in_truth) <= number(most);
+      };
+      CHECK(is_near(events[i].time, expected[i].time, off.time));
+      CHECK(is_near(events[i].position, expected[i].position, off.position));
+      CHECK(is_near(events[i].v_left, expected[i].v_left, off.velocity));
+      CHECK(is_near(events[i].v_right, expected[i].v_right, off.velocity));
     }
   }
   CHECK(compared > 400);
