@@ -45,8 +45,6 @@ std::string tier_of(const Request& request) {
   return tier;
 }
 
-std::size_t bits_of(const cln::cl_RA& x) { return Quadratic(x).bits(); }
-
 /// The mass ratio, for fractions that so many steps make longer by so many bits of it and of
 /// `others` each. Throws InvalidInput where it is none, Undecided where they would be too long.
 cln::cl_RA exact_ratio(const Alpha& alpha, const cln::cl_I& steps, const std::string& name,
@@ -55,7 +53,7 @@ cln::cl_RA exact_ratio(const Alpha& alpha, const cln::cl_I& steps, const std::st
   if (!fraction)
     throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
                        " are no fractions; add --digits D");
-  const cln::cl_I bits = steps * static_cast<long long>(2 * bits_of(*fraction) + others);
+  const cln::cl_I bits = steps * static_cast<long long>(2 * Quadratic(*fraction).bits() + others);
   if (bits > longest)
     throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
                     " would have some " + kernel::digits(bits) + " bits; add --digits D");
@@ -147,7 +145,7 @@ Row counts_and_velocities(const magicmass::Terminal& t) {
 Row stepped(const Alpha& alpha, const cln::cl_RA& e, std::int64_t N) {
   using Body = magicmass::simulator::Body<cln::cl_RA>;
   constexpr int longest = 1 << 18;  // each step reduces its fractions
-  const cln::cl_RA mass = exact_ratio(alpha, N, "collisions", longest, bits_of(e));
+  const cln::cl_RA mass = exact_ratio(alpha, N, "collisions", longest, Quadratic(e).bits());
   std::array<Body, 3> bodies{Body{1, 0, 1}, {mass, 0, 0}, {1, 0, 0}};
   for (std::int64_t j = 0; j < N; ++j) {
     const std::size_t left = j % 2 == 0 ? 0 : 1;

@@ -113,12 +113,11 @@ bool wait_for(int from_child, const Limits& limits, Progress& progress) {
 ExitCode verdict(const std::string& name, int status, const Limits& limits) {
   if (WIFEXITED(status)) return static_cast<ExitCode>(WEXITSTATUS(status));
   const int signal = WTERMSIG(status);
-  for (const int of_user : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) {
+  for (const int of_user : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
     if (signal == of_user) {
       std::signal(signal, SIG_DFL);
       std::raise(signal);
     }
-  }
   return say(name + ": ended by signal " + std::to_string(signal) + " (" + ::strsignal(signal) +
                  "); a smaller question may do, or more than --memory-limit " +
                  std::to_string(limits.mebibytes),

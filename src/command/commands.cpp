@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One row a command; what a later version brings back is named in one line.
+// One row a command.
 #include "answers/derivation.hpp"
 #include "answers/equality.hpp"
 #include "answers/scene.hpp"

@@ -49,8 +49,7 @@ answers::Answer verify(const answers::Request& request) {
   const coq::Files files = all_files();
   const host::TemporaryFolder folder("verify");
   generate::write(folder.path, {files.texts.begin(), files.texts.end()});
-  std::string problem;
-  std::string last;
+  std::string problem, last;
   std::size_t checked = 0;
   for (const auto& [name, text] : files.texts) {
     const auto said = host::said_by(

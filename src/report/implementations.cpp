@@ -21,9 +21,7 @@ using namespace magicmass;
 
 Velocities stepped(double alpha, std::int64_t n) {
   if (n > 1000) throw std::domain_error("stepping: allowed: n to 1000");
-  simulator::Body<double> A{1, 0, 1};
-  simulator::Body<double> C{alpha, 0, 0};
-  simulator::Body<double> B{1, 1, 0};
+  simulator::Body<double> A{1, 0, 1}, C{alpha, 0, 0}, B{1, 1, 0};
   double c = 0;
   for (std::int64_t i = 0; i < n; ++i) {
     collide(A, C);
@@ -37,7 +35,7 @@ Terminal stepped_to_the_end(double alpha) {
   if (alpha < 1e-6) throw std::domain_error("stepping: allowed: alpha from 1e-6");
   simulator::ThreeBodies<double> motion(alpha);
   Counts counts;
-  while (const auto event = motion.step()) ++(event->left == 0 ? counts.N_A : counts.N_B);
+  while (const auto event = motion.step()) ++(event->gap == 1 ? counts.N_A : counts.N_B);
   const auto& [A, C, B] = motion.bodies();
   return {counts, A.velocity, B.velocity, C.velocity, B.velocity * B.velocity};
 }

@@ -121,7 +121,6 @@ Answer report(const Request& request) {
   Plan plan = request.has("quick") ? quick_plan() : Plan();
   plan.only = request.text("only");
   std::vector<std::string> names;
-  names.reserve(quantities.size());
   for (const auto& [quantity, name] : quantities) names.push_back(name);
   for (const Family& family : families()) names.push_back(family.name);
   for (const Implementation& one : plan.implementations)

@@ -29,16 +29,12 @@ std::size_t long_enough(const std::function<void()>& work, double shortest_ns) {
 std::vector<Times> timed(const std::vector<Pair>& pairs, const Rounds& rounds) {
   struct Seen {
     std::array<std::size_t, 2> repetitions;
-    std::vector<double> ns, ratios;
+    std::vector<double> ns = {}, ratios = {};
   };
   std::vector<Seen> seen;
-  seen.reserve(pairs.size());
-  for (const Pair& pair : pairs) {
-    seen.push_back(
-        {{long_enough(pair.naive, rounds.shortest_ns), long_enough(pair.ours, rounds.shortest_ns)},
-         {},
-         {}});
-  }
+  for (const Pair& pair : pairs)
+    seen.push_back({{long_enough(pair.naive, rounds.shortest_ns),
+                     long_enough(pair.ours, rounds.shortest_ns)}});
   PortableRandom random(1);
   for (std::size_t round = 0; round < rounds.count; ++round) {
     for (const std::size_t i : random.order(pairs.size())) {

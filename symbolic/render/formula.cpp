@@ -2,6 +2,7 @@
 #include "render/formula.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "kernel/names.hpp"
 #include "kernel/print.hpp"
@@ -185,33 +186,28 @@ private:
     return style.matrix(rows);
   }
   Piece statement(Expr e) const {
-    switch (e.op()) {
-      case Op::Eq:
-        return {joined(e, " = ", Sum), Relation};
-      case Op::Lt:
-        return {joined(e, " < ", Sum), Relation};
-      case Op::Le:
-        return {joined(e, " <= ", Sum), Relation};
-      case Op::Not:
-        if (e.arg(0).op() == Op::Eq) return {joined(e.arg(0), " != ", Sum), Relation};
-        return {style.word("not ") + within(Relation, e.arg(0)), Relation};
-      case Op::And:
-        return {joined(e, " and ", Conjunction + 1), Conjunction};
-      case Op::Or:
-        return {joined(e, " or ", Disjunction + 1), Disjunction};
-      case Op::Imp:
-        return {joined(e, " implies ", Implication + 1), Implication};
-      case Op::Iff:
-        return {joined(e, " if and only if ", Implication + 1), Implication};
-      default: {  // for every v, with v as the free variable of its name
-        const bool whole = e.bound_sort() == kernel::Sort::Int;
-        const Expr v = whole ? kernel::integer(e.name()) : kernel::real(e.name());
-        return {style.word(whole ? "for every integer " : "for every real ") +
-                    style.name(e.name()) + style.word(": ") +
-                    within(Quantified, kernel::open(e, v)),
-                Quantified};
-      }
+    static const std::map<Op, std::pair<const char*, Level>> between{
+        {Op::Eq, {" = ", Relation}},
+        {Op::Lt, {" < ", Relation}},
+        {Op::Le, {" <= ", Relation}},
+        {Op::And, {" and ", Conjunction}},
+        {Op::Or, {" or ", Disjunction}},
+        {Op::Imp, {" implies ", Implication}},
+        {Op::Iff, {" if and only if ", Implication}}};
+    if (const auto found = between.find(e.op()); found != between.end()) {
+      const auto [word, level] = found->second;
+      return {joined(e, word, level + 1), level};
     }
+    if (e.op() == Op::Not) {
+      if (e.arg(0).op() == Op::Eq) return {joined(e.arg(0), " != ", Sum), Relation};
+      return {style.word("not ") + within(Relation, e.arg(0)), Relation};
+    }
+    // For every v, with v as the free variable of its name.
+    const bool whole = e.bound_sort() == kernel::Sort::Int;
+    const Expr v = whole ? kernel::integer(e.name()) : kernel::real(e.name());
+    return {style.word(whole ? "for every integer " : "for every real ") + style.name(e.name()) +
+                style.word(": ") + within(Quantified, kernel::open(e, v)),
+            Quantified};
   }
 };
 }  // namespace

@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "render/formula.hpp"
 
 namespace render {
 namespace {
-bool is_among(const std::string& word, std::initializer_list<const char*> words) {
-  return std::any_of(words.begin(), words.end(), [&](const char* w) { return word == w; });
-}
 class Latex : public Style {
 public:
   std::string name(const std::string& name) const override { return latex_name(name); }
@@ -58,14 +56,13 @@ public:
     return out;
   }
   std::string word(const std::string& word) const override {
-    constexpr std::array<std::pair<const char*, const char*>, 6> signs{{
-        {" <= ", " \\le "},
-        {" != ", " \\ne "},
-        {"not ", "\\lnot "},
-        {" and ", ",\\quad "},
-        {" implies ", " \\implies "},
-        {" if and only if ", " \\iff "},
-    }};
+    constexpr std::array<std::pair<const char*, const char*>, 6> signs{
+        {{" <= ", " \\le "},
+         {" != ", " \\ne "},
+         {"not ", "\\lnot "},
+         {" and ", ",\\quad "},
+         {" implies ", " \\implies "},
+         {" if and only if ", " \\iff "}}};
     for (const auto& [ours, theirs] : signs)
       if (word == ours) return theirs;
     if (word.find_first_of("abcdefghijklmnopqrstuvwxyz") == word.npos) return word;
@@ -79,16 +76,13 @@ std::string latex_name(const std::string& name) {
   const std::string plain = primed ? name.substr(0, name.size() - 1) : name;
   const std::size_t underscore = plain.find('_');
   const std::string head = plain.substr(0, underscore);
-  std::string out;
-  if (is_among(head, {"alpha", "beta", "theta", "psi", "pi", "Gamma", "Lambda", "lambda", "rho",
-                      "kappa", "delta"}))
-    out = "\\" + head;
-  else if (is_among(head, {"sin", "cos", "det"}))
-    out = "\\" + head;
-  else if (head == "atan")
-    out = "\\arctan";
-  else
-    out = head.size() == 1 ? head : "\\mathrm{" + head + "}";
+  static const std::set<std::string> known{"alpha", "beta",   "theta",  "psi", "pi",
+                                           "Gamma", "Lambda", "lambda", "rho", "kappa",
+                                           "delta", "sin",    "cos",    "det"};
+  std::string out = known.contains(head) ? "\\" + head
+                    : head == "atan"     ? "\\arctan"
+                    : head.size() == 1   ? head
+                                         : "\\mathrm{" + head + "}";
   if (primed) out += "'";
   if (underscore == std::string::npos) return out;
   std::string index = plain.substr(underscore + 1);

@@ -15,16 +15,11 @@ using kernel::Exprs;
 using kernel::Op;
 using Lines = std::vector<std::string>;
 
-std::string joined(const Lines& parts, const std::string& between) {
+template <class All, class Print>
+std::string listed(const All& all, const Print& print, const std::string& between) {
   std::string out;
-  for (const std::string& p : parts) out += (out.empty() ? "" : between) + p;
+  for (const auto& one : all) out += (out.empty() ? "" : between) + print(one);
   return out;
-}
-template <class Print>
-std::string listed(const Exprs& formulas, const Print& print, const std::string& between) {
-  Lines parts;
-  for (const Expr& f : formulas) parts.push_back(print(f));
-  return joined(parts, between);
 }
 /// Broken at blanks where a line would be longer than 80 columns; an overlong word stays whole.
 std::string wrapped(const std::string& text, const std::string& indent) {
@@ -44,9 +39,7 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return out + line + "\n";
 }
 std::string because(const Step& s, std::string (*link)(const std::string&)) {
-  Lines premises;
-  for (const std::string& id : s.premises) premises.push_back(link(id));
-  return s.rule + (premises.empty() ? "" : " from " + joined(premises, ", "));
+  return s.rule + (s.premises.empty() ? "" : " from " + listed(s.premises, link, ", "));
 }
 /// A conjunction is shown a line a part.
 Exprs lines_of(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }

@@ -15,7 +15,7 @@ void print_run(double alpha) {
   magicmass::simulator::ThreeBodies<double> motion(alpha);
   for (int j = 0; const auto event = motion.step(); ++j) {
     const auto& [A, C, B] = motion.bodies();
-    const bool with_A = event->left == 0;
+    const bool with_A = event->gap == 1;
     const double approach = with_A ? C.velocity - B.velocity : A.velocity - C.velocity;
     std::printf("  %c %d | %.4f | %.4f | %.4f | %.4f\n", with_A ? 'P' : 'Q', j / 2 + 1, A.velocity,
                 B.velocity, C.velocity, approach);

@@ -25,7 +25,7 @@ int main() {
   while (const auto event = motion.step()) {
     const auto [t, s] = magicmass::accurate::collision(alpha, collisions);
     std::printf("  %d | %c %d | %.6f | %.6f | %.6f | %.6f\n", collisions,
-                event->left == 0 ? 'P' : 'Q', collisions / 2 + 1, event->time, t,
+                event->gap == 1 ? 'P' : 'Q', collisions / 2 + 1, event->time, t,
                 distance_of_blocks(motion), s);
     ++collisions;
   }

@@ -20,12 +20,10 @@ constexpr std::size_t longest_text = 4096;
 constexpr std::size_t most_bits = 1U << 17U;
 
 /// All ratios of the paper that are in a quadratic field.
-constexpr std::pair<const char*, const char*> quadratic_ratios[]{
-    {"magic:1", "1"},
-    {"magic:2", "sqrt(5)-2"},
-    {"deficient:1", "sqrt(2)-1"},
-    {"deficient:2", "2/sqrt(3)-1"},
-};
+constexpr std::pair<const char*, const char*> quadratic_ratios[]{{"magic:1", "1"},
+                                                                 {"magic:2", "sqrt(5)-2"},
+                                                                 {"deficient:1", "sqrt(2)-1"},
+                                                                 {"deficient:2", "2/sqrt(3)-1"}};
 
 [[noreturn]] void refuse(const std::string& why) { throw InvalidInput(why); }
 

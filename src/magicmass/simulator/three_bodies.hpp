@@ -3,21 +3,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 #include "magicmass/simulator/engine.hpp"
 
 namespace magicmass::simulator {
-
-/// One collision: of body `left` and its right neighbour, in the order A, C, B.
-template <Field Scalar>
-struct Event {
-  std::size_t left;
-  Scalar time;
-  Scalar position;
-};
 
 /// The motion of three bodies. In floating point errors add up from collision to collision, so a
 /// count near a threshold may be off by one: near_ties() then is not 0.
@@ -30,11 +21,10 @@ public:
   explicit ThreeBodies(const Scalar& alpha)
       : engine_({{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}}) {}
 
-  /// Goes on to just after the next collision; returns nothing where none comes.
-  std::optional<Event<Scalar>> step() {
-    if (!engine_.next()) return std::nullopt;
-    const Collision<Scalar> met = engine_.step();
-    return Event<Scalar>{met.gap - 1, met.time, met.position};
+  /// Goes on to just after the next collision, of A and C (gap 1) or of C and B (gap 2); returns
+  /// nothing where none comes.
+  std::optional<Collision<Scalar>> step() {
+    return engine_.next() ? std::optional(engine_.step()) : std::nullopt;
   }
 
   /// A, C, B at the time of the last collision, just after it.

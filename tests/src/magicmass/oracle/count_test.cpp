@@ -21,7 +21,7 @@ Counts stepped(const cl_RA& alpha) {
   magicmass::simulator::ThreeBodies<cl_RA> bodies(alpha);
   Counts counts{0, 0};
   while (const auto event = bodies.step()) {
-    cl_I& count = event->left == 0 ? counts.N_A : counts.N_B;
+    cl_I& count = event->gap == 1 ? counts.N_A : counts.N_B;
     count = count + 1;
   }
   return counts;

@@ -13,10 +13,10 @@ TEST_CASE("equal masses hand the velocity on", "[exam]") {
   ThreeBodies<cl_RA> motion(1);
   const auto first = motion.step();
   REQUIRE(first);
-  CHECK((first->left == 0 && first->time == 0 && first->position == 0));
+  CHECK((first->gap == 1 && first->time == 0 && first->position == 0));
   const auto second = motion.step();
   REQUIRE(second);
-  CHECK((second->left == 1 && second->time == 1 && second->position == 1));
+  CHECK((second->gap == 2 && second->time == 1 && second->position == 1));
   CHECK_FALSE(motion.step());
   CHECK(motion.bodies()[2].velocity == 1);
 }
