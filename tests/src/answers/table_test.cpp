@@ -95,6 +95,7 @@ TEST_CASE("columns stay apart where a later block is wider than the first", "[ex
 }
 
 TEST_CASE("cells", "[exam]") {
+  CHECK(written({{"a"}, {{text_cell("\r")}}}, Format::csv) == "a\n\"\r\"\n");
   CHECK(real_cell(-0.0).text == "0");
   CHECK(real_cell(1e300).json == "1e+300");
   CHECK(real_cell(0.1 + 0.2).text == "0.30000000000000004");

@@ -103,6 +103,7 @@ TEST_CASE("A zero, a sign, a NaN and a count", "[exam]") {
   CHECK((turned.wrong == 1 && turned.max_ulp == 0x1p53));
   const Errors lost = seen(0, std::nan(""));
   CHECK((lost.wrong == 1 && std::isinf(lost.max_ulp) && lost.misrounded == 1));
+  CHECK(seen(std::nan(""), 1).wrong == 1);
   const Truth counted = truth(Quantity::counts, one);
   CHECK(counted.counts == magicmass::Counts{1, 1});
   Columns columns({&one, 1});

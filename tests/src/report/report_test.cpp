@@ -71,6 +71,11 @@ TEST_CASE("The text fits 80 columns, and Markdown has its tables", "[check]") {
   CHECK(lines > 50);
   const std::string markdown = document_of(measured(), true);
   CHECK(markdown.find("\n| evaluator | family | max_ulp |") != std::string::npos);
+  const auto seen = [](const char* family, double ulp, double ratio) {
+    return Measurement{"naive", Quantity::velocities, family, {.max_ulp = ulp}, {.ratio = ratio}};
+  };
+  const std::string both = document_of({seen("everyday", 1, 7), seen("tiny", 2, 9)}, true);
+  CHECK(both.find("\n| naive | tiny | 2 | 0 | 0 | 7 |") != std::string::npos);
   CHECK(markdown.find("\n## velocities, everyday: alpha from 1e-6 to 10\n") != std::string::npos);
 }
 

@@ -36,6 +36,7 @@ TEST_CASE("LaTeX of terms and formulas") {
       {x + Expr(cln::cl_RA(-1) / 2), "x - \\frac{1}{2}"},
       {2 * x, "2 \\, x"},
       {2 * (3 * x), "6 \\, x"},
+      {x * power(Expr(3), 2), "x \\cdot 3^{2}"},
       {ceil(x / 2), "\\left\\lceil \\frac{x}{2}\\right\\rceil"},
       {cos(n * x) / cos(x / 2),
        "\\frac{\\cos\\left(n \\, x\\right)}{\\cos\\left(\\frac{x}{2}\\right)}"},
