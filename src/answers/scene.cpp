@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/scene.hpp"
 
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <utility>
@@ -56,11 +55,11 @@ Cell short_cell(const Number& number, bool exact) {
   return {digits.str(), cell.json};
 }
 
-/// Two digits, rounded up.
+/// Two digits, rounded up; it is finite.
 Cell bound_cell(double bound) {
   std::ostringstream digits;
   digits << std::setprecision(2) << 1.06 * bound;
-  return std::isfinite(bound) ? Cell{digits.str(), digits.str()} : Cell{"unknown", "null"};
+  return {digits.str(), digits.str()};
 }
 
 Fields status_fields(const Result& result) {
@@ -109,12 +108,10 @@ Fields head_fields(const Asked& asked) {
   if (result.collapse_time)
     fields.emplace_back("collapse", object_cell({{"time", shown(*result.collapse_time)},
                                                  {"position", shown(*result.collapse_position)}}));
-  if (result.errors) {
-    const auto& [time, position, velocity] = *result.errors;
-    fields.emplace_back("error", object_cell({{"time", bound_cell(time)},
-                                              {"position", bound_cell(position)},
-                                              {"velocity", bound_cell(velocity)}}));
-  }
+  if (const auto& error = result.errors)
+    fields.emplace_back("error", object_cell({{"time", bound_cell(error->time)},
+                                              {"position", bound_cell(error->position)},
+                                              {"velocity", bound_cell(error->velocity)}}));
   if (scene.wants("counts")) fields.emplace_back("counts", counts_cell(scene, result));
   if (scene.wants("terminal")) fields.emplace_back("terminal", terminal_cell(scene, result));
   if (scene.wants("energy")) {

@@ -114,7 +114,8 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   set_energies(scene, line, result);
   decide_status(engine, result);
   if constexpr (std::floating_point<Scalar>)
-    if (result.events > 0 && !result.is_undecided) result.errors = engine.errors();
+    if (result.events > 0 && !result.is_undecided && std::isfinite(engine.errors().position))
+      result.errors = engine.errors();
   return result;
 }
 
@@ -134,8 +135,7 @@ Result exactly(const Scene& scene, Result result) {
     mass = mass + line.masses[i];
     momentum = momentum + line.masses[i] * line.velocities[i];
   }
-  const bool has_wall = bodies == 2;
-  result.terminal.assign(bodies, has_wall ? Quadratic(0) : momentum / mass);
+  result.terminal.assign(bodies, bodies == 2 ? Quadratic(0) : momentum / mass);  // 2: a wall
   set_energies(scene, line, result);
   result.known_until = motion<Quadratic>(scene, told(scene)).known_until;
   result.plan.is_exact = true;

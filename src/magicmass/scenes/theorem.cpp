@@ -218,7 +218,8 @@ struct Seen {
 }  // namespace
 
 std::string at_limit(std::int64_t limit) {
-  return "stopped after " + std::to_string(limit) + " collisions; more with --max-events";
+  return "stopped after " + std::to_string(limit) + (limit == 1 ? " collision" : " collisions") +
+         "; more with --max-events";
 }
 
 std::optional<Result> by_theorem(const Scene& scene) {

@@ -21,8 +21,7 @@ struct Sides {
   Scalar spread() const { return std::sqrt(1 / m1 + 1 / m2); }
 };
 
-/// How far a motion in floating point is at most from the exact one: times and places of its
-/// collisions, and velocities. Infinite where nothing is known.
+/// How far times and places of collisions, and velocities, may be off at most; or infinite.
 template <Field Scalar>
 struct Errors {
   Scalar time{0}, position{0}, velocity{0};
@@ -48,8 +47,7 @@ public:
   /// Exact numbers have none, and ask for none.
   explicit RoundingMargin([[maybe_unused]] const Line<Scalar>& line) {
     if constexpr (std::floating_point<Scalar>) {
-      Scalar root_mass = 0;
-      Scalar speeds = 0;
+      Scalar root_mass = 0, speeds = 0;
       for (std::size_t i = 0; i < line.masses.size(); ++i) {
         const Scalar r = std::sqrt(line.masses[i]);
         lightest_ = i == 0 ? r : std::min(lightest_, r);
