@@ -117,12 +117,13 @@ std::vector<Figure> all_figures() {
 answers::Answer figure(const answers::Request& request) {
   const std::vector<Figure> all = all_figures();
   std::vector<std::string> names;
-  std::string list;
+  answers::Table list{{"name", "title"}, {}};
   for (const Figure& f : all) {
     names.push_back(f.name);
-    list += f.name + ": " + told(script_of(f.name), "title") + "\n";
+    list.rows.push_back(
+        {answers::text_cell(f.name), answers::text_cell(told(script_of(f.name), "title"))});
   }
-  if (request.has("list") && request.words.empty()) return {{}, list};
+  if (request.has("list") && request.words.empty()) return {list};
   if (request.words.size() != 1 || request.has("list"))
     throw answers::InvalidInput("figure: give one name, or --list; allowed: " +
                                 answers::joined(names));
