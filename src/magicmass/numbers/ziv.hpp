@@ -16,8 +16,7 @@ std::string text_of(double x);
 Velocities velocities_by_mpfr(double alpha, std::int64_t n);
 /// alpha > 0 with N_A, N_B < 2^63.
 Terminal terminal_by_mpfr(double alpha);
-/// Masses above 0, per_B perhaps 0, 0 < e <= 1; within fast's promise. nullopt: the collisions never
-/// end.
+/// Masses above 0, or per_B 0; 0 < e <= 1; within fast's promise. nullopt: they never end.
 std::optional<Terminal> restitution_by_mpfr(Masses masses, double e);
 /// alpha > 0, 1 <= j < N_A + N_B.
 Collision collision_by_mpfr(double alpha, std::int64_t j);
