@@ -38,6 +38,21 @@ bool is_connected(const Domain& domain, const std::vector<Requirement>& needs) {
   return std::all_of(needs.begin(), needs.end(),
                      [&](const Requirement& r) { return forms.holds(r); });
 }
+// An inequality of this kind leaves of a box what is convex.
+bool is_affine(Expr e, const Domain& box) {
+  const std::set<Expr> symbols = kernel::free_variables(e);
+  const auto where_one_is = [&](Expr one) {
+    kernel::Substitution values;
+    for (Expr x : symbols) values.emplace(x, x == one ? 1 : 0);
+    return kernel::substitute(e, values);
+  };
+  Expr rest = e - where_one_is({});
+  for (Expr x : symbols) {
+    if (!box.ranges.contains(x)) return false;
+    rest = rest - x * (where_one_is(x) - where_one_is({}));
+  }
+  return is_proved([&] { return Forms(box).of(rest).empty(); });
+}
 // The same domain for fewer symbols.
 Domain only(const Domain& domain, Expr e) {
   Domain out;
@@ -51,8 +66,11 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
   return is_proved([&] {
     const Domain box = only(domain, left - right);
     const std::vector<Requirement> needs = requirements(left - right, box);
-    Forms forms(box);
+    std::vector<Requirement> convex = conditions(domain);
+    std::erase_if(convex, [&](const auto& r) { return !needs.empty() || !is_affine(r.term, box); });
+    Forms forms(narrowed(box, convex));
     for (const Requirement& r : needs) forms.assume(r);
+    for (const Requirement& r : convex) forms.assume(r);
     const Sum difference = forms.of(left) - forms.of(right);
     const int parts = parts_of(difference);
     if (parts == 0 || !forms.is_whole_turns(scaled(difference, parts))) return false;

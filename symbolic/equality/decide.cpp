@@ -183,6 +183,8 @@ private:
   bool prove() {
     if (left == right) return proved("both sides are the same expression");
     if (prove_at_whole_exponents()) return true;
+    for (const auto& [x, range] : domain.ranges)
+      if (range.is_point()) return is_proved_for(x, range.low->value, {});
     if (has_impossible_need()) return false;
     if (domain.ranges.empty() && prove_constants()) return true;
     if (is_same_form(right)) return true;
@@ -219,9 +221,12 @@ private:
       const Expr modulus = absolute(x);
       const bool is_integer = range.is_integer;
       const std::string name = notation::name_of(x);
-      if (!range.low && !range.high && kernel::replace(left - right, modulus, 0) != left - right) {
-        if (is_proved_for(x, x, {.is_integer = is_integer, .low = End{0, true}}) &&
-            is_proved_for(x, x, {.is_integer = is_integer, .high = End{0, true}}))
+      Range above = range, below = range;
+      above.cut_below({0, true});
+      below.cut_above({0, true});
+      if (!above.is_empty() && !below.is_empty() &&
+          kernel::replace(left - right, modulus, 0) != left - right) {
+        if (is_proved_for(x, x, above) && is_proved_for(x, x, below))
           return proved("cases: " + name + " >= 0 and " + name + " <= 0");
       } else if (is_integer) {
         const Expr half = kernel::integer("half_" + x.name());  // which nobody can type
@@ -277,9 +282,11 @@ private:
   }
   bool is_same_form(Expr other) {
     try {
-      Forms forms(narrowed(domain, needs));
-      for (int pass = 0; pass < 2; ++pass)  // a sign found late names earlier terms anew
+      Forms forms(narrowed(narrowed(domain, needs), conditions(domain)));
+      for (int pass = 0; pass < 2; ++pass) {  // a sign found late names earlier terms anew
         for (const Requirement& r : needs) forms.assume(r);
+        for (const Requirement& r : conditions(domain)) forms.may_assume(r);
+      }
       const Sum difference = forms.of(left) - forms.of(other);
       if (forms.is_zero(difference))
         return proved("normal form: the difference of both sides is 0");

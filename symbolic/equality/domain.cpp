@@ -26,12 +26,14 @@ std::string trimmed(const std::string& text) {
   if (first == text.npos) return "";
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
-std::vector<std::string> separated(const std::string& text) {  // at commas outside of brackets
+// At commas outside of brackets, or what stands for one.
+std::vector<std::string> separated(std::string text) {
+  for (std::size_t at = 0; (at = text.find(" and ", at)) != text.npos;) text.replace(at, 5, ",");
   std::vector<std::string> parts{""};
   int depth = 0;
   for (const char c : text) {
     depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-    if (c == ',' && depth == 0)
+    if ((c == ',' || c == ';') && depth == 0)
       parts.emplace_back();
     else
       parts.back() += c;
@@ -44,12 +46,10 @@ bool bound(const notation::Comparison& c, std::map<Expr, Range>& given) {
   const Expr symbol = is_turned ? c.right : c.left;
   const auto value = notation::rational_value(is_turned ? c.left : c.right);
   if (notation::name_of(symbol).empty() || !value) return false;
-  if (c.relation == "=" || c.relation == "!=") return false;
-  const End end{*value, c.relation.size() == 2};
-  if ((c.relation[0] == '<') != is_turned)
-    given[symbol].cut_above(end);
-  else
-    given[symbol].cut_below(end);
+  if (c.relation == "!=") return false;
+  const End end{*value, c.relation.ends_with('=')};
+  if (c.relation == "=" || (c.relation[0] == '<') != is_turned) given[symbol].cut_above(end);
+  if (c.relation == "=" || (c.relation[0] == '<') == is_turned) given[symbol].cut_below(end);
   return true;
 }
 bool is_in(const Domain& domain, const Point& point) {
@@ -64,6 +64,7 @@ std::string shown(const std::string& name, const Range& range) {
   };
   const auto number = [](const End& end) { return kernel::digits(end.value); };
   std::string bounds;
+  if (range.is_point()) return name + " = " + number(*range.low);
   if (range.low && range.high)
     bounds = number(*range.low) + with("<", *range.low) + name;
   else if (range.low)
@@ -140,8 +141,7 @@ bool Range::contains(const cln::cl_RA& value) const {
 }
 bool Range::is_empty() const {
   if (!low || !high) return false;
-  if (!is_integer)
-    return low->value > high->value || (low->value == high->value && !contains(low->value));
+  if (!is_integer) return low->value > high->value || (low->value == high->value && !is_point());
   const cln::cl_I first = cln::ceiling1(low->value);
   return !contains(first) && !contains(first + 1);
 }

@@ -30,6 +30,7 @@ struct Range {
   void cut_above(const End& end);
   bool contains(const cln::cl_RA& value) const;
   bool is_empty() const;
+  bool is_point() const { return low && high && low->value == high->value && contains(low->value); }
 };
 /// Symbols by name: the order in which terms were made must not decide which point comes first.
 struct ByName {

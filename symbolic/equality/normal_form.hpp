@@ -31,6 +31,8 @@ struct Requirement {
 };
 /// Of the term and all of its parts, inner ones first, each once.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
+/// What holds where it says so of several symbols, or of one and an irrational number.
+std::vector<Requirement> conditions(const Domain& domain);
 
 /// The normal forms of terms on a domain. Whatever is said of a term holds where it is defined and
 /// the requirements hold that were assumed.
@@ -38,6 +40,8 @@ class Forms {
 public:
   explicit Forms(Domain domain) : where(std::move(domain)) {}
   void assume(const Requirement& requirement);
+  /// Where its form can be computed.
+  void may_assume(const Requirement& requirement);
 
   /// Throws TooLarge, NotDefined (a quotient by what is identically 0).
   Sum of(Expr term);

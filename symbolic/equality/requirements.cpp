@@ -38,13 +38,33 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
   return out;
 }
 
+std::vector<Requirement> conditions(const Domain& domain) {
+  using Need = Requirement::Kind;
+  std::vector<Requirement> out;
+  for (const auto& [left, relation, right] : domain.further)
+    if (relation != "=")
+      out.push_back({relation == "!="      ? Need::NotZero
+                     : relation.size() > 1 ? Need::NotNegative
+                                           : Need::Positive,
+                     relation[0] == '<' ? right - left : left - right});
+  return out;
+}
+
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
   const auto narrow = [&](const Requirement& r, Expr x) {  // by start + rise x
-    const Sum sum = Forms(domain).of(r.term);
-    Sum rest = sum;
-    const cln::cl_RA start = rest[{}], rise = rest[{{x, exponent(1)}}];
-    if (rise == 0 || sum != number(start) + scaled(atom(x), rise)) return false;
-    const End end{-start / rise, r.kind == Requirement::Kind::NotNegative};
+    Forms forms(domain);
+    Sum start = forms.of(r.term);
+    const cln::cl_RA rise = start[{{x, exponent(1)}}];
+    start = start - scaled(atom(x), rise);
+    const auto value = forms.real_expression(start);
+    if (rise == 0 || !value || !kernel::free_variables(*value).empty()) return false;
+    End end{0, r.kind == Requirement::Kind::NotNegative};
+    if (const auto exact = notation::rational_value(*value)) {
+      end.value = -*exact / rise;
+    } else {  // a little more than it leaves
+      const cln::cl_RA there = -enclosure(*value, 64).high() / rise;
+      end.value = (rise > 0 ? cln::floor1(8 * there) : cln::ceiling1(8 * there)) / cln::cl_RA(8);
+    }
     if (rise > 0)
       domain.ranges[x].cut_below(end);
     else

@@ -139,8 +139,8 @@ int Forms::sign_of_cosine(const Sum& sum) {
   const Sum quarter = scaled(atom(kernel::pi()), cln::cl_RA(1) / 2);
   for (int shift : {0, 1, -1}) {
     const Sum angle = sum_of(u) + scaled(quarter, 2 * shift);
-    if (is_positive(quarter - angle) && is_positive(quarter + angle))
-      return product(sign_of_powers(there), (q > 0) == (shift == 0) ? 2 : -2);
+    const int sign = product(sign_of(quarter - angle), sign_of(quarter + angle));
+    if (sign > 0) return product(sign_of_powers(there), (q > 0) == (shift == 0) ? sign : -sign);
   }
   return 0;
 }
@@ -212,6 +212,9 @@ void Forms::assume(const Requirement& requirement) {
   forms.clear();
   factored.clear();
   signs.clear();
+}
+void Forms::may_assume(const Requirement& requirement) {
+  is_proved([&] { return assume(requirement), true; });
 }
 bool Forms::holds(const Requirement& requirement) {
   const Sum sum = of(requirement.term);

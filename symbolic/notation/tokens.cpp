@@ -276,7 +276,12 @@ private:
     if (const auto it = commands().find(word); it != commands().end()) {
       if (!it->second.empty()) add(Kind::Sign, it->second, column);
       spaced = true;
-      return;
+      const std::size_t end = text.find(U'}', at);  // \operatorname{sech}
+      if (peek() != U'{' || end == text.npos) return;
+      const std::string inner(text.begin() + at + 1, text.begin() + end);
+      if (!is_function(inner)) return;
+      at = end + 1;
+      return add(Kind::Name, inner, column);
     }
     if (word.starts_with("var") && is_greek_name(word.substr(3))) word.erase(0, 3);
     if (word == "dfrac" || word == "tfrac") word = "frac";

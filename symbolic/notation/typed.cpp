@@ -171,11 +171,12 @@ private:
       }
     }
   }
-  // 1/2 M_1 and L/V sin(...) have one usual reading; 1/2(1+alpha) and a/b c have two.
+  // 1/2 M_1, L/V sin(...) and a/(b) c have one usual reading; 1/2(1+alpha) and a/b c have two.
   void read_after_slash(std::size_t from, std::size_t slash) {
     const bool numbers = slash == from + 1 && place == slash + 2 &&
                          words[from].kind == Kind::Number && words[slash + 1].kind == Kind::Number;
-    if (!now().is_spaced || (!numbers && !is_call_ahead()))
+    const bool brackets = words[slash + 1].text == "(" && words[place - 1].text == ")";
+    if (!now().is_spaced || (!numbers && !is_call_ahead() && !(brackets && is_name_ahead())))
       refuse_at(now().column,
                 "is " + now().text + " above or below the fraction line? write a * or parentheses");
     const std::string left = typed(from, place);
@@ -252,7 +253,9 @@ private:
   }
   // \begin{pmatrix} a & b \\ c & d \end{pmatrix}
   Expr environment(const Token& token) {
+    const bool has_columns = now().text == "{" && words[place + 1].text == "array";
     skip_name(token);
+    if (has_columns) skip_name(token);  // {cc}
     const std::vector<Exprs> all = rows();
     if (!is_end_command()) refuse_at(now().column, "\\end is expected");
     ++place;
@@ -301,7 +304,7 @@ private:
     static const std::set<std::string> usual{"x", "y", "z", "t", "u", "V", "L",
                                              "M", "m", "e", "n", "k", "j"};
     return factors.contains(name) || usual.contains(name) || is_greek_name(name) ||
-           name.find('_') != name.npos;
+           (name.find('_') != name.npos && !name.ends_with("_prime"));
   }
   Expr name(const Token& token) {
     const std::string& word = token.text;
@@ -310,6 +313,7 @@ private:
     if (const std::string meant = hidden_function(word); !meant.empty() && !factors.contains(word))
       refuse_at(token.column, word + ": is " + meant + " meant?");
     if (!factors.contains(word)) refuse_function(token);
+    if (word == "i" && !factors.contains(word)) note("i is read as a real number of its own");
     if (!token.typed.empty()) note(token.typed + " is read as " + word);
     const bool is_word = word.size() > 1 && word.find('_') == word.npos && !is_greek_name(word);
     const std::string product = word.size() == 2 ? word.substr(0, 1) + "*" + word[1] : "with *";
@@ -328,10 +332,11 @@ private:
     if (rounding.contains(word))
       refuse_at(token.column, word + ": there are no rounding functions here");
     const std::string meant = alike(word, factors);
-    refuse_at(token.column,
-              "unknown function " + word +
-                  (meant.empty() ? "; write * for a product, and " + word + "_n for " + word + "(n)"
-                                 : "; is " + meant + " meant?"));
+    refuse_at(token.column, "unknown function " + word +
+                                (!meant.empty()    ? "; is " + meant + " meant?"
+                                 : word.size() > 1 ? ""
+                                                   : "; write * for a product, and " + word +
+                                                         "_n for " + word + "(n)"));
   }
   // Of the brackets that begin here.
   bool has_comma_ahead() const {
@@ -347,7 +352,8 @@ private:
   bool is_matrix_ahead() const {  // which is never below a line
     return is("[") || (now().kind == Kind::Command && now().text == "begin") || has_comma_ahead();
   }
-  bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
+  bool is_name_ahead() const { return now().kind == Kind::Name; }
+  bool is_call_ahead() const { return is_name_ahead() && is_function(now().text); }
   Expr function(const Token& token) {
     const std::size_t column = now().column;
     Expr exponent;

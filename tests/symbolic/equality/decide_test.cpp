@@ -87,6 +87,7 @@ TEST_CASE("Domains: what is usual, what is said, what is absent or empty") {
   CHECK(said("alpha <= 1", {"alpha"}) == std::vector<std::string>{"0 < alpha <= 1"});
   CHECK(said("alpha real", {"alpha"}) == std::vector<std::string>{"alpha real"});
   CHECK(said("x < 2, x < 1", {"x"}) == std::vector<std::string>{"x < 1"});
+  CHECK(said("e = 1", {"e"}) == std::vector<std::string>{"e = 1"});
   CHECK(said("2^3 > x, x <= 2^3", {"x"}) == std::vector<std::string>{"x < 8"});
   CHECK(unused.empty());
   said("beta > 0", {"alpha"});

@@ -45,6 +45,11 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
       {"asinh(x)", "log(x + sqrt(x^2 + 1))"},
       {"log_10^2(x)", "(log(x)/log(10))^2"},
       {"log2(8)", "log(8)/log(2)"},
+      {"(x-1)/(x+1) y", "(x - 1)*y/(x + 1)"},
+      {"tg(x)*ctg(x) + arctg(x)", "sin(x)*cos(x)/sin(x)/cos(x) + atan(x)"},
+      {"arcsinh(x)", "log(x + sqrt(x^2 + 1))"},
+      {"\\operatorname{arctan}(x) + \\mathrm{sin} x", "atan(x) + sin(x)"},
+      {"\\left(\\begin{array}{c|c} 1 & 2 \\\\ 3 & 4 \\end{array}\\right)", "1; 2; 3; 4"},
       {"|c-2|", "abs(c - 2)"},
       {"||x|-1|", "abs(abs(x) - 1)"},
       {"√2/2", "1/2*sqrt(2)"},
@@ -87,6 +92,7 @@ TEST_CASE("What has two readings is refused with both, slips are named with thei
       {"0x1F", "a hexadecimal number?"},
       {"0,5", "column 2: unexpected comma; decimals are written 0.5"},
       {"a(n)", "a_n for a(n)"},
+      {"f'(x)", "column 1: unknown function f_prime"},
       {"2 floor(x)", "column 3: floor: there are no rounding functions here"},
       {"\\ln_3 x", "unknown function ln_3"},
       {"log(x, 2, 3)", "column 12: write log(x, b) for the logarithm to base b"},
@@ -140,6 +146,7 @@ TEST_CASE("A reading that was chosen is said") {
   CHECK(typed_text(read_typed("2M2u2", {"M_2", "u_2"}).term) == "2*M_2*u_2");
   CHECK_THAT(read_typed("e^x").notes.at(0), ContainsSubstring("exp(x)"));
   CHECK(read_typed("e^2").notes.empty());
+  CHECK(read_typed("i").notes == std::vector<std::string>{"i is read as a real number of its own"});
   const Typed apart = read_typed("2M_2u_2^2", {"M_2", "u_2"});
   CHECK(typed_text(apart.term) == "2*M_2*u_2^2");
   CHECK(apart.notes == std::vector<std::string>{"M_2u_2 is read as M_2 u_2"});
