@@ -50,7 +50,7 @@ std::optional<std::string> text_in(const std::string& folder, const std::string&
     if ((count = ::read(file.number, &text[size], text.size() - size)) < 0) refuse();
   text.resize(size);
   if (text.size() > most_bytes) throw InvalidInput("more than 64 KiB");
-  if (text.find('\0') != text.npos) throw InvalidInput("it has a zero byte, so it is no text");
+  if (text.find('\0') != text.npos) throw InvalidInput("it has a zero byte; save it as UTF-8");
   return text;
 }
 

@@ -125,7 +125,9 @@ Answer hint(const Request& request) {
       remember_hint(e, i + 1);
       return document(request, e, e.hints[i]);
     }
-  throw InvalidInput("learn hint: " + e.id + " has hints 1 to " + std::to_string(e.hints.size()));
+  throw InvalidInput(
+      "learn hint: " + e.id +
+      (e.hints.empty() ? " has no hints" : " has hints 1 to " + std::to_string(e.hints.size())));
 }
 
 Answer solution(const Request& request) {
@@ -134,7 +136,6 @@ Answer solution(const Request& request) {
 }
 
 Answer watch_folder(const Request& request) {
-  if (request.words.size() > 2) throw InvalidInput("learn watch: give one folder, or none");
   if (request.format != "text") throw InvalidInput("learn watch: --format: allowed: text");
   const std::string folder = request.words.size() > 1 ? request.words[1] : ".";
   Answer answer;
@@ -180,10 +181,14 @@ Answer test(const Request& request) {
 }  // namespace
 
 Answer learn_by_exercises(const Request& request) {
-  static const std::map<std::string, Answer (*)(const Request&)> actions{
-      {"list", list}, {"show", show},          {"check", check},
-      {"hint", hint}, {"watch", watch_folder}, {"grade", grade_class},
-      {"new", make},  {"solution", solution},  {"test", test}};
+  struct Action {
+    Answer (*answer)(const Request&);
+    std::size_t most_words;
+  };
+  static const std::map<std::string, Action> actions{
+      {"list", {list, 1}}, {"show", {show, 2}},          {"check", {check, 99}},  // says it itself
+      {"hint", {hint, 3}}, {"watch", {watch_folder, 2}}, {"grade", {grade_class, 2}},
+      {"new", {make, 2}},  {"solution", {solution, 2}},  {"test", {test, 2}}};
   static const std::map<std::string, std::string> of_some{
       {"folder", "list, show, check, hint, solution, watch, grade, test"},
       {"seed", "show, check, hint, solution, watch, grade"},
@@ -201,7 +206,11 @@ Answer learn_by_exercises(const Request& request) {
   for (const auto& [option, names] : of_some)
     if (request.has(option) && names.find(name) == names.npos)
       throw InvalidInput("learn " + name + ": no --" + option + " here; allowed with: " + names);
-  return found->second(request);
+  const auto [answer, most] = found->second;
+  if (request.words.size() > most)
+    throw InvalidInput("learn " + name + ": " + answers::shown_text(request.words[most]) +
+                       " is one word too many");
+  return answer(request);
 }
 
 }  // namespace classroom

@@ -61,6 +61,8 @@ std::string first_error(const End& compiled, const std::string& folder, const st
           line.find("ambiguating new declaration of") != line.npos)
         return "a function with this signature is expected: " + answers::shown_text(function, 200);
     }
+    if (line.find("multiple definition of `main'") != line.npos)
+      return "leave out main: who calls the function has one";
     learn::replace_all(line, folder + "/", "");
     return answers::shown_text(line, 200);
   }

@@ -35,10 +35,11 @@ char right_choice(const Exercise& e) {
 
 Judgement judge_choice(const Exercise& e, const std::string& text) {
   const std::size_t first = std::min(text.find_first_not_of("( "), text.size() - 1);
-  const bool is_letter = text.find_first_not_of(") .,:;", first + 1) == text.npos;  // (a), b., c
+  const std::size_t after = text.find_first_not_of(") .,:;", first + 1);  // (a), b., c
   const char letter = char(text[first] | 0x20);
   const char last = char('a' + e.choices.size() - 1);
-  if (!is_letter || letter < 'a' || letter > last)
+  if (letter < 'a' || letter > last ||
+      (after != text.npos && text.substr(after) != e.choices[std::size_t(letter - 'a')]))
     kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got " +
                    answers::shown_text(text));
   if (letter == right_choice(e)) return {Mark::right, happens};

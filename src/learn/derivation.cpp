@@ -165,18 +165,21 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
 }
 
 /// Lines that are equal to what stands before, each by an identity or by putting in the laws. An
-/// equation that begins with something else stands for itself.
+/// equation that begins with something else stands for itself, and is a law if it is a small step.
 Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   const Exercise& e = terms.exercise;
   const Expr start = terms.content(e.start);
   Expr before = start;
   std::string shown_before = e.start;
-  const auto with_laws = [&](Expr term) {
-    for (const std::string& law : e.laws) {
-      const auto [left, right] = both_sides(terms, law);
-      term = kernel::replace(term, left, right);
-    }
+  std::vector<std::pair<Expr, Expr>> laws, asides;
+  for (const std::string& law : e.laws) laws.push_back(both_sides(terms, law));
+  const auto with = [](const auto& equations, Expr term) {
+    for (const auto& [left, right] : equations) term = kernel::replace(term, left, right);
     return term;
+  };
+  const auto is_step = [&](Expr from, Expr to) {  // whatever psi is, or by the laws
+    return terms.are_equal(from, to) || terms.are_equal(with(laws, from), to) ||
+           terms.are_equal(with(laws, with(asides, from)), to);
   };
   const auto is_finished = [&] {
     return !lacking(e.form, before, terms.domain(notation::symbols_of(before)));
@@ -205,8 +208,9 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
             is_finished() ? Judgement{mark, differs} : terms.mistake(given, differs);
         if (!is_left || !said.misconception.empty()) return said;
         is_aside = true;  // an equation of its own, such as a law
-      } else if (!is_aside && !terms.are_equal(before, now) &&
-                 !terms.are_equal(with_laws(before), now)) {  // whatever psi is, or by the laws
+      } else if (is_aside) {
+        if (is_step(before, now)) asides.emplace_back(before, now);
+      } else if (!is_step(before, now)) {
         return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
                                       shown_before + " and " + shown + ", though they are equal."};
       }
@@ -225,7 +229,10 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
 
 Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& notes) {
   const Terms terms(e);
-  Texts lines = split(text, '\n');
+  std::string plain = text;
+  replace_all(plain, "\\\\", "\n");  // as LaTeX aligns equations
+  replace_all(plain, "&", "");
+  Texts lines = split(plain, '\n');
   if (lines.size() == 1) lines = split(text, ';');  // on a command line
   if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
   return e.start.empty() ? judge_equations(terms, lines, notes) : judge_chain(terms, lines, notes);

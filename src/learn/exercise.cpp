@@ -99,8 +99,8 @@ struct Reader {
   void read(const std::string& of, const toml::node& node, Misconception& to) const {
     if (!node.is_table()) refuse(node, of + ": [[" + of + "]] is expected");
     read_keys(*node.as_table(), {}, " in a misconception", to);
-    if ((to.answers.empty() && to.replace.empty()) || to.feedback.empty())
-      refuse(node, "a misconception needs answers (or, of code, replace) and feedback");
+    if (to.name.empty() || (to.answers.empty() && to.replace.empty()) || to.feedback.empty())
+      refuse(node, "a misconception needs a name, answers (or, of code, replace) and feedback");
   }
   /// Each key to the member of its name; `known` are read elsewhere.
   template <class Object>
@@ -133,8 +133,9 @@ struct Reader {
     };
     for (const char* key : {"id", "title", "chapter", "kind", "prompt"})
       need(file.contains(key), std::string(key) + " is missing");
-    need(e.id.find_first_not_of(
-             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == e.id.npos,
+    need(!e.id.empty() &&
+             e.id.find_first_not_of(
+                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == e.id.npos,
          "id: allowed: letters, digits and _, since answers are in files of that name");
     need(e.kind == "symbolic" || e.kind == "predict" || e.kind == "derivation" || e.kind == "code",
          "kind: allowed: symbolic, predict, derivation, code");
@@ -157,6 +158,8 @@ struct Reader {
          "form: allowed: " + answers::joined(all_forms));
     need(e.when.empty() || e.when.size() == e.choices.size(), "when: one for each of the choices");
     need(e.choices.size() <= 26, "choices: at most 26");
+    need(e.kind == "predict" || (e.choices.empty() && e.within.empty()),
+         "choices and within: not of kind " + e.kind);
     need(e.kind != "derivation" || !e.laws.empty(), "laws are missing");
   }
 };

@@ -15,7 +15,9 @@ std::string plain(std::string text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   Texts lines = split(text, '\n');
   std::erase_if(lines, [](const std::string& line) { return line[0] == '#'; });
-  return answers::joined(lines, "\n");
+  text = answers::joined(lines, "\n");
+  if (text.ends_with('.')) text.pop_back();  // of a sentence
+  return text;
 }
 
 /// As a student would type it, where the exercise has names of what was run.
@@ -125,6 +127,18 @@ Texts faults(const Exercise& e, const Run& run) {
     const auto need = [&](bool is_fine, const std::string& what, const Judgement& said) {
       if (!is_fine) wrong.push_back(what + " is judged " + word(said.mark) + ": " + said.feedback);
     };
+    if (e.kind != "code") {
+      const Terms terms(e);
+      Texts unused;
+      equality::read_domain(e.domain, {e.symbols.begin(), e.symbols.end()}, unused);
+      for (const std::string& condition : unused) wrong.push_back("domain: " + condition);
+      for (const std::string& name : e.symbols)
+        if (notation::symbols_of(terms.content(name)).size() != 1)
+          wrong.push_back("symbols: " + name + " is none");
+      if (!e.within.empty() &&
+          equality::holds({terms.in_full(terms.content(e.within)), ">=", 0}) != true)
+        wrong.push_back("within: " + e.within + " is no number from 0 on");
+    }
     const Judgement own = judge(e, own_answer(e), run);
     need(own.mark == Mark::right, "its own answer", own);
     if (e.kind == "symbolic" && e.answer_from.empty() && !e.name.empty()) {

@@ -10,7 +10,6 @@
 #include "balls/ball.hpp"
 #include "equality/constant.hpp"
 #include "magicmass/scenes/run.hpp"
-#include "notation/tokens.hpp"
 
 namespace learn {
 namespace {
@@ -39,27 +38,8 @@ kernel::Substitution numbers_of(const std::string& question) {
   return numbers;
 }
 
-/// The unit at the end, m/s, where there is no such symbol; else nothing.
-std::string unit(const std::string& text, const std::set<std::string>& symbols) {
-  static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
-                                           "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
-  std::vector<notation::Token> words = notation::tokens(text);
-  words.pop_back();  // the end
-  std::erase_if(words, [](const auto& word) { return word.text == "{" || word.text == "}"; });
-  std::size_t end = words.size();
-  if (end > 2 && words[end - 2].text == "^") end -= 2;  // m/s^2
-  const auto is_unit = [&](const std::string& word) {
-    return word == "/" || (units.contains(word) && !symbols.contains(word));
-  };
-  std::size_t first = end;
-  while (first > 0 && is_unit(words[first - 1].text)) --first;
-  if (first == 0 || first == end || words[first].text == "/") return {};
-  const notation::Token& before = words[first - 1];
-  if (before.kind == notation::Token::Kind::Sign && before.text != ")") return {};
-  std::string all;
-  for (std::size_t i = first; i < words.size(); ++i) all += words[i].text;
-  return all;
-}
+/// Of a character.
+bool is_first_byte(char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; }
 
 /// A counterexample in words. Of constants the right value is not given away.
 std::string difference(const equality::Counterexample& c) {
@@ -120,10 +100,6 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
 }
 
 Expr Terms::typed(const std::string& text, Texts& notes) const {
-  if (const std::string the_unit = unit(text, known); !the_unit.empty())
-    kernel::refuse(
-        "an answer is written without a unit such as " + the_unit + ": " +
-        (symbols.empty() ? "it is a number, in units of V and L" : "its symbols have their own"));
   const bool is_column =
       exercise.kind == "symbolic" && kernel::is_matrix(answer()) && answer().cols() == 1;
   const notation::Typed read = notation::read_typed(text, symbols, is_column);
@@ -138,7 +114,10 @@ Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
   if (exercise.name.empty())
     kernel::refuse("what is asked for has no name; write the expression alone, without =");
   const Expr name = content(exercise.name);
-  std::string left = text.substr(0, text.find('=')), right = text.substr(left.size() + 1);
+  std::string left = text.substr(0, text.find('=')), right = text.substr(left.size());
+  right[0] = ' ';
+  right.insert(0, std::ranges::count_if(left, is_first_byte),
+               ' ');  // columns are those of the text
   Texts ignored;
   if (typed(right, ignored) == name) std::swap(left, right);
   if (typed(left, ignored) == name) return typed(right, notes);
@@ -179,12 +158,16 @@ std::string Terms::foreign(Expr term) const {
   for (const std::string& name : notation::symbols_of(term))
     if (!known.contains(name)) names.push_back(name);
   if (names.empty()) return {};
+  static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
+                                           "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
+  const auto is_unit = [&](const std::string& name) { return units.contains(name); };
   std::string other = notation::alike(names[0], symbols);
   if (other.empty()) other = notation::parted(names[0], symbols);
   replace_all(other, " ", "*");
   return answers::joined(names) + (names.size() == 1 ? " has" : " have") + " no place here: " +
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
+         (std::ranges::all_of(names, is_unit) ? ", without units" : "") +
          (other.empty() ? meant(names[0], exercise.symbols, "") : "; is " + other + " meant?");
 }
 

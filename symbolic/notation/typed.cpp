@@ -171,11 +171,13 @@ private:
       }
     }
   }
-  // 1/2 M_1, L/V sin(...) and a/(b) c have one usual reading; 1/2(1+alpha) and a/b c have two.
+  // 1/2 M_1, L/V sin(...) and a/(b)^2 c have one usual reading; 1/2(1+alpha) and a/b c have two.
   void read_after_slash(std::size_t from, std::size_t slash) {
     const bool numbers = slash == from + 1 && place == slash + 2 &&
                          words[from].kind == Kind::Number && words[slash + 1].kind == Kind::Number;
-    const bool brackets = words[slash + 1].text == "(" && words[place - 1].text == ")";
+    const bool is_power = words[place - 2].text == "^";
+    const bool brackets =
+        words[slash + 1].text == "(" && words[is_power ? place - 3 : place - 1].text == ")";
     if (!now().is_spaced || (!numbers && !is_call_ahead() && !(brackets && is_name_ahead())))
       refuse_at(now().column,
                 "is " + now().text + " above or below the fraction line? write a * or parentheses");

@@ -46,6 +46,7 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
       {"log_10^2(x)", "(log(x)/log(10))^2"},
       {"log2(8)", "log(8)/log(2)"},
       {"(x-1)/(x+1) y", "(x - 1)*y/(x + 1)"},
+      {"1/(1+x)^2 y", "y/(1 + x)^2"},
       {"tg(x)*ctg(x) + arctg(x)", "sin(x)*cos(x)/sin(x)/cos(x) + atan(x)"},
       {"arcsinh(x)", "log(x + sqrt(x^2 + 1))"},
       {"\\operatorname{arctan}(x) + \\mathrm{sin} x", "atan(x) + sin(x)"},
