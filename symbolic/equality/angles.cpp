@@ -40,18 +40,12 @@ bool is_connected(const Domain& domain, const std::vector<Requirement>& needs) {
 }
 // An inequality of this kind leaves of a box what is convex.
 bool is_affine(Expr e, const Domain& box) {
-  const std::set<Expr> symbols = kernel::free_variables(e);
-  const auto where_one_is = [&](Expr one) {
-    kernel::Substitution values;
-    for (Expr x : symbols) values.emplace(x, x == one ? 1 : 0);
-    return kernel::substitute(e, values);
-  };
-  Expr rest = e - where_one_is({});
-  for (Expr x : symbols) {
-    if (!box.ranges.contains(x)) return false;
-    rest = rest - x * (where_one_is(x) - where_one_is({}));
-  }
-  return is_proved([&] { return Forms(box).of(rest).empty(); });
+  Forms forms(box);
+  const Sum sum = forms.of(e);
+  return std::all_of(sum.begin(), sum.end(), [&](const auto& term) {
+    const Expr product = forms.expression(Sum{{term.first, 1}});
+    return box.ranges.contains(product) || kernel::free_variables(product).empty();
+  });
 }
 // The same domain for fewer symbols.
 Domain only(const Domain& domain, Expr e) {
@@ -67,7 +61,9 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
     const Domain box = only(domain, left - right);
     const std::vector<Requirement> needs = requirements(left - right, box);
     std::vector<Requirement> convex = conditions(domain);
-    std::erase_if(convex, [&](const auto& r) { return !needs.empty() || !is_affine(r.term, box); });
+    std::erase_if(convex, [&](const Requirement& r) {
+      return !needs.empty() || !is_proved([&] { return is_affine(r.term, box); });
+    });
     Forms forms(narrowed(box, convex));
     for (const Requirement& r : needs) forms.assume(r);
     for (const Requirement& r : convex) forms.assume(r);

@@ -285,7 +285,8 @@ private:
       Forms forms(narrowed(narrowed(domain, needs), conditions(domain)));
       for (int pass = 0; pass < 2; ++pass) {  // a sign found late names earlier terms anew
         for (const Requirement& r : needs) forms.assume(r);
-        for (const Requirement& r : conditions(domain)) forms.may_assume(r);
+        for (const Requirement& r : conditions(domain))
+          is_proved([&] { return forms.assume(r), true; });
       }
       const Sum difference = forms.of(left) - forms.of(other);
       if (forms.is_zero(difference))

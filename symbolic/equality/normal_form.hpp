@@ -40,8 +40,6 @@ class Forms {
 public:
   explicit Forms(Domain domain) : where(std::move(domain)) {}
   void assume(const Requirement& requirement);
-  /// Where its form can be computed.
-  void may_assume(const Requirement& requirement);
 
   /// Throws TooLarge, NotDefined (a quotient by what is identically 0).
   Sum of(Expr term);

@@ -41,12 +41,11 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
 std::vector<Requirement> conditions(const Domain& domain) {
   using Need = Requirement::Kind;
   std::vector<Requirement> out;
-  for (const auto& [left, relation, right] : domain.further)
-    if (relation != "=")
-      out.push_back({relation == "!="      ? Need::NotZero
-                     : relation.size() > 1 ? Need::NotNegative
-                                           : Need::Positive,
-                     relation[0] == '<' ? right - left : left - right});
+  for (const auto& [left, relation, right] : domain.further) {
+    const Need at_0 = relation.ends_with('=') ? Need::NotNegative : Need::Positive;
+    out.push_back({relation == "!=" ? Need::NotZero : at_0,
+                   relation[0] == '<' ? right - left : left - right});
+  }
   return out;
 }
 

@@ -213,9 +213,6 @@ void Forms::assume(const Requirement& requirement) {
   factored.clear();
   signs.clear();
 }
-void Forms::may_assume(const Requirement& requirement) {
-  is_proved([&] { return assume(requirement), true; });
-}
 bool Forms::holds(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
   if (requirement.kind == Requirement::Kind::NotZero)
