@@ -195,16 +195,9 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
                       .file_bytes = 64 * mebibyte,
                       .folder = folder.path};
   const auto compile = [&](const learn::Texts& how) {  // alike, lest an answer tells them apart
-    learn::Texts words{"env",
-                       "LC_ALL=C",
-                       "TMPDIR=" + folder.path,
-                       "c++",
-                       "-std=c++20",
-                       "-O1",
-                       "-ffp-contract=off",
-                       "-w",
-                       "-fmax-errors=1",
-                       "signatures.cpp"};
+    learn::Texts words = learn::split(
+        "env LC_ALL=C c++ -std=c++20 -O1 -ffp-contract=off -w -fmax-errors=1 signatures.cpp", ' ');
+    words.insert(words.begin() + 1, "TMPDIR=" + folder.path);
     words.insert(words.end(), how.begin(), how.end());
     return host::end_of(words, "", bounds);
   };

@@ -2,6 +2,7 @@
 #include "learn/exercise.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
@@ -133,9 +134,8 @@ struct Reader {
     };
     for (const char* key : {"id", "title", "chapter", "kind", "prompt"})
       need(file.contains(key), std::string(key) + " is missing");
-    need(!e.id.empty() &&
-             e.id.find_first_not_of(
-                 "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_") == e.id.npos,
+    const auto is_plain = [](unsigned char c) { return (c < 0x80 && std::isalnum(c)) || c == '_'; };
+    need(!e.id.empty() && std::ranges::all_of(e.id, is_plain),
          "id: allowed: letters, digits and _, since answers are in files of that name");
     need(e.kind == "symbolic" || e.kind == "predict" || e.kind == "derivation" || e.kind == "code",
          "kind: allowed: symbolic, predict, derivation, code");

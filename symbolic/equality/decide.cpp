@@ -298,8 +298,7 @@ private:
         return proved("normal form: neither side is negative, and their squares are equal");
     } catch (const TooLarge& large) {
       verdict.proof = std::string("not decided: ") + large.what();
-    } catch (const NotDefined&) {
-    } catch (const NotCertain&) {
+    } catch (const std::runtime_error&) {  // not defined, or not certain
     }
     return false;
   }
@@ -355,21 +354,21 @@ private:
       for (const auto& [name, base] : bases) e = kernel::replace(e, base, name);
       return e;
     };
+    const auto formula = [](Need kind, Expr e) {
+      return kind == Need::NotZero       ? kernel::neq(e, 0)
+             : kind == Need::NotNegative ? kernel::le(0, e)
+                                         : kernel::lt(0, e);
+    };
     try {
       algebra::Theorems facts;
-      for (const auto& [kind, term] : needs) {
-        const Expr e = named(term);
-        facts.push_back(kernel::assume(kind == Need::NotZero       ? kernel::neq(e, 0)
-                                       : kind == Need::NotNegative ? kernel::le(0, e)
-                                                                   : kernel::lt(0, e)));
-      }
+      for (const auto& [kind, term] : needs)
+        facts.push_back(kernel::assume(formula(kind, named(term))));
       const algebra::Theorem theorem =
           kernel::instantiate(algebra::equation(named(left), named(right), facts), bases);
       std::string hypotheses;
       for (Expr h : theorem.hypotheses()) {
         const auto r = std::find_if(needs.begin(), needs.end(), [&](const Requirement& need) {
-          return h == kernel::neq(need.term, 0) || h == kernel::le(0, need.term) ||
-                 h == kernel::lt(0, need.term);
+          return h == formula(need.kind, need.term);
         });
         if (r == needs.end()) return;  // a hypothesis that nobody is told of
         hypotheses += (hypotheses.empty() ? "" : ", ") + text(*r);
@@ -395,8 +394,7 @@ Verdict decide(Expr left, Expr right, const Domain& domain) {
   }
 }
 const char* word(Answer answer) {
-  return answer == Answer::Equal       ? "equal"
-         : answer == Answer::Different ? "different"
-                                       : "undecided";
+  constexpr const char* words[]{"equal", "different", "undecided"};
+  return words[static_cast<std::size_t>(answer)];
 }
 }  // namespace equality

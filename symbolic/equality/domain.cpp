@@ -157,7 +157,6 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   Domain domain;
   for (const std::string& name : symbols) domain.ranges[notation::symbol(name)] = usual_range(name);
   std::map<Expr, Range> given;
-  std::map<Expr, bool> is_integer;
   const auto is_present = [&](Expr e, const std::string& condition) {
     for (const std::string& name : notation::symbols_of(e))
       if (!symbols.contains(name)) {
@@ -172,7 +171,7 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
         const std::string name = condition.substr(0, condition.size() - kind.size() - 1);
         const Expr e = notation::read_typed(name).term;
         if (notation::name_of(e).empty()) refuse("a symbol is expected before " + kind);
-        if (is_present(e, condition)) is_integer[e] = kind == "integer";
+        if (is_present(e, condition)) domain.ranges[e] = {.is_integer = kind == "integer"};
         return;
       }
     for (const notation::Comparison& c : notation::read_comparisons(condition))
@@ -189,7 +188,6 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
       refuse("\"" + condition.substr(0, 60) + "\": " + r.what());
     }
   }
-  for (const auto& [symbol, integer] : is_integer) domain.ranges[symbol] = {.is_integer = integer};
   for (const auto& [symbol, range] : given) {
     Range& known = domain.ranges[symbol];
     const Range usual = known;

@@ -76,7 +76,6 @@ private:
   Sum computed(Expr term);
   Sum function(Expr term);
   Sum times(const Sum& a, const Sum& b);
-  void swap_logarithms(Product& product);
   void reduce(Product& product, cln::cl_RA& number);
   Sum integer_power(const Sum& base, int exponent);
   std::optional<Sum> rationalized(const Sum& constant);

@@ -57,13 +57,12 @@ Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
     start = start - scaled(atom(x), rise);
     const auto value = forms.real_expression(start);
     if (rise == 0 || !value || !kernel::free_variables(*value).empty()) return false;
-    End end{0, r.kind == Requirement::Kind::NotNegative};
-    if (const auto exact = notation::rational_value(*value)) {
-      end.value = -*exact / rise;
-    } else {  // a little more than it leaves
-      const cln::cl_RA there = -enclosure(*value, 64).high() / rise;
-      end.value = (rise > 0 ? cln::floor1(8 * there) : cln::ceiling1(8 * there)) / cln::cl_RA(8);
-    }
+    const auto exact = notation::rational_value(*value);
+    const cln::cl_RA there = -(exact ? *exact : enclosure(*value, 64).high()) / rise;
+    const cln::cl_I eighths = rise > 0 ? cln::floor1(8 * there) : cln::ceiling1(8 * there);
+    // A little more than it leaves, where that is not rational.
+    const End end{exact ? there : eighths / cln::cl_RA(8),
+                  r.kind == Requirement::Kind::NotNegative};
     if (rise > 0)
       domain.ranges[x].cut_below(end);
     else

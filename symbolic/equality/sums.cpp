@@ -94,25 +94,8 @@ Sum Forms::times(const Sum& a, const Sum& b) {
   return out;
 }
 
-// a^log(b) = b^log(a): the older atom is the base.
-void Forms::swap_logarithms(Product& product) {
-  for (const auto& [atom, e] : Product(product))
-    for (const auto& [monomial, q] : e)
-      for (const auto& [log, k] : monomial) {
-        if (!is_function(log, "log") || k != 1 || !(log.arg(0) < atom)) continue;
-        if (atom == circle() || atom == euler() || sign_of_atom(atom) < 2) continue;
-        kernel::Monomial swapped{{notation::call("log", atom), 1}};
-        for (const auto& other : monomial)
-          if (other.first != log) swapped.push_back(other);
-        std::sort(swapped.begin(), swapped.end());
-        multiply(product, atom, {{monomial, -q}});
-        multiply(product, log.arg(0), {{swapped, q}});
-        break;
-      }
-}
 // |a|^2 is a times its conjugate, p^1 a number, z^pi is -1.
 void Forms::reduce(Product& product, cln::cl_RA& number) {
-  swap_logarithms(product);
   const Product before = product;
   for (const auto& [atom, e] : before) {
     if (!is_function(atom, "abs")) continue;

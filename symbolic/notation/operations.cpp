@@ -2,6 +2,7 @@
 #include "notation/operations.hpp"
 
 #include <map>
+#include <sstream>
 
 #include <cln/integer_io.h>
 #include <cln/rational.h>
@@ -17,50 +18,41 @@ constexpr std::size_t most_bits = 70000;
 // e^x + e^-x and e^x - e^-x
 Expr sum_of_two(Expr x) { return call("exp", x) + call("exp", -x); }
 Expr difference_of_two(Expr x) { return call("exp", x) - call("exp", -x); }
-Expr asinh(Expr x) { return call("log", x + kernel::sqrt(power(x, 2) + 1)); }
-Expr acosh(Expr x) { return call("log", x + kernel::sqrt(power(x, 2) - 1)); }
-Expr atanh(Expr x) { return call("log", (1 + x) / (1 - x)) / Expr(2); }
 using Function = Expr (*)(Expr);
 const std::map<std::string, Function>& functions() {
-  static const std::map<std::string, Function> table{
-      {"sqrt", [](Expr x) { return kernel::sqrt(x); }},
-      {"cbrt", [](Expr x) { return root(3, x); }},
-      {"abs", [](Expr x) { return call("abs", x); }},
-      {"sin", [](Expr x) { return kernel::sin(x); }},
-      {"cos", [](Expr x) { return kernel::cos(x); }},
-      {"tan", [](Expr x) { return kernel::sin(x) / kernel::cos(x); }},
-      {"tg", [](Expr x) { return kernel::sin(x) / kernel::cos(x); }},
-      {"sec", [](Expr x) { return Expr(1) / kernel::cos(x); }},
-      {"csc", [](Expr x) { return Expr(1) / kernel::sin(x); }},
-      {"cosec", [](Expr x) { return Expr(1) / kernel::sin(x); }},
-      {"cot", [](Expr x) { return kernel::cos(x) / kernel::sin(x); }},
-      {"ctg", [](Expr x) { return kernel::cos(x) / kernel::sin(x); }},
-      {"asin", [](Expr x) { return call("asin", x); }},
-      {"arcsin", [](Expr x) { return call("asin", x); }},
-      {"acos", [](Expr x) { return call("acos", x); }},
-      {"arccos", [](Expr x) { return call("acos", x); }},
-      {"atan", [](Expr x) { return kernel::atan(x); }},
-      {"arctan", [](Expr x) { return kernel::atan(x); }},
-      {"arctg", [](Expr x) { return kernel::atan(x); }},
-      {"exp", [](Expr x) { return call("exp", x); }},
-      {"log", [](Expr x) { return call("log", x); }},
-      {"ln", [](Expr x) { return call("log", x); }},
-      {"sinh", [](Expr x) { return difference_of_two(x) / Expr(2); }},
-      {"cosh", [](Expr x) { return sum_of_two(x) / Expr(2); }},
-      {"tanh", [](Expr x) { return difference_of_two(x) / sum_of_two(x); }},
-      {"csch", [](Expr x) { return Expr(2) / difference_of_two(x); }},
-      {"sech", [](Expr x) { return Expr(2) / sum_of_two(x); }},
-      {"asinh", asinh},
-      {"arsinh", asinh},
-      {"arcsinh", asinh},
-      {"acosh", acosh},
-      {"arcosh", acosh},
-      {"arccosh", acosh},
-      {"atanh", atanh},
-      {"artanh", atanh},
-      {"arctanh", atanh},
-      {"coth", [](Expr x) { return sum_of_two(x) / difference_of_two(x); }},
-  };
+  static const auto table = [] {
+    std::map<std::string, Function> all{
+        {"sqrt", [](Expr x) { return kernel::sqrt(x); }},
+        {"cbrt", [](Expr x) { return root(3, x); }},
+        {"abs", [](Expr x) { return call("abs", x); }},
+        {"sin", [](Expr x) { return kernel::sin(x); }},
+        {"cos", [](Expr x) { return kernel::cos(x); }},
+        {"tan", [](Expr x) { return kernel::sin(x) / kernel::cos(x); }},
+        {"sec", [](Expr x) { return Expr(1) / kernel::cos(x); }},
+        {"csc", [](Expr x) { return Expr(1) / kernel::sin(x); }},
+        {"cot", [](Expr x) { return kernel::cos(x) / kernel::sin(x); }},
+        {"asin", [](Expr x) { return call("asin", x); }},
+        {"acos", [](Expr x) { return call("acos", x); }},
+        {"atan", [](Expr x) { return kernel::atan(x); }},
+        {"exp", [](Expr x) { return call("exp", x); }},
+        {"log", [](Expr x) { return call("log", x); }},
+        {"sinh", [](Expr x) { return difference_of_two(x) / Expr(2); }},
+        {"cosh", [](Expr x) { return sum_of_two(x) / Expr(2); }},
+        {"tanh", [](Expr x) { return difference_of_two(x) / sum_of_two(x); }},
+        {"csch", [](Expr x) { return Expr(2) / difference_of_two(x); }},
+        {"sech", [](Expr x) { return Expr(2) / sum_of_two(x); }},
+        {"asinh", [](Expr x) { return call("log", x + kernel::sqrt(power(x, 2) + 1)); }},
+        {"acosh", [](Expr x) { return call("log", x + kernel::sqrt(power(x, 2) - 1)); }},
+        {"atanh", [](Expr x) { return call("log", (1 + x) / (1 - x)) / Expr(2); }},
+        {"coth", [](Expr x) { return sum_of_two(x) / difference_of_two(x); }},
+    };
+    std::istringstream others(
+        "arcsin asin arccos acos arctan atan arctg atan tg tan ctg cot cosec csc ln log arsinh "
+        "asinh arcosh acosh "
+        "artanh atanh arcsinh asinh arccosh acosh arctanh atanh");
+    for (std::string other, name; others >> other >> name;) all.emplace(other, all.at(name));
+    return all;
+  }();
   return table;
 }
 Expr scaled(Expr scalar, Expr grid) {

@@ -171,14 +171,14 @@ private:
       }
     }
   }
-  // 1/2 M_1, L/V sin(...) and a/(b)^2 c have one usual reading; 1/2(1+alpha) and a/b c have two.
+  // 1/2 M_1, L/V sin(...) and a/(b)^2 (c) have one usual reading; 1/2(1+alpha) and a/b c have two.
   void read_after_slash(std::size_t from, std::size_t slash) {
     const bool numbers = slash == from + 1 && place == slash + 2 &&
                          words[from].kind == Kind::Number && words[slash + 1].kind == Kind::Number;
     const bool is_power = words[place - 2].text == "^";
     const bool brackets =
         words[slash + 1].text == "(" && words[is_power ? place - 3 : place - 1].text == ")";
-    if (!now().is_spaced || (!numbers && !is_call_ahead() && !(brackets && is_name_ahead())))
+    if (!now().is_spaced || (!numbers && !brackets && !is_call_ahead()))
       refuse_at(now().column,
                 "is " + now().text + " above or below the fraction line? write a * or parentheses");
     const std::string left = typed(from, place);
@@ -354,8 +354,7 @@ private:
   bool is_matrix_ahead() const {  // which is never below a line
     return is("[") || (now().kind == Kind::Command && now().text == "begin") || has_comma_ahead();
   }
-  bool is_name_ahead() const { return now().kind == Kind::Name; }
-  bool is_call_ahead() const { return is_name_ahead() && is_function(now().text); }
+  bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
   Expr function(const Token& token) {
     const std::size_t column = now().column;
     Expr exponent;
@@ -371,34 +370,14 @@ private:
     }
     const Expr value = token.text == "root"   ? root_call(token)
                        : has_base(token.text) ? logarithm_to_base(token)
-                       : token.text == "log" && has_comma_ahead()
-                           ? logarithm_call(token)
-                           : applied(token.text, argument(token));
+                                              : applied(token.text, argument(token));
     return exponent ? raised_to(value, exponent, column) : value;
   }
-  Exprs two_arguments(const Token& token, const std::string& usage) {
-    const Exprs args = takes("(") ? list() : Exprs();
-    if (args.size() != 2) refuse_at(now().column, "write " + usage);
-    close(")", token.column);
-    return args;
-  }
   Expr root_call(const Token& token) {
-    const Exprs args = two_arguments(token, "root(x, n)");
+    const Exprs args = takes("(") ? list() : Exprs();
+    if (args.size() != 2) refuse_at(now().column, "write root(x, n)");
+    close(")", token.column);
     return ordered_root(args[1], args[0], token.column);
-  }
-  // log(x, b)
-  Expr logarithm_call(const Token& token) {
-    const std::size_t from = place;
-    const Exprs args = two_arguments(token, "log(x, b) for the logarithm to base b");
-    const std::string x = words[from + 1].text, base = words[from + 3].text;
-    const bool is_decimal = place == from + 5 && words[from + 1].kind == Kind::Number &&
-                            words[from + 3].kind == Kind::Number && !words[from + 3].is_spaced;
-    if (is_decimal)
-      refuse_at(token.column, "log(" + x + "," + base + ") has two readings: write log(" + x + "." +
-                                  base + ") or log(" + x + ")/log(" + base + ")");
-    const Expr value = logarithm(args[0], args[1], token.column);
-    note("log(" + typed(from + 1, place - 1) + ") is read as " + typed_text(value));
-    return value;
   }
   // log_2(8), log2(8)
   bool has_base(const std::string& word) const {
@@ -410,8 +389,8 @@ private:
     const bool is_name = base.size() == 1 || is_greek_name(base) || factors.contains(base);
     const bool is_decimal = now().kind == Kind::Number && now().text[0] == '.';
     if ((!is_number && !is_name) || is_decimal)
-      refuse_at(token.column,
-                "unknown function " + token.text + "; write log(x, b) for the logarithm to base b");
+      refuse_at(token.column, "unknown function " + token.text +
+                                  "; write log(x)/log(b) for the logarithm to base b");
     note(token.text + " is read as the logarithm to base " + base);
     token.text = "log";
     const Expr x = argument(token);

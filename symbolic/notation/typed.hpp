@@ -20,7 +20,8 @@ struct Typed {
 /// sec csc cot asin acos atan exp log sinh cosh tanh, matrices [[a, b], [c, d]] or (a, b; c, d) or
 /// \begin{pmatrix}, where a column is asked for (a, b) too; M₁, c'_n, usual spellings of signs; a
 /// product's sign may be left out where that is clear, as in M_2u_2 where both are in `factors`. A
-/// name before a bracket is a function unless it is in `factors`, alpha or one letter of x, y, z.
+/// name before a bracket is a function unless it is in `factors`, is Greek or has an index, or is
+/// one of the usual letters, such as x, V and n.
 /// Refused (kernel::Refused, "column 7: ..."): anything else, more than 20,000 characters, brackets
 /// more than 200 deep, numbers of more than 70,000 bits, exponents above 10,000.
 Typed read_typed(std::string_view text, const std::set<std::string>& factors = {},
