@@ -115,9 +115,8 @@ Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
     kernel::refuse("what is asked for has no name; write the expression alone, without =");
   const Expr name = content(exercise.name);
   std::string left = text.substr(0, text.find('=')), right = text.substr(left.size());
-  right[0] = ' ';
-  right.insert(0, std::ranges::count_if(left, is_first_byte),
-               ' ');  // columns are those of the text
+  right[0] = ' ';  // columns are those of the text
+  right.insert(0, std::ranges::count_if(left, is_first_byte), ' ');
   Texts ignored;
   if (typed(right, ignored) == name) std::swap(left, right);
   if (typed(left, ignored) == name) return typed(right, notes);
