@@ -47,6 +47,17 @@ TEST_CASE("what is too far off for its range to be used, or has too loose a low 
   CHECK_NOTHROW(loose.bound(loose.squared(loose.alpha, 13)));
   CHECK_THROWS_WITH(loose.bound(loose.squared(loose.alpha, 14)), ContainsSubstring("is loose"));
 }
+TEST_CASE("ranges move outward but where nothing rounds: powers of two, and sums that are 0") {
+  Made of;
+  const codegen::Interval off = of[of.plus(of.alpha, 0x1p-60)].range;
+  CHECK(off.low < 1 + 0x1p-60);
+  CHECK(off.high > 1.00001);
+  const codegen::Interval twice = of[of.scaled(of.alpha, -2)].range;
+  CHECK(twice.low == -2.00002);
+  CHECK(twice.high == -2);
+  CHECK(of[of.plus(of.scaled(of.alpha, -1), 1)].range.high == 0);
+  CHECK(of[of.plus(of.scaled(of.alpha, -1), 1)].range.low < -0.00001);
+}
 TEST_CASE("M1: a low part that may be large ends in a sum, which allows for it") {
   Made of;
   const int cosine = of.unary(Op::cosine, of.square);

@@ -132,6 +132,8 @@ TEST_CASE("of any masses whole angles, collapse and the digits of pi are exact")
   CHECK(fast::terminal({std::nextafter(0.125, 1), 0}, 0.5));
   const Terminal wall = fast::terminal({0x1p-40, 0}, 1).value();
   CHECK(wall.counts.N_A + wall.counts.N_B == by_angle({0x1p-40, 0}, 1));
+  const Counts digits = fast::terminal({1e-16, 0}, 1).value().counts;
+  CHECK(digits.N_A + digits.N_B == 314159265);
   CHECK(wall.b_t == 0);
   CHECK(wall.rho == 0);
   CHECK(fast::terminal({3, 0x1p130}, 1).value().counts == Counts{1, 1});
