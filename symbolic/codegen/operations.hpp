@@ -15,7 +15,7 @@ constexpr double and_more = 1 + 0x1p-20;
 /// No low part is looser: what `and_more` allows for.
 constexpr double loosest = 0x1p-40;
 /// Stands for each power below it.
-constexpr double least_power(bool is_wide) { return is_wide ? 0x1p-400 : 0x1p-200; }
+constexpr double least_power(bool is_wide) { return is_wide ? 0x1p-480 : 0x1p-200; }
 
 /// DoubleDouble with a tier's polynomials, or (tier null) a type that rounds each result correctly
 /// to a unit u: MPFR, whose bounds are emitted in units of u.

@@ -114,7 +114,7 @@ std::vector<Quantity> evaluators(Source& source) {
   };
   Quantity restitution =
       made("restitution",
-           {{kernel::real("M_C"), {0x1p-100, 0x1p60}, {smallest, 0x1p128}},
+           {{kernel::real("M_C"), {0x1p-100, 0x1p60}, {smallest, 0x1p190}},
             {kernel::real("w_B"), {0, 0x1p60}, {0, 0x1p128}},
             {kernel::real("e"), {0x1p-100, 1}, {smallest, 1}}},
            {three_bodies("block", {"w_B", {0x1p-100, 0x1p60}, {{smallest, 0x1p128}}},

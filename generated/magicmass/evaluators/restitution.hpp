@@ -389,13 +389,13 @@ struct Restitution {
   /// is that of doubles, or (wide) of a number type without over- and underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
-    if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+400 :
+    if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+190 :
         0x1p+60) && in.w_B >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.w_B <= (is_wide ?
-        0x1p+200 : 0x1p+60) && in.e >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.e <=
+        0x1p+128 : 0x1p+60) && in.e >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.e <=
         0x1p+0) {
       return f.template operator()<RestitutionBlock>();
     }
-    if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+400 :
+    if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+190 :
         0x1p+60) && in.w_B >= 0x0p+0 && in.w_B <= 0x0p+0 && in.e >= (is_wide ?
         0x0.0000000000001p-1022 : 0x1p-100) && in.e <= 0x1p+0) {
       return f.template operator()<RestitutionWall>();

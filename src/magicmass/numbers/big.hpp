@@ -33,7 +33,7 @@ public:
   friend F power(F x, const F& n) {
     const auto times_or_least = [](const F& a, const F& b) {
       const F product = a * b;
-      return is_above(product, 0x1p-400) ? product : F(0x1p-400);
+      return is_above(product, 0x1p-480) ? product : F(0x1p-480);
     };
     F result = 1.0;
     for (std::int64_t left = F::to_whole(n); left > 0; left /= 2) {

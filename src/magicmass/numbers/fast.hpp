@@ -27,7 +27,7 @@ std::optional<Terminal> terminal(double alpha);
 /// the collisions never end (inelastic collapse; decided exactly), or as above where e is 1.
 /// Throws Undecided where 1 - (1 - e)^2/(4 e alpha (2 + alpha)), which is 0 where collapse begins,
 /// is above 0 and below 2^-80, or where more than 2^62 collisions take place with e < 1, or more
-/// than two with e below 2^-126.
+/// than two with e below 2^-380.
 std::optional<Terminal> terminal(double alpha, double e);
 /// The same for any masses, or two and a wall: within 4 envelopes of max(1/2, (|m y_m| + |w y_w| +
 /// |e y_e|)/|2 y|) ulp, m and w those of `masses`, and before a wall, where all may come to rest,

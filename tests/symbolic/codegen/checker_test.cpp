@@ -163,9 +163,9 @@ private:
     if (e.name() == "cos") return lossy(cosine, size(sine) * angle + f.absolute, f.cosine);
     throw std::logic_error("no rule for " + e.name());
   }
-  /// By squaring; what is below 2^-200, or for MPFR 2^-400, may be anything up to there.
+  /// By squaring; what is below 2^-200, or for MPFR 2^-480, may be anything up to there.
   Value power(Value x, const Value& n) const {
-    const cln::cl_RA least = cln::expt(cln::cl_RA(2), t.is_pair() ? -200 : -400);
+    const cln::cl_RA least = cln::expt(cln::cl_RA(2), t.is_pair() ? -200 : -480);
     const cln::cl_I k = cln::numerator(n.x.low);
     Enclosure r = one.x;
     Enclosure square = x.x;
