@@ -30,7 +30,8 @@ void note_misspellings(const std::set<std::string>& names, std::vector<std::stri
   const std::vector<std::string> usual{"alpha", "beta", "eta", "theta", "zeta", "V_CM"};
   for (const std::string& name : names) {
     const std::string meant = magicmass::scenes::nearest_name(name, usual);
-    if (name.size() >= 3 && !meant.empty() && std::ranges::count(usual, name) == 0)
+    const bool has_meaning = std::ranges::count(usual, name) != 0 || definition_of(name);
+    if (name.size() >= 3 && !meant.empty() && !has_meaning)
       notes.push_back(name + " is taken as a symbol of its own; " + meant + "?");
   }
 }

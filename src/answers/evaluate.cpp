@@ -30,7 +30,11 @@ constexpr Definition definitions[]{{"psi", "psi", "rotation.psi"},
 Expr definition_of(const std::string& name) {
   for (const Definition& d : definitions)
     if (name == d.typed) return derivation::shown(d.id).conclusion();
-  return {};
+  const std::size_t from = name.find_last_not_of("0123456789") + 1;
+  if (from >= name.size() || name[from] == '0' || name.size() - from > 9) return {};
+  const Expr of_k = definition_of(name.substr(0, from) + "k");  // alpha_7
+  return of_k ? kernel::substitute(of_k, {{kernel::integer("k"), std::stoi(name.substr(from))}})
+              : of_k;
 }
 Expr written_out(Expr e, const Values& values) {
   if (e.size() == 0 || values.contains(e)) return e;

@@ -18,7 +18,7 @@ using Values = std::map<kernel::Expr, Ball>;
 /// The term with what the book defines written out: psi, theta, V_CM, alpha_k, beta_k, rho, a_n,
 /// b_n, c_n, c'_n, but for the terms of `values`.
 kernel::Expr written_out(kernel::Expr term, const Values& values = {});
-/// The equation that defines such a name: "a_n", "c_prime_n"; nothing for another one.
+/// The equation that defines such a name: "a_n", "c_prime_n", "beta_7"; nothing for another one.
 kernel::Expr definition_of(const std::string& name);
 /// The term as a ball. Throws NotCertain where the bits do not do.
 Ball evaluate(kernel::Expr term, const Values& values);
