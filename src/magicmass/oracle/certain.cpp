@@ -18,14 +18,6 @@ Rounding<double> to_double() {
   return {common, 64};
 }
 
-Rounding<std::string> to_digits(int digits) {
-  const auto common = [digits](const cl_RA& low, const cl_RA& high) {
-    const std::string text = to_decimal(low, digits);
-    return text == to_decimal(high, digits) ? std::optional(text) : std::nullopt;
-  };
-  return {common, 4L * digits};
-}
-
 Rounding<cl_RA> to_within(long bits) {
   const auto common = [bits](const cl_RA& low, const cl_RA& high) {
     const cl_RA smallest = cln::min(cln::abs(low), cln::abs(high));

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include <cln/rational.h>
@@ -25,8 +24,6 @@ struct Rounding {
 
 /// To the nearest double.
 Rounding<double> to_double();
-/// To so many significant decimal digits, all of them certain. Throws as to_decimal.
-Rounding<std::string> to_digits(int digits);
 /// To a rational with a relative error below 2^-bits.
 Rounding<cln::cl_RA> to_within(long bits);
 

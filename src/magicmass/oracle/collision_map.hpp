@@ -59,11 +59,11 @@ Velocity<Scalar> apply_power(Map<Scalar> map, const cln::cl_I& n, Velocity<Scala
   return v;
 }
 
-/// The velocities after j >= 0 collisions, A's first, from (1, 0, 0): the map goes on past the last
-/// collision, physics does not.
+/// The velocities after j >= 0 collisions, A's first: the map goes on past the last collision,
+/// physics does not.
 template <class Scalar>
-Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cln::cl_I& j) {
-  const Velocity<Scalar> start(Scalar(1), Scalar(0), Scalar(0));
+Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cln::cl_I& j,
+                                  const Velocity<Scalar>& start = Velocity<Scalar>::UnitX()) {
   const Map<Scalar> whole = cycle.with_B * cycle.with_A;
   const Velocity<Scalar> v = apply_power<Scalar>(whole, cln::floor1(j, 2), start);
   return cln::oddp(j) ? Velocity<Scalar>(cycle.with_A * v) : v;

@@ -44,20 +44,12 @@ struct AtCollision {
 
   template <class Scalar>
   std::vector<Scalar> operator()(const Scalar& alpha) const {
-    const Velocity<Scalar> v = before(alpha, 1, 0), x = before(alpha, 0, 1);
+    const Cycle<Scalar> cycle = cycle_of(alpha);
+    const Velocity<Scalar> B_alone = Velocity<Scalar>::UnitY();
+    const Velocity<Scalar> v = after_collisions(cycle, j), x = after_collisions(cycle, j, B_alone);
     const int other = cln::oddp(j) ? 1 : 0;
     const Scalar t = (x(other) - x(2)) / (v(2) - v(other));
     return {t, x(1) - x(0) + (v(1) - v(0)) * t};
-  }
-
-private:
-  template <class Scalar>
-  Velocity<Scalar> before(const Scalar& alpha, int of_A, int of_B) const {
-    const Cycle<Scalar> cycle = cycle_of(alpha);
-    const Map<Scalar> whole = cycle.with_B * cycle.with_A;
-    const Velocity<Scalar> start{Scalar(of_A), Scalar(of_B), Scalar(0)};
-    const auto v = apply_power<Scalar>(whole, cln::floor1(j, 2), start);
-    return cln::oddp(j) ? Velocity<Scalar>(cycle.with_A * v) : v;
   }
 };
 

@@ -22,10 +22,8 @@ using Limits = std::numeric_limits<double>;
 constexpr long smallest_spacing = Limits::min_exponent - Limits::digits;
 constexpr long largest_spacing = Limits::max_exponent - Limits::digits;
 
-/// x base^exponent
-cl_RA scaled(const cl_RA& x, int base, long exponent) {
-  return x * cln::expt(cl_RA(base), cl_I(exponent));
-}
+/// x 2^exponent
+cl_RA scaled(const cl_RA& x, long exponent) { return x * cln::expt(cl_RA(2), cl_I(exponent)); }
 
 long bits_of(const cl_I& x) { return static_cast<long>(cln::integer_length(x)); }
 
@@ -33,7 +31,7 @@ long bits_of(const cl_I& x) { return static_cast<long>(cln::integer_length(x)); 
 /// lengths of numerator and denominator leave two candidates for floor(log2 x).
 long spacing_exponent(const cl_RA& x) {
   const long estimate = bits_of(cln::numerator(x)) - bits_of(cln::denominator(x));
-  const long binade = x < scaled(1, 2, estimate) ? estimate - 1 : estimate;
+  const long binade = x < scaled(1, estimate) ? estimate - 1 : estimate;
   return std::max(binade - (Limits::digits - 1), smallest_spacing);
 }
 
@@ -45,15 +43,6 @@ cl_I rounded(const cl_RA& x) {
   return up ? whole + 1 : whole;
 }
 
-/// floor(log10 x) for x > 0. The binary lengths give it within one; exact comparison settles it.
-long decade(const cl_RA& x) {
-  const long bits = bits_of(cln::numerator(x)) - bits_of(cln::denominator(x));
-  auto estimate = static_cast<long>(static_cast<double>(bits) * 0.30103);
-  while (scaled(x, 10, -estimate) < 1) --estimate;
-  while (scaled(x, 10, -estimate) >= 10) ++estimate;
-  return estimate;
-}
-
 }  // namespace
 
 cl_RA exact(double value) {
@@ -62,14 +51,14 @@ cl_RA exact(double value) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
   const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, Limits::digits));
-  return scaled(cl_I(static_cast<long long>(mantissa)), 2, exponent - Limits::digits);
+  return scaled(cl_I(static_cast<long long>(mantissa)), exponent - Limits::digits);
 }
 
 double nearest(const cl_RA& x) {
   if (cln::zerop(x)) return 0;
   const cl_RA size = cln::abs(x);
   const long spacing = spacing_exponent(size);
-  const cl_I whole = rounded(scaled(size, 2, -spacing));
+  const cl_I whole = rounded(scaled(size, -spacing));
   // whole <= 2^53, so it is a double; ldexp only moves its exponent, or overflows:
   // mantissas are at least 2^52 there, and 2^52 2^972 is past the largest double.
   const double mantissa = cln::double_approx(whole);
@@ -82,7 +71,7 @@ double ulp_error(double got, const cl_RA& exact_value) {
   const long spacing = cln::zerop(exact_value)
                            ? smallest_spacing
                            : std::min(spacing_exponent(cln::abs(exact_value)), largest_spacing);
-  return nearest(scaled(cln::abs(exact(got) - exact_value), 2, -spacing));
+  return nearest(scaled(cln::abs(exact(got) - exact_value), -spacing));
 }
 
 long length(const cl_RA& x) { return bits_of(cln::numerator(x)) + bits_of(cln::denominator(x)); }
@@ -91,23 +80,6 @@ std::string to_text(const cl_RA& x) {
   std::ostringstream text;
   text << x;
   return text.str();
-}
-
-std::string to_decimal(const cl_RA& x, int digits) {
-  if (digits < 1) {
-    throw std::invalid_argument("the number of digits must be 1 or more, got " +
-                                std::to_string(digits));
-  }
-  if (cln::zerop(x)) return "0";
-  const cl_RA size = cln::abs(x);
-  long exponent = decade(size);
-  std::string text = to_text(rounded(scaled(size, 10, digits - 1 - exponent)));
-  if (text.size() > static_cast<std::size_t>(digits)) {  // 9.99... became 10.0...
-    text.pop_back();
-    ++exponent;
-  }
-  if (digits > 1) text.insert(1, ".");
-  return (cln::minusp(x) ? "-" : "") + text + "e" + std::to_string(exponent);
 }
 
 }  // namespace magicmass::oracle

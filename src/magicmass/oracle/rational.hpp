@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Between doubles, decimal digits and exact rationals; every rounding is to nearest, ties to even.
+// Between doubles and exact rationals; every rounding is to nearest, ties to even.
 #pragma once
 
 #include <string>
@@ -25,9 +25,5 @@ long length(const cln::cl_RA& x);
 
 /// "p/q" in lowest terms with q > 1, or "p".
 std::string to_text(const cln::cl_RA& x);
-
-/// x rounded to so many significant decimal digits, as "-1.2500e-3"; 0 is "0".
-/// Throws std::invalid_argument for digits < 1.
-std::string to_decimal(const cln::cl_RA& x, int digits);
 
 }  // namespace magicmass::oracle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Doubles, digits and exact rationals: both ways, at ties and at the ends of the range.
+// Doubles and exact rationals: both ways, at ties and at the ends of the range.
 #include "magicmass/oracle/rational.hpp"
 
 #include <bit>
@@ -55,16 +55,4 @@ TEST_CASE("the ulp is the spacing in the exact value's binade", "[exam]") {
   CHECK(ulp_error(Limits::max(), 2 * exact(0x1p1023)) == 1);
   CHECK(std::isinf(ulp_error(Limits::infinity(), 1)));
   CHECK(std::isinf(ulp_error(Limits::quiet_NaN(), 1)));
-}
-
-TEST_CASE("decimal digits are rounded, carried and placed", "[exam]") {
-  CHECK(to_decimal(cl_RA(1) / 7, 5) == "1.4286e-1");
-  CHECK(to_decimal(cl_RA(25) / 2, 2) == "1.2e1");
-  CHECK(to_decimal(cl_RA(27) / 2, 2) == "1.4e1");
-  CHECK(to_decimal(cl_RA(-9999) / 10000, 3) == "-1.00e0");
-  CHECK(to_decimal(cl_RA(1) / 1000000, 2) == "1.0e-6");
-  CHECK(to_decimal(12345, 1) == "1e4");
-  CHECK(to_decimal(0, 9) == "0");
-  CHECK(to_decimal(exact(Limits::denorm_min()), 3) == "4.94e-324");
-  CHECK_THROWS_AS(to_decimal(1, 0), std::invalid_argument);
 }
