@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// CLI11 takes the words apart; what it would read in ways that surprise is settled before.
+// CLI11 writes help. It would read some words in ways that surprise: 010 as 8, -x as an option.
 #include "command/parse.hpp"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <sstream>
 
@@ -80,84 +79,66 @@ std::string the(const Command& command, const std::string& what) {
   return command.name + ": " + what;
 }
 
-/// Takes options and their values out of the words, so that a value may begin with a minus sign
-/// (not with two) and CLI11 takes no word for one that is missing. Formulas go to `formulas`, if
-/// that is given: CLI11 would take -x for an option and [1, 2] for two words.
-std::map<std::string, std::string> take_values(std::vector<std::string>& words,
-                                               const Command& command,
-                                               const std::vector<Option>& options,
-                                               std::vector<std::string>* formulas) {
-  std::map<std::string, std::string> values;
-  std::vector<std::string> others;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const std::string word = words[i] == "-o" ? "--output" : words[i];
+/// Options by name, and what else there is. An option takes the next word, though it begin with a
+/// minus sign (not with two); so may formulas, and what follows "--".
+answers::Request request_of(const Command& command, const std::vector<Option>& options,
+                            const std::vector<std::string>& words, const std::string& help) {
+  answers::Request request;
+  const auto refuse = [&](const std::string& word) {
+    throw InvalidInput(the(command, "has no option or word " + shown_text(word) + "; see " + help));
+  };
+  const auto end = std::ranges::find(words, "--");
+  for (auto at = words.begin(); at != end; ++at) {
+    const std::string word = *at == "-o" ? "--output" : *at;
     const std::size_t equals = word.find('=');
-    const auto option = std::find_if(options.begin(), options.end(), [&](const Option& known) {
-      return word.substr(0, equals) == "--" + known.name;
-    });
+    const auto option = std::ranges::find(options, word.substr(0, equals),
+                                          [](const Option& known) { return "--" + known.name; });
     if (word.starts_with("-o="))
       throw InvalidInput("-o= is not an option; allowed: -o FILE and --output=FILE");
     if (option == options.end()) {
-      const bool is_formula = formulas && !word.starts_with("--") && word != "-h";
-      (is_formula ? *formulas : others).push_back(word);
+      if (word != "-" && word.starts_with(command.takes_formulas ? "--" : "-")) refuse(word);
+      request.words.push_back(word);
       continue;
     }
     const bool takes_value = !option->value.empty();
     const bool is_apart = equals == std::string::npos;
     if (!takes_value && !is_apart) throw InvalidInput("--" + option->name + " takes no value");
     std::string value = is_apart ? "" : word.substr(equals + 1);
-    if (takes_value && is_apart && i + 1 < words.size()) value = words[++i];
+    if (takes_value && is_apart && at + 1 != end) value = *++at;
     if (takes_value && (value.empty() || (is_apart && value.starts_with("--"))))
       throw InvalidInput("--" + option->name + " has no value");
-    if (!values.emplace(option->name, value).second)
+    if (!request.options.emplace(option->name, value).second)
       throw InvalidInput(the(command, "--" + option->name + ": given twice"));
   }
-  words = others;
-  return values;
-}
-
-/// For help alone.
-void add_options(CLI::App& app, const std::vector<Option>& options) {
-  const CLI::callback_t keep = [](const CLI::results_t&) { return true; };
-  for (const Option& option : options) {
-    const std::string names = (option.name == "output" ? "-o,--" : "--") + option.name;
-    if (option.value.empty())
-      app.add_flag(names, option.words);
-    else
-      app.add_option(names, keep, option.words)->type_name(option.value);
-  }
+  if (end != words.end()) request.words.insert(request.words.end(), end + 1, words.end());
+  if (command.words.empty() && !request.words.empty()) refuse(request.words[0]);
+  return request;
 }
 
 Asked asked_for(const Command& command, const std::vector<Option>& options,
-                const std::map<std::string, std::string>& values, std::vector<std::string> words) {
-  Asked asked;
-  asked.command = &command;
-  asked.request.options = values;
-  asked.request.words = std::move(words);
-  asked.request.format = command.formats.front();
+                answers::Request request) {
   const auto& endless = command.endless;
-  const bool has_end = asked.request.words.empty() ||
-                       std::count(endless.begin(), endless.end(), asked.request.words[0]) == 0;
-  asked.limits.seconds = asked.request.whole("time-limit", 1, no_limit)
-                             .value_or(has_end ? command.limits.seconds : no_limit);
-  asked.limits.mebibytes =
-      asked.request.whole("memory-limit", 16, 1'000'000'000).value_or(command.limits.mebibytes);
-  if (asked.request.has("format")) asked.request.format = asked.request.text("format");
+  const bool has_end = request.words.empty() || std::ranges::count(endless, request.words[0]) == 0;
+  request.format = request.has("format") ? request.text("format") : command.formats.front();
   for (const Option& option : options) {
     const auto& allowed = option.choices;
-    const std::string value = asked.request.text(option.name);
-    const bool is_given = asked.request.has(option.name);
-    if (is_given && !allowed.empty() && std::count(allowed.begin(), allowed.end(), value) == 0) {
+    const std::string value = request.text(option.name);
+    const bool is_given = request.has(option.name);
+    if (is_given && !allowed.empty() && std::ranges::count(allowed, value) == 0) {
       throw InvalidInput(the(command, "unknown " + option.name + " " + shown_text(value) +
                                           "; allowed: " + joined(allowed)));
     }
-    const bool may_be_column = asked.request.has("input") && option.is_column;
+    const bool may_be_column = request.has("input") && option.is_column;
     if (option.is_required && !is_given && !may_be_column) {
       throw InvalidInput(
           the(command, "--" + option.name + " is missing; example: " + command.example));
     }
   }
-  return asked;
+  const Limits limits{
+      request.whole("time-limit", 1, no_limit)
+          .value_or(has_end ? command.limits.seconds : no_limit),
+      request.whole("memory-limit", 16, 1'000'000'000).value_or(command.limits.mebibytes)};
+  return {&command, std::move(request), limits};
 }
 
 void describe(CLI::App& app, const std::string& name, const std::string& summary,
@@ -183,6 +164,22 @@ std::string help_of(const Program& program) {
   return help_of(app);
 }
 
+std::string help_of(const std::string& name, const Command& command,
+                    const std::vector<Option>& options) {
+  CLI::App app;
+  describe(app, name, command.summary, command.example);
+  for (const Option& option : options) {
+    const std::string names = (option.name == "output" ? "-o,--" : "--") + option.name;
+    if (option.value.empty())
+      app.add_flag(names, option.words);
+    else
+      app.add_option(names, option.words)->type_name(option.value);
+  }
+  std::vector<std::string> words;
+  if (!command.words.empty()) app.add_option("words", words, command.words)->type_name("");
+  return help_of(app);
+}
+
 }  // namespace
 
 std::variant<Asked, std::string> parse(const Program& program, std::vector<std::string> words) {
@@ -193,25 +190,10 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   if (first == "--version") return program.name + " " + program.version + "\n";
   const Command& command = command_of(program, first);
   const std::vector<Option> options = options_of(command);
-  CLI::App app;
-  describe(app, program.name + " " + command.name, command.summary, command.example);
-  add_options(app, options);
-  std::vector<std::string> free_words;
-  if (!command.words.empty()) app.add_option("words", free_words, command.words)->type_name("");
-  const auto values =
-      take_values(words, command, options, command.takes_formulas ? &free_words : nullptr);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
-  try {
-    app.parse(words);
-  } catch (const CLI::CallForHelp&) {
-    return help_of(app);
-  } catch (const CLI::ExtrasError&) {
-    throw InvalidInput(the(command, "has no option or word " + shown_text(app.remaining().front()) +
-                                        "; see " + app.get_name() + " --help"));
-  } catch (const CLI::ParseError& error) {
-    throw InvalidInput(the(command, shown_text(error.what(), 200)));
-  }
-  return asked_for(command, options, values, free_words);
+  const std::string full_name = program.name + " " + command.name;
+  if (std::ranges::count(words, "--help") + std::ranges::count(words, "-h") > 0)
+    return help_of(full_name, command, options);
+  return asked_for(command, options, request_of(command, options, words, full_name + " --help"));
 }
 
 }  // namespace command
