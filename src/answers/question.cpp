@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/question.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
 #include "answers/errors.hpp"
 #include "answers/motion.hpp"
+#include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
 
 namespace answers {
@@ -73,20 +75,33 @@ Answer extremum(const Request& request) {
 }  // namespace
 
 std::map<std::string, std::string> answer_to(const std::string& question) {
-  static const std::map<std::string, Answer (*)(const Request&)> commands{
-      {"angle", angle},       {"count", count},   {"eval", eval},
-      {"extremum", extremum}, {"ratios", ratios}, {"terminal", terminal},
+  struct Known {
+    Answer (*answer)(const Request&);
+    Names options;
   };
+  static const std::map<std::string, Known> commands{
+      {"angle", {angle, {"alpha"}}},
+      {"count", {count, {"alpha"}}},
+      {"eval", {eval, {"alpha", "n", "tier", "digits"}}},
+      {"extremum", {extremum, {"near", "restitution", "decimals"}}},
+      {"ratios", {ratios, {"count", "digits"}}},
+      {"terminal", {terminal, {"alpha", "restitution", "tier", "digits"}}}};
   std::istringstream words(question);
   std::string command, option, value;
   words >> command;
-  Request request;
-  while (words >> option >> value) request.options.emplace(option.erase(0, 2), value);
   const auto found = commands.find(command);
   if (found == commands.end())
     throw InvalidInput("no numbers answer \"" + question +
                        "\"; allowed: angle, count, eval, extremum, ratios, terminal");
-  const Table table = found->second(request).table;
+  const auto& [answer, options] = found->second;
+  Request request;
+  while (words >> option) {
+    if (std::ranges::count(options, option.erase(0, 2)) == 0 || !(words >> value))
+      throw InvalidInput(command + ": no option, or no value: --" + option + "; allowed: --" +
+                         joined(options, ", --"));
+    request.options.emplace(option, value);
+  }
+  const Table table = answer(request).table;
   std::map<std::string, std::string> cells;
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     cells.emplace(table.columns[i], table.rows.back()[i].text);

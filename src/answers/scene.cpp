@@ -222,6 +222,10 @@ Answer simulate(const Request& request) {
   const Format format = format_of(request.format);
   if (is_list(format) && result.status != Status::complete)
     answer.note = "simulate: " + status_name(result.status) + ": " + result.why;
+  if (is_list(format) && scene.scene.wants("events") && scene.scene.wants("trajectory"))
+    answer.note += (answer.note.empty() ? "simulate: " : "; ") + request.format +
+                   " lists events alone; the trajectory is in text and json, or where no events "
+                   "are asked for";
   answer.stream = [scene, format](const Write& write) { write_all(scene, format, write); };
   return answer;
 }

@@ -45,39 +45,43 @@ std::string tier_of(const Request& request) {
   return tier;
 }
 
-/// The mass ratio, for fractions that so many steps make longer by so many bits of it and of
-/// `others` each. Throws InvalidInput where it is none, Undecided where they would be too long.
-cln::cl_RA exact_ratio(const Alpha& alpha, const cln::cl_I& steps, const std::string& name,
-                       int longest = 1 << 22, std::size_t others = 0) {
-  const auto fraction = fraction_of(alpha);
-  if (!fraction)
-    throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
-                       " are no fractions; add --digits D");
-  const cln::cl_I bits = steps * static_cast<long long>(2 * Quadratic(*fraction).bits() + others);
-  if (bits > longest)
-    throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
-                    " would have some " + kernel::digits(bits) + " bits; add --digits D");
-  return *fraction;
-}
-Row exact_cells(const std::vector<cln::cl_RA>& values) {
-  Row row;
-  for (const cln::cl_RA& value : values) row.push_back(exact_cell(kernel::digits(value)));
-  return row;
-}
-
 /// What eval and terminal are asked.
 struct Asked {
   explicit Asked(const Request& request)
       : alpha(alpha_of(request.text("alpha"))),
         tier(tier_of(request)),
         digits(digits_wanted(request)),
-        wants_fractions(tier == "exact" && !digits),
         number(tier == "exact" ? nullptr : std::get_if<double>(&alpha)) {}
   Alpha alpha;
   std::string tier;
   std::optional<int> digits;
-  bool wants_fractions;
   const double* number;  // the double that tiers fast and accurate answer for
+
+  /// The mass ratio where tier exact has fractions, which so many steps make longer by so many bits
+  /// of it and of `others` each; nothing where digits are wanted of what is none, or too long. Else
+  /// throws InvalidInput there, or Undecided.
+  std::optional<cln::cl_RA> ratio(const cln::cl_I& steps, const std::string& name,
+                                  int longest = 1 << 22, std::size_t others = 0) const {
+    if (tier != "exact") return {};
+    const auto fraction = fraction_of(alpha);
+    const cln::cl_RA known = fraction.value_or(1);
+    if (digits) longest = 1 << 14;  // longer ones are quicker as balls
+    const cln::cl_I bits = steps * static_cast<long long>(2 * Quadratic(known).bits() + others);
+    if (fraction && bits <= longest) return fraction;
+    if (digits) return {};
+    if (!fraction)
+      throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
+                         " are no fractions; add --digits D");
+    throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
+                    " would have some " + kernel::digits(bits) + " bits; add --digits D");
+  }
+  /// Fractions as they are, or rounded to the digits that are wanted, ties to even.
+  Row exact_cells(const std::vector<cln::cl_RA>& values) const {
+    Row row;
+    for (const cln::cl_RA& x : values)
+      row.push_back(exact_cell(digits ? *balls::decimal(x, x, *digits) : kernel::digits(x)));
+    return row;
+  }
 };
 /// One row, the answer.
 Answer answer(Names columns, std::initializer_list<Row> parts) {
@@ -96,9 +100,9 @@ Answer eval(const Request& request) {
   const bool fits = cln::integer_length(N_A) < 64;
   const std::int64_t n = *request.whole("n", 0, fits ? cln::cl_I_to_long(N_A) : INT64_MAX);
   Row four;
-  if (in.wants_fractions) {
-    const auto v = magicmass::generated::velocities_exact(exact_ratio(in.alpha, n, "cycles"), n);
-    four = exact_cells({v.a, v.b, v.c, v.c_prime});
+  if (const auto ratio = in.ratio(n, "cycles")) {
+    const auto v = magicmass::generated::velocities_exact(*ratio, n);
+    four = in.exact_cells({v.a, v.b, v.c, v.c_prime});
   } else if (in.number != nullptr) {
     const auto v = in.tier == "fast" ? magicmass::fast::velocities(*in.number, n)
                                      : magicmass::accurate::velocities(*in.number, n);
@@ -142,17 +146,15 @@ Row counts_and_velocities(const magicmass::Terminal& t) {
 }
 
 /// Fractions by the law of one collision.
-Row stepped(const Alpha& alpha, const cln::cl_RA& e, std::int64_t N) {
+std::vector<cln::cl_RA> stepped(const cln::cl_RA& mass, const cln::cl_RA& e, std::int64_t N) {
   using Body = magicmass::simulator::Body<cln::cl_RA>;
-  constexpr int longest = 1 << 18;  // each step reduces its fractions
-  const cln::cl_RA mass = exact_ratio(alpha, N, "collisions", longest, Quadratic(e).bits());
   std::array<Body, 3> bodies{Body{1, 0, 1}, {mass, 0, 0}, {1, 0, 0}};
   for (std::int64_t j = 0; j < N; ++j) {
     const std::size_t left = j % 2 == 0 ? 0 : 1;
     magicmass::simulator::collide(bodies[left], bodies[left + 1], e);
   }
   const auto& [A, C, B] = bodies;
-  return exact_cells({A.velocity, B.velocity, C.velocity, B.velocity * B.velocity});
+  return {A.velocity, B.velocity, C.velocity, B.velocity * B.velocity};
 }
 
 /// What stands behind alpha and a restitution below 1.
@@ -164,12 +166,13 @@ Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
   const cln::cl_RA e = *fraction_of(restitution);
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), e);
   if (const auto N = trio.count()) {
-    const Row four = in.wants_fractions
-                         ? stepped(in.alpha, e, *N)
-                         : rounded([&] { return answers::terminal(trio, *N); }, in.digits);
+    constexpr int longest = 1 << 18;  // each step reduces its fractions
+    const auto ratio = in.ratio(*N, "collisions", longest, Quadratic(e).bits());
+    const Row four = ratio ? in.exact_cells(stepped(*ratio, e, *N))
+                           : rounded([&] { return answers::terminal(trio, *N); }, in.digits);
     return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four});
   }
-  if (in.wants_fractions)
+  if (in.tier == "exact" && !in.digits)
     throw Undecided(
         "terminal: collisions never end, at a time that may be no fraction; add --digits D");
   const auto end = [&] {
@@ -188,11 +191,10 @@ Row elastic_terminal(const Asked& in) {
                                            : magicmass::accurate::terminal(*in.number);
   if (number) return counts_and_velocities(*number);
   Row four;
-  if (in.wants_fractions) {
-    const cln::cl_RA alpha = exact_ratio(in.alpha, counts.N_A, "cycles");
-    const auto v = magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(counts.N_A),
+  if (const auto ratio = in.ratio(counts.N_A, "cycles")) {
+    const auto v = magicmass::generated::terminal_exact(*ratio, cln::cl_I_to_long(counts.N_A),
                                                         cln::cl_I_to_long(counts.N_B));
-    four = exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
+    four = in.exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
   } else {
     four = rounded([&] { return answers::terminal(in.alpha, counts); }, in.digits);
   }

@@ -131,8 +131,8 @@ bool CsvReader::next(std::vector<std::string>& row) {
   if (is_empty) refuse("an empty line; allowed: at the end");
   split_line();
   if (size_ != names_.size()) {
-    refuse(std::to_string(size_) + " fields where the header names " +
-           std::to_string(names_.size()));
+    refuse("fields: got " + std::to_string(size_) +
+           "; allowed: as many as the header names: " + std::to_string(names_.size()));
   }
   row.resize(columns_.size());
   for (std::size_t i = 0, column = 0; i < size_; ++i) {

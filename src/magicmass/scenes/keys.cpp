@@ -115,7 +115,7 @@ void read_balls(const Field& f) {
   const std::vector<Value> masses =
       f.node.is_array() ? values_at(f) : std::vector<Value>(balls, value_at(f));
   if (masses.size() != balls)
-    refuse(f, std::to_string(masses.size()) + " balls",
+    refuse(f, "a list of " + std::to_string(masses.size()),
            "one value, or as many as there are gaps between blocks: " + std::to_string(balls));
   for (std::size_t i = 0; i < balls; ++i) f.scene.masses[2 * i + 1] = masses[i];
 }

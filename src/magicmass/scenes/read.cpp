@@ -68,7 +68,7 @@ void check_together(const Scene& scene) {
     refuse_key(scene, "masses", scene.has("masses") ? "no bodies" : "missing",
                scene.kind == Kind::chain ? "masses, one or more, or blocks" : "masses, or alpha");
   if (scene.kind != Kind::chain && scene.masses.size() != bodies)
-    refuse_key(scene, "masses", std::to_string(scene.masses.size()) + " masses",
+    refuse_key(scene, "masses", "a list of " + std::to_string(scene.masses.size()),
                std::to_string(bodies) + " in this kind of scene");
 }
 

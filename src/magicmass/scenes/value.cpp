@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/value.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -68,19 +67,10 @@ bool is_float(std::string_view text) {
 }
 
 double read_float(std::string_view text) {
-  const bool is_negative = text.starts_with('-');
-  std::string_view digits = text.substr(is_negative ? 1 : 0);
-  const bool is_hex = digits.starts_with("0x") || digits.starts_with("0X");
-  digits.remove_prefix(is_hex ? 2 : 0);
-  double value = 0;
-  const char* const end = digits.data() + digits.size();
-  const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
-  const auto [stop, error] = std::from_chars(digits.data(), end, value, format);
-  if (digits.starts_with('-') || stop != end || error == std::errc::invalid_argument)
-    refuse("not a number");
-  if (error != std::errc() || !std::isfinite(value))
-    refuse("it does not fit a double, write it as a fraction");
-  return is_negative ? -value : value;
+  const auto value = notation::read_double(text);
+  if (!value) refuse("not a number");
+  if (std::isinf(*value)) refuse("it does not fit a double, write it as a fraction");
+  return *value;
 }
 
 std::int64_t k_of(const cln::cl_I& k) { return cln::cl_I_to_long(k); }

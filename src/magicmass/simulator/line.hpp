@@ -45,7 +45,7 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
                                     {"positions", &line.positions},
                                     {"velocities", &line.velocities}}) {
     if (values->size() != bodies)
-      return Fault{key, std::to_string(values->size()) + " " + key,
+      return Fault{key, "a list of " + std::to_string(values->size()),
                    "as many as there are masses: " + std::to_string(bodies)};
     for (std::size_t i = 0; i < bodies; ++i)
       if (!((*values)[i] - (*values)[i] == zero))

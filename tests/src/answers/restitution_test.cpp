@@ -100,6 +100,21 @@ TEST_CASE("tier exact is in fractions, tier fast that of the library") {
   const std::vector<double> values{t.a_t, t.b_t, t.c_t, t.rho};
   for (std::size_t i = 0; i < 4; ++i) CHECK(row[4 + i].text == real_cell(values[i]).text);
 }
+TEST_CASE("a fraction halfway between two decimals is rounded to the even one") {
+  Request request;
+  const auto ends = [&](Answer (*answer)(const Request&)) {
+    const Table table = answer(request).table;
+    std::string texts;
+    for (const Cell& cell : table.rows[0]) texts += " " + cell.text;
+    return texts;
+  };
+  request.options = {{"alpha", "3"}, {"n", "1"}, {"digits", "1"}};
+  CHECK(ends(eval) == " 3 1 exact -0.5 0.8 0.5 0.2");
+  request.options = {{"alpha", "1/3"}, {"digits", "3"}};
+  CHECK(ends(answers::terminal) == " 1/3 2 2 -0.125 0.938 0.562 0.879");
+  request.options = {{"alpha", "1"}, {"restitution", "1/4"}, {"digits", "8"}};
+  CHECK(ends(answers::terminal) == " 1 1/4 2 1 0.28710938 0.39062500 0.32226562 0.15258789 ");
+}
 TEST_CASE("restitution 1 is the paper's, and what is no restitution is refused") {
   CHECK(asked("0.1", "1")[8].json == "null");
   CHECK(asked("0.1", "1")[5].text == asked("0.1", "0.9999999999999999999")[5].text);

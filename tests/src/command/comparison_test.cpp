@@ -82,6 +82,7 @@ TEST_CASE("A row without a meaning is named", "[check]") {
   refused("x,x,1", "paper_numbers.csv: x,x,1: six fields");
   refused("x,x,1,guess --alpha 1,N_A,", "no numbers answer \"guess --alpha 1\"");
   refused("x,x,1,count --alpha 1,N_C,", "no column N_C");
+  refused("x,x,1,count --alhpa 1,N_A,", "count: no option, or no value: --alhpa; allowed: --alpha");
   refused("x,x,1,extremum --near 0.1 --restitution 9/10,alpha,",
           "near: 0.1; allowed: magic:k, deficient:k");
   refused("x,x,1,extremum --near magic:1 --restitution 1,alpha,",

@@ -63,8 +63,8 @@ TEST_CASE("what is refused, and where", "[exam]") {
           "1: tier: not a column but one option for all rows, --tier; options that may be columns: "
           "alpha, n");
   refuses("n,n\n1,2\n", "1: n: a column of that name was there before");
-  refuses("alpha,n\n1,2\n3\n", "3: 1 fields where the header names 2");
-  refuses("alpha\n1,2\n", "2: 2 fields where the header names 1");
+  refuses("alpha,n\n1,2\n3\n", "3: fields: got 1; allowed: as many as the header names: 2");
+  refuses("alpha\n1,2\n", "2: fields: got 2; allowed: as many as the header names: 1");
   refuses("alpha,n\n1,\n", "2: n: empty; allowed: a value in every field");
   refuses("alpha\n1\n\n2\n", "3: an empty line; allowed: at the end");
   refuses("alpha\n\"1\n", "2: a quoted field has no closing quote in its line");

@@ -7,11 +7,15 @@
 using namespace notation;
 
 TEST_CASE("decimals and hex floats are the nearest double, p/q is exact") {
-  for (const auto& [words, value] :
-       {std::pair{"0.1", 0.1}, {"1e-9", 1e-9}, {"0x1.8p-3", 0.1875}, {".5", 0.5}})
+  for (const auto& [words, value] : {std::pair{"0.1", 0.1},
+                                     {"1e-9", 1e-9},
+                                     {"0x1.8p-3", 0.1875},
+                                     {".5", 0.5},
+                                     {"017", 17},
+                                     {"0x10", 16}})
     CHECK(std::get<double>(read_alpha(words)) == value);
   CHECK(std::get<double>(read_alpha("5e-324")) > 0);
-  CHECK(std::get<cln::cl_RA>(read_alpha("2/14")) == cln::cl_RA("1/7"));
+  CHECK(std::get<cln::cl_RA>(read_alpha("02/14")) == cln::cl_RA("1/7"));
   CHECK(std::get<Magic>(read_alpha("magic:3")).k == 3);
   CHECK(std::get<Deficient>(read_alpha("deficient:1000000000000000000")).k > 1);
   for (std::string words : {"0.1", "1/7", "3/1", "magic:3", "deficient:2", "1e-09", "5e-324"})
@@ -26,8 +30,8 @@ TEST_CASE("what is no positive finite number is refused") {
            {"-1", "positive finite"},
            {"-1/2", "positive finite"},
            {"0/5", "positive finite"},
-           {"inf", "positive finite"},
-           {"nan", "positive finite"},
+           {"inf", "not a number"},
+           {"nan", "not a number"},
            {"0xinfp1", "not a number"},
            {"+1", "not a number"},
            {" 1", "not a number"},
@@ -36,19 +40,15 @@ TEST_CASE("what is no positive finite number is refused") {
            {"1e", "not a number"},
            {"9^9^9", "not a number"},
            {"\x1b[2J", "not a number: \"?[2J\""},
-           {"010", "a 0 too many"},
-           {"00.5", "a 0 too many"},
-           {"0x10", "needs its exponent"},
-           {"010/3", "not a fraction"},
            {"1/0x3", "not a fraction"},
            {"1/2/3", "not a fraction"},
            {"1/-2", "not a fraction"},
            {"1/0", "divides by 0"},
            {"1e999999", "does not fit a double"},
+           {"0x1p-2000", "does not fit a double"},
            {"1e-999999", "does not fit a double"},
            {"magic:0", "from 1 to 10^18"},
            {"magic:1000000000000000001", "from 1 to 10^18"},
-           {"deficient:03", "from 1 to 10^18"},
            {"magic:", "from 1 to 10^18"},
            {std::string(4097, '1'), "4097 characters long"}}) {
     INFO(words.substr(0, 50));

@@ -78,6 +78,7 @@ TEST_CASE("what is no value is refused", "[exam]") {
       {"9^999999", "bits"},
       {"inf", "not known"},
       {"1e999", "does not fit"},
+      {"1e-999", "does not fit"},
       {"1.5.2", "not a number"},
       {"--1.5", "not a number"},
       {"0x", "not a number"},

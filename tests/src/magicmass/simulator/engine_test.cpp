@@ -295,8 +295,10 @@ TEST_CASE("a line with a fault does not move", "[exam]") {
   refused([&](auto& line) { line.positions[1] = nan; }, "positions: that of body 2 is not finite");
   refused([&](auto& line) { line.velocities[0] = -1 / 0.0; },
           "velocities: that of body 1 is not finite");
-  refused([](auto& line) { line.positions.pop_back(); }, "1 positions; allowed: as many");
-  refused([](auto& line) { line.velocities.push_back(0); }, "3 velocities; allowed: as many");
+  refused([](auto& line) { line.positions.pop_back(); },
+          "positions: a list of 1; allowed: as many");
+  refused([](auto& line) { line.velocities.push_back(0); },
+          "velocities: a list of 3; allowed: as many");
   refused([](auto& line) { line.left_wall = 0.5; }, "left_wall: right of body 1");
   refused([](auto& line) { line.right_wall = 0.5; }, "right_wall: left of body 2");
   refused([](auto& line) { line.restitution = 0; }, "restitution: 0 or less, or above 1");
