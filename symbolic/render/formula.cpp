@@ -45,7 +45,7 @@ private:
       case Op::Num:
         return number(e.value());
       case Op::Var:
-        return {style.name(e.name())};
+        return {name(e.name())};
       case Op::Fun:
         return function(e);
       case Op::Add:
@@ -60,7 +60,7 @@ private:
       case Op::Matrix:
         return {matrix(e)};
       case Op::Transpose:
-        return {style.power(within(Atom, e.arg(0)), style.name("T")), Power};
+        return {style.power(within(Atom, e.arg(0)), name("T")), Power};
       case Op::MatrixPower:
         return {style.power(within(Atom, e.arg(0)), within(Sum, e.arg(1))), Power};
       case Op::Entry:
@@ -68,7 +68,7 @@ private:
                                                           style.word(",") +
                                                           number(e.index() % e.arg(0).cols() + 1))};
       case Op::Det:
-        return {style.call(style.name("det"), within(Quantified, e.arg(0)))};
+        return {style.call(name("det"), within(Quantified, e.arg(0)))};
       default:
         return statement(e);
     }
@@ -80,6 +80,12 @@ private:
   }
   std::string whole(const Piece& piece) const {
     return (piece.minus ? style.word("-") : "") + piece.text;
+  }
+  std::string name(const std::string& text) const {
+    const bool is_primed = text.ends_with('\'');
+    const std::string plain = text.substr(0, text.size() - (is_primed ? 1 : 0));
+    const std::size_t end = std::min(plain.find('_'), plain.size());
+    return style.name({plain.substr(0, end), is_primed, plain.substr(end).erase(0, 1)});
   }
   std::string number(int n) const { return style.number(std::to_string(n)); }
   std::string number(const cln::cl_I& n) const { return style.number(kernel::digits(n)); }
@@ -172,9 +178,7 @@ private:
       std::string& part = signature.args[i] == kernel::Sort::Int ? index : plain;
       part += (part.empty() ? "" : style.word(", ")) + within(Quantified, args[i]);
     }
-    std::string name = e.name();
-    if (name.back() == '_') name.pop_back();
-    std::string text = style.name(name);
+    std::string text = name(e.name());
     if (!index.empty()) text = style.indexed(text, index);
     if (!plain.empty()) text = style.call(text, plain);
     return {text};
@@ -205,7 +209,7 @@ private:
     // For every v, with v as the free variable of its name.
     const bool whole = e.bound_sort() == kernel::Sort::Int;
     const Expr v = whole ? kernel::integer(e.name()) : kernel::real(e.name());
-    return {style.word(whole ? "for every integer " : "for every real ") + style.name(e.name()) +
+    return {style.word(whole ? "for every integer " : "for every real ") + name(e.name()) +
                 style.word(": ") + within(Quantified, kernel::open(e, v)),
             Quantified};
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The one visitor of formulas: it decides structure, parentheses and signs; a Style writes them.
 #pragma once
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,10 +10,21 @@
 namespace render {
 using Strings = std::vector<std::string>;
 
+/// Of a variable or function: c'_n has head c, a prime, index n.
+struct Name {
+  std::string head;
+  bool is_primed;
+  std::string index;  ///< or empty
+};
+/// Letters that are written as words, and themselves.
+inline const std::map<std::string, std::string> greek{
+    {"alpha", "α"}, {"beta", "β"},  {"theta", "θ"}, {"psi", "ψ"},    {"pi", "π"},    {"rho", "ρ"},
+    {"kappa", "κ"}, {"delta", "δ"}, {"Gamma", "Γ"}, {"Lambda", "Λ"}, {"lambda", "λ"}};
+
 /// How one notation writes what the visitor has decided.
 struct Style {
   virtual ~Style() = default;
-  virtual std::string name(const std::string& name) const = 0;  ///< of a variable or function
+  virtual std::string name(const Name& name) const = 0;
   virtual std::string number(const std::string& digits) const = 0;
   virtual std::string indexed(const std::string& base, const std::string& index) const = 0;
   virtual std::string call(const std::string& function, const std::string& arguments) const = 0;

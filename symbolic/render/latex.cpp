@@ -11,7 +11,19 @@ namespace render {
 namespace {
 class Latex : public Style {
 public:
-  std::string name(const std::string& name) const override { return latex_name(name); }
+  std::string name(const Name& name) const override {
+    static const std::set<std::string> functions{"sin", "cos", "det"};
+    const auto& [head, is_primed, index] = name;
+    std::string out = greek.contains(head) || functions.contains(head) ? "\\" + head
+                      : head == "atan"                                 ? "\\arctan"
+                      : head.size() == 1                               ? head
+                                                                       : "\\mathrm{" + head + "}";
+    if (is_primed) out += "'";
+    if (index.empty()) return out;
+    std::string words = index.size() > 1 ? "\\mathrm{" + index + "}" : index;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return out + "_{" + words + "}";
+  }
   std::string number(const std::string& digits) const override { return digits; }
   std::string indexed(const std::string& base, const std::string& index) const override {
     // A prime comes before the index: c'_{n}. A second index joins the first.
@@ -71,25 +83,6 @@ public:
 };
 }  // namespace
 
-std::string latex_name(const std::string& name) {
-  const bool primed = name.back() == '\'';
-  const std::string plain = primed ? name.substr(0, name.size() - 1) : name;
-  const std::size_t underscore = plain.find('_');
-  const std::string head = plain.substr(0, underscore);
-  static const std::set<std::string> known{"alpha", "beta",   "theta",  "psi", "pi",
-                                           "Gamma", "Lambda", "lambda", "rho", "kappa",
-                                           "delta", "sin",    "cos",    "det"};
-  std::string out = known.contains(head) ? "\\" + head
-                    : head == "atan"     ? "\\arctan"
-                    : head.size() == 1   ? head
-                                         : "\\mathrm{" + head + "}";
-  if (primed) out += "'";
-  if (underscore == std::string::npos) return out;
-  std::string index = plain.substr(underscore + 1);
-  std::replace(index.begin(), index.end(), '_', ' ');
-  const bool is_word = index.size() > 1;
-  return out + "_{" + (is_word ? "\\mathrm{" + index + "}" : index) + "}";
-}
 std::string latex(kernel::Expr e) {
   static const Latex style;
   return formula(e, style);

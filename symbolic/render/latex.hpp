@@ -8,6 +8,4 @@
 namespace render {
 /// For math mode, without its delimiters: \frac{...}{...}, \begin{pmatrix}, \psi, c'_{n}.
 std::string latex(kernel::Expr e);
-/// A name as LaTeX has it: alpha is \alpha, N_A is N_{A}, V_CM is V_{\rm CM}.
-std::string latex_name(const std::string& name);
 }  // namespace render

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "render/mathml.hpp"
 
-#include <array>
 #include <map>
 
 #include "render/formula.hpp"
@@ -12,27 +11,19 @@ std::string element(const std::string& tag, const std::string& inside) {
   return "<" + tag + ">" + inside + "</" + tag + ">";
 }
 std::string row(const std::string& inside) { return element("mrow", inside); }
-/// Greek letters by their entities' characters; words stay upright.
-std::string letters(const std::string& name) {
-  static const std::map<std::string, std::string> greek{
-      {"alpha", "α"}, {"beta", "β"},   {"theta", "θ"},  {"psi", "ψ"},
-      {"pi", "π"},    {"rho", "ρ"},    {"kappa", "κ"},  {"delta", "δ"},
-      {"Gamma", "Γ"}, {"Lambda", "Λ"}, {"lambda", "λ"}, {"atan", "arctan"}};
-  const auto found = greek.find(name);
-  return element("mi", found == greek.end() ? name : found->second);
-}
 class Mathml : public Style {
 public:
-  std::string name(const std::string& name) const override {
-    const bool primed = name.back() == '\'';
-    const std::string plain = primed ? name.substr(0, name.size() - 1) : name;
-    const std::size_t underscore = plain.find('_');
-    std::string out = letters(plain.substr(0, underscore));
-    if (primed) out = element("msup", out + element("mo", "′"));
-    if (underscore == std::string::npos) return out;
-    const std::string index = plain.substr(underscore + 1);
-    const bool is_number = index.find_first_not_of("0123456789") == index.npos;
-    return indexed(out, element(is_number ? "mn" : "mi", index));
+  /// Words stay upright.
+  std::string name(const Name& name) const override {
+    const auto letter = greek.find(name.head);
+    const std::string head = letter != greek.end() ? letter->second
+                             : name.head == "atan" ? "arctan"
+                                                   : name.head;
+    std::string out = element("mi", head);
+    if (name.is_primed) out = element("msup", out + element("mo", "′"));
+    if (name.index.empty()) return out;
+    const bool is_number = name.index.find_first_not_of("0123456789") == name.index.npos;
+    return indexed(out, element(is_number ? "mn" : "mi", name.index));
   }
   std::string number(const std::string& digits) const override { return element("mn", digits); }
   std::string indexed(const std::string& base, const std::string& index) const override {
