@@ -3,7 +3,6 @@
 #include "answers/rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "kernel/expr.hpp"
@@ -71,10 +70,7 @@ Block eval_block(const Rows& rows) {
     magicmass::fast::velocities(alpha, n, columns);
   else
     magicmass::accurate::velocities(alpha, n, columns);
-  std::vector<bool> is_answered(size);
-  for (std::size_t row = 0; row < size; ++row) is_answered[row] = !std::isnan(a[row]);
-  return {is_answered,
-          {alpha, n, text_cell(is_fast ? "fast" : "accurate"), std::move(a), std::move(b),
+  return {{alpha, n, text_cell(is_fast ? "fast" : "accurate"), std::move(a), std::move(b),
            std::move(c), std::move(c_prime)}};
 }
 
@@ -83,9 +79,7 @@ Block count_block(const Rows& rows) {
   const std::size_t size = alpha.size();
   Wholes N_A(size), N_B(size);
   magicmass::count_collisions(alpha, N_A, N_B);
-  std::vector<bool> is_answered(size);
-  for (std::size_t row = 0; row < size; ++row) is_answered[row] = N_A[row] >= 0;
-  return {is_answered, {alpha, std::move(N_A), std::move(N_B)}};
+  return {{alpha, std::move(N_A), std::move(N_B)}};
 }
 
 Block terminal_block(const Rows& rows) {

@@ -171,6 +171,13 @@ Writer::Writer(Format format, Names columns, bool is_list)
   if (format == Format::json && is_list) opening_ = "[";
 }
 
+bool Block::answers(std::size_t row) const {
+  if (columns.empty()) return false;
+  const auto* reals = std::get_if<std::vector<double>>(&columns.back());
+  return reals ? !std::isnan((*reals)[row])
+               : std::get<std::vector<std::int64_t>>(columns.back())[row] >= 0;
+}
+
 template <class AppendField>
 void Writer::append_row(std::string& text, const AppendField& append_field) {
   if (format_ == Format::json && is_list_) text += is_first_ ? "\n" : ",\n";

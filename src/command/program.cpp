@@ -61,7 +61,7 @@ public:
     answers::Block block;
     if (command_.run_block && format_ != answers::Format::text) block = command_.run_block(rows);
     for (std::size_t row = 0; row < rows.fields.size(); ++row) {
-      if (!block.columns.empty() && block.is_answered[row]) {
+      if (block.answers(row)) {
         if (!alone_.empty()) write_alone();
         writer_.append(text_, block, row);
       } else {

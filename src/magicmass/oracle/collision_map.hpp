@@ -48,24 +48,17 @@ Cycle<Scalar> cycle_of(const Scalar& alpha) {
   return {collision(a, block, c, alpha), collision(b, block, c, alpha)};
 }
 
-/// map^n v for n >= 0, by squaring.
-template <class Scalar>
-Velocity<Scalar> apply_power(Map<Scalar> map, const cln::cl_I& n, Velocity<Scalar> v) {
-  const std::size_t bits = cln::integer_length(n);
-  for (std::size_t bit = 0; bit < bits; ++bit) {
-    if (bit > 0) map = Map<Scalar>(map * map);
-    if (cln::logbitp(bit, n)) v = Velocity<Scalar>(map * v);
-  }
-  return v;
-}
-
-/// The velocities after j >= 0 collisions, A's first: the map goes on past the last collision,
-/// physics does not.
+/// The velocities after j >= 0 collisions, A's first, by squaring: the map goes on past the last
+/// collision, physics does not.
 template <class Scalar>
 Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cln::cl_I& j,
-                                  const Velocity<Scalar>& start = Velocity<Scalar>::UnitX()) {
-  const Map<Scalar> whole = cycle.with_B * cycle.with_A;
-  const Velocity<Scalar> v = apply_power<Scalar>(whole, cln::floor1(j, 2), start);
+                                  Velocity<Scalar> v = Velocity<Scalar>::UnitX()) {
+  Map<Scalar> cycles = cycle.with_B * cycle.with_A;
+  const cln::cl_I n = cln::floor1(j, 2);
+  for (std::size_t bit = 0; bit < cln::integer_length(n); ++bit) {
+    if (bit > 0) cycles = Map<Scalar>(cycles * cycles);
+    if (cln::logbitp(bit, n)) v = Velocity<Scalar>(cycles * v);
+  }
   return cln::oddp(j) ? Velocity<Scalar>(cycle.with_A * v) : v;
 }
 

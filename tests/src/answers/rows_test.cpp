@@ -20,8 +20,8 @@ std::size_t checked(const Rows& rows, Block (*run_block)(const Rows&),
                     Answer (*run)(const Request&), const Names& columns) {
   const Block block = run_block(rows);
   std::size_t count = 0;
-  for (std::size_t row = 0; row < block.is_answered.size(); ++row) {
-    if (!block.is_answered[row]) continue;
+  for (std::size_t row = 0; row < rows.fields.size(); ++row) {
+    if (!block.answers(row)) continue;
     std::string text;
     Writer(Format::csv, columns, true).append(text, block, row);
     CHECK(text == written(run(rows.request(row)).table, Format::csv));
@@ -57,9 +57,8 @@ TEST_CASE("rows that are left open", "[exam]") {
                              {"99999999999999999999", "0.1"},
                              {"3", "0.1"}},
                             "accurate");
-  CHECK(eval_block(rows).is_answered ==
-        std::vector<bool>{false, false, false, false, false, false, false, false, false, true});
-  CHECK(eval_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
+  for (std::size_t row = 0; row < 10; ++row) CHECK(eval_block(rows).answers(row) == (row == 9));
+  CHECK_FALSE(eval_block(rows_of({{"1", "0.1"}}, "exact")).answers(0));
   CHECK(terminal_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
   Rows with_restitution = rows_of({{"0.5", "0.1"}}, "accurate");
   with_restitution.columns = {"restitution", "alpha"};
