@@ -45,81 +45,66 @@ void open_standard_streams() {
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// Answers rows of the input, written a block at a time.
-class RowsAnswered {
-public:
-  RowsAnswered(const Asked& asked, const CsvReader& reader, Destination& output,
-               answers::Names columns, const Tell& tell)
-      : command_(*asked.command),
-        reader_(reader),
-        output_(output),
-        format_(answers::format_of(asked.request.format)),
-        writer_(format_, std::move(columns), true),
-        tell_(tell) {}
+/// A row of the input by itself.
+std::vector<answers::Row> answer_alone(const Command& command, const answers::Request& request,
+                                       const std::string& place) {
+  try {
+    return command.run(request).table.rows;
+  } catch (const InvalidInput& error) {
+    throw InvalidInput(place + error.what());
+  } catch (const answers::Undecided& error) {
+    throw answers::Undecided(place + error.what());
+  }
+}
 
-  void add(const answers::Rows& rows) {
+/// Of rows of the input with these columns, written a block at a time.
+void write_answers(const Asked& asked, const answers::Names& columns, CsvReader& reader,
+                   answers::Rows rows, Destination& output, const Tell& tell) {
+  constexpr std::size_t rows_at_once = 4096;
+  constexpr std::size_t most_bytes = std::size_t{1} << 20U;
+  const Command& command = *asked.command;
+  const answers::Format format = answers::format_of(asked.request.format);
+  answers::Writer writer(format, columns, true);
+  std::uint64_t done = 0;
+  std::string text;
+  std::vector<answers::Row> alone;  // to follow the text
+  std::size_t bytes = 0;            // of these
+  const auto write = [&] {
+    output.write(text + writer.rows(alone));
+    text.clear();
+    alone.clear();
+    bytes = 0;
+  };
+  while (reader.read(rows.fields, rows_at_once)) {
     answers::Block block;
-    if (command_.run_block && format_ != answers::Format::text) block = command_.run_block(rows);
-    for (std::size_t row = 0; row < rows.fields.size(); ++row) {
+    if (command.run_block && format != answers::Format::text) block = command.run_block(rows);
+    const std::size_t size = rows.fields.size();
+    for (std::size_t row = 0; row < size; ++row) {
       if (block.answers(row)) {
-        if (!alone_.empty()) write_alone();
-        writer_.append(text_, block, row);
-      } else {
-        answer_alone(rows.request(row), reader_.place(rows.fields.size() - 1 - row));
-        if (bytes_ > most_bytes) write_alone();
-        tell_(done_ + row + 1);
+        if (!alone.empty()) write();
+        writer.append(text, block, row);
+        continue;
       }
-    }
-    write_alone();
-    tell_(done_ += rows.fields.size());
-  }
-  void end() {
-    write_alone();
-    output_.write(writer_.end());
-  }
-
-private:
-  const Command& command_;
-  const CsvReader& reader_;
-  Destination& output_;
-  answers::Format format_;
-  answers::Writer writer_;
-  const Tell& tell_;
-  std::uint64_t done_ = 0;
-  std::vector<answers::Row> alone_ = {};
-  std::size_t bytes_ = 0;  // of these
-  std::string text_ = {};
-  static constexpr std::size_t most_bytes = std::size_t{1} << 20U;
-
-  void answer_alone(const answers::Request& request, const std::string& place) {
-    try {
-      answers::Table table = command_.run(request).table;
-      for (answers::Row& row : table.rows) {
-        for (const answers::Cell& cell : row) bytes_ += cell.text.size() + cell.json.size();
-        alone_.push_back(std::move(row));
+      for (auto& cells : answer_alone(command, rows.request(row), reader.place(size - 1 - row))) {
+        for (const answers::Cell& cell : cells) bytes += cell.text.size() + cell.json.size();
+        alone.push_back(std::move(cells));
       }
-    } catch (const InvalidInput& error) {
-      throw InvalidInput(place + error.what());
-    } catch (const answers::Undecided& error) {
-      throw answers::Undecided(place + error.what());
+      if (bytes > most_bytes) write();
+      tell(done + row + 1);
     }
+    write();
+    tell(done += size);
   }
-  void write_alone() {
-    output_.write(text_ + writer_.rows(alone_));
-    text_.clear();
-    alone_.clear();
-    bytes_ = 0;
-  }
-};
+  output.write(writer.rows({}) + writer.end());
+}
 
 /// Each row of the input is a request.
 void answer_rows(const Asked& asked, Destination& output, const Tell& tell) {
-  constexpr std::size_t rows_at_once = 4096;
   std::vector<std::string> may_be_columns, others;
   for (const Option& option : asked.command->options)
     (option.is_column ? may_be_columns : others).push_back(option.name);
   CsvReader reader(asked.request.text("input"), may_be_columns, others);
-  answers::Rows rows{asked.request, reader.columns()};
+  const answers::Rows rows{asked.request, reader.columns()};
   answers::Request any_row = asked.request;
   for (const std::string& column : rows.columns)
     if (!any_row.options.insert({column, ""}).second)
@@ -127,9 +112,7 @@ void answer_rows(const Asked& asked, Destination& output, const Tell& tell) {
   for (const Option& option : asked.command->options)
     if (option.is_required && !any_row.has(option.name))
       throw InvalidInput(reader.place() + "no column " + option.name);
-  RowsAnswered answered(asked, reader, output, asked.command->columns(any_row), tell);
-  while (reader.read(rows.fields, rows_at_once)) answered.add(rows);
-  answered.end();
+  write_answers(asked, asked.command->columns(any_row), reader, rows, output, tell);
 }
 
 ExitCode answer(const Asked& asked, const Tell& tell) {
