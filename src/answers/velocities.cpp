@@ -51,35 +51,36 @@ struct Asked {
       : alpha(alpha_of(request.text("alpha"))),
         tier(tier_of(request)),
         digits(digits_wanted(request)),
+        wants_fractions(tier == "exact" && !digits),
         number(tier == "exact" ? nullptr : std::get_if<double>(&alpha)) {}
   Alpha alpha;
   std::string tier;
   std::optional<int> digits;
+  bool wants_fractions;
   const double* number;  // the double that tiers fast and accurate answer for
 
-  /// The mass ratio where tier exact has fractions, which so many steps make longer by so many bits
-  /// of it and of `others` each; nothing where digits are wanted of what is none, or too long. Else
-  /// throws InvalidInput there, or Undecided.
-  std::optional<cln::cl_RA> ratio(const cln::cl_I& steps, const std::string& name,
-                                  int longest = 1 << 22, std::size_t others = 0) const {
-    if (tier != "exact") return {};
+  /// Fractions that so many steps make longer by so many bits of the mass ratio and of `others`
+  /// each, or rounded from short ones: these may be halfway between two. Else of balls. Throws
+  /// where fractions are wanted: InvalidInput where there are none, Undecided for too long ones.
+  template <class Fractions>
+  Row cells(const cln::cl_I& steps, const std::string& name, const Fractions& fractions,
+            const std::function<Balls()>& balls, int longest = 1 << 22,
+            std::size_t others = 0) const {
     const auto fraction = fraction_of(alpha);
-    const cln::cl_RA known = fraction.value_or(1);
-    if (digits) longest = 1 << 14;  // longer ones are quicker as balls
-    const cln::cl_I bits = steps * static_cast<long long>(2 * Quadratic(known).bits() + others);
-    if (fraction && bits <= longest) return fraction;
-    if (digits) return {};
-    if (!fraction)
+    if (!fraction && wants_fractions)
       throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
                          " are no fractions; add --digits D");
-    throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
-                    " would have some " + kernel::digits(bits) + " bits; add --digits D");
-  }
-  /// Fractions as they are, or rounded to the digits that are wanted, ties to even.
-  Row exact_cells(const std::vector<cln::cl_RA>& values) const {
+    if (!fraction) return rounded(balls, digits);
+    const cln::cl_I bits = steps * static_cast<long long>(2 * Quadratic(*fraction).bits() + others);
+    if (!wants_fractions && bits > 1 << 14) return rounded(balls, digits);
+    if (bits > longest)
+      throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
+                      " would have some " + kernel::digits(bits) + " bits; add --digits D");
     Row row;
-    for (const cln::cl_RA& x : values)
-      row.push_back(exact_cell(digits ? *balls::decimal(x, x, *digits) : kernel::digits(x)));
+    for (const cln::cl_RA& x : fractions(*fraction))
+      row.push_back(wants_fractions ? exact_cell(kernel::digits(x))
+                    : digits        ? exact_cell(*balls::decimal(x, x, *digits))
+                                    : real_cell(balls::nearest_double(x, x).value()));
     return row;
   }
 };
@@ -99,16 +100,17 @@ Answer eval(const Request& request) {
   const cln::cl_I N_A = count_collisions(in.alpha).N_A;
   const bool fits = cln::integer_length(N_A) < 64;
   const std::int64_t n = *request.whole("n", 0, fits ? cln::cl_I_to_long(N_A) : INT64_MAX);
+  const auto exactly = [&](const cln::cl_RA& alpha) {
+    const auto v = magicmass::generated::velocities_exact(alpha, n);
+    return std::vector{v.a, v.b, v.c, v.c_prime};
+  };
   Row four;
-  if (const auto ratio = in.ratio(n, "cycles")) {
-    const auto v = magicmass::generated::velocities_exact(*ratio, n);
-    four = in.exact_cells({v.a, v.b, v.c, v.c_prime});
-  } else if (in.number != nullptr) {
+  if (in.number != nullptr) {
     const auto v = in.tier == "fast" ? magicmass::fast::velocities(*in.number, n)
                                      : magicmass::accurate::velocities(*in.number, n);
     four = real_cells({v.a, v.b, v.c, v.c_prime});
   } else {
-    four = rounded([&] { return velocities(in.alpha, n); }, in.digits);
+    four = in.cells(n, "cycles", exactly, [&] { return velocities(in.alpha, n); });
   }
   return answer(eval_columns(request),
                 {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
@@ -167,12 +169,12 @@ Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), e);
   if (const auto N = trio.count()) {
     constexpr int longest = 1 << 18;  // each step reduces its fractions
-    const auto ratio = in.ratio(*N, "collisions", longest, Quadratic(e).bits());
-    const Row four = ratio ? in.exact_cells(stepped(*ratio, e, *N))
-                           : rounded([&] { return answers::terminal(trio, *N); }, in.digits);
+    const Row four = in.cells(
+        *N, "collisions", [&](const cln::cl_RA& mass) { return stepped(mass, e, *N); },
+        [&] { return answers::terminal(trio, *N); }, longest, Quadratic(e).bits());
     return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four});
   }
-  if (in.tier == "exact" && !in.digits)
+  if (in.wants_fractions)
     throw Undecided(
         "terminal: collisions never end, at a time that may be no fraction; add --digits D");
   const auto end = [&] {
@@ -190,15 +192,14 @@ Row elastic_terminal(const Asked& in) {
                       : in.tier == "fast"  ? magicmass::fast::terminal(*in.number)
                                            : magicmass::accurate::terminal(*in.number);
   if (number) return counts_and_velocities(*number);
-  Row four;
-  if (const auto ratio = in.ratio(counts.N_A, "cycles")) {
-    const auto v = magicmass::generated::terminal_exact(*ratio, cln::cl_I_to_long(counts.N_A),
+  const auto exactly = [&](const cln::cl_RA& alpha) {
+    const auto v = magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(counts.N_A),
                                                         cln::cl_I_to_long(counts.N_B));
-    four = in.exact_cells({v.a_t, v.b_t, v.c_t, v.rho});
-  } else {
-    four = rounded([&] { return answers::terminal(in.alpha, counts); }, in.digits);
-  }
-  return concatenated({count_cells(counts), four});
+    return std::vector{v.a_t, v.b_t, v.c_t, v.rho};
+  };
+  return concatenated({count_cells(counts), in.cells(counts.N_A, "cycles", exactly, [&] {
+                         return answers::terminal(in.alpha, counts);
+                       })});
 }
 
 Answer terminal(const Request& request) {

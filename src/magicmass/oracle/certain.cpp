@@ -2,9 +2,6 @@
 // Where both ends round alike, so does all that lies between them.
 #include "magicmass/oracle/certain.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace magicmass::oracle {
 
 using cln::cl_I;
@@ -33,11 +30,6 @@ cl_I exact_length(const cl_RA& alpha, const cl_I& j) {
   cl_I common(1);
   for (const cl_RA& entry : map.reshaped()) common = cln::lcm(common, cln::denominator(entry));
   return j * cl_I(static_cast<unsigned long>(cln::integer_length(common - 1)));
-}
-
-double envelope(const cl_RA& y, const cl_RA& beside, const cl_RA& step) {
-  if (cln::zerop(y)) return std::numeric_limits<double>::infinity();
-  return std::max(0.5, nearest(cln::abs((beside / y - 1) / step) / 2));
 }
 
 }  // namespace magicmass::oracle

@@ -3,7 +3,9 @@
 // quantities. CLN keeps its own books: one thread at a time.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -62,13 +64,10 @@ std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
                   std::to_string(64 * first) + " bits");
 }
 
-/// max(1/2, cond/2) ulp with cond = |alpha y'(alpha)/y|, from y and its value at alpha (1 + step).
-/// Infinity where y = 0.
-double envelope(const cln::cl_RA& y, const cln::cl_RA& beside, const cln::cl_RA& step);
-
-/// What rounding alpha alone would cost each number of the quantity, in ulp, up to the last
-/// collision: there y is a smooth function of n h <= pi/2 and h, so a step of 2^-60 gives cond to
-/// about as much. Throws as certain().
+/// What rounding alpha alone would cost each number y of the quantity, max(1/2, cond/2) ulp with
+/// cond = |alpha y'(alpha)/y|, infinity where y = 0, up to the last collision: there y is a smooth
+/// function of n h <= pi/2 and h, so a step of 2^-60 gives cond to about as much. Throws as
+/// certain().
 template <class Quantity>
 std::vector<double> envelopes(const MassRatio& alpha, const Quantity& quantity) {
   constexpr long bits = 60;
@@ -76,8 +75,12 @@ std::vector<double> envelopes(const MassRatio& alpha, const Quantity& quantity) 
   const auto here = certain(alpha, quantity, to_within(2 * bits));
   const auto beside = certain(alpha * (1 + step), quantity, to_within(2 * bits));
   std::vector<double> values;
-  for (std::size_t i = 0; i < here.size(); ++i)
-    values.push_back(envelope(here[i], beside[i], step));
+  for (std::size_t i = 0; i < here.size(); ++i) {
+    const bool is_zero = cln::zerop(here[i]);
+    const cln::cl_RA cond = is_zero ? 0 : cln::abs((beside[i] / here[i] - 1) / step);
+    values.push_back(is_zero ? std::numeric_limits<double>::infinity()
+                             : std::max(0.5, nearest(cond / 2)));
+  }
   return values;
 }
 

@@ -5,16 +5,9 @@
 #include <algorithm>
 
 namespace magicmass::oracle {
-namespace {
 
 using cln::cl_I;
 using cln::cl_RA;
-
-/// x / 2^shift rounded down, or up. ash rounds down.
-cl_I shifted_down(const cl_I& x, long shift) { return cln::ash(x, -shift); }
-cl_I shifted_up(const cl_I& x, long shift) { return -cln::ash(-x, -shift); }
-
-}  // namespace
 
 Interval::Interval(int value) : low_(value), high_(value), precision_(0) {}
 
@@ -54,7 +47,7 @@ Interval operator-(const Interval& x, const Interval& y) {
 }
 
 Interval operator*(const Interval& x, const Interval& y) {
-  // Ends at 2^-(px + py), cut back to the larger of the two.
+  // Ends at 2^-(px + py), cut back to the larger of the two; ash rounds down.
   const long p = std::max(x.precision_, y.precision_);
   const long cut = std::min(x.precision_, y.precision_);
   const cl_I ll = x.low_ * y.low_;
@@ -63,7 +56,7 @@ Interval operator*(const Interval& x, const Interval& y) {
   const cl_I hh = x.high_ * y.high_;
   const cl_I low = cln::min(cln::min(ll, lh), cln::min(hl, hh));
   const cl_I high = cln::max(cln::max(ll, lh), cln::max(hl, hh));
-  return {shifted_down(low, cut), shifted_up(high, cut), p};
+  return {cln::ash(low, -cut), -cln::ash(-high, -cut), p};
 }
 
 Interval operator/(const Interval& x, const Interval& y) {

@@ -100,7 +100,7 @@ TEST_CASE("tier exact is in fractions, tier fast that of the library") {
   const std::vector<double> values{t.a_t, t.b_t, t.c_t, t.rho};
   for (std::size_t i = 0; i < 4; ++i) CHECK(row[4 + i].text == real_cell(values[i]).text);
 }
-TEST_CASE("a fraction halfway between two decimals is rounded to the even one") {
+TEST_CASE("a fraction halfway between two decimals, or doubles, is rounded to the even one") {
   Request request;
   const auto ends = [&](Answer (*answer)(const Request&)) {
     const Table table = answer(request).table;
@@ -110,6 +110,9 @@ TEST_CASE("a fraction halfway between two decimals is rounded to the even one") 
   };
   request.options = {{"alpha", "3"}, {"n", "1"}, {"digits", "1"}};
   CHECK(ends(eval) == " 3 1 exact -0.5 0.8 0.5 0.2");
+  const std::string alpha = "9007199254740991/27021597764222977";  // a_1 = 1/2 + 2^-54
+  request.options = {{"alpha", alpha}, {"n", "1"}};
+  CHECK(ends(eval) == " " + alpha + " 1 accurate 0.5 0.7499999999999999 1.5 -0.7500000000000001");
   request.options = {{"alpha", "1/3"}, {"digits", "3"}};
   CHECK(ends(answers::terminal) == " 1/3 2 2 -0.125 0.938 0.562 0.879");
   request.options = {{"alpha", "1"}, {"restitution", "1/4"}, {"digits", "8"}};
