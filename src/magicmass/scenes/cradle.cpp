@@ -72,9 +72,7 @@ Cradle::Moment Cradle::moment(std::int64_t j) const {
   const bool is_back = of_round > way_;
   if (of_round % (way_ + 1) == way_) return {round, is_back, nullptr, 0};
   const std::int64_t of_way = is_back ? 2 * way_ - of_round : of_round;
-  const auto after =
-      std::upper_bound(pairs_.begin(), pairs_.end(), of_way,
-                       [](std::int64_t number, const Pair& pair) { return number < pair.before; });
+  const auto after = std::ranges::upper_bound(pairs_, of_way, {}, &Pair::before);
   const Pair& pair = *(after - 1);
   return {round, is_back, &pair, of_way - pair.before};
 }

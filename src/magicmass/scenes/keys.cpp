@@ -140,7 +140,7 @@ const std::vector<Key>& keys() {
       {"mass_ratio", read_mass_ratio, {Kind::wall}, {"masses"}},
       {"masses", read_list<&Scene::masses>},
       {"blocks", read_blocks, {Kind::chain}, {"masses"}},
-      {"balls", read_balls, {Kind::chain}},
+      {"balls", read_balls, {Kind::chain}, {}, "blocks"},
       {"positions", read_list<&Scene::positions>},
       {"velocities", read_list<&Scene::velocities>},
       {"V", read<&Scene::V>, {}, {"velocities"}},
@@ -152,7 +152,7 @@ const std::vector<Key>& keys() {
       {"restitution", read<&Scene::restitution>},
       {"outputs", read_outputs},
       {"every", [](const Field& f) { f.scene.every = whole_at(f, 1); }},
-      {"times", read_list<&Scene::times>},
+      {"times", read_list<&Scene::times>, {}, {}, "trajectory"},
       {"until", read<&Scene::until>},
       {"max_events", [](const Field& f) { f.scene.max_events = whole_at(f, 0); }},
   };

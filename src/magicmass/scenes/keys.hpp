@@ -23,6 +23,7 @@ struct Key {
   void (*read)(const Field&);
   std::vector<Kind> kinds = {};            ///< that have it; none: all
   std::vector<std::string> excludes = {};  ///< keys that it does not go with
+  std::string needs = {};                  ///< a key or an output that it does not go without
 };
 
 /// In the order in which they are read.

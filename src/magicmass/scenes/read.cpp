@@ -49,14 +49,13 @@ void check_together(const Scene& scene) {
     if (scene.has(one) && scene.has(other))
       refuse_key(scene, one, "does not go with " + other, "one of the two");
   };
-  for (const Key& key : keys())
-    for (const std::string& other : key.excludes) exclude(key.name, other);
+  for (const auto& [name, read, kinds, excludes, needs] : keys()) {
+    for (const std::string& other : excludes) exclude(name, other);
+    if (scene.has(name) && !needs.empty() && !scene.has(needs) && !scene.wants(needs))
+      refuse_key(scene, name, "without " + needs, "both");
+  }
   if (scene.kind != Kind::chain)
     for (const char* const wall : {"left_wall", "right_wall"}) exclude("L", wall);
-  for (const auto& [one, other] : std::initializer_list<std::pair<const char*, const char*>>{
-           {"balls", "blocks"}, {"times", "trajectory"}})
-    if (scene.has(one) && !scene.has(other) && !scene.wants(other))
-      refuse_key(scene, one, "without " + std::string(other), "both");
   if (scene.has("blocks") && !scene.has("balls") && scene.masses.size() > 1)
     refuse_key(scene, "blocks", "without balls", "both");
   if (scene.has("every") &&
