@@ -12,14 +12,13 @@ namespace answers {
 namespace {
 
 using notation::Alpha;
-using notation::Deficient;
-using notation::Magic;
+using notation::magic;
 
 /// alpha_k and beta_k down to a mass ratio, from the largest.
 std::vector<Alpha> thresholds_above(double least) {
   std::vector<Alpha> all;
   for (int k = 1;; ++k) {
-    for (const Alpha& alpha : {Alpha(Magic{k}), Alpha(Deficient{k})}) {
+    for (const Alpha& alpha : {magic(k), notation::deficient(k)}) {
       if (nearest(alpha) < least) return all;
       all.push_back(alpha);
     }
@@ -72,7 +71,7 @@ Table table_of(const std::vector<std::string>& names, const Places& all) {
 
 /// A body a row: its place, its velocity before the first collision.
 Table setup_data() {
-  const Row v = rounded([] { return velocities(Magic{3}, 0); });
+  const Row v = rounded([] { return velocities(magic(3), 0); });
   return {{"body", "x", "v"},
           {{text_cell("A"), real_cell(-1), v[0]},
            {text_cell("C"), real_cell(0), v[2]},
@@ -136,7 +135,7 @@ Table sphere_data() {
   Table table{{"part", "n", "a", "b", "sqrt_alpha_c_prime"}, {}};
   const auto add = [&](const char* part, const cln::cl_RA& n) {
     Row row = rounded([&] {
-      const Ball alpha = ball_of(Magic{cycles});
+      const Ball alpha = ball_of(magic(cycles));
       // Far from 0 each: what is 0 has no nearest double that digits could show.
       const Ball shift = 4;
       return Balls{n, right_side_at("power.a", alpha, n) + shift,
@@ -160,7 +159,7 @@ Table wedge_data() {
     const std::string name = (j % 2 == 1 ? "P_" : "Q_") + std::to_string((j + 1) / 2);
     const cln::cl_RA cycles = cln::cl_RA(static_cast<int>(j)) / 2;
     const Row angle = rounded(
-        [&] { return Balls{right_side_at("rotation.psi", ball_of(Magic{3})) * Ball(cycles)}; });
+        [&] { return Balls{right_side_at("rotation.psi", ball_of(magic(3))) * Ball(cycles)}; });
     table.rows.push_back({text_cell(name), real_cell(at[0]), real_cell(at[3] - at[1]), angle[0]});
   }
   return table;

@@ -13,12 +13,11 @@ using namespace magicmass::scenes;
 using cln::cl_I;
 using cln::cl_RA;
 using notation::Alpha;
-using notation::Deficient;
-using notation::Magic;
+using notation::Threshold;
 
 /// At alpha_k after k cycles; alpha_1 = 1.
 bool takes_everything(const Alpha& alpha, const cl_I& n) {
-  if (const auto* magic = std::get_if<Magic>(&alpha)) return magic->k == n;
+  if (const auto* at = std::get_if<Threshold>(&alpha)) return at->is_magic && at->k == n;
   return n == 1 && fraction_of(alpha) == cl_RA(1);
 }
 
@@ -27,12 +26,9 @@ const char* const beyond = "; a mass ratio that is a double is decided";
 }  // namespace
 
 Ball ball_of(const Alpha& alpha) {
-  const auto ratio = [](const char* id, const cl_I& k) {
-    return evaluate(right_side(id), {{kernel::integer("k"), Ball(cl_RA(k))}});
-  };
-  if (const auto* magic = std::get_if<Magic>(&alpha)) return ratio("ratios.alpha_k", magic->k);
-  if (const auto* deficient = std::get_if<Deficient>(&alpha))
-    return ratio("ratios.beta_k", deficient->k);
+  if (const auto* at = std::get_if<Threshold>(&alpha))
+    return evaluate(right_side(at->is_magic ? "ratios.alpha_k" : "ratios.beta_k"),
+                    {{kernel::integer("k"), Ball(cl_RA(at->k))}});
   return *fraction_of(alpha);
 }
 Alpha alpha_of(const std::string& text) {
@@ -55,10 +51,9 @@ Ball right_side_at(const char* id, const Ball& alpha, const cl_RA& n) {
 }
 
 LargeCounts count_collisions(const Alpha& alpha) {
-  if (const auto* magic = std::get_if<Magic>(&alpha)) return {magic->k, magic->k};  // magic.counts
-  if (const auto* deficient = std::get_if<Deficient>(&alpha))
-    return {deficient->k + 1, deficient->k};    // deficient.counts
-  if (*fraction_of(alpha) >= 1) return {1, 1};  // heavy.N_A, heavy.N_B
+  if (const auto* at = std::get_if<Threshold>(&alpha))
+    return {at->is_magic ? at->k : at->k + 1, at->k};  // magic.counts, deficient.counts
+  if (*fraction_of(alpha) >= 1) return {1, 1};         // heavy.N_A, heavy.N_B
   if (const auto* value = std::get_if<double>(&alpha)) {
     if (const auto small = magicmass::count_collisions(*value))
       return {static_cast<long long>(small->N_A), static_cast<long long>(small->N_B)};

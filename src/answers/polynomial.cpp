@@ -71,8 +71,7 @@ Polynomial polynomial_of_secant(int m) {
 
 Polynomial polynomial_of_ratio(int k, bool is_magic) {
   const Polynomial p = polynomial_of_secant(is_magic ? 4 * k + 2 : 4 * k + 4);
-  const Ball root =
-      ball_of(is_magic ? notation::Alpha(notation::Magic{k}) : notation::Deficient{k});
+  const Ball root = ball_of(notation::Threshold{is_magic, k});
   if (value(p, root.low()) * value(p, root.high()) > 0)
     throw std::logic_error("no root: " + text_of(p) + " at " + std::to_string(k));
   return p;

@@ -14,8 +14,8 @@ namespace answers {
 namespace {
 
 using notation::Alpha;
-using notation::Deficient;
-using notation::Magic;
+using notation::deficient;
+using notation::magic;
 
 /// Between two neighbours on a logarithmic axis.
 double between(const Alpha& one, const Alpha& other) {
@@ -29,13 +29,12 @@ struct Range {
 };
 
 Range range_of(const Alpha& near) {
-  if (const auto* magic = std::get_if<Magic>(&near)) {
-    const double low = between(Deficient{magic->k}, near);
-    return {true, low, magic->k == 1 ? 1 / low : between(near, Deficient{magic->k - 1})};
-  }
-  if (const auto* deficient = std::get_if<Deficient>(&near))
-    return {false, between(Magic{deficient->k + 1}, near), between(near, Magic{deficient->k})};
-  throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
+  const auto* at = std::get_if<notation::Threshold>(&near);
+  if (at == nullptr)
+    throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
+  if (!at->is_magic) return {false, between(magic(at->k + 1), near), between(near, magic(at->k))};
+  const double low = between(deficient(at->k), near);
+  return {true, low, at->k == 1 ? 1 / low : between(near, deficient(at->k - 1))};
 }
 
 double rho_at(double alpha, const cln::cl_RA& e) { return std::stod(rho(alpha, e).text); }

@@ -231,9 +231,9 @@ Answer ratios(const Request& request) {
     std::vector<Row> rows;
     for (int k = first; k <= std::min(count, first + rows_at_once - 1); ++k) {
       Row numbers, radicals, polynomials;
-      for (const Alpha& ratio : {Alpha(notation::Magic{k}), Alpha(notation::Deficient{k})}) {
-        const bool is_magic = std::holds_alternative<notation::Magic>(ratio);
-        numbers.push_back(rounded([&] { return Balls{ball_of(ratio)}; }, digits)[0]);
+      for (const bool is_magic : {true, false}) {
+        const auto ratio = [&] { return Balls{ball_of(notation::Threshold{is_magic, k})}; };
+        numbers.push_back(rounded(ratio, digits)[0]);
         const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
         const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
         radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))

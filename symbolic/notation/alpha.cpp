@@ -83,14 +83,14 @@ Alpha read_alpha(std::string_view text) {
   if (text.size() > 4096)
     refuse("alpha is " + std::to_string(text.size()) + " characters long; allowed: up to 4096");
   if (text.starts_with('-')) refuse_value(text);
-  if (text.starts_with("magic:")) return Magic{number_k(text, 5)};
-  if (text.starts_with("deficient:")) return Deficient{number_k(text, 9)};
+  if (text.starts_with("magic:")) return magic(number_k(text, 5));
+  if (text.starts_with("deficient:")) return deficient(number_k(text, 9));
   if (const std::size_t slash = text.find('/'); slash != text.npos) return fraction(text, slash);
   return number(text);
 }
 std::string text(const Alpha& alpha) {
-  if (const auto* magic = std::get_if<Magic>(&alpha)) return "magic:" + kernel::digits(magic->k);
-  if (const auto* k = std::get_if<Deficient>(&alpha)) return "deficient:" + kernel::digits(k->k);
+  if (const auto* at = std::get_if<Threshold>(&alpha))
+    return (at->is_magic ? "magic:" : "deficient:") + kernel::digits(at->k);
   if (const auto* q = std::get_if<cln::cl_RA>(&alpha))
     return kernel::digits(cln::numerator(*q)) + "/" + kernel::digits(cln::denominator(*q));
   std::array<char, 32> out{};

@@ -10,16 +10,15 @@
 #include <cln/rational.h>
 
 namespace notation {
-/// alpha_k of the paper: N_A changes there. k >= 1.
-struct Magic {
-  cln::cl_I k;
-};
-/// beta_k of the paper: N_B changes there. k >= 1.
-struct Deficient {
+/// alpha_k of the paper, where N_A changes, or beta_k, where N_B does. k >= 1.
+struct Threshold {
+  bool is_magic;
   cln::cl_I k;
 };
 /// A double stands for itself, exactly.
-using Alpha = std::variant<double, cln::cl_RA, Magic, Deficient>;
+using Alpha = std::variant<double, cln::cl_RA, Threshold>;
+inline Alpha magic(const cln::cl_I& k) { return Threshold{true, k}; }
+inline Alpha deficient(const cln::cl_I& k) { return Threshold{false, k}; }
 
 /// A decimal (0.1, 1e-9, 017 is 17) or a hex float (0x1.8p-3), with or without a minus sign: the
 /// nearest double, whatever the locale; infinite where it does not fit one, nothing for other texts.

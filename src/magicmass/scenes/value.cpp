@@ -73,8 +73,6 @@ double read_float(std::string_view text) {
   return *value;
 }
 
-std::int64_t k_of(const cln::cl_I& k) { return cln::cl_I_to_long(k); }
-
 }  // namespace
 
 double Value::to_double() const {
@@ -109,10 +107,8 @@ Value value_of(const notation::Alpha& ratio) {
   const std::string text = notation::text(ratio);
   for (const auto& [name, value] : quadratic_ratios)
     if (text == name) return {text, evaluate(notation::read(value))};
-  if (const auto* magic = std::get_if<notation::Magic>(&ratio))
-    return {text, Ratio{true, k_of(magic->k)}};
-  if (const auto* deficient = std::get_if<notation::Deficient>(&ratio))
-    return {text, Ratio{false, k_of(deficient->k)}};
+  if (const auto* at = std::get_if<notation::Threshold>(&ratio))
+    return {text, Ratio{at->is_magic, cln::cl_I_to_long(at->k)}};
   const auto* rational = std::get_if<cln::cl_RA>(&ratio);
   return {text, rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
 }

@@ -13,9 +13,8 @@ namespace oracle = magicmass::oracle;
 
 namespace {
 oracle::MassRatio same(const notation::Alpha& alpha) {
-  if (const auto* magic = std::get_if<notation::Magic>(&alpha)) return oracle::magic(magic->k);
-  if (const auto* deficient = std::get_if<notation::Deficient>(&alpha))
-    return oracle::deficient(deficient->k);
+  if (const auto* at = std::get_if<notation::Threshold>(&alpha))
+    return at->is_magic ? oracle::magic(at->k) : oracle::deficient(at->k);
   if (const auto* value = std::get_if<double>(&alpha)) return oracle::ratio(balls::exact(*value));
   return oracle::ratio(std::get<cln::cl_RA>(alpha));
 }
