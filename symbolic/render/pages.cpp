@@ -68,7 +68,6 @@ std::string text_page(const std::vector<Section>& sections) {
 namespace {
 /// What a page puts around its parts.
 struct Markup {
-  std::string head, foot;
   std::string (*escaped)(const std::string& words);
   std::string (*heading)(const std::string& title);
   std::string (*paragraph)(const std::string& inside, const std::string& id);
@@ -91,7 +90,7 @@ std::string conditions(const Markup& m, const std::string& before, const Exprs& 
   return out;
 }
 std::string page(const std::vector<Section>& sections, const Markup& m) {
-  std::string out = m.head;
+  std::string out;
   for (const Section& section : sections) {
     out += m.heading(m.escaped(section.title));
     out += conditions(m, "Throughout: ", section.assumptions, ", ", ".");
@@ -103,7 +102,7 @@ std::string page(const std::vector<Section>& sections, const Markup& m) {
                       ": " + because(s, m.link));
     }
   }
-  return out + m.foot;
+  return out;
 }
 std::string escaped(const std::string& text, const std::map<char, std::string>& escapes) {
   std::string out;
@@ -114,6 +113,9 @@ std::string escaped(const std::string& text, const std::map<char, std::string>& 
   return out;
 }
 std::string as_it_is(const std::string& text) { return text; }
+std::string between_lines(const std::string& inside, const std::string& /*id*/) {
+  return "\n" + inside + "\n";
+}
 std::string in_dollars(Expr e) { return "$" + latex(e) + "$"; }
 /// A long formula as a line of text, which TeX breaks at its signs.
 std::string shown_in_latex(Expr e) {
@@ -132,12 +134,9 @@ std::string html_text(const std::string& words) {
 }
 
 std::string markdown_page(const std::vector<Section>& sections) {
-  return page(sections, {.head = "",
-                         .foot = "",
-                         .escaped = as_it_is,
+  return page(sections, {.escaped = as_it_is,
                          .heading = [](const std::string& title) { return "\n## " + title + "\n"; },
-                         .paragraph = [](const std::string& inside,
-                                         const std::string&) { return "\n" + inside + "\n"; },
+                         .paragraph = between_lines,
                          .in_line = in_dollars,
                          .block = [](Expr e) { return "\n$$" + latex(e) + "$$\n"; },
                          .own_id = [](const std::string& id) { return "`" + id + "`"; },
@@ -145,28 +144,24 @@ std::string markdown_page(const std::vector<Section>& sections) {
                          .reason = [](const std::string& inside) { return "\n" + inside + "\n"; }});
 }
 std::string latex_page(const std::vector<Section>& sections) {
-  return page(
-      sections,
-      {.head = "\\documentclass{article}\n\\usepackage{amsmath}\n"
-               "\\usepackage[margin=2cm]{geometry}\n\\sloppy\n\\begin{document}\n",
-       .foot = "\\end{document}\n",
-       .escaped = in_latex,
-       .heading = [](const std::string& title) { return "\n\\section{" + title + "}\n"; },
-       .paragraph = [](const std::string& inside,
-                       const std::string&) { return "\n" + inside + "\n"; },
-       .in_line = in_dollars,
-       .block = shown_in_latex,
-       .own_id = [](const std::string& id) { return "\\texttt{" + in_latex(id) + "}"; },
-       .link = in_latex,
-       .reason = [](const std::string& inside) { return "{\\footnotesize " + inside + "}\n"; }});
+  const Markup markup{
+      .escaped = in_latex,
+      .heading = [](const std::string& title) { return "\n\\section{" + title + "}\n"; },
+      .paragraph = between_lines,
+      .in_line = in_dollars,
+      .block = shown_in_latex,
+      .own_id = [](const std::string& id) { return "\\texttt{" + in_latex(id) + "}"; },
+      .link = in_latex,
+      .reason = [](const std::string& inside) { return "{\\footnotesize " + inside + "}\n"; }};
+  return "\\documentclass{article}\n\\usepackage{amsmath}\n"
+         "\\usepackage[margin=2cm]{geometry}\n\\sloppy\n\\begin{document}\n" +
+         page(sections, markup) + "\\end{document}\n";
 }
 std::string html_body(const std::vector<Section>& sections) {
   const auto link = [](const std::string& id) { return "<a href=\"#" + id + "\">" + id + "</a>"; };
   return page(
       sections,
-      {.head = "",
-       .foot = "",
-       .escaped = html_text,
+      {.escaped = html_text,
        .heading = [](const std::string& title) { return "<h2>" + title + "</h2>\n"; },
        .paragraph =
            [](const std::string& inside, const std::string& id) {
