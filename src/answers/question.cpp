@@ -74,11 +74,7 @@ Answer extremum(const Request& request) {
 }  // namespace
 
 std::map<std::string, std::string> answer_to(const std::string& question) {
-  struct Known {
-    Answer (*answer)(const Request&);
-    Names options;
-  };
-  static const std::map<std::string, Known> commands{
+  static const std::map<std::string, std::pair<Answer (*)(const Request&), Names>> commands{
       {"angle", {angle, {"alpha"}}},
       {"count", {count, {"alpha"}}},
       {"eval", {eval, {"alpha", "n", "tier", "digits"}}},

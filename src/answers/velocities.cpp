@@ -70,9 +70,9 @@ struct Asked {
     if (!fraction && wants_fractions)
       throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
                          " are no fractions; add --digits D");
-    if (!fraction) return rounded(balls, digits);
-    const cln::cl_I bits = steps * static_cast<long long>(2 * Quadratic(*fraction).bits() + others);
-    if (!wants_fractions && bits > 1 << 14) return rounded(balls, digits);
+    const std::size_t length = Quadratic(fraction.value_or(0)).bits();
+    const cln::cl_I bits = steps * static_cast<long long>(2 * length + others);
+    if (!fraction || (!wants_fractions && bits > 1 << 14)) return rounded(balls, digits);
     if (bits > longest)
       throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
                       " would have some " + kernel::digits(bits) + " bits; add --digits D");
@@ -246,7 +246,6 @@ Answer ratios(const Request& request) {
     return rows;
   };
   Answer answer{{columns, rows_from(1)}, ""};
-  if (count <= rows_at_once) return answer;
   answer.stream = [=, format = format_of(request.format)](const auto& write) {
     Writer writer(format, columns, true);
     for (int first = 1; first <= count; first += rows_at_once) {

@@ -21,7 +21,7 @@ inline Alpha magic(const cln::cl_I& k) { return Threshold{true, k}; }
 inline Alpha deficient(const cln::cl_I& k) { return Threshold{false, k}; }
 
 /// A decimal (0.1, 1e-9, 017 is 17) or a hex float (0x1.8p-3), with or without a minus sign: the
-/// nearest double, whatever the locale; infinite where it does not fit one, nothing for other texts.
+/// nearest double, whatever the locale; infinite where none is near, nothing for other texts.
 std::optional<double> read_double(std::string_view text);
 /// Reads such a number, p/q as that rational, magic:k and deficient:k with k from 1 to 10^18. No
 /// sign, no blank, at most 4,096 characters. Refused (kernel::Refused, one line) otherwise.

@@ -129,9 +129,7 @@ private:
   Piece product(Expr e) const {
     cln::cl_RA coefficient = 1;
     std::vector<Piece> over, under;
-    Exprs factors = e.op() == Op::Mul ? e.args() : Exprs{e};
-    flatten(factors);
-    for (const Expr& f : factors) {
+    for (const Expr& f : factors_of(e)) {
       if (f.op() == Op::Num) {
         coefficient = coefficient * f.value();
         continue;
@@ -156,14 +154,14 @@ private:
     const std::string text = under.empty() ? line(over) : style.fraction(line(over), line(under));
     return {text, coefficient < 0 ? Sum : Product, coefficient < 0};
   }
-  static void flatten(Exprs& factors) {
+  static Exprs factors_of(Expr e) {
+    if (e.op() != Op::Mul) return {e};
     Exprs out;
-    for (const Expr& f : factors) {
-      Exprs inner = f.op() == Op::Mul ? f.args() : Exprs{f};
-      if (f.op() == Op::Mul) flatten(inner);
+    for (const Expr& arg : e.args()) {
+      const Exprs inner = factors_of(arg);
       out.insert(out.end(), inner.begin(), inner.end());
     }
-    factors = out;
+    return out;
   }
   Piece function(Expr e) const {
     if (e.name() == "inv") return product(e);

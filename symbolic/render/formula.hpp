@@ -18,8 +18,9 @@ struct Name {
 };
 /// Letters that are written as words, and themselves.
 inline const std::map<std::string, std::string> greek{
-    {"alpha", "α"}, {"beta", "β"},  {"theta", "θ"}, {"psi", "ψ"},    {"pi", "π"},    {"rho", "ρ"},
-    {"kappa", "κ"}, {"delta", "δ"}, {"Gamma", "Γ"}, {"Lambda", "Λ"}, {"lambda", "λ"}};
+    {"lambda", "λ"}, {"Lambda", "Λ"}, {"Gamma", "Γ"}, {"alpha", "α"},
+    {"theta", "θ"},  {"kappa", "κ"},  {"delta", "δ"}, {"beta", "β"},
+    {"psi", "ψ"},    {"pi", "π"},     {"rho", "ρ"}};
 
 /// How one notation writes what the visitor has decided.
 struct Style {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers as scenes write them, and the arithmetic of a + b sqrt(d).
+// Numbers as scenes write them.
 #include <cmath>
-#include <random>
 
 #include "catch.hpp"
 #include "magicmass/numbers/accurate.hpp"
@@ -96,28 +95,4 @@ TEST_CASE("what is no value is refused", "[exam]") {
   CHECK_NOTHROW(read_value("magic:1125899906842624"));
   CHECK_THROWS_WITH(read_value(std::string(5000, '1')), "5000 characters, at most 4096");
   CHECK_THROWS_WITH(value_of(INFINITY), "not a finite number");
-}
-
-TEST_CASE("the quadratic field against doubles", "[check]") {
-  std::mt19937_64 random(8);
-  const Quadratic root = Quadratic::sqrt(5);
-  const auto number = [&] {
-    const auto part = [&] { return cln::cl_RA(static_cast<long>(random() % 41) - 20) / 7; };
-    return Quadratic(part()) + Quadratic(part()) * root;
-  };
-  const auto close = [](const Quadratic& x, double expected) {
-    CHECK_THAT(x.to_double().value(), WithinAbs(expected, 1e-11));
-  };
-  for (int i = 0; i < 300; ++i) {
-    const Quadratic x = number(), y = number();
-    const double a = *x.to_double(), b = *y.to_double();
-    close(x + y, a + b);
-    close(x - y, a - b);
-    close(x * y, a * b);
-    CHECK((x < y) == (a < b));
-    CHECK((x == y) == (a == b));
-    if (b == 0) continue;
-    close(x / y, a / b);
-    CHECK(x / y * y == x);
-  }
 }
