@@ -41,9 +41,8 @@ int Builder::add(Node n) {
   }
   const double most = largest_size(numbers);
   const bool may_underflow = n.range.least() > 0 && n.range.least() < 1 / most;
-  if (!(n.range.size() <= most) || may_underflow) {
+  if (!(n.range.size() <= most) || may_underflow)
     throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
-  }
   program.nodes.push_back(n);
   return seen[key] = program.size() - 1;
 }
@@ -89,9 +88,8 @@ Interval Builder::range_of(const Node& n) const {
 }
 
 int Builder::input(const std::string& name, bool is_whole, Interval range) {
-  if (numbers == Numbers::doubles && is_whole && range.size() > largest_whole) {
+  if (numbers == Numbers::doubles && is_whole && range.size() > largest_whole)
     throw Refused(name + " may be above 2^51");
-  }
   return add({.op = Op::input,
               .is_exact = !is_plain(),
               .is_whole = is_whole,
@@ -144,9 +142,8 @@ int Builder::unary(Op op, int x) {
   }
   const Interval range = program[x].range;
   const bool turns = (op == Op::sine || op == Op::cosine) && range.size() > small_angle;
-  if (turns && !is_plain() && !(range.low >= 0 && range.high <= 2.3561)) {
+  if (turns && !is_plain() && !(range.low >= 0 && range.high <= 2.3561))
     throw Refused("an angle that is not known to be from 0 to 3 pi/4");
-  }
   return add({.op = op, .of = {x}});
 }
 int Builder::power(int x, int k) {
@@ -161,9 +158,8 @@ int Builder::turn(int k) {
   return add({.op = Op::turn, .of = {k}, .is_exact = true, .is_whole = true});
 }
 int Builder::arc_tangent(int t, int square) {
-  if (!(program[square].range.high <= 0x1.5555555555556p-2)) {
+  if (!(program[square].range.high <= 0x1.5555555555556p-2))
     throw Refused("an arctangent of what is not known to be at most 1/sqrt(3)");
-  }
   return add({.op = Op::arc_tangent, .of = {t, square}});
 }
 

@@ -40,9 +40,8 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   const Expr m = half_of(even.arg(even.size() - 1));
   const bool is_integer = bool(m) && m.op() == kernel::Op::Var && m.sort() == kernel::Sort::Int;
   const Exprs heads{f, head(d, t.at_1), even, head(d, t.odd)};
-  if (!is_integer || heads != Exprs{at(f, 0), at(f, 1), at(f, 2 * m), at(f, 2 * m + 1)}) {
+  if (!is_integer || heads != Exprs{at(f, 0), at(f, 1), at(f, 2 * m), at(f, 2 * m + 1)})
     throw Refused("not f at 0, 1, 2*m and 2*m + 1: " + kernel::text(t.even.conclusion()));
-  }
   Terms terms(Numbers::field);
   std::string parameters;  // f at 0 has no others
   for (Expr p : kernel::free_variables(f)) {
@@ -86,9 +85,8 @@ std::string call_doubling(const Doubling& t, Expr term, Terms& terms) {
   const bool is_odd = index.op() == kernel::Op::Add && index.size() == 2 && index.arg(1) == Expr(1);
   const Expr x = half_of(is_odd ? index.arg(0) : index);
   const bool is_known = bool(x) && (x.op() == kernel::Op::Var || x.op() == kernel::Op::Fun);
-  if (!is_known || !(term == at(f, index))) {
+  if (!is_known || !(term == at(f, index)))
     throw Refused("not f at 2*x or 2*x + 1: " + kernel::text(term));
-  }
   const std::string pair = cpp_name(f) + "_at_" + identifier(x.name());
   know(terms, at(f, 2 * x), pair + ".first");
   know(terms, at(f, 2 * x + 1), pair + ".second");

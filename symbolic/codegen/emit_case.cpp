@@ -94,13 +94,11 @@ private:
       const Op op = p[k].op;
       if (p[k].stage < stage && op != Op::input && op != Op::constant) found.insert(k);
     };
-    for (const Node& n : p.nodes) {
+    for (const Node& n : p.nodes)
       for (int o : n.of) keep(o, n.stage);
-    }
     for (const Form& f : accurate.outputs) {
-      for (const auto& [sizes, k] : f) {
+      for (const auto& [sizes, k] : f)
         for (int v : sizes) keep(v, 3);
-      }
     }
     for (const Result& r : p.results) keep(r.node, r.kind == Result::whole ? 4 : 3);
     return found;
@@ -108,9 +106,7 @@ private:
 
   void structure() {
     line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
-    for (const kernel::Theorem& t : c.outputs) {
-      line("/// Theorem: " + shown(q, t.conclusion()));
-    }
+    for (const kernel::Theorem& t : c.outputs) line("/// Theorem: " + shown(q, t.conclusion()));
     for (const Fact& f : c.facts) {
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;
       line("/// " + shown(q, f.formula) + ": " + f.argument + computed);
@@ -122,9 +118,8 @@ private:
     Words exact, numbers, results{"doubt"};
     for (const Input& i : q.inputs) exact.push_back(i.name());
     for (int k : kept) (p[k].is_exact ? exact : numbers).push_back(p[k].name);
-    for (const Result& r : p.results) {
+    for (const Result& r : p.results)
       if (r.kind == Result::real) results.push_back(r.name);
-    }
     line(fields("T", exact));
     line(fields("R", results));
     if (!numbers.empty()) line(fields("N", numbers));

@@ -75,14 +75,12 @@ Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
 /// "a, b, c", or "{{..}, {..}, {..}}" of a matrix.
 std::string results(const Program& p, PlainText& text, Expr first) {
   Words values;
-  for (const Result& r : p.results) {
+  for (const Result& r : p.results)
     if (r.kind != Result::guard) values.push_back(text.use(r.node));
-  }
   if (!kernel::is_matrix(first)) return joined(values, ", ");
   Words rows;
-  for (auto v = values.begin(); v != values.end(); v += first.cols()) {
+  for (auto v = values.begin(); v != values.end(); v += first.cols())
     rows.push_back("{" + joined({v, v + first.cols()}, ", ") + "}");
-  }
   return "{" + joined(rows, ", ") + "}";
 }
 std::string array_of(const std::string& type, int size) {
@@ -122,9 +120,8 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
     domains.push_back(domain_in_words(q, c, is_exact));
     counts.push_back(operation_counts(p) + (p.calls.empty() ? "" : ", and those of the calls"));
   }
-  for (const Input& i : q.inputs) {
+  for (const Input& i : q.inputs)
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
-  }
   const std::string outputs = joined(r.outputs, ", ");
   const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
   const std::string theorems = joined(ids_of(q.cases, ids), ", ");
@@ -177,9 +174,8 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
                                      {"  using std::", "<cmath>"},
                                      {"std::int64_t", "<cstdint>"},
                                      {"std::domain_error(", "<stdexcept>"},
-                                     {"std::pair<", "<utility>"}}) {
+                                     {"std::pair<", "<utility>"}})
     if (body.find(used) != std::string::npos) includes.push_back(header);
-  }
   const std::string numbers =
       is_exact ? "any field, without error"
                : "any real type of double's precision and exponents, or better, with <cmath>'s "

@@ -34,9 +34,8 @@ public:
   /// A node's error, after those of its operands; a line for a reader, where it may have one.
   std::string node(int k) {
     const Node& n = p[k];
-    for (int o : n.of) {
+    for (int o : n.of)
       if (n.op != Op::cancelling_sum) check_no_spill(o);
-    }
     Computed here;
     rule(k, here, here.off);
     if (!(here.loose >= 0 && here.loose <= loosest))
@@ -44,9 +43,8 @@ public:
     here.off = absorber.absorbed(here.off);
     computed.push_back(here);
     check_close(k);
-    for (const SizeFact& fact : p.facts) {
+    for (const SizeFact& fact : p.facts)
       if (std::max(fact.small, fact.large) == k) use_fact(fact);
-    }
     if (n.is_exact) return "";
     const std::string low = t.is_pair() ? "; low part " + as_power_of_2(here.loose) : "";
     return n.name + ": off by " + in_words(p, here.off) + low;
@@ -140,9 +138,8 @@ private:
       if (fact.is_of_computed) break;
       std::optional<double> off = relative(k);
       if (!off) off = of_parts(k, fact.large);
-      if (!off || !(*off <= close)) {
+      if (!off || !(*off <= close))
         throw Refused("a fact is not known of computed values of " + p[k].name);
-      }
     }
     absorber.know(fact.small, fact.large);
   }
@@ -300,11 +297,10 @@ private:
       return;
     }
     const Form plain = absorber.absorbed(absorber.constant(angle));
-    if (p[k].op == Op::sine || top > 1.5707) {
+    if (p[k].op == Op::sine || top > 1.5707)
       add(f, plain, and_more);
-    } else {  // |cos x - cos y| <= |x - y| (sin top + |x - y|); `close` keeps the last in and_more
+    else  // |cos x - cos y| <= |x - y| (sin top + |x - y|); `close` keeps the last in and_more
       add(f, plain, std::sin(top) * (1 + 0x1p-40) * and_more);
-    }
   }
 };
 }  // namespace

@@ -27,9 +27,8 @@ void add(Form& f, const Form& x, double k, const Sizes& sizes) {
 
 bool Absorber::is_below(int part, int whole) const {
   if (part == whole) return true;
-  for (const auto& [small, large] : facts) {
+  for (const auto& [small, large] : facts)
     if (small == part && (large == whole || is_below(large, whole))) return true;
-  }
   const Node& n = p[whole];
   return n.op == Op::sum && (is_below(part, n.of[0]) || is_below(part, n.of[1]) ||
                              is_difference(part, n.of[0], n.of[1]));
@@ -116,13 +115,11 @@ Form Absorber::constant(const Form& f, double largest) const {
   for (const auto& [sizes, k] : f) {
     double by = k;
     Sizes left;
-    for (int v : sizes) {
-      if (most(v) > largest) {
+    for (int v : sizes)
+      if (most(v) > largest)
         left.push_back(v);
-      } else {
+      else
         by *= most(v);
-      }
-    }
     r[left] += by * and_more;
   }
   return r;
@@ -154,9 +151,8 @@ std::string in_code(const Program& p, const Form& f, std::vector<double>& consta
     return "E[" + std::to_string(constants.size() - 1) + "]";
   }
   std::map<int, int> uses;
-  for (const auto& [sizes, k] : f) {
+  for (const auto& [sizes, k] : f)
     for (int v : std::set(sizes.begin(), sizes.end())) ++uses[v];
-  }
   const auto fewer = [](const auto& x, const auto& y) { return x.second < y.second; };
   const int best = std::max_element(uses.begin(), uses.end(), fewer)->first;
   Form with, without;

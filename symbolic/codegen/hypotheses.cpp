@@ -16,9 +16,8 @@ using kernel::Exprs;
 /// Whether a formula follows from the ranges; what has no range is not known.
 bool holds(const Domain& d, Expr f) {
   const Exprs parts = f.args();
-  if (f.op() == kernel::Op::And) {
+  if (f.op() == kernel::Op::And)
     return std::all_of(parts.begin(), parts.end(), [&](Expr g) { return holds(d, g); });
-  }
   if (f.op() != kernel::Op::Lt && f.op() != kernel::Op::Le && f.op() != kernel::Op::Eq)
     return false;
   try {
@@ -51,9 +50,8 @@ Expr at_parameters(const kernel::Substitution& units, Expr e) {
   for (Expr& a : arguments) a = at_parameters(units, a);
   const bool is_name = e.op() == kernel::Op::Fun && kernel::signature(e.name()) != nullptr;
   const Exprs parameters = is_name ? kernel::signature(e.name())->params : Exprs{};
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
+  for (std::size_t k = 0; k < parameters.size(); ++k)
     if (is_at_unit(units, parameters[k], arguments[k])) arguments[k] = parameters[k];
-  }
   return kernel::with_args(e, arguments);
 }
 }  // namespace
@@ -63,9 +61,8 @@ std::string shown(const Quantity& q, Expr formula) {
 }
 Interval range_of(const Input& input, const Case& which, bool is_wide) {
   Interval r = is_wide ? input.wide_range : input.range;
-  for (const Condition& w : which.where) {
+  for (const Condition& w : which.where)
     if (w.name == input.variable.name()) r = meet(r, w.of(is_wide));
-  }
   return r;
 }
 std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
@@ -76,9 +73,8 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
     const bool is_any = is_exact && !i.is_whole();
     parts.push_back(i.name() + (is_any ? " > 0" : " from " + end(r.low) + " to " + end(r.high)));
   }
-  for (const Condition& g : c.guards) {
+  for (const Condition& g : c.guards)
     parts.push_back(g.name + " between " + hex(g.range.low) + " and " + hex(g.range.high));
-  }
   for (const std::string& d : c.divisors) parts.push_back(d + " above 2^23 times its error");
   return joined(parts, ", ");
 }
@@ -107,9 +103,8 @@ void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion)
 }
 Expr head(const Domain& d, const kernel::Theorem& t) {
   const Expr f = t.conclusion();
-  if (f.op() != kernel::Op::Eq || f.arg(0).op() != kernel::Op::Fun) {
+  if (f.op() != kernel::Op::Eq || f.arg(0).op() != kernel::Op::Fun)
     throw Refused("not of the form name(params) = term: " + kernel::text(f));
-  }
   check_hypotheses(d, t.hypotheses(), f);
   return f.arg(0);
 }

@@ -44,9 +44,8 @@ Interval operator*(Interval x, Interval y) {
 }
 Interval operator/(Interval x, Interval y) {
   if (y.low < 0 && y.high <= 0) return Interval{-x.high, -x.low} / Interval{-y.high, -y.low};
-  if (y.low < 0 || y.high == 0) {
+  if (y.low < 0 || y.high == 0)
     throw Refused("a divisor that may be 0: its range needs a theorem or a guard");
-  }
   const Interval inverse = around(1 / y.high, y.low > 0 ? 1 / y.low : infinity);
   return x * meet(inverse, {0, infinity});
 }

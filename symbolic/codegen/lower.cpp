@@ -78,11 +78,9 @@ public:
     };
     for (const Condition& g : c.guards) check_named("a guard on ", g.name);
     for (const std::string& d : c.divisors) check_named("a divisor ", d);
-    for (const Fact& f : c.facts) {
-      if (used.count(f.formula) == 0) {
+    for (const Fact& f : c.facts)
+      if (used.count(f.formula) == 0)
         throw Refused("a fact that no definition is about: " + kernel::text(f.formula));
-      }
-    }
   }
 
 private:
@@ -124,9 +122,8 @@ private:
     const Expr f = t.formula;
     const bool is_square =
         f.op() == kernel::Op::Eq && f.arg(0).op() == kernel::Op::Pow && f.arg(0).exponent() == 2;
-    if (!is_square && f.op() != kernel::Op::Le && f.op() != kernel::Op::Lt) {
+    if (!is_square && f.op() != kernel::Op::Le && f.op() != kernel::Op::Lt)
       throw Refused("not of the form p <= q or p^2 = q: " + kernel::text(f));
-    }
     const Expr p = is_square ? f.arg(0).arg(0) : f.arg(0);
     if (used.count(f) > 0 || !is_known(p) || !is_known(f.arg(1))) return;
     check_hypotheses(domain, t.hypotheses, f);

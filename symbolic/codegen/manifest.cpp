@@ -11,9 +11,8 @@ namespace codegen {
 namespace {
 std::string quoted(const std::string& text) {
   const auto is_plain = [](char c) { return c >= ' ' && c != '"' && c != '\\'; };
-  if (!std::all_of(text.begin(), text.end(), is_plain)) {
+  if (!std::all_of(text.begin(), text.end(), is_plain))
     throw Refused("not for a manifest: " + text);
-  }
   return "\"" + text + "\"";
 }
 std::string list(const Words& words) {

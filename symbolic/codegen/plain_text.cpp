@@ -19,9 +19,8 @@ std::string number(const cln::cl_RA& q) {
 }  // namespace
 
 PlainText::PlainText(const Program& program) : p(program), uses(program.nodes.size(), 0) {
-  for (const Node& n : p.nodes) {
+  for (const Node& n : p.nodes)
     for (int o : n.of) ++uses[std::size_t(o)];
-  }
   for (const Result& r : p.results) ++uses[std::size_t(r.node)];
 }
 bool PlainText::has_line(int k) const {

@@ -17,9 +17,8 @@ int terms(const std::string& name) { return name == "ArcTangent" ? 76 : 32; }
 
 /// c(x) in powers of y, where x = a + b y.
 Series substituted(Series c, const cl_RA& a, const cl_RA& b) {
-  for (std::size_t i = 0; i < c.size(); ++i) {
+  for (std::size_t i = 0; i < c.size(); ++i)
     for (std::size_t j = c.size() - 1; j-- > i;) c[j] = c[j] + a * c[j + 1];
-  }
   cl_RA power = 1;
   for (cl_RA& x : c) {
     x = x * power;
@@ -120,9 +119,8 @@ std::vector<Tier> make_tiers() {
 double proved_error(const Polynomial& p) {
   const cl_RA top = exact(p.top);
   Series off;
-  for (std::size_t k = 0; k < p.high.size(); ++k) {
+  for (std::size_t k = 0; k < p.high.size(); ++k)
     off.push_back(exact(p.high[k]) + (k < p.low.size() ? exact(p.low[k]) : cl_RA(0)));
-  }
   off = substituted(off, -exact(p.centre), 1);
   const Series f = series(p.name);
   off.resize(f.size(), 0);
@@ -134,9 +132,8 @@ double proved_error(const Polynomial& p) {
 }
 
 const Polynomial& Tier::operator[](const std::string& polynomial) const {
-  for (const Polynomial& p : polynomials) {
+  for (const Polynomial& p : polynomials)
     if (p.name == polynomial) return p;
-  }
   throw Refused(name + " has no polynomial " + polynomial);
 }
 const std::vector<Tier>& tiers() {

@@ -54,12 +54,10 @@ const std::map<Op, Spelling> spellings{
 /// Faster ones, where ranges allow them.
 std::string pattern(const Program& p, const Node& n) {
   const auto range = [&](std::size_t i) { return p[n.of[i]].range; };
-  if (n.op == Op::exact_sum && range(0).least() >= range(1).size()) {
+  if (n.op == Op::exact_sum && range(0).least() >= range(1).size())
     return "N::fast_two_sum($0, $1)";
-  }
-  if (n.op == Op::exact_sum && range(1).least() >= range(0).size()) {
+  if (n.op == Op::exact_sum && range(1).least() >= range(0).size())
     return "N::fast_two_sum($1, $0)";
-  }
   if (n.op == Op::scale && n.is_exact) return "$0 * %";
   if (n.op == Op::scale && n.factor == -1) return "-#0";
   if (n.op == Op::cancelling_sum && is_near(range(0), range(1))) return "near_sum(#0, #1)";

@@ -23,15 +23,13 @@ Fraction fraction(const Exprs& factors) {
   Fraction r;
   for (Expr f : factors) {
     const bool is_inverse = is_call(f, "inv");
-    for (Expr g : is_inverse ? factors_of(f.arg(0)) : Exprs{f}) {
-      if (g.op() != kernel::Op::Num) {
+    for (Expr g : is_inverse ? factors_of(f.arg(0)) : Exprs{f})
+      if (g.op() != kernel::Op::Num)
         (is_inverse ? r.below : r.above).push_back(g);
-      } else if (is_inverse && g.value() == 0) {
+      else if (is_inverse && g.value() == 0)
         throw Refused("a divisor that is 0");
-      } else {
+      else
         r.factor = is_inverse ? r.factor / g.value() : r.factor * g.value();
-      }
-    }
   }
   return r;
 }
@@ -75,9 +73,8 @@ int Terms::function(Expr e) {
   if (found == operations.end()) throw Refused("no definition of " + kernel::text(e));
   const Op op = found->second;
   if (op == Op::quotient) return product({e});
-  if (builder.numbers == Numbers::field) {
+  if (builder.numbers == Numbers::field)
     throw Refused("no operation of a field: " + kernel::text(e));
-  }
   if ((op == Op::power || op == Op::turn) && builder.is_plain())
     throw Refused("no definition of " + kernel::text(e));
   if (op == Op::power) return builder.power(build(e.arg(0)), build(e.arg(1)));
@@ -89,9 +86,8 @@ int Terms::function(Expr e) {
   return builder.unary(op, build(e.arg(0)));
 }
 int Terms::square_root(Expr x) {
-  if (x.op() == kernel::Op::Pow && x.exponent() == 2) {
+  if (x.op() == kernel::Op::Pow && x.exponent() == 2)
     return builder.unary(Op::size, build(x.arg(0)));
-  }
   const int k = build(x);
   if (builder.is_plain()) return builder.unary(Op::root, k);
   return builder.product(k, builder.unary(Op::reciprocal_root, k));
@@ -99,9 +95,8 @@ int Terms::square_root(Expr x) {
 int Terms::arc_tangent(Expr e) {
   const int t = build(e.arg(0));
   const auto square = squares.find(t);
-  if (square == squares.end()) {
+  if (square == squares.end())
     throw Refused("an arctangent needs a fact about the square: " + kernel::text(e));
-  }
   return builder.arc_tangent(t, square->second);
 }
 
@@ -128,11 +123,10 @@ int Terms::product(const Exprs& factors) {
     const int k = build(is_root ? e.arg(0) : e);
     (is_root ? over : below).push_back(is_root ? builder.unary(Op::reciprocal_root, k) : k);
   }
-  if (is_double(f.factor) && is_power_of_2(nearest(f.factor))) {
+  if (is_double(f.factor) && is_power_of_2(nearest(f.factor)))
     power = nearest(f.factor);
-  } else {
+  else
     over.push_back(builder.constant(f.factor));
-  }
   std::erase_if(over, [&](int k) {
     return builder[k].op == Op::constant && !builder[k].of_pi && builder[k].value == 1;
   });
@@ -160,9 +154,8 @@ int Terms::ceiling(Expr x) {
   const bool has_c = x.op() == kernel::Op::Add && x.size() == 2 && x.arg(1).op() == kernel::Op::Num;
   const cln::cl_RA c = has_c ? x.arg(1).value() : cln::cl_RA(0);
   const Fraction f = fraction(factors_of(has_c ? x.arg(0) : x));
-  if (f.below.empty() || cln::denominator(c) > 2) {
+  if (f.below.empty() || cln::denominator(c) > 2)
     throw Refused("not of the form ceil(p/q + c), c half of a whole number: " + kernel::text(x));
-  }
   Exprs above = f.above;
   above.insert(above.begin(), Expr(f.factor));
   const int p = product(above);

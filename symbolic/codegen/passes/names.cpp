@@ -14,9 +14,8 @@ Program named(const Program& p) {
   Program r = p;
   std::set<std::string> taken{"T",     "N",       "R",   "E",  "Tier",
                               "doubt", "columns", "row", "in", "tested"};
-  for (const Result& out : p.results) {
+  for (const Result& out : p.results)
     if (out.kind == Result::real && p[out.node].name != out.name) taken.insert(out.name);
-  }
   for (const Node& n : p.nodes) {
     if (n.name.empty()) continue;
     if (!taken.insert(n.name).second) throw Refused("two values are called " + n.name);
@@ -32,9 +31,8 @@ Program named(const Program& p) {
     const bool is_open = name.empty() && out.kind != Result::whole;
     if (is_open) name = fresh((out.kind == Result::real ? "of_" : "") + out.name, false);
   }
-  for (Node& n : r.nodes) {
+  for (Node& n : r.nodes)
     if (n.name.empty() && n.op != Op::constant) n.name = fresh("t", true);
-  }
   return r;
 }
 }  // namespace codegen
