@@ -204,8 +204,6 @@ Proof.
     by (repeat apply Rmult_le_pos; try lra; apply pow2_ge_0).
   split; lra.
 Qed.
-Lemma ax_sin_at_most x : 0 <= x -> sin x <= x.
-Proof. intros [H|<-]; [left; now apply sin_lt_x|rewrite sin_0; lra]. Qed.
 (* Matrices of n entries are equal where all entries are. *)
 Lemma same_matrix n A B : length A = n -> length B = n ->
   (forall k, (k < n)%nat -> entry A k = entry B k) -> A = B.
@@ -232,7 +230,6 @@ Ltac axiom :=
   first [apply ax_order | lra | now apply ax_discrete | now apply Rsqr_sqrt | apply sqrt_pos
   |apply ax_ceil | apply sin_0 | apply cos_0 | apply sin_plus | rewrite cos_plus; ring
   |apply sin_neg | apply cos_neg | apply sin2_cos2 | apply sin_PI | apply cos_PI | apply sin_PI2
-  |apply cos_PI2 | now apply sin_gt_0 | now apply ax_sin_at_most | apply cos_decreasing_1; lra
-  |apply PI_RGT_0 | now apply atan_increasing | rewrite <- atan_0; now apply atan_increasing
-  |apply atan_bound_half | rewrite cos_atan; unfold Rdiv; ring | apply sin_atan
-  |now apply ax_atan_bounds].
+  |apply cos_PI2 | now apply sin_gt_0 | apply cos_decreasing_1; lra
+  |apply PI_RGT_0 | rewrite <- atan_0; now apply atan_increasing | apply atan_bound_half
+  |rewrite cos_atan; unfold Rdiv; ring | apply sin_atan | now apply ax_atan_bounds].

@@ -22,34 +22,39 @@ void ends(Book& book) {
   know(book.show("rest", "an angle that is not above that of the wedge:",
                  both({scaled(lt(0, rest), lt(N, pi() / h), h, {number, rest_is}),
                        scaled(le(rest, h), le(pi() / h, N + 1), h, {number, rest_is})})));
-  const auto size = [&](Expr i) { return V * root_power(i) * side(i); };
+  const auto size = [&](Expr of_last, Expr angle) {  // of a speed that has the side of one kind
+    return V * root_power(N) * of_last * (sin(angle) / sin(h));
+  };
+  const Expr last_side = is_Q(N) + is_P(N) * (r_A() / r_B());
   const Theorem parting_is =
-      named("parting_e", e * size(N - 1) * (sin(rest) / sin(h)), "The last two bodies part with");
-  const Theorem opening_is = named("opening_e", size(N) * (sin(h - rest) / sin(h)),
+      named("parting_e", sqrt(e) * size(last_side, rest), "The last two bodies part with");
+  const Theorem opening_is = named("opening_e", size(side(N), h - rest),
                                    "and the ball leaves the third body, or rests with it, with");
   const Expr parting = left(parting_is), opening = left(opening_is);
   // Collision N - 1 is the last, and there is no collision N.
+  const auto after = [&](const Theorem& t) { return canonical_form(at(t, {{j, N - 1}})); };
+  const Theorems from_last{after(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1)),
+                           after(part(book["cycle.turn"], 1))};
   const auto approach_is = [&](Expr i, Expr angle, Expr value, const Theorem& definition) {
-    const Theorem speed = restate(eq(closing(i), size(i) * (sin((i + 1) * h) / sin(h))),
-                                  at(book["wedge.speed_sine"], {{j, i}}));
+    const Theorem speed = at(book["wedge.speed_sine"], {{j, i}});
     const Theorem turned_by = linear(eq((i + 1) * h, pi() - angle), {rest_is});
-    return equation(eq(closing(i), value), {rewrite(turned_by, speed), definition},
-                    {pi(), rest, h});
+    return equation(eq(closing(i), value),
+                    Theorems{rewrite(turned_by, speed), definition} + from_last, {pi(), rest, h});
   };
   const Theorem last = approach_is(N - 1, rest, parting / e, parting_is);
   const Theorem next = approach_is(N, rest - h, -opening, opening_is);
   know(sine_not_negative(h - rest));
+  know(positive(equation(last_side, side(N - 1), from_last)));
   know(positive(parting_is));
   know(linear(le(0, opening), {opening_is, not_negative(right(opening_is))}));
   book.show("last", "for these are the approach speeds then:",
             both({linear(lt(0, parting)), linear(le(0, opening)), last, next}));
 
-  const auto after = [&](const char* id) { return canonical_form(at(book[id], {{j, N - 1}})); };
   const Theorem square = at(book["motion.turn_squared"], {{j, N}});
   const Expr t = turn(N), A = velocity("A", N), B = velocity("B", N), C = velocity("C", N);
   const Expr C_B = is_Q(N) * opening + is_P(N) * parting;
   const auto beyond_B = [&](Expr v, const char* id, Expr value) {
-    const Theorem difference = after(id);
+    const Theorem difference = after(book[id]);
     return equation(v, B + value, {linear(eq(v, B + right(difference)), {difference}), last, next});
   };
   const Theorem A_is = beyond_B(A, "motion.A_B", -(opening + parting));
@@ -57,7 +62,7 @@ void ends(Book& book) {
   const Expr mass = mass_of_all();
   know(positive(mass));
   const Theorem B_is = equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass,
-                                {after("motion.B_velocity"), last, next});
+                                {after(book["motion.B_velocity"]), last, next});
   book.show("B", "So B has at the end", B_is);
   book.show("A_and_C", "and A and the ball have", both({A_is, C_is}));
   const auto share = [&](Expr one) {  // of 1 + t or 1 - t: its square is twice what it is

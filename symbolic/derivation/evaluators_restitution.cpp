@@ -112,54 +112,35 @@ void velocities(Book& book, Names& f, const Theorem& step) {
   const Expr v = f("kept_e"), u = f("parted_e");
   const Theorem second = f.name("second_e", is_odd * v + is_even * u);
 
-  const Theorem sides = book["evaluators_restitution.sides"];
-  const auto closing_is = [&](Expr i) {
-    return canonical_form(
-        rewrite(sides, rewrite(turned(step), at_1(book["wedge.speed_sine"], {{j, i}}))));
+  const Theorem rest = equation(at_1(fun("delta_e", {M_A, w_B, M_C, e, V})), f("left_e"),
+                                {at_1(book["ends.def_delta_e"]), turned(step), left_is, span});
+  Theorems ends{second, odd, even};
+  const auto speed = [&](const char* id, Expr form, const Theorems& rules) {
+    Theorem is = at_1(book[id]);
+    for (const Theorem& t :
+         {turned(step), rest, turned(next), sine_is, book["evaluators_restitution.sides"]})
+      is = rewrite(t, is);
+    ends.push_back(equation(left(is), V * form, Theorems{is, power_is, odd, even} + rules));
   };
-  const Exprs bases{pi() / 2, h * N, h};
-  const Theorem to_turn = rewrite(span, left_is), to_next = rewrite(to_turn, next);
-  const Theorem of_before = closing_is(N - 1), of_after = closing_is(N);
-  const auto next_of = [&](const Theorem& t) {
-    return canonical_form(at(part(t, 1), {{j, N - 1}}, {linear(le(0, N - 1))}));
-  };
-  const Theorem power_next = next_of(at(book["multiples.pow"], {{y, sqrt(e)}})),
-                turn_next = next_of(book["cycle.turn"]);
-  const Expr before = left(of_before), after = left(of_after);
-  const Theorem last =
-      book.show("last", "", "After the last collision its bodies part with the speed",
-                equation(e * before, V * u,
-                         {rewrite(sine_is, of_before), rewrite(to_turn, last_sine), parted,
-                          last_reach, power_is, power_next, turn_next, last_side, odd, even},
-                         bases));
-  const Theorem open = book.show("open", "", "and the other two approach with",
-                                 equation(after, -V * v,
-                                          {rewrite(sine_is, of_after), rewrite(to_next, open_sine),
-                                           kept, open_reach, power_is, open_side, odd, even},
-                                          bases));
-  const auto motion = [&](const char* id) { return canonical_form(at_1(book[id], {{j, N - 1}})); };
+  speed("ends.def_parting_e", u, {last_sine, parted, last_reach, last_side});
+  speed("ends.def_opening_e", v, {open_sine, kept, open_reach, open_side});
   const Theorem all_are = book["evaluators_restitution.def_all_e"];
   const Expr s = f("second_e");
   const Theorem speeds = f.name("speeds_e", v + u);
   const Theorem moved = f.name("moved_e", f("speeds_e") + M_C * s);
   const Theorem gained = f.name("gained_e", 1 + f("moved_e"));
   const Theorem taken = f.name("taken_e", f("gained_e") / left(all_are));
-  const Theorem of_B = motion("motion.B_velocity");
-  const auto show = [&](const char* symbol, const char* body, Expr form, const Theorem& law) {
+  ends = ends + Theorems{at_1(book["ends.B"]), speeds, moved, gained, taken, all_are} +
+         parts({at_1(book["ends.A_and_C"])});
+  const auto show = [&](const char* symbol, const char* body, Expr form) {
     const Theorem is = f.name(symbol, at_1(velocity(body, N)), "and so");
-    const Theorems rules{law,  of_B,   is,    last,   open,  second, odd,
-                         even, speeds, moved, gained, taken, all_are};
-    return book.show(symbol, "", "is", under(f.domain, equation(f(symbol), V * form, rules)));
-  };
-  const auto against_B = [&](const char* id, const char* body) {
-    const Expr own = at_1(velocity(body, N)), B = at_1(velocity("B", N));
-    const Theorem difference = motion(id);
-    return linear(eq(own, B + right(difference)), {difference});
+    return book.show(symbol, "", "is",
+                     under(f.domain, equation(f(symbol), V * form, Theorems{is} + ends)));
   };
   const Expr taken_by_B = w_B * f("taken_e");
-  const Theorem b_end = show("b_end", "B", taken_by_B, of_B);
-  show("a_end", "A", taken_by_B - f("speeds_e"), against_B("motion.A_B", "A"));
-  show("c_end", "C", taken_by_B - s, against_B("motion.C_B", "C"));
+  const Theorem b_end = show("b_end", "B", taken_by_B);
+  show("a_end", "A", taken_by_B - f("speeds_e"));
+  show("c_end", "C", taken_by_B - s);
   energy_of_B(book, f, "rho_end", "taken_e", b_end);
 }
 /// Where two are all: e (1 + M_C)(1 + w_B M_C) >= (1 + e)^2.

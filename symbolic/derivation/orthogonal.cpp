@@ -212,15 +212,6 @@ void in_space(Pages& book, const Theorem& is) {
                 equation(d * fixed, determinant(matrix(3, without))));  // det(O^T) det(O - 1)
   book.show("axis", "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
             linear(eq(fixed, 0), {product}));
-  // O is the matrix of its own cofactors, so O - O^T turns with it.
-  const Theorems times_d = cofactor_rule(o, is);
-  const Theorems own_cofactors{entrywise(o, cofactors_of(o), [&](Expr goal, int i, int j) {
-    const auto place = std::size_t(3 * i + j);
-    return arithmetic(goal, {.equations = {{-names[place], d_is_1}, {1, times_d[place]}}});
-  })};
-  const Expr along = column({names[7] - names[5], names[2] - names[6], names[3] - names[1]});
-  book.show("axis_along", "which is this one, unless all three differences are 0:",
-            by_entries(times(o, along), along, parts(own_cofactors)));
   const Theorem mirror = book.book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
                                         "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
@@ -319,17 +310,11 @@ void about_an_axis(Pages& book, const Theorem& is) {
   const Expr first = entry(matrix_of_names(2), 0, 0);
   know(one_more_not_0(entry(m, 0, 0)));
   book.show("lambda_n", "eq:lambda-n",
-            "In a frame F whose third axis stays as it is, it is a rotation about that axis,",
+            "In a frame F whose third axis stays as it is, it is a rotation about that axis:",
             under({is.conclusion(), eq(det(o), 1), of_r.conclusion(), fixed.conclusion(),
                    named.conclusion()},
                   both({in_case("rotation", 2 * atan(s_(1, 0) / (1 + s_(0, 0))), neq(first, -1)),
                         in_case("rotation_half", pi(), eq(first, -1))})));
-  const Expr turned_by = times(r, lambda_3(x));
-  const Theorem keeps_e_3 = equation(times(lambda_3(x), e_3), e_3, {book["rotation.lambda_3"]});
-  book.show("lambda_n_keeps", "and any such rotation keeps the third axis of its frame:",
-            calculation(times(times(turned_by, back), third_axis), third_axis,
-                        {{times(turned_by, times(gram(r), e_3)), of_r},
-                         {times(r, times(lambda_3(x), e_3)), keeps_e_3}}));
 }
 }  // namespace
 
