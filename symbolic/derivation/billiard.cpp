@@ -40,8 +40,8 @@ Theorem kappa_is_cosine(Book& book) {
       tautology(lt(substitute(kappa(), elastic), 1),
                 {threshold, linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});
   know(below);
-  know(at(book["wedge.acute"], elastic, {below}));
-  return turned(at(book["wedge.cosine"], elastic, {below}));
+  know(at(book["wedge.acute"], elastic));
+  return turned(at(book["wedge.cosine"], elastic));
 }
 void unfolded(Book& book) {
   const Substitution elastic{{e, 1}};

@@ -73,7 +73,6 @@ void ends(Book& book) {
     know(times(share(one), linear(lt(0, parting))));
     know(times(share(one), linear(le(0, opening))));
   }
-  know(not_negative(C_B));
   book.show("order", "in the order of the bodies:",
             linear(logic_and({le(A, C), le(C, B), le(0, B)}),
                    {A_is, C_is, B_is, not_negative(right(B_is))}));

@@ -87,11 +87,7 @@ void velocities(Book& book, Names& f, const Theorem& step) {
   const Expr N = at_1(fun("N_e", {M_A, w_B, M_C, e, V})), h = of_e("step_e");
   const Theorem count = book.show("N_e", "", "the number of collisions",
                                   rewrite(turned(step), at_1(book["bodies.N_e"])));
-  const Theorem some = assume(lt(0, N));
-  know(some);
-  know(linear(le(1, N), {next_integer(some)}));
-  f.domain = {le(0, w_B),       lt(0, M_C), lt(0, e), V_positive, lt(0, of_e("share_e")),
-              some.conclusion()};
+  f.domain = {le(0, w_B), lt(0, M_C), lt(0, e), V_positive, lt(0, of_e("share_e")), lt(0, N)};
   f.params = {M_C, w_B, e, V};
   const Theorem span = f.name("span_e", h * N, "With");
   const Theorem left_is = f.name("left_e", pi() - f("span_e"));

@@ -185,14 +185,11 @@ void in_the_plane(Pages& book, const Theorem& is) {
   }
 }
 
-Expr cofactors_of(Expr m) {
-  Exprs out;
-  for (int i = 0; i < 9; ++i) out.push_back(cofactor(m, i / 3, i % 3));
-  return matrix(3, out);
-}
 /// |- each entry of det(O) O is that of its cofactors, from O^T O = 1
 Theorems cofactor_rule(Expr o, const Theorem& is) {
-  const Expr cofactors = cofactors_of(o);
+  Exprs all;
+  for (int i = 0; i < 9; ++i) all.push_back(cofactor(o, i / 3, i % 3));
+  const Expr cofactors = matrix(3, all);
   return entries(calculation(times(times(cofactors, transpose(o)), o), cofactors,
                              {{times(cofactors, gram(o)), is}}));
 }

@@ -178,7 +178,8 @@ void radicals(Book& book) {
       // no root of a fraction
       {4, {two - 1, {root_is(rational(1, 2), 1 / two)}}},
       {5, {sqrt(Expr(5)) - 2, {}}},
-      {6, {2 / three - 1, {root_is(rational(3, 4), three / 2)}}}};
+      {6, {2 / three - 1, {root_is(rational(3, 4), three / 2)}}},
+      {17, {4 / right(cosines.at(17)).arg(1) - 1, {}}}};  // its cosine is (...)/4
   for (const int d : {4, 5, 6, 8, 10, 12, 15, 16, 17, 20}) {
     const bool magic = d % 2 == 1;
     const int index = magic ? (d - 1) / 2 : d / 2 - 1;
@@ -188,10 +189,6 @@ void radicals(Book& book) {
     const Theorem cosine = restate(eq(cos(angle), right(cosines.at(d))), cosines.at(d));
     know(linear(lt(0, right(cosine)), {cosine, Periods::falls(angle, pi() / 2)}));
     Theorem value = rewrite(cosine, definition);
-    if (const Expr w = right(cosine); d == 17) {  // w = (...)/4
-      know(linear(lt(0, w.arg(1)), known()));
-      value = chain(value, equation(right(value), 4 / w.arg(1) - 1));
-    }
     if (const auto form = forms.find(d); form != forms.end())
       value = chain(value, equation(right(value), form->second.first, form->second.second));
     book.show(name + std::to_string(index), "The ratio of pi/" + std::to_string(d) + ":", value);

@@ -10,10 +10,9 @@ const Expr s = sqrt(alpha), root = sqrt(alpha * (2 + alpha));
 /// The quarter of psi: cosine and sine as roots, psi as four times an arctangent, its tangent.
 Theorem quarter(Book& book) {
   const Expr q = psi() / 4, t = sqrt(alpha / (2 + alpha));
-  know(book.show("quarter_cosine", "A quarter of psi has a positive cosine,", positive(cos(q))));
   const Theorem cosine_squared = part(book["power.quarter"], 1);
   const Theorems squares = angles({}, {q}) + Theorems{cosine_squared};
-  book.show("cos_quarter_psi", "table:trig", "that is,",
+  book.show("cos_quarter_psi", "table:trig", "The quarter of psi:",
             turned(root_is((2 + alpha) / (2 * (1 + alpha)), cos(q), squares)));
   book.show("sin_quarter_psi", "table:trig", "and",
             turned(root_is(alpha / (2 * (1 + alpha)), sin(q), squares)));

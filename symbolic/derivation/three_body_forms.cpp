@@ -120,7 +120,6 @@ Theorem angle(Book& book, const Theorem& q_is) {
                                  rewrite(inside, cut(below, book["wedge.h_e"])));
   know(positive(h_is));
   know(linear(lt(h_e(), pi()), {h_is, at("atan range", {{x, right(h_is).arg(0)}})}));
-  know(positive(sin(h_e())));
   book.show("N_e", "and the number of all collisions", cut(below, book["wedge.N"]));
   return below;
 }
@@ -175,7 +174,6 @@ void times_and_places(const Forms& forms) {
   });
   know(in_half_a_turn(j, linear(le(j, j))));
   know(positive(book["bodies.def_now_sine"]));
-  know(all_of_them);
   const Theorems sines = quotients_of_sines(book, turned(forms.in_angle("cosine")));
   know(positive(sines[0]));
   const auto of_motion = [&](const char* id) { return cut(all_of_them, book[id]); };
