@@ -3,12 +3,11 @@
 // the paper's labels.
 #include "net.hpp"
 
-#include <algorithm>
+#include <iterator>
 #include <set>
 #include <sstream>
 
 #include "catch.hpp"
-#include "derivation/paper.hpp"
 #include "kernel/print.hpp"
 #include "notation/read.hpp"
 
@@ -125,18 +124,32 @@ TEST_CASE("hypotheses that nothing satisfies are seen") {
   CHECK(net::tried(impossible, kernel::eq(alpha, 1), 20).points == 0);
 }
 
-TEST_CASE("each label of the paper has a statement or a reason, and no statement has another") {
-  std::set<std::string> claimed, known;
+// The labels of all equations and tables of the paper, in its order; of two sections whose equations
+// have none (sec:nx, sec:nhx); and the one that its source has in a comment (eq:inelastic, of four
+// equations). Not table:akbk, which claims nothing: its decimals are computed from exact:ak and
+// exact:bk.
+TEST_CASE("each label of the paper has a statement, and no statement has another") {
+  std::istringstream paper(
+      "NA-range NB-range def:Vn eq:conservation eq:ac eq:Euc-Pn eq:bcp eq:Euc-Qn "
+      "eq:energy-conservation-PnQn eq:Euc-Pn-linear eq:Euc-Qn-linear eq:V2 eq:V-n eq:V-n-0 "
+      "eq:Lam-G-G theta-txt eq:Lambda eq:Lambda-n-final-txt def:psi eq:a-final eq:b-final "
+      "eq:c-final eq:c'-final eq:NANB-ans-txt eq:Naatcritical eq:Nbatcritical exact:ak "
+      "exact:bk eq:a-terminal eq:b-terminal eq:ct eq:inelastic eq:lambda-1 eq:lambda-2 eq:lambda-3 "
+      "eq:lambda-n def:R eq:abc-n eq:abcp-n eq:Gamma def:gamma def:theta eq:V-n-app "
+      "eq:V-n-0-app Lam-GAM eq:Lambda-app eq-app:lambda-R eq:Lambda-n-final eq:R-app "
+      "def:psi-app sec:nx sec:nhx def:ceil def:floor def:sawtooth eq:NA-constraint "
+      "eq:NA-constraint-simple eq:NA-ans eq:NB-constraint eq:NB-constraint-simple "
+      "eq:NB-ans eq:NANB-ans eq:NA-approx eq:magic-b-cond eq:magic-b-cond-simple "
+      "eq:defb-terminal eq:def-b-cond table:trig");
+  const auto words = [](std::istringstream& in) {
+    return std::set<std::string>(std::istream_iterator<std::string>(in), {});
+  };
+  std::set<std::string> claimed;
   for (const auto& chapter : the_book().chapters())
     for (const auto& s : chapter.statements) {
       std::istringstream labels(s.label);
-      for (std::string label; labels >> label;) claimed.insert(label);
+      claimed.merge(words(labels));
     }
-  for (const auto& l : derivation::paper_labels()) {
-    INFO(l.label);
-    CHECK(known.insert(l.label).second);
-    CHECK(claimed.count(l.label) == (l.reason.empty() ? 1 : 0));
-  }
-  CHECK(std::includes(known.begin(), known.end(), claimed.begin(), claimed.end()));
-  CHECK(known.size() == 69);
+  CHECK(claimed == words(paper));
+  CHECK(claimed.size() == 68);
 }
