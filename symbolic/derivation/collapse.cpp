@@ -52,7 +52,7 @@ void special_cases(Book& book) {
   const Expr M_B = real("M_B");
   const Known mass({assume(lt(0, M_B)), positive(1 / M_B, {assume(lt(0, M_B))})});
   const auto instance = [&](const char* id, const char* words, Expr inverse, Expr value) {
-    const Theorem K = at(book["collapse.def_K"], {{w_B, inverse}}, {linear(le(0, inverse))});
+    const Theorem K = at(book["collapse.def_K"], {{w_B, inverse}});
     book.show(id, words, equation(left(K), value, {K}));
   };
   const Expr over = power(1 + e, 2) * M_A, below = 4 * e * (M_A + M_C);
@@ -64,18 +64,15 @@ void special_cases(Book& book) {
 void in_time(Book& book) {
   const Theorem from_1 = assume(le(1, kappa()));
   const Expr inside = power(kappa(), 2) - 1, root = sqrt(inside), sum = kappa() + root;
-  const Theorem not_negative_inside =
-      linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1})), from_1});
-  know(not_negative_inside);
+  know(linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1}))}));
   const Theorem definition =
       book.name("y_e", masses_and_e(), kappa() - root, of_wedge({lt(0, e), le(1, kappa())}),
                 "Where they never end, with");
   const Expr y_e = left(definition);
-  const Theorem square = root_squared(not_negative_inside);
-  const Theorem root_sign = at("root not negative", {{x, inside}}, {not_negative_inside});
+  const Theorem root_sign = at("root not negative", {{x, inside}});
   know(linear(lt(0, sum), {from_1, root_sign}));
-  const Theorem inverse = equation(y_e, 1 / sum, {definition, square});
-  const Theorem quadratic = equation(power(y_e, 2), 2 * kappa() * y_e - 1, {definition, square});
+  const Theorem inverse = equation(y_e, 1 / sum, {definition});
+  const Theorem quadratic = equation(power(y_e, 2), 2 * kappa() * y_e - 1, {definition});
   know(positive(inverse));
   const Theorem at_most_1 =
       scaled(le(y_e, 1), le(1, sum), y_e, {equation(y_e * sum, 1, {inverse}), from_1, root_sign});
@@ -115,16 +112,15 @@ void equal_blocks(Book& book) {
   const Theorem block = assume(lt(0, M)), mass = assume(alpha_positive);
   const Known here({block, mass, positive(1 / M, {block})});
   const Substitution equal{{M_A, M}, {w_B, 1 / M}, {M_C, alpha * M}};
-  const Theorem ball = positive(alpha * M);
   const Expr share = 1 / (1 + alpha), s = sqrt(e);
   const auto shared = [&](const char* id) {
-    const Theorem r = at(book[id], equal, {ball});
+    const Theorem r = at(book[id], equal);
     return rewrite(equation(right(r).arg(0), share), r);
   };
   const Theorem of_blocks = book.show(
       "equal_blocks", "For blocks of one mass and a ball of alpha times that,",
       equation(substitute(kappa(), equal), (1 + e) / (2 * s * (1 + alpha)),
-               {at(book["wedge.kappa"], equal, {ball}), shared("wedge.r_A"), shared("wedge.r_B")}));
+               {at(book["wedge.kappa"], equal), shared("wedge.r_A"), shared("wedge.r_B")}));
   const Substitution elastic{{e, 1}};
   book.show(
       "elastic",

@@ -24,10 +24,8 @@ void last_collision(Book& book, const Last& last) {
       both({scaled(lt(early, pi()), lt(last.before, z), psi(), {number}),
             scaled(le(pi(), late), le(z, last.after), psi(), {number})}));
   know_for_good(around);
-  const Theorem above_0 = scaled(lt(0, early), lt(0, last.before), psi());
-  const Theorem sine_before = positive(sin(early), {above_0});
-  const Theorem sine_after =
-      at(at(book["counting.sine_past_pi"], {{x, late}}), {}, {linear(le(late, 2 * pi()))});
+  const Theorem sine_before = positive(sin(early));
+  const Theorem sine_after = at(at(book["counting.sine_past_pi"], {{x, late}}));
   book.show(last.name + "_sines", last.label + "-simple", "where the sines have different signs,",
             both({sine_before, sine_after}));
   const auto speed = [&](Expr cycles) { return at(book["power." + last.approach], {{n, cycles}}); };

@@ -115,16 +115,15 @@ void count(Book& book, const Count& c) {
       tautology(substitute(none, {{j, K}}), {at(c.sign, {{j, K}}, {K_from_0}), sine_end});
   const Theorem found = at(least, {{j, K}}, {K_from_0, at_K});
   know(part(found, 0));
-  const auto before = [&](Expr i, const Theorem& i_from_0, const Theorem& below) {  // i < K
+  const auto before = [&](Expr i, const Theorem& below) {  // i < K
     const Theorem room = times(linear(lt(0, c.turns - 1 - i), {below}), c.step);
-    const Theorem more = positive(c.angle(i + 1), {positive(i + 1, {i_from_0})});
-    return tautology(lt(0, c.speed(i)), {at(c.sign, {{j, i}}, {i_from_0}),
-                                         positive(sin(c.angle(i + 1)), {room, more})});
+    const Theorem more = positive(c.angle(i + 1));
+    return tautology(lt(0, c.speed(i)),
+                     {at(c.sign, {{j, i}}), positive(sin(c.angle(i + 1)), {room, more})});
   };
   const Theorem lower = tautology(
       le(K, N),
-      {given(lt(N, K), [&](const Theorem& early) { return before(N, part(found, 0), early); }),
-       part(found, 1)});
+      {given(lt(N, K), [&](const Theorem& early) { return before(N, early); }), part(found, 1)});
   const Theorem number = book.show("N", "So the number of all collisions is",
                                    linear(eq(N, K), {lower, part(found, 2)}));
   book.show("happens",
@@ -132,7 +131,7 @@ void count(Book& book, const Count& c) {
             "last:",
             both({given(lt(j, N),
                         [&](const Theorem& below) {
-                          return before(j, assume(le(0, j)), linear(lt(j, K), {below, number}));
+                          return before(j, linear(lt(j, K), {below, number}));
                         }),
                   part(found, 1)}));
 }

@@ -11,9 +11,9 @@ void last_collision(Book& book) {
   const Theorem number =
       book.show("number", "At a magic ratio there are 2k collisions,",
                 linear(eq(N(), 2 * k), {book["counting.shares"], book["magic.counts"]}));
-  const Theorem whole_turn = equation(
-      (2 * k + 1) * psi(), 2 * pi(),
-      {linear(eq(psi(), 2 * (pi() / (2 * k + 1))), {book["magic.angle"]}), assume(le(1, k))});
+  const Theorem whole_turn =
+      equation((2 * k + 1) * psi(), 2 * pi(),
+               {linear(eq(psi(), 2 * (pi() / (2 * k + 1))), {book["magic.angle"]})});
   know(linear(lt(last, N()), {number}));
   const auto at_last = [&](const char* id) { return at(book[id], {{j, last}}); };
   const Theorem mirrored = equation(sin(pi() - half), sin(half), {}, {pi(), half});

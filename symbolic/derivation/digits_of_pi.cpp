@@ -7,11 +7,11 @@ namespace derivation {
 namespace {
 Theorem pi_at_most_4() {  // pi/4 is the angle whose tangent is 1
   const Expr quarter = atan(1);
-  const Theorem range = at("atan range", {{x, 1}}), from = positive(quarter);
+  const Theorem from = positive(quarter);
   const Theorem cosines =
       equation(cos(2 * quarter), cos(pi() / 2), {at("cos atan", {{x, 1}})}, {quarter, pi() / 2});
-  const Theorem is = same_angle(cosines, {range, from});
-  return linear(le(pi(), 4), {is, at("atan bounds", {{x, 1}}, {linear(le(0, 1))})});
+  const Theorem is = same_angle(cosines, {from});
+  return linear(le(pi(), 4), {is, at("atan bounds", {{x, 1}})});
 }
 }  // namespace
 
@@ -22,13 +22,13 @@ void digits_of_pi(Book& book) {
   const Known large({from_1});
   const auto here = [&](const char* id) {
     const Substitution masses{{M_A, power(T, 2)}, {w_B, 0}, {M_C, 1}, {e, 1}};
-    return at(book[id], masses, {positive(power(T, 2))});
+    return at(book[id], masses);
   };
   const Theorem kappa_is = here("wedge.kappa"), r = here("wedge.r_A");
   const Expr kappa = left(kappa_is), share = right(r).arg(0);
   const Theorem no_share = here("wedge.r_B");
   const Theorem unit = rewrite(equation(right(no_share).arg(0), 1), no_share);
-  const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit, root_is(1, 1)});
+  const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit});
   const Theorem square = equation(power(kappa, 2), share, {root});
   know(positive(root));
   // 1 - kappa^2 = 1/(1 + T^2) is positive
@@ -45,8 +45,7 @@ void digits_of_pi(Book& book) {
   const Theorem number = here("wedge.N");
   const Expr h = left(angle), N = left(number);
   know(positive(angle));
-  const Theorem at_most_4 = pi_at_most_4(),
-                near = at("atan bounds", {{x, 1 / T}}, {not_negative(1 / T)});
+  const Theorem at_most_4 = pi_at_most_4(), near = at("atan bounds", {{x, 1 / T}});
   const Theorem from = times(linear(le(0, 1 / T - h), {angle, near}), pi() * T / h);
   const Theorem many = linear(le(pi() * T - 1, N), {number, from});
   const Expr u = 1 / T;

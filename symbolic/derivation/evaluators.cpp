@@ -82,10 +82,10 @@ void ratio_forms(Book& book) {
     const Expr whole = right(definition).arg(1).arg(0);  // cos(pi/d)
     const Theorem twice =
         equation(cos(2 * f("angle")), 1 - 2 * power(sin(f("angle")), 2), {}, {f("angle")});
-    const Theorem angle_is = equation(2 * f("angle"), whole.arg(0), {y_is, assume(le(1, k))});
+    const Theorem angle_is = equation(2 * f("angle"), whole.arg(0), {y_is});
     const Theorem is =
         equation(f("cosine"), whole, {cosine, versed, sine, rewrite(angle_is, twice)});
-    know(linear(lt(0, f("cosine")), {is, book[std::string("ratios.") + name + "k_cosine"]}));
+    know(linear(lt(0, f("cosine")), {is}));
     book.show(kind, "the ratio is",
               rewrite(turned(is),
                       equation(fun(name, {k}), f("versed") / whole,
@@ -101,7 +101,7 @@ void heavy_ball(Book& book) {
   const Theorem alpha_1 = book["ratios.alpha_1"], beta_below = at(book["ratios.order"], {{k, 1}});
   const auto once = [&](const char* id, const Theorems& facts) {
     const Theorem t = cut(mass, book[id]);  // N = 1 if and only if the first ratio is <= alpha
-    return tautology(left(t), {t, linear(right(t), facts + Theorems{alpha_1, is_heavy})});
+    return tautology(left(t), {t, linear(right(t), facts + Theorems{alpha_1})});
   };
   const Theorem counts =
       both({book.show("N_A", "Both blocks have one collision each, A", once("ratios.N_A_once", {})),

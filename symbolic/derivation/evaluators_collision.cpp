@@ -9,18 +9,18 @@ Expr sine_of(Expr times) { return sin(times * (psi() / 2)); }
 
 /// (1 + alpha)/2 = sin(psi/2)/sin(psi), for both.
 void first_of_B(Book& book) {
-  const Theorem exists = linear(lt(1, N()), {book["counting.at_least"], book["counting.shares"]});
+  const Theorem exists = linear(lt(1, N()), {book["counting.shares"]});
   const Known second({exists});
   const Theorem twice =
       equation(sine_of(Expr(1) + 1), 2 * sin(psi() / 2) * cos(psi() / 2), {}, {psi() / 2});
   const Theorem once = equation(sine_of(1), sin(psi() / 2));
   for (const char* id : {"when", "apart"}) {
     const bool is_time = id == std::string("when");
-    const Theorem t = at(book["encounters." + std::string(id)], {{j, 1}}, {exists});
+    const Theorem t = at(book["encounters." + std::string(id)], {{j, 1}});
     const Theorem is = rewrite(once, rewrite(twice, t));
     book.show(std::string(id) + "_1", is_time ? "That of B's first is" : "and",
               equation(left(is), (is_time ? L / V : L) * (rational(1, 2) * (1 + alpha)),
-                       {is, book["rotation.cos_half_psi"], positive(sin(psi() / 2))}));
+                       {is, book["rotation.cos_half_psi"]}));
   }
 }
 }  // namespace
@@ -66,8 +66,7 @@ void collision_forms(Book& book, const Angle& a) {
       book.show("takes_place", "Collision j takes place where that is positive:",
                 linear(lt(j, N()), {room, book["counting.N"]}));
 
-  const Theorem from_turn = linear(le(0, angle), {not_negative(j * psi())});
-  const Theorem S_from_0 = linear(le(0, S), {S_is, sine_not_negative(angle, {from_turn, near})});
+  const Theorem S_from_0 = linear(le(0, S), {S_is, sine_not_negative(angle, {near})});
   const Theorem C_positive = linear(lt(0, C), {C_is, tS_is, is_positive, times(S_from_0, T)});
   const Theorem sine_positive = linear(lt(0, sine), {sine_is, S_from_0, times(C_positive, T)});
   book.show("sine_positive", "and so is", sine_positive);
@@ -106,8 +105,7 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem rises =
       equation(sin(angle), sin(psi() / 2) + 2 * cos(middle) * sin(off), {}, {middle, off});
   const Theorem product =
-      times(linear(le(0, cos(middle)),
-                   {cosine_falls(linear(le(middle, pi() / 2), {near}), {near, from_turn})}),
+      times(linear(le(0, cos(middle)), {cosine_falls(linear(le(middle, pi() / 2), {near}))}),
             sine_not_negative(off, {off_from_0, near}));
   const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
   book.show("t_at_most", "where from the second collision of A on",

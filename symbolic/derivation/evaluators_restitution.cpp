@@ -54,8 +54,7 @@ Theorem angle(Book& book, Names& f) {
       positive(equation(q_e, gap / D, {q, K, gap_e, rise, share, loss, all}));
   know(q_positive);
   const Expr kappa_e = at_1(kappa());
-  know(tautology(lt(kappa_e, 1),
-                 {at_1(book["collapse.threshold"]), linear(lt(left(K), 1), {q, q_positive})}));
+  know(tautology(lt(kappa_e, 1), {at_1(book["collapse.threshold"]), linear(lt(left(K), 1), {q})}));
   // (1 - t^2)/(1 + t^2) = kappa
   const Theorem step = f.positive("step_e", 2 * atan(T));
   const Expr half = atan(T);
@@ -68,9 +67,8 @@ Theorem angle(Book& book, Names& f) {
   book.show("sine", "", "the sine of step_e:",
             rewrite(turned(step),
                     equation(sin(2 * half), of_e("sine_e"), of_half + Theorems{sine}, {half})));
-  const Theorem same =
-      same_angle(chain(cosine, turned(at_1(book["wedge.cosine"]))),
-                 {positive(half), at("atan range", {{x, T}}), at_1(book["wedge.acute"])});
+  const Theorem same = same_angle(chain(cosine, turned(at_1(book["wedge.cosine"]))),
+                                  {positive(half), at_1(book["wedge.acute"])});
   return book.show("h_e", "", "the angle is",
                    linear(eq(of_e("step_e"), right(same)), {same, step}));
 }
@@ -85,8 +83,7 @@ void energy_of_B(Book& book, const Names& f, const char* symbol, const char* tak
 /// Both speeds with which bodies part after the last collision, then the velocities.
 void velocities(Book& book, Names& f, const Theorem& step) {
   const Expr N = at_1(fun("N_e", {M_A, w_B, M_C, e, V})), h = of_e("step_e");
-  const Theorem count = book.show("N_e", "", "the number of collisions",
-                                  rewrite(turned(step), at_1(book["bodies.N_e"])));
+  book.show("N_e", "", "the number of collisions", rewrite(turned(step), at_1(book["bodies.N_e"])));
   f.domain = {le(0, w_B), lt(0, M_C), lt(0, e), V_positive, lt(0, of_e("share_e")), lt(0, N)};
   f.params = {M_C, w_B, e, V};
   const Theorem span = f.name("span_e", h * N, "With");

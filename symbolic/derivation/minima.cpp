@@ -41,7 +41,7 @@ void conditions(Book& book, const Condition& which) {
       eq(y, t),
       {given(le(y, pi()), [&](const Theorem& lower) { return same_angle(same_cosine, {lower}); }),
        given(lt(pi(), y), [&](const Theorem& upper) {
-         return linear(eq(y, t), {same_angle(mirrored, {upper}), upper});
+         return linear(eq(y, t), {same_angle(mirrored, {upper})});
        })});
   const Expr count = eq(N_B(), pi() / psi() - which.shift);
   book.show(which.name + "_count", which.count_label, "which means that nothing is rounded in N_B,",

@@ -167,7 +167,7 @@ void radicals(Book& book) {
   cosines.emplace(17, seventeenth(book));
   for (const int d : {4, 6, 8, 10, 12, 16, 20}) {
     const Expr whole = angle_of(d / 2);
-    const Theorem half = at(half_of, {{x, whole}}, {positive(whole)});
+    const Theorem half = at(half_of, {{x, whole}});
     const Theorem value = rewrite(cosines.at(d / 2), half);
     const Expr under_root = simplified(right(value).arg(0));
     const Theorem simpler = rewrite(equation(right(value).arg(0), under_root), value);

@@ -82,8 +82,7 @@ void threshold(Book& book, const Threshold& which) {
     const Theorem ceiling = at(ceiling_is(), {{x, z}, {k, i}});
     return restate(iff(eq(count, i), meaning), rewrite(turned(number), ceiling));
   };
-  const Theorem of_angle =
-      same_sign(iff(le(pi() / d, half()), le(z, k)), psi() / d, {from_1, positive(d, {from_1})});
+  const Theorem of_angle = same_sign(iff(le(pi() / d, half()), le(z, k)), psi() / d, {from_1});
   const Theorem of_ratio =
       rewrite(turned(definition), at(book["ratios.reached"], {{x, pi() / d}}, range));
   const Theorem reached = tautology(iff(le(t(k), alpha), le(z, k)), {of_angle, of_ratio});
@@ -124,8 +123,7 @@ void order(Book& book) {
   const Expr third = pi() / 3, cosine = cos(third), one_half = rational(1, 2);
   const Theorem triple =
       linear(eq(4 * power(cosine, 3) - 3 * cosine, -1),
-             {equation(cos(3 * third), 4 * power(cosine, 3) - 3 * cosine, {}, {third}),
-              restate(eq(cos(3 * third), -1), axiom("cos pi"))});
+             {equation(cos(3 * third), 4 * power(cosine, 3) - 3 * cosine, {}, {third})});
   const Theorem other = given(neq(cosine, one_half), [&](const Theorem& differs) {
     // (1 + c)(1/2 - c)(1/2 - c) = (4c^3 - 3c + 1)/4
     return arithmetic(eq(cosine, one_half), {.equations = {{-rational(1, 4), triple}},
@@ -185,9 +183,7 @@ void at_threshold(Book& book, const Kind& kind) {
 }  // namespace
 
 Theorems range_of(Expr d, const Theorems& facts) {
-  const Theorem positive_angle = positive(pi() / d, facts);
-  return {positive_angle,
-          scaled(lt(pi() / d, edge), lt(2, d), pi() / d, facts + Theorems{positive_angle})};
+  return {positive(pi() / d, facts), scaled(lt(pi() / d, edge), lt(2, d), pi() / d, facts)};
 }
 
 void thresholds(Book& book) {

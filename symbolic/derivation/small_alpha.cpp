@@ -9,7 +9,7 @@ const Expr light = lt(alpha, 1);
 const Expr p = sqrt(2 * alpha), q = sqrt(alpha / (2 + alpha));
 
 /// x - x^3/3 <= atan(x) and atan(x) <= x for a positive x
-Theorem atan_bounds(Expr t) { return at("atan bounds", {{x, t}}, {positive(t)}); }
+Theorem atan_bounds(Expr t) { return at("atan bounds", {{x, t}}); }
 
 void theta_bounds(Book& book) {
   const Expr s = sqrt(alpha);
@@ -44,7 +44,7 @@ void psi_bounds(Book& book) {
                   .products = {{half, {mass, mass}, {q}}, {half, {mass, q_positive, q_below}, {}}},
                   .multipliers = sum});
   const Theorem q_squared_below =
-      linear(le(0, alpha / 2 - power(q, 2)), {q_squared, positive(alpha * power(q, 2))});
+      linear(le(0, alpha / 2 - power(q, 2)), {positive(alpha * power(q, 2))});
   const Theorems facts{book["table.quarter_psi"],          atan_bounds(q),      q_above, q_below,
                        times(q_positive, q_squared_below), times(mass, q_below)};
   book.show("psi_bounds", "eq:NA-approx", "psi is about 2 sqrt(2 alpha):",
@@ -77,7 +77,7 @@ void small_alpha(Book& book) {
   book.chapter("small_alpha", "Small mass ratios", {alpha_positive, V_positive});
   theta_bounds(book);
   const Expr third = pi() / 3;
-  const Theorem reached = at(book["ratios.reached"], {{x, third}}, {positive(third)});
+  const Theorem reached = at(book["ratios.reached"], {{x, third}});
   const Theorem first = at(book["ratios.alpha_k"], {{k, 1}});
   const Theorem is_1 = linear(eq(right(first), 1), {first, book["ratios.alpha_1"]});
   const Theorem angle = assume(le(third, psi() / 2));

@@ -13,7 +13,7 @@ Theorem quarter(Book& book) {
   const Theorem cosine_squared = part(book["power.quarter"], 1);
   const Theorems squares = angles({}, {q}) + Theorems{cosine_squared};
   book.show("cos_quarter_psi", "table:trig", "The quarter of psi:",
-            turned(root_is((2 + alpha) / (2 * (1 + alpha)), cos(q), squares)));
+            turned(root_is((2 + alpha) / (2 * (1 + alpha)), cos(q), {cosine_squared})));
   book.show("sin_quarter_psi", "table:trig", "and",
             turned(root_is(alpha / (2 * (1 + alpha)), sin(q), squares)));
   const Theorem hypotenuse = root_is(1 + power(t, 2), 1 / cos(q), squares);

@@ -46,7 +46,7 @@ Theorems approaches_of(Book& book) {
 }
 /// i < N |- 0 < approach_i, and |- approach_N <= 0
 Theorem going_on(Book& book, Expr i, const Theorems& facts) {
-  const Theorem happens = at(book["counting.happens"], {{j, i}}, facts);
+  const Theorem happens = at(book["counting.happens"], {{j, i}});
   return tautology(lt(0, approach(i)), {happens, linear(lt(i, N()), facts)});
 }
 Theorem ended(Book& book) { return part(at(book["counting.happens"], {{j, 0}}), 1); }
@@ -75,7 +75,7 @@ struct End {
 Theorem at_the_end(Book& book, const End& end) {
   const Theorem is = assume(eq(N(), end.count)), shares = book["counting.shares"];
   const Theorem of_A = linear(eq(N_A(), n), {shares, is});
-  const Theorem of_B = linear(eq(N_B(), end.N_B_is), {shares, of_A, is});
+  const Theorem of_B = linear(eq(N_B(), end.N_B_is), {shares, is});
   const Theorems definitions = parts({book["terminal.definitions"]});
   const Theorem a_is = rewrite(of_A, definitions[0]), b_is = rewrite(of_B, definitions[1]);
   const Theorem from_momentum =
@@ -117,7 +117,7 @@ void below_V(Book& book, const Theorem& facts) {
 void recoil(Book& book) {
   const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
              down = (N_A() - rational(1, 2)) * (psi() / 2);
-  const Theorem cos_down = positive(cos(down), {positive(down)});
+  const Theorem cos_down = positive(cos(down));
   const Theorem falls = cosine_falls(linear(le(pi() / 2, up)));
   const Theorem cos_up = linear(le(0, -cos(up)), {falls});
   const Theorem a_is =

@@ -8,7 +8,7 @@ namespace {
 std::pair<Theorem, Theorem> root_of_square() {
   const Expr s = sqrt(power(x, 2));
   const Theorem square = not_negative(power(x, 2));
-  const Theorem s_from_0 = at("root not negative", {{x, power(x, 2)}}, {square});
+  const Theorem s_from_0 = at("root not negative", {{x, power(x, 2)}});
   const auto with_sign = [&](Expr value, Expr premise) {  // s^2 = value^2, neither negative
     return given(premise, [&](const Theorem& value_from_0) {
       const auto not_above = [&](Expr l, Expr r) {

@@ -58,10 +58,9 @@ void come_together(Book& book, const Theorem& from_1, const Theorem& x_end) {
   // or more.
   const Expr root = sqrt(e), U = chebyshev(j, kappa()), ratio = r_B() / r_A();
   const Theorem above = assume(lt(1, root)), no_gain = assume(le(e, 1));
-  const Theorem absurd =
-      linear(lt(0, 0), {above, times(above, root), root_squared(assume(lt(0, e))), no_gain});
+  const Theorem absurd = linear(lt(0, 0), {above, times(above, root), no_gain});
   const Theorem powers = powers_of(book, tautology(le(root, 1), {refute(lt(1, root), absurd)}));
-  const Theorem rise = part(at(book["chebyshev.rise"], {{x, kappa()}}, {from_1}), 0);
+  const Theorem rise = part(at(book["chebyshev.rise"], {{x, kappa()}}), 0);
   know(linear(lt(0, U), {rise}));
   know(rewrite(turned(distance), positive(right(distance))));
   const Theorem turns = book["motion.turn_squared"];
@@ -109,17 +108,16 @@ Theorem definition_of_q_e(Book& book) {
 }
 /// Where q_e is above 0 the angle; |- kappa < 1.
 Theorem angle(Book& book, const Theorem& q_is) {
-  const Theorem end = assume(lt(0, q_e()));
-  know(end);
+  know(assume(lt(0, q_e())));
   const Theorem below =
-      tautology(lt(kappa(), 1), {book["collapse.threshold"], linear(lt(K(), 1), {q_is, end})});
+      tautology(lt(kappa(), 1), {book["collapse.threshold"], linear(lt(K(), 1), {q_is})});
   know(below);
   know(positive(book["wedge.kappa"]));
   const Theorem inside = equation(1 - power(kappa(), 2), q_e(), {q_is, book["collapse.square"]});
   const Theorem h_is = book.show("h_e", "Where they end the angle is",
                                  rewrite(inside, cut(below, book["wedge.h_e"])));
   know(positive(h_is));
-  know(linear(lt(h_e(), pi()), {h_is, at("atan range", {{x, right(h_is).arg(0)}})}));
+  know(linear(lt(h_e(), pi()), {h_is}));
   book.show("N_e", "and the number of all collisions", cut(below, book["wedge.N"]));
   return below;
 }
@@ -164,7 +162,7 @@ void times_and_places(const Forms& forms) {
   const auto in_half_a_turn = [&](Expr i, const Theorem& range) {
     const Theorem less = times(linear(le(0, j - i), {range}), h_e());
     know(times(linear(lt(0, i + 1), {range}), h_e()));
-    know(linear(lt((i + 1) * h_e(), pi()), {less, rest, known().back()}));
+    know(linear(lt((i + 1) * h_e(), pi()), {less, rest}));
     return positive(sine(i + 1));
   };
   const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {

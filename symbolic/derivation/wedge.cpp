@@ -70,8 +70,7 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
                                        {chain(rewrite(turned(is), at("cos atan", {{x, t}})),
                                               equation(1 / sqrt(1 + power(t, 2)), x_e,
                                                        {root_of(square, positive(1 / x_e))}))})));
-  know(book.show("acute", "an acute one,",
-                 both({positive(is), linear(lt(h, pi() / 2), {is, at("atan range", {{x, t}})})})));
+  know(book.show("acute", "an acute one,", both({positive(is), linear(lt(h, pi() / 2), {is})})));
   const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, x_e);
   const Theorem quotient = rewrite(cosine, at(book["chebyshev.sine"], {{y, h}}));
   book.show("speed_sine", "so that the approach speeds are sines, too,",
