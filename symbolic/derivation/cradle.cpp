@@ -45,9 +45,8 @@ void last_collision(Book& book) {
   const Theorem time_is = chain(turned(part(names, 0)), when);
   const Theorem B_is = divided(x_B, place, {2 + alpha},
                                equation(x_B * (2 + alpha), place * (2 + alpha), {centre, time_is}));
-  const Theorem short_way = positive(alpha * (2 * L / (1 + alpha)));
   book.show("room", "B has moved by less than L, so a next ball at a distance L waits untouched:",
-            both({B_is, linear(lt(x_B, 2 * L), {B_is, short_way})}));
+            both({B_is, linear(lt(x_B, 2 * L), {B_is, positive(alpha * place)})}));
 }
 /// B is the next A: velocities and collisions of the whole cradle, ball k of the ratio alpha_k.
 void hand_on(Book& book) {

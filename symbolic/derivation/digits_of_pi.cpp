@@ -7,10 +7,9 @@ namespace derivation {
 namespace {
 Theorem pi_at_most_4() {  // pi/4 is the angle whose tangent is 1
   const Expr quarter = atan(1);
-  const Theorem from = positive(quarter);
   const Theorem cosines =
       equation(cos(2 * quarter), cos(pi() / 2), {at("cos atan", {{x, 1}})}, {quarter, pi() / 2});
-  const Theorem is = same_angle(cosines, {from});
+  const Theorem is = same_angle(cosines, {positive(quarter)});
   return linear(le(pi(), 4), {is, at("atan bounds", {{x, 1}})});
 }
 }  // namespace
@@ -31,11 +30,8 @@ void digits_of_pi(Book& book) {
   const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit});
   const Theorem square = equation(power(kappa, 2), share, {root});
   know(positive(root));
-  // 1 - kappa^2 = 1/(1 + T^2) is positive
-  const Theorem rest = equation(1 - power(kappa, 2), 1 / (power(T, 2) + 1), {square});
-  know(certified(lt(kappa, 1), {.equations = {{-1, rest}},
-                                .products = {{1, {positive(1 / (power(T, 2) + 1))}}},
-                                .multipliers = {positive(1 + kappa)}}));
+  const Theorem rest = positive(equation(1 - power(kappa, 2), 1 / (power(T, 2) + 1), {square}));
+  know(scaled(lt(kappa, 1), lt(power(kappa, 2), 1), 1 / (1 + kappa), {rest}));
   const Theorem sine =
       root_of(equation(power(kappa / T, 2), 1 - power(kappa, 2), {square}), positive(kappa / T));
   const Theorem tangent = equation(left(sine) / kappa, 1 / T, {sine});

@@ -65,13 +65,10 @@ void ends(Book& book) {
                                 {after(book["motion.B_velocity"]), last, next});
   book.show("B", "So B has at the end", B_is);
   book.show("A_and_C", "and A and the ball have", both({A_is, C_is}));
-  const auto share = [&](Expr one) {  // of 1 + t or 1 - t: its square is twice what it is
-    return arithmetic(le(0, one), {.equations = {{rational(1, 2), square}},
-                                   .products = {{rational(1, 2).value(), {}, {one}}}});
-  };
   for (const Expr& one : {1 + t, 1 - t}) {
-    know(times(share(one), linear(lt(0, parting))));
-    know(times(share(one), linear(le(0, opening))));
+    const Theorem share = linear(le(0, one), {square, not_negative(power(one, 2))});
+    know(times(share, linear(lt(0, parting))));
+    know(times(share, linear(le(0, opening))));
   }
   book.show("order", "in the order of the bodies:",
             linear(logic_and({le(A, C), le(C, B), le(0, B)}),

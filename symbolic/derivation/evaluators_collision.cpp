@@ -101,12 +101,11 @@ void collision_forms(Book& book, const Angle& a) {
   // From the second collision of A on, sin(angle) >= sin(psi/2) = t (1 + cos(psi/2)).
   const Expr middle = angle / 2 + quarter, off = angle / 2 - quarter;
   const Theorem late = assume(le(2, j));
-  const Theorem off_from_0 = linear(le(0, off), {times(late, psi())});
   const Theorem rises =
       equation(sin(angle), sin(psi() / 2) + 2 * cos(middle) * sin(off), {}, {middle, off});
   const Theorem product =
       times(linear(le(0, cos(middle)), {cosine_falls(linear(le(middle, pi() / 2), {near}))}),
-            sine_not_negative(off, {off_from_0, near}));
+            sine_not_negative(off, {times(late, psi()), near}));
   const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
   book.show("t_at_most", "where from the second collision of A on",
             linear(le(T, S), {S_is, rises, product, double_t, times(positive(cos(psi() / 2)), T)}));

@@ -50,9 +50,7 @@ Theorem angle(Book& book, Names& f) {
                                   {gap_e, rise, share, loss, all, both_are});
   const Theorem q = at_1(book["bodies.def_q_e"]), K = at_1(book["collapse.def_K"]);
   const Expr q_e = left(q), D = 4 * e * both_masses();
-  const Theorem q_positive =
-      positive(equation(q_e, gap / D, {q, K, gap_e, rise, share, loss, all}));
-  know(q_positive);
+  know(positive(equation(q_e, gap / D, {q, K, gap_e, rise, share, loss, all})));
   const Expr kappa_e = at_1(kappa());
   know(tautology(lt(kappa_e, 1), {at_1(book["collapse.threshold"]), linear(lt(left(K), 1), {q})}));
   // (1 - t^2)/(1 + t^2) = kappa

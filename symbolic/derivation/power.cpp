@@ -49,13 +49,13 @@ void powers_of_lambda(Book& book) {
 /// The quarter of psi and the velocity of the centre of mass; the rules that they give.
 Theorems quarter_rules(Book& book) {
   const Theorem cos_half = book["rotation.cos_half_psi"], sin_half = book["rotation.sin_half_psi"];
-  const Theorem sine = positive(sin(quarter()));
   const Theorem cosine_squared = linear(
       eq(power(cos(quarter()), 2), (1 + 1 / (1 + alpha)) / 2),
       {angles({cos(half())}, {quarter()}, false)[0], cos_half, at("circle", {{x, quarter()}})});
   const Theorem product = linear(eq(cos(quarter()) * sin(quarter()), right(sin_half) / 2),
                                  {angles({sin(half())}, {quarter()}, false)[0], sin_half});
-  book.show("quarter", "The quarter of psi:", both({sine, cosine_squared, product}));
+  book.show("quarter",
+            "The quarter of psi:", both({positive(sin(quarter())), cosine_squared, product}));
   const Theorem mean = book.name("V_CM", {alpha, V}, V / (2 + alpha), {alpha_positive},
                                  "The velocity of the centre of mass:");
   book.show("V_CM_psi", "in terms of psi,",

@@ -31,11 +31,8 @@ void psi_bounds(Book& book) {
   const Theorem p_squared = root_squared(positive(2 * alpha));
   const Theorem q_squared = equation((2 + alpha) * power(q, 2), alpha);
   const Theorems sum{positive(p + 2 * q)};
-  // (p + 2q)(p - 2q) = 2 alpha q^2
-  const Theorem q_below =
-      arithmetic(lt(2 * q, p), {.equations = {{-1, p_squared}, {2, q_squared}},
-                                .products = {{2, {mass, q_positive, q_positive}, {}}},
-                                .multipliers = sum});
+  const Theorem q_below = scaled(lt(2 * q, p), lt(4 * power(q, 2), power(p, 2)), 1 / (p + 2 * q),
+                                 {p_squared, q_squared, positive(alpha * power(q, 2))});
   const cln::cl_RA half = rational(1, 2).value();
   // (p + 2q)(2q - p + alpha p/4) = alpha^2 q^2/2 + alpha q (p - 2q)/2
   const Theorem q_above =

@@ -94,21 +94,14 @@ Theorem at_the_end(Book& book, const End& end) {
 /// a <= c <= b with the momentum and energy of the start |- 0 < b, b <= V
 void below_V(Book& book, const Theorem& facts) {
   const Theorems all = parts({facts});  // a <= c, c <= b, momentum, energy
-  // (2 + alpha) b = V + (1 + alpha)(b - c) + (c - a)
-  const Theorem b_positive =
-      arithmetic(lt(0, b_t()), {.equations = {{-1, all[2]}},
-                                .products = {{1, {positive(V)}, {}},
-                                             {1, {positive(1 + alpha), all[1]}, {}},
-                                             {1, {all[0]}, {}}},
-                                .multipliers = {positive(2 + alpha)}});
-  // (V + b)(V - b) = a^2 + alpha c^2
+  const Theorem b_positive = scaled(lt(0, b_t()), lt(0, (2 + alpha) * b_t()), 1 / (2 + alpha),
+                                    {all[0], times(all[1], 1 + alpha), all[2]});
+  const Theorem not_faster =
+      scaled(le(b_t(), V), le(power(b_t(), 2), power(V, 2)), 1 / (V + b_t()),
+             {b_positive, all[3], not_negative(power(a_t(), 2) + alpha * power(c_t(), 2))});
   book.show("order",
             "In any case they are in the order of the bodies, and B is not faster than A was:",
-            both({all[0], all[1], b_positive,
-                  arithmetic(le(b_t(), V),
-                             {.equations = {{1, all[3]}},
-                              .products = {{1, {}, {a_t()}}, {1, {positive(alpha)}, {c_t()}}},
-                              .multipliers = {linear(lt(0, V + b_t()), {b_positive})}})}));
+            both({all[0], all[1], b_positive, not_faster}));
   book.show("energy", "with", both({all[2], all[3]}));
 }
 
@@ -117,15 +110,13 @@ void below_V(Book& book, const Theorem& facts) {
 void recoil(Book& book) {
   const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
              down = (N_A() - rational(1, 2)) * (psi() / 2);
-  const Theorem cos_down = positive(cos(down));
   const Theorem falls = cosine_falls(linear(le(pi() / 2, up)));
   const Theorem cos_up = linear(le(0, -cos(up)), {falls});
   const Theorem a_is =
       chain(part(book["terminal.definitions"], 0), at(book["power.a_product"], {{n, N_A()}}));
-  const Theorem mean = positive(book["power.V_CM"]);
-  book.show(
-      "a_recoils", "A does not go on forward:",
-      linear(le(a_t(), 0), {a_is, product_of({mean, positive(1 + alpha), cos_up, cos_down})}));
+  book.show("a_recoils", "A does not go on forward:",
+            linear(le(a_t(), 0), {a_is, product_of({positive(book["power.V_CM"]),
+                                                    positive((1 + alpha) * cos(down)), cos_up})}));
 }
 }  // namespace
 

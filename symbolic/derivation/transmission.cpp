@@ -108,8 +108,7 @@ void rises(Book& book, const std::string& name, const std::string& words, const 
   const Theorem larger = positive(equation(b_more - b_n, difference, {is, is_more}));
   const Theorem sum = linear(lt(0, b_more + b_n), {positive(is), positive(is_more)});
   const Expr rho = power(b_n / V, 2), rho_more = power(b_more / V, 2);
-  const Theorem product = times(times(larger, sum), 1 / power(V, 2));
-  book.show(name, words, linear(lt(rho, rho_more), {product}));
+  book.show(name, words, linear(lt(rho, rho_more), {times(times(larger, sum), 1 / power(V, 2))}));
 }
 /// The velocities of B after one cycle and after two, and that they rise with e.
 void first_cycles(Book& book, const Theorems& names) {
