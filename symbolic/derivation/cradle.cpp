@@ -43,8 +43,7 @@ void last_collision(Book& book) {
              {rewrite(touches, in_paper("places.carried")), part(names, 1), apart});
   const Expr place = 2 * L / (1 + alpha);
   const Theorem time_is = chain(turned(part(names, 0)), when);
-  const Theorem B_is = divided(x_B, place, {2 + alpha},
-                               equation(x_B * (2 + alpha), place * (2 + alpha), {centre, time_is}));
+  const Theorem B_is = cancel(eq(x_B, place), {positive(2 + alpha)}, {centre, time_is});
   book.show("room", "B has moved by less than L, so a next ball at a distance L waits untouched:",
             both({B_is, linear(lt(x_B, 2 * L), {B_is, positive(alpha * place)})}));
 }

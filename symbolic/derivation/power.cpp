@@ -74,7 +74,7 @@ void powers(Book& book) {
   const Expr turned_frame = times(times(frame, right(turn)), transpose(frame));
   const Expr velocities = times(turned_frame, column({V, 0, 0}));
   const Theorem rotated = rewrite(book["power.Lambda_n"], book["power.V_n"]);
-  Theorems rules{rotated, book["rotation.R"], turn, root_split(book)};
+  Theorems rules{rotated, book["rotation.R"], turn};
   for (const Theorem& t : entries(book["cycle.vector"])) rules.push_back(turned(t));
   Theorems derived;
   const auto multiplied = [&](const std::string& name, const std::string& words, Expr of, int row,

@@ -11,7 +11,7 @@ Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}); }
 
 void kept_quantities(Book& book) {
   const Theorems velocities{book["power.a_multiplied"], book["power.b_multiplied"],
-                            book["power.c_prime_multiplied"], root_split(book)};
+                            book["power.c_prime_multiplied"]};
   const Expr V2 = power(V, 2);
   const Theorem momentum =
       book.show("momentum_Q", "After n cycles momentum is what it was (over M),",

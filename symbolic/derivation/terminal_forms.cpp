@@ -109,11 +109,10 @@ void terminal_forms(Book& book, const Angle& a) {
   book.show("t_cosine_at_most", "For a ball that is not heavier than a block",
             larger(a.t_small, f("rest_cosine"), of_name[0], of_name[1]));
   book.show("sine_at_most", "and so",
-            certified(le(f("rest_sine"), f("t_cosine")),
-                      {.equations = {{1, difference},
-                                     {-cos(q), of_name[0]},
-                                     {-cos(q) * f("rest_cosine"), a.tangent}},
-                       .products = {{1, {sine_from_0}, {}}},
-                       .multipliers = {positive(cos(q))}}));
+            scaled(le(f("rest_sine"), f("t_cosine")),
+                   le(cos(q) * f("rest_sine"), cos(q) * f("t_cosine")), 1 / cos(q),
+                   {difference, sine_from_0,
+                    equation(cos(q) * f("t_cosine"), sin(q) * f("rest_cosine"),
+                             {of_name[0], a.tangent})}));
 }
 }  // namespace derivation

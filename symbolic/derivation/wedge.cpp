@@ -39,13 +39,8 @@ Theorem speeds(Book& book, const Theorem& kappa_is) {
 }
 void signs_of_factors(Book& book) {
   const Expr side_j = side(j), q = r_A() / r_B();
-  // (1 + q) side = side^2 + q + (q - 1)^2 (1 - turn^2)/4
   const Theorem sides =
-      arithmetic(lt(0, side_j),
-                 {.equations = {{rational(1, 4) * power(q - 1, 2), book["motion.turn_squared"]}},
-                  .products = {{1, {}, {side_j}}, {1, {positive(q)}, {}}},
-                  .multipliers = {positive(1 + q)},
-                  .nonzero = {positive(r_B())}});
+      positive(equation(side_j, (power(side_j, 2) + q) / (1 + q), {book["motion.turn_squared"]}));
   const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorem powers = by_induction(
       j, lt(0, root_power(j)), linear(lt(0, root_power(0)), {pow_is[0]}), [&](const Theorem& now) {
