@@ -46,8 +46,7 @@ public:
     const bool plus = z[i] > 0;
     Multiples rest_of = z;
     rest_of[i] = rest_of[i] + (plus ? -1 : 1);
-    const Expr b = bases[i];
-    const Expr step = plus ? b : -b;
+    const Expr b = bases[i], step = plus ? b : -b;
     Expr rest = 0;
     bool nothing_rests = true;
     for (std::size_t j = 0; j < z.size(); ++j) {
@@ -63,8 +62,7 @@ public:
                          at("sin minus", {{real("x"), b}}),
                          before.cosine,
                          before.sine};
-    const Expr c = right(before.cosine);
-    const Expr s = right(before.sine);
+    const Expr c = right(before.cosine), s = right(before.sine);
     const Expr sin_step = plus ? sin(b) : -sin(b);
     const auto expanded = [](Expr e) { return expression(polynomial(e)); };
     const Pair result{equation(cos(rest + step), expanded(c * cos(b) - s * sin_step), rules),

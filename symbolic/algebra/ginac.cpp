@@ -58,8 +58,7 @@ public:
     ex numerator = e.normal().numer();
     ex denominator = e.normal().denom();
     for (const auto& [root, square] : roots) {
-      const ex d = reduced(denominator);
-      const ex with = d.coeff(root, 1);
+      const ex d = reduced(denominator), with = d.coeff(root, 1);
       const ex conjugate = with.is_zero() ? ex(1) : d.coeff(root, 0) - with * root;
       numerator = reduced(numerator * conjugate);
       denominator = reduced(d * conjugate);
@@ -181,8 +180,7 @@ private:
   std::map<kernel::Monomial, Polynomial> coefficients_in(const Polynomial& p) const {
     std::map<kernel::Monomial, Polynomial> coefficients;
     for (const auto& [monomial, q] : p) {
-      kernel::Monomial key;
-      kernel::Monomial rest;
+      kernel::Monomial key, rest;
       for (const auto& factor : monomial) {
         const bool is_key =
             std::find(collect.begin(), collect.end(), factor.first) != collect.end();

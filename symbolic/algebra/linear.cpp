@@ -65,9 +65,7 @@ bool eliminate_unknown(std::vector<Row>& rows) {
     return product(a) < product(b);
   });
   const Monomial unknown = best->first;
-  std::vector<Row> rest;
-  std::vector<Row> above;
-  std::vector<Row> below;
+  std::vector<Row> rest, above, below;
   for (const Row& row : rows) {
     const cl_RA q = row.coefficient(unknown);
     (q > 0 ? above : q < 0 ? below : rest).push_back(row);
@@ -101,8 +99,7 @@ using Proof = std::optional<Theorem>;
 
 Proof contradicted(Expr goal, const Theorems& facts) {
   const std::size_t count = facts.size() + 1;
-  std::vector<Row> rows;
-  std::vector<Row> equations;
+  std::vector<Row> rows, equations;
   const auto unit = [&](std::size_t i) {
     std::vector<cl_RA> v(count, 0);
     v[i] = 1;

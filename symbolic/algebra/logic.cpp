@@ -159,8 +159,7 @@ Theorem cut(const Theorem& proof, const Theorem& theorem) {
   return tautology(theorem.conclusion(), {discharge(proof.conclusion(), theorem), proof});
 }
 Theorem next_integer(const Theorem& less) {
-  const Expr i = left(less);
-  const Expr j = right(less);
+  const Expr i = left(less), j = right(less);
   return tautology(le(i + 1, j), {at("discrete", {{integer("i"), i}, {integer("j"), j}}), less});
 }
 }  // namespace algebra

@@ -147,8 +147,7 @@ int Builder::unary(Op op, int x) {
   return add({.op = op, .of = {x}});
 }
 int Builder::power(int x, int k) {
-  const Interval base = program[x].range;
-  const Interval exponent = program[k].range;
+  const Interval base = program[x].range, exponent = program[k].range;
   if (!(base.low >= 0 && base.high <= 1 + 0x1p-40 && exponent.low >= 0) || !program[k].is_whole)
     throw Refused("a power of what is not known to be from 0 to 1, or of no whole number");
   return add({.op = Op::power, .of = {x, k}});
@@ -180,8 +179,7 @@ void Builder::need_positive(const std::string& name, int k) {
 }
 int Builder::nearest(int p, int q) {
   const int k = add({.op = Op::nearest, .of = {p, q}, .is_exact = true, .is_whole = true});
-  const int left = rest(p, q, k);
-  const int size = unary(Op::size, left);
+  const int left = rest(p, q, k), size = unary(Op::size, left);
   const double half = program[q].range.high / 2;
   need_positive("to_next", sum(scaled(q, 0.5), scaled(size, -1)));
   narrow(size, {0, half});
@@ -190,8 +188,7 @@ int Builder::nearest(int p, int q) {
 }
 int Builder::ceiling(int p, int q, const cln::cl_RA& whole) {
   // With rest = p - q k and 0 < |rest| < q it is k + whole, and one more where rest > 0.
-  const int k = nearest(p, q);
-  const int left = rest(p, q, k);
+  const int k = nearest(p, q), left = rest(p, q, k);
   need_positive("distance", unary(Op::size, left));
   const int lower = add({.op = Op::step, .of = {k, left}, .is_exact = true, .is_whole = true});
   return sum(lower, constant(whole + 1));

@@ -35,8 +35,7 @@ void know(Terms& terms, Expr term, const std::string& name) {
 }  // namespace
 
 std::string emit_doubling(const Doubling& t, const Domain& d) {
-  const Expr f = head(d, t.at_0);
-  const Expr even = head(d, t.even);
+  const Expr f = head(d, t.at_0), even = head(d, t.even);
   const Expr m = half_of(even.arg(even.size() - 1));
   const bool is_integer = bool(m) && m.op() == kernel::Op::Var && m.sort() == kernel::Sort::Int;
   const Exprs heads{f, head(d, t.at_1), even, head(d, t.odd)};
@@ -54,11 +53,9 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
     const int k = these.build(theorem.conclusion().arg(1));
     return PlainText(these.builder.program).right_side(k);
   };
-  const std::string start = value(t.at_0, "low");
-  const std::string first = value(t.at_1, "low");
+  const std::string start = value(t.at_0, "low"), first = value(t.at_1, "low");
   know(terms, at(f, 1), "first");
-  const std::string lower = value(t.even, "low");
-  const std::string upper = value(t.even, "high");
+  const std::string lower = value(t.even, "low"), upper = value(t.even, "high");
   know(terms, at(f, m + 1), "high");
   const std::string between = value(t.odd, "low");
   const auto said = [](const kernel::Theorem& of) { return "// " + kernel::text(of.conclusion()); };

@@ -146,8 +146,7 @@ private:
 
   void rule(int k, Computed& here, Form& f) {
     const Node& n = p[k];
-    const int x = n.of.empty() ? -1 : n.of[0];
-    const int y = n.of.size() < 2 ? -1 : n.of[1];
+    const int x = n.of.empty() ? -1 : n.of[0], y = n.of.size() < 2 ? -1 : n.of[1];
     const auto take = [&](Loss l) {
       add_loss(f, l.loss, k);
       here.loose = l.loose;
@@ -236,15 +235,13 @@ private:
   /// What high and low part of a constant lack.
   static double lost(const Node& n) {
     const cln::cl_RA value = n.of_pi ? n.value * pi() : n.value;
-    const cln::cl_RA high = exact(nearest(value));
-    const cln::cl_RA rest = value - high;
+    const cln::cl_RA high = exact(nearest(value)), rest = value - high;
     const cln::cl_RA off = cln::abs((rest - exact(nearest(rest))) / value);
     return upper(off) + (n.of_pi ? 0x1p-400 : 0);
   }
   /// Of one sign: the larger relative bound.
   void sum(Form& f, int k, int x, int y) const {
-    const std::optional<double> of_x = relative(x);
-    const std::optional<double> of_y = relative(y);
+    const std::optional<double> of_x = relative(x), of_y = relative(y);
     if (of_x && of_y) {
       add_loss(f, std::max(*of_x, *of_y), k);
     } else {
@@ -254,8 +251,7 @@ private:
   }
   /// Whether it is close to the exact product because a factor is, which is tested.
   bool product(Form& f, int k, int x, int y) {
-    const std::optional<double> of_x = relative(x);
-    const std::optional<double> of_y = relative(y);
+    const std::optional<double> of_x = relative(x), of_y = relative(y);
     if (of_x && of_y) {
       add_loss(f, *of_x + *of_y + *of_x * *of_y, k);
       return false;

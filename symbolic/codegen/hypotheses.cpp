@@ -21,8 +21,7 @@ bool holds(const Domain& d, Expr f) {
   if (f.op() != kernel::Op::Lt && f.op() != kernel::Op::Le && f.op() != kernel::Op::Eq)
     return false;
   try {
-    const Interval l = d.range(f.arg(0));
-    const Interval r = d.range(f.arg(1));
+    const Interval l = d.range(f.arg(0)), r = d.range(f.arg(1));
     if (f.op() == kernel::Op::Lt) return l.high < r.low;
     if (f.op() == kernel::Op::Le) return l.high <= r.low;
     return l.is_point() && r.is_point() && l.low == r.low;

@@ -128,10 +128,8 @@ private:
     if (used.count(f) > 0 || !is_known(p) || !is_known(f.arg(1))) return;
     check_hypotheses(domain, t.hypotheses, f);
     used.insert(f);
-    const int small = build(p);
-    const int large = build(f.arg(1));
-    const Interval low = builder[small].range;
-    const Interval high = builder[large].range;
+    const int small = build(p), large = build(f.arg(1));
+    const Interval low = builder[small].range, high = builder[large].range;
     if (is_square) {
       squares[small] = large;
       const Interval size = root(high);

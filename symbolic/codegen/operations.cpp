@@ -76,10 +76,8 @@ struct Plainly {
 Plainly plainly(const double* c, int n, double z, double u) {
   if (n == 1) return {std::fabs(c[0]), 0};
   const int half = n == 2 ? 1 : n > 8 ? 8 : n > 4 ? 4 : 2;
-  const Plainly above = plainly(c + half, n - half, z, u);
-  const Plainly below = plainly(c, half, z, u);
-  const double power = std::pow(z, half);
-  const double product = above.size * power;
+  const Plainly above = plainly(c + half, n - half, z, u), below = plainly(c, half, z, u);
+  const double power = std::pow(z, half), product = above.size * power;
   const double size = product + below.size;
   return {size, (above.loss * power + product * (half - 1) * u + below.loss + u * size) * and_more};
 }
@@ -90,8 +88,7 @@ Plainly plainly(const double* c, int n, double z, double u) {
 /// follow.
 NumberType::OfPolynomial NumberType::polynomial(const Polynomial& p, double size,
                                                 double low) const {
-  const int n = int(p.high.size());
-  const int m = int(p.low.size());
+  const int n = int(p.high.size()), m = int(p.low.size());
   const auto c = [&](int k) { return std::fabs(p.high[std::size_t(k)]); };
   double slope = 0;
   for (int k = 1; k < n; ++k) slope += k * c(k) * std::pow(size, k - 1);
@@ -156,8 +153,7 @@ NumberType::SineCosine NumberType::sine_cosine(double x) const {
   const double y = std::sqrt(s.top);
   const double low = (2 * y * spill + u * s.top) * and_more;
   const double off = (spill * spill + 3 * u * spill * y + 2 * u * u * s.top) * and_more;
-  const OfPolynomial of_s = polynomial(s, s.top, low);
-  const OfPolynomial of_c = polynomial(c, c.top, low);
+  const OfPolynomial of_s = polynomial(s, s.top, low), of_c = polynomial(c, c.top, low);
   const Loss last = product(x, of_s.loose);
   const Loss sine{(of_s.loss + of_s.slope * off + last.loss) * and_more, last.loose};
   const Loss cosine{(of_c.loss + of_c.slope * off) * and_more, of_c.loose};

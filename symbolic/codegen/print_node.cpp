@@ -18,10 +18,8 @@ bool is_near(Interval x, Interval y) {  // -y is from x/2 to 2 x, with room for 
 }
 std::string constant(const Node& n) {
   const cln::cl_RA value = n.of_pi ? n.value * pi() : n.value;
-  const double high = nearest(value);
-  const double low = nearest(value - exact(high));
-  const cln::cl_I above = cln::numerator(n.value);
-  const cln::cl_I below = cln::denominator(n.value);
+  const double high = nearest(value), low = nearest(value - exact(high));
+  const cln::cl_I above = cln::numerator(n.value), below = cln::denominator(n.value);
   if (!is_double(above) || !is_double(below)) throw Refused("a constant of too many digits");
   return std::string(n.of_pi ? "N::pi_times(" : "N::rational(") + hex(nearest(above)) + ", " +
          hex(nearest(below)) + ", " + hex(high) + ", " + hex(low) + ")";

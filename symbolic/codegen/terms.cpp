@@ -158,8 +158,7 @@ int Terms::ceiling(Expr x) {
     throw Refused("not of the form ceil(p/q + c), c half of a whole number: " + kernel::text(x));
   Exprs above = f.above;
   above.insert(above.begin(), Expr(f.factor));
-  const int p = product(above);
-  const int q = product(f.below);
+  const int p = product(above), q = product(f.below);
   if (cln::denominator(c) == 1) return builder.ceiling(p, q, c);
   return builder.sum(builder.nearest(p, q), builder.constant(c + cln::cl_RA(1) / 2));
 }

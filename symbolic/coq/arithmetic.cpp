@@ -55,8 +55,7 @@ Cofactors cofactors(Polynomial e, const std::map<Expr, Theorem>& divisors) {
     for (const auto& [m, q] : e) k = std::max(k, degree(m, w));
     // e = (w d - 1) (sum of quotient_j w^j) + rest w^k
     const Polynomial d = kernel::polynomial(w.arg(0));
-    Polynomial quotient;
-    Polynomial all;
+    Polynomial quotient, all;
     for (int j = 0; j < k; ++j) {
       quotient = d * quotient - coefficient(e, w, j);
       all = all + quotient * power_of(w, j);
@@ -125,10 +124,7 @@ std::string Script::arithmetic(const Theorem& t, const Context& c) {
       term = "(" + term + " * (" + words(root) + " * " + words(root) + "))";
     add(term);
   }
-  std::string statement;
-  std::string intros;
-  std::string proofs;
-  std::string nonzero;
+  std::string statement, proofs, nonzero;
   for (const auto& [w, f] : rest) {
     const std::string n = std::to_string(nonzero.size());
     add(words(kernel::expression(f)) + " * (" + words(w) + " * " + words(w.arg(0)) + " - 1)");

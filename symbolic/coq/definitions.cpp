@@ -96,10 +96,7 @@ public:
 std::string Script::recursion(const kernel::Step& s) {
   const Recursion r(s);
   Atoms before{{r.n, "(fromN m'0)"}};
-  std::string starts;
-  std::string nexts;
-  std::string types;
-  std::string values;
+  std::string starts, nexts, types, values;
   for (std::size_t i = 0; i < r.values.size(); ++i) {
     is_defined[r.values[i].name()] = true;
     before[r.before[i]] = r.value(i, "m'0");

@@ -60,9 +60,7 @@ void Abstraction::add_atoms_of(Expr term) {
 
 Script::Core Script::core(const Abstraction& a, const Names& bound) {
   Core out;
-  std::string premises;
-  std::string arrows;
-  std::string proofs;
+  std::string premises, arrows, proofs;
   for (Expr e : a.canonical) {
     out.intros += " " + a.print(e);
     out.arguments += " " + text(e, bound);
@@ -142,8 +140,7 @@ std::string Script::congruence(Expr e) {
 }
 
 Expr by_entries(Expr equation) {
-  const Exprs l = kernel::entries(equation.arg(0));
-  const Exprs r = kernel::entries(equation.arg(1));
+  const Exprs l = kernel::entries(equation.arg(0)), r = kernel::entries(equation.arg(1));
   Exprs out;
   for (std::size_t k = 0; k < l.size(); ++k) out.push_back(kernel::eq(l[k], r[k]));
   return kernel::logic_and(out);

@@ -25,8 +25,7 @@ void keep(const Theorem& t, const Proofs& chosen, Proofs& kept) {
 }
 }  // namespace
 Proofs proofs_of(const kernel::Theorems& shown) {
-  Proofs chosen;
-  Proofs kept;
+  Proofs chosen, kept;
   for (const Theorem& t : shown) choose(t, chosen);
   for (const Theorem& t : shown) keep(t, chosen, kept);
   return kept;

@@ -114,17 +114,14 @@ std::string Script::logic(const Theorem& t, const Context& c) {
 }
 std::string Script::rewritten(const Theorem& t, const Context& c) {
   const kernel::Step s = t.step();
-  const Expr equation = s.premises[0].conclusion();
-  const Expr l = equation.arg(0);
+  const Expr equation = s.premises[0].conclusion(), l = equation.arg(0);
   return "exact (eq_ind " + text(l) + " (fun z'0 => " +
          text(s.premises[1].conclusion(), {}, {{l, "z'0"}}) + ") " + applied(s.premises[1], c) +
          " " + text(equation.arg(1)) + " " + applied(s.premises[0], c) + ").";
 }
 std::string Script::induction(const Theorem& t, const Context& c) {
   const kernel::Step s = t.step();
-  const Expr n = s.extras[0];
-  const Expr lo = s.extras[1];
-  const Expr f = s.extras[2];
+  const Expr n = s.extras[0], lo = s.extras[1], f = s.extras[2];
   const Theorem& base = s.premises[0];
   const Theorem& step = s.premises[1];
   const Expr first = kernel::substitute(f, {{n, lo}});

@@ -53,9 +53,7 @@ std::string Script::tautology(const Theorem& t, const Context& c) {
   for (const Theorem& p : t.step().premises) parts.add(p.conclusion());
   parts.add(t.conclusion());
   parts.add_keys();
-  std::string statement;
-  std::string arguments;
-  std::string proofs;
+  std::string statement, arguments, proofs;
   const auto bridge = [&](Expr l, Expr r, const std::string& sign, const std::string& proof) {
     statement +=
         "(" + text(l, {}, parts.names) + " <-> " + sign + text(r, {}, parts.names) + ") -> ";

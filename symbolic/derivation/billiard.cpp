@@ -34,8 +34,7 @@ Theorem kappa_is_cosine(Book& book) {
   const Substitution elastic{{e, 1}};
   const Theorem threshold = at(book["collapse.threshold"], elastic);
   const Theorem K_is = at(book["collapse.def_K"], elastic);
-  const Expr K = left(K_is);
-  const Expr rest = M_C * mass_of_all() / ((M_A + M_C) * (1 + w_B * M_C));
+  const Expr K = left(K_is), rest = M_C * mass_of_all() / ((M_A + M_C) * (1 + w_B * M_C));
   const Theorem below =
       tautology(lt(substitute(kappa(), elastic), 1),
                 {threshold, linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});

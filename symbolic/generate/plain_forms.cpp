@@ -37,8 +37,7 @@ public:
   }
 
 private:
-  const Input n = input(integer("n"), 0, 0x1p50);
-  const Input mass = alpha(0x1p-300, 0x1p300);
+  const Input n = input(integer("n"), 0, 0x1p50), mass = alpha(0x1p-300, 0x1p300);
   Source& s;
   std::string form;                           // of those that are added
   std::optional<codegen::Doubling> doubling;  // of those
@@ -108,8 +107,7 @@ private:
   void of_paper() {
     // cos(psi/2) = 1/(1 + alpha), a divisor, is lost beside a rounded psi from some alpha on.
     const Input k = input(integer("k"), 1, 0x1p50);
-    const std::string psi = "rotation.psi ";
-    const std::string mean = psi + "power.V_CM -> power.";
+    const std::string psi = "rotation.psi ", mean = psi + "power.V_CM -> power.";
     const std::string counts = "counting.N_A N_B ";
     form = "closed";
     add("velocities", {alpha(0x1p-300, 0x1p20), n}, mean + "a b c c_prime");

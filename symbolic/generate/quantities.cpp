@@ -32,8 +32,7 @@ kernel::Theorems Source::at(const std::string& words, const kernel::Substitution
 }
 Case Source::of(const std::string& name, const std::vector<Condition>& where,
                 const std::string& words, kernel::Substitution terms) {
-  const std::size_t to = words.find("->");
-  const std::size_t by = words.find('|');
+  const std::size_t to = words.find("->"), by = words.find('|');
   terms.insert(units.begin(), units.end());
   Case c{name, where, at(words.substr(0, to), terms), {}, {}, {}};
   c.outputs = at(words.substr(to + 2, by - to - 2), terms);
@@ -46,8 +45,7 @@ std::vector<Quantity> evaluators(Source& source) {
   constexpr double largest = 0x1.fffffffffffffp1023;
   const Condition light{"alpha", {smallest, 0x1.fffffffffffffp-1}};
   const Condition heavy{"alpha", {1, largest}};
-  const kernel::Expr alpha = kernel::real("alpha");
-  const kernel::Expr k = kernel::integer("k");
+  const kernel::Expr alpha = kernel::real("alpha"), k = kernel::integer("k");
   const std::string angle = "evaluators.def_above def_w def_z def_t def_half_h ";
   const std::string about = " | evaluators.z_at_most t_squared ";
   const std::string share = "heavy.def_masses def_per_mass def_share def_lead -> ";

@@ -11,10 +11,7 @@ namespace {
 using Axioms = std::vector<std::pair<std::string, Expr>>;
 
 const Axioms& table() {
-  const Expr x = real("x");
-  const Expr y = real("y");
-  const Expr i = integer("i");
-  const Expr j = integer("j");
+  const Expr x = real("x"), y = real("y"), i = integer("i"), j = integer("j");
   static const Axioms known = {
       // order
       {"equal or less or greater", logic_or({lt(x, y), eq(x, y), lt(y, x)})},

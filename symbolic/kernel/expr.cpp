@@ -56,10 +56,8 @@ bool equal(const Parts& a, const Parts& b) {
 
 // How many arguments of which kind (Real: numbers) an operation takes, and what it gives.
 struct Form {
-  std::size_t least;
-  std::size_t most;
-  Sort takes;
-  Sort gives;
+  std::size_t least, most;
+  Sort takes, gives;
 };
 const Form& form(Op op) {
   using enum Sort;

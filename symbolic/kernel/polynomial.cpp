@@ -18,8 +18,7 @@ void add(Polynomial& p, const Monomial& m, const cln::cl_RA& q) {
   if (it->second == 0) p.erase(it);
 }
 cln::cl_RA bounded(const cln::cl_RA& q) {
-  const cln::cl_I n = cln::numerator(q);
-  const cln::cl_I d = cln::denominator(q);
+  const cln::cl_I n = cln::numerator(q), d = cln::denominator(q);
   if (cln::integer_length(n) > max_bits || cln::integer_length(d) > max_bits)
     refuse("a number of more than a million bits");
   return q;

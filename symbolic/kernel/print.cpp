@@ -122,8 +122,7 @@ Piece print_function(Expr e, const Names& names) {
   const Signature& s = *signature(e.name());
   const Exprs args = e.args();
   const bool hide = std::equal(s.params.begin(), s.params.end(), args.begin());
-  Exprs index;
-  Exprs plain;
+  Exprs index, plain;
   for (std::size_t i = hide ? s.params.size() : 0; i < args.size(); ++i)
     (s.args[i] == Sort::Int ? index : plain).push_back(args[i]);
   std::string words = e.name();

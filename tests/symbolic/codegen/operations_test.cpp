@@ -112,8 +112,7 @@ void check_functions(codegen::Tier tier, bool bare) {
   }
   const double l = 64 * u;
   const NumberType t{u, &tier};
-  const NumberType::SineCosine small = t.small_sine_cosine(l);
-  const NumberType::SineCosine turned = t.sine_cosine(l);
+  const NumberType::SineCosine small = t.small_sine_cosine(l), turned = t.sine_cosine(l);
   const codegen::Loss square = t.product(l, l);
   const auto entry = [=](const char* name, double low, double high, auto allowed, auto computed,
                          const char* polynomial, test::RealFunction f, bool is_odd,
@@ -219,8 +218,7 @@ TEST_CASE("functions of each tier lose what the table allows, and not half of it
 }
 TEST_CASE("a type that rounds each result correctly loses its unit") {
   const NumberType t{u, nullptr};
-  const NumberType::SineCosine turned = t.sine_cosine(0);
-  const NumberType::SineCosine small = t.small_sine_cosine(0);
+  const NumberType::SineCosine turned = t.sine_cosine(0), small = t.small_sine_cosine(0);
   for (const codegen::Loss l :
        {t.exact_sum(), t.constant(0), t.sum(0, 0), t.product(0, 0), t.product(0), t.quotient(0, 0),
         t.reciprocal_root(0), t.arc_tangent(0, 0, 0), turned.sine, turned.cosine, small.sine,

@@ -74,8 +74,7 @@ TEST_CASE("exact terminal velocities, from the counts") {
   for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("1/100"), cl_RA("9/10"), cl_RA("5")}) {
     law::ThreeBodies<cl_RA> m = bodies<cl_RA>(1, 1, alpha, 1);
     while (m.approach() > 0) m.collide();
-    const int N_A = (m.N + 1) / 2;
-    const int N_B = m.N / 2;
+    const int N_A = (m.N + 1) / 2, N_B = m.N / 2;
     const auto [a, b, ball] = m.v;
     const auto v = terminal_exact<cl_RA>(alpha, N_A, N_B);
     CHECK((v.a_t == a && v.b_t == b && v.c_t == ball && v.rho == b * b));

@@ -11,8 +11,7 @@ using codegen::Doubling;
 using codegen::Interval;
 using codegen::PlainForm;
 
-const Expr alpha = real("alpha");
-const Expr m = integer("m");
+const Expr alpha = real("alpha"), m = integer("m");
 Theorem definition(Expr term, const Exprs& params = {alpha}) {
   static int count = 0;
   return define("plain" + std::to_string(++count) + "_", params, term);

@@ -40,8 +40,7 @@ inline Printed bounds_in(const std::string& errors, const std::string& heading) 
   std::istringstream lines(errors.substr(from, errors.find("\n\n", from) - from));
   static const std::regex bound("  (OUTPUT |SIGN |)([^ :]+): (?:off by )?([^;]*).*");
   static const std::regex single("2\\^(\\S+) \\|(t[0-9]+)\\|");
-  std::smatch part;
-  std::smatch term;
+  std::smatch part, term;
   std::map<std::string, std::string> shares;
   std::map<std::string, double> exponents;
   for (std::string line; std::getline(lines, line);) {

@@ -16,8 +16,7 @@ using codegen::Case;
 using codegen::Interval;
 using codegen::Quantity;
 
-const Expr alpha = real("alpha");
-const Expr m = integer("m");
+const Expr alpha = real("alpha"), m = integer("m");
 constexpr double below_1 = 0x1.fffffffffffffp-1;
 
 /// |- fresh(params) = term

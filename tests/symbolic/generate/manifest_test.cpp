@@ -39,8 +39,7 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
       unbroken(read(fs::path(GENERATED) / "magicmass/evaluators/errors.txt"));
   std::set<std::string> headers, seen;
   for (const json& entry : manifest) {
-    const std::string path = entry.at("header");
-    const std::string form = entry.at("form");
+    const std::string path = entry.at("header"), form = entry.at("form");
     INFO(path << ", " << std::string(entry.at("name")));
     seen.insert(form);
     headers.insert(path);
