@@ -173,6 +173,13 @@ Theorem certified(Expr goal, Certificate c) {
   c.nonzero = c.nonzero + c.multipliers;
   return arithmetic(goal, c);
 }
+Theorem solved_for(Expr x, const Theorem& equation) {
+  const Polynomial is = polynomial(x), off = polynomial(gap(equation));
+  const auto term = off.find(is.begin()->first);
+  if (term == off.end()) refuse(text(x) + " is no term of " + text(equation));
+  const cln::cl_RA by = -1 / term->second;
+  return arithmetic(eq(x, expression(is + scaled(off, by))), {.equations = {{by, equation}}});
+}
 Theorem chain(const Theorem& a, const Theorem& b) {
   return arithmetic(eq(left(a), right(b)), {.equations = {{1, a}, {1, b}}});
 }

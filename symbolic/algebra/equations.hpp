@@ -22,6 +22,8 @@ Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts = {},
                const Exprs& bases = {});
 /// `arithmetic`, where multipliers are divisors, too.
 Theorem certified(Expr goal, Certificate c);
+/// x = the rest of an equation in which the monomial x is a term.
+Theorem solved_for(Expr x, const Theorem& equation);
 /// l = m and m = r give l = r.
 Theorem chain(const Theorem& a, const Theorem& b);
 /// l = r gives r = l.

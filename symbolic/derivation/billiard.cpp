@@ -62,7 +62,7 @@ void unfolded(Book& book) {
   const Expr t = turn(j), A = here(at_collision("x_A", j)), B = here(at_collision("x_B", j)),
              C = here(at_collision("x_C", j));
   const Theorem square = book["motion.turn_squared"];
-  const Theorem ball = linear(eq(t * C, (t * A + t * B + A - B) / 2), {of_motion("places.met")});
+  const Theorem ball = solved_for(t * C, of_motion("places.met"));
   const Theorem C_is = arithmetic(eq(C, (A + B + t * A - t * B) / 2),
                                   {.equations = {{t, ball}, {(A + B) / 2 - C, square}}});
   book.show(
@@ -87,8 +87,8 @@ void unfolded(Book& book) {
   book.show("speed", "which is that of the energy without that of the centre of mass,",
             equation(power(speed, 2), M_A * power(V, 2) - w_B * power(M_A * V, 2) / all,
                      squared_shares(book) + Theorems{V_is}));
-  const Theorems rules = lossless + Theorems{radius_is, linear(eq(B, A + right(blocks)), {blocks}),
-                                             L_is, V_is, of_motion("places.time")};
+  const Theorems rules =
+      lossless + Theorems{radius_is, solved_for(B, blocks), L_is, V_is, of_motion("places.time")};
   const Expr moved = speed * here(at_collision("time", j));
   const Theorem sum = equation(sine, sin(j * h) * cos(h) + cos(j * h) * sin(h), {}, {j * h, h});
   book.show("line",

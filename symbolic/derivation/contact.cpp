@@ -30,8 +30,7 @@ Theorem velocities_after(Book& book) {
                 arithmetic(eq(u_1 + v_1, u_2 + v_2), {.equations = {{1, E}, {-(u_2 + v_2), P}},
                                                       .multipliers = {positive(M_1), changes}}));
   const Exprs after = solve({momentum, relative.conclusion()}, {v_1, v_2}, {u_1, u_2});
-  const Theorems rules{linear(eq(v_2, u_1 + v_1 - u_2), {relative}),
-                       linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {P})};
+  const Theorems rules{solved_for(v_2, relative), solved_for(M_1 * v_1, P)};
   const Theorem velocities =
       both({book.show("v_1",
                       "Together with momentum these are two linear equations, and the velocities "

@@ -43,12 +43,10 @@ void encounters(Book& book) {
   book.chapter("encounters", "When and where, in the paper's case", assumptions);
   know(in_paper(book["wedge.signs"]));
   const Theorems rules = rules_of_paper(book);
-  const Theorem approach_is =
-      linear(eq(approach(j), V * sine(j + 1) / sin(half())), {book["counting.speed"]});
   const Theorem speed =
       book.show("speed", "In the paper's case the approach speeds are those that we know,",
                 equation(in_paper(closing(j)), approach(j),
-                         rules + Theorems{in_paper(book["wedge.speed"]), approach_is}));
+                         rules + Theorems{in_paper(book["wedge.speed"]), book["counting.speed"]}));
 
   const auto going = [&](Expr i, const Theorem& range) {
     return at(part(at(book["counting.happens"], {{j, i}}, {range}), 0), {}, {range});
@@ -74,9 +72,9 @@ void encounters(Book& book) {
             equation(left(when), L / V * (sine(j) / sine(j + 1)),
                      rules + Theorems{when, of_motion("places.time")}));
   const Theorem blocks = of_motion("places.distance");
-  const Expr B = in_paper(at_collision("x_B", j)), A = in_paper(at_collision("x_A", j));
-  book.show("apart", "and",
-            equation(left(distance), L * (sin(half()) / sine(j + 1)),
-                     rules + Theorems{distance, linear(eq(B, A + right(blocks)), {blocks})}));
+  book.show(
+      "apart", "and",
+      equation(left(distance), L * (sin(half()) / sine(j + 1)),
+               rules + Theorems{distance, solved_for(in_paper(at_collision("x_B", j)), blocks)}));
 }
 }  // namespace derivation

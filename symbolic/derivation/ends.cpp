@@ -54,8 +54,7 @@ void ends(Book& book) {
   const Expr t = turn(N), A = velocity("A", N), B = velocity("B", N), C = velocity("C", N);
   const Expr C_B = is_Q(N) * opening + is_P(N) * parting;
   const auto beyond_B = [&](Expr v, const char* id, Expr value) {
-    const Theorem difference = after(book[id]);
-    return equation(v, B + value, {linear(eq(v, B + right(difference)), {difference}), last, next});
+    return equation(v, B + value, {solved_for(v, after(book[id])), last, next});
   };
   const Theorem A_is = beyond_B(A, "motion.A_B", -(opening + parting));
   const Theorem C_is = beyond_B(C, "motion.C_B", -C_B);

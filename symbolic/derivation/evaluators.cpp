@@ -54,7 +54,8 @@ void velocities(Book& book, const Angle& a) {
       f.name("plus", f("cosine") + f("t_sine")),   f.name("minus", f("cosine") - f("t_sine")),
       f.name("along", f("cosine") + f("w_sine"))};
   book.show("t_sine_at_most", "where for a ball that is not heavier than a block",
-            larger(a.t_small, f("sine"), parts[2], parts[3]));
+            linear(le(f("t_sine"), f("w_sine")),
+                   {parts[2], parts[3], times(a.t_small, assume(le(0, f("sine"))))}));
   const Prover prover(book, a);
   const auto show = [&](const std::string& name, const std::string& id, Expr velocity, Expr form) {
     book.show(name, name == "a" ? "the velocities are" : "and",
@@ -131,12 +132,6 @@ void heavy_ball(Book& book) {
               chain(part(end, which), cut(mass, after[velocity])));
 }
 }  // namespace
-
-Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
-               const Theorem& w_product) {
-  return linear(le(left(t_product), left(w_product)),
-                {t_product, w_product, times(t_small, assume(le(0, factor)))});
-}
 
 void evaluators(Book& book) {
   book.chapter("evaluators", "Forms for evaluation", {alpha_positive, from_0});

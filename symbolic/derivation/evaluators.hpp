@@ -32,9 +32,6 @@ struct Prover {
   }
 };
 
-/// 0 <= x, t <= w |- t x <= w x, for the names of both products.
-Theorem larger(const Theorem& t_small, Expr factor, const Theorem& t_product,
-               const Theorem& w_product);
 /// The terminal velocities, from what is left of a quarter turn after N_A steps of psi/2.
 void terminal_forms(Book& book, const Angle& a);
 /// When and where collision j takes place, from the sine and cosine of j psi/4.

@@ -35,19 +35,16 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem phase = of_j.name("half_phase", q * j, "With");
   const Theorem phase_is = rewrite(a.quarter, phase);
   const Expr angle = right(phase_is);
+  Theorems parts{a.tangent};
   const auto name = [&](const std::string& symbol, Expr value) {
-    return rewrite(phase_is, of_j.name(symbol, value));
+    parts.push_back(rewrite(phase_is, of_j.name(symbol, value)));
+    return of_j(symbol);
   };
-  const Theorem S_is = name("half_sine", sin(of_j("half_phase")));
-  const Expr S = of_j("half_sine");
-  const Theorem tS_is = name("t_half_sine", T * S);
-  const Expr tS = of_j("t_half_sine");
-  const Theorem cosine_is = name("next_cosine", cos(of_j("half_phase")) - tS);
-  const Expr cosine = of_j("next_cosine");
-  const Theorem C_is = name("half_cosine", cosine + tS);
-  const Expr C = of_j("half_cosine");
-  const Theorem sine_is = name("next_sine", S + T * C);
-  const Expr sine = of_j("next_sine");
+  const Expr S = name("half_sine", sin(of_j("half_phase")));
+  const Expr tS = name("t_half_sine", T * S);
+  const Expr cosine = name("next_cosine", cos(of_j("half_phase")) - tS);
+  const Expr C = name("half_cosine", cosine + tS);
+  const Expr sine = name("next_sine", S + T * C);
 
   // cos(psi/4) next_cosine = cos(next) > 0 where next = (j + 1) psi/4 < pi: it is below pi/2, then.
   const Expr next = angle + quarter;
@@ -56,7 +53,6 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem is_near = assume(le(of_j("half_phase"), pi() - 2 * q));
   const Theorem near = linear(le(next, pi() - quarter), {is_near, phase_is, a.quarter});
   const Exprs bases{angle, quarter};
-  const Theorems parts{S_is, tS_is, cosine_is, C_is, sine_is, a.tangent};
   const auto times_c = [&](Expr l, Expr r) { return cancel(eq(l, r), {c}, parts, bases); };
   const Theorem next_cosine = times_c(cos(next), cos(quarter) * cosine);
   const Theorem falls = cosine_falls(assume(le(pi() / 2, next)), {near});
@@ -66,9 +62,10 @@ void collision_forms(Book& book, const Angle& a) {
       book.show("takes_place", "Collision j takes place where that is positive:",
                 linear(lt(j, N()), {room, book["counting.N"]}));
 
-  const Theorem S_from_0 = linear(le(0, S), {S_is, sine_not_negative(angle, {near})});
-  const Theorem C_positive = linear(lt(0, C), {C_is, tS_is, is_positive, times(S_from_0, T)});
-  const Theorem sine_positive = linear(lt(0, sine), {sine_is, S_from_0, times(C_positive, T)});
+  const Theorem S_from_0 = linear(le(0, S), parts + Theorems{sine_not_negative(angle, {near})});
+  const Theorem C_positive = linear(lt(0, C), parts + Theorems{is_positive, times(S_from_0, T)});
+  const Theorem sine_positive =
+      linear(lt(0, sine), parts + Theorems{S_from_0, times(C_positive, T)});
   book.show("sine_positive", "and so is", sine_positive);
   const Known divisors({sine_positive, is_positive, takes_place});
   const Names before_the_end{
@@ -78,7 +75,7 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem t_ratio = before_the_end.name("t_ratio", T / sine);
   const Theorem of_time =
       before_the_end.name("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"));
-  const Theorem more = linear(lt(0, sine - S), {sine_is, times(C_positive, T)});
+  const Theorem more = linear(lt(0, sine - S), parts + Theorems{times(C_positive, T)});
   book.show("ratio_at_most", "where",
             linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));
   // cos(psi/4)^2 (1 + t^2) = 1
@@ -108,6 +105,7 @@ void collision_forms(Book& book, const Angle& a) {
             sine_not_negative(off, {times(late, psi()), near}));
   const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
   book.show("t_at_most", "where from the second collision of A on",
-            linear(le(T, S), {S_is, rises, product, double_t, times(positive(cos(psi() / 2)), T)}));
+            linear(le(T, S),
+                   parts + Theorems{rises, product, double_t, times(positive(cos(psi() / 2)), T)}));
 }
 }  // namespace derivation

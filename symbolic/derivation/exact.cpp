@@ -41,10 +41,9 @@ void exact_forms(Book& book) {
             equation(a(n), V_CM() * (1 + d * T(2 * n)), {book["power.a"], even, cos_half}));
   book.show("b", "of B,",
             equation(b(n), V_CM() * (1 - d * T(2 * n + 1)), {book["power.b"], odd, cos_half}));
-  book.show(
-      "c_prime", "and of C, from momentum,",
-      equation(c_prime(n), (V - a(n) - b(n)) / alpha,
-               {linear(eq(a(n), V - b(n) - alpha * c_prime(n)), {book["terminal.momentum_Q"]})}));
+  book.show("c_prime", "and of C, from momentum,",
+            equation(c_prime(n), (V - a(n) - b(n)) / alpha,
+                     {solved_for(a(n), book["terminal.momentum_Q"])}));
   // c_n needs b_(n-1), by a name of its own.
   const Theorem before = book.define("b_before", {alpha, V, n}, b(n - 1),
                                      {alpha_positive, le(1, n)}, "where before Q_n B has");
@@ -56,8 +55,7 @@ void exact_forms(Book& book) {
                {n * psi(), psi() / 2}));
   book.show("c", "and C after P_n",
             equation(c(n), (V - a(n) - earlier) / alpha,
-                     {before, linear(eq(a(n), V - b(n - 1) - alpha * c(n)),
-                                     {book["terminal.momentum_P"]})}));
+                     {before, solved_for(a(n), book["terminal.momentum_P"])}));
   const auto at_end = [&](const std::string& name, Expr value, const Theorem& is) {
     book.show(name, name == "a_t" ? "At the end" : "and",
               equation(fun(name, {alpha, V}), value,

@@ -89,10 +89,10 @@ void together(Book& book) {
       eq(b_t(), 2 * V / (2 + alpha)),
       {.equations = {{1, part(coupled, 1)}, {-(rest + a_t()), part(coupled, 0)}},
        .multipliers = {positive(2 + alpha), positive(1 + alpha), part(book["terminal.order"], 2)}});
-  book.show("together", "eq:defb-terminal", "with one solution in which B moves:",
-            both({equation(a_t(), -alpha * V / (2 + alpha),
-                           {linear(eq(a_t(), rest), {part(coupled, 0)}), fast}),
-                  fast}));
+  book.show(
+      "together", "eq:defb-terminal", "with one solution in which B moves:",
+      both({equation(a_t(), -alpha * V / (2 + alpha), {solved_for(a_t(), part(coupled, 0)), fast}),
+            fast}));
 }
 
 /// 2V/(2 + alpha) <= b_t, as b_t = 2V/(2 + alpha) - 2V (1 + alpha)/(2 + alpha) cos(...) cos(...)

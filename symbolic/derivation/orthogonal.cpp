@@ -148,7 +148,7 @@ void in_the_plane(Pages& book, const Theorem& is) {
   const Expr o = matrix_of_names(2);
   const Expr p = entry(o, 0, 0), q = entry(o, 0, 1), r = entry(o, 1, 0), s = entry(o, 1, 1);
   const Theorems products = entries(is);
-  const Theorem unit = linear(eq(power(r, 2), 1 - power(p, 2)), {products[0]});
+  const Theorem unit = solved_for(power(r, 2), products[0]);
   const Expr t = r / (1 + p), angle = atan(t);
   const Theorem moves = one_more_not_0(p), at_end = assume(eq(p, -1));
   know(moves);

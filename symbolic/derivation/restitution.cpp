@@ -22,8 +22,8 @@ Exprs one_collision(Book& book) {
       define("impact", bodies, logic_and({momentum, relative}), 0));
   const Theorems laws = parts({tautology(right(law), {law, assume(fun("impact", bodies))})});
   const Exprs after = solve({momentum, relative}, {v_1, v_2}, {u_1, u_2});
-  const Theorem v_2_is = linear(eq(v_2, v_1 + e * (u_1 - u_2)), {laws[1]});
-  const Theorem v_1_is = linear(eq(M_1 * v_1, M_1 * u_1 + M_2 * u_2 - M_2 * v_2), {laws[0]});
+  const Theorem v_2_is = solved_for(v_2, laws[1]);
+  const Theorem v_1_is = solved_for(M_1 * v_1, laws[0]);
   book.show("v_1", "The velocities after it are", equation(v_1, after[0], {v_2_is, v_1_is}));
   book.show("v_2", "and", equation(v_2, after[1], {v_2_is, v_1_is}));
   const Expr lost =
@@ -47,7 +47,7 @@ Exprs one_collision(Book& book) {
   };
   book.show("inverse_mass", "With 1/M_2 for M_2 the velocities are",
             instance(1 / M_2, {v_2_is, v_1_is}, [](Expr t) { return t; }));
-  const Theorem from_wall = linear(eq(v_1, v_2 - e * (u_1 - u_2)), {of_wall[1]});
+  const Theorem from_wall = solved_for(v_1, of_wall[1]);
   book.show("at_wall", "and with 0 for 1/M_2 those of a wall:",
             instance(0, {from_wall, of_wall[0]}, [](Expr t) {
               return simplified(t, {u_1, u_2});
@@ -104,7 +104,7 @@ void recurrence(Book& book, const Theorems& motion) {
                              }));
   // The two speeds after collision j, by the one before it and the one before the next.
   const Theorem closes = at(definition, {{j, after}});
-  const Theorem parts_with = linear(eq(e * closing(j), -other(after)), {parting});
+  const Theorem parts_with = solved_for(e * closing(j), parting);
   const Expr A = velocity("A", after), B = velocity("B", after), ball = velocity("C", after);
   const Expr of_B = is_Q(after) * closing(after) - is_P(after) * (e * closing(j));
   const Theorem A_B =
@@ -113,15 +113,10 @@ void recurrence(Book& book, const Theorems& motion) {
   const Theorem C_B =
       book.show("C_B", "those of C and B by",
                 equation(ball - B, of_B, {closes, parts_with, at(square, {{j, after}})}));
-  const auto share_of = [&](Expr M, Expr own, Expr difference, const Theorem& is) {
-    return equation(w_B * M * own, w_B * M * (B + difference),
-                    {linear(eq(own, B + difference), {is})});
-  };
   const Expr of_A = closing(after) - e * closing(j), all = mass_of_all();
   const Expr given_off = w_B * (M_A * (V - of_A) - M_C * of_B);
-  const Theorem whole = linear(
-      eq(B * all, given_off),
-      {at(momentum, {{j, after}}), share_of(M_A, A, of_A, A_B), share_of(M_C, ball, of_B, C_B)});
+  const Theorem of_one = rewrite(solved_for(A, A_B), at(momentum, {{j, after}}));
+  const Theorem whole = linear(eq(B * all, given_off), {rewrite(solved_for(ball, C_B), of_one)});
   book.show("B_velocity", "and B has", divided(B, given_off / all, {all}, whole));
   book.show("recurrence", "and each one follows from two before:",
             linear(eq(closing(j + 2), (1 + e) * share(j + 1) * closing(j + 1) - e * closing(j)),

@@ -22,11 +22,10 @@ void kept_quantities(Book& book) {
                          velocities, {n * psi()}));
   const Theorem vector = book["cycle.vector"];
   const auto length = [](Expr i) { return times(transpose(V_vector(i)), V_vector(i)); };
-  const Expr rest = V2 - power(b(n), 2) - alpha * power(c_prime(n), 2);
   book.show("V_length", "eq:V2", "so that the length of V_n is always that of V_0;",
             equation(length(n), length(0),
                      {vector, at(vector, {{n, 0}}), book["cycle.start_vector"],
-                      linear(eq(power(a(n), 2), rest), {energy})}));
+                      solved_for(power(a(n), 2), energy)}));
   book.show("momentum_P", "so they are after P_n,",
             linear(eq(a(n) + b(n - 1) + alpha * c(n), V),
                    {one_before(momentum), book["cycle.momentum_P"]}));
@@ -78,17 +77,15 @@ Theorem at_the_end(Book& book, const End& end) {
   const Theorem of_B = linear(eq(N_B(), end.N_B_is), {shares, is});
   const Theorems definitions = parts({book["terminal.definitions"]});
   const Theorem a_is = rewrite(of_A, definitions[0]), b_is = rewrite(of_B, definitions[1]);
-  const Theorem from_momentum =
-      linear(eq(a(n), V - b(end.N_B_is) - alpha * end.ball), {end.momentum});
+  const Theorem from_momentum = solved_for(a(n), end.momentum);
   const Theorem c_is = equation(c_t(), end.ball, {definitions[2], a_is, b_is, from_momentum});
   book.show(end.name, end.words, both({of_A, of_B, a_is, b_is, c_is, end.order}));
   const Theorems values{a_is, b_is, c_is};
-  const Expr rest = power(V, 2) - power(b(end.N_B_is), 2) - alpha * power(end.ball, 2);
   return both(
       {linear(logic_and({le(a_t(), c_t()), le(c_t(), b_t())}), values + Theorems{end.order}),
        equation(a_t() + b_t() + alpha * c_t(), V, values + Theorems{from_momentum}),
        equation(power(a_t(), 2) + power(b_t(), 2) + alpha * power(c_t(), 2), power(V, 2),
-                values + Theorems{linear(eq(power(a(n), 2), rest), {end.energy})})});
+                values + Theorems{solved_for(power(a(n), 2), end.energy)})});
 }
 
 /// a <= c <= b with the momentum and energy of the start |- 0 < b, b <= V

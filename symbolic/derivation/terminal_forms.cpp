@@ -107,7 +107,8 @@ void terminal_forms(Book& book, const Angle& a) {
       equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
                {turned(def_sine), turned(def_cosine)}, {q, f("rest")});
   book.show("t_cosine_at_most", "For a ball that is not heavier than a block",
-            larger(a.t_small, f("rest_cosine"), of_name[0], of_name[1]));
+            linear(le(f("t_cosine"), f("w_cosine")),
+                   {of_name[0], of_name[1], times(a.t_small, assume(le(0, f("rest_cosine"))))}));
   book.show("sine_at_most", "and so",
             scaled(le(f("rest_sine"), f("t_cosine")),
                    le(cos(q) * f("rest_sine"), cos(q) * f("t_cosine")), 1 / cos(q),

@@ -47,7 +47,7 @@ void energy(Book& book) {
   const auto remains = [&](Expr i) {
     return eq(energy(i), M_A * power(V, 2) - unit * fun("squares", {M_A, w_B, M_C, e, i}));
   };
-  const Theorem change = linear(eq(energy(j + 1), energy(j) - unit * square), {alike});
+  const Theorem change = solved_for(energy(j + 1), alike);
   book.show("left", "after j collisions there is left",
             by_induction(j, remains(j), {at(is, {{j, 0}}), sum[0], of_motion("motion.start")},
                          {change, at(sum[1])}));

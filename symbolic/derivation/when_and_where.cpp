@@ -62,23 +62,15 @@ Theorem takes_place(const Book& book, const Theorem& all_of_them, Expr index) {
 
 /// carried(j + 1) from carried(j): momentum is that of V alone.
 Theorem moves_on(const Book& book, const Theorems& moved, const Theorem& now) {
-  const Theorem momentum = at(book["motion.momentum"], {{j, j + 1}});
-  const auto solved = [](Expr of_B, Expr of_both, Expr whole, const Theorem& t) {
-    return linear(eq(of_B, whole - of_both), {t});
-  };
-  const auto both_of = [](Expr of_A, Expr of_C) { return w_B * (M_A * of_A + M_C * of_C); };
-  const Theorem v_B =
-      solved(velocity("B", j + 1), both_of(velocity("A", j + 1), velocity("C", j + 1)),
-             w_B * M_A * V, momentum);
-  const Theorem x_B =
-      solved(x_of("x_B", j), both_of(x_of("x_A", j), x_of("x_C", j)), right(now), now);
+  const Theorem v_B = solved_for(velocity("B", j + 1), at(book["motion.momentum"], {{j, j + 1}}));
+  const Theorem x_B = solved_for(x_of("x_B", j), now);
   return equation(carried(j + 1), moved + Theorems{v_B, x_B});
 }
 
 /// The place of collision j, from how far the blocks are apart.
 Theorem ball_is(const Book& book, const Theorem& meets, const Theorem& now) {
   const Expr t = turn(j), x_C = x_of("x_C", j), x_B = x_of("x_B", j), D = apart(j);
-  const Theorem turned_round = linear(eq(t * x_C, t * x_B + (-t * D - D) / 2), {meets});
+  const Theorem turned_round = solved_for(t * x_C, meets);
   const Theorem square = book["motion.turn_squared"];
   const Theorem of_B = chain(equation(x_C, t * (t * x_C), {square}),
                              equation(t * (t * x_C), x_B - is_P(j) * D, {turned_round, square}));
@@ -103,9 +95,7 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
   const Theorem meets = equation(met(j + 1), moved + Theorems{rewrite(turn_next, speed_after)});
 
   // Where the ball is at a block, the wait is the distance of the blocks over the speed.
-  const Expr t = turn(j), x_A = x_of("x_A", j), x_B = x_of("x_B", j);
-  const Theorem ball =
-      linear(eq(t * x_of("x_C", j), (t * x_A + t * x_B + x_A - x_B) / 2), {part(now, 0)});
+  const Theorem ball = solved_for(turn(j) * x_of("x_C", j), part(now, 0));
   const Theorem parting =
       linear(eq(velocity("B", j + 1), velocity("A", j + 1) + e * closing(j) - closing(j + 1)),
              {book["motion.parting"], speed_after});
@@ -119,14 +109,12 @@ Theorem one_more(const Book& book, const Theorems& motion, const Theorem& now,
   const Theorems known_now{turn_next,
                            square,
                            at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1)),
-                           linear(eq(x_B, x_A + right(gap)), {gap}),
+                           solved_for(x_of("x_B", j), gap),
                            time_is(part(now, 2)),
                            book["wedge.speed"],
                            at(book["wedge.speed"], {{j, j + 1}})};
-  const Theorem B_next =
-      linear(eq(x_of("x_B", j + 1), x_of("x_A", j + 1) + right(further)), {further});
-  const Theorem neighbours =
-      linear(eq(kernel::power(U(j), 2), 1 + U(j + 1) * U_last(j)), {of_kappa("neighbours")});
+  const Theorem B_next = solved_for(x_of("x_B", j + 1), further);
+  const Theorem neighbours = solved_for(kernel::power(U(j), 2), of_kappa("neighbours"));
   return both({meets, equation(distance(j + 1), Theorems{B_next} + known_now),
                equation(when(j + 1), Theorems{later, neighbours, of_kappa("last")} + known_now),
                moves_on(book, moved, part(now, 3))});
