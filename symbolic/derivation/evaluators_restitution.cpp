@@ -28,7 +28,7 @@ Theorem angle(Book& book, Names& f) {
       both_are,
       root_of(equation(power(inverse, 2), both_masses(), {A_share, B_share}), positive(inverse)));
   const Theorem side = f.positive("side_e", of_e("both_e") / (1 + M_C));
-  book.show("sides", "", "the factor of every second collision:",
+  book.show("sides", "the factor of every second collision:",
             equation(left(A_share) / left(B_share), of_e("side_e"), {A_share, both_is, side}));
   const Theorem rise = f.positive("rise_e", 4 * e * (M_C * of_e("all_e")));
   f.name("root_e", sqrt(e));
@@ -44,7 +44,7 @@ Theorem angle(Book& book, Names& f) {
   const Theorem t = f.positive("t_e", sqrt(gap) / W);
   const Expr T = left(t);
   const Theorem square =
-      book.show("t_squared", "", "t^2 is", equation(power(T, 2), of_e("z_e"), {t, z}));
+      book.show("t_squared", "t^2 is", equation(power(T, 2), of_e("z_e"), {t, z}));
   // gap = (2 sqrt(e) both)^2 - (1 + e)^2
   const Theorem gap_is = equation(gap, power(2 * sqrt(e) * of_e("both_e"), 2) - power(1 + e, 2),
                                   {gap_e, rise, share, loss, all, both_are});
@@ -62,13 +62,12 @@ Theorem angle(Book& book, Names& f) {
   const Theorem cosine = equation(cos(2 * half), kappa_e,
                                   of_half + Theorems{z, gap_is, whole, parts_of_kappa}, {half});
   const Theorem sine = f.positive("sine_e", 2 * T / (1 + of_e("z_e")));
-  book.show("sine", "", "the sine of step_e:",
+  book.show("sine", "the sine of step_e:",
             rewrite(turned(step),
                     equation(sin(2 * half), of_e("sine_e"), of_half + Theorems{sine}, {half})));
   const Theorem same = same_angle(chain(cosine, turned(at_1(book["wedge.cosine"]))),
                                   {positive(half), at_1(book["wedge.acute"])});
-  return book.show("h_e", "", "the angle is",
-                   linear(eq(of_e("step_e"), right(same)), {same, step}));
+  return book.show("h_e", "the angle is", linear(eq(of_e("step_e"), right(same)), {same, step}));
 }
 
 /// From |- v_B = V w_B taken
@@ -76,62 +75,59 @@ void energy_of_B(Book& book, const Names& f, const char* symbol, const char* tak
                  const Theorem& v_B) {
   const Theorem rho =
       f.name(symbol, w_B * power(f(taken), 2), "B has of the energy the fraction (0 for a wall)");
-  book.show(symbol, "", "as", equation(w_B * left(rho), power(left(v_B) / V, 2), {rho, v_B}));
+  book.show(symbol, "as", equation(w_B * left(rho), power(left(v_B) / V, 2), {rho, v_B}));
 }
 /// Both speeds with which bodies part after the last collision, then the velocities.
 void velocities(Book& book, Names& f, const Theorem& step) {
   const Expr N = at_1(fun("N_e", {M_A, w_B, M_C, e, V})), h = of_e("step_e");
-  book.show("N_e", "", "the number of collisions", rewrite(turned(step), at_1(book["bodies.N_e"])));
+  book.show("N_e", "the number of collisions", rewrite(turned(step), at_1(book["bodies.N_e"])));
   f.domain = {le(0, w_B), lt(0, M_C), lt(0, e), V_positive, lt(0, of_e("share_e")), lt(0, N)};
   f.params = {M_C, w_B, e, V};
-  const Theorem span = f.name("span_e", h * N, "With");
-  const Theorem left_is = f.name("left_e", pi() - f("span_e"));
-  const Theorem next = f.name("next_e", h - f("left_e"));
-  const Theorem sine_is = book["evaluators_restitution.sine"];
-  const Theorem power_is = f.name("power_e", root_power(N));
-  const Expr Power = f("power_e"), S = of_e("sine_e");
-  const Theorem odd = f.name("odd_e", 1 - turn(N)), even = f.name("even_e", 1 + turn(N));
-  const Expr is_odd = f("odd_e") / 2, is_even = f("even_e") / 2, side_e = of_e("side_e");
-  const Theorem last_side = f.name("last_side_e", is_odd + is_even * side_e);
-  const Theorem open_side = f.name("open_side_e", is_even + is_odd * side_e);
-  const Theorem last_reach = f.name("last_reach_e", f("last_side_e") / S);
-  const Theorem open_reach = f.name("open_reach_e", f("open_side_e") / S);
-  const Theorem last_sine = f.name("last_sine_e", sin(f("left_e")));
-  const Theorem open_sine = f.name("open_sine_e", sin(f("next_e")));
-  const Theorem kept = f.name("kept_e", Power * f("open_sine_e") * f("open_reach_e"));
-  const Theorem parted = f.name("parted_e", sqrt(e) * Power * f("last_sine_e") * f("last_reach_e"));
-  const Expr v = f("kept_e"), u = f("parted_e");
-  const Theorem second = f.name("second_e", is_odd * v + is_even * u);
-
-  const Theorem rest = equation(at_1(fun("delta_e", {M_A, w_B, M_C, e, V})), f("left_e"),
-                                {at_1(book["ends.def_delta_e"]), turned(step), left_is, span});
-  Theorems ends{second, odd, even};
-  const auto speed = [&](const char* id, Expr form, const Theorems& rules) {
-    Theorem is = at_1(book[id]);
-    for (const Theorem& t :
-         {turned(step), rest, turned(next), sine_is, book["evaluators_restitution.sides"]})
-      is = rewrite(t, is);
-    ends.push_back(equation(left(is), V * form, Theorems{is, power_is, odd, even} + rules));
-  };
-  speed("ends.def_parting_e", u, {last_sine, parted, last_reach, last_side});
-  speed("ends.def_opening_e", v, {open_sine, kept, open_reach, open_side});
   const Theorem all_are = book["evaluators_restitution.def_all_e"];
-  const Expr s = f("second_e");
-  const Theorem speeds = f.name("speeds_e", v + u);
-  const Theorem moved = f.name("moved_e", f("speeds_e") + M_C * s);
-  const Theorem gained = f.name("gained_e", 1 + f("moved_e"));
-  const Theorem taken = f.name("taken_e", f("gained_e") / left(all_are));
-  ends = ends + Theorems{at_1(book["ends.B"]), speeds, moved, gained, taken, all_are} +
-         parts({at_1(book["ends.A_and_C"])});
+  Theorems names{all_are};
+  const auto name = [&](const char* symbol, Expr value, const char* words = "and") {
+    names.push_back(f.name(symbol, value, words));
+    return f(symbol);
+  };
+  const Expr left_over = name("left_e", pi() - name("span_e", h * N, "With"));
+  const Theorem rest = equation(at_1(fun("delta_e", {M_A, w_B, M_C, e, V})), left_over,
+                                names + Theorems{at_1(book["ends.def_delta_e"]), turned(step)});
+  const Theorem next = f.name("next_e", h - left_over);
+  const Expr S = of_e("sine_e"), side_e = of_e("side_e"), power_e = name("power_e", root_power(N));
+  const Expr is_odd = name("odd_e", 1 - turn(N)) / 2;
+  const Expr is_even = name("even_e", 1 + turn(N)) / 2;
+  const Expr last_side = name("last_side_e", is_odd + is_even * side_e);
+  const Expr open_side = name("open_side_e", is_even + is_odd * side_e);
+  const Expr last_reach = name("last_reach_e", last_side / S);
+  const Expr open_reach = name("open_reach_e", open_side / S);
+  const Expr last_sine = name("last_sine_e", sin(left_over));
+  const Expr open_sine = name("open_sine_e", sin(left(next)));
+  const Expr kept = name("kept_e", power_e * open_sine * open_reach);
+  const Expr parted = name("parted_e", sqrt(e) * power_e * last_sine * last_reach);
+  const Expr second = name("second_e", is_odd * kept + is_even * parted);
+  const Expr speeds = name("speeds_e", kept + parted);
+  const Expr gained = name("gained_e", 1 + name("moved_e", speeds + M_C * second));
+  const Expr taken_by_B = w_B * name("taken_e", gained / left(all_are));
+
+  const auto speed = [&](const char* id, Expr form) {
+    Theorem is = at_1(book[id]);
+    for (const Theorem& t : {turned(step), rest, turned(next), book["evaluators_restitution.sine"],
+                             book["evaluators_restitution.sides"]})
+      is = rewrite(t, is);
+    return equation(left(is), V * form, names + Theorems{is});
+  };
+  const Theorems ends = names +
+                        Theorems{speed("ends.def_parting_e", parted),
+                                 speed("ends.def_opening_e", kept), at_1(book["ends.B"])} +
+                        parts({at_1(book["ends.A_and_C"])});
   const auto show = [&](const char* symbol, const char* body, Expr form) {
     const Theorem is = f.name(symbol, at_1(velocity(body, N)), "and so");
-    return book.show(symbol, "", "is",
+    return book.show(symbol, "is",
                      under(f.domain, equation(f(symbol), V * form, Theorems{is} + ends)));
   };
-  const Expr taken_by_B = w_B * f("taken_e");
   const Theorem b_end = show("b_end", "B", taken_by_B);
-  show("a_end", "A", taken_by_B - f("speeds_e"));
-  show("c_end", "C", taken_by_B - s);
+  show("a_end", "A", taken_by_B - speeds);
+  show("c_end", "C", taken_by_B - second);
   energy_of_B(book, f, "rho_end", "taken_e", b_end);
 }
 /// Where two are all: e (1 + M_C)(1 + w_B M_C) >= (1 + e)^2.
@@ -140,7 +136,7 @@ void two_collisions(Book& book, Names& f) {
   const auto compare = [&](const char* symbol, int factor, const char* words) {
     const Theorem is = f.name(symbol, factor * e * both_masses() - power(1 + e, 2));
     book.show(
-        symbol, "", words,
+        symbol, words,
         equation(left(K), rational(factor, 4) - of_e(symbol) / (4 * e * both_masses()), {K, is}));
   };
   compare("ends", 4, "the square of kappa is below 1 where this is positive:");
@@ -152,7 +148,7 @@ void two_collisions(Book& book, Names& f) {
   f.domain.push_back(V_positive);
   const auto show = [&](const char* symbol, const char* body, Expr form, const Theorems& more) {
     const Theorem is = f.name(symbol, at_1(velocity(body, 2)), "After two collisions");
-    return book.show(symbol, "", "is", equation(left(is), V * form, facts + more + Theorems{is}));
+    return book.show(symbol, "is", equation(left(is), V * form, facts + more + Theorems{is}));
   };
   show("a_two", "A", (1 - e * M_C) / (1 + M_C), {});
   show("c_two", "C", (w_B * M_C - e) * (1 + e) / both_masses(), {});
