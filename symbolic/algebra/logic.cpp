@@ -82,9 +82,9 @@ Theorem where_equal(Expr l, Expr r, Expr goal, const Theorem& there) {
     return tautology(goal, {discharge(denied, rewrite(same, assume(denied))), there});
   });
 }
-Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>& forth,
-                   const std::function<Theorem(const Theorem&)>& back) {
-  return tautology(iff(f, g), {given(f, forth), given(g, back)});
+Theorem equivalent(const Theorem& forth, const Theorem& back) {
+  const Expr f = back.conclusion(), g = forth.conclusion();
+  return tautology(iff(f, g), {discharge(f, forth), discharge(g, back)});
 }
 Theorem follows(Expr goal, const Theorems& from) {
   Sides sides;

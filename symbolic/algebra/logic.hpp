@@ -19,9 +19,8 @@ Theorem at(const std::string& axiom_name, const Substitution& terms, const Theor
 Theorem given(Expr f, const std::function<Theorem(const Theorem&)>& body);
 /// l = r implies `goal`, from `there`, which says it with r for l.
 Theorem where_equal(Expr l, Expr r, Expr goal, const Theorem& there);
-/// |- f if and only if g
-Theorem equivalent(Expr f, Expr g, const std::function<Theorem(const Theorem&)>& forth,
-                   const std::function<Theorem(const Theorem&)>& back);
+/// |- f if and only if g, from f |- g and g |- f.
+Theorem equivalent(const Theorem& forth, const Theorem& back);
 /// As `tautology`, where two terms that are compared are equal or one is less than the other.
 Theorem follows(Expr goal, const Theorems& from);
 /// Both sides of what is proved: of an equation, inequality, implication or equivalence.

@@ -30,22 +30,18 @@ void endless(Book& book) {
     return tautology(of_kappa, {book["collapse.threshold"], assume(of_K)});
   };
   const Theorem below = from_K(lt(kappa(), 1), lt(K, 1)), above = from_K(le(1, kappa()), le(1, K));
-  const auto ends = [&](const Theorem& all) {
-    const Theorem number = cut(below, book["wedge.N"]), last = cut(below, book["wedge.happens"]);
-    const Expr N = left(number);
-    const Theorem turns = cut(below, positive(right(number).arg(0).arg(0), {book["wedge.acute"]}));
-    const Theorem from_0 = linear(le(0, N), {number, turns});
-    const Theorem another = tautology(lt(0, closing(N)), {specialize(all, N), from_0});
-    return tautology(le(1, K), {refute(lt(K, 1), linear(lt(0, 0), {another, part(last, 1)}))});
-  };
-  const Theorem each = given(le(0, i), [&](const Theorem& from_0) {
-    return cut(above, at(book["wedge.never_ends"], {{j, i}}, {from_0}));
-  });
-  const Expr all = generalize(i, each).conclusion();
+  const Theorem every =
+      generalize(i, given(le(0, i), [&](const Theorem& from_0) {
+                   return cut(above, at(book["wedge.never_ends"], {{j, i}}, {from_0}));
+                 }));
+  const Theorem number = cut(below, book["wedge.N"]), last = cut(below, book["wedge.happens"]);
+  const Expr N = left(number);
+  const Theorem turns = cut(below, positive(right(number).arg(0).arg(0), {book["wedge.acute"]}));
+  const Theorem another = tautology(lt(0, closing(N)), {specialize(assume(every.conclusion()), N),
+                                                        linear(le(0, N), {number, turns})});
+  const Theorem ends = refute(lt(K, 1), linear(lt(0, 0), {another, part(last, 1)}));
   book.show("endless", "The collisions never end if and only if K is 1 or more:",
-            equivalent(all, le(1, K), ends, [&](const Theorem& K_from_1) {
-              return cut(K_from_1, generalize(i, each));
-            }));
+            equivalent(tautology(le(1, K), {ends}), every));
 }
 /// What K is for a block of mass M_B, and for a wall.
 void special_cases(Book& book) {

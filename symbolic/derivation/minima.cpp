@@ -18,19 +18,13 @@ void conditions(Book& book, const Condition& which) {
   const Theorem cos_half = book["rotation.cos_half_psi"];
   const Expr fast = eq(b_t(), which.velocity), turned_back = eq(cos(angle()), which.cosine);
   const Theorem b_is = book["terminal.b"];
+  const Theorem same = linear(eq(which.velocity, right(b_is)), {assume(fast), b_is});
+  const Theorem from_fast =
+      arithmetic(turned_back, {.equations = {{2 + alpha, same}},
+                               .multipliers = {positive(V), positive(1 + alpha)},
+                               .nonzero = {positive(1 + alpha), positive(2 + alpha)}});
   book.show(which.name + "_cosine", which.cosine_label, which.cosine_words,
-            equivalent(
-                fast, turned_back,
-                [&](const Theorem& t) {
-                  const Theorem same = linear(eq(which.velocity, right(b_is)), {t, b_is});
-                  return arithmetic(turned_back,
-                                    {.equations = {{2 + alpha, same}},
-                                     .multipliers = {positive(V), positive(1 + alpha)},
-                                     .nonzero = {positive(1 + alpha), positive(2 + alpha)}});
-                },
-                [&](const Theorem& t) {
-                  return equation(fast, {b_is, t});
-                }));
+            equivalent(from_fast, equation(fast, {b_is, assume(turned_back)})));
 
   // cos(angle) = cos(target) from 0 to pi; beyond pi the angle is 2 pi - target.
   const Expr y = angle(), t = which.target;
@@ -44,34 +38,21 @@ void conditions(Book& book, const Condition& which) {
          return linear(eq(y, t), {same_angle(mirrored, {upper})});
        })});
   const Expr count = eq(N_B(), pi() / psi() - which.shift);
+  const Theorem counted = assume(count), at_target = equation(y, t, {counted});
   book.show(which.name + "_count", which.count_label, "which means that nothing is rounded in N_B,",
-            equivalent(
-                turned_back, count,
-                [&](const Theorem&) {
-                  return equation(count, {linear(eq(psi() * N_B(), t - psi() / 2), {is_target})});
-                },
-                [&](const Theorem& counted) {
-                  const Theorem at_target = equation(y, t, {counted});
-                  return restate(turned_back, rewrite(turned(at_target), target_is));
-                }));
+            equivalent(equation(count, {linear(eq(psi() * N_B(), t - psi() / 2), {is_target})}),
+                       restate(turned_back, rewrite(turned(at_target), target_is))));
 
   const Expr is_ratio = eq(alpha, fun(which.ratio, {N_B()}));
   const Expr quotient = pi() / which.denominator(N_B());
   const Theorem solved = equation(alpha, (1 - cos(half())) / cos(half()), {cos_half});
+  const Theorem turn = equation(psi() * N_B(), pi() - which.shift * psi(), {counted});
+  const Theorem at_angle = equation(half(), quotient, {turn});
+  const Theorem reached = chain(rewrite(at_angle, solved),
+                                turned(at(book["ratios." + which.ratio + "k"], {{k, N_B()}})));
+  const Theorem back = at(book[which.name + ".angle"], {{k, N_B()}}, {assume(is_ratio)});
   book.show(which.name + "_only", "and that the ratio is a threshold:",
-            equivalent(
-                count, is_ratio,
-                [&](const Theorem& counted) {
-                  const Theorem turn =
-                      equation(psi() * N_B(), pi() - which.shift * psi(), {counted});
-                  const Theorem at_angle = equation(half(), quotient, {turn});
-                  return chain(rewrite(at_angle, solved),
-                               turned(at(book["ratios." + which.ratio + "k"], {{k, N_B()}})));
-                },
-                [&](const Theorem& reached) {
-                  const Theorem back = at(book[which.name + ".angle"], {{k, N_B()}}, {reached});
-                  return equation(count, {linear(eq(psi(), 2 * quotient), {back})});
-                }));
+            equivalent(reached, equation(count, {linear(eq(psi(), 2 * quotient), {back})})));
 }
 
 /// Where B and C go on together, momentum and energy leave one velocity for both.
