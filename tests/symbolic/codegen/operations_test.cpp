@@ -60,8 +60,7 @@ private:
 };
 /// The largest shares of what is allowed.
 struct Shares {
-  double loss = 0;
-  double low = 0;
+  double loss = 0, low = 0;
 };
 Shares shares(const Entry& e, int rows) {
   Drawer drawer;
@@ -107,9 +106,8 @@ cl_RA at(const codegen::Polynomial& p, const cl_RA& z) {
 /// arctangent's would do for Slow: 0.43 of it is all that is seen.
 template <class Tier>
 void check_functions(codegen::Tier tier, bool bare) {
-  if (bare) {
+  if (bare)
     for (codegen::Polynomial& p : tier.polynomials) p.error = 0;
-  }
   const double l = 64 * u;
   const NumberType t{u, &tier};
   const NumberType::SineCosine small = t.small_sine_cosine(l), turned = t.sine_cosine(l);

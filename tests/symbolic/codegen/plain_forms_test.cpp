@@ -100,9 +100,8 @@ TEMPLATE_TEST_CASE("plain velocities hold at the ends of what they state", "", d
       check_velocities(velocities_product(alpha, n), alpha, n, 1e-14 * lost);
       check_velocities(velocities_tangent(alpha, n), alpha, n, 1e-14);
     }
-    for (const auto& v : {velocities_tangent(most, n).c, velocities_product(most, n).c}) {
+    for (const auto& v : {velocities_tangent(most, n).c, velocities_product(most, n).c})
       CHECK(std::isfinite(v));
-    }
   }
   check_domain(least, TestType(0x1p20), [](auto x) { return velocities_closed(x, 1); });
   check_domain(least, most, [](auto x) { return velocities_product(x, 1); });
@@ -130,16 +129,14 @@ TEMPLATE_TEST_CASE("matrices turn the velocities, and Lambda is Gamma_B Gamma_A 
   using Rows = std::array<std::array<TestType, 3>, 3>;
   const auto times = [](const Rows& x, const Rows& y) {
     Rows r{};
-    for (std::size_t i = 0; i < 9; ++i) {
+    for (std::size_t i = 0; i < 9; ++i)
       for (std::size_t k = 0; k < 3; ++k) r[i / 3][i % 3] += x[i / 3][k] * y[k][i % 3];
-    }
     return r;
   };
   const auto is_near = [](const Rows& x, const Rows& y) {
     double off = 0;
-    for (std::size_t i = 0; i < 9; ++i) {
+    for (std::size_t i = 0; i < 9; ++i)
       off = std::max(off, std::fabs(double(x[i / 3][i % 3] - y[i / 3][i % 3])));
-    }
     return off < 1e-14;
   };
   for (const TestType alpha :
