@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "kernel/expr.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
 #include "magicmass/numbers/fast.hpp"
@@ -19,14 +18,7 @@ using Wholes = std::vector<std::int64_t>;
 
 /// NaN where it is no double.
 double alpha_of_row(std::string_view text) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  try {
-    const notation::Alpha alpha = notation::read_alpha(text);
-    const auto* value = std::get_if<double>(&alpha);
-    return value != nullptr ? *value : none;
-  } catch (const kernel::Refused&) {
-    return none;
-  }
+  return notation::read_double(text).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 /// -1 where it is none.
