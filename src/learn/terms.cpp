@@ -157,13 +157,16 @@ std::string Terms::foreign(Expr term) const {
   for (const std::string& name : notation::symbols_of(term))
     if (!known.contains(name)) names.push_back(name);
   if (names.empty()) return {};
+  Texts shown;
+  for (const std::string& name : names)
+    shown.push_back(notation::typed_text(notation::symbol(name)));
   static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
                                            "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
   const auto is_unit = [&](const std::string& name) { return units.contains(name); };
   std::string other = notation::alike(names[0], symbols);
   if (other.empty()) other = notation::parted(names[0], symbols);
   replace_all(other, " ", "*");
-  return answers::joined(names) + (names.size() == 1 ? " has" : " have") + " no place here: " +
+  return answers::joined(shown) + (names.size() == 1 ? " has" : " have") + " no place here: " +
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
          (std::ranges::all_of(names, is_unit) ? ", without units" : "") +

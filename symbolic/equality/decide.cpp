@@ -220,7 +220,7 @@ private:
     for (const auto& [x, range] : domain.ranges) {
       const Expr modulus = absolute(x);
       const bool is_integer = range.is_integer;
-      const std::string name = notation::name_of(x);
+      const std::string name = notation::typed_text(x);
       Range above = range, below = range;
       above.cut_below({0, true});
       below.cut_above({0, true});
@@ -264,7 +264,7 @@ private:
     const std::string condition = " integer";
     if (Forms(whole).is_integer(exponent)) {
       if (!is_proved_for(x, x, whole.ranges[x])) return false;
-      verdict.conditions.push_back(notation::name_of(x) + condition);
+      verdict.conditions.push_back(notation::typed_text(x) + condition);
       domain = whole;  // nothing else is asked of its bases
       needs = requirements(left - right, domain);
       return true;

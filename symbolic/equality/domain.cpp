@@ -58,7 +58,8 @@ bool is_in(const Domain& domain, const Point& point) {
                        return holds({at(point, c.left), c.relation, at(point, c.right)}) == true;
                      });
 }
-std::string shown(const std::string& name, const Range& range) {
+std::string shown(Expr symbol, const Range& range) {
+  const std::string name = notation::typed_text(symbol);
   const auto with = [](const std::string& sign, const End& end) {
     return " " + sign + (end.is_inside ? "= " : " ");
   };
@@ -198,14 +199,12 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   }
   for (const auto& [symbol, range] : domain.ranges)
     if (range.is_empty())
-      refuse("no value of " + notation::name_of(symbol) + " satisfies " +
-             shown(notation::name_of(symbol), range));
+      refuse("no value of " + notation::typed_text(symbol) + " satisfies " + shown(symbol, range));
   return domain;
 }
 std::vector<std::string> texts(const Domain& domain) {
   std::vector<std::string> out;
-  for (const auto& [symbol, range] : domain.ranges)
-    out.push_back(shown(notation::name_of(symbol), range));
+  for (const auto& [symbol, range] : domain.ranges) out.push_back(shown(symbol, range));
   std::sort(out.begin(), out.end());
   for (const notation::Comparison& c : domain.further)
     out.push_back(notation::typed_text(c.left) + " " + c.relation + " " +
@@ -279,7 +278,7 @@ Expr at(const Point& point, Expr term) {
 std::string text(const Point& point) {
   std::string out;
   for (const auto& [symbol, value] : point)
-    out += (out.empty() ? "" : ", ") + notation::name_of(symbol) + " = " + kernel::digits(value);
+    out += (out.empty() ? "" : ", ") + notation::typed_text(symbol) + " = " + kernel::digits(value);
   return out;
 }
 }  // namespace equality

@@ -18,73 +18,29 @@ Expr apply(const std::string& name, const Exprs& args) {
   return fun(name, args);
 }
 bool is_long(const cln::cl_RA& q, int times = 1) { return bits(q) * std::size_t(times) > 1000; }
-std::string without_marks(std::string text) {
-  for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) text.erase(at, mark.size());
-  return text;
-}
-
-enum Level { Sum, Product, Power, Atom };
-std::string printed(Expr e, Level around);
-
-Level level_of_number(const cln::cl_RA& q) {
-  return q < 0 ? Sum : cln::denominator(q) == 1 ? Atom : Product;
-}
-std::string bracketed(const std::string& text, Level around, Level own) {
-  return own < around ? "(" + text + ")" : text;
-}
-Expr base_of(Expr e) { return e.op() == Op::Pow ? e.arg(0) : e; }
 bool is_inverse(Expr e) { return e.op() == Op::Fun && e.name() == "inv"; }
-std::string printed_sum(Expr e) {
-  std::string out = printed(e.arg(0), Sum);
-  for (std::size_t i = 1; i < e.size(); ++i) {
-    const std::string next = printed(e.arg(i), Sum);
-    out += next[0] == '-' ? " - " + next.substr(1) : " + " + next;
-  }
-  return out;
+
+// x^y is a power with one of these exponents, which nobody can type: so the kernel prints it.
+constexpr int first_mark = 500000;
+std::string bracketed(Expr e) {
+  const std::string text = typed_text(e);
+  const bool is_word = e.op() == Op::Var || (e.op() == Op::Fun && e.name() != "raised");
+  const bool is_number = text.find_first_not_of("0123456789") == text.npos;
+  return (is_word && !is_inverse(e)) || is_number ? text : "(" + text + ")";
 }
-std::string printed_product(Expr e) {
-  std::string over;
-  std::string under;
-  for (Expr factor : e.op() == Op::Mul ? e.args() : Exprs{e}) {
-    const Expr base = base_of(factor);
-    const bool power = factor.op() == Op::Pow;
-    const bool below = is_inverse(base);
-    std::string one = printed(below ? base.arg(0) : base, power ? Atom : below ? Power : Product);
-    if (power) one += "^" + std::to_string(factor.exponent());
-    if (factor == Expr(-1) && over.empty() && e.op() == Op::Mul) {
-      over = "-";
-      continue;
-    }
-    if (over.empty() && factor.op() == Op::Num) one = digits(factor.value());
-    std::string& side = below ? under : over;
-    side += below ? "/" + one : (side.empty() || side == "-" ? "" : "*") + one;
-  }
-  return (over.empty() || over == "-" ? over + "1" : over) + under;
+// As the operators make it, without inv(2).
+Expr printable(Expr e, std::vector<std::string>& exponents) {
+  if (e.size() == 0) return e;
+  Exprs args;
+  for (Expr arg : e.args()) args.push_back(printable(arg, exponents));
+  if (is_inverse(e)) return Expr(1) / args[0];
+  if (e.op() != Op::Fun || e.name() != "raised") return with_args(e, args);
+  exponents.push_back(bracketed(e.arg(1)));
+  return kernel::power(args[0], first_mark + int(exponents.size()) - 1);
 }
-std::string printed_function(Expr e, Level around) {
-  const std::string name = e.name();
-  if (name == "raised")
-    return bracketed(printed(e.arg(0), Atom) + "^" + printed(e.arg(1), Atom), around, Power);
-  if (e.size() == 0) return without_marks(kernel::text(e));
-  std::string inside;
-  for (Expr arg : e.args()) inside += (inside.empty() ? "" : ", ") + printed(arg, Sum);
-  return (name == "nth_root" ? "root" : name) + "(" + inside + ")";
-}
-std::string printed(Expr e, Level around) {
-  if (is_inverse(base_of(e)) || e.op() == Op::Mul)
-    return bracketed(printed_product(e), around, Product);
-  switch (e.op()) {
-    case Op::Num:
-      return bracketed(digits(e.value()), around, level_of_number(e.value()));
-    case Op::Add:
-      return bracketed(printed_sum(e), around, Sum);
-    case Op::Pow:
-      return bracketed(printed(e.arg(0), Atom) + "^" + std::to_string(e.exponent()), around, Power);
-    case Op::Fun:
-      return printed_function(e, around);
-    default:
-      return without_marks(kernel::text(e));
-  }
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
+    text.replace(at, what.size(), by);
 }
 }  // namespace
 
@@ -150,5 +106,19 @@ Expr root(int order, Expr x) {
   return order == 2 ? kernel::sqrt(x) : apply("nth_root", {x, Expr(order)});
 }
 Expr call(const std::string& name, Expr x) { return apply(name, {x}); }
-std::string typed_text(Expr e) { return printed(e, Sum); }
+std::string typed_text(Expr e) {
+  std::vector<std::string> exponents;
+  std::string text = kernel::text(printable(e, exponents));
+  for (std::size_t i = 0; i < exponents.size(); ++i)
+    replace_all(text, std::to_string(first_mark + int(i)), exponents[i]);
+  replace_all(text, "nth_root(", "root(");
+  for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) {
+    const std::size_t end = text.find_first_of(" +-*/^(),", at);
+    std::string name = text.substr(at, end - at).substr(mark.size()) + "_";
+    if (const std::size_t prime = name.find("_prime_"); prime != name.npos)
+      name.replace(prime, 6, "'");  // as it was typed
+    text.replace(at, end - at, name, 0, name.size() - 1);
+  }
+  return text;
+}
 }  // namespace notation

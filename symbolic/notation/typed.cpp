@@ -334,7 +334,7 @@ private:
     if (rounding.contains(word))
       refuse_at(token.column, word + ": there are no rounding functions here");
     const std::string meant = alike(word, factors);
-    refuse_at(token.column, "unknown function " + word +
+    refuse_at(token.column, "unknown function " + typed_text(symbol(word)) +
                                 (!meant.empty()    ? "; is " + meant + " meant?"
                                  : word.size() > 1 ? ""
                                                    : "; write * for a product, and " + word +
