@@ -96,8 +96,7 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
 
 std::optional<std::string> misnamed(const std::string& file, const learn::Texts& answer_files) {
   const bool may_be_answer = file.ends_with(".txt") || file.ends_with(".cpp");
-  if (!may_be_answer || file.starts_with('.') ||
-      std::count(answer_files.begin(), answer_files.end(), file) != 0)
+  if (!may_be_answer || file.starts_with('.') || std::ranges::count(answer_files, file) != 0)
     return {};
   return "no exercise has this file" + learn::meant(file, answer_files, "; see learn list");
 }

@@ -32,7 +32,7 @@ bool is_letters(const std::string& text) {
 answers::Cell cell_of(const answers::Request& request, std::string text) {
   if (request.format != "csv") return text_cell(text);
   if (text.find_first_of("=+-@") == 0) text.insert(0, "'");
-  std::replace(text.begin(), text.end(), ';', ',');
+  std::ranges::replace(text, ';', ',');
   return text_cell(text);
 }
 
@@ -48,7 +48,7 @@ std::vector<std::filesystem::path> students_of(const std::string& place) {
   if (students.empty())
     throw InvalidInput("learn grade: no folders of students in " + answers::shown_text(place, 200) +
                        (error ? ": " + error.message() : ""));
-  std::sort(students.begin(), students.end());
+  std::ranges::sort(students);
   return students;
 }
 
@@ -114,7 +114,7 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   for (const auto& [which, students] : had)
     summary.rows.push_back({text_cell(exercises[which.first].id), cell_of(request, which.second),
                             answers::whole_cell(students)});
-  std::stable_sort(summary.rows.begin(), summary.rows.end(), [](const auto& a, const auto& b) {
+  std::ranges::stable_sort(summary.rows, [](const auto& a, const auto& b) {
     return std::stoi(a[2].text) > std::stoi(b[2].text);
   });
   return {is_why ? why : is_summary ? summary : marks, {}};

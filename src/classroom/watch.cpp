@@ -61,7 +61,7 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
                                   answers::shown_text(folder, 200) + ": " + error.message());
     for (const auto& entry : entries) {
       const std::string name = entry.path().filename();
-      const auto found = std::find(names.begin(), names.end(), name);
+      const auto found = std::ranges::find(names, name);
       if (found == names.end()) {
         const auto said = misnamed(name, names);
         if (said && unknown.insert(name).second)

@@ -105,7 +105,7 @@ Cases cases_of(const Exercise& e, const Run& run) {
       expected.push_back(value_of(terms.in_full(term), output));
     }
   }
-  if (std::count(e.outputs.begin(), e.outputs.end(), own_results) == 0) return cases;
+  if (std::ranges::count(e.outputs, own_results) == 0) return cases;
   const Ran own = run(e, e.solution_code, cases.inputs);
   for (std::size_t i = 0; i < cases.inputs.size(); ++i)
     for (std::size_t k = 0; k < e.outputs.size(); ++k) {

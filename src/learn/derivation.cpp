@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derivations, a line after the other: each must be true, and a small step from what stands before.
 #include <algorithm>
+#include <regex>
 #include <span>
 
 #include "answers/errors.hpp"
@@ -225,6 +226,19 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer."};
 }
 
+/// Without "1. ", "2) " or "(3)", where each line begins with its number.
+Texts without_numbers(const Texts& lines) {
+  Texts plain;
+  for (const std::string& line : lines) {
+    const std::regex number("\\(?" + std::to_string(plain.size() + 1) + "(\\.(?![0-9])|\\) )");
+    std::smatch found;
+    if (!std::regex_search(line, found, number, std::regex_constants::match_continuous))
+      return lines;
+    plain.push_back(found.suffix());
+  }
+  return plain;
+}
+
 }  // namespace
 
 Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& notes) {
@@ -235,6 +249,7 @@ Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& no
   Texts lines = split(plain, '\n');
   if (lines.size() == 1) lines = split(text, ';');  // on a command line
   if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
+  lines = without_numbers(lines);
   return e.start.empty() ? judge_equations(terms, lines, notes) : judge_chain(terms, lines, notes);
 }
 

@@ -113,7 +113,7 @@ struct Reader {
     });
     for (const auto& [name, node] : table) {
       const std::string key(name.str());
-      if (std::count(known.begin(), known.end(), key) == 0)
+      if (std::ranges::count(known, key) == 0)
         refuse(node, "no such key" + where + ": " + answers::shown_text(key, 40) +
                          meant(key, known, "; allowed: " + answers::joined(known)));
     }
@@ -154,7 +154,7 @@ struct Reader {
     need(!e.answer.empty() || !e.answer_from.empty() || !e.when.empty(),
          "answer is missing; allowed: answer, answer_from or, with choices, when");
     const Texts all_forms = forms();
-    need(e.form.empty() || std::count(all_forms.begin(), all_forms.end(), e.form) == 1,
+    need(e.form.empty() || std::ranges::count(all_forms, e.form) == 1,
          "form: allowed: " + answers::joined(all_forms));
     need(e.when.empty() || e.when.size() == e.choices.size(), "when: one for each of the choices");
     need(e.choices.size() <= 26, "choices: at most 26");

@@ -95,7 +95,7 @@ Judgement mistake(const Exercise& e,
                   const std::function<bool(const std::string& answer)>& was_given,
                   const std::string& otherwise) {
   for (const Misconception& one : e.misconceptions)
-    if (std::any_of(one.answers.begin(), one.answers.end(), was_given))
+    if (std::ranges::any_of(one.answers, was_given))
       return {Mark::wrong, one.feedback, {}, one.name};
   return {Mark::wrong, otherwise};
 }

@@ -32,7 +32,7 @@ kernel::Substitution numbers_of(const std::string& question) {
   for (auto [column, text] : answers::answer_to(question))
     if (text.find_first_of("0123456789") != text.npos &&
         text.find_first_not_of("-+./e0123456789") == text.npos) {
-      std::replace(text.begin(), text.end(), 'e', 'E');  // 1e-12 has two readings
+      std::ranges::replace(text, 'e', 'E');  // 1e-12 has two readings
       numbers.emplace(notation::symbol(column), notation::read_typed(text).term);
     }
   return numbers;
@@ -108,7 +108,7 @@ Expr Terms::typed(const std::string& text, Texts& notes) const {
 }
 
 Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
-  const auto signs = std::count(text.begin(), text.end(), '=');
+  const auto signs = std::ranges::count(text, '=');
   if (signs == 0) return typed(text, notes);
   if (signs > 1) kernel::refuse("one equation is expected, with one =");
   if (exercise.name.empty())

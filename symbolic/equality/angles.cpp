@@ -35,14 +35,13 @@ bool is_connected(const Domain& domain, const std::vector<Requirement>& needs) {
     if (range.high) range.high->is_inside = false;
   }
   Forms forms(box);
-  return std::all_of(needs.begin(), needs.end(),
-                     [&](const Requirement& r) { return forms.holds(r); });
+  return std::ranges::all_of(needs, [&](const Requirement& r) { return forms.holds(r); });
 }
 // An inequality of this kind leaves of a box what is convex.
 bool is_affine(Expr e, const Domain& box) {
   Forms forms(box);
   const Sum sum = forms.of(e);
-  return std::all_of(sum.begin(), sum.end(), [&](const auto& term) {
+  return std::ranges::all_of(sum, [&](const auto& term) {
     const Expr product = forms.expression(Sum{{term.first, 1}});
     return box.ranges.contains(product) || kernel::free_variables(product).empty();
   });

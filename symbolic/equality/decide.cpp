@@ -38,9 +38,7 @@ bool has_accident(const Point& point, Expr e, int bits) {
   if (is_function(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
     for (Expr symbol : kernel::free_variables(e.arg(1)))
       if (!is_whole(point.at(symbol))) return true;
-  const Exprs parts = e.args();
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](Expr part) { return has_accident(point, part, bits); });
+  return std::ranges::any_of(e.args(), [&](Expr part) { return has_accident(point, part, bits); });
 }
 Value value_at(const Point& point, Expr side, int bits) {
   try {
@@ -125,7 +123,7 @@ private:
     std::vector<Point> all = points(domain, points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
     for (const Point& point : points(narrowed(domain, needs), points_inside, {}, true))
-      if (std::find(all.begin(), all.end(), point) == all.end()) all.push_back(point);
+      if (std::ranges::find(all, point) == all.end()) all.push_back(point);
     std::string why_none;
     bool is_open = false;  // somewhere it would take more bits to know a value
     for (const Point& point : all) {
@@ -167,14 +165,13 @@ private:
   /// Under conditions that never hold everything can be proved.
   bool has_impossible_need() {
     const auto may_hold_at = [&](const Point& point) {
-      return std::none_of(needs.begin(), needs.end(), [&](const Requirement& r) {
+      return std::ranges::none_of(needs, [&](const Requirement& r) {
         const Value value = value_at(point, r.term, 192);
         return r.kind != Need::NotZero && value.ball && value.ball->high() < 0;
       });
     };
     const auto is_of_sign = [](const Requirement& r) { return r.kind != Need::NotZero; };
-    return std::any_of(needs.begin(), needs.end(), is_of_sign) &&
-           std::none_of(common.begin(), common.end(), may_hold_at);
+    return std::ranges::any_of(needs, is_of_sign) && std::ranges::none_of(common, may_hold_at);
   }
   bool proved(const std::string& how) {
     verdict.proof = how;
@@ -255,8 +252,8 @@ private:
     const auto found = power_of_negative(left - right);
     if (!found) return false;
     const std::set<Expr> symbols = kernel::free_variables(found->arg(1));
-    return std::any_of(symbols.begin(), symbols.end(),
-                       [&](Expr x) { return prove_at_whole_exponent(x, found->arg(1)); });
+    return std::ranges::any_of(symbols,
+                               [&](Expr x) { return prove_at_whole_exponent(x, found->arg(1)); });
   }
   bool prove_at_whole_exponent(Expr x, Expr exponent) {
     Domain whole = domain;
@@ -323,19 +320,18 @@ private:
     for (const Requirement& r : needs) {
       const bool is_base =
           r.kind == Need::NotNegative && is_certain({Need::Positive, Expr(-1) * r.term}, domain);
-      const bool is_weaker = r.kind == Need::NotNegative &&
-                             std::any_of(needs.begin(), needs.end(), [&](const Requirement& other) {
-                               return other.kind == Need::Positive && other.term == r.term;
-                             });
+      const bool is_weaker =
+          r.kind == Need::NotNegative && std::ranges::any_of(needs, [&](const Requirement& other) {
+            return other.kind == Need::Positive && other.term == r.term;
+          });
       if (!is_base && !is_weaker && !is_certain(r, domain) && seen.insert(text(r)).second)
         verdict.conditions.push_back(text(r));
     }
   }
   static bool is_algebraic_term(Expr e) {
     if (e.op() == Op::Num || e.op() == Op::Var) return true;
-    const Exprs parts = e.args();
     if (e.op() == Op::Fun && e.name() != "inv" && e.name() != "sqrt") return false;
-    return !parts.empty() && std::all_of(parts.begin(), parts.end(), is_algebraic_term);
+    return e.size() > 0 && std::ranges::all_of(e.args(), is_algebraic_term);
   }
   // Sums to high powers are names, for they are not multiplied out.
   static void name_bases(Expr e, kernel::Substitution& names) {
@@ -367,9 +363,8 @@ private:
           kernel::instantiate(algebra::equation(named(left), named(right), facts), bases);
       std::string hypotheses;
       for (Expr h : theorem.hypotheses()) {
-        const auto r = std::find_if(needs.begin(), needs.end(), [&](const Requirement& need) {
-          return h == formula(need.kind, need.term);
-        });
+        const auto r = std::ranges::find_if(
+            needs, [&](const Requirement& need) { return h == formula(need.kind, need.term); });
         if (r == needs.end()) return;  // a hypothesis that nobody is told of
         hypotheses += (hypotheses.empty() ? "" : ", ") + text(*r);
       }

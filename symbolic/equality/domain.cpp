@@ -53,10 +53,9 @@ bool bound(const notation::Comparison& c, std::map<Expr, Range>& given) {
   return true;
 }
 bool is_in(const Domain& domain, const Point& point) {
-  return std::all_of(domain.further.begin(), domain.further.end(),
-                     [&](const notation::Comparison& c) {
-                       return holds({at(point, c.left), c.relation, at(point, c.right)}) == true;
-                     });
+  return std::ranges::all_of(domain.further, [&](const notation::Comparison& c) {
+    return holds({at(point, c.left), c.relation, at(point, c.right)}) == true;
+  });
 }
 std::string shown(Expr symbol, const Range& range) {
   const std::string name = notation::typed_text(symbol);
@@ -84,7 +83,7 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
   std::size_t room = count;
   const auto add = [&](const cln::cl_RA& value) {
     if (values.size() < room && range.contains(value) &&
-        std::find(values.begin(), values.end(), value) == values.end())
+        std::ranges::find(values, value) == values.end())
       values.push_back(value);
   };
   if (!is_inside)
@@ -205,7 +204,7 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
 std::vector<std::string> texts(const Domain& domain) {
   std::vector<std::string> out;
   for (const auto& [symbol, range] : domain.ranges) out.push_back(shown(symbol, range));
-  std::sort(out.begin(), out.end());
+  std::ranges::sort(out);
   for (const notation::Comparison& c : domain.further)
     out.push_back(notation::typed_text(c.left) + " " + c.relation + " " +
                   notation::typed_text(c.right));

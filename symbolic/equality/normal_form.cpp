@@ -32,16 +32,14 @@ void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
     multiply(into, p, kernel::scaled(e, -times));
 }
 bool has_logarithm(Expr e) {
-  const Exprs parts = e.args();
-  return is_function(e, "log") || std::any_of(parts.begin(), parts.end(), has_logarithm);
+  return is_function(e, "log") || std::ranges::any_of(e.args(), has_logarithm);
 }
 bool is_over_logarithm(const Sum& sum) {
   const auto divides = [](const auto& power) {
     return has_logarithm(power.first) && whole_number(power.second).value_or(0) < 0;
   };
-  return std::any_of(sum.begin(), sum.end(), [&](const auto& term) {
-    return std::any_of(term.first.begin(), term.first.end(), divides);
-  });
+  return std::ranges::any_of(
+      sum, [&](const auto& term) { return std::ranges::any_of(term.first, divides); });
 }
 }  // namespace
 
@@ -229,13 +227,13 @@ Sum Forms::divided(Sum sum) {
   for (auto term = sum.begin(); term != sum.end();) {
     const auto [product, q] = *term++;
     const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
-    if (std::count_if(product.begin(), product.end(), is_sum) > 1) continue;  // each would undo
+    if (std::ranges::count_if(product, is_sum) > 1) continue;  // each would undo
     for (const auto& [divisor, power] : product) {
       const auto composite = composites.find(divisor);
       if (composite == composites.end() || power != exponent(-1)) continue;
       const Sum& whole = composite->second;
       // One symbol for each divisor, so that this comes to an end.
-      const auto above = std::find_if(whole.begin(), whole.end(), [](const auto& part) {
+      const auto above = std::ranges::find_if(whole, [](const auto& part) {
         return part.first.size() == 1 && part.first.begin()->first.op() == Op::Var &&
                part.first.begin()->second == exponent(1);
       });
@@ -243,7 +241,7 @@ Sum Forms::divided(Sum sum) {
       const Expr symbol = above->first.begin()->first;
       if (whole_number(exponent_in(product, symbol)).value_or(0) < 1) continue;
       const auto has_symbol = [&](const auto& part) { return part.first.contains(symbol); };
-      if (std::count_if(whole.begin(), whole.end(), has_symbol) > 1) continue;
+      if (std::ranges::count_if(whole, has_symbol) > 1) continue;
       Product rest = product;
       multiply(rest, divisor, exponent(1));
       multiply(rest, symbol, exponent(-1));
@@ -261,7 +259,7 @@ Sum Forms::turned(const Sum& whole_angle) {
   if (angle.size() > 1) {  // sin(n)/sin(n) is a sum, each part over that sum
     const Factors f = factors(angle);
     const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
-    if (std::none_of(f.powers.begin(), f.powers.end(), is_sum)) angle = reduced(f.powers, f.number);
+    if (std::ranges::none_of(f.powers, is_sum)) angle = reduced(f.powers, f.number);
   }
   for (const auto& [product, q] : angle) {
     const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&

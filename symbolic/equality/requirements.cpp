@@ -28,11 +28,12 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
     if (name == "nth_root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
     if (name != "raised") return;
-    if (!Forms(domain).is_integer(e.arg(1)))
+    if (notation::rational_value(x) == cln::cl_RA(0))
+      out.push_back({Need::Positive, e.arg(1)});
+    else if (!Forms(domain).is_integer(e.arg(1)))
       out.push_back({Need::NotNegative, x});
     else if (!is_certain({Need::Positive, e.arg(1)}, domain))
-      out.push_back(x == Expr(0) ? Requirement{Need::Positive, e.arg(1)}
-                                 : Requirement{Need::NotZero, x});
+      out.push_back({Need::NotZero, x});
   };
   visit(visit, term);
   return out;

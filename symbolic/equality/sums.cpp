@@ -125,7 +125,7 @@ void Forms::reduce(Product& product, cln::cl_RA& number) {
     const auto is_there = [&](Expr atom) {
       return constant_part(exponent_in(product, absolute(atom))) >= 1;
     };
-    if (!std::all_of(atoms.begin(), atoms.end(), is_there)) continue;
+    if (!std::ranges::all_of(atoms, is_there)) continue;
     if (sign < 0) number = -number;
     for (Expr atom : atoms) {
       multiply(product, absolute(atom), exponent(-1));
@@ -165,8 +165,8 @@ void Forms::reduce(Product& product, cln::cl_RA& number) {
 bool Forms::is_half_turn(const kernel::Monomial& monomial) const {
   kernel::Monomial others = monomial;
   return std::erase(others, std::pair(kernel::pi(), 1)) == 1 &&
-         std::all_of(others.begin(), others.end(),
-                     [&](const auto& part) { return is_integer_symbol(part.first); });
+         std::ranges::all_of(others,
+                             [&](const auto& part) { return is_integer_symbol(part.first); });
 }
 bool Forms::is_complex(Expr atom) {
   if (atom == circle()) return true;
@@ -215,7 +215,7 @@ Exponent Forms::exponent_of(const Sum& sum) {
       const Expr whole = expression(rest);
       forms[whole] = {{rest, 1}};
       monomial.emplace_back(whole, 1);
-      std::sort(monomial.begin(), monomial.end());
+      std::ranges::sort(monomial);
     }
     out = out + Exponent{{monomial, q}};
   }

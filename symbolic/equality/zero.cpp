@@ -59,8 +59,7 @@ bool Forms::is_zero_by_coefficients(const Sum& sum) {
     return is_number ? e : Exponent();
   };
   const std::map<Product, Sum> all = coefficients(sum, constant);
-  return std::all_of(all.begin(), all.end(),
-                     [&](const auto& term) { return is_zero_number(term.second); });
+  return std::ranges::all_of(all, [&](const auto& term) { return is_zero_number(term.second); });
 }
 bool Forms::is_zero_number(const Sum& coefficient) {
   if (coefficient.size() == 1) return false;

@@ -198,7 +198,7 @@ private:
   // A bound variable, a variable, a function with what follows it, or a function at an index.
   Expr resolved(const std::string& name) {
     const auto is_named = [&](const auto& variable) { return variable.first == name; };
-    const auto inner = std::find_if(bound.begin(), bound.end(), is_named);
+    const auto inner = std::ranges::find_if(bound, is_named);
     if (inner != bound.end())
       return make(
           {.op = Op::Bound, .index = int(inner - bound.begin()), .variable = inner->second});

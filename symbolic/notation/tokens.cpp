@@ -285,10 +285,20 @@ private:
     }
     if (word.starts_with("var") && is_greek_name(word.substr(3))) word.erase(0, 3);
     if (word == "dfrac" || word == "tfrac") word = "frac";
-    if (word == "frac" || word == "sqrt" || word == "begin" || word == "end")
-      return add(Kind::Command, word, column);
+    if (word == "frac" || word == "sqrt") return add(Kind::Command, word, column);
+    if (word == "begin" || word == "end") return bracket(word, column);
     if (!is_function(word) && !is_greek_name(word)) refuse_at(column, "unknown command \\" + word);
     indexed_name(word, column);
+  }
+
+  // {pmatrix} of \begin or \end, {array}{cc}
+  void bracket(const std::string& word, std::size_t column) {
+    const bool has_columns = word == "begin" && follows(U"{array}");
+    for (int groups = has_columns ? 2 : 1; groups > 0; --groups) {
+      at = text.find(U'}', at) + 1;
+      if (at == 0) refuse_at(column, "a } is missing for this \\" + word);
+    }
+    add(Kind::Sign, word == "begin" ? "[" : "]", column);
   }
 
   void sign(char32_t c, std::size_t column) {
@@ -315,7 +325,7 @@ void refuse_at(std::size_t column, const std::string& why) {
   kernel::refuse("column " + std::to_string(column) + ": " + why);
 }
 bool is_greek_name(const std::string& name) {
-  return std::any_of(spellings().begin(), spellings().end(), [&](const auto& spelling) {
+  return std::ranges::any_of(spellings(), [&](const auto& spelling) {
     return is_greek(spelling.first) && spelling.second == name;
   });
 }

@@ -84,7 +84,7 @@ private:
     if (++depth > deepest) refuse_at(now().column, "nested more than 200 deep");
   }
   void note(const std::string& how) {
-    if (std::find(notes.begin(), notes.end(), how) == notes.end()) notes.push_back(how);
+    if (std::ranges::find(notes, how) == notes.end()) notes.push_back(how);
   }
   std::string typed(std::size_t from, std::size_t to) const {
     std::string out;
@@ -134,7 +134,7 @@ private:
   bool starts_factor() const {
     if (is("|")) return bars == 0;
     return now().kind == Kind::Name || now().kind == Kind::Number || is("(") || is("{") ||
-           is("[") || (now().kind == Kind::Command && !is_end_command());
+           is("[") || now().kind == Kind::Command;
   }
   // 2 of 2\frac{19}{64}: a mixed number to some, a product to others.
   void refuse_mixed(std::size_t from) const {
@@ -243,36 +243,12 @@ private:
       const Expr above = group();
       return quotient(above, group(), token.column);
     }
-    if (token.text == "sqrt") {
-      if (!is("[")) return kernel::sqrt(group());
-      ++place;
-      const Expr order = sum();
-      close("]", token.column);
-      return ordered_root(order, group(), token.column);
-    }
-    if (token.text == "begin") return environment(token);
-    refuse_at(token.column, "unexpected \\" + token.text);
+    if (!takes("[")) return kernel::sqrt(group());
+    const Expr order = sum();
+    close("]", token.column);
+    return ordered_root(order, group(), token.column);
   }
-  // \begin{pmatrix} a & b \\ c & d \end{pmatrix}
-  Expr environment(const Token& token) {
-    const bool has_columns = now().text == "{" && words[place + 1].text == "array";
-    skip_name(token);
-    if (has_columns) skip_name(token);  // {cc}
-    const std::vector<Exprs> all = rows();
-    if (!is_end_command()) refuse_at(now().column, "\\end is expected");
-    ++place;
-    skip_name(token);
-    return grid_of(all, token.column);
-  }
-  bool is_end_command() const { return now().kind == Kind::Command && now().text == "end"; }
-  // {pmatrix}
-  void skip_name(const Token& token) {
-    while (!takes("}")) {
-      if (now().kind == Kind::End) refuse_at(token.column, "a } is missing for this \\begin");
-      ++place;
-    }
-  }
-  // [[a, b], [c, d]] or [a, b; c, d]
+  // [[a, b], [c, d]] or [a, b; c, d], and \begin{pmatrix} a & b \\ c & d \end{pmatrix}
   Expr grid(const Token& token) {
     const std::vector<Exprs> all = is("[") ? rows_in_brackets() : rows();
     close("]", token.column);
@@ -283,7 +259,7 @@ private:
     do {
       const std::size_t column = now().column;
       if (!takes("[")) refuse_at(column, "a row is written [a, b, c]");
-      out.push_back(list());
+      for (const Exprs& row : rows()) out.push_back(row);
       close("]", column);
     } while (takes(",") || takes(";"));
     return out;
@@ -291,7 +267,7 @@ private:
   std::vector<Exprs> rows() {
     std::vector<Exprs> out{list()};
     while (takes(";"))
-      if (!is_end_command()) out.push_back(list());
+      if (!is("]")) out.push_back(list());
     return out;
   }
   Exprs list() {
@@ -345,14 +321,14 @@ private:
     int open = 0;
     for (std::size_t i = place; i < words.size(); ++i) {
       const std::string& text = words[i].text;
-      open += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
+      open += text == "(" ? 1 : text == ")" ? -1 : 0;
       if (open == 0) return false;
       if (open == 1 && text == ",") return true;
     }
     return false;
   }
   bool is_matrix_ahead() const {  // which is never below a line
-    return is("[") || (now().kind == Kind::Command && now().text == "begin") || has_comma_ahead();
+    return is("[") || has_comma_ahead();
   }
   bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
   Expr function(const Token& token) {

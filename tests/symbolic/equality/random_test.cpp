@@ -84,9 +84,9 @@ TEST_CASE("What is called equal agrees at random points") {
     }
     if (verdict.answer != Answer::Equal) continue;
     ++equal;
-    const bool at_whole =
-        std::any_of(verdict.conditions.begin(), verdict.conditions.end(),
-                    [](const std::string& condition) { return condition.ends_with(" integer"); });
+    const bool at_whole = std::ranges::any_of(verdict.conditions, [](const std::string& condition) {
+      return condition.ends_with(" integer");
+    });
     for (int k = 0; k < 40; ++k) {
       Point point;
       for (const auto& [symbol, range] : where.ranges) {
