@@ -76,6 +76,17 @@ Ball Ball::alternating(Ball term, const Ball& square, int first) {
   sum.radius = sum.radius + cln::abs(term.middle) + term.radius;
   return sum;
 }
+/// t + t square/3 + t square^2/5 + ...; what is left out is less than the last power.
+Ball Ball::odd_powers(const Ball& t, const Ball& square) {
+  Ball power = t;
+  Ball sum = t;
+  for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
+    power = power * square;
+    sum = sum + power.over(2 * k + 1);
+  }
+  sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
+  return sum;
+}
 Ball cos(const Ball& x) { return Ball::alternating(1, x * x, 0); }
 Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
 Ball power(const Ball& base, std::int64_t exponent) {
@@ -102,15 +113,7 @@ Ball atan(const Ball& x) {
   constexpr int halvings = 6;
   Ball t = x;
   for (int k = 0; k < halvings; ++k) t = t / (Ball(1) + sqrt(Ball(1) + t * t));
-  const Ball square = t * t;
-  Ball power = t;
-  Ball sum = t;
-  for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
-    power = -power * square;
-    sum = sum + power.over(2 * k + 1);
-  }
-  sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
-  return Ball(1 << halvings) * sum;
+  return Ball(1 << halvings) * Ball::odd_powers(t, -(t * t));
 }
 Ball Ball::pi() {  // Machin
   return Ball(16) * atan(Ball(cl_RA(1) / 5)) - Ball(4) * atan(Ball(cl_RA(1) / 239));
@@ -138,15 +141,7 @@ Ball log(const Ball& x) {
   // x = 2^e y with y near 1; log y = 2 atanh((y - 1)/(y + 1)) = 2 (t + t^3/3 + ...)
   const auto area = [](const Ball& y) {
     const Ball t = (y - Ball(1)) / (y + Ball(1));
-    const Ball square = t * t;
-    Ball power = t;
-    Ball sum = t;
-    for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
-      power = power * square;
-      sum = sum + power.over(2 * k + 1);
-    }
-    sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
-    return Ball(2) * sum;
+    return Ball(2) * Ball::odd_powers(t, t * t);
   };
   const int e = exponent_of(cln::max(x.low(), cl_RA(0)));
   const Ball y{cln::ash(x.middle, -e), cln::ash(x.radius, -e) + 1};

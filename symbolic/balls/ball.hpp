@@ -62,6 +62,7 @@ private:
   /// A part of it; as cheap as can be.
   Ball over(int n) const { return {cln::floor1(middle, n), cln::floor1(radius, n) + 2}; }
   static Ball alternating(Ball term, const Ball& square, int first);
+  static Ball odd_powers(const Ball& t, const Ball& square);
   static int bits_;
   cln::cl_I middle;
   cln::cl_I radius;

@@ -105,8 +105,8 @@ std::string Quadratic::text() const {
 }
 
 Ball ball_of(const Quadratic& x) {
-  const Ball a(x.rational_part());
-  return x.radicand() == 1 ? a : a + Ball(x.root_part()) * sqrt(Ball(cl_RA(x.radicand())));
+  const Ball a(x.a_);
+  return cln::zerop(x.b_) ? a : a + Ball(x.b_) * sqrt(Ball(cl_RA(x.d_)));
 }
 
 }  // namespace balls

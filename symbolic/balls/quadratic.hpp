@@ -28,9 +28,6 @@ public:
   friend bool operator<(const Quadratic& x, const Quadratic& y) { return compared(x, y) < 0; }
   friend bool operator==(const Quadratic& x, const Quadratic& y) { return compared(x, y) == 0; }
 
-  /// a and b.
-  const cln::cl_RA& rational_part() const { return a_; }
-  const cln::cl_RA& root_part() const { return b_; }
   /// d; 1 for a rational.
   const cln::cl_I& radicand() const { return d_; }
   /// Bits of the numerators and denominators.
@@ -39,6 +36,9 @@ public:
   std::optional<double> to_double() const;
   /// "-1/4", "-2+sqrt(5)", "1/2-1/2*sqrt(5)"
   std::string text() const;
+
+  /// Contains x.
+  friend Ball ball_of(const Quadratic& x);
 
 private:
   cln::cl_RA a_, b_;
@@ -49,8 +49,5 @@ private:
   static int compared(const Quadratic& x, const Quadratic& y);
   static const cln::cl_I& common(const Quadratic& x, const Quadratic& y);
 };
-
-/// Contains x.
-Ball ball_of(const Quadratic& x);
 
 }  // namespace balls

@@ -111,7 +111,6 @@ private:
   using ConstantPart = std::function<Exponent(Expr atom, const Exponent& exponent)>;
   /// The sum as one of different functions, each times a constant.
   static std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant_part);
-  bool is_zero_by_coefficients(const Sum& sum);
   bool is_zero_number(const Sum& coefficient);
   /// The sign (1 or -1) is proved; strictly: without 0.
   bool has_sign(const Sum& sum, int sign, bool strictly);

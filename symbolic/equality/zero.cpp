@@ -47,10 +47,6 @@ Sum Forms::expanded(Sum sum, Product* divisor) {
   }
 }
 bool Forms::is_zero(const Sum& sum) {
-  const Sum rest = expanded(sum);
-  return rest.empty() || is_zero_by_coefficients(rest);
-}
-bool Forms::is_zero_by_coefficients(const Sum& sum) {
   const kernel::Monomial pi{{kernel::pi(), 1}};
   const auto constant = [&](Expr atom, const Exponent& e) {
     if (atom == circle()) return e.contains(pi) ? times_pi(e.at(pi)) : Exponent();
@@ -58,8 +54,8 @@ bool Forms::is_zero_by_coefficients(const Sum& sum) {
                            !is_complex(atom) && is_algebraic(atom);
     return is_number ? e : Exponent();
   };
-  const std::map<Product, Sum> all = coefficients(sum, constant);
-  return std::ranges::all_of(all, [&](const auto& term) { return is_zero_number(term.second); });
+  return std::ranges::all_of(coefficients(expanded(sum), constant),
+                             [&](const auto& term) { return is_zero_number(term.second); });
 }
 bool Forms::is_zero_number(const Sum& coefficient) {
   if (coefficient.size() == 1) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "notation/operations.hpp"
 
+#include <functional>
 #include <map>
 #include <sstream>
 
@@ -18,24 +19,15 @@ constexpr std::size_t most_bits = 70000;
 // e^x + e^-x and e^x - e^-x
 Expr sum_of_two(Expr x) { return call("exp", x) + call("exp", -x); }
 Expr difference_of_two(Expr x) { return call("exp", x) - call("exp", -x); }
-using Function = Expr (*)(Expr);
+using Function = std::function<Expr(Expr)>;
 const std::map<std::string, Function>& functions() {
   static const auto table = [] {
     std::map<std::string, Function> all{
-        {"sqrt", [](Expr x) { return kernel::sqrt(x); }},
         {"cbrt", [](Expr x) { return root(3, x); }},
-        {"abs", [](Expr x) { return call("abs", x); }},
-        {"sin", [](Expr x) { return kernel::sin(x); }},
-        {"cos", [](Expr x) { return kernel::cos(x); }},
         {"tan", [](Expr x) { return kernel::sin(x) / kernel::cos(x); }},
         {"sec", [](Expr x) { return Expr(1) / kernel::cos(x); }},
         {"csc", [](Expr x) { return Expr(1) / kernel::sin(x); }},
         {"cot", [](Expr x) { return kernel::cos(x) / kernel::sin(x); }},
-        {"asin", [](Expr x) { return call("asin", x); }},
-        {"acos", [](Expr x) { return call("acos", x); }},
-        {"atan", [](Expr x) { return kernel::atan(x); }},
-        {"exp", [](Expr x) { return call("exp", x); }},
-        {"log", [](Expr x) { return call("log", x); }},
         {"sinh", [](Expr x) { return difference_of_two(x) / Expr(2); }},
         {"cosh", [](Expr x) { return sum_of_two(x) / Expr(2); }},
         {"tanh", [](Expr x) { return difference_of_two(x) / sum_of_two(x); }},
@@ -46,6 +38,9 @@ const std::map<std::string, Function>& functions() {
         {"atanh", [](Expr x) { return call("log", (1 + x) / (1 - x)) / Expr(2); }},
         {"coth", [](Expr x) { return sum_of_two(x) / difference_of_two(x); }},
     };
+    for (const std::string name :
+         {"sqrt", "abs", "sin", "cos", "asin", "acos", "atan", "exp", "log"})
+      all.emplace(name, [name](Expr x) { return call(name, x); });
     std::istringstream others(
         "arcsin asin arccos acos arctan atan arctg atan tg tan ctg cot cosec csc ln log arsinh "
         "asinh arcosh acosh "

@@ -15,20 +15,19 @@ using namespace kernel;
 namespace {
 using Kind = Token::Kind;
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-bool is_inside(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
+constexpr std::string_view digits = "0123456789";
+constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+const std::string inside = std::string(letters) + std::string(digits) + "_";
 
-std::size_t end_of(std::string_view text, std::size_t i, bool (*belongs)(char)) {
-  while (i < text.size() && belongs(text[i])) ++i;
-  return i;
+std::size_t end_of(std::string_view text, std::size_t i, std::string_view belongs) {
+  return std::min(text.find_first_not_of(belongs, i), text.size());
 }
 // c, c', c'_n: a prime ends a name, behind which an index may follow.
 std::size_t end_of_name(std::string_view text, std::size_t i) {
-  i = end_of(text, i, is_inside);
+  i = end_of(text, i, inside);
   if (!text.substr(i).starts_with('\'')) return i;
   if (!text.substr(i).starts_with("'_")) return i + 1;
-  i = end_of(text, i + 1, is_inside);
+  i = end_of(text, i + 1, inside);
   return text.substr(i).starts_with('\'') ? i + 1 : i;
 }
 std::size_t end_of_sign(std::string_view text, std::size_t i) {
@@ -37,13 +36,15 @@ std::size_t end_of_sign(std::string_view text, std::size_t i) {
   return std::string_view("=<+-*/^()[],;:").find(text[i]) == text.npos ? i : i + 1;
 }
 Token token(std::string_view text, std::size_t from) {
-  const std::size_t i = std::min(text.find_first_not_of(' ', from), text.size());
+  const std::size_t i = end_of(text, from, " ");
   Token out{.column = i + 1, .is_spaced = i > from || i == 0};
   if (i == text.size()) return out;
-  out.kind = is_digit(text[i]) ? Kind::Number : is_letter(text[i]) ? Kind::Name : Kind::Sign;
-  const std::size_t end = out.kind == Kind::Number ? end_of(text, i, is_digit)
-                          : out.kind == Kind::Name ? end_of_name(text, i)
-                                                   : end_of_sign(text, i);
+  std::size_t end = end_of(text, i, digits);
+  out.kind = end > i                                  ? Kind::Number
+             : letters.find(text[i]) < letters.size() ? Kind::Name
+                                                      : Kind::Sign;
+  if (out.kind == Kind::Name) end = end_of_name(text, i);
+  if (out.kind == Kind::Sign) end = end_of_sign(text, i);
   if (end == i) refuse("character " + std::to_string(i + 1) + " belongs to no formula");
   out.text = text.substr(i, end - i);
   return out;
@@ -144,9 +145,9 @@ private:
     return kernel::power(base, atom());
   }
   int small_number() {
-    const std::string digits = need(Kind::Number, "a whole number");
-    if (digits.size() > 9) refuse(digits.substr(0, 20) + "... is too large here");
-    return std::stoi(digits);
+    const std::string word = need(Kind::Number, "a whole number");
+    if (word.size() > 9) refuse(word.substr(0, 20) + "... is too large here");
+    return std::stoi(word);
   }
 
   Expr atom() {
@@ -213,8 +214,8 @@ private:
     }
     if (signature(name)) return applied(name, {});
     if (index.empty()) refuse("the name " + name + " is not known");
-    const bool digits = index.find_first_not_of("0123456789") == index.npos;
-    const Expr at = digits ? Expr(cln::cl_RA(cln::cl_I(index.c_str()))) : resolved(index);
+    const bool is_number = index.find_first_not_of(digits) == index.npos;
+    const Expr at = is_number ? Expr(cln::cl_RA(cln::cl_I(index.c_str()))) : resolved(index);
     return applied(indexed(name, split), {at});
   }
   // alpha_ or alpha, of alpha_3

@@ -88,12 +88,12 @@ private:
   }
   std::string typed(std::size_t from, std::size_t to) const {
     std::string out;
-    for (std::size_t i = from; i < to; ++i)
-      out += (i > from && (words[i].is_spaced ||
-                           (words[i].kind == Kind::Name && words[i - 1].kind != Kind::Sign))
-                  ? " "
-                  : "") +
-             words[i].text;
+    for (std::size_t i = from; i < to; ++i) {
+      const bool are_two =
+          i > from && words[i].kind == Kind::Name && words[i - 1].kind != Kind::Sign;
+      out += (i > from && words[i].is_spaced) || are_two ? " " : "";
+      out += words[i].text;
+    }
     return out;
   }
   void close(std::string_view sign, std::size_t opened) {
@@ -250,19 +250,16 @@ private:
   }
   // [[a, b], [c, d]] or [a, b; c, d], and \begin{pmatrix} a & b \\ c & d \end{pmatrix}
   Expr grid(const Token& token) {
-    const std::vector<Exprs> all = is("[") ? rows_in_brackets() : rows();
-    close("]", token.column);
-    return grid_of(all, token.column);
-  }
-  std::vector<Exprs> rows_in_brackets() {
-    std::vector<Exprs> out;
-    do {
+    std::vector<Exprs> all;
+    if (!is("[")) all = rows();
+    while (all.empty() || takes(",") || takes(";")) {
       const std::size_t column = now().column;
       if (!takes("[")) refuse_at(column, "a row is written [a, b, c]");
-      for (const Exprs& row : rows()) out.push_back(row);
+      std::ranges::copy(rows(), std::back_inserter(all));
       close("]", column);
-    } while (takes(",") || takes(";"));
-    return out;
+    }
+    close("]", token.column);
+    return grid_of(all, token.column);
   }
   std::vector<Exprs> rows() {
     std::vector<Exprs> out{list()};

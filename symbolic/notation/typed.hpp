@@ -50,7 +50,8 @@ std::set<std::string> symbols_of(kernel::Expr e);
 /// and so on: functions of the reader that the kernel knows nothing of.
 kernel::Expr raised(kernel::Expr base, kernel::Expr exponent);
 kernel::Expr root(int order, kernel::Expr x);
-kernel::Expr call(const std::string& name, kernel::Expr x);  ///< abs exp log asin acos
+kernel::Expr call(const std::string& name,
+                  kernel::Expr x);  ///< also of those that the kernel knows
 /// The value of a term of numbers, +, *, quotients and whole powers, while it is short.
 std::optional<cln::cl_RA> rational_value(kernel::Expr e);
 /// As one would type it; reads back as a term of the same value.
