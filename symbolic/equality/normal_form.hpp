@@ -77,6 +77,8 @@ private:
   Sum function(Expr term);
   Sum times(const Sum& a, const Sum& b);
   void reduce(Product& product, cln::cl_RA& number);
+  void reduce_modulus(Product& product, cln::cl_RA& number, Expr atom, const Exponent& exponent);
+  void reduce_turns(Product& product, cln::cl_RA& number, const Exponent& exponent) const;
   Sum integer_power(const Sum& base, int exponent);
   std::optional<Sum> rationalized(const Sum& constant);
   Exponent multiplied(const Exponent& a, const Exponent& b);

@@ -94,34 +94,11 @@ Sum Forms::times(const Sum& a, const Sum& b) {
   return out;
 }
 
-// |a|^2 is a times its conjugate, p^1 a number, z^pi is -1.
+// p^1 is a number, |a| |b| is a b where that is not negative.
 void Forms::reduce(Product& product, cln::cl_RA& number) {
-  const Product before = product;
-  for (const auto& [atom, e] : before) {
-    if (!is_function(atom, "abs")) continue;
-    const Expr inner = atom.arg(0);
-    const int sign = sign_of_atom(inner);
-    if (sign > 0) {
-      product.erase(atom);
-      multiply(product, inner, e);
-      continue;
-    }
-    const cln::cl_RA whole = cln::floor1(constant_part(e));
-    const cln::cl_RA part = sign < 0 ? whole : 2 * cln::floor1(whole / 2);
-    if (part == 0) continue;
-    multiply(product, atom, exponent(-part));
-    if (sign < 0 && !is_even(part)) number = -number;
-    if (!is_complex(inner)) {
-      multiply(product, inner, exponent(part));
-      continue;
-    }
-    multiply(product, inner, exponent(part / 2));
-    const Factors conjugate = factors(conjugated(composites.at(inner)));
-    number = number * cln::expt(conjugate.number, cln::numerator(part / 2));
-    for (const auto& [other, k] : conjugate.powers)
-      multiply(product, other, kernel::scaled(k, part / 2));
-  }
-  for (const auto& [atoms, sign] : signed_products) {  // |a| |b| is a b where that is not negative
+  for (const auto& [atom, e] : Product(product))
+    if (is_function(atom, "abs")) reduce_modulus(product, number, atom, e);
+  for (const auto& [atoms, sign] : signed_products) {
     const auto is_there = [&](Expr atom) {
       return constant_part(exponent_in(product, absolute(atom))) >= 1;
     };
@@ -133,32 +110,53 @@ void Forms::reduce(Product& product, cln::cl_RA& number) {
     }
   }
   for (const auto& [atom, e] : Product(product)) {
-    if (atom.op() == Op::Num) {
-      const cln::cl_I whole = cln::floor1(constant_part(e));
-      if (whole == 0) continue;
-      if (cln::abs(whole) > 10000) throw TooLarge("a number of too many digits");
-      number = number * cln::expt(atom.value(), whole);
-      multiply(product, atom, exponent(-whole));
+    if (atom == circle()) reduce_turns(product, number, e);
+    if (atom.op() != Op::Num) continue;
+    const cln::cl_I whole = cln::floor1(constant_part(e));
+    if (whole == 0) continue;
+    if (cln::abs(whole) > 10000) throw TooLarge("a number of too many digits");
+    number = number * cln::expt(atom.value(), whole);
+    multiply(product, atom, exponent(-whole));
+  }
+}
+// |a|^2 is a times its conjugate.
+void Forms::reduce_modulus(Product& product, cln::cl_RA& number, Expr atom, const Exponent& e) {
+  const Expr inner = atom.arg(0);
+  const int sign = sign_of_atom(inner);
+  if (sign > 0) {
+    product.erase(atom);
+    return multiply(product, inner, e);
+  }
+  const cln::cl_RA whole = cln::floor1(constant_part(e));
+  const cln::cl_RA part = sign < 0 ? whole : 2 * cln::floor1(whole / 2);
+  if (part == 0) return;
+  multiply(product, atom, exponent(-part));
+  if (sign < 0 && !is_even(part)) number = -number;
+  if (!is_complex(inner)) return multiply(product, inner, exponent(part));
+  multiply(product, inner, exponent(part / 2));
+  const Factors conjugate = factors(conjugated(composites.at(inner)));
+  number = number * cln::expt(conjugate.number, cln::numerator(part / 2));
+  for (const auto& [other, k] : conjugate.powers)
+    multiply(product, other, kernel::scaled(k, part / 2));
+}
+// z^pi is -1, and n^2 is n up to an even number.
+void Forms::reduce_turns(Product& product, cln::cl_RA& number, const Exponent& e) const {
+  Exponent flat;
+  for (const auto& [monomial, q] : e) {
+    kernel::Monomial once = monomial;
+    if (is_half_turn(monomial) && is_whole(q))
+      for (auto& [part, k] : once) k = 1;
+    flat = flat + Exponent{{once, q}};
+  }
+  multiply(product, circle(), flat + kernel::scaled(e, -1));
+  for (const auto& [monomial, q] : flat) {
+    if (!is_half_turn(monomial)) continue;
+    cln::cl_RA turns = 2 * cln::floor1(q / 2);
+    if (monomial == kernel::Monomial{{kernel::pi(), 1}} && q - turns >= 1) {
+      turns = turns + 1;
+      number = -number;
     }
-    if (atom != circle()) continue;
-    const kernel::Monomial pi{{kernel::pi(), 1}};
-    Exponent flat;  // n^2 is n, up to an even number
-    for (const auto& [monomial, q] : e) {
-      kernel::Monomial once = monomial;
-      if (is_half_turn(monomial) && is_whole(q))
-        for (auto& [part, k] : once) k = 1;
-      flat = flat + Exponent{{once, q}};
-    }
-    multiply(product, atom, flat + kernel::scaled(e, -1));
-    for (const auto& [monomial, q] : flat) {
-      if (!is_half_turn(monomial)) continue;
-      cln::cl_RA turns = 2 * cln::floor1(q / 2);
-      if (monomial == pi && q - turns >= 1) {
-        turns = turns + 1;
-        number = -number;
-      }
-      if (turns != 0) multiply(product, atom, {{monomial, -turns}});
-    }
+    if (turns != 0) multiply(product, circle(), {{monomial, -turns}});
   }
 }
 /// pi times an integer.
