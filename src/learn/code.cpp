@@ -11,7 +11,6 @@
 #include "answers/shown_text.hpp"
 #include "answers/table.hpp"
 #include "balls/ball.hpp"
-#include "equality/constant.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {
@@ -26,15 +25,12 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 cl_RA value_of(Expr constant, const std::string& text) {
   if (const auto q = notation::rational_value(constant)) return *q;
   for (int bits = 128; bits <= 8192; bits *= 2) {
-    try {
-      const equality::Ball ball = equality::enclosure(constant, bits);
-      const cl_RA low = ball.low(), width = ball.high() - low;
-      if (width * cln::expt_pos(cl_RA(2), 80) <= cln::abs(low)) return low;
-      if (equality::exact_sign(constant) == 0) return 0;
-    } catch (const balls::NotCertain&) {
-    } catch (const equality::NotDefined& undefined) {
-      throw InvalidInput(text + ": " + undefined.what());
-    }
+    const equality::Value value = equality::value_at({}, constant, bits);
+    if (!value.why_none.empty()) throw InvalidInput(text + ": " + value.why_none);
+    if (!value.ball) continue;
+    const cl_RA low = value.ball->low(), width = value.ball->high() - low;
+    if (width * cln::expt_pos(cl_RA(2), 80) <= cln::abs(low)) return low;
+    if (equality::exact_sign(constant) == 0) return 0;
   }
   throw InvalidInput(text + ": its value is not found");
 }

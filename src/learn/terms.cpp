@@ -8,7 +8,6 @@
 #include "answers/question.hpp"
 #include "answers/shown_text.hpp"
 #include "balls/ball.hpp"
-#include "equality/constant.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace learn {
@@ -62,18 +61,11 @@ std::string without_value(Expr given, Expr expected, const equality::Domain& dom
   std::string first;
   int all = 0, gaps = 0;
   for (const equality::Point& point : equality::points(domain, tried, {given, expected})) {
-    bool is_counted = false;
-    try {
-      equality::enclosure(equality::at(point, expected), 192);
-      is_counted = true;
-      ++all;
-      equality::enclosure(equality::at(point, given), 192);
-    } catch (const equality::NotDefined& none) {
-      if (!is_counted || ++gaps > 1) continue;
-      first = point.empty() ? ": " : ", for instance at " + equality::text(point) + ": ";
-      first += none.what();
-    } catch (const equality::NotCertain&) {
-    }
+    if (!equality::value_at(point, expected).ball) continue;
+    ++all;
+    const std::string why_none = equality::value_at(point, given).why_none;
+    if (why_none.empty() || ++gaps > 1) continue;
+    first = (point.empty() ? "" : ", for instance at " + equality::text(point)) + ": " + why_none;
   }
   return 2 * gaps > all ? first : "";
 }

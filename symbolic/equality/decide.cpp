@@ -21,17 +21,6 @@ constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
 constexpr int largest_denominator = 1000;
 
-struct Value {
-  std::optional<Ball> ball = {};  // nothing: no value, or not certain
-  std::string why_none = {};      // where it is certain that there is none
-
-  /// To fifty digits, or that there is none.
-  bool is_known() const {
-    if (!ball) return !why_none.empty();
-    const cln::cl_RA size = cln::max(cln::cl_RA(1), cln::abs(ball->low()));
-    return ball->high() - ball->low() < size / cln::ash(cln::cl_I(1), 166);
-  }
-};
 // x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
 // power is, though (-1/2)^y has a value by accident at some fractions.
 bool has_accident(const Point& point, Expr e, int bits) {
@@ -40,21 +29,10 @@ bool has_accident(const Point& point, Expr e, int bits) {
       if (!is_whole(point.at(symbol))) return true;
   return std::ranges::any_of(e.args(), [&](Expr part) { return has_accident(point, part, bits); });
 }
-Value value_at(const Point& point, Expr side, int bits) {
-  try {
-    const Ball ball = enclosure(at(point, side), bits);
-    if (has_accident(point, side, bits)) return {.why_none = "a real power of a negative number"};
-    return {.ball = ball};
-  } catch (const NotDefined& none) {
-    return {.why_none = none.what()};
-  } catch (const NotCertain&) {
-    return {};
-  }
-}
 // Exactly where it is a short fraction.
 std::optional<cln::cl_RA> fraction(Expr constant) {
   if (const auto value = notation::rational_value(constant)) return value;
-  const Value value = value_at({}, constant, 192);
+  const Value value = value_at({}, constant);
   if (!value.ball) return {};
   const auto near = near_fraction(value.ball->low(), largest_denominator);
   return near && exact_sign(constant - Expr(*near)) == 0 ? near : std::nullopt;
@@ -166,7 +144,7 @@ private:
   bool has_impossible_need() {
     const auto may_hold_at = [&](const Point& point) {
       return std::ranges::none_of(needs, [&](const Requirement& r) {
-        const Value value = value_at(point, r.term, 192);
+        const Value value = value_at(point, r.term);
         return r.kind != Need::NotZero && value.ball && value.ball->high() < 0;
       });
     };
@@ -376,6 +354,23 @@ private:
   }
 };
 }  // namespace
+
+bool Value::is_known() const {
+  if (!ball) return !why_none.empty();
+  const cln::cl_RA size = cln::max(cln::cl_RA(1), cln::abs(ball->low()));
+  return ball->high() - ball->low() < size / cln::ash(cln::cl_I(1), 166);
+}
+Value value_at(const Point& point, Expr side, int bits) {
+  try {
+    const Ball ball = enclosure(at(point, side), bits);
+    if (has_accident(point, side, bits)) return {.why_none = "a real power of a negative number"};
+    return {.ball = ball};
+  } catch (const NotDefined& none) {
+    return {.why_none = none.what()};
+  } catch (const NotCertain&) {
+    return {};
+  }
+}
 
 Verdict decide(Expr left, Expr right, const Domain& domain) {
   try {

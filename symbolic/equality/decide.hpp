@@ -6,9 +6,19 @@
 #include <string>
 #include <vector>
 
+#include "equality/constant.hpp"
 #include "equality/domain.hpp"
 
 namespace equality {
+/// What a term is at a point.
+struct Value {
+  std::optional<Ball> ball = {};  ///< nothing: no value, or not certain
+  std::string why_none = {};      ///< where it is certain that there is none
+
+  bool is_known() const;  ///< to fifty digits, or that there is none
+};
+Value value_at(const Point& point, Expr term, int bits = 192);
+
 enum class Answer { Equal, Different, Undecided };
 
 /// A point where both sides have a value, and the values differ.

@@ -68,7 +68,7 @@ private:
   std::map<Sum, Factors> factored;
   std::map<Sum, std::pair<int, int>> signs;  // of composites, and the depth where that was asked
   std::map<Expr, int> assumed_signs;         // 1: not negative, 2: positive, -1, -2 likewise
-  std::map<Expr, bool> assumed_not_zero;
+  std::set<Expr> assumed_not_zero;
   std::vector<std::pair<Sum, int>> assumed;            // signs, likewise
   std::vector<std::pair<Exprs, int>> signed_products;  // a b c is not negative (1) or positive (-1)
   int depth = 0;                                       // of questions for signs

@@ -28,7 +28,7 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
     if (name == "nth_root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
     if (name != "raised") return;
-    if (notation::rational_value(x) == cln::cl_RA(0))
+    if (is_proved([&] { return Forms(domain).of(x).empty(); }))
       out.push_back({Need::Positive, e.arg(1)});
     else if (!Forms(domain).is_integer(e.arg(1)))
       out.push_back({Need::NotNegative, x});

@@ -190,7 +190,7 @@ void Forms::assume(const Requirement& requirement) {
   if (sum.empty()) return;
   const Factors f = factors(sum);
   if (requirement.kind == Requirement::Kind::NotZero) {
-    for (const auto& [atom, e] : f.powers) assumed_not_zero[atom] = true;
+    for (const auto& [atom, e] : f.powers) assumed_not_zero.insert(atom);
   } else {
     const bool strictly = requirement.kind == Requirement::Kind::Positive;
     const int strength = strictly ? 2 : 1;

@@ -115,7 +115,6 @@ private:
     return matrix(1, entries(grid_of(all, column)));
   }
   Expr sum() {
-    deeper();
     Expr e = term();
     Exprs terms{e};
     while (is("+") || is("-")) {
@@ -127,7 +126,6 @@ private:
       if (is_matrix(e)) e = added(e, next, column);
       terms.push_back(next);
     }
-    --depth;
     return is_matrix(e) || terms.size() == 1 ? e : kernel::sum(terms);
   }
 
@@ -191,20 +189,24 @@ private:
     return minus ? negative(power()) : power();
   }
   Expr power() {
-    deeper();
     const Expr base = primary();
     const std::size_t column = now().column;
-    Expr e = base;
-    if (takes("^")) {
-      const Expr exponent = signed_factor();
-      if (name_of(base) == "e" && !free_variables(exponent).empty())
-        note("e is read as the coefficient of restitution; the exponential function is exp(x)");
-      e = raised_to(base, exponent, column);
-    }
+    if (!takes("^")) return base;
+    deeper();
+    const Expr exponent = signed_factor();
+    --depth;
+    if (name_of(base) == "e" && !free_variables(exponent).empty())
+      note("e is read as the coefficient of restitution; the exponential function is exp(x)");
+    return raised_to(base, exponent, column);
+  }
+  Expr primary() {
+    deeper();
+    const Expr e = operand();
     --depth;
     return e;
   }
-  Expr primary() {
+  // A number, a name, a function of something, or what is in brackets.
+  Expr operand() {
     const Token token = now();
     if (token.kind == Kind::End) refuse_at(token.column, "the expression ends too early");
     ++place;
@@ -307,11 +309,9 @@ private:
     if (rounding.contains(word))
       refuse_at(token.column, word + ": there are no rounding functions here");
     const std::string meant = alike(word, factors);
-    refuse_at(token.column, "unknown function " + typed_text(symbol(word)) +
-                                (!meant.empty()    ? "; is " + meant + " meant?"
-                                 : word.size() > 1 ? ""
-                                                   : "; write * for a product, and " + word +
-                                                         "_n for " + word + "(n)"));
+    std::string hint = meant.empty() ? "" : "; is " + meant + " meant?";
+    if (word.size() == 1) hint = "; write * for a product, and " + word + "_n for " + word + "(n)";
+    refuse_at(token.column, "unknown function " + typed_text(symbol(word)) + hint);
   }
   // Of the brackets that begin here.
   bool has_comma_ahead() const {

@@ -134,8 +134,16 @@ TEST_CASE("Sizes are bounded from both sides") {
   const auto brackets = [](std::size_t n) {
     return std::string(n, '(') + "x" + std::string(n, ')');
   };
-  CHECK(reading(brackets(90)) == "x");
-  CHECK_THAT(refused(brackets(300)), ContainsSubstring("nested more than 200 deep"));
+  CHECK(reading(brackets(199)) == "x");
+  for (const std::string& deep : {brackets(200), brackets(9000)})
+    CHECK_THAT(refused(deep), ContainsSubstring("column 201: nested more than 200 deep"));
+  std::string roots, powers;
+  for (int i = 0; i < 6000; ++i) {
+    roots += "√";
+    powers += "x^";
+  }
+  for (const std::string& deep : {roots + "x", powers + "x"})
+    CHECK_THAT(refused(deep), ContainsSubstring("nested more than 200 deep"));
   CHECK(reading(std::string(15000, '-') + "x") == "x");
   CHECK_THAT(refused(std::string(20001, '-') + "x"), ContainsSubstring("longer than 20000"));
   CHECK(reading("2^10000") == "2^10000");
