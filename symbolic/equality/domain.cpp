@@ -217,36 +217,26 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   for (Expr e : terms) collect_numbers(e, special);
   std::vector<Expr> symbols;
   std::vector<std::vector<cln::cl_RA>> values;
-  std::size_t last = 0;
   const std::size_t most = count + most_special;
   const std::size_t usual = is_inside ? 60 : domain.ranges.size() == 1 ? count : 24;
   for (const auto& [symbol, range] : domain.ranges) {
     symbols.push_back(symbol);
     values.push_back(values_of(range, usual, is_inside, special, most));
     if (values.back().empty()) return {};
-    last += values.back().size() - 1;
   }
   std::vector<Point> out;
-  int tried = 0;
-  const auto visit = [&](const auto& self, std::size_t place, std::size_t left,
-                         Point& point) -> void {
-    if (out.size() >= most || tried > most_tried) return;
-    if (place == symbols.size()) {
-      if (left > 0) return;
-      ++tried;
-      if (is_in(domain, point)) out.push_back(point);
-      return;
-    }
-    for (std::size_t i = 0; i <= left && i < values[place].size(); ++i) {
-      point[symbols[place]] = values[place][i];
-      self(self, place + 1, left - i, point);
-    }
-    point.erase(symbols[place]);
-  };
-  // The sum of the places in the lists grows, so that simple points come first.
-  for (std::size_t total = 0; total <= std::min(last, most); ++total) {
+  // By the sum of the places in the lists, so that simple points come first.
+  using Places = std::vector<std::size_t>;
+  std::set<std::pair<std::size_t, Places>> next{{0, Places(symbols.size())}};
+  for (int tried = 0; !next.empty() && out.size() < most && tried < most_tried; ++tried) {
+    auto [sum, places] = next.extract(next.begin()).value();
     Point point;
-    visit(visit, 0, total, point);
+    for (std::size_t j = 0; j < symbols.size(); ++j) point[symbols[j]] = values[j][places[j]];
+    if (is_in(domain, point)) out.push_back(point);
+    for (std::size_t j = 0; j < symbols.size(); ++j) {
+      if (++places[j] < values[j].size()) next.emplace(sum + 1, places);
+      --places[j];
+    }
   }
   // Then values far down in the lists of several symbols at once, each list in steps of its own.
   for (std::size_t i = 0; is_inside && i < 2 * count; ++i) {
