@@ -21,13 +21,16 @@ void add_gaps(const Judgement& compared, std::size_t line, Texts& notes) {
   for (const std::string& gap : compared.notes) notes.push_back(line_name(line) + ": " + gap);
 }
 
-/// A side of a line, or what is wrong with it by the line's number.
-Expr side(const Terms& terms, const std::string& text, std::size_t line, Texts& notes) {
+/// A line or a side of it, or what is wrong with it by the line's number.
+notation::Typed typed(const Terms& terms, const std::string& text, std::size_t line, Texts& notes) {
   try {
-    const Expr term = terms.typed(text, notes);
-    if (kernel::is_matrix(term)) kernel::refuse("a matrix");
-    if (const std::string foreign = terms.foreign(term); !foreign.empty()) kernel::refuse(foreign);
-    return term;
+    const notation::Typed read = terms.typed(text, notes);
+    for (Expr side : {read.term, read.right ? read.right : read.term}) {
+      if (kernel::is_matrix(side)) kernel::refuse("a matrix");
+      if (const std::string foreign = terms.foreign(side); !foreign.empty())
+        kernel::refuse(foreign);
+    }
+    return read;
   } catch (const kernel::Refused& r) {
     kernel::refuse(line_name(line) + ": " + r.what());
   }
@@ -118,15 +121,11 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
   std::vector<std::pair<Expr, Expr>> all;
   Exprs differences;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const Texts sides = split(lines[i], '=');
-    if (const auto signs = std::count(lines[i].begin(), lines[i].end(), '='); signs > 1)
-      kernel::refuse(line_name(i) + " has " + std::to_string(signs) +
-                     " equals signs; write one equation a line");
-    if (sides.size() != 2)
+    const notation::Typed read = typed(terms, lines[i], i, notes);
+    if (!read.right)
       kernel::refuse(line_name(i) + " is no equation; one = is expected in each line");
-    const Expr left = side(terms, sides[0], i, notes);
-    all.emplace_back(left, side(terms, sides[1], i, notes));
-    differences.push_back(left - all.back().second);
+    all.emplace_back(read.term, read.right);
+    differences.push_back(read.term - read.right);
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto [left, right] = all[i];
@@ -191,7 +190,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
     const Texts parts = split(lines[i], '=');
     for (const std::string& part : parts) {
       const bool is_left = parts.size() > 1 && &part == &parts[0];
-      const Expr now = side(terms, part, i, notes), given = terms.in_full(now);
+      const Expr now = typed(terms, part, i, notes).term, given = terms.in_full(now);
       if (is_left && now == start) continue;  // goes on from what was reached
       const std::string what =
           before == start ? e.start + ", with which the chain begins" : "what comes before it";
@@ -234,7 +233,7 @@ Texts without_numbers(const Texts& lines) {
     std::smatch found;
     if (!std::regex_search(line, found, number, std::regex_constants::match_continuous))
       return lines;
-    plain.push_back(found.suffix());
+    plain.push_back(std::string(found.str().size(), ' ') + found.suffix().str());  // same columns
   }
   return plain;
 }

@@ -37,9 +37,6 @@ kernel::Substitution numbers_of(const std::string& question) {
   return numbers;
 }
 
-/// Of a character.
-bool is_first_byte(char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80; }
-
 /// A counterexample in words. Of constants the right value is not given away.
 std::string difference(const equality::Counterexample& c) {
   if (c.point.empty())
@@ -91,27 +88,24 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
   if (!e.run.empty()) values.merge(numbers_of(e.run));
 }
 
-Expr Terms::typed(const std::string& text, Texts& notes) const {
+notation::Typed Terms::typed(const std::string& text, Texts& notes) const {
+  if (std::count(text.begin(), text.end(), '=') > 1)
+    kernel::refuse("one equation is expected, with one =");
   const bool is_column =
       exercise.kind == "symbolic" && kernel::is_matrix(answer()) && answer().cols() == 1;
-  const notation::Typed read = notation::read_typed(text, symbols, is_column);
+  const notation::Typed read = notation::read_equation(text, symbols, is_column);
   notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-  return read.term;
+  return read;
 }
 
 Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
-  const auto signs = std::ranges::count(text, '=');
-  if (signs == 0) return typed(text, notes);
-  if (signs > 1) kernel::refuse("one equation is expected, with one =");
+  const notation::Typed read = typed(text, notes);
+  if (!read.right) return read.term;
   if (exercise.name.empty())
     kernel::refuse("what is asked for has no name; write the expression alone, without =");
   const Expr name = content(exercise.name);
-  std::string left = text.substr(0, text.find('=')), right = text.substr(left.size());
-  right[0] = ' ';  // columns are those of the text
-  right.insert(0, std::ranges::count_if(left, is_first_byte), ' ');
-  Texts ignored;
-  if (typed(right, ignored) == name) std::swap(left, right);
-  if (typed(left, ignored) == name) return typed(right, notes);
+  if (read.term == name) return read.right;
+  if (read.right == name) return read.term;
   kernel::refuse("neither side of this equation is " + exercise.name + ", which is asked for");
 }
 

@@ -13,9 +13,9 @@ class Terms {
 public:
   explicit Terms(const Exercise& exercise);
 
-  /// What a student typed. Refused (kernel::Refused) where it cannot be read.
-  Expr typed(const std::string& text, Texts& notes) const;
-  /// An equation's sides; another name than the one that is asked for, or two signs, are Refused.
+  /// What a student typed, an equation or not. Refused (kernel::Refused) where it cannot be read.
+  notation::Typed typed(const std::string& text, Texts& notes) const;
+  /// Of an equation the side without the name that is asked for; Refused where neither is that.
   Expr typed_for_name(const std::string& text, Texts& notes) const;
   /// What the exercise says. Throws answers::InvalidInput.
   Expr content(const std::string& text) const;

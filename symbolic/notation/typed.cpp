@@ -25,12 +25,13 @@ public:
     if (words.size() == 1) refuse("the expression is empty");
     part_names();
   }
-  Typed whole() {
+  Typed whole(bool may_be_equation) {
     const Expr e = expression();
+    const Expr right = may_be_equation && takes("=") ? expression() : Expr();
     if (is_relation())
       refuse_at(now().column, "one expression is expected here, without " + now().text);
     expect_end();
-    return {e, notes};
+    return {e, notes, right};
   }
   std::vector<Comparison> comparisons() {
     std::vector<Comparison> out;
@@ -403,7 +404,10 @@ private:
 }  // namespace
 
 Typed read_typed(std::string_view text, const std::set<std::string>& factors, bool is_column) {
-  return Parser(text, factors, is_column).whole();
+  return Parser(text, factors, is_column).whole(false);
+}
+Typed read_equation(std::string_view text, const std::set<std::string>& factors, bool is_column) {
+  return Parser(text, factors, is_column).whole(true);
 }
 std::vector<Comparison> read_comparisons(std::string_view text) {
   return Parser(text, {}, false).comparisons();

@@ -15,6 +15,7 @@ namespace notation {
 struct Typed {
   kernel::Expr term;               ///< a number or a matrix
   std::vector<std::string> notes;  ///< how it was read: "1/2 M_1 is read as (1/2)*M_1"
+  kernel::Expr right = {};         ///< of an equation, whose left side is the term
 };
 /// Numbers (decimals exactly: 0.1 is 1/10), + - * / ^, names, |x|, sqrt cbrt root abs sin cos tan
 /// sec csc cot asin acos atan exp log sinh cosh tanh, matrices [[a, b], [c, d]] or (a, b; c, d) or
@@ -26,6 +27,8 @@ struct Typed {
 /// more than 200 deep, numbers of more than 70,000 bits, exponents above 10,000.
 Typed read_typed(std::string_view text, const std::set<std::string>& factors = {},
                  bool is_column = false);
+/// The same, or an equation of two.
+Typed read_equation(std::string_view text, const std::set<std::string>& factors, bool is_column);
 
 /// One sign of an equation or a chain: 0 < alpha <= 1 are two.
 struct Comparison {
