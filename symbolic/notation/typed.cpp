@@ -403,8 +403,8 @@ private:
 };
 }  // namespace
 
-Typed read_typed(std::string_view text, const std::set<std::string>& factors, bool is_column) {
-  return Parser(text, factors, is_column).whole(false);
+Typed read_typed(std::string_view text, const std::set<std::string>& factors) {
+  return Parser(text, factors, false).whole(false);
 }
 Typed read_equation(std::string_view text, const std::set<std::string>& factors, bool is_column) {
   return Parser(text, factors, is_column).whole(true);

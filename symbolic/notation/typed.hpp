@@ -19,15 +19,13 @@ struct Typed {
 };
 /// Numbers (decimals exactly: 0.1 is 1/10), + - * / ^, names, |x|, sqrt cbrt root abs sin cos tan
 /// sec csc cot asin acos atan exp log sinh cosh tanh, matrices [[a, b], [c, d]] or (a, b; c, d) or
-/// \begin{pmatrix}, where a column is asked for (a, b) too; M₁, c'_n, usual spellings of signs; a
-/// product's sign may be left out where that is clear, as in M_2u_2 where both are in `factors`. A
-/// name before a bracket is a function unless it is in `factors`, is Greek or has an index, or is
-/// one of the usual letters, such as x, V and n.
+/// \begin{pmatrix}; M₁, c'_n, usual spellings of signs; a product's sign may be left out where it
+/// is clear, as in M_2u_2 where both are in `factors`. A name before a bracket is a function unless
+/// it is in `factors`, is Greek or has an index, or is one of the usual letters: x, V, n, ...
 /// Refused (kernel::Refused, "column 7: ..."): anything else, more than 20,000 characters, brackets
 /// more than 200 deep, numbers of more than 70,000 bits, exponents above 10,000.
-Typed read_typed(std::string_view text, const std::set<std::string>& factors = {},
-                 bool is_column = false);
-/// The same, or an equation of two.
+Typed read_typed(std::string_view text, const std::set<std::string>& factors = {});
+/// The same, or an equation; where a column is asked for it may be (a, b).
 Typed read_equation(std::string_view text, const std::set<std::string>& factors, bool is_column);
 
 /// One sign of an equation or a chain: 0 < alpha <= 1 are two.
