@@ -93,6 +93,7 @@ void write_answers(const Asked& asked, const answers::Names& columns, CsvReader&
       tell(done + row + 1);
     }
     write();
+    if (reader.waits()) output.flush();
     tell(done += size);
   }
   output.write(writer.rows({}) + writer.end());

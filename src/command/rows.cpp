@@ -7,6 +7,9 @@
 #include <system_error>
 #include <utility>
 
+#include <poll.h>
+#include <unistd.h>
+
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
 
@@ -71,11 +74,15 @@ bool CsvReader::next_line() {
     buffer_.erase(0, std::exchange(at_, 0));
     const std::size_t had = buffer_.size();
     buffer_.resize(had + piece);
-    buffer_.resize(had + std::fread(buffer_.data() + had, 1, piece, file_.get()));
-    if (std::ferror(file_.get()) != 0) {
+    ssize_t size = -1;
+    do {
+      size = ::read(::fileno(file_.get()), buffer_.data() + had, piece);
+    } while (size < 0 && errno == EINTR);
+    if (size < 0) {
       throw answers::InvalidInput("cannot read " + source_ + ": " +
                                   std::generic_category().message(errno));
     }
+    buffer_.resize(had + static_cast<std::size_t>(size));
     if (buffer_.size() == had) break;
     end = buffer_.find('\n', had);
   }
@@ -141,10 +148,16 @@ bool CsvReader::next(std::vector<std::string>& row) {
   return true;
 }
 
+bool CsvReader::waits() const {
+  if (buffer_.find('\n', at_) != std::string::npos) return false;
+  pollfd input{::fileno(file_.get()), POLLIN, 0};
+  return ::poll(&input, 1, 0) == 0;
+}
+
 bool CsvReader::read(std::vector<std::vector<std::string>>& rows, std::size_t most) {
   rows.resize(most);
   std::size_t size = 0;
-  while (size < most && next(rows[size])) ++size;
+  while (size < most && (size == 0 || !waits()) && next(rows[size])) ++size;
   rows.resize(size);
   return size != 0;
 }

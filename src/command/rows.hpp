@@ -23,8 +23,11 @@ public:
 
   /// The wanted columns that are there.
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Fields of the next rows, at most so many, by column; none of them is empty. False: no row.
+  /// Fields of the next rows, at most so many, by column; none of them is empty. Fewer where the
+  /// next one waits(). False: no row.
   bool read(std::vector<std::vector<std::string>>& rows, std::size_t most);
+  /// Whether the next line is still to be written by whoever writes into the pipe.
+  bool waits() const;
   /// "FILE:LINE: " of the last row, or of one so many rows before.
   std::string place(std::size_t before = 0) const;
 
