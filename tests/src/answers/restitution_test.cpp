@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Terminal velocities with restitution against exact steps by the law of one collision.
+#include <cmath>
 #include <random>
 
 #include "answers/errors.hpp"
@@ -99,6 +100,43 @@ TEST_CASE("tier exact is in fractions, tier fast that of the library") {
   CHECK(row[2].text == std::to_string(t.counts.N_A));
   const std::vector<double> values{t.a_t, t.b_t, t.c_t, t.rho};
   for (std::size_t i = 0; i < 4; ++i) CHECK(row[4 + i].text == real_cell(values[i]).text);
+}
+TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes say") {
+  std::mt19937_64 random(30);
+  const auto number = [&] { return double(random() >> 11) * 0x1p-53; };
+  int ended = 0;
+  for (int row = 0; row < 200; ++row) {
+    const bool is_wall = row % 3 == 0;
+    const double ball = std::exp2(-30 * number()),
+                 per_B = std::exp2(std::floor(30 * number() - 15));
+    const double e = row % 2 == 0 ? 1 : 1 - std::exp2(-30 * number());
+    magicmass::scenes::Places places{{value_of(1), value_of(ball)}, {}};
+    auto& line = places.line;
+    line.positions = {0, 0};
+    line.velocities = {1, 0};
+    line.restitution = magicmass::scenes::Quadratic(e);
+    if (is_wall) {
+      line.right_wall = 1;
+    } else {
+      places.masses.push_back(value_of(1 / per_B));
+      line.positions.push_back(1);
+      line.velocities.push_back(0);
+    }
+    const Trio trio = Trio::of(places).value();
+    const auto N = trio.count();
+    const auto t = magicmass::fast::terminal({ball, is_wall ? 0 : per_B}, e);
+    INFO("ball " << ball << ", 1/B " << per_B << ", wall " << is_wall << ", e " << e);
+    REQUIRE(t.has_value() == N.has_value());
+    if (!N) continue;
+    ++ended;
+    REQUIRE(t->counts == magicmass::Counts{(*N + 1) / 2, *N / 2});
+    const double got[] = {t->a_t, t->c_t, t->b_t};
+    const auto velocities = trio.velocities(trio.shape(), *N);
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+      CHECK_THAT(got[i],
+                 Catch::Matchers::WithinRel(cln::double_approx(velocities[i].low()), 1e-13));
+  }
+  CHECK(ended > 150);
 }
 TEST_CASE("a fraction halfway between two decimals, or doubles, is rounded to the even one") {
   Request request;
