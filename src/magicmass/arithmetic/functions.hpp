@@ -56,7 +56,7 @@ template <class Tier, class T>
   return t * polynomial<P>(less_centre(z, P::centre));
 }
 
-/// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-200 down that.
+/// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-200 down that. 1 for what is no such n.
 inline DoubleDouble<double> power(DoubleDouble<double> x, double n) {
   const auto times_or_least = [](DoubleDouble<double> a, DoubleDouble<double> b) {
     const DoubleDouble<double> p = a * b;
@@ -64,7 +64,7 @@ inline DoubleDouble<double> power(DoubleDouble<double> x, double n) {
   };
   DoubleDouble<double> result{1.0, 0.0};
   x = fast_two_sum(x.high, x.low);
-  for (std::int64_t left = std::int64_t(n); left > 0; left /= 2) {
+  for (std::int64_t left = n < 0x1p63 ? std::int64_t(n) : 0; left > 0; left /= 2) {
     if (left % 2 != 0) result = times_or_least(result, x);
     x = times_or_least(x, x);
   }
