@@ -144,6 +144,9 @@ template <class T>
   return (SimdMask)(n + 0x1p52) & 0xfffffffffffff;
 }
 [[gnu::always_inline]] inline double to_real(std::int64_t n) { return double(n); }
-[[gnu::always_inline]] inline std::int64_t to_whole(double n) { return std::int64_t(n); }
+/// 0 for NaN, which a row in doubt may have.
+[[gnu::always_inline]] inline std::int64_t to_whole(double n) {
+  return std::int64_t(n < 0x1p63 ? n : 0.0);
+}
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::arithmetic
