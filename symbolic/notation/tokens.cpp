@@ -278,7 +278,8 @@ private:
       spaced = true;
       const std::size_t end = text.find(U'}', at);  // \operatorname{sech}
       if (peek() != U'{' || end == text.npos) return;
-      const std::string inner(text.begin() + at + 1, text.begin() + end);
+      const auto braced = text.substr(at + 1, end - at - 1);
+      const std::string inner(braced.begin(), braced.end());
       if (!is_function(inner)) return;
       at = end + 1;
       return add(Kind::Name, inner, column);

@@ -170,7 +170,8 @@ Terminal terminal_by_mpfr(double alpha) {
 std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
   const AllExponents here;
   MpfrFloat::bits = last_bits;
-  auto& [M_C, w_B] = masses;
+  double& M_C = masses.ball;
+  const double w_B = masses.per_B;
   const auto two = generated::two_collisions_exact<MpfrFloat>(M_C, w_B, e);
   if (!two.ends.is_positive()) return std::nullopt;
   if (!(-two.two).is_positive())
