@@ -36,8 +36,9 @@ Names needed(const std::string& file) {
                                                 {"events", {"a", "b", "c", "c_prime"}}};
   const Scene scene = read_scene(file);
   const auto places = exact_places(scene);
+  const auto trio = places ? Trio::of(*places) : std::nullopt;
   const auto* block = scene.masses[0].exact();
-  if (scene.kind != Kind::three_body || !places || !Trio::of(*places) || block == nullptr ||
+  if (scene.kind != Kind::three_body || !trio || !trio->is_at_rest() || block == nullptr ||
       !scene.masses[2].is(*block) || !scene.restitution.is(1)) {
     throw InvalidInput(
         scene.source +

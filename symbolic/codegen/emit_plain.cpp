@@ -35,8 +35,9 @@ std::string guard_lines(const std::string& function, const Case& c) {
   for (const Condition& g : c.guards) {
     const std::string name = identifier(g.name);
     lines += "    if (!(" + name + " > Number(" + hex(g.range.low) + ") && " + name + " < Number(" +
-             hex(g.range.high) + ")))\n      throw std::domain_error(\"" + function + ": " + name +
-             " must be between " + hex(g.range.low) + " and " + hex(g.range.high) + "\");\n";
+             hex(g.range.high) + ")))\n      throw std::domain_error(\"" + function +
+             ": \"\n          \"" + name + " must be between " + hex(g.range.low) + " and " +
+             hex(g.range.high) + "\");\n";
   }
   return lines;
 }

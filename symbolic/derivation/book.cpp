@@ -68,7 +68,8 @@ Theorem Book::operator[](const std::string& id) const {
   kernel::refuse("no theorem " + id);
 }
 Theorem defined(const std::string& symbol, const Exprs& params, Expr value, const Exprs& domain) {
-  const std::set<std::string> hidden{"alpha", "V", "M_A", "w_B", "M_C", "e", "L"};
+  const std::set<std::string> hidden{"alpha", "V", "M_A", "w_B", "M_C",
+                                     "e",     "L", "W",   "d_A", "d_B"};
   const auto printed = std::find_if(params.begin(), params.end(),
                                     [&](Expr p) { return hidden.count(p.name()) == 0; });
   const Theorem definition = kernel::define(symbol, params, value, int(printed - params.begin()));

@@ -52,7 +52,7 @@ void chebyshev(Book& book) {
       by_induction(j, eq(power(U(j), 2), 1 - power(last(j), 2) + 2 * x * U(j) * last(j)),
                    {first, def[1]}, {after, last_after});
   book.show("last", "With U_last for the one before, 0 at first,",
-            under({from_0}, both({def[1], last_after})));
+            under({from_0}, both({def[1], last_after, after})));
   book.show("neighbours", "three neighbours keep, whatever x is,",
             equation(power(U(j), 2) - U(j + 1) * last(j), 1, {after, kept}));
   know(assume(lt(0, y)));

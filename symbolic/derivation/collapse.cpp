@@ -73,10 +73,16 @@ void in_time(Book& book) {
   const Theorem at_most_1 =
       scaled(le(y_e, 1), le(1, sum), y_e, {equation(y_e * sum, 1, {inverse}), from_1, root_sign});
   book.show("root", "which solves a quadratic equation and is 1 at most,",
-            both({quadratic, at_most_1}));
+            both({quadratic, positive(y_e), at_most_1}));
 
   const auto power_of = [&](Expr index) { return fun("pow", {y_e, index}); };
   const Theorem powers_from_0_to_1 = powers_of(book, at_most_1);
+  const Theorem distance = at(book["chebyshev.distance"], {{x, kappa()}, {y, y_e}},
+                              {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});
+  const Theorem powers_next = at(powers_from_0_to_1, {{j, j + 1}});
+  know(part(powers_next, 0));
+  book.show("neighbours", "and below which quotients of neighbours are,",
+            both({distance, part(powers_next, 0), part(powers_next, 1)}));
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
   know(linear(lt(0, U(j)), {rise}));
   const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
@@ -88,14 +94,10 @@ void in_time(Book& book) {
     return at(book["wedge.never_ends"], {{j, i}}, {range});
   });
   const Theorem time = cut(all_of_them, time_is);
-  const Theorem distance = at(book["chebyshev.distance"], {{x, kappa()}, {y, y_e}},
-                              {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});
   const Expr rest = unit * power_of(j + 1) / U(j);
   know(all_of_them);
   book.show("time_left", "before which all collisions take place,",
             equation(left(end_is) - left(time), rest, {end_is, time, turned(distance)}));
-  const Theorem powers_next = at(powers_from_0_to_1, {{j, j + 1}});
-  know(part(powers_next, 0));
   const Expr per = unit / U(j);
   book.show("in_time", "and come as close to it as you like:",
             both({positive(rest),

@@ -9,19 +9,22 @@ namespace {
 const Expr M_1 = real("M_1"), M_2 = real("M_2"), w_2 = real("w_2");
 const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
 
-/// The velocities after a collision with restitution e, solved for: with masses, and with the
-/// inverse mass of the second body.
-Exprs one_collision(Book& book) {
-  const Expr momentum = eq(M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2);
-  const Expr relative = eq(v_2 - v_1, e * (u_1 - u_2));
+const Expr relative = eq(v_2 - v_1, e*(u_1 - u_2));
+const Expr momentum_kept = eq(M_1 * u_1 + M_2 * u_2, M_1* v_1 + M_2 * v_2);
+/// With the inverse mass of the second body.
+const Expr shared = eq(w_2 * M_1 * u_1 + u_2, w_2* M_1* v_1 + v_2);
+/// The velocities after a collision with restitution e, solved for.
+Exprs solved(Expr law) { return solve({law, relative}, {v_1, v_2}, {u_1, u_2}); }
+
+void one_collision(Book& book) {
   const Exprs bodies{e, M_1, M_2, u_1, u_2, v_1, v_2};
   const Theorem law = book.show(
       "law",
       "A collision with restitution e keeps momentum, and the bodies part e times as fast "
       "as they approached:",
-      define("impact", bodies, logic_and({momentum, relative}), 0));
+      define("impact", bodies, logic_and({momentum_kept, relative}), 0));
   const Theorems laws = parts({tautology(right(law), {law, assume(fun("impact", bodies))})});
-  const Exprs after = solve({momentum, relative}, {v_1, v_2}, {u_1, u_2});
+  const Exprs after = solved(momentum_kept);
   const Theorem v_2_is = solved_for(v_2, laws[1]);
   const Theorem v_1_is = solved_for(M_1 * v_1, laws[0]);
   book.show("v_1", "The velocities after it are", equation(v_1, after[0], {v_2_is, v_1_is}));
@@ -37,8 +40,7 @@ Exprs one_collision(Book& book) {
                 define("rebound", {e, u_1, u_2, v_1, v_2}, logic_and({eq(v_2, u_2), relative}), 0));
   const Theorems of_wall =
       parts({tautology(right(wall), {wall, assume(fun("rebound", {e, u_1, u_2, v_1, v_2}))})});
-  const Expr shared = eq(w_2 * M_1 * u_1 + u_2, w_2 * M_1 * v_1 + v_2);
-  const Exprs of_both = solve({shared, relative}, {v_1, v_2}, {u_1, u_2});
+  const Exprs of_both = solved(shared);
   const auto instance = [&](Expr value, const Theorems& rules, const auto& shape) {
     const auto is = [&](Expr v, std::size_t i) {
       return equation(v, shape(substitute(of_both[i], {{w_2, value}})), rules);
@@ -52,12 +54,15 @@ Exprs one_collision(Book& book) {
             instance(0, {from_wall, of_wall[0]}, [](Expr t) {
               return simplified(t, {u_1, u_2});
             }));
-  return {after[0], after[1], of_both[0], of_both[1]};
 }
 /// The approach speed before collision j, and its recurrence.
-void recurrence(Book& book, const Theorems& motion) {
+void recurrence(Book& book, const Motion& of, const Theorems& motion) {
+  const auto velocity = [&](const char* body, Expr i) { return of.velocity(body, i); };
+  const auto closing = [&](Expr i) { return of.closing(i); };
   const Theorems turns = parts({book["cycle.turn"]});
-  const Theorem definition = defined("closing", {M_A, w_B, M_C, e, V, j},
+  Exprs params = of.params;
+  params.push_back(j);
+  const Theorem definition = defined(of.approach, params,
                                      is_P(j) * (velocity("A", j) - velocity("C", j)) +
                                          is_Q(j) * (velocity("C", j) - velocity("B", j)),
                                      of_wedge({le(0, j)}));
@@ -86,7 +91,8 @@ void recurrence(Book& book, const Theorems& motion) {
                 equation(closing(j + 1), other(j) + (1 + e) * share(j) * closing(j),
                          step + Theorems{at(definition, {{j, j + 1}})}));
   const Theorem start = at(gain, {{j, 0}});
-  const Expr second = (1 + e) * (M_A / (M_A + M_C)) * V;
+  const Expr gained = (1 + e) * (M_A / (M_A + M_C)) * V, ball = of.start[2];
+  const Expr second = ball == Expr(0) ? gained : ball + gained;
   book.show(
       "second", "The second speed is",
       restate(eq(closing(1), second), equation(closing(Expr(0) + Expr(1)), second,
@@ -97,26 +103,26 @@ void recurrence(Book& book, const Theorems& motion) {
   };
   const Theorem momentum =
       book.show("momentum", "Momentum is kept, if there is no wall:",
-                by_induction(j, eq(carried(j), w_B * M_A * V),
-                             equation(carried(0), w_B * M_A * V, {motion[0], motion[1], motion[2]}),
+                by_induction(j, eq(carried(j), of.momentum),
+                             equation(carried(0), of.momentum, {motion[0], motion[1], motion[2]}),
                              [&](const Theorem& now) {
                                return chain(equation(carried(after), carried(j), step), now);
                              }));
   // The two speeds after collision j, by the one before it and the one before the next.
   const Theorem closes = at(definition, {{j, after}});
   const Theorem parts_with = solved_for(e * closing(j), parting);
-  const Expr A = velocity("A", after), B = velocity("B", after), ball = velocity("C", after);
+  const Expr A = velocity("A", after), B = velocity("B", after), C = velocity("C", after);
   const Expr of_B = is_Q(after) * closing(after) - is_P(after) * (e * closing(j));
   const Theorem A_B =
       book.show("A_B", "After collision j the velocities of A and B differ by",
                 linear(eq(A - B, closing(after) - e * closing(j)), {closes, parting}));
   const Theorem C_B =
       book.show("C_B", "those of C and B by",
-                equation(ball - B, of_B, {closes, parts_with, at(square, {{j, after}})}));
+                equation(C - B, of_B, {closes, parts_with, at(square, {{j, after}})}));
   const Expr of_A = closing(after) - e * closing(j), all = mass_of_all();
-  const Expr given_off = w_B * (M_A * (V - of_A) - M_C * of_B);
+  const Expr given_off = of.momentum - w_B * (M_A * of_A + M_C * of_B);
   const Theorem of_one = rewrite(solved_for(A, A_B), at(momentum, {{j, after}}));
-  const Theorem whole = linear(eq(B * all, given_off), {rewrite(solved_for(ball, C_B), of_one)});
+  const Theorem whole = linear(eq(B * all, given_off), {rewrite(solved_for(C, C_B), of_one)});
   book.show("B_velocity", "and B has", divided(B, given_off / all, {all}, whole));
   book.show("recurrence", "and each one follows from two before:",
             linear(eq(closing(j + 2), (1 + e) * share(j + 1) * closing(j + 1) - e * closing(j)),
@@ -124,32 +130,36 @@ void recurrence(Book& book, const Theorems& motion) {
 }
 }  // namespace
 
-void restitution(Book& book) {
-  book.chapter("restitution", "Any masses, and collisions that lose energy",
-               {lt(0, M_1), lt(0, M_2)});
-  const Exprs after = one_collision(book);
+void sequences(Book& book, const Motion& of, const std::string& start) {
+  const Exprs of_masses = solved(momentum_kept), of_inverse = solved(shared);
   const auto of_A = [&](std::size_t body, Expr u, Expr other) {
-    return substitute(after[body], {{M_1, M_A}, {M_2, M_C}, {u_1, u}, {u_2, other}});
+    return substitute(of_masses[body], {{M_1, M_A}, {M_2, M_C}, {u_1, u}, {u_2, other}});
   };
   const auto of_B = [&](std::size_t body, Expr u, Expr other) {
-    return substitute(after[2 + body], {{M_1, M_C}, {w_2, w_B}, {u_1, u}, {u_2, other}});
+    return substitute(of_inverse[body], {{M_1, M_C}, {w_2, w_B}, {u_1, u}, {u_2, other}});
   };
-
-  book.chapter("motion", "Three bodies of any masses", of_wedge({le(0, j)}));
   const Expr P = is_P(j), Q = is_Q(j);
   const auto next = [&](const Exprs& before) {
     const Expr A = before[0], B = before[1], C = before[2];
     return Exprs{P * of_A(0, A, C) + Q * A, P * B + Q * of_B(1, C, B),
                  P * of_A(1, A, C) + Q * of_B(0, C, B)};
   };
-  const Theorems motion = defined_by_recursion({"v_A", "v_B", "v_C"}, {M_A, w_B, M_C, e, V}, j,
-                                               of_wedge({le(0, j)}), {V, 0, 0}, next);
-  book.show("start",
-            "At the start A moves with V, the ball C and B are at rest; w_B is 1/M_B for a block "
-            "and 0 for a wall:",
-            both({motion[0], motion[1], motion[2]}));
+  const auto name = [&](const char* body) { return of.prefix + body; };
+  const Theorems motion = defined_by_recursion({name("A"), name("B"), name("C")}, of.params, j,
+                                               of_wedge({le(0, j)}), of.start, next);
+  book.show("start", start, both({motion[0], motion[1], motion[2]}));
   book.show("next", "Collision j is one of A and C, or of C and B, by turns:",
             both({motion[3], motion[4], motion[5]}));
-  recurrence(book, motion);
+  recurrence(book, of, motion);
+}
+void restitution(Book& book) {
+  book.chapter("restitution", "Any masses, and collisions that lose energy",
+               {lt(0, M_1), lt(0, M_2)});
+  one_collision(book);
+
+  book.chapter("motion", "Three bodies of any masses", of_wedge({le(0, j)}));
+  sequences(book, at_rest,
+            "At the start A moves with V, the ball C and B are at rest; w_B is 1/M_B for a block "
+            "and 0 for a wall:");
 }
 }  // namespace derivation

@@ -4,6 +4,7 @@
 
 namespace derivation {
 namespace {
+const Expr tau = real("tau");
 Expr h_e() { return fun("h_e", masses_and_e()); }
 Expr sine(Expr times) { return sin(times * h_e()); }
 
@@ -15,6 +16,10 @@ struct Forms : Names {
   Theorem below;  ///< |- kappa < 1
   Theorems shared = {};
 
+  Expr step_sine() const { return fun("step_sine", masses_and_e()); }
+  Theorem from_any_start(const std::string& id) const {
+    return cut(below, book["any_start." + id]);
+  }
   /// A theorem of the wedge, as kappa is below 1.
   Theorem in_angle(const std::string& id, const Substitution& terms = {}) const {
     return cut(below, at(book["wedge." + id], terms));
@@ -37,48 +42,6 @@ struct Forms : Names {
   }
 };
 
-/// Where collisions never end: the blocks come together, and the ball with them at x_end.
-void come_together(Book& book, const Theorem& from_1, const Theorem& x_end) {
-  const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
-    return at(cut(from_1, book["wedge.never_ends"]), {{j, i}}, {range});
-  });
-  const Known here({all_of_them, book["wedge.signs"]});
-  const auto there = [&](const char* id) { return cut(all_of_them, book[id]); };
-  const Theorem distance = there("places.distance"), place = there("places.place");
-  const Expr D = left(distance),
-             left_over = fun("t_end", {M_A, w_B, M_C, e, V, L}) - at_collision("time", j);
-  book.show(
-      "place_left",
-      "The ball's distance from that place follows from the time left and that of the blocks,",
-      equation(
-          left(x_end) - left(place),
-          (w_B * M_A * V * left_over + is_P(j) * D - is_Q(j) * (w_B * M_A * D)) / mass_of_all(),
-          {x_end, place}));
-  // 1/side = is_P + is_Q r_B/r_A, at most 1 + r_B/r_A; powers of sqrt(e) are 1 at most, U_j j + 1
-  // or more.
-  const Expr root = sqrt(e), U = chebyshev(j, kappa()), ratio = r_B() / r_A();
-  const Theorem above = assume(lt(1, root)), no_gain = assume(le(e, 1));
-  const Theorem absurd = linear(lt(0, 0), {above, times(above, root), no_gain});
-  const Theorem powers = powers_of(book, tautology(le(root, 1), {refute(lt(1, root), absurd)}));
-  const Theorem rise = part(at(book["chebyshev.rise"], {{x, kappa()}}), 0);
-  know(linear(lt(0, U), {rise}));
-  know(rewrite(turned(distance), positive(right(distance))));
-  const Theorem turns = book["motion.turn_squared"];
-  const Expr sides = is_P(j) + is_Q(j) * ratio;
-  know(rewrite(equation(1 / side(j), sides, {turns}), positive(1 / side(j))));
-  const Theorem at_most = arithmetic(
-      le(sides, 1 + ratio), {.equations = {{(1 + ratio) / 4, turns}},
-                             .products = {{1, {}, {is_Q(j)}}, {1, {positive(ratio)}, {is_P(j)}}}});
-  const Expr bound = L * root_power(j) * sides;
-  const Theorem is = arithmetic(
-      eq(D * U, bound),
-      {.equations = {{U, distance}, {1, equation(right(distance) * U, bound, {turns})}}});
-  book.show("come_together", "and the blocks come arbitrarily close to each other:",
-            both({positive(D), linear(le((j + 1) * D, L * (1 + ratio)),
-                                      {times(rise, D), is, times(part(powers, 1), L * sides),
-                                       times(at_most, L)})}));
-}
-
 /// q_e = 1 - K, above 0 where collisions end; the time of the collapse where they do not.
 Theorem definition_of_q_e(Book& book) {
   const Theorem q_is = book.define("q_e", masses_and_e(), 1 - K(), of_wedge({lt(0, e)}),
@@ -89,21 +52,17 @@ Theorem definition_of_q_e(Book& book) {
       tautology(le(1, kappa()), {book["collapse.threshold"], linear(le(1, K()), {q_is, none})});
   const Known here({none, from_1});
   book.show("y_e", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
-  book.show("t_end", "and the time of the collapse is", cut(from_1, book["collapse.def_t_end"]));
-  const auto at_end = [&](const char* symbol, const char* words, const Exprs& domain, Expr value) {
-    return book.define(symbol, {M_A, w_B, M_C, e, V, L}, value / mass_of_all(), of_wedge(domain),
-                       words);
+  const auto at_end = [&](const std::string& id, const char* words, const Exprs& more) {
+    Exprs hypotheses = of_wedge({lt(0, e), none.conclusion()});
+    hypotheses.insert(hypotheses.end(), more.begin(), more.end());
+    const Theorem is = cut(from_1, book["any_start." + id]);
+    return book.show(left(is).name(), words, under(hypotheses, is));
   };
-  const Theorem x_end =
-      at_end("x_end", "All three come together at the centre of mass, or at the wall,",
-             {lt(0, e), V_positive, lt(0, L), none.conclusion()},
-             L + w_B * M_A * V * fun("t_end", {M_A, w_B, M_C, e, V, L}));
-  const Theorem v_end =
-      at_end("v_end", "which moves with the velocity (0 for a wall)", {}, w_B * M_A * V);
-  book.show("momentum", "at all times, as momentum is kept:",
-            chain(book["motion.momentum"],
-                  equation(w_B * M_A * V, left(v_end) * mass_of_all(), {v_end})));
-  come_together(book, from_1, x_end);
+  const Theorem speed = at_end("def_end_speed", "and where", {});
+  const Exprs ends{lt(0, left(speed))};
+  at_end("def_t_any", "is positive, the time of the collapse is", ends);
+  at_end("def_x_any", "its place", ends);
+  at_end("def_v_any", "and the velocity then", ends);
   return q_is;
 }
 /// Where q_e is above 0 the angle; |- kappa < 1.
@@ -121,91 +80,135 @@ Theorem angle(Book& book, const Theorem& q_is) {
   book.show("N_e", "and the number of all collisions", cut(below, book["wedge.N"]));
   return below;
 }
-void velocities(const Forms& forms) {
+/// Speeds, weighed as the ball's approach to B counts.
+Expr weighed(Expr of_A, Expr of_B, Expr sine, Expr sine_before) {
+  return of_A * sine + of_B * (r_B() / (r_A() * sqrt(e))) * sine_before;
+}
+/// What the velocities are after collision j from V and W; or the places, which are velocities from
+/// others.
+struct State {
+  const char *before, *after, *A, *B, *C;
+  Exprs more;  ///< parameters
+  Expr of_A, of_B;
+  const char* words;
+};
+void state(const Forms& forms, const State& s) {
   Book& book = forms.book;
+  const auto from = [&](const auto& t) {
+    if constexpr (std::same_as<std::decay_t<decltype(t)>, Theorem>)
+      return at(t, {{V, s.of_A}, {W, s.of_B}});
+    else
+      return substitute(t, {{V, s.of_A}, {W, s.of_B}});
+  };
+  Exprs params = masses_and_e();
+  params.insert(params.end(), s.more.begin(), s.more.end());
+  params.push_back(j);
   const Theorem turn_next = at(part(book["cycle.turn"], 1));
   const Theorem pow_next = at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1));
-  const Theorem before = forms.name("before", closing(j)),
-                after = forms.name("after", closing(j + 1));
-  const Expr per = V * root_power(j) / forms("step_sine");
-  forms.show(before, "Before collision j its bodies approach with the speed",
-             per * forms("now_side") * forms("now_sine"), {forms.in_angle("speed_sine")});
-  forms.show(after, "those of the next one with",
-             sqrt(e) * per * forms("later_side") * forms("later_sine"),
-             {forms.in_angle("speed_sine", {{j, j + 1}}), turn_next, pow_next});
-
-  const Expr v = left(after), u = e * left(before);
-  const auto named = [&](const char* id) {
-    return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, book[id])));
+  const auto name = [&](const char* symbol, Expr value) {
+    return defined(symbol, params, from(value), forms.domain);
   };
-  const auto next = [&](const char* symbol, const char* body) {
-    return forms.name(symbol, velocity(body, j + 1));
-  };
-  const Theorem B = next("B_next", "B"), A = next("A_next", "A"), C = next("C_next", "C");
-  const Expr of_C = is_P(j) * v - is_Q(j) * u;
-  forms.show(B, "so that B then has the velocity",
-             w_B * (M_A * (V - v + u) - M_C * of_C) / mass_of_all(), {named("motion.B_velocity")});
-  const auto against_B = [&](const Theorem& is, const char* words, Expr difference,
-                             const char* id) {
-    const Expr value = left(is), of_B = left(B);
-    book.show(value.name(), words, linear(eq(value, of_B + difference), {is, B, named(id)}));
-  };
-  against_B(A, "that of A is", v - u, "motion.A_B");
-  against_B(C, "and that of C", of_C, "motion.C_B");
-}
-void times_and_places(const Forms& forms) {
-  Book& book = forms.book;
-  const Theorem rest = forms.name("rest_e", pi() - (j + 1) * h_e());
-  book.show("def_rest_e",
-            "Collision j takes place where this is positive:", under({lt(0, q_e())}, rest));
-  know(assume(lt(0, left(rest))));
-  const auto in_half_a_turn = [&](Expr i, const Theorem& range) {
-    const Theorem less = times(linear(le(0, j - i), {range}), h_e());
-    know(times(linear(lt(0, i + 1), {range}), h_e()));
-    know(linear(lt((i + 1) * h_e(), pi()), {less, rest}));
-    return positive(sine(i + 1));
-  };
-  const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
-    const Known here;
-    return tautology(lt(0, closing(i)), {at(forms.in_angle("in_the_angle"), {{j, i}}, {range}),
-                                         in_half_a_turn(i, range)});
-  });
-  know(in_half_a_turn(j, linear(le(j, j))));
-  know(positive(book["bodies.def_now_sine"]));
-  const Theorems sines = quotients_of_sines(book, turned(forms.in_angle("cosine")));
-  know(positive(sines[0]));
-  const auto of_motion = [&](const char* id) { return cut(all_of_them, book[id]); };
-  const Theorem moment = forms.name("moment", at_collision("time", j));
-  forms.show(moment, "The time is",
-             L / V * (r_B() / r_A()) / sqrt(e) * (sine(j) / forms("now_sine")),
-             Theorems{of_motion("places.time")} + sines);
-  const Theorem blocks = forms.name("blocks", apart(j)),
-                place = forms.name("place", at_collision("x_C", j));
-  forms.show(chain(blocks, of_motion("places.distance")), "the distance of A and B",
-             L * root_power(j) / forms("now_side") * (forms("step_sine") / forms("now_sine")),
-             {sines[0]});
-  const Expr D = left(blocks);
+  const Theorem before = name(s.before, any_start.closing(j)),
+                after = name(s.after, any_start.closing(j + 1));
+  const Expr per = root_power(j) / forms.step_sine();
+  const Theorem speed = from(book["any_start.speed"]);
   forms.show(
-      place, "and the place",
-      (L + w_B * M_A * V * left(moment) - is_P(j) * D + is_Q(j) * (w_B * M_A * D)) / mass_of_all(),
-      {rewrite(turned(moment), rewrite(turned(blocks), of_motion("places.place")))});
+      before, s.words,
+      per * forms("now_side") * weighed(s.of_A, s.of_B, forms("now_sine"), forms("last_sine")),
+      {speed});
+  forms.show(after, "those of the next one with",
+             sqrt(e) * per * forms("later_side") *
+                 weighed(s.of_A, s.of_B, forms("later_sine"), forms("now_sine")),
+             {at(speed, {{j, j + 1}}), turn_next, pow_next});
+
+  const Expr v = left(after), u = e * left(before), of_C = is_P(j) * v - is_Q(j) * u;
+  const auto named = [&](const char* id) {
+    return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, from(book[id]))));
+  };
+  const Theorem B = name(s.B, any_start.velocity("B", j + 1));
+  forms.show(B, "so that B then has the velocity",
+             (from(any_start.momentum) - w_B * (M_A * (v - u) + M_C * of_C)) / mass_of_all(),
+             {named("any_start.B_velocity")});
+  const auto against_B = [&](const char* symbol, const char* body, const char* words,
+                             Expr difference, const char* id) {
+    const Theorem is = name(symbol, any_start.velocity(body, j + 1));
+    book.show(symbol, words, linear(eq(left(is), left(B) + difference), {is, B, named(id)}));
+  };
+  against_B(s.A, "A", "that of A is", v - u, "any_start.A_B");
+  against_B(s.C, "C", "and that of C", of_C, "any_start.C_B");
+}
+/// How many collisions there are, and when each of them is.
+void count_and_time(const Forms& forms) {
+  Book& book = forms.book;
+  const Expr step_sine = forms.step_sine();
+  const auto with_sine = [&](const char* id) {
+    return rewrite(turned(forms.shared[0]), forms.from_any_start(id));
+  };
+  {
+    const Known here({assume(V_positive)});
+    book.show("phase_e", "Where A approaches the ball, with the angle", with_sine("def_phase_e"));
+    book.show("N_any", "the number of collisions is", forms.from_any_start("N"));
+  }
+  const auto name = [&](const char* symbol, const Exprs& more, Expr value, const Exprs& where) {
+    Exprs params = masses_and_e();
+    params.insert(params.end(), more.begin(), more.end());
+    return defined(symbol, params, value, where);
+  };
+  const Expr now = forms("now_sine"), last = forms("last_sine");
+  const Theorem reach = name("reach", {V, W, j}, weighed(V, W, now, last), forms.domain);
+  book.show("def_reach",
+            "Collision j takes place where this is positive:", under({lt(0, q_e())}, reach));
+  know(assume(lt(0, left(reach))));
+  const Theorem speed =
+      equation(any_start.closing(j), root_power(j) * side(j) * (left(reach) / step_sine),
+               forms.shared + Theorems{book["any_start.speed"], reach});
+  know(positive(speed));
+  const Theorem going = linear(lt(0, any_start.closing(j)));
+  const Theorem when = cut(going, book["any_start.when_any"]);
+  const Theorem of_distances = at(book["any_start.speed"], {{V, d_A}, {W, d_B}});
+  Exprs where = forms.domain;
+  where.push_back(going.conclusion());
+  const Theorem moment = name("moment", {V, W, d_A, d_B, j}, left(when), where);
+  forms.show(moment, "Its time is", weighed(d_A, d_B, now, last) / left(reach),
+             {when, speed, of_distances});
 }
 }  // namespace
 
 void three_body_forms(Book& book) {
-  const Exprs assumptions = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)});
+  const Exprs assumptions = of_wedge({le(0, j), lt(0, e)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
   know(at(book["wedge.signs"], {{j, 0}}));
-  Forms forms{{book, {M_A, w_B, M_C, e, V, L, j}, assumptions},
-              angle(book, definition_of_q_e(book))};
+  Forms forms{{book, {M_A, w_B, M_C, e, j}, assumptions}, angle(book, definition_of_q_e(book))};
   know(book["wedge.signs"]);
   const Expr ratio = r_A() / r_B();
-  forms.share("step_sine", "With", sin(h_e()), true);
+  forms.shared.push_back(defined("step_sine", masses_and_e(), sin(h_e()), of_wedge({lt(0, e)})));
+  book.show("def_step_sine", "With", under({lt(0, q_e())}, forms.shared[0]));
+  know(positive(forms.shared[0]));
   forms.share("now_side", "and", is_P(j) + is_Q(j) * ratio, true);
   forms.share("later_side", "and", is_Q(j) + is_P(j) * ratio, false);
+  forms.share("last_sine", "and", sine(j), false);
   forms.share("now_sine", "and", sine(j + 1), false);
   forms.share("later_sine", "and", sine(j + 2), false);
-  velocities(forms);
-  times_and_places(forms);
+  const Theorems sines = quotients_of_sines(book, turned(forms.in_angle("cosine")));
+  for (const Theorem& is : sines) forms.shared = forms.shared + Theorems{is, at(is, {{j, j + 1}})};
+  state(forms, {"before",
+                "after",
+                "A_next",
+                "B_next",
+                "C_next",
+                {V, W},
+                V,
+                W,
+                "Before collision j its bodies approach with the speed"});
+  state(forms, {"before_at",
+                "after_at",
+                "A_at",
+                "B_at",
+                "C_at",
+                {V, W, d_A, d_B, tau},
+                V * tau - d_A,
+                W * tau - d_B,
+                "What places are at a time tau after collision j:"});
+  count_and_time(forms);
 }
 }  // namespace derivation

@@ -14,29 +14,6 @@ void shares(Book& book) {
   share("r_A", M_A, M_A / (M_A + M_C), lt(0, M_A), "With the roots of the shares of mass");
   share("r_B", w_B, 1 / (1 + w_B * M_C), le(0, w_B), "and, for a block or with 1 for a wall,");
 }
-/// closing_j = V e^(j/2) U_j(kappa), times r_A/r_B for Q.
-Theorem speeds(Book& book, const Theorem& kappa_is) {
-  const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
-  const Theorems turns = parts({book["cycle.turn"]});
-  const Theorems rules = squared_shares(book) + Theorems{kappa_is};
-  const auto claim = [&](Expr i) {
-    return eq(closing(i), V * root_power(i) * side(i) * chebyshev(i, kappa()));
-  };
-  const auto of_kappa = [&](const char* id) { return at(book[id], {{x, kappa()}}); };
-  const auto at_0 = [](const Theorem& t) { return canonical_form(at(t, {{j, 0}})); };
-  const Theorems first{at_0(book["motion.first"]),
-                       at_0(book["motion.second"]),
-                       turns[0],
-                       at_0(turns[1]),
-                       pow_is[0],
-                       at_0(pow_is[1]),
-                       at_0(of_kappa("chebyshev.start"))};
-  Theorems next{book["motion.recurrence"], book["motion.turn_squared"], of_kappa("chebyshev.next")};
-  for (const Theorem& t : {turns[1], pow_is[1]}) next = next + Theorems{at(t), at(t, {{j, j + 1}})};
-  return book.show(
-      "speed", "So collision j has the approach speed",
-      part(by_induction(j, logic_and({claim(j), claim(j + 1)}), first + rules, next + rules), 0));
-}
 void signs_of_factors(Book& book) {
   const Expr side_j = side(j), q = r_A() / r_B();
   const Theorem sides =
@@ -112,13 +89,41 @@ Theorems squared_shares(const Book& book) {
   return out;
 }
 
+Theorem approach_speeds(const Book& book, const Motion& of, const std::function<Expr(Expr)>& value,
+                        const Theorems& rules) {
+  const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
+  const Theorems turns = parts({book["cycle.turn"]});
+  const auto of_kappa = [&](const char* id) { return at(book[id], {{x, kappa()}}); };
+  const auto of_motion = [&](const char* id) { return book[of.chapter + id]; };
+  const auto at_0 = [](const Theorem& t) { return canonical_form(at(t, {{j, 0}})); };
+  const auto claim = [&](Expr i) { return eq(of.closing(i), value(i)); };
+  const Theorems first{at_0(of_motion(".first")),
+                       at_0(of_motion(".second")),
+                       turns[0],
+                       at_0(turns[1]),
+                       pow_is[0],
+                       at_0(pow_is[1]),
+                       at_0(of_kappa("chebyshev.start")),
+                       at_0(of_kappa("chebyshev.last"))};
+  const Theorem last = of_kappa("chebyshev.last");
+  Theorems next{of_motion(".recurrence"), book["motion.turn_squared"], of_kappa("chebyshev.next")};
+  for (const Theorem& t : {turns[1], pow_is[1], last})
+    next = next + Theorems{at(t), at(t, {{j, j + 1}})};
+  const auto all = squared_shares(book) + rules;
+  return part(by_induction(j, logic_and({claim(j), claim(j + 1)}), first + all, next + all), 0);
+}
+
 void wedge(Book& book) {
   book.chapter("wedge", "The wedge", of_wedge({le(0, j), lt(0, e)}));
   shares(book);
   const Theorem is = book.name("kappa", masses_and_e(), (1 + e) * r_A() * r_B() / (2 * sqrt(e)),
                                of_wedge({lt(0, e)}), "the shape of the motion is one number:");
   know(positive(is));
-  const Theorem speed = speeds(book, is);
+  const Theorem speed = book.show(
+      "speed", "So collision j has the approach speed",
+      approach_speeds(book, at_rest,
+                      [](Expr i) { return V * root_power(i) * side(i) * chebyshev(i, kappa()); },
+                      {is}));
   signs_of_factors(book);
   const Expr U_j = chebyshev(j, kappa()), closes = closing(j);
   book.show("takes_place", "and takes place if and only if U_j is positive:",

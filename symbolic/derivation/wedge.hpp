@@ -10,6 +10,9 @@ inline const Expr w_B = real("w_B");
 inline const Expr M_C = real("M_C");
 inline const Expr e = real("e");
 inline const Expr L = real("L");
+inline const Expr W = real("W");
+inline const Expr d_A = real("d_A");
+inline const Expr d_B = real("d_B");
 /// Positive masses, B perhaps a wall, and more.
 inline Exprs of_wedge(const Exprs& more) {
   Exprs out{lt(0, M_A), le(0, w_B), lt(0, M_C)};
@@ -18,14 +21,41 @@ inline Exprs of_wedge(const Exprs& more) {
 }
 /// The mass of all three over that of B, 1 for a wall.
 inline Expr mass_of_all() { return 1 + w_B * (M_A + M_C); }
-/// The velocity of "A", "B" or "C" after i collisions.
-inline Expr velocity(const std::string& body, Expr i) {
-  return fun("v_" + body, {M_A, w_B, M_C, e, V, i});
-}
+/// Three bodies that move from some start: how their sequences are called.
+struct Motion {
+  std::string chapter, prefix, approach;
+  Exprs params;
+  Exprs start;    ///< velocities of A, B and C
+  Expr momentum;  ///< times w_B
+
+  /// Of "A", "B" or "C" after i collisions.
+  Expr velocity(const std::string& body, Expr i) const { return of(prefix + body, i); }
+  /// The speed with which the two bodies of collision i approach before it.
+  Expr closing(Expr i) const { return of(approach, i); }
+
+private:
+  Expr of(const std::string& name, Expr i) const {
+    Exprs all = params;
+    all.push_back(i);
+    return fun(name, all);
+  }
+};
+/// The ball and B at rest.
+inline const Motion at_rest{"motion",  "v_",       "closing", {M_A, w_B, M_C, e, V},
+                            {V, 0, 0}, w_B* M_A* V};
+/// C approaches B with W, and B is at rest.
+inline const Motion any_start{"any_start",   "any_",
+                              "any_closing", {M_A, w_B, M_C, e, V, W},
+                              {V + W, 0, W}, w_B*(M_A*(V + W) + M_C * W)};
+inline Expr velocity(const std::string& body, Expr i) { return at_rest.velocity(body, i); }
+inline Expr closing(Expr i) { return at_rest.closing(i); }
 /// sqrt(e)^i
 inline Expr root_power(Expr i) { return fun("pow", {sqrt(e), i}); }
-/// The speed with which the two bodies of collision j approach before it.
-inline Expr closing(Expr i) { return fun("closing", {M_A, w_B, M_C, e, V, i}); }
+/// closing_j is its value, by what is shown in the chapter.
+Theorem approach_speeds(const Book& book, const Motion& of, const std::function<Expr(Expr)>& value,
+                        const Theorems& rules);
+/// Shows the motion from its start, collision by collision, and what its approach speeds keep.
+void sequences(Book& book, const Motion& of, const std::string& words_of_start);
 inline Expr chebyshev(Expr i, Expr at) { return fun("U", {at, i}); }
 inline Exprs masses_and_e() { return {M_A, w_B, M_C, e}; }
 inline Expr kappa() { return fun("kappa", masses_and_e()); }
@@ -59,6 +89,6 @@ Theorem powers_of(const Book& book, const Theorem& at_most_1);
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
 /// The same where nothing is lost and powers of e are 1, as the first two of four say.
 Theorems without_losses(const Book& book, const Theorem& kappa_is);
-WriteChapter restitution, transmission, ends, chebyshev, wedge, when_and_where, collapse,
-    encounters, digits_of_pi, cradle, billiard, three_body_forms, restitution_forms;
+WriteChapter restitution, from_any_start, transmission, ends, chebyshev, wedge, when_and_where,
+    collapse, encounters, digits_of_pi, cradle, billiard, three_body_forms, restitution_forms;
 }  // namespace derivation

@@ -62,37 +62,48 @@ private:
         "evaluators_restitution.def_taken_two -> evaluators_restitution.def_ends def_two def_four "
         "def_six a_two b_two c_two def_rho_two");
   }
-  /// Three bodies of any masses, or two and a wall: q_e comes from the exact form, turn and pow are
-  /// of the number of the collision.
+  /// Three bodies of any masses, or two and a wall, from any start: q_e comes from the exact form,
+  /// turn and pow are of the number of the collision.
   void restitution() {
     form = "restitution";
-    constexpr double most = 0x1p128;
+    constexpr double most = 0x1p128, far = 0x1p32;
     kernel::Exprs names;
     for (const Input& i : three_bodies()) names.push_back(i.variable);
     const auto of_bodies = [&](const char* name, double least, double largest) {
       return input(fun(name, names), least, largest);
     };
+    const auto with = [](std::vector<Input> these, const std::vector<Input>& more) {
+      these.insert(these.end(), more.begin(), more.end());
+      return these;
+    };
     const kernel::Expr j = integer("j");
-    const std::string roots = "wedge.r_A r_B ";
-    const std::string parts = roots + "bodies.def_step_sine def_now_side def_now_sine ";
-    std::vector<Condition> guards{{"step_sine", {1 / most, 2}}, {"now_side", {1 / most, most}}};
+    const std::string roots = "wedge.r_A r_B ", sines = roots + "bodies.def_step_sine ";
+    const std::string sides =
+        sines + "def_now_side def_later_side def_last_sine def_now_sine def_later_sine ";
+    const Condition step{"step_sine", {1 / most, 2}};
+    const std::vector<Condition> guards{step, {"now_side", {1 / most, most}}};
+    const std::vector<Input> speeds{input(real("V"), 1 / far, far), input(real("W"), -far, far)};
+    const std::vector<Input> distances{input(real("d_A"), 0, far), input(real("d_B"), 0, far)};
     std::vector<Input> inputs = three_bodies();
     inputs.push_back(of_bodies("q_e", 1 / most, 1));
     add("angle", inputs, roots + "kappa -> bodies.h_e");
-    inputs.push_back(of_bodies("h_e", 1 / most, 4));
-    add("count", inputs, "-> bodies.N_e");
-    inputs.push_back(input(j, 0, 0x1p62));
-    inputs.push_back(input(fun("turn", {j}), -1, 1));
-    inputs.push_back(input(fun("pow", {kernel::sqrt(real("e")), j}), 0, 1));
-    add("after", inputs,
-        parts + "def_later_side def_later_sine before after -> bodies.B_next A_next C_next",
+    inputs = with(with(inputs, {of_bodies("h_e", 1 / most, 4)}), speeds);
+    add("count", inputs, sines + "wedge.kappa bodies.phase_e -> bodies.N_any", {step});
+    const std::vector<Input> of_collision{input(j, 0, 0x1p62), input(fun("turn", {j}), -1, 1),
+                                          input(fun("pow", {kernel::sqrt(real("e")), j}), 0, 1)};
+    add("after", with(inputs, of_collision), sides + "before after -> bodies.B_next A_next C_next",
         guards);
-    guards.push_back({"now_sine", {1 / most, 2}});
-    guards.push_back({"rest_e", {1 / most, 4}});
-    add("at", inputs, parts + "def_rest_e -> bodies.moment blocks place", guards);
+    inputs = with(inputs, distances);
+    add("at", with(with(inputs, {input(real("tau"), 0, far)}), of_collision),
+        sides + "before_at after_at -> bodies.B_at A_at C_at", guards);
+    add("time", with(inputs, {of_collision[0]}),
+        sines + "def_last_sine def_now_sine def_reach -> bodies.moment",
+        {step, {"reach", {1 / most, most}}});
     inputs = three_bodies();
     inputs.push_back(of_bodies("q_e", -most, 0));
-    add("collapse", inputs, roots + "kappa bodies.y_e -> bodies.t_end def_x_end def_v_end");
+    add("collapse", with(with(inputs, speeds), distances),
+        roots + "kappa bodies.y_e -> bodies.end_speed t_any x_any v_any",
+        {{"end_speed", {1 / most, most}}});
   }
   /// The evaluators' theorems where alpha < 1; they hold everywhere.
   void tangent(const std::vector<Quantity>& evaluators) {
@@ -128,12 +139,15 @@ private:
 
   void add(const std::string& name, const std::vector<Input>& inputs,
            const std::vector<Case>& cases) {
-    const std::string of_paper = form == "restitution" ? "" : labels(name);
-    all.push_back({{name, of_paper, inputs, cases, s.units, doubling}, form});
+    const bool of_paper = form != "restitution";
+    const auto units = of_paper ? s.units : kernel::Substitution();
+    all.push_back({{name, of_paper ? labels(name) : "", inputs, cases, units, doubling}, form});
   }
   void add(const std::string& name, const std::vector<Input>& inputs, const std::string& words,
            const std::vector<Condition>& guards = {}) {
-    Case c = s.of("all", {}, words);
+    kernel::Substitution as_they_are;
+    if (form == "restitution") as_they_are = {{real("V"), real("V")}, {real("L"), real("L")}};
+    Case c = s.of("all", {}, words, as_they_are);
     c.guards = guards;
     add(name, inputs, std::vector{c});
   }

@@ -59,6 +59,7 @@ int main() {
     if (j % 2 == 0) std::printf("  %d | %.6f\n", j, time);
   }
   const double q_e = magicmass::generated::shape_exact(1.0, 1.0, 1.0, below).q_e;
-  std::printf("collapse_time: %.6f\n",
-              magicmass::generated::collapse_restitution(1.0, 1.0, 1.0, below, q_e).t_end);
+  std::printf("collapse_time: %.6f\n", magicmass::generated::collapse_restitution(
+                                           1.0, 1.0, 1.0, below, q_e, 1.0, 0.0, 0.0, 1.0)
+                                           .t_any);
 }

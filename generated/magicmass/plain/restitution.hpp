@@ -44,30 +44,53 @@ AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B,
 }
 template <class Number>
 struct CountRestitution {
-  Number N_e;
+  Number N_any;
 };
-/// count: N_e. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+/// count: N_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
 ///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from
-///   0x1p-128 to 0x1p+2.
-/// Theorems: bodies.N_e.
-/// Operations: ceilings: 1, quotients: 1, sums: 1.
-/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_e.
+///   0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, step_sine between
+///   0x1p-128 and 0x1p+1.
+/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, wedge.kappa, bodies.phase_e, bodies.N_any.
+/// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sines: 1, sums:
+///   8.
+/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
 template <class Number>
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
-    const Number& e, const Number& q_e, const Number& h_e) {
+    const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W) {
   using std::atan;
   using std::ceil;
+  using std::sin;
+  using std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2)) {
-    // N_e = ceil(pi/h_e) - 1
-    const Number N_e = ceil(Number(4) * atan(Number(1)) / h_e) - Number(1);
-    return {N_e};
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
+      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32)) {
+    // r_A = sqrt(M_A/(M_A + M_C))
+    const Number r_A = sqrt(M_A / (M_A + M_C));
+    // r_B = sqrt(1/(1 + w_B*M_C))
+    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
+    // step_sine = sin(h_e)
+    const Number step_sine = sin(h_e);
+    // shared by lines below
+    const Number t9 = sqrt(e);
+    // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
+    const Number kappa = (Number(1) + e) * r_A * r_B / t9 / Number(2);
+    // phase_e = pi/2 - atan((kappa + W/V*(r_B/(r_A*sqrt(e))))/step_sine)
+    const Number phase_e = Number(4) * atan(Number(1)) / Number(2) - atan((kappa + W * (r_B / r_A /
+        t9) / V) / step_sine);
+    // N_any = ceil((pi - phase_e)/h_e + 1) - 1
+    const Number N_any = ceil((Number(4) * atan(Number(1)) - phase_e) / h_e + Number(1)) -
+        Number(1);
+    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
+      throw std::domain_error("count_restitution: "
+          "step_sine must be between 0x1p-128 and 0x1p+1");
+    return {N_any};
   }
   throw std::domain_error("count_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2");
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
+      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, step_sine between 0x1p-128 and 0x1p+1");
 }
 template <class Number>
 struct AfterRestitution {
@@ -75,32 +98,33 @@ struct AfterRestitution {
 };
 /// after: B_next, A_next, C_next. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to
 ///   0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to
-///   0x1p+0, h_e from 0x1p-128 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to
-///   0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between
-///   0x1p-128 and 0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side, bodies.def_now_sine,
-///   bodies.def_later_side, bodies.def_later_sine, bodies.before, bodies.after, bodies.B_next,
-///   bodies.A_next, bodies.C_next.
-/// Operations: products: 17, quotients: 12, roots: 3, sines: 3, sums: 16.
+///   0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, j
+///   from 0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0,
+///   step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128.
+/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side,
+///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
+///   bodies.before, bodies.after, bodies.B_next, bodies.A_next, bodies.C_next.
+/// Operations: products: 26, quotients: 14, roots: 3, sines: 4, sums: 19.
 template <class Number>
 AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
-    const Number& e, const Number& q_e, const Number& h_e, std::int64_t j, const Number& turn, const
-    Number& pow) {
+    const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W,
+    std::int64_t j, const Number& turn, const Number& pow) {
   using std::sin;
   using std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
-      >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <=
-      Number(0x1p+0)) {
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
+      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && j >= 0 && j <=
+      4611686018427387904 && turn >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >=
+      Number(0x0p+0) && pow <= Number(0x1p+0)) {
     // shared by lines below
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
     const Number r_A = sqrt(M_A / t1);
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // step_sine_j = sin(h_e)
+    // step_sine = sin(h_e)
     const Number step_sine = sin(h_e);
     // shared by lines below
     const Number t6 = Number(1) + turn;
@@ -110,130 +134,231 @@ AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B,
     const Number t10 = r_A / r_B;
     // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
     const Number now_side = t6 / Number(2) + t9 * t10 / Number(2);
-    // now_sine_j = sin((j + 1)*h_e)
-    const Number now_sine = sin((Number(j) + Number(1)) * h_e);
     // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
     const Number later_side = t9 / Number(2) + t6 * t10 / Number(2);
+    // last_sine_j = sin(j*h_e)
+    const Number last_sine = sin(Number(j) * h_e);
+    // now_sine_j = sin((j + 1)*h_e)
+    const Number now_sine = sin((Number(j) + Number(1)) * h_e);
     // later_sine_j = sin((j + 2)*h_e)
     const Number later_sine = sin((Number(j) + Number(2)) * h_e);
-    // before_j = 1*pow_j(sqrt(e))/step_sine_j*now_side_j*now_sine_j
-    const Number before = pow * now_side * now_sine / step_sine;
-    // after_j = sqrt(e)*(1*pow_j(sqrt(e))/step_sine_j)*later_side_j*later_sine_j
-    const Number after = sqrt(e) * (pow / step_sine) * later_side * later_sine;
     // shared by lines below
-    const Number t28 = e * before;
+    const Number t24 = sqrt(e);
     // shared by lines below
-    const Number t36 = t6 * after / Number(2) - t9 * t28 / Number(2);
-    // B_next_j = w_B*(M_A*(1 - after_j + e*before_j) - M_C*((1 + turn_j)*after_j/2 - (1 -
-    //   turn_j)*(e*before_j)/2))/(1 + w_B*(M_A + M_C))
-    const Number B_next = w_B * (M_A * (Number(1) - after + t28) - M_C * t36) / (Number(1) + w_B *
-        t1);
+    const Number t26 = W * (r_B / r_A / t24);
+    // before_j = pow_j(sqrt(e))/step_sine*now_side_j*(V*now_sine_j +
+    //   W*(r_B/(r_A*sqrt(e)))*last_sine_j)
+    const Number before = pow * now_side * (V * now_sine + t26 * last_sine) / step_sine;
+    // after_j = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*(V*later_sine_j +
+    //   W*(r_B/(r_A*sqrt(e)))*now_sine_j)
+    const Number after = t24 * (pow / step_sine) * later_side * (V * later_sine + t26 * now_sine);
+    // shared by lines below
+    const Number t41 = e * before;
+    // shared by lines below
+    const Number t43 = after - t41;
+    // shared by lines below
+    const Number t50 = t6 * after / Number(2) - t9 * t41 / Number(2);
+    // B_next_j = (w_B*(M_A*(V + W) + M_C*W) - w_B*(M_A*(after_j - e*before_j) + M_C*((1 +
+    //   turn_j)*after_j/2 - (1 - turn_j)*(e*before_j)/2)))/(1 + w_B*(M_A + M_C))
+    const Number B_next = (w_B * (M_A * (V + W) + M_C * W) - w_B * (M_A * t43 + M_C * t50)) /
+        (Number(1) + w_B * t1);
     // A_next_j = B_next_j + (after_j - e*before_j)
-    const Number A_next = B_next + (after - t28);
+    const Number A_next = B_next + t43;
     // C_next_j = B_next_j + ((1 + turn_j)*after_j/2 - (1 - turn_j)*(e*before_j)/2)
-    const Number C_next = B_next + t36;
+    const Number C_next = B_next + t50;
     if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-      throw std::domain_error("after_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+      throw std::domain_error("after_restitution: "
+          "step_sine must be between 0x1p-128 and 0x1p+1");
     if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
-      throw std::domain_error("after_restitution: now_side must be between 0x1p-128 and 0x1p+128");
+      throw std::domain_error("after_restitution: "
+          "now_side must be between 0x1p-128 and 0x1p+128");
     return {B_next, A_next, C_next};
   }
   throw std::domain_error("after_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, j from "
-      "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine "
-      "between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128");
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
+      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, j from 0 to 4611686018427387904, turn from "
+      "-0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, "
+      "now_side between 0x1p-128 and 0x1p+128");
 }
 template <class Number>
 struct AtRestitution {
-  Number moment, blocks, place;
+  Number B_at, A_at, C_at;
 };
-/// at: moment, blocks, place. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128,
-///   M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e
-///   from 0x1p-128 to 0x1p+2, j from 0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow
-///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and
-///   0x1p+128, now_sine between 0x1p-128 and 0x1p+1, rest_e between 0x1p-128 and 0x1p+2.
-/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side, bodies.def_now_sine,
-///   bodies.def_rest_e, bodies.moment, bodies.blocks, bodies.place.
-/// Operations: products: 12, quotients: 13, roots: 3, sines: 3, sums: 11.
+/// at: B_at, A_at, C_at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
+///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from
+///   0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to
+///   0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0 to 0x1p+32, j from 0 to
+///   4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between
+///   0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128.
+/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side,
+///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
+///   bodies.before_at, bodies.after_at, bodies.B_at, bodies.A_at, bodies.C_at.
+/// Operations: products: 28, quotients: 14, roots: 3, sines: 4, sums: 21.
 template <class Number>
 AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const Number& M_C, const
-    Number& e, const Number& q_e, const Number& h_e, std::int64_t j, const Number& turn, const
-    Number& pow) {
-  using std::atan;
+    Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const Number&
+    d_A, const Number& d_B, const Number& tau, std::int64_t j, const Number& turn, const Number&
+    pow) {
   using std::sin;
   using std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && j >= 0 && j <= 4611686018427387904 && turn
-      >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <=
-      Number(0x1p+0)) {
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
+      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && d_A >= Number(0x0p+0) &&
+      d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32) && tau >=
+      Number(0x0p+0) && tau <= Number(0x1p+32) && j >= 0 && j <= 4611686018427387904 && turn >=
+      Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <= Number(0x1p+0)) {
     // shared by lines below
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
     const Number r_A = sqrt(M_A / t1);
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // step_sine_j = sin(h_e)
+    // step_sine = sin(h_e)
     const Number step_sine = sin(h_e);
     // shared by lines below
     const Number t6 = Number(1) + turn;
     // shared by lines below
     const Number t9 = Number(1) - turn;
+    // shared by lines below
+    const Number t10 = r_A / r_B;
     // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
-    const Number now_side = t6 / Number(2) + t9 * (r_A / r_B) / Number(2);
-    // shared by lines below
-    const Number t14 = (Number(j) + Number(1)) * h_e;
+    const Number now_side = t6 / Number(2) + t9 * t10 / Number(2);
+    // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
+    const Number later_side = t9 / Number(2) + t6 * t10 / Number(2);
+    // last_sine_j = sin(j*h_e)
+    const Number last_sine = sin(Number(j) * h_e);
     // now_sine_j = sin((j + 1)*h_e)
-    const Number now_sine = sin(t14);
-    // rest_e_j = pi - (j + 1)*h_e
-    const Number rest_e = Number(4) * atan(Number(1)) - t14;
-    // moment_j = 1*inv(1)*(r_B/r_A)/sqrt(e)*(sin(j*h_e)/now_sine_j)
-    const Number moment = r_B / r_A * (sin(Number(j) * h_e) / now_sine) / sqrt(e);
-    // blocks_j = 1*pow_j(sqrt(e))/now_side_j*(step_sine_j/now_sine_j)
-    const Number blocks = pow * (step_sine / now_sine) / now_side;
+    const Number now_sine = sin((Number(j) + Number(1)) * h_e);
+    // later_sine_j = sin((j + 2)*h_e)
+    const Number later_sine = sin((Number(j) + Number(2)) * h_e);
     // shared by lines below
-    const Number t24 = w_B * M_A;
-    // place_j = (1 + w_B*M_A*1*moment_j - (1 + turn_j)*blocks_j/2 + (1 -
-    //   turn_j)*(w_B*M_A*blocks_j)/2)/(1 + w_B*(M_A + M_C))
-    const Number place = (Number(1) + t24 * moment - t6 * blocks / Number(2) + t9 * (t24 * blocks) /
-        Number(2)) / (Number(1) + w_B * t1);
+    const Number t24 = V * tau - d_A;
+    // shared by lines below
+    const Number t28 = W * tau - d_B;
+    // shared by lines below
+    const Number t30 = sqrt(e);
+    // shared by lines below
+    const Number t32 = t28 * (r_B / r_A / t30);
+    // before_at_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
+    //   d_B)*(r_B/(r_A*sqrt(e)))*last_sine_j)
+    const Number before_at = pow * now_side * (t24 * now_sine + t32 * last_sine) / step_sine;
+    // after_at_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j
+    //   + (W*tau - d_B)*(r_B/(r_A*sqrt(e)))*now_sine_j)
+    const Number after_at = t30 * (pow / step_sine) * later_side * (t24 * later_sine + t32 *
+        now_sine);
+    // shared by lines below
+    const Number t47 = e * before_at;
+    // shared by lines below
+    const Number t49 = after_at - t47;
+    // shared by lines below
+    const Number t56 = t6 * after_at / Number(2) - t9 * t47 / Number(2);
+    // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
+    //   w_B*(M_A*(after_at_j(tau) - e*before_at_j(tau)) + M_C*((1 + turn_j)*after_at_j(tau)/2 - (1
+    //   - turn_j)*(e*before_at_j(tau))/2)))/(1 + w_B*(M_A + M_C))
+    const Number B_at = (w_B * (M_A * (t24 + t28) + M_C * t28) - w_B * (M_A * t49 + M_C * t56)) /
+        (Number(1) + w_B * t1);
+    // A_at_j(tau) = B_at_j(tau) + (after_at_j(tau) - e*before_at_j(tau))
+    const Number A_at = B_at + t49;
+    // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_at_j(tau)/2 - (1 -
+    //   turn_j)*(e*before_at_j(tau))/2)
+    const Number C_at = B_at + t56;
     if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-      throw std::domain_error("at_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+      throw std::domain_error("at_restitution: "
+          "step_sine must be between 0x1p-128 and 0x1p+1");
     if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
-      throw std::domain_error("at_restitution: now_side must be between 0x1p-128 and 0x1p+128");
-    if (!(now_sine > Number(0x1p-128) && now_sine < Number(0x1p+1)))
-      throw std::domain_error("at_restitution: now_sine must be between 0x1p-128 and 0x1p+1");
-    if (!(rest_e > Number(0x1p-128) && rest_e < Number(0x1p+2)))
-      throw std::domain_error("at_restitution: rest_e must be between 0x1p-128 and 0x1p+2");
-    return {moment, blocks, place};
+      throw std::domain_error("at_restitution: "
+          "now_side must be between 0x1p-128 and 0x1p+128");
+    return {B_at, A_at, C_at};
   }
   throw std::domain_error("at_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, j from "
-      "0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine "
-      "between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128, now_sine between "
-      "0x1p-128 and 0x1p+1, rest_e between 0x1p-128 and 0x1p+2");
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
+      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 "
+      "to 0x1p+32, tau from 0x0p+0 to 0x1p+32, j from 0 to 4611686018427387904, turn from -0x1p+0 "
+      "to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side "
+      "between 0x1p-128 and 0x1p+128");
 }
 template <class Number>
-struct CollapseRestitution {
-  Number t_end, x_end, v_end;
+struct TimeRestitution {
+  Number moment;
 };
-/// collapse: t_end, x_end, v_end. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to
-///   0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to
-///   0x0p+0.
-/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.y_e, bodies.t_end, bodies.def_x_end,
-///   bodies.def_v_end.
-/// Operations: products: 7, quotients: 8, roots: 4, sums: 6.
+/// time: moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from
+///   0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to
+///   0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to 4611686018427387904, step_sine between
+///   0x1p-128 and 0x1p+1, reach between 0x1p-128 and 0x1p+128.
+/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_last_sine, bodies.def_now_sine,
+///   bodies.def_reach, bodies.moment.
+/// Operations: products: 9, quotients: 5, roots: 3, sines: 3, sums: 5.
 template <class Number>
-CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
-    M_C, const Number& e, const Number& q_e) {
+TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
+    const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const
+    Number& d_A, const Number& d_B, std::int64_t j) {
+  using std::sin;
   using std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
-      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+128) && q_e <= Number(0x0p+0))
-      {
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
+      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && d_A >= Number(0x0p+0) &&
+      d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32) && j >= 0 && j <=
+      4611686018427387904) {
+    // r_A = sqrt(M_A/(M_A + M_C))
+    const Number r_A = sqrt(M_A / (M_A + M_C));
+    // r_B = sqrt(1/(1 + w_B*M_C))
+    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
+    // step_sine = sin(h_e)
+    const Number step_sine = sin(h_e);
+    // last_sine_j = sin(j*h_e)
+    const Number last_sine = sin(Number(j) * h_e);
+    // now_sine_j = sin((j + 1)*h_e)
+    const Number now_sine = sin((Number(j) + Number(1)) * h_e);
+    // shared by lines below
+    const Number t12 = r_B / r_A / sqrt(e);
+    // reach_j = V*now_sine_j + W*(r_B/(r_A*sqrt(e)))*last_sine_j
+    const Number reach = V * now_sine + W * t12 * last_sine;
+    // moment_j = (d_A*now_sine_j + d_B*(r_B/(r_A*sqrt(e)))*last_sine_j)/reach_j
+    const Number moment = (d_A * now_sine + d_B * t12 * last_sine) / reach;
+    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
+      throw std::domain_error("time_restitution: "
+          "step_sine must be between 0x1p-128 and 0x1p+1");
+    if (!(reach > Number(0x1p-128) && reach < Number(0x1p+128)))
+      throw std::domain_error("time_restitution: "
+          "reach must be between 0x1p-128 and 0x1p+128");
+    return {moment};
+  }
+  throw std::domain_error("time_restitution: allowed: "
+      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
+      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
+      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 "
+      "to 0x1p+32, j from 0 to 4611686018427387904, step_sine between 0x1p-128 and 0x1p+1, reach "
+      "between 0x1p-128 and 0x1p+128");
+}
+template <class Number>
+struct CollapseRestitution {
+  Number end_speed, t_any, x_any, v_any;
+};
+/// collapse: end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0
+///   to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to
+///   0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B
+///   from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
+/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.y_e, bodies.end_speed, bodies.t_any,
+///   bodies.x_any, bodies.v_any.
+/// Operations: products: 16, quotients: 9, roots: 4, sums: 13.
+template <class Number>
+CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
+    M_C, const Number& e, const Number& q_e, const Number& V, const Number& W, const Number& d_A,
+    const Number& d_B) {
+  using std::sqrt;
+  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+128) && q_e <= Number(0x0p+0)
+      && V >= Number(0x1p-32) && V <= Number(0x1p+32) && W >= Number(-0x1p+32) && W <=
+      Number(0x1p+32) && d_A >= Number(0x0p+0) && d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) &&
+      d_B <= Number(0x1p+32)) {
     // shared by lines below
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
@@ -246,20 +371,29 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
     const Number kappa = (Number(1) + e) * r_A * r_B / t9 / Number(2);
     // y_e = kappa - sqrt(-q_e)
     const Number y_e = kappa - sqrt(-q_e);
-    // t_end = 1*r_B*inv(1)/r_A/sqrt(e)*y_e
-    const Number t_end = r_B * y_e / r_A / t9;
     // shared by lines below
-    const Number t16 = w_B * M_A;
+    const Number t15 = r_B / r_A / t9;
+    // end_speed = V + W*(r_B/(r_A*sqrt(e)))*y_e
+    const Number end_speed = V + W * t15 * y_e;
+    // t_any = (d_A + d_B*(r_B/(r_A*sqrt(e)))*y_e)/end_speed
+    const Number t_any = (d_A + d_B * t15 * y_e) / end_speed;
     // shared by lines below
-    const Number t20 = Number(1) + w_B * t1;
-    // x_end = (1 + w_B*M_A*1*t_end)/(1 + w_B*(M_A + M_C))
-    const Number x_end = (Number(1) + t16 * t_end) / t20;
-    // v_end = w_B*M_A*1/(1 + w_B*(M_A + M_C))
-    const Number v_end = t16 / t20;
-    return {t_end, x_end, v_end};
+    const Number t21 = V + W;
+    // shared by lines below
+    const Number t34 = Number(1) + w_B * t1;
+    // x_any = w_B*(M_A*((V + W)*t_any - d_A - d_B) + M_C*(W*t_any - d_B))/(1 + w_B*(M_A + M_C))
+    const Number x_any = w_B * (M_A * (t21 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t34;
+    // v_any = w_B*(M_A*(V + W) + M_C*W)/(1 + w_B*(M_A + M_C))
+    const Number v_any = w_B * (M_A * t21 + M_C * W) / t34;
+    if (!(end_speed > Number(0x1p-128) && end_speed < Number(0x1p+128)))
+      throw std::domain_error("collapse_restitution: "
+          "end_speed must be between 0x1p-128 and 0x1p+128");
+    return {end_speed, t_any, x_any, v_any};
   }
   throw std::domain_error("collapse_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to 0x0p+0");
+      "e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from "
+      "-0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed "
+      "between 0x1p-128 and 0x1p+128");
 }
 }  // namespace magicmass::generated

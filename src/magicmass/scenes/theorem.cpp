@@ -227,7 +227,8 @@ std::optional<Result> by_theorem(const Scene& scene) {
   try {
     if (trio)
       return trio->result(scene, "theorem",
-                          "one body meets a ball at rest before a block or a wall");
+                          trio->motion.bodies() == 3 ? "a ball between two blocks"
+                                                     : "a ball between a block and a wall");
     if (const auto cradle = Seen<Cradle>::of(scene))
       return cradle->result(scene, "transfers",
                             "a cradle: each ball of a magic ratio hands on all to the next block");

@@ -45,6 +45,10 @@ namespace {
   throw Undecided("there are more than 2^62 collisions; possible: masses that are less far apart");
 }
 Ball turn(std::int64_t j) { return j % 2 == 0 ? 1 : -1; }
+auto end_of(const Trio::Shape& s, const Trio::Stepping::Start& at_0) {
+  const auto& [V, W, d_A, d_B] = at_0;
+  return value_of_form(generated::collapse_restitution<Unguarded>, s, V, W, d_A, d_B);
+}
 /// sqrt(e)^j
 Ball power_of(const Trio::Shape& s, std::int64_t j) {
   if (s.e.low() == 1) return 1;
@@ -58,12 +62,12 @@ std::optional<Trio> Trio::of(const Places& places) {
   const auto& wall = line.right_wall;
   if (masses.size() + (wall ? 1 : 0) != 3 || line.left_wall) return {};
   Trio t;
-  t.V_ = v[0] - v[1];
-  if (!(v[1] == (wall ? Quadratic(0) : v[2])) || !(Quadratic(0) < t.V_)) return {};
-  t.L_ = (wall ? *wall : x[2]) - x[1];
-  t.drift_ = v[1];
-  t.start_ = (x[1] - x[0]) / t.V_;
-  t.place_ = x[1];
+  t.place_ = wall ? *wall : x[2];
+  t.drift_ = wall ? Quadratic(0) : v[2];
+  t.at_0_ = {v[0] - v[1], v[1] - t.drift_, x[1] - x[0], t.place_ - x[1]};
+  const auto& [V, W, d_A, d_B] = t.at_0_;
+  const bool is_first = !(Quadratic(0) < W) || W * d_A < V * d_B;
+  if (!(Quadratic(0) < V) || !is_first) return {};
   t.e_ = line.restitution;
   t.unit_V_ = unit_V;
   t.unit_L_ = unit_L;
@@ -71,7 +75,9 @@ std::optional<Trio> Trio::of(const Places& places) {
   t.A_ = masses[0];
   t.C_ = masses[1];
   if (!wall) t.B_ = masses[2];
-  if (t.B_ && t.A_.is(1) && t.B_->is(1) && t.e_ == 1) t.at_threshold_ = t.count_at_threshold();
+  if (t.B_ && t.A_.is(1) && t.B_->is(1) && t.e_ == 1 && t.is_at_rest())
+    t.at_threshold_ = t.count_at_threshold();
+  if (W < Quadratic(0) && !t.count() && !t.collapses()) return {};
   return t;
 }
 Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
@@ -105,7 +111,7 @@ std::optional<std::int64_t> Trio::count_at_threshold() const {
 }
 simulator::InTurn<Quadratic> Trio::first_collisions() const {
   const auto B = B_ ? std::optional(*B_->exact()) : std::nullopt;
-  simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_);
+  simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_, at_0_);
   const auto& v = now.velocities;
   const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
   while (now.collisions <= largest_tie && approach()) now.step();
@@ -117,7 +123,7 @@ std::optional<std::int64_t> Trio::count() const {
   if (const auto q_e = exact_q_e()) {
     if (!(Quadratic(0) < *q_e)) return {};
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
-    if (*q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
+    if (is_at_rest() && *q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision.
     const std::int64_t few = first_collisions().collisions;
     if (few <= largest_tie) return few;
@@ -125,7 +131,9 @@ std::optional<std::int64_t> Trio::count() const {
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();
     if (s.q_e <= 0) return 0;
-    return value_of_form(generated::count_restitution<Unguarded>, s, s.h_e).N_e.low();
+    return value_of_form(generated::count_restitution<Unguarded>, s, s.h_e, ball_of(at_0_.V),
+                         ball_of(at_0_.W))
+        .N_any.low();
   };
   const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
   if (N == 0) return {};
@@ -133,8 +141,24 @@ std::optional<std::int64_t> Trio::count() const {
   return cln::cl_I_to_long(cln::numerator(N));
 }
 
+Trio::Stepping::Start Trio::start() const {
+  const auto& [V, W, d_A, d_B] = at_0_;
+  return {ball_of(V), ball_of(W), ball_of(d_A), ball_of(d_B)};
+}
+bool Trio::collapses() const {
+  try {
+    const auto is_fast = [&]() -> bool {
+      const Shape s = shape();
+      const Ball end_speed = end_of(s, start()).end_speed;
+      return end_speed > 0;
+    };
+    return with_bits(17, is_fast);
+  } catch (const Undecided&) {
+    return false;
+  }
+}
 Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
-  Stepping now(s.A, 1, B_ ? std::optional(1 / s.per_B) : std::nullopt, s.e);
+  Stepping now(s.A, 1, B_ ? std::optional(1 / s.per_B) : std::nullopt, s.e, start());
   while (now.collisions < collisions) now.step();
   return now;
 }
@@ -143,48 +167,50 @@ Trio::Collision Trio::step(const Shape& /*s*/, Stepping& now) const {
   return in_scene(now.collisions - 1, now.time, now.place, now.velocities);
 }
 Ball Trio::time_of(const Ball& moment) const {
-  const Ball time = ball_of(start_) + ball_of(L_ / V_) * moment;
-  return has_units_ ? time * ball_of(unit_L_) / ball_of(unit_V_) : time;
+  return has_units_ ? moment * ball_of(unit_L_) / ball_of(unit_V_) : moment;
 }
 Ball Trio::place_of(const Ball& time, const Ball& place) const {
-  const Ball drift = ball_of(drift_) * time, at = ball_of(place_) + ball_of(L_) * place;
+  const Ball drift = ball_of(drift_) * time, at = ball_of(place_) + place;
   return has_units_ ? drift * ball_of(unit_V_) + at * ball_of(unit_L_) : drift + at;
 }
 Ball Trio::velocity_of(const Ball& u) const {
-  const Ball v = ball_of(drift_) + ball_of(V_) * u;
+  const Ball v = ball_of(drift_) + u;
   return has_units_ ? v * ball_of(unit_V_) : v;
 }
 Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                                const Velocities& u) const {
-  const Ball time = time_of(moment);
   const std::size_t right = gap(j);
-  return {time, place_of(time, right == bodies() ? Ball(1) : place), velocity_of(u[right - 1]),
+  const Ball time = time_of(moment);
+  return {time, place_of(time, right == bodies() ? Ball(0) : place), velocity_of(u[right - 1]),
           velocity_of(u[right])};
 }
-Trio::Velocities Trio::in_units(const Shape& s, std::int64_t collisions) const {
-  if (collisions == 0) return {1, 0, 0};
+Trio::Velocities Trio::seen(const Shape& s, std::int64_t collisions) const {
+  const auto [V, W, d_A, d_B] = start();
+  if (collisions == 0) return {V + W, W, 0};
   const std::int64_t j = collisions - 1;
-  const auto v =
-      value_of_form(generated::after_restitution<Unguarded>, s, s.h_e, j, turn(j), power_of(s, j));
+  const auto v = value_of_form(generated::after_restitution<Unguarded>, s, s.h_e, V, W, j, turn(j),
+                               power_of(s, j));
   Velocities all{v.A_next, v.C_next, j == 0 || !B_ ? Ball(0) : Ball(v.B_next)};  // B was not met
   const auto& N = at_threshold_;
   if (N && *N % 2 == 0) {  // magic.velocities
     if (collisions >= *N - 1) all[0] = 0;
-    if (collisions == *N) all = {0, 0, 1};
+    if (collisions == *N) all = {0, 0, V};
   }
   return all;
 }
 std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
-  const Velocities u = s.q_e > 0 ? in_units(s, collisions) : stepped(s, collisions).velocities;
+  const Velocities u = s.q_e > 0 ? seen(s, collisions) : stepped(s, collisions).velocities;
   std::vector<Ball> all;
   for (std::size_t i = 0; i < bodies(); ++i) all.push_back(velocity_of(u[i]));
   return all;
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
+  const auto& [V, W, d_A, d_B] = at_0_;
   if (has_units_) return {};
-  if (j == 0) return start_;
+  if (j == 0) return d_A / V;
   const auto& N = at_threshold_;
-  if (N && *N == 2 * j) return start_ + L_ / V_;  // t_j = L/V sin(jh)/sin((j+1)h), (2j+1)h = pi
+  // L/V sin(jh)/sin((j+1)h) later, (2j+1)h = pi
+  if (N && *N == 2 * j) return (d_A + d_B) / V;
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
@@ -192,9 +218,12 @@ Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
     Stepping now = stepped(s, j);
     return step(s, now);
   }
-  const auto at =
-      value_of_form(generated::at_restitution<Unguarded>, s, s.h_e, j, turn(j), power_of(s, j));
-  return in_scene(j, at.moment, at.place, in_units(s, j + 1));
+  const auto [V, W, d_A, d_B] = start();
+  const Ball moment =
+      value_of_form(generated::time_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B, j).moment;
+  const auto at = value_of_form(generated::at_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B,
+                                moment, j, turn(j), power_of(s, j));
+  return in_scene(j, moment, at.C_at, seen(s, j + 1));
 }
 std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N) const {
   const std::vector<Ball> v = velocities(s, N);
@@ -202,7 +231,7 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
   std::vector<Ball> all;
   for (std::size_t i = 0; i < bodies(); ++i) {
     if (i == 2 && N < 2) {
-      all.push_back(place_of(time, 1));
+      all.push_back(place_of(time, 0));
       continue;
     }
     const Collision c = collision(s, std::max<std::int64_t>(last_of[i], 0));
@@ -211,10 +240,10 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
   return all;
 }
 Trio::Collapse Trio::collapse(const Shape& s) const {
-  const auto end = value_of_form(generated::collapse_restitution<Unguarded>, s);
-  const Ball time = time_of(end.t_end);
-  if (!B_) return {time, place_of(time, 1), 0};
-  return {time, place_of(time, end.x_end), velocity_of(end.v_end)};
+  const auto end = end_of(s, start());
+  const Ball time = time_of(end.t_any);
+  if (!B_) return {time, place_of(time, 0), 0};
+  return {time, place_of(time, end.x_any), velocity_of(end.v_any)};
 }
 std::vector<Ball> Trio::masses(const Shape& /*s*/) const {
   if (!B_) return {ball_of(A_), ball_of(C_)};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A body that moves to the right towards a ball at rest before a block at rest, or before a wall:
-// the motion that the theorems are about, with any masses and restitution.
+// A ball between two blocks, or a block and a wall, with any masses, restitution and start: the
+// motion that the theorems are about.
 #pragma once
 
 #include <cstdint>
@@ -20,14 +20,17 @@ Ball ball_of(const Value& value);
 
 class Trio {
 public:
-  /// Nothing for what moves otherwise.
+  /// Nothing for other bodies, and where A does not meet the ball first. Nor where B runs away from
+  /// collisions that would else never end.
   static std::optional<Trio> of(const Places& places);
   /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
   static Trio equal_blocks(const Value& alpha, const Quadratic& e);
 
-  /// Exactly, in units of V and L, at most one more than `largest_tie` of them. Masses must be
+  /// Exactly, as seen from B's first place, at most one more than `largest_tie` of them. Masses must be
   /// exact.
   simulator::InTurn<Quadratic> first_collisions() const;
+  /// Whether ball and B do not move, seen from each other, before A comes.
+  bool is_at_rest() const { return at_0_.W == 0; }
   /// How many collisions; nothing where they never end. Throws Undecided where more bits than are
   /// allowed would be needed, or 2^62 collisions are not enough.
   std::optional<std::int64_t> count() const;
@@ -36,8 +39,7 @@ public:
   /// nothing lost.
   std::optional<std::int64_t> at_threshold() const { return at_threshold_; }
 
-  /// What all of the motion depends on, with the bits that are set now; in units of V, L and the
-  /// mass of C.
+  /// What all of the motion depends on, with the bits that are set now; in units of the mass of C.
   struct Shape {
     Ball A, per_B, e, q_e;
     Ball h_e = 0;  ///< where q_e is above 0
@@ -81,14 +83,17 @@ private:
   std::optional<Value> B_;  ///< nothing: a wall
   Value unit_V_, unit_L_;   ///< in which all is that follows
   bool has_units_ = false;  ///< other than 1
-  Quadratic e_, V_, L_;
-  Quadratic start_;  ///< when A meets C
-  Quadratic place_;  ///< where C is at time 0
-  Quadratic drift_;  ///< velocity of C and B before that
+  Quadratic e_;
+  simulator::InTurn<Quadratic>::Start at_0_;
+  Quadratic place_, drift_;  ///< of B or the wall at time 0, and its velocity before it is met
   std::optional<std::int64_t> at_threshold_;
 
   using Velocities = std::array<Ball, 3>;
-  Velocities in_units(const Shape& s, std::int64_t collisions) const;
+  Stepping::Start start() const;
+  /// As seen from B before it is met.
+  Velocities seen(const Shape& s, std::int64_t collisions) const;
+  /// Whether collisions that have no angle never end; false, too, where that is too close to tell.
+  bool collapses() const;
   Collision in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                      const Velocities& u) const;
   Ball time_of(const Ball& moment) const;

@@ -11,17 +11,26 @@
 
 namespace magicmass::simulator {
 
-/// At time 0 and place 0, A moves at 1 and touches C, which rests; at 1 rests B or a wall. A and C
-/// collide first, then C and B, and so on, as long as there are collisions.
+/// A approaches C at V and C approaches B, or a wall, at W, as seen from B, which is at place 0. A
+/// and C collide first, then C and B, and so on, as long as there are collisions.
 template <Numbers Scalar>
 struct InTurn {
-  std::array<Scalar, 3> velocities{1, 0, 0};  ///< of A, C and B
-  Scalar time{0}, place{0};                   ///< of the last collision
+  std::array<Scalar, 3> velocities;  ///< of A, C and B
+  Scalar time, place;                ///< of the last collision; at first of the next one
   std::int64_t collisions = 0;
 
+  /// Speeds, and how wide the gaps are at time 0.
+  struct Start {
+    Scalar V{1}, W{0}, d_A{0}, d_B{1};
+  };
   /// Masses, no B for a wall, and restitution.
-  InTurn(const Scalar& A, const Scalar& C, const std::optional<Scalar>& B, const Scalar& e)
-      : law_{columns(A, C, e)} {
+  InTurn(const Scalar& A, const Scalar& C, const std::optional<Scalar>& B, const Scalar& e,
+         const Start& start = {})
+      : velocities{start.V + start.W, start.W, 0},
+        time(start.d_A / start.V),
+        place(start.W * time - start.d_B),
+        law_{columns(A, C, e)},
+        open_(Scalar(0) - place) {
     if (B)
       law_[1] = columns(C, *B, e);
     else
@@ -49,7 +58,7 @@ private:
   /// linear, and errors that are only bounded grow least where it is applied as a matrix.
   using Columns = std::array<std::array<Scalar, 2>, 2>;
   std::array<Columns, 2> law_;
-  Scalar open_{1};  ///< at the last collision, how wide the other gap was
+  Scalar open_;  ///< at the last collision, how wide the other gap was
 
   static Columns columns(const Scalar& m1, const Scalar& m2, const Scalar& e) {
     Columns all;

@@ -164,28 +164,33 @@ TEST_CASE("three bodies with restitution, and a wall, move as their laws say") {
                  bodies<double>(0.5, 4, 0.02, 0.98)}) {
     const double q_e = shape_exact(m.A_mass, m.per_B, m.ball, m.e).q_e;
     const double h_e = angle_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e).h_e;
-    const double N_e = count_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e).N_e;
+    const double V = 1, W = -0.25, d_A = 0.5, d_B = 2;
+    m.v = {V + W, 0, W};
+    m.place = {-d_A - d_B, 0, -d_B};
+    const auto form = [&](const auto& of, auto... more) {
+      return of(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e, V, W, more...);
+    };
+    const double N = form(count_restitution<double>).N_any;
     double power = 1;
     int j = 0;
     for (; m.approach() > 0; ++j, power *= std::sqrt(m.e)) {
       INFO("collision " << j << ", wall: " << (m.per_B == 0));
-      if (j > 0) m.wait();
-      const double turn = j % 2 == 0 ? 1 : -1;
-      const auto at = at_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e, j, turn, power);
-      CHECK(std::fabs(at.moment - m.time) <= near_enough * (1 + m.time));
-      CHECK(std::fabs(at.blocks - (m.place[1] - m.place[0])) <= near_enough * (1 + m.time));
-      CHECK(std::fabs(at.place - m.place[2]) <= near_enough * (1 + m.time));
+      m.wait();
+      const double turn = j % 2 == 0 ? 1 : -1, near = near_enough * (1 + m.time);
+      const double moment = form(time_restitution<double>, d_A, d_B, j).moment;
+      CHECK(std::fabs(moment - m.time) <= near);
+      const auto at = form(at_restitution<double>, d_A, d_B, moment, j, turn, power);
+      CHECK(std::fabs(at.A_at - m.place[0]) <= near);
+      CHECK(std::fabs(at.B_at - m.place[1]) <= near);
+      CHECK(std::fabs(at.C_at - m.place[2]) <= 10 * near);
       m.collide();
-      const auto after =
-          after_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e, j, turn, power);
+      const auto after = form(after_restitution<double>, j, turn, power);
       CHECK(std::fabs(after.A_next - m.v[0]) <= near_enough);
       CHECK(std::fabs(after.B_next - m.v[1]) <= near_enough);
       CHECK(std::fabs(after.C_next - m.v[2]) <= 10 * near_enough);
     }
-    CHECK(N_e == j);
-    CHECK_THROWS_AS(
-        at_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e, h_e, j, j % 2 == 0 ? 1.0 : -1.0, power),
-        std::domain_error);
+    CHECK(N == j);
+    CHECK_THROWS_AS(form(time_restitution<double>, d_A, d_B, j), std::domain_error);
     CHECK_THROWS_AS(angle_restitution(m.A_mass, m.per_B, m.ball, m.e, 0.0), std::domain_error);
   }
 }
@@ -193,12 +198,20 @@ TEST_CASE("three bodies with restitution, and a wall, move as their laws say") {
 TEST_CASE("the time of a collapse is what the times of collisions come to") {
   for (auto m : {bodies<double>(1, 1, 1, 0.05), bodies<double>(2, 0, 0.5, 0.04)}) {
     const double q_e = shape_exact(m.A_mass, m.per_B, m.ball, m.e).q_e;
+    const double V = 1, W = -0.1, d_A = 0.5, d_B = 2;
+    m.v = {V + W, 0, W};
+    m.place = {-d_A - d_B, 0, -d_B};
     for (int j = 0; j < 30; ++j) {
-      m.collide();
       m.wait();
+      m.collide();
     }
-    CHECK(std::fabs(collapse_restitution(m.A_mass, m.per_B, m.ball, m.e, q_e).t_end - m.time) <=
-          1e-8);
-    CHECK_THROWS_AS(collapse_restitution(m.A_mass, m.per_B, m.ball, m.e, 0.1), std::domain_error);
+    const auto at = [&](double q, double speed) {
+      return collapse_restitution(m.A_mass, m.per_B, m.ball, m.e, q, V, speed, d_A, d_B);
+    };
+    CHECK(std::fabs(at(q_e, W).t_any - m.time) <= 1e-8);
+    CHECK(std::fabs(at(q_e, W).x_any - m.place[2]) <= 1e-8);
+    CHECK(std::fabs(at(q_e, W).v_any - m.v[2]) <= m.v[0] - m.v[1]);
+    CHECK_THROWS_AS(at(0.1, W), std::domain_error);
+    CHECK_THROWS_AS(at(q_e, -9), std::domain_error);  // B runs away
   }
 }

@@ -57,9 +57,27 @@ Trio trio_at(Vector x, bool with_places) {
   }
   return t;
 }
+/// x holds V and W, too, and perhaps d_A and d_B: B is at 0 and at rest.
+Trio trio_from(const Vector& x) {
+  Trio t = trio({x[0], x[1], x[2], x[3], x[4]});
+  t.v[0] = exact(x[4] + x[5]);
+  t.v[2] = exact(x[5]);
+  if (x.size() > 7) t.place = {-x[6] - x[7], exact(0), -x[7]};
+  return t;
+}
+/// After j collisions, or j + 1 of them with places.
+Trio trio_after(const Vector& x, int j, bool with_places) {
+  if (j < 0) throw Undefined();
+  Trio t = trio_from(x);
+  while (t.N < j + (with_places ? 1 : 0)) {
+    if (with_places && cln::abs(t.approach()) < tiny()) throw Undefined();
+    if (with_places) t.wait();
+    t.collide();
+  }
+  return t;
+}
 /// How many collisions there are, where they end soon.
-int trio_count(const Vector& x) {
-  Trio t = trio(x);
+int count_of(Trio t) {
   while (t.N < 300) {
     if (t.approach() <= tiny()) return t.N;
     t.collide();
@@ -176,15 +194,34 @@ cl_R function(const std::string& f, const Vector& x) {
     if (f == "h_e" ? kappa >= 1 : kappa < 1) throw Undefined();
     return f == "h_e" ? acos(kappa) : kappa - root(kappa * kappa - 1);
   }
-  if (f == "N_e") return trio_count(x);
+  if (f == "N_e") return count_of(trio(x));
+  if (f == "N_any") return count_of(trio_from(x));
+  if (f.starts_with("any_")) {
+    const Trio t = trio_after(x, whole(x[6]), false);
+    return f == "any_closing" ? t.approach() : t.v[std::size_t(f[4] - 'A')];
+  }
+  if (f == "when_any" || f == "moment") return trio_after(x, whole(x[8]), true).time;
+  if (f == "before" || f == "after" || f.ends_with("_next")) {
+    const std::string now = f.ends_with("_next") ? std::string("any_") + f[0] : "any_closing";
+    return function(now, {x[0], x[1], x[2], x[3], x[4], x[5], x[6] + (f == "before" ? 0 : 1)});
+  }
+  if (f == "before_at" || f == "after_at") {
+    const cl_R A = x[4] * x[8] - x[6], B = x[5] * x[8] - x[7];
+    return function(f.substr(0, f.size() - 3), {x[0], x[1], x[2], x[3], A, B, x[9]});
+  }
+  if (f.ends_with("_at")) {
+    const Trio t = trio_after(x, whole(x[9]), true);
+    const std::size_t body = std::size_t(f[0] - 'A');
+    return t.place[body] + t.v[body] * (x[8] - t.time);
+  }
   if (f == "v_A" || f == "v_B" || f == "v_C") return trio_at(x, false).v[std::size_t(f[2] - 'A')];
   if (f == "x_A" || f == "x_B" || f == "x_C")
     return trio_at(x, true).place[std::size_t(f[2] - 'A')];
-  if (f == "time" || f == "moment") return trio_at(x, true).time;
-  if (f == "place") return function("x_C", x);
-  if (f == "blocks") return function("x_B", x) - function("x_A", x);
-  if (f == "when" || f == "apart")
-    return function(f == "when" ? "time" : "blocks", {1, 1, x[0], 1, x[1], x[2], x[3]});
+  if (f == "time") return trio_at(x, true).time;
+  if (f == "when" || f == "apart") {
+    const Trio t = trio_at({1, 1, x[0], 1, x[1], x[2], x[3]}, true);
+    return f == "when" ? t.time : t.place[1] - t.place[0];
+  }
   if (f == "a_e" || f == "b_e" || f == "c_e" || f == "c_e'") {
     const cl_R collisions = 2 * x[3] - (f == "c_e" ? 1 : 0);
     const std::size_t body = std::size_t(f[0] - 'a');
@@ -209,10 +246,6 @@ cl_R function(const std::string& f, const Vector& x) {
     return sum;
   }
   if (f == "closing") return trio_at(x, false).approach();
-  if (f == "before" || f == "after" || f.ends_with("_next")) {
-    const std::string now = f.ends_with("_next") ? std::string("v_") + f[0] : "closing";
-    return function(now, {x[0], x[1], x[2], x[3], x[4], x[6] + (f == "before" ? 0 : 1)});
-  }
   if (f == "turn") return whole(x[0]) % 2 == 0 ? 1 : -1;
   if (f == "alpha_") return threshold(true, whole(x[0]));
   if (f == "beta_") return threshold(false, whole(x[0]));

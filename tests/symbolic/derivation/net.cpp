@@ -253,6 +253,7 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
     return kind == 2 ? last : between(-2.5, 5.5);
   };
   for (const Expr& v : variables) last = point[v] = drawn(v);
+  if (variables.count(kernel::real("d_A")) && point[kernel::real("V")] == 0) throw Undefined();
   for (const Expr& h : hypotheses) {
     if (h.op() == Op::Fun && (h.name() == "contact" || h.name() == "impact")) {
       auto x = values(h, point);

@@ -92,7 +92,7 @@ TEST_CASE("a header of wanted outputs has those, and pays for nothing else") {
     CHECK_THAT(a, ContainsSubstring(part));
   for (const char* part : {"w_sine", "along", "b_form", "rho", "angle_tangent"})
     CHECK_THAT(a, !ContainsSubstring(part));
-  CHECK_THAT(generate::selected("restitution", {"N_e"}), ContainsSubstring("count_restitution("));
+  CHECK_THAT(generate::selected("restitution", {"N_any"}), ContainsSubstring("count_restitution("));
   CHECK_THAT(generate::selected("exact", {"a"}), !ContainsSubstring("b_before"));
 }
 TEST_CASE("an output or a form that there is none of is refused with what is allowed") {

@@ -206,8 +206,8 @@ TEST_CASE("what doubles do not hold is no number", "[exam]") {
     CHECK(number(result.transmitted) > 0.99);
   }
   CHECK_FALSE(double_of(result_of("alpha = '2^10000'").terminal[1]));
-  CHECK_THROWS_WITH(result_of("kind = 'chain'\nmasses = [1, 1e-9]\nvelocities = [1e308, 0]\n"
-                              "positions = [0, 1]\nleft_wall = 0"),
+  CHECK_THROWS_WITH(result_of("kind = 'chain'\nmasses = [1, 1e-9, 1]\nvelocities = [1e308, 0, 0]\n"
+                              "positions = [0, 1, 2]\nleft_wall = 0"),
                     ContainsSubstring("the velocities after collision 1 do not fit a double"));
 }
 

@@ -308,18 +308,20 @@ TEST_CASE("a line with a fault does not move", "[exam]") {
 TEST_CASE("collisions in turn are those of the engine", "[check]") {
   const cl_RA e = cl_RA(9) / 10;
   for (const bool has_wall : {false, true}) {
-    Line<cl_RA> line{{2, cl_RA(1) / 7, 3}, {0, 0, 1}, {1, 0, 0}, {}, {}, e};
+    const cl_RA ball = cl_RA(1) / 7, from = cl_RA(1) / 3, slow = cl_RA(1) / 5;
+    Line<cl_RA> line{{2, ball, 3}, {0, from, 1}, {1, slow, 0}, {}, {}, e};
     if (has_wall) {
       for (auto* list : {&line.masses, &line.positions, &line.velocities}) list->pop_back();
       line.right_wall = 1;
     }
     Engine<cl_RA> engine(line);
-    InTurn<cl_RA> in_turn(2, cl_RA(1) / 7, has_wall ? std::nullopt : std::optional<cl_RA>(3), e);
+    InTurn<cl_RA> in_turn(2, ball, has_wall ? std::nullopt : std::optional<cl_RA>(3), e,
+                          {1 - slow, slow, from, 1 - from});
     while (engine.next()) {
       const auto met = engine.step();
       in_turn.step();
       CHECK(in_turn.collisions == met.number);
-      CHECK((in_turn.time == met.time && in_turn.place == met.position));
+      CHECK((in_turn.time == met.time && in_turn.place == met.position - 1));
       CHECK(in_turn.velocities[met.gap - 1] == met.v_left);
       CHECK(in_turn.velocities[met.gap] == met.v_right);
     }
