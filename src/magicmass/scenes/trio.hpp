@@ -26,7 +26,7 @@ public:
   /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
   static Trio equal_blocks(const Value& alpha, const Quadratic& e);
 
-  /// Exactly, as seen from B's first place, at most one more than `largest_tie` of them. Masses must be
+  /// Exactly, as seen from B, at most one more than `largest_tie` of them. Masses must be
   /// exact.
   simulator::InTurn<Quadratic> first_collisions() const;
   /// Whether ball and B do not move, seen from each other, before A comes.
