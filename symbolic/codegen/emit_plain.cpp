@@ -3,6 +3,7 @@
 #include "codegen/emit_plain.hpp"
 
 #include <algorithm>
+#include <regex>
 
 #include "codegen/emit_evaluator.hpp"
 #include "codegen/exact.hpp"
@@ -15,7 +16,7 @@ namespace {
 using kernel::Expr;
 using kernel::Theorem;
 
-/// "alpha >= Number(0x1p-300) && ..."; exact forms are of numbers that need have no order.
+/// "alpha >= Number(0x1p-300) && ...", "" where nothing is tested: a field need have no order.
 std::string guard(const PlainForm& f, const Case& c) {
   Words parts;
   for (const Input& i : f.quantity.inputs) {
@@ -27,7 +28,7 @@ std::string guard(const PlainForm& f, const Case& c) {
     };
     parts.push_back(name + " >= " + end(r.low) + " && " + name + " <= " + end(r.high));
   }
-  return parts.empty() ? "true" : joined(parts, " && ");
+  return joined(parts, " && ");
 }
 /// A line a guard: without it a named value is outside of what the formula is for.
 std::string guard_lines(const std::string& function, const Case& c) {
@@ -108,21 +109,30 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   const std::string structure = capital(q.name) + capital(f.form);
   const Expr first = q.cases[0].outputs[0].conclusion().arg(0);
   std::string branches;
+  bool is_tested = true;
   std::set<std::string> functions;  // of <cmath>
-  Words domains, counts, parameters;
+  Words domains, counts, parameters, dependent;
   for (const Case& c : q.cases) {
     const bool is_exact = f.form == "exact";
     const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
     PlainText text(p);
-    branches += "  if (" + guard(f, c) + ") {\n" + p.calls + text.lines() + guard_lines(name, c) +
-                "    return {" + results(p, text, first) + "};\n  }\n";
+    const std::string body = p.calls + text.lines() + guard_lines(name, c) + "    return {" +
+                             results(p, text, first) + "};\n";
+    is_tested = !guard(f, c).empty();
+    branches += is_tested ? "  if (" + guard(f, c) + ") {\n" + body + "  }\n"
+                          : std::regex_replace(body, std::regex("(^|\n)  "), "$1");
     functions.merge(text.functions);
     if (!p.doubling.empty()) r.doubling = p.doubling;
     domains.push_back(domain_in_words(q, c, is_exact));
     counts.push_back(operation_counts(p) + (p.calls.empty() ? "" : ", and those of the calls"));
   }
-  for (const Input& i : q.inputs)
+  for (const Input& i : q.inputs) {
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
+    Words of;
+    for (Expr a : i.variable.args())
+      if (a.op() != kernel::Op::Num) of.push_back(kernel::text(a));
+    if (!of.empty()) dependent.push_back(i.name() + "(" + joined(of, ", ") + ")");
+  }
   const std::string outputs = joined(r.outputs, ", ");
   const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
   const std::string theorems = joined(ids_of(q.cases, ids), ", ");
@@ -130,6 +140,9 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   if (!is_matrix) r.code += head + "struct " + structure + " {\n  Number " + outputs + ";\n};\n";
   r.code +=
       "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
+  if (!dependent.empty())
+    r.code +=
+        "/// To be what theorems say, which is not tested: " + joined(dependent, ", ") + ".\n";
   if (!theorems.empty()) r.code += "/// Theorems: " + theorems + ".\n";
   r.code += "/// Operations: " + joined(counts, "; or ") + ".\n";
   if (!ceilings.empty())
@@ -140,10 +153,16 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
             (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
                        : structure + "<Number>") +
             " " + name + "(" + joined(parameters, ", ") + ") {\n";
-  for (const std::string& used : functions) r.code += "  using std::" + used + ";\n";
+  r.code +=
+      "  static_assert(!std::integral<Number>, \"1.0, not 1: integers have no fractions\");\n";
+  if (!functions.empty())
+    r.code += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
   const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-  r.code += branches + "  throw std::domain_error(\"" + name + ": allowed: " + between +
-            joined(domains, "; or " + between) + "\");\n}\n";
+  r.code += branches;
+  if (is_tested)
+    r.code += "  throw std::domain_error(\"" + name + ": allowed: " + between +
+              joined(domains, "; or " + between) + "\");\n";
+  r.code += "}\n";
   return r;
 }
 }  // namespace
@@ -173,20 +192,21 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   for (const auto& [used, header] : {std::pair("std::array<", "<array>"),
                                      {"std::bit_width(", "<bit>"},
                                      {"  using std::", "<cmath>"},
+                                     {"std::integral<", "<concepts>"},
                                      {"std::int64_t", "<cstdint>"},
                                      {"std::domain_error(", "<stdexcept>"},
                                      {"std::pair<", "<utility>"}})
     if (body.find(used) != std::string::npos) includes.push_back(header);
   const std::string numbers =
-      is_exact ? "any field, without error"
-               : "any real type of double's precision and exponents, or better, with <cmath>'s "
-                 "functions; each operation is rounded as the type rounds. No error bound is "
-                 "derived: where "
-                 "terms cancel, the result has their absolute error, and few right digits where it "
-                 "is far below them";
+      is_exact
+          ? "any field, without error. A whole number outside of its domain throws "
+            "std::domain_error; others are not tested: a field need have no order."
+          : "any real type of double's precision and exponents, or better, with <cmath>'s "
+            "functions; each operation is rounded as the type rounds. No error bound is derived: "
+            "where terms cancel, the result has their absolute error, and few right digits where "
+            "it is far below them. Outside of its domain a function throws std::domain_error.";
   result.header = broken(
-      opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers +
-                  ". Outside of its domain a function throws std::domain_error.",
+      opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
               includes) +
       "\nnamespace magicmass::generated {\n" + body + "}  // namespace magicmass::generated\n");
   return result;

@@ -70,7 +70,8 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
     const Interval r = range_of(i, c, false);
     const auto end = [&](double x) { return i.is_whole() ? kernel::digits(exact(x)) : hex(x); };
     const bool is_any = is_exact && !i.is_whole();
-    parts.push_back(i.name() + (is_any ? " > 0" : " from " + end(r.low) + " to " + end(r.high)));
+    const std::string any = r.low == 0 ? " >= 0" : " > 0";
+    parts.push_back(i.name() + (is_any ? any : " from " + end(r.low) + " to " + end(r.high)));
   }
   for (const Condition& g : c.guards)
     parts.push_back(g.name + " between " + hex(g.range.low) + " and " + hex(g.range.high));

@@ -27,4 +27,7 @@ diff <(in_readme text) <("$scratch/by_pkg_config")
 printf '#include "wanted.hpp"\nint main() { return magicmass::generated::terminal_tangent(0.12).b_t > 0.9956 ? 0 : 1; }\n' >"$scratch/wanted.cpp"
 c++ -std=c++20 -Wall -Wextra -Werror "$scratch/wanted.cpp" -o "$scratch/wanted"
 "$scratch/wanted"
+sed -i 's/(0.12)/(1)/' "$scratch/wanted.cpp"
+if c++ -std=c++20 -fsyntax-only "$scratch/wanted.cpp" 2>"$scratch/said"; then exit 1; fi
+grep -q '1\.0, not 1' "$scratch/said"
 echo "installed, found by CMake and by pkg-config"
