@@ -114,7 +114,8 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   Words domains, counts, parameters, dependent;
   for (const Case& c : q.cases) {
     const bool is_exact = f.form == "exact";
-    const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
+    const Numbers numbers = is_exact ? Numbers::field : Numbers::plain;
+    const Program p = in_case(q, c, [&] { return lower(q, c, numbers); });
     PlainText text(p);
     const std::string body = p.calls + text.lines() + guard_lines(name, c) + "    return {" +
                              results(p, text, first) + "};\n";

@@ -8,6 +8,15 @@
 #include "codegen/builder.hpp"
 
 namespace codegen {
+/// f(); what it refuses begins with the quantity and the case.
+template <class F>
+auto in_case(const Quantity& q, const Case& c, const F& f) {
+  try {
+    return f();
+  } catch (const Refused& why) {
+    throw Refused(q.name + ", " + c.name + ": " + why.what());
+  }
+}
 /// The interval of an input in a case.
 Interval range_of(const Input& input, const Case& which, bool is_wide);
 

@@ -33,6 +33,7 @@ kernel::Theorems Source::at(const std::string& words, const kernel::Substitution
 Case Source::of(const std::string& name, const std::vector<Condition>& where,
                 const std::string& words, kernel::Substitution terms) {
   const std::size_t to = words.find("->"), by = words.find('|');
+  if (to == std::string::npos) throw codegen::Refused("no -> before outputs: " + words);
   terms.insert(units.begin(), units.end());
   Case c{name, where, at(words.substr(0, to), terms), {}, {}, {}};
   c.outputs = at(words.substr(to + 2, by - to - 2), terms);

@@ -32,8 +32,8 @@ std::optional<Terminal> terminal(double alpha, double e);
 /// The same for any masses, or two and a wall: within 4 envelopes of max(1/2, (|m y_m| + |w y_w| +
 /// |e y_e|)/|2 y|) ulp, m and w those of `masses`, and before a wall, where all may come to rest,
 /// within 2^-190 at least; a wall's velocity and share are 0. InvalidInput unless m is positive, w
-/// not negative and both finite. Undecided also where more than two take place and M_A/M_B is above
-/// 2^128.
+/// not negative and both finite. Undecided also where more than 2^62 take place with e = 1, or more
+/// than two with M_A/M_B above 2^128 or M_C/M_A above 2^190.
 std::optional<Terminal> terminal(const Masses& masses, double e);
 /// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1 (j = 0: 0
 /// and 1), else throws InvalidInput.

@@ -179,18 +179,20 @@ std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
         {1, 1}, rounded(two.a_two), rounded(two.b_two), rounded(two.c_two), rounded(two.rho_two)};
   for (const MpfrFloat& tie : {two.four, two.six})
     if (!tie.is_positive() && !(-tie).is_positive()) M_C = std::nextafter(M_C, 1.0 / 0.0);
-  Terminal result;
+  std::optional<Terminal> result;
   const auto attempt = [&]<template <class, class> class Case>() {
     Case<Ziv, MpfrFloat> k({M_C, w_B, e});
     const double doubt = run(k);
     if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
       throw Undecided("restitution: too near to inelastic collapse, or above 2^62 collisions");
     const auto v = k.outputs();
-    result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
+    result = Terminal{{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
     return doubt;
   };
   until_certain("terminal velocities with restitution", M_C, false, [&] {
-    return generated::Restitution::visit<true>({M_C, w_B, e}, attempt);
+    const double doubt = generated::Restitution::visit<true>({M_C, w_B, e}, attempt);
+    if (!result) throw Undecided("restitution: more than two collisions of masses so unequal");
+    return doubt;
   });
   return result;
 }

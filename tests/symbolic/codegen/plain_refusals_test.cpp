@@ -36,7 +36,7 @@ Expr f(Expr index) {
 TEST_CASE("a plain form that may over- or underflow is refused") {
   const Theorem square = definition(alpha * alpha);
   accepts(form(square, {0x1.0000000000001p-500, 0x1.fffffffffffffp499}));
-  refuses(form(square, {1, 0x1p500}), "may over- or underflow");
+  refuses(form(square, {1, 0x1p500}), "test, only: a value of operation ");
   refuses(form(square, {0x1p-500, 1}), "may over- or underflow");
   accepts(form(square, {0, 1}));
   const Theorem less = definition(alpha + -1 * alpha * alpha * alpha);

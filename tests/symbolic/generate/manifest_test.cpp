@@ -108,4 +108,6 @@ TEST_CASE("an output or a form that there is none of is refused with what is all
                     ContainsSubstring("allowed: a, a_t, b, b_t, c, c_prime, c_t, rho"));
   CHECK_THROWS_WITH(generate::selected("open", {"a"}), ContainsSubstring("allowed: closed"));
   CHECK_THROWS_WITH(generate::selected("matrices", {"R"}), ContainsSubstring("no form matrices"));
+  generate::Source source;
+  CHECK_THROWS_WITH(source.of("all", {}, "terminal.a"), ContainsSubstring("no -> before outputs"));
 }
