@@ -65,7 +65,7 @@ Interval Builder::range_of(const Node& n) const {
                           : Interval{of(0).low * n.factor, of(0).high * n.factor};  // exact
     case Op::product:
     case Op::exact_product:
-      return n.of[0] == n.of[1] ? square(of(0)) : of(0) * of(1);
+      return n.of[0] == n.of[1] ? magnitude(of(0)) * magnitude(of(0)) : of(0) * of(1);
     case Op::quotient:
       return of(0) / of(1);
     case Op::ceiling:

@@ -2,7 +2,6 @@
 // The header of a quantity: its cases between its structures and the choice among them.
 #include "codegen/emit_evaluator.hpp"
 
-#include "codegen/lower.hpp"
 #include "codegen/text.hpp"
 
 namespace codegen {
@@ -44,7 +43,7 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
   std::string code, visits;
   std::vector<Words> bounds;
   for (const Case& c : q.cases) {
-    const EmittedCase emitted = in_case(q, c, [&] { return emit_case(q, c); });
+    const EmittedCase emitted = emit_case(q, c);
     code += emitted.code;
     e.errors += emitted.errors;
     visits += "    if (" + condition(q, c) + ") {\n      return f.template operator()<" + Q +

@@ -109,31 +109,23 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   const std::string structure = capital(q.name) + capital(f.form);
   const Expr first = q.cases[0].outputs[0].conclusion().arg(0);
   std::string branches;
-  bool is_tested = true;
   std::set<std::string> functions;  // of <cmath>
-  Words domains, counts, parameters, dependent;
+  Words domains, counts, parameters;
   for (const Case& c : q.cases) {
     const bool is_exact = f.form == "exact";
-    const Numbers numbers = is_exact ? Numbers::field : Numbers::plain;
-    const Program p = in_case(q, c, [&] { return lower(q, c, numbers); });
+    const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
     PlainText text(p);
     const std::string body = p.calls + text.lines() + guard_lines(name, c) + "    return {" +
                              results(p, text, first) + "};\n";
-    is_tested = !guard(f, c).empty();
-    branches += is_tested ? "  if (" + guard(f, c) + ") {\n" + body + "  }\n"
-                          : std::regex_replace(body, std::regex("(^|\n)  "), "$1");
+    branches += guard(f, c).empty() ? std::regex_replace(body, std::regex("(^|\n)  "), "$1")
+                                    : "  if (" + guard(f, c) + ") {\n" + body + "  }\n";
     functions.merge(text.functions);
     if (!p.doubling.empty()) r.doubling = p.doubling;
     domains.push_back(domain_in_words(q, c, is_exact));
     counts.push_back(operation_counts(p) + (p.calls.empty() ? "" : ", and those of the calls"));
   }
-  for (const Input& i : q.inputs) {
+  for (const Input& i : q.inputs)
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
-    Words of;
-    for (Expr a : i.variable.args())
-      if (a.op() != kernel::Op::Num) of.push_back(kernel::text(a));
-    if (!of.empty()) dependent.push_back(i.name() + "(" + joined(of, ", ") + ")");
-  }
   const std::string outputs = joined(r.outputs, ", ");
   const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
   const std::string theorems = joined(ids_of(q.cases, ids), ", ");
@@ -141,9 +133,6 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   if (!is_matrix) r.code += head + "struct " + structure + " {\n  Number " + outputs + ";\n};\n";
   r.code +=
       "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
-  if (!dependent.empty())
-    r.code +=
-        "/// To be what theorems say, which is not tested: " + joined(dependent, ", ") + ".\n";
   if (!theorems.empty()) r.code += "/// Theorems: " + theorems + ".\n";
   r.code += "/// Operations: " + joined(counts, "; or ") + ".\n";
   if (!ceilings.empty())
@@ -159,11 +148,10 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
   if (!functions.empty())
     r.code += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
   const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-  r.code += branches;
-  if (is_tested)
-    r.code += "  throw std::domain_error(\"" + name + ": allowed: " + between +
-              joined(domains, "; or " + between) + "\");\n";
-  r.code += "}\n";
+  if (branches.starts_with("  if ("))
+    branches += "  throw std::domain_error(\"" + name + ": allowed: " + between +
+                joined(domains, "; or " + between) + "\");\n";
+  r.code += branches + "}\n";
   return r;
 }
 }  // namespace
@@ -177,7 +165,6 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   std::set<std::string> all;
   std::set<std::string> missing = wanted;
   for (const PlainForm& f : forms) {
-    if (f.form != form) throw Refused("two forms in one header: " + form + ", " + f.form);
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
     const Function w = function(f, ids, wanted);
     if (w.outputs.empty()) continue;

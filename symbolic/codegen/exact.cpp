@@ -6,7 +6,6 @@
 #include <cstdio>
 
 #include <cln/float.h>
-#include <cln/integer.h>
 #include <cln/real.h>
 
 #include "codegen/quantity.hpp"
@@ -17,8 +16,7 @@ cln::cl_RA exact(double x) {
   int exponent = 0;
   const double scaled = std::ldexp(std::frexp(x, &exponent), 53);
   const cln::cl_I mantissa(static_cast<long long>(scaled));
-  const cln::cl_I power = cln::ash(1, std::abs(exponent - 53));
-  return exponent < 53 ? mantissa / power : cln::cl_RA(mantissa * power);
+  return mantissa * cln::expt(cln::cl_RA(2), exponent - 53);
 }
 double nearest(const cln::cl_RA& x) {
   if (cln::zerop(x)) return 0;

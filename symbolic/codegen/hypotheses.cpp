@@ -38,6 +38,12 @@ void check_argument(const Domain& d, Expr argument, Expr formula) {
   }
   throw Refused(kernel::text(argument) + " is no input here: " + kernel::text(formula));
 }
+std::string in_words(const Input& i) {
+  Words others;
+  for (Expr a : i.variable.args())
+    if (a.op() != kernel::Op::Num) others.push_back(kernel::text(a));
+  return i.name() + (others.empty() ? "" : "(" + joined(others, ", ") + ")");
+}
 bool is_at_unit(const kernel::Substitution& units, Expr parameter, Expr argument) {
   const auto unit = units.find(parameter);
   return unit != units.end() && unit->second == argument;
@@ -70,8 +76,8 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
     const Interval r = range_of(i, c, false);
     const auto end = [&](double x) { return i.is_whole() ? kernel::digits(exact(x)) : hex(x); };
     const bool is_any = is_exact && !i.is_whole();
-    const std::string any = r.low == 0 ? " >= 0" : " > 0";
-    parts.push_back(i.name() + (is_any ? any : " from " + end(r.low) + " to " + end(r.high)));
+    const std::string any = r.low > 0 ? " > 0" : " >= 0";
+    parts.push_back(in_words(i) + (is_any ? any : " from " + end(r.low) + " to " + end(r.high)));
   }
   for (const Condition& g : c.guards)
     parts.push_back(g.name + " between " + hex(g.range.low) + " and " + hex(g.range.high));
@@ -97,8 +103,8 @@ void check_outputs(const Quantity& q) {
 void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion) {
   for (Expr h : hypotheses) {
     if (holds(d, h)) continue;
-    throw Refused("the intervals of case " + d.which.name + " do not give " + kernel::text(h) +
-                  ", which is needed for " + kernel::text(conclusion));
+    throw Refused("the intervals do not give " + kernel::text(h) + ", which is needed for " +
+                  kernel::text(conclusion));
   }
 }
 Expr head(const Domain& d, const kernel::Theorem& t) {

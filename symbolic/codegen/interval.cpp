@@ -49,10 +49,6 @@ Interval operator/(Interval x, Interval y) {
   const Interval inverse = around(1 / y.high, y.low > 0 ? 1 / y.low : infinity);
   return x * meet(inverse, {0, infinity});
 }
-Interval square(Interval x) {
-  const Interval size = magnitude(x);
-  return size * size;
-}
 Interval root(Interval x) {
   if (!(x.low >= 0)) throw Refused("a square root of what may be negative");
   return meet(around(std::sqrt(x.low), std::sqrt(x.high)), {0, infinity});

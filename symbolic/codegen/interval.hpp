@@ -16,9 +16,8 @@ Interval around(double low, double high, int steps = 1);
 Interval operator+(Interval x, Interval y);
 Interval operator*(Interval x, Interval y);
 Interval operator/(Interval x, Interval y);  ///< Refused: y with 0 inside; 0 at its end: infinite
-Interval square(Interval x);
-Interval root(Interval x);             ///< Refused: a negative x
-Interval reciprocal_root(Interval x);  ///< Refused: a negative x; of 0: infinite
+Interval root(Interval x);                   ///< Refused: a negative x
+Interval reciprocal_root(Interval x);        ///< Refused: a negative x; of 0: infinite
 Interval magnitude(Interval x);
 Interval arc_tangent(Interval x);
 Interval sine(Interval x);    ///< [-1, 1] where x is not within [-pi/2, pi]

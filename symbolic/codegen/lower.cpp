@@ -144,7 +144,7 @@ private:
 };
 }  // namespace
 
-Program lower(const Quantity& quantity, const Case& which, Numbers numbers) {
+Program lower(const Quantity& quantity, const Case& which, Numbers numbers) try {
   Reader reader(quantity, which, numbers);
   for (const Theorem& t : which.definitions) reader.define(t);
   for (const Theorem& t : which.outputs) reader.output(t);
@@ -153,5 +153,7 @@ Program lower(const Quantity& quantity, const Case& which, Numbers numbers) {
   std::stable_sort(results.begin(), results.end(),
                    [](const Result& x, const Result& y) { return x.kind < y.kind; });
   return named(in_stages(without_dead_code(reader.builder.program)));
+} catch (const Refused& why) {
+  throw Refused(quantity.name + ", " + which.name + ": " + why.what());
 }
 }  // namespace codegen

@@ -8,19 +8,10 @@
 #include "codegen/builder.hpp"
 
 namespace codegen {
-/// f(); what it refuses begins with the quantity and the case.
-template <class F>
-auto in_case(const Quantity& q, const Case& c, const F& f) {
-  try {
-    return f();
-  } catch (const Refused& why) {
-    throw Refused(q.name + ", " + c.name + ": " + why.what());
-  }
-}
 /// The interval of an input in a case.
 Interval range_of(const Input& input, const Case& which, bool is_wide);
 
-/// "alpha from 0x1p-300 to 0x1p+40, n from 0 to 1024", and the guards; is_exact: "alpha > 0".
+/// "alpha from 0x1p-300 to 0x1p+40, N_A(alpha) from 1 to 9", and the guards; is_exact: "alpha > 0".
 std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact = false);
 struct Output {
   std::string name;
@@ -55,6 +46,6 @@ std::string call_doubling(const Doubling& t, kernel::Expr term, Terms& terms);
 /// The case's program after all passes; outputs of plain forms are entries where they are matrices.
 /// Refused: a theorem with a hypothesis that does not follow from the intervals, a name without a
 /// definition, an operation that there is none for, a divisor or root whose range is not known, a
-/// value that may over- or underflow, a function of a field's numbers.
+/// value that may over- or underflow, a function of a field's numbers; quantity and case are named.
 Program lower(const Quantity& quantity, const Case& which, Numbers numbers);
 }  // namespace codegen

@@ -9,16 +9,9 @@
 
 namespace codegen {
 namespace {
-std::string quoted(const std::string& text) {
-  const auto is_plain = [](char c) { return c >= ' ' && c != '"' && c != '\\'; };
-  if (!std::all_of(text.begin(), text.end(), is_plain))
-    throw Refused("not for a manifest: " + text);
-  return "\"" + text + "\"";
-}
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 std::string list(const Words& words) {
-  Words all;
-  for (const std::string& w : words) all.push_back(quoted(w));
-  return "[" + joined(all, ", ") + "]";
+  return words.empty() ? "[]" : "[" + quoted(joined(words, "\", \"")) + "]";
 }
 }  // namespace
 

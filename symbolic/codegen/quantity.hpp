@@ -70,9 +70,8 @@ struct Quantity {
   std::vector<Input> inputs;
   std::vector<Case> cases;          ///< disjoint
   kernel::Substitution units = {};  ///< parameters that are no inputs, and their value: V is 1
-  std::optional<Doubling> doubling =
-      {};                   ///< of exact forms: a sequence that stands at 2*x, 2*x + 1
-  bool has_arrays = false;  ///< the first case is evaluated a register at a time, too
-  bool is_tested = true;    ///< whether tiers that test roundings test its own
+  std::optional<Doubling> doubling = {};  ///< of exact forms: a sequence at 2*x and 2*x + 1
+  bool has_arrays = false;                ///< the first case is evaluated a register at a time, too
+  bool is_tested = true;                  ///< whether tiers that test roundings test its own
 };
 }  // namespace codegen

@@ -13,9 +13,7 @@ std::string broken_line(std::string rest) {
   const std::size_t indent = std::min(rest.find_first_not_of(' '), rest.size());
   const std::string code = rest.substr(indent);
   const bool is_literal = code.starts_with('"');
-  const std::string comment = code.starts_with("/// ")  ? "/// "
-                              : code.starts_with("// ") ? "// "
-                                                        : "";
+  const std::string comment = code.starts_with("//") ? code.substr(0, code.find(' ') + 1) : "";
   const std::string leader = rest.substr(0, indent) + comment;
   const std::string further = !comment.empty() ? "  " : is_literal ? "\"" : "    ";
   std::string text;

@@ -178,8 +178,7 @@ std::string labels(const std::string& quantity) {
       {"Lambda", "eq:Lambda"},
       {"R", "def:R"},
       {"lambda_3", "eq:lambda-3"}};
-  const auto found = all.find(quantity);
-  return found == all.end() ? "" : found->second;
+  return all.contains(quantity) ? all.at(quantity) : "";
 }
 Texts texts(const std::vector<Quantity>& evaluators, const std::vector<PlainForm>& plain,
             const codegen::Ids& ids) {

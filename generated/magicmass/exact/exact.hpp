@@ -81,8 +81,7 @@ struct TerminalExact {
   Number a_t, b_t, c_t, rho;
 };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
-///   alpha > 0, N_A from 1 to 4611686018427387904, N_B from 1 to 4611686018427387904.
-/// To be what theorems say, which is not tested: N_A(alpha), N_B(alpha).
+///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
 /// Theorems: power.V_CM, exact.a_t, exact.b_t, terminal.definitions, evaluators_end.def_rho.
 /// Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
 template <class Number>
@@ -106,7 +105,8 @@ TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std:
     return {a_t, b_t, c_t, rho};
   }
   throw std::domain_error("terminal_exact: allowed: "
-      "alpha > 0, N_A from 1 to 4611686018427387904, N_B from 1 to 4611686018427387904");
+      "alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to "
+      "4611686018427387904");
 }
 template <class Number>
 struct ShapeExact {

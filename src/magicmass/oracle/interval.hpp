@@ -11,7 +11,7 @@
 namespace magicmass::oracle {
 
 /// The question has an answer, but not at the precision or size that the oracle goes to.
-/// What the caller has wrong (alpha <= 0, n < 0) is a std::invalid_argument.
+/// What the caller has wrong (alpha <= 0) is a std::invalid_argument.
 class Undecided : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

@@ -94,11 +94,7 @@ TEST_CASE("a header of wanted outputs has those, and pays for nothing else") {
     CHECK_THAT(a, !ContainsSubstring(part));
   CHECK_THAT(generate::selected("restitution", {"N_any"}), ContainsSubstring("count_restitution("));
   CHECK_THAT(generate::selected("exact", {"a"}), !ContainsSubstring("b_before"));
-  for (const auto& [form, output, inputs] :
-       {std::tuple("exact", "rho", "N_A(alpha), N_B(alpha)."),
-        {"restitution", "N_e", "q_e(M_A, w_B, M_C, e), h_e(M_A, w_B, M_C, e)."}})
-    CHECK_THAT(unbroken(generate::selected(form, {output})),
-               ContainsSubstring("which is not tested: " + std::string(inputs)));
+  CHECK_THAT(generate::selected("exact", {"rho"}), ContainsSubstring("alpha > 0, N_A(alpha) from"));
 }
 TEST_CASE("an output or a form that there is none of is refused with what is allowed") {
   CHECK_THROWS_WITH(

@@ -87,18 +87,3 @@ TEST_CASE("less_product has one rounding, where the product is near") {
     REQUIRE(less_product(z, x, y) == double(whole(z) - whole(x) * whole(y)));
   }
 }
-
-TEST_CASE("DoubleDouble of small whole numbers is exact") {
-  const D six = D::exact(2.0) + D::exact(4.0);
-  CHECK(rounded(six * D::exact(7.0)) == 42.0);
-  CHECK(rounded(cancelling_sum(six, -D::exact(6.0))) == 0.0);
-  CHECK(rounded(near_sum(six, -D::exact(4.0))) == 2.0);
-  CHECK(rounded(times(six, 0.5)) == 3.0);
-  CHECK(rounded(quotient(six, D::exact(3.0))) == 2.0);
-  CHECK(rounded(quotient(9.0, D::exact(3.0))) == 3.0);
-  CHECK(rounded(reciprocal_root(D::exact(16.0))) == 0.25);
-  CHECK(rounded(scaled(six, -0.5)) == -3.0);
-  const D size = magnitude(D{-3.0, 0x1p-60});
-  CHECK(size.high == 3.0);
-  CHECK(size.low == -0x1p-60);
-}

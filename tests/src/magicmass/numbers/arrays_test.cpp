@@ -2,14 +2,15 @@
 // Arrays: a row alone is the row among others, whatever their number, place and instruction set.
 #include <algorithm>
 #include <array>
+#include <cfenv>
 #include <cmath>
 #include <cstring>
 #include <functional>
 #include <string>
 
 #include "catch.hpp"
+#include "magicmass/arithmetic/simd.hpp"
 #include "magicmass/numbers/kernels.hpp"
-#include "src/magicmass/arithmetic/foreign_modes.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/fingerprint.hpp"
 
@@ -171,6 +172,25 @@ TEST_CASE("columns that are not wanted are left out, others must have as many ro
   CHECK_THROWS_WITH(fast::velocities(alpha, n, {.c = wrong}), "c has 39 rows, alpha has 40");
   CHECK_THROWS_WITH(fast::velocities(wrong, n, {}), "n has 40 rows, alpha has 39");
   CHECK_THROWS_AS(accurate::terminal(alpha, {.rho = wrong}), InvalidInput);
+}
+/// Whether f, which must not throw, says true in each of these modes: roundings that are not to
+/// nearest, subnormals flushed to zero.
+bool in_foreign_modes(const std::function<bool()>& f) {
+  bool is_so = true;
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    is_so = f() && is_so;
+    std::fesetround(FE_TONEAREST);
+  }
+#if defined(__SSE2__)
+  for (const unsigned bit : {0x8000U, 0x0040U}) {  // results, operands flushed to zero
+    const unsigned before = _mm_getcsr();
+    _mm_setcsr(before | bit);
+    is_so = f() && is_so;
+    _mm_setcsr(before);
+  }
+#endif
+  return is_so;
 }
 TEST_CASE("array calls refuse another rounding mode or lost subnormal numbers, and say which") {
   const std::vector<double> alpha(3, 0.1);
