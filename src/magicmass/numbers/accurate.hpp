@@ -28,7 +28,7 @@ Collision collision(double alpha, std::int64_t j);
 double angle(double alpha);
 /// alpha_k and beta_k, unit 1, k >= 1, else throws InvalidInput.
 Ratios ratios(std::int64_t k);
-/// Arrays, the same bits as single calls. Of InvalidInput they throw only that sizes differ.
+/// Arrays, the same bits as single calls. InvalidInput only if sizes differ or columns overlap.
 void velocities(std::span<const double> alpha, std::span<const std::int64_t> n,
                 const VelocityColumns& columns);
 void terminal(std::span<const double> alpha, const TerminalColumns& columns);

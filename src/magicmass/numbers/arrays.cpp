@@ -31,9 +31,19 @@ void check_size(const char* name, std::size_t rows, std::size_t size) {
 struct Column {
   const char* name;
   std::size_t rows;
+  std::uintptr_t begin, end;
+  template <class T>
+  Column(const char* of, std::span<T> c)
+      : name(of), rows(c.size()), begin(std::uintptr_t(c.data())), end(begin + c.size_bytes()) {}
 };
-void check_wanted(std::size_t size, std::initializer_list<Column> columns) {
-  for (const Column& c : columns) check_size(c.name, c.rows == 0 ? size : c.rows, size);
+/// Alpha first. Rows that are left open are read again: by then they would be written over.
+void check_columns(std::initializer_list<Column> columns) {
+  for (const Column* c = columns.begin(); c != columns.end(); ++c) {
+    if (c->rows != 0) check_size(c->name, c->rows, columns.begin()->rows);
+    for (const Column* before = columns.begin(); before != c; ++before)
+      if (c->begin < before->end && before->begin < c->end)
+        throw InvalidInput(std::string(c->name) + " overlaps " + before->name);
+  }
 }
 /// Where a block of a column goes: unwanted ones to memory of the loop.
 template <class T>
@@ -44,9 +54,8 @@ void velocity_columns(Tier tier, std::span<const double> alpha, std::span<const 
                       const VelocityColumns& to) {
   check_arithmetic();
   check_size("n", n.size(), alpha.size());
-  check_wanted(
-      alpha.size(),
-      {{"a", to.a.size()}, {"b", to.b.size()}, {"c", to.c.size()}, {"c_prime", to.c_prime.size()}});
+  check_columns(
+      {{"alpha", alpha}, {"n", n}, {"a", to.a}, {"b", to.b}, {"c", to.c}, {"c_prime", to.c_prime}});
   double unwanted[longest_block];
   Open open;
   for (std::size_t row = 0; row < alpha.size(); row += longest_block) {
@@ -68,12 +77,13 @@ void velocity_columns(Tier tier, std::span<const double> alpha, std::span<const 
 }
 void terminal_columns(Tier tier, std::span<const double> alpha, const TerminalColumns& to) {
   check_arithmetic();
-  check_wanted(alpha.size(), {{"N_A", to.N_A.size()},
-                              {"N_B", to.N_B.size()},
-                              {"a_t", to.a_t.size()},
-                              {"b_t", to.b_t.size()},
-                              {"c_t", to.c_t.size()},
-                              {"rho", to.rho.size()}});
+  check_columns({{"alpha", alpha},
+                 {"N_A", to.N_A},
+                 {"N_B", to.N_B},
+                 {"a_t", to.a_t},
+                 {"b_t", to.b_t},
+                 {"c_t", to.c_t},
+                 {"rho", to.rho}});
   double unwanted[longest_block];
   std::int64_t unwanted_counts[longest_block];
   Open open;

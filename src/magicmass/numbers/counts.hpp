@@ -15,7 +15,7 @@ namespace magicmass {
 /// Throws InvalidInput unless alpha is positive and finite.
 std::optional<Counts> count_collisions(double alpha);
 /// The same for arrays: rows without an answer are -1; an empty span is not wanted.
-/// Throws InvalidInput if sizes differ, NotIeee.
+/// Throws InvalidInput if sizes differ or columns overlap, NotIeee.
 void count_collisions(std::span<const double> alpha, std::span<std::int64_t> N_A,
                       std::span<std::int64_t> N_B);
 /// The magic or deficient mass ratio with the smallest |distance|. nullopt and InvalidInput as for

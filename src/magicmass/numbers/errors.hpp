@@ -6,7 +6,7 @@
 
 namespace magicmass {
 /// The caller's fault: an alpha that is no positive finite double, n or k out of range, columns of
-/// different sizes.
+/// different sizes or in the same place.
 struct InvalidInput : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

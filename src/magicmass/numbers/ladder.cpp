@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/numbers/ladder.hpp"
 
-#include <limits>
 #include <string>
 
 #include "magicmass/numbers/accurate.hpp"
@@ -36,16 +35,14 @@ std::optional<Value> certain(bool (*const (&tiers)[3])(Value&, Arguments...), in
 }
 std::optional<Terminal> open_terminal(Tier tier, double alpha) {
   const std::optional<Terminal> t = settled_terminal(tier, alpha);
-  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-  return t && t->counts.N_A <= most - t->counts.N_B ? t : std::nullopt;
+  return t && t->counts.N_A <= INT64_MAX - t->counts.N_B ? t : std::nullopt;
 }
 /// Each is the largest integer there is where it is that or more.
 Counts counts_or_most(double alpha) {
   Counts c;
   if (kernels().counts(c, alpha)) return c;
   const std::optional<Terminal> t = settled_terminal(fast, alpha);
-  constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
-  return t ? t->counts : Counts{most, most};
+  return t ? t->counts : Counts{INT64_MAX, INT64_MAX};
 }
 std::int64_t last_cycle(double alpha) { return counts_or_most(alpha).N_A; }
 [[gnu::noinline]] std::optional<Velocities> open_velocities(Tier tier, double alpha,
@@ -117,12 +114,6 @@ std::optional<Terminal> terminal(Tier tier, double alpha) {
     t = open_terminal(tier, alpha);
   return t;
 }
-std::optional<Counts> counts(double alpha) {
-  Counts c;
-  if (kernels().counts(c, alpha)) return c;
-  const std::optional<Terminal> t = open_terminal(fast, alpha);
-  return t ? std::optional(t->counts) : std::nullopt;
-}
 }  // namespace numbers
 
 Velocities accurate::velocities(double alpha, std::int64_t n) {
@@ -165,6 +156,7 @@ Ratios fast::ratios(std::int64_t k) { return numbers::ratios(numbers::fast, k); 
 
 std::optional<Counts> count_collisions(double alpha) {
   numbers::check(alpha);
-  return numbers::counts(alpha);
+  const Counts c = numbers::counts_or_most(alpha);
+  return c.N_A <= INT64_MAX - c.N_B ? std::optional(c) : std::nullopt;
 }
 }  // namespace magicmass

@@ -11,5 +11,4 @@ namespace magicmass::numbers {
 inline bool is_mass_ratio(double alpha) { return alpha > 0.0 && alpha <= 0x1.fffffffffffffp1023; }
 std::optional<Velocities> velocities(Tier tier, double alpha, std::int64_t n);
 std::optional<Terminal> terminal(Tier tier, double alpha);
-std::optional<Counts> counts(double alpha);
 }  // namespace magicmass::numbers

@@ -56,7 +56,7 @@ struct Threshold {
 };
 
 /// Where array calls write: an empty span is not wanted, all others have as many rows as alpha.
-/// Columns overlap neither each other nor the inputs. Rows without an answer are NaN.
+/// Columns may overlap neither each other nor the inputs. Rows without an answer are NaN.
 struct VelocityColumns {
   std::span<double> a = {};
   std::span<double> b = {};

@@ -156,7 +156,8 @@ TEST_CASE("all instruction sets give the same bits") {
 TEST_CASE("compilers and processors give the same bits") {
   CHECK(fingerprint() == pinned_fingerprint);
 }
-TEST_CASE("columns that are not wanted are left out, others must have as many rows") {
+TEST_CASE(
+    "columns that are not wanted are left out, others have as many rows and their own place") {
   const std::vector<double> alpha(40, 0.01);
   const std::vector<std::int64_t> n(40, 3);
   std::vector<double> out(40);
@@ -172,6 +173,10 @@ TEST_CASE("columns that are not wanted are left out, others must have as many ro
   CHECK_THROWS_WITH(fast::velocities(alpha, n, {.c = wrong}), "c has 39 rows, alpha has 40");
   CHECK_THROWS_WITH(fast::velocities(wrong, n, {}), "n has 40 rows, alpha has 39");
   CHECK_THROWS_AS(accurate::terminal(alpha, {.rho = wrong}), InvalidInput);
+  CHECK_THROWS_WITH(accurate::terminal(out, {.b_t = out}), "b_t overlaps alpha");
+  CHECK_THROWS_WITH(count_collisions(alpha, counts, counts), "N_B overlaps N_A");
+  const std::span<double> last = std::span(out).last(20), first = std::span(out).first(20);
+  CHECK_NOTHROW(fast::velocities(last, std::span(n).first(20), {.a = first}));
 }
 /// Whether f, which must not throw, says true in each of these modes: roundings that are not to
 /// nearest, subnormals flushed to zero.
@@ -197,7 +202,7 @@ TEST_CASE("array calls refuse another rounding mode or lost subnormal numbers, a
   const std::vector<std::int64_t> n(3, 1);
   std::vector<double> out(3);
   std::vector<std::int64_t> counts(3);
-  std::vector<std::function<void()>> calls{[&] { count_collisions(alpha, counts, counts); }};
+  std::vector<std::function<void()>> calls{[&] { count_collisions(alpha, counts, {}); }};
   for (const Calls& tier : both) {
     calls.emplace_back([&] { tier.terminal_rows(alpha, {.a_t = out}); });
     calls.emplace_back([&] { tier.velocity_rows(alpha, n, {.a = out}); });
