@@ -44,12 +44,11 @@ Counts counts_or_most(double alpha) {
   const std::optional<Terminal> t = settled_terminal(fast, alpha);
   return t ? t->counts : Counts{INT64_MAX, INT64_MAX};
 }
-std::int64_t last_cycle(double alpha) { return counts_or_most(alpha).N_A; }
 [[gnu::noinline]] std::optional<Velocities> open_velocities(Tier tier, double alpha,
                                                             std::int64_t n) {
   if (!is_mass_ratio(alpha) || n < 0) return std::nullopt;
   if (n == 0) return Velocities{1, 0, 0, 0};
-  if (n > last_cycle(alpha)) return std::nullopt;
+  if (n > counts_or_most(alpha).N_A) return std::nullopt;
   const auto v = certain(kernels().velocities, tier + 1, alpha, n);
   return v ? v : velocities_by_mpfr(alpha, n);
 }
@@ -60,8 +59,8 @@ void check(double alpha) {
 }
 [[noreturn]] void refuse_cycle(double alpha, std::int64_t n) {
   check(alpha);
-  throw InvalidInput("n must be from 0 to N_A = " + std::to_string(last_cycle(alpha)) + ", got " +
-                     std::to_string(n));
+  throw InvalidInput("n must be from 0 to N_A = " + std::to_string(counts_or_most(alpha).N_A) +
+                     ", got " + std::to_string(n));
 }
 Collision collision(Tier tier, double alpha, std::int64_t j) {
   if (const auto c = certain(kernels().collision, tier, alpha, j)) return *c;

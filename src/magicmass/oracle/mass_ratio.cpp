@@ -28,7 +28,6 @@ Interval secant_less_one(const cl_I& divisor, long precision) {
 }
 
 MassRatio secant_ratio(const cl_I& divisor) {
-  if (divisor < 4) throw std::invalid_argument("k must be 1 or more");
   const auto bits = static_cast<long>(cln::integer_length(divisor));
   const auto enclosed = [divisor](long precision) { return secant_less_one(divisor, precision); };
   return {std::nullopt, enclosed, 2 * bits};

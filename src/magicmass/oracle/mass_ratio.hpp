@@ -23,9 +23,9 @@ struct MassRatio {
 MassRatio ratio(const cln::cl_RA& alpha);
 /// So many times as large; factor > 0.
 MassRatio operator*(const MassRatio& alpha, const cln::cl_RA& factor);
-/// The k-th magic mass ratio, k >= 1, else throws std::invalid_argument; the first is the number 1.
+/// The k-th magic mass ratio, k >= 1; the first is the number 1.
 MassRatio magic(const cln::cl_I& k);
-/// The k-th deficient mass ratio, k >= 1, else throws std::invalid_argument.
+/// The k-th deficient mass ratio, k >= 1.
 MassRatio deficient(const cln::cl_I& k);
 
 }  // namespace magicmass::oracle

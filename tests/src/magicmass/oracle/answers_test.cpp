@@ -134,8 +134,6 @@ TEST_CASE("ratios by name", "[exam]") {
     }
   CHECK(certain(magic(1), Itself(), to_double()) == std::vector{1.0});
   CHECK_THAT(certain(magic(1000000), Itself(), to_double())[0], WithinRel(1.2337e-12, 1e-5));
-  CHECK_THROWS_AS(magic(0), std::invalid_argument);
-  CHECK_THROWS_AS(deficient(0), std::invalid_argument);
   // A and the ball end at rest: that is the nearest double, but no relative error shows it.
   CHECK(certain(magic(2), AtEnd({2, 2}), to_double()) == std::vector{0.0, 1.0, 0.0, 1.0});
   CHECK_THROWS_AS(certain(magic(2), AtEnd({2, 2}), to_within(60)), Undecided);
