@@ -29,9 +29,9 @@ struct Key {
 /// In the order in which they are read.
 const std::vector<Key>& keys();
 
-/// What is in a file, "-" for stdin. Throws InvalidInput where it cannot be read or has more than
-/// a mebibyte.
-std::string text_of(const std::string& path, const std::string& allowed);
+/// What is in a file, "-" for stdin. Throws InvalidInput where it cannot be read or has more bytes.
+std::string text_of(const std::string& path, const std::string& allowed,
+                    std::size_t longest = std::size_t{1} << 20U);
 /// The text as TOML. Throws InvalidInput, "FILE:LINE: what; allowed: ...", for what is none.
 toml::table table_of(std::string_view text, const std::string& source, const std::string& allowed);
 

@@ -11,8 +11,8 @@ namespace {
 
 std::string shown_source(const std::string& path) { return path == "-" ? "stdin" : path; }
 
-const std::string allowed_scene = "a scene in TOML, lines like alpha = \"magic:3\"";
-constexpr std::size_t longest_file = std::size_t{1} << 20U;
+const std::string allowed_scene = "a scene in TOML, lines like alpha = 0.12 or alpha = \"1/7\"";
+constexpr std::size_t longest_scene = std::size_t{1} << 23U;  // 10^5 bodies with all their digits
 
 /// A key of many parts, or values nested deep: the parser's recursion would not end well.
 bool is_too_deep(std::string_view text) {
@@ -166,21 +166,21 @@ Scene parse_scene(std::string_view text, const std::string& source) {
   return scene;
 }
 
-std::string text_of(const std::string& path, const std::string& allowed) {
+std::string text_of(const std::string& path, const std::string& allowed, std::size_t longest) {
   std::ifstream file(path == "-" ? "/dev/stdin" : path, std::ios::binary);
-  std::string text(longest_file + 1, '\0');
+  std::string text(longest + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
     throw InvalidInput("cannot read " + shown_source(path) + "; allowed: " + allowed);
   text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > longest_file)
-    throw InvalidInput(shown_source(path) + ":1: more than " + std::to_string(longest_file) +
+  if (text.size() > longest)
+    throw InvalidInput(shown_source(path) + ":1: more than " + std::to_string(longest) +
                        " bytes; allowed: " + allowed);
   return text;
 }
 
 Scene read_scene(const std::string& path) {
-  return parse_scene(text_of(path, "a scene file in TOML"), shown_source(path));
+  return parse_scene(text_of(path, "a scene file in TOML", longest_scene), shown_source(path));
 }
 
 }  // namespace magicmass::scenes

@@ -59,6 +59,7 @@ void set_energies(const Scene& scene, const simulator::Line<Scalar>& start, Resu
     result.transmitted = energy(*last, result.terminal[*last]) / before;
 }
 
+const std::string close = "decisions are closer than doubles can tell";
 const std::string too_slow = "bodies have become too slow for doubles";
 /// Little more, and numbers would be subnormal.
 bool is_too_slow(double v) { return v != 0 && std::abs(v) < 0x1p-1000; }
@@ -70,8 +71,7 @@ void decide_status(const Engine<Scalar>& engine, Result& result) {
   std::string doubt;
   if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost()) doubt = too_slow;
   if (engine.ties().near > 0)
-    doubt = "uncertain after collision " + std::to_string(engine.ties().first_near) +
-            ": decisions are closer than doubles can tell";
+    doubt = "uncertain after collision " + std::to_string(engine.ties().first_near) + ": " + close;
   result.is_undecided = !doubt.empty();
   if (!doubt.empty()) result.why = result.why.empty() ? doubt : result.why + "; " + doubt;
   result.status = result.why.empty() ? Status::complete : Status::limited;
@@ -181,7 +181,6 @@ Result run(const Scene& scene) {
   Result result = motion<double>(scene, limit);
   result.plan = {"events", false, "no decision is closer than doubles can tell"};
   if (!result.is_undecided) return result;
-  const std::string close = "decisions are closer than doubles can tell";
   result.plan.reason = close + "; the scene has no exact numbers";
   if (!has_exact) return result;
   try {
@@ -196,8 +195,7 @@ Result run(const Scene& scene) {
 void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t every) {
   const bool is_stepped = plan.model == "events";
   if (!is_stepped && !plan.is_exact) return stream_by_theorem(scene, every, sink);
-  const bool is_collapse = !is_stepped && scene.is_exact;
-  const std::int64_t limit = is_collapse ? told(scene) : scene.limit();
+  const std::int64_t limit = !is_stepped && scene.is_exact ? told(scene) : scene.limit();
   const auto show = [&](const Row& row) {
     if (row.number % every == 0) sink(row);
   };

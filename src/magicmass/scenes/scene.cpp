@@ -77,7 +77,8 @@ simulator::Line<Scalar> line_of(const Scene& scene) {
 template simulator::Line<double> line_of(const Scene&);
 template simulator::Line<Quadratic> line_of(const Scene&);
 
-/// The first that is not 0 becomes the unit of all of them, if their ratios are exact.
+/// The first that is not 0 becomes the unit of all of them. Throws std::domain_error where a ratio
+/// to it is not known exactly.
 Value take_unit(const std::vector<Value*>& values) {
   const auto is_0 = [](const Value* value) { return value->is(0); };
   const auto first = std::find_if_not(values.begin(), values.end(), is_0);
@@ -87,8 +88,10 @@ Value take_unit(const std::vector<Value*>& values) {
   for (Value* const value : values) {
     if (value->exact() && unit.exact())
       value->number = *value->exact() / *unit.exact();
-    else if (!is_0(value) && value->text == unit.text)
+    else if (value->text == unit.text)
       value->number = Quadratic(1);
+    else if (!is_0(value))
+      throw std::domain_error("no exact ratio");
   }
   return unit;
 }
@@ -106,7 +109,7 @@ std::optional<Places> exact_places(const Scene& scene) {
   try {
     const Value V = take_unit(velocities), L = take_unit(lengths);
     if (has_exact_numbers(places)) return Places{scene.masses, line_of<Quadratic>(places), V, L};
-  } catch (const std::domain_error&) {  // velocities, or lengths, of two fields
+  } catch (const std::domain_error&) {
   }
   return {};
 }

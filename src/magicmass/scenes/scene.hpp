@@ -47,7 +47,7 @@ struct Scene {
   std::optional<std::size_t> receiver() const;
 };
 
-/// Reads a file of at most a mebibyte. What is no scene, or has no meaning, is refused: throws
+/// Reads a file of at most 8 MiB. What is no scene, or has no meaning, is refused: throws
 /// InvalidInput, `file:line: key: what; allowed: ...` on one line.
 Scene read_scene(const std::string& path);
 /// The same from text.

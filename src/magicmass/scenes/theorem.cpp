@@ -78,7 +78,7 @@ struct Seen {
   }
   /// How many of the first `most` come by this time.
   std::int64_t count_until(const Value& time, std::int64_t most) const {
-    return with_bits(17, [&] {
+    const auto counted = [&] {
       const auto s = motion.shape();
       const Ball until = ball_of(time);
       std::int64_t count = 0, more = 1;
@@ -96,7 +96,8 @@ struct Seen {
       for (; more > 0; more /= 2)
         if (are_by()) count += more;
       return count;
-    });
+    };
+    return with_bits(17, counted, " to tell whether a collision comes by the time " + time.text);
   }
   /// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
   std::optional<std::int64_t> within(const Scene& scene) const {

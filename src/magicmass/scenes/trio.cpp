@@ -29,18 +29,6 @@ template <class Form, class... More>
 auto value_of_form(const Form& form, const Trio::Shape& s, const More&... more) {
   return form(s.A, s.per_B, 1, s.e, s.q_e, more...);
 }
-}  // namespace
-
-Ball ball_of(const Value& value) {
-  const Ratio* const ratio = value.ratio();
-  if (!ratio) return ball_of(*value.exact());
-  if (ratio->k > std::int64_t(1) << 50U)
-    throw Undecided(value.text + " is answered here up to k = 2^50");
-  return ratio->is_magic ? generated::magic_closed<Ball>(ratio->k).alpha_
-                         : generated::deficient_closed<Ball>(ratio->k).beta_;
-}
-
-namespace {
 [[noreturn]] void too_many() {
   throw Undecided("there are more than 2^62 collisions; possible: masses that are less far apart");
 }
@@ -55,6 +43,15 @@ Ball power_of(const Trio::Shape& s, std::int64_t j) {
   return j % 2 == 0 ? power(s.e, j / 2) : power(s.e, j / 2) * sqrt(s.e);
 }
 }  // namespace
+
+Ball ball_of(const Value& value) {
+  const Ratio* const ratio = value.ratio();
+  if (!ratio) return ball_of(*value.exact());
+  if (ratio->k > std::int64_t(1) << 50U)
+    throw Undecided(value.text + " is answered here up to k = 2^50");
+  return ratio->is_magic ? generated::magic_closed<Ball>(ratio->k).alpha_
+                         : generated::deficient_closed<Ball>(ratio->k).beta_;
+}
 
 std::optional<Trio> Trio::of(const Places& places) {
   const auto& [masses, line, unit_V, unit_L] = places;
@@ -206,17 +203,21 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
   const auto& [V, W, d_A, d_B] = at_0_;
+  if (j == 0 && (d_A == 0 || !has_units_)) return d_A / V;
   if (has_units_) return {};
-  if (j == 0) return d_A / V;
   const auto& N = at_threshold_;
   // L/V sin(jh)/sin((j+1)h) later, (2j+1)h = pi
   if (N && *N == 2 * j) return (d_A + d_B) / V;
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
-  if (j == 0 || s.q_e <= 0) {
+  if (s.q_e <= 0) {
     Stepping now = stepped(s, j);
     return step(s, now);
+  }
+  if (j == 0) {
+    const Stepping first = stepped(s, 0);
+    return in_scene(0, first.time, first.place, seen(s, 1));
   }
   const auto [V, W, d_A, d_B] = start();
   const Ball moment =

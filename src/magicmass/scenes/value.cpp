@@ -66,13 +66,6 @@ bool is_float(std::string_view text) {
   return text.find_first_of(".eExX") != text.npos && text.find_first_of("()/*^") == text.npos;
 }
 
-double read_float(std::string_view text) {
-  const auto value = notation::read_double(text);
-  if (!value) refuse("not a number");
-  if (std::isinf(*value)) refuse("it does not fit a double, write it as a fraction");
-  return *value;
-}
-
 }  // namespace
 
 double Value::to_double() const {
@@ -94,7 +87,12 @@ Value read_value(std::string_view text) {
         refuse("k above 2^50, for which there are counts alone: magicmass count");
       return value;
     }
-    if (is_float(text)) return {std::string(text), Quadratic(read_float(text))};
+    if (is_float(text)) {
+      const auto value = notation::read_double(text);
+      if (!value) refuse("not a number");
+      if (std::isinf(*value)) refuse("it does not fit a double, write it as a fraction");
+      return {std::string(text), Quadratic(*value)};
+    }
     return {std::string(text), checked(evaluate(notation::read(text)))};
   } catch (const std::domain_error& error) {
     refuse(error.what());

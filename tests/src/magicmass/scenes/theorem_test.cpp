@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "law_of_collision.hpp"
 #include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/trajectory.hpp"
 #include "magicmass/scenes/trio.hpp"
 #include "runs.hpp"
 
@@ -332,4 +333,23 @@ TEST_CASE("V and L are units: only ratios need a field of their own", "[check]")
       "masses = [1, '1/7', 1]\npositions = [0, 'sqrt(2)', 'sqrt(8)']\n";
   const Result left = result_of(explicit_ones + "velocities = [0, 0, '-sqrt(3)']");
   CHECK((left.plan.model == "theorem" && left.status == Status::complete));
+  const Scene at_start =
+      scene_of("alpha = 1\nL = 'magic:6'\noutputs = ['trajectory']\ntimes = [0]\n");
+  std::vector<double> places;
+  trajectory(at_start, run(at_start),
+             [&](const Point& p) { places.push_back(number(p.position)); });
+  CHECK(places == std::vector<double>{0, 0, at_start.L.to_double()});
+}
+
+TEST_CASE("a ratio of the paper is no unit of numbers", "[exam]") {
+  const std::string start = "masses = [1, 1, 2]\npositions = [";
+  const Scene place = scene_of(start + "'magic:3', 2, 3]\nvelocities = [1, 0, 0]");
+  CHECK(run(place).plan.model == "events");
+  CHECK_THAT(numbers_of(place).at(0)[1], WithinAbs(2 - place.positions[0].to_double(), 1e-15));
+  const Scene speed = scene_of(start + "0, 1, 2]\nvelocities = ['magic:1', '1/2', '1/2']");
+  CHECK(run(speed).plan.model == "theorem");
+  const Scene other = scene_of(start + "0, 1, 2]\nvelocities = ['magic:4', '1/20', '1/20']");
+  CHECK(run(other).plan.model == "events");
+  CHECK_THAT(numbers_of(other).at(0)[1],
+             WithinRel(1 / (other.velocities[0].to_double() - 0.05), 1e-14));
 }
