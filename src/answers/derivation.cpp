@@ -73,7 +73,7 @@ private:
   std::map<kernel::Expr, std::size_t> numbers;  // a definition may be shown under more hypotheses
 };
 
-/// The chapters and steps that are named.
+/// The chapters, steps and labels that are named.
 std::vector<std::string> words_of(const Request& request) {
   std::vector<std::string> words = request.words;
   if (request.has("from")) words.push_back(request.text("from"));
@@ -84,9 +84,9 @@ const derivation::Book& book_for(const Request& request) {
   const std::vector<std::string> words = words_of(request);
   bool is_all = words.empty();
   for (const std::string& word : words) {
-    const bool is_step = word.find('.') != word.npos;
-    const bool is_there = derivation::is_shown(is_step ? word : word + ".");  // or a chapter's end
-    is_all = is_all || (is_step && !is_there);
+    const bool is_chapter = word.find_first_of(".:") == word.npos;  // labels have a colon
+    const bool is_there = derivation::is_shown(is_chapter ? word + "." : word);  // or its end
+    is_all = is_all || (!is_chapter && !is_there);
   }
   return is_all ? derivation::the_book() : derivation::proved_so_far();
 }
@@ -96,10 +96,14 @@ Numbers asked_for(const Request& request, const Index& index) {
   const std::vector<std::string> words = words_of(request);
   for (const std::string& word : words) {
     Numbers named;
-    for (std::size_t k = 0; k < index.all.size(); ++k)
-      if (index.all[k].statement.id == word || index.all[k].chapter.name == word) named.insert(k);
+    for (std::size_t k = 0; k < index.all.size(); ++k) {
+      const auto& [chapter, s] = index.all[k];
+      const bool is_label =
+          !word.empty() && (" " + s.label + " ").find(" " + word + " ") != word.npos;
+      if (s.id == word || chapter.name == word || is_label) named.insert(k);
+    }
     if (named.empty()) {
-      throw InvalidInput("derive: no chapter or step " + shown_text(word) +
+      throw InvalidInput("derive: no chapter, step or label " + shown_text(word) +
                          "; chapters: " + joined(index.chapters) + "; steps: derive --list");
     }
     wanted.merge(named);

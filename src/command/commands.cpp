@@ -39,7 +39,7 @@ Program magicmass() {
        .example = "magicmass derive counting",
        .options = {{"from", "STEP", "a step and what it rests on"},
                    {"list", "", "the paper's labels, theorems and formulas"}},
-       .words = "CHAPTER or STEP",
+       .words = "CHAPTER, STEP or LABEL of the paper",
        .formats = {"text", "markdown", "latex", "html", "json", "coq"},
        .run = derive,
        .folder_format = "coq"},
