@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/polynomial.hpp"
 
-#include <stdexcept>
 #include <utility>
 
-#include "answers/motion.hpp"
 #include "kernel/print.hpp"
 
 namespace answers {
@@ -30,20 +28,15 @@ Polynomial cyclotomic(int m) {
   while (phi.back() == 0) phi.pop_back();
   return phi;
 }
-cln::cl_RA value(const Polynomial& p, const cln::cl_RA& x) {
-  cln::cl_RA sum = 0;
-  for (std::size_t i = p.size(); i-- > 0;) sum = sum * x + p[i];
-  return sum;
-}
+}  // namespace
 
-/// The polynomial of least degree that sec(2 pi/m) - 1 is a root of, for m >= 5.
-// z = e^(2 pi i/m) is a root of the cyclotomic polynomial, which is irreducible and reads the same
-// from both ends: it is z^D times a sum of z^j + z^-j, and so a polynomial of degree D in
-// y = z + 1/z = 2 cos(2 pi/m), which is irreducible as well (D = phi(m)/2 is the degree of y). Then
-// x = 2/y - 1 is a root of the sum of c_j 2^j (x + 1)^(D - j), irreducible since x generates the
-// same field.
-Polynomial polynomial_of_secant(int m) {
-  const Polynomial circle = cyclotomic(m);
+// By ratios.* it is sec(2 pi/m) - 1, m = 4k + 2 or 4k + 4. z = e^(2 pi i/m) is a root of the
+// cyclotomic polynomial, which is irreducible and reads the same from both ends: it is z^D times a
+// sum of z^j + z^-j, and so a polynomial of degree D in y = z + 1/z = 2 cos(2 pi/m), which is
+// irreducible as well (D = phi(m)/2 is the degree of y). Then x = 2/y - 1 is a root of the sum of
+// c_j 2^j (x + 1)^(D - j), irreducible since x generates the same field.
+Polynomial polynomial_of_ratio(int k, bool is_magic) {
+  const Polynomial circle = cyclotomic(is_magic ? 4 * k + 2 : 4 * k + 4);
   const std::size_t degree = circle.size() / 2;
   Polynomial next(degree + 1, 0), last(degree + 1, 0);  // by Clenshaw: z^j + z^-j in y
   for (std::size_t j = degree + 1; j-- > 0;) {
@@ -64,16 +57,6 @@ Polynomial polynomial_of_secant(int m) {
   for (const cln::cl_I& c : p) factor = cln::gcd(factor, c);
   if (p.back() < 0) factor = -factor;
   for (cln::cl_I& c : p) c = cln::exquo(c, factor);
-  return p;
-}
-
-}  // namespace
-
-Polynomial polynomial_of_ratio(int k, bool is_magic) {
-  const Polynomial p = polynomial_of_secant(is_magic ? 4 * k + 2 : 4 * k + 4);
-  const Ball root = ball_of(notation::Threshold{is_magic, k});
-  if (value(p, root.low()) * value(p, root.high()) > 0)
-    throw std::logic_error("no root: " + text_of(p) + " at " + std::to_string(k));
   return p;
 }
 

@@ -13,8 +13,7 @@ namespace answers {
 using Polynomial = std::vector<cln::cl_I>;
 
 /// The polynomial of least degree that alpha_k (`is_magic`) or beta_k is a root of, 1 <= k: without
-/// a common factor, its first coefficient positive. Throws std::logic_error where the theorem's
-/// value would be no root.
+/// a common factor, its first coefficient positive.
 Polynomial polynomial_of_ratio(int k, bool is_magic);
 /// "x^2 + 4*x - 1".
 std::string text_of(const Polynomial& p);

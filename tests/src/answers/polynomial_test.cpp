@@ -35,7 +35,7 @@ int coprime_to(int m) {
 }  // namespace
 
 TEST_CASE("each ratio is a root of its polynomial, and no other one is") {
-  for (const int k : {1, 2, 3, 4, 7, 16, 52, 99, 200}) {
+  for (int k = 1; k <= 200; ++k) {
     for (const bool is_magic : {true, false}) {
       CAPTURE(k, is_magic);
       const Polynomial p = answers::polynomial_of_ratio(k, is_magic);
