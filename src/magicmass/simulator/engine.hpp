@@ -231,12 +231,15 @@ private:
   void note_near() {
     if (ties_.near++ == 0) ties_.first_near = number_;
   }
-  /// Do the two approach, or is that only rounding? What was never met moves as it was told to.
+  /// Do the two approach, or is that only rounding? What was never met moves as it was told to,
+  /// and 0 is no rounded number.
   void note_near_rest([[maybe_unused]] std::size_t gap) {
     if constexpr (rounds) {
-      const bool may_be_off =
-          line_.has_rounded_velocities || all_[gap].was_met || all_[gap + 1].was_met;
-      if (may_be_off && margin_.reaches_rest(sides(gap))) note_near();
+      const auto may_be_off = [&](const MovingBody<Scalar>& body) {
+        return body.was_met || (line_.has_rounded_velocities && body.velocity != 0);
+      };
+      if ((may_be_off(all_[gap]) || may_be_off(all_[gap + 1])) && margin_.reaches_rest(sides(gap)))
+        note_near();
     }
   }
   /// Of this gap and the next ones, where they are still due.

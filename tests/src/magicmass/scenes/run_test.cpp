@@ -73,6 +73,9 @@ TEST_CASE("rounding at the start hides no collision", "[exam]") {
   CHECK(late.events == 1);
   CHECK(result_of(chain + "[0.3333333333333333, '1/3']").events == 0);
   CHECK_FALSE(result_of(chain + "[0.25, 0.25]").plan.is_exact);
+  CHECK_FALSE(result_of(chain + "['magic:3', 0]").is_undecided);
+  CHECK_FALSE(result_of("kind = 'chain'\nmasses = [1, 2, 3, 4]\nV = 'magic:3'\nmax_events = 3")
+                  .is_undecided);
 }
 
 TEST_CASE("a number just between two doubles is one of them", "[exam]") {
