@@ -152,9 +152,7 @@ void describe(CLI::App& app, const std::string& name, const std::string& summary
 
 std::string help_of(const Program& program) {
   CLI::App app;
-  const bool is_empty = program.commands.empty();
-  describe(app, program.name, program.summary,
-           is_empty ? program.name + " --version" : program.commands.front().example);
+  describe(app, program.name, program.summary, program.commands.front().example);
   app.set_version_flag("--version", program.version, "print the version");
   app.footer(program.name +
              " COMMAND --help explains a command. Exit codes: 0 done,\n"

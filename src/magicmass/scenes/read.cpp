@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From a file to a scene.
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
+#include <system_error>
 
 #include "magicmass/numbers/errors.hpp"
 #include "magicmass/scenes/keys.hpp"
@@ -171,7 +173,8 @@ std::string text_of(const std::string& path, const std::string& allowed, std::si
   std::string text(longest + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
-    throw InvalidInput("cannot read " + shown_source(path) + "; allowed: " + allowed);
+    throw InvalidInput("cannot read " + shown_source(path) + ": " +
+                       std::generic_category().message(errno) + "; allowed: " + allowed);
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > longest)
     throw InvalidInput(shown_source(path) + ":1: more than " + std::to_string(longest) +

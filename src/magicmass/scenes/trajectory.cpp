@@ -38,10 +38,7 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
     if (row.gap < since.size()) meets(row.gap, row.v_right);
   });
   const auto end = result.known_until;
-  const auto is_known = [&](const Scalar& time) {
-    return !end || !(std::get<Scalar>(*end) < time);
-  };
-  for (; next != times.end() && is_known(*next); ++next) all_at(*next);
+  for (; next != times.end() && !(end && std::get<Scalar>(*end) < *next); ++next) all_at(*next);
   if (has_corners) all_at(end ? std::get<Scalar>(*end) : last);
 }
 
