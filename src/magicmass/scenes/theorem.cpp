@@ -55,6 +55,16 @@ Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities
     sum = sum + masses[i] * velocities[i] * velocities[i];
   return sum / Ball(2);
 }
+/// How many of the first `most` are by a time, which come one after the other.
+template <class IsBy>
+std::int64_t count_of(std::int64_t most, const IsBy& is_by) {
+  std::int64_t count = 0, more = 1;
+  const auto are_by = [&] { return count + more <= most && is_by(count + more - 1); };
+  for (; are_by(); more *= 2) count += more;
+  for (; more > 0; more /= 2)
+    if (are_by()) count += more;
+  return count;
+}
 /// A motion that theorems tell, or what a mirror shows of it; each number the nearest double.
 template <class Motion>
 struct Seen {
@@ -81,21 +91,14 @@ struct Seen {
     const auto counted = [&] {
       const auto s = motion.shape();
       const Ball until = ball_of(time);
-      std::int64_t count = 0, more = 1;
-      const auto are_by = [&] {
-        const std::int64_t last = count + more - 1;
-        if (last >= most) return false;
-        const auto exact = motion.exact_time(last);
+      return count_of(most, [&](std::int64_t j) {
+        const auto exact = motion.exact_time(j);
         if (exact && time.exact() != nullptr) try {
             return !(*time.exact() < *exact);
           } catch (const std::domain_error&) {  // of two fields, so not equal
           }
-        return motion.collision(s, last).time <= until;
-      };
-      for (; are_by(); more *= 2) count += more;
-      for (; more > 0; more /= 2)
-        if (are_by()) count += more;
-      return count;
+        return motion.collision(s, j).time <= until;
+      });
     };
     return with_bits(17, counted, " to tell whether a collision comes by the time " + time.text);
   }
@@ -150,9 +153,28 @@ struct Seen {
     result.collapse_position = next[4];
     return result;
   }
-  /// Where bodies are at a time, after so many collisions.
-  std::vector<double> places(const Value& time, std::int64_t collisions) const {
-    return certain([&] { return seen(motion.places(motion.shape(), ball_of(time), collisions)); });
+  /// Where bodies are at a time, of the first `most` collisions. Where it may be that of one, the
+  /// ways before and after it have the same doubles.
+  std::vector<double> places(const Value& time, std::int64_t most) const {
+    const auto told = [&]() -> std::optional<std::vector<double>> {
+      const auto s = motion.shape();
+      const Ball at = ball_of(time);
+      int open = 0;
+      const auto after = [&](bool if_open) {
+        const std::int64_t N = count_of(most, [&](std::int64_t j) {
+          try {
+            return motion.collision(s, j).time <= at;
+          } catch (const NotCertain&) {
+            return open++, if_open;
+          }
+        });
+        return std::pair(N, rounded([&] { return seen(motion.places(s, at, N)); }));
+      };
+      const auto [N, places] = after(false);
+      if (open == 0 || after(true) == std::pair(N + 1, places)) return places;
+      return {};
+    };
+    return with_bits(17, told, " to tell where bodies are at the time " + time.text);
   }
   /// Every so many collisions; of infinitely many at least the first three, and more while doubles
   /// can tell their times apart.
@@ -249,8 +271,7 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
   with_motion(scene, [&](const auto& seen) { seen.stream(seen.within(scene), every, sink); });
 }
 std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time) {
-  return with_motion(
-      scene, [&](const auto& seen) { return seen.places(time, seen.count_until(time, most)); });
+  return with_motion(scene, [&](const auto& seen) { return seen.places(time, most); });
 }
 
 }  // namespace magicmass::scenes

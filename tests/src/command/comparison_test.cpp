@@ -67,14 +67,6 @@ TEST_CASE("A page names what is spoiled, and the check has failed", "[check]") {
   CHECK_THAT(spoiled.document, ContainsSubstring("Nobody knows why: one of the two is wrong.\n"));
 }
 
-TEST_CASE("Decimals agree to the digits printed, all else exactly") {
-  CHECK(one("x,x,0.4142,ratios --count 1,deficient,").agrees);
-  CHECK_FALSE(one("x,x,0.4143,ratios --count 1,deficient,").agrees);
-  CHECK_FALSE(one("x,x,3,count --alpha 0.1,N_A,").agrees);
-  CHECK(one("x,x,4,count --alpha 0.1,N_A,").agrees);
-  CHECK(one("x,x,0.43,extremum --near deficient:1 --restitution 9/10 --decimals 3,shift,").agrees);
-}
-
 TEST_CASE("A row without a meaning is named", "[check]") {
   const auto refused = [](const std::string& row, const std::string& because) {
     CHECK_THAT(refusal<std::runtime_error>([&] { one(row); }), ContainsSubstring(because));

@@ -74,9 +74,3 @@ TEST_CASE("what is refused, and where", "[exam]") {
   refuses("alpha\n" + std::string(65537, '1') + "\n", "2: a line of more than 65536 bytes");
   CHECK(rows_of("alpha\n" + std::string(65536, '1') + "\n").size() == 1);
 }
-
-TEST_CASE("what is not a file", "[exam]") {
-  CHECK_THROWS_WITH(CsvReader("no such file", {"n"}),
-                    "cannot read no such file: No such file or directory");
-  CHECK_THROWS_WITH(CsvReader("/", {"n"}), "cannot read /: Is a directory");
-}

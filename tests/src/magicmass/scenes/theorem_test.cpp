@@ -333,12 +333,18 @@ TEST_CASE("V and L are units: only ratios need a field of their own", "[check]")
       "masses = [1, '1/7', 1]\npositions = [0, 'sqrt(2)', 'sqrt(8)']\n";
   const Result left = result_of(explicit_ones + "velocities = [0, 0, '-sqrt(3)']");
   CHECK((left.plan.model == "theorem" && left.status == Status::complete));
-  const Scene at_start =
-      scene_of("alpha = 1\nL = 'magic:6'\noutputs = ['trajectory']\ntimes = [0]\n");
-  std::vector<double> places;
-  trajectory(at_start, run(at_start),
-             [&](const Point& p) { places.push_back(number(p.position)); });
-  CHECK(places == std::vector<double>{0, 0, at_start.L.to_double()});
+}
+
+TEST_CASE("places at a time at which two meet", "[exam]") {
+  for (const auto& [text, expected] :
+       {std::pair{"alpha = 1\nL = 'magic:6'\ntimes = [0]\n", std::vector<double>{0, 0}},
+        {"kind = 'wall'\nmass_ratio = 10000\ntimes = ['10001/20000']\n", {0.49995, 1}}}) {
+    const Scene scene = scene_of(text + std::string("outputs = ['trajectory']"));
+    std::vector<double> places;
+    trajectory(scene, run(scene), [&](const Point& p) { places.push_back(number(p.position)); });
+    places.resize(2);
+    CHECK(places == expected);
+  }
 }
 
 TEST_CASE("a ratio of the paper is no unit of numbers", "[exam]") {
