@@ -165,7 +165,8 @@ struct Seen {
           try {
             return motion.collision(s, j).time <= at;
           } catch (const NotCertain&) {
-            return open++, if_open;
+            ++open;
+            return if_open;
           }
         });
         return std::pair(N, rounded([&] { return seen(motion.places(s, at, N)); }));
