@@ -2,6 +2,7 @@
 #include "classroom/answer_file.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <new>
@@ -95,9 +96,16 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
 }  // namespace
 
 std::optional<std::string> misnamed(const std::string& file, const learn::Texts& answer_files) {
-  const bool may_be_answer = file.ends_with(".txt") || file.ends_with(".cpp");
-  if (!may_be_answer || file.starts_with('.') || std::ranges::count(answer_files, file) != 0)
+  if (file.starts_with('.') || file.ends_with('~') || std::ranges::count(answer_files, file) != 0)
     return {};
+  const auto stem = [](std::string name) {
+    name.erase(std::min(name.find('.'), name.size()));
+    for (char& c : name) c = c == ' ' ? '_' : char(std::tolower(static_cast<unsigned char>(c)));
+    return name;
+  };
+  for (const std::string& name : answer_files)  // Half angle.docx
+    if (stem(name) == stem(file)) return "no exercise has this file; is " + name + " meant?";
+  if (!file.ends_with(".txt") && !file.ends_with(".cpp")) return {};
   return "no exercise has this file" + learn::meant(file, answer_files, "; see learn list");
 }
 

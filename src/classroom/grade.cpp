@@ -109,7 +109,7 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
     for (const std::string& file : there)
       if (const auto said = misnamed(file, files))
         why.rows.push_back({shown, cell_of(request, answers::shown_text(file)), text_cell("unread"),
-                            text_cell(*said), answers::missing_cell()});
+                            cell_of(request, *said), answers::missing_cell()});
   }
   for (const auto& [which, students] : had)
     summary.rows.push_back({text_cell(exercises[which.first].id), cell_of(request, which.second),

@@ -242,11 +242,13 @@ Texts without_numbers(const Texts& lines) {
 
 Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& notes) {
   const Terms terms(e);
-  std::string plain = text;
-  replace_all(plain, "\\\\", "\n");  // as LaTeX aligns equations
-  replace_all(plain, "&", "");
+  static const std::regex environment(R"(\\(begin|end)\{[a-z]+\*?\}|&)");  // of LaTeX, as {align}
+  std::string plain = std::regex_replace(text, environment, "");
+  for (const char* between : {"\\\\", "=>", "⇒", "⇔", "∴", "\\Rightarrow", "\\Leftrightarrow",
+                              "\\implies", "\\iff", "\\therefore"})
+    replace_all(plain, between, "\n");
   Texts lines = split(plain, '\n');
-  if (lines.size() == 1) lines = split(text, ';');  // on a command line
+  if (lines.size() == 1) lines = split(plain, ';');  // on a command line
   if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
   lines = without_numbers(lines);
   return e.start.empty() ? judge_equations(terms, lines, notes) : judge_chain(terms, lines, notes);

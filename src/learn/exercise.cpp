@@ -161,6 +161,7 @@ struct Reader {
     need(e.kind == "predict" || (e.choices.empty() && e.within.empty()),
          "choices and within: not of kind " + e.kind);
     need(e.kind != "derivation" || !e.laws.empty(), "laws are missing");
+    need(e.start.empty() || !e.form.empty(), "form is missing, which ends the chain from start");
   }
 };
 

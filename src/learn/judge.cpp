@@ -10,13 +10,16 @@
 namespace learn {
 namespace {
 
-/// Without a byte order mark, lines that begin with #, and space around it.
+/// Without a byte order mark, lines that begin with #, space around it, and the = or the stop that
+/// a sentence has there.
 std::string plain(std::string text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   Texts lines = split(text, '\n');
   std::erase_if(lines, [](const std::string& line) { return line[0] == '#'; });
   text = answers::joined(lines, "\n");
-  if (text.ends_with('.')) text.pop_back();  // of a sentence
+  for (const std::string sign : {"=", "≈"})
+    if (text.starts_with(sign)) text.replace(0, sign.size(), " ");  // columns stay as they are
+  text.erase(text.find_last_not_of(".,; ") + 1);
   return text;
 }
 

@@ -39,14 +39,15 @@ kernel::Substitution numbers_of(const std::string& question) {
 
 /// A counterexample in words. Of constants the right value is not given away.
 std::string difference(const equality::Counterexample& c) {
+  const bool is_small = c.difference.find("e-") != c.difference.npos;
   if (c.point.empty())
-    return std::string("Yours is too ") + (c.difference.starts_with('-') ? "small." : "large.");
+    return std::string(is_small ? "Yours is near, but not equal: it" : "Yours") + " is too " +
+           (c.difference.starts_with('-') ? "small." : "large.");
   const auto shown = [](const std::string& value) {
     return value.starts_with("too close") ? "0, or very nearly" : value;
   };
   const std::size_t slash = std::min(c.difference.find('/'), c.difference.size());
-  const bool is_close =
-      c.difference.find("e-") != c.difference.npos || c.difference.size() > 2 * slash + 6;
+  const bool is_close = is_small || c.difference.size() > 2 * slash + 6;
   return "At " + c.point + " yours is " + shown(c.left) + "; it should be " + shown(c.right) +
          (is_close ? ", apart by " + c.difference + "." : ".");
 }

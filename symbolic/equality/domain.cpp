@@ -52,6 +52,27 @@ bool bound(const notation::Comparison& c, std::map<Expr, Range>& given) {
   if (c.relation == "=" || (c.relation[0] == '<') == is_turned) given[symbol].cut_below(end);
   return true;
 }
+// abs(x) < 1: -1 < x and x < 1.
+std::vector<notation::Comparison> without_modulus(const notation::Comparison& c) {
+  if (!is_function(c.left, "abs") || c.relation[0] != '<') return {c};
+  const Expr inner = c.left.arg(0);
+  return {{Expr(-1) * c.right, c.relation, inner}, {inner, c.relation, c.right}};
+}
+// 0 < x and x < y: 0 < y.
+void bound_by_others(Domain& domain) {
+  for (std::size_t pass = 0; pass < domain.further.size(); ++pass)
+    for (const auto& [left, relation, right] : domain.further) {
+      const bool is_turned = relation[0] == '>', is_weak = relation.ends_with('=');
+      const auto below = domain.ranges.find(is_turned ? right : left);
+      const auto above = domain.ranges.find(is_turned ? left : right);
+      const bool is_order = relation[0] == '<' || is_turned;
+      if (!is_order || below == domain.ranges.end() || above == domain.ranges.end()) continue;
+      if (const auto end = below->second.low)
+        above->second.cut_below({end->value, end->is_inside && is_weak});
+      if (const auto end = above->second.high)
+        below->second.cut_above({end->value, end->is_inside && is_weak});
+    }
+}
 bool is_in(const Domain& domain, const Point& point) {
   return std::ranges::all_of(domain.further, [&](const notation::Comparison& c) {
     return holds({at(point, c.left), c.relation, at(point, c.right)}) == true;
@@ -157,13 +178,18 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   Domain domain;
   for (const std::string& name : symbols) domain.ranges[notation::symbol(name)] = usual_range(name);
   std::map<Expr, Range> given;
-  const auto is_present = [&](Expr e, const std::string& condition) {
-    for (const std::string& name : notation::symbols_of(e))
-      if (!symbols.contains(name)) {
-        unused.push_back("\"" + condition + "\": " + name + " is in neither expression");
-        return false;
-      }
-    return true;
+  const auto is_present = [&](Expr e) {
+    return std::ranges::all_of(notation::symbols_of(e),
+                               [&](const std::string& name) { return symbols.contains(name); });
+  };
+  // Absent symbols may bound others: 0 < x < y.
+  const auto note = [&](Expr e, const std::string& condition) {
+    for (const std::string& name : notation::symbols_of(e)) {
+      if (symbols.contains(name)) continue;
+      domain.ranges.try_emplace(notation::symbol(name), usual_range(name));
+      const std::string said = "\"" + condition + "\": " + name + " is in neither expression";
+      if (std::ranges::count(unused, said) == 0) unused.push_back(said);
+    }
   };
   const auto read = [&](const std::string& condition) {
     for (const std::string kind : {"integer", "real"})
@@ -171,12 +197,17 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
         const std::string name = condition.substr(0, condition.size() - kind.size() - 1);
         const Expr e = notation::read_typed(name).term;
         if (notation::name_of(e).empty()) refuse("a symbol is expected before " + kind);
-        if (is_present(e, condition)) domain.ranges[e] = {.is_integer = kind == "integer"};
+        note(e, condition);
+        domain.ranges[e] = {.is_integer = kind == "integer"};
         return;
       }
-    for (const notation::Comparison& c : notation::read_comparisons(condition))
-      if (is_present(c.left + c.right, condition) && !bound(c, given)) domain.further.push_back(c);
+    for (const notation::Comparison& one : notation::read_comparisons(condition))
+      for (const notation::Comparison& c : without_modulus(one)) {
+        note(c.left + c.right, condition);
+        if (!bound(c, given)) domain.further.push_back(c);
+      }
   };
+  if (text.find(" or ") != text.npos) refuse("or: the conditions must hold together, with commas");
   const std::vector<std::string> parts = separated(text);
   if (parts.size() > 50) refuse("more than 50 conditions");
   for (const std::string& part : trimmed(text).empty() ? std::vector<std::string>() : parts) {
@@ -196,6 +227,9 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
     if (known.is_empty() && !range.is_empty())
       known = {.is_integer = usual.is_integer, .low = range.low, .high = range.high};
   }
+  bound_by_others(domain);
+  std::erase_if(domain.ranges, [&](const auto& range) { return !is_present(range.first); });
+  std::erase_if(domain.further, [&](const auto& c) { return !is_present(c.left + c.right); });
   for (const auto& [symbol, range] : domain.ranges)
     if (range.is_empty())
       refuse("no value of " + notation::typed_text(symbol) + " satisfies " + shown(symbol, range));

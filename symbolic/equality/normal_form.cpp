@@ -11,7 +11,7 @@ using kernel::Op;
 namespace {
 constexpr int written_out = 4;          // powers of sums up to this one are multiplied out
 constexpr std::size_t most_surds = 16;  // of a denominator
-constexpr int most_multiples = 16;      // of an inverse angle
+constexpr int most_multiples = 64;      // of an inverse angle
 constexpr int most_angle_parts = 60;    // asin(1/2) is pi/6
 
 // p^v for the primes of a number > 0; what is left beyond 10^5 is taken as it is.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "notation/operations.hpp"
@@ -16,8 +17,19 @@ constexpr std::size_t longest = 20000;
 bool is_digit(char32_t c) { return c >= U'0' && c <= U'9'; }
 bool is_letter(char32_t c) { return (c >= U'a' && c <= U'z') || (c >= U'A' && c <= U'Z'); }
 bool is_plain(char32_t c) { return is_letter(c) || is_digit(c); }
+// Also what word processors write between a function and its argument, or two factors.
 bool is_blank(char32_t c) {
-  return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r' || c == 0xa0 || c == 0x2009;
+  return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r' || c == 0xa0 || c == 0x202f ||
+         (c >= 0x2000 && c <= 0x200d) || (c >= 0x205f && c <= 0x2064);
+}
+// The letter or digit of which c is a shape: mathematical bold and italic ones, full width.
+char32_t unstyled(char32_t c) {
+  if (c > 0xff00 && c < 0xff5f) return c - 0xfee0;
+  if (c < 0x1d400 || c > 0x1d7ff) return c;
+  if (c >= 0x1d7ce) return U'0' + (c - 0x1d7ce) % 10;
+  const char32_t latin = (c - 0x1d400) % 52, greek = (c - 0x1d6a8) % 58;
+  if (c < 0x1d6a4) return latin < 26 ? U'A' + latin : U'a' + (latin - 26);
+  return c < 0x1d6a8 || greek > 50 ? c : greek < 26 ? U'Α' + greek : U'α' + (greek - 26);
 }
 
 // What stands for a sign or a word of ours.
@@ -27,7 +39,9 @@ const std::map<char32_t, std::string>& spellings() {
         {U'−', "-"},   {U'–', "-"},    {U'·', "*"},    {U'⋅', "*"},     {U'×', "*"},
         {U'∗', "*"},   {U'÷', "/"},    {U'∕', "/"},    {U'≤', "<="},    {U'≥', ">="},
         {U'≠', "!="},  {U'√', "sqrt"}, {U'∛', "cbrt"}, {U'½', "1/2"},   {U'⅓', "1/3"},
-        {U'¼', "1/4"}, {U'¾', "3/4"},  {U'⅔', "2/3"},  {U'Γ', "Gamma"}, {U'Λ', "Lambda"}};
+        {U'¼', "1/4"}, {U'¾', "3/4"},  {U'⅔', "2/3"},  {U'Γ', "Gamma"}, {U'Λ', "Lambda"},
+        {U'⁄', "/"},   {U'≈', "="},    {U'〖', "("},   {U'〗', ")"},    {U'ɑ', "alpha"},
+        {U'ℎ', "h"}};
     std::istringstream greek(
         "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho "
         "sigma sigma tau upsilon phi chi psi omega");
@@ -58,7 +72,8 @@ const std::map<std::string, std::string>& commands() {
       {"lbrace", "("}, {"rbrace", ")"}, {"lvert", "|"}, {"rvert", "|"},       {"vert", "|"},
       {"left", ""},    {"right", ""},   {"big", ""},    {"Big", ""},          {"bigl", ""},
       {"bigr", ""},    {"Bigl", ""},    {"Bigr", ""},   {"quad", ""},         {"qquad", ""},
-      {"text", ""},    {"mathrm", ""},  {"rm", ""},     {"operatorname", ""}, {"displaystyle", ""}};
+      {"text", ""},    {"mathrm", ""},  {"rm", ""},     {"operatorname", ""}, {"displaystyle", ""},
+      {"boxed", ""},   {"mathbf", ""},  {"mathit", ""}, {"approx", "="}};
   return table;
 }
 
@@ -82,7 +97,7 @@ std::u32string decoded(std::string_view text) {
     const char32_t least = length == 3 ? 0x800 : length == 4 ? 0x10000 : 0;
     if (!good || c < least || c > 0x10ffff || (c >= 0xd800 && c < 0xe000))
       refuse_at(out.size() + 1, "not valid UTF-8");
-    if (c != 0xfeff || i > 0) out += c;  // a byte order mark
+    if (c != 0xfeff || i > 0) out += unstyled(c);  // a byte order mark
     if (out.size() > longest) kernel::refuse("longer than 20000 characters");
     i += length;
   }
@@ -285,20 +300,28 @@ private:
       return add(Kind::Name, inner, column);
     }
     if (word.starts_with("var") && is_greek_name(word.substr(3))) word.erase(0, 3);
-    if (word == "dfrac" || word == "tfrac") word = "frac";
+    if (word == "dfrac" || word == "tfrac" || word == "cfrac") word = "frac";
     if (word == "frac" || word == "sqrt") return add(Kind::Command, word, column);
     if (word == "begin" || word == "end") return bracket(word, column);
     if (!is_function(word) && !is_greek_name(word)) refuse_at(column, "unknown command \\" + word);
     indexed_name(word, column);
   }
 
-  // {pmatrix} of \begin or \end, {array}{cc}
+  // {pmatrix} of \begin or \end, {array}{cc}; {align*} and the like are left out
   void bracket(const std::string& word, std::size_t column) {
     const bool has_columns = word == "begin" && follows(U"{array}");
+    const std::size_t start = at;
     for (int groups = has_columns ? 2 : 1; groups > 0; --groups) {
       at = text.find(U'}', at) + 1;
       if (at == 0) refuse_at(column, "a } is missing for this \\" + word);
     }
+    std::string kind(text.begin() + long(start) + 1, text.begin() + long(at) - 1);
+    if (kind.ends_with('*')) kind.pop_back();
+    static const std::set<std::string> empty{"align",    "aligned", "equation", "gather",
+                                             "gathered", "math",    "split",    "displaymath"};
+    if (empty.contains(kind)) return;
+    if (!kind.ends_with("matrix") && !has_columns && kind != "array")
+      refuse_at(column, "unknown environment " + kind);
     add(Kind::Sign, word == "begin" ? "[" : "]", column);
   }
 
@@ -312,6 +335,7 @@ private:
       ++at;
       return add(Kind::Sign, std::string(1, char(c)) + "=", column);
     }
+    if (c == U'&' && peek() == U'=') return;  // where equations are aligned
     if (c == U'&') return add(Kind::Sign, ",", column);
     if (std::u32string_view(U"+-*/^()[]{},;<>=|").find(c) != std::u32string_view::npos)
       return add(Kind::Sign, std::string(1, char(c)), column);

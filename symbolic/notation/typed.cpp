@@ -196,9 +196,12 @@ private:
     deeper();
     const Expr exponent = signed_factor();
     --depth;
-    if (name_of(base) == "e" && !free_variables(exponent).empty())
-      note("e is read as the coefficient of restitution; the exponential function is exp(x)");
+    if (!free_variables(exponent).empty()) note_base(base);
     return raised_to(base, exponent, column);
+  }
+  void note_base(Expr e) {  // e^x, log(e)
+    if (name_of(e) == "e")
+      note("e is read as the coefficient of restitution; the exponential function is exp(x)");
   }
   Expr primary() {
     deeper();
@@ -309,7 +312,10 @@ private:
     if (!is("(") || is_factor(word)) return;
     if (rounding.contains(word))
       refuse_at(token.column, word + ": there are no rounding functions here");
-    const std::string meant = alike(word, factors);
+    std::string meant = alike(word, factors);
+    std::string small = word;
+    for (char& c : small) c = char(c | 0x20);
+    if (meant.empty() && is_function(small)) meant = small;  // SQRT of a spreadsheet
     std::string hint = meant.empty() ? "" : "; is " + meant + " meant?";
     if (word.size() == 1) hint = "; write * for a product, and " + word + "_n for " + word + "(n)";
     refuse_at(token.column, "unknown function " + typed_text(symbol(word)) + hint);
@@ -345,6 +351,7 @@ private:
     const Expr value = token.text == "root"   ? root_call(token)
                        : has_base(token.text) ? logarithm_to_base(token)
                                               : applied(token.text, argument(token));
+    if (value == call("log", symbol("e"))) note_base(value.arg(0));
     return exponent ? raised_to(value, exponent, column) : value;
   }
   Expr root_call(const Token& token) {

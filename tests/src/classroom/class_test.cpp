@@ -162,6 +162,8 @@ TEST_CASE("A class is graded, whatever its files are") {
   save(room + "h/twice.txt", "2 x");
   save(room + "h/half.txt", "\xFF");
   save(room + "i/half.txt", "");
+  save(room + "i/HALF.docx", "x");
+  save(room + "i/notes.docx", "x");
   std::filesystem::create_directories(room + "n;=1");
   save(room + "not a student", "x");
   save(room + ".hidden/half.txt", "x");
@@ -192,9 +194,11 @@ TEST_CASE("A class is graded, whatever its files are") {
         "\nd\\xe2\\x80\\xae,twice,undecided,there is no compiler,\n",
         ",half,unread,Not read: more than 64 KiB.,\n", "\ng,half,unread,Not read: not a file with",
         "\nf,half,unread,\"Not read: it has a zero byte", "\ni,half,unread,The answer is empty.,\n",
+        "\ni,HALF.docx,unread,\"no exercise has this file, is half.txt meant?\",\n",
         "\nj,twice,unread,Not read: a link.,\n", "\nk,half,unread,Not read: a link.,\n"})
     CHECK_THAT(why, ContainsSubstring(line));
   CHECK(why.find("missing") == std::string::npos);
+  CHECK(why.find("notes") == std::string::npos);
   CHECK_FALSE(std::filesystem::exists(place.memory()));
 }
 

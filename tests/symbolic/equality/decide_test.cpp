@@ -96,6 +96,8 @@ TEST_CASE("Domains: what is usual, what is said, what is absent or empty") {
   CHECK_THROWS_WITH(said("x < 0, x > 0", {"x"}), ContainsSubstring("no value of x satisfies"));
   CHECK_THROWS_WITH(said("n > 1, n < 2", {"n"}), ContainsSubstring("no value of n satisfies"));
   CHECK_THROWS_WITH(said("x > 0,", {"x"}), ContainsSubstring("an empty condition"));
+  CHECK_THROWS_WITH(said("x > 1 or x > 2", {"x"}), ContainsSubstring("must hold together"));
+  CHECK_THROWS_WITH(said("y < 0, x < y, x > 0", {"x"}), ContainsSubstring("no value of x"));
 }
 
 TEST_CASE("Signs of constants are exact, or not known") {
