@@ -8,7 +8,6 @@
 #include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
-#include "magicmass/scenes/keys.hpp"
 
 namespace answers {
 namespace {
@@ -24,16 +23,6 @@ Expr typed(Expr e) {
   kernel::Exprs args;
   for (Expr arg : e.args()) args.push_back(typed(arg));
   return kernel::with_args(e, args);
-}
-
-void note_misspellings(const std::set<std::string>& names, std::vector<std::string>& notes) {
-  const std::vector<std::string> usual{"alpha", "beta", "eta", "theta", "zeta", "V_CM"};
-  for (const std::string& name : names) {
-    const std::string meant = magicmass::scenes::nearest_name(name, usual);
-    const bool has_meaning = std::ranges::count(usual, name) != 0 || definition_of(name);
-    if (name.size() >= 3 && !meant.empty() && !has_meaning)
-      notes.push_back(name + " is taken as a symbol of its own; " + meant + "?");
-  }
 }
 
 Cell counterexample_cell(const Verdict& verdict) {
@@ -90,7 +79,6 @@ Answer equal(const Request& request) {
       notation::Typed read = notation::read_typed(word);
       if (kernel::is_matrix(read.term)) kernel::refuse("a matrix; equal compares numbers");
       notes.insert(notes.end(), read.notes.begin(), read.notes.end());
-      note_misspellings(notation::symbols_of(read.term), notes);
       sides.push_back(with_meanings(read.term, notes));
       symbols.merge(notation::symbols_of(sides.back()));
       place = sides.size() == 1 ? "right side, " : "";

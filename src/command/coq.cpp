@@ -57,7 +57,7 @@ answers::Answer verify(const answers::Request& request) {
     if (!said)
       throw InvalidInput("verify: --with coq needs coqc (Debian: coq); allowed: no --with");
     last = said->output;
-    if (said->is_done) {
+    if (said->code == 0) {
       for (auto at = text.find(step); at != text.npos; at = text.find(step, at + 1)) ++checked;
       continue;
     }

@@ -57,7 +57,7 @@ std::string drawn(const std::string& script) {
     throw answers::InvalidInput(
         "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");
   }
-  if (!said->is_done) {
+  if (said->code != 0) {
     throw std::runtime_error("figure: gnuplot could not draw: " +
                              answers::shown_text(said->errors, 200));
   }

@@ -140,10 +140,9 @@ End end_of(std::vector<std::string> words, const std::string& input, const Bound
           streams.results.read()};
 }
 
-std::optional<Said> said_by(std::vector<std::string> words, const std::string& input) {
+std::optional<End> said_by(std::vector<std::string> words, const std::string& input) {
   End end = end_of(std::move(words), input);
-  if (end.code == not_there) return {};
-  return Said{end.code == 0, std::move(end.output), std::move(end.errors)};
+  return end.code == not_there ? std::optional<End>() : end;
 }
 
 TemporaryFolder::TemporaryFolder(const std::string& name) {

@@ -37,13 +37,8 @@ struct End {
 End end_of(std::vector<std::string> words, const std::string& input = "",
            const Bounds& bounds = {});
 
-struct Said {
-  bool is_done;  ///< exit code 0
-  std::string output;
-  std::string errors;
-};
-/// What it says; nothing where it is not installed.
-std::optional<Said> said_by(std::vector<std::string> words, const std::string& input = "");
+/// The same without bounds; nothing where it is not installed.
+std::optional<End> said_by(std::vector<std::string> words, const std::string& input = "");
 
 /// A folder that goes with all that is in it, however this process ends: another one waits for
 /// that, and for the programs that were run meanwhile.

@@ -21,18 +21,13 @@ using cln::cl_RA;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A constant's value, with 80 bits at least.
+/// A constant's value, to many more bits than doubles down to 1e-300 have.
 cl_RA value_of(Expr constant, const std::string& text) {
-  if (const auto q = notation::rational_value(constant)) return *q;
-  for (int bits = 128; bits <= 8192; bits *= 2) {
-    const equality::Value value = equality::value_at({}, constant, bits);
-    if (!value.why_none.empty()) throw InvalidInput(text + ": " + value.why_none);
-    if (!value.ball) continue;
-    const cl_RA low = value.ball->low(), width = value.ball->high() - low;
-    if (width * cln::expt_pos(cl_RA(2), 80) <= cln::abs(low)) return low;
-    if (equality::exact_sign(constant) == 0) return 0;
+  try {
+    return equality::enclosure(constant, 2048).low();
+  } catch (const std::runtime_error& none) {
+    throw InvalidInput(text + ": " + none.what());
   }
-  throw InvalidInput(text + ": its value is not found");
 }
 
 std::string text_of(double value) {

@@ -187,8 +187,7 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
     for (const std::string& name : notation::symbols_of(e)) {
       if (symbols.contains(name)) continue;
       domain.ranges.try_emplace(notation::symbol(name), usual_range(name));
-      const std::string said = "\"" + condition + "\": " + name + " is in neither expression";
-      if (std::ranges::count(unused, said) == 0) unused.push_back(said);
+      unused.push_back("\"" + condition + "\": " + name + " is in neither expression");
     }
   };
   const auto read = [&](const std::string& condition) {

@@ -255,13 +255,7 @@ Sum Forms::divided(Sum sum) {
 Sum Forms::turned(const Sum& whole_angle) {
   Sum out = number(1);
   Product plain;
-  Sum angle = divided(whole_angle);
-  if (angle.size() > 1) {  // sin(n)/sin(n) is a sum, each part over that sum
-    const Factors f = factors(angle);
-    const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
-    if (std::ranges::none_of(f.powers, is_sum)) angle = reduced(f.powers, f.number);
-  }
-  for (const auto& [product, q] : angle) {
+  for (const auto& [product, q] : divided(whole_angle)) {
     const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
                             product.begin()->second == exponent(1);
     if (is_inverse && is_whole(2 * q) && cln::abs(q) <= most_multiples)

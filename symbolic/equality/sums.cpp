@@ -139,17 +139,9 @@ void Forms::reduce_modulus(Product& product, cln::cl_RA& number, Expr atom, cons
   for (const auto& [other, k] : conjugate.powers)
     multiply(product, other, kernel::scaled(k, part / 2));
 }
-// z^pi is -1, and n^2 is n up to an even number.
+// z^pi is -1.
 void Forms::reduce_turns(Product& product, cln::cl_RA& number, const Exponent& e) const {
-  Exponent flat;
-  for (const auto& [monomial, q] : e) {
-    kernel::Monomial once = monomial;
-    if (is_half_turn(monomial) && is_whole(q))
-      for (auto& [part, k] : once) k = 1;
-    flat = flat + Exponent{{once, q}};
-  }
-  multiply(product, circle(), flat + kernel::scaled(e, -1));
-  for (const auto& [monomial, q] : flat) {
+  for (const auto& [monomial, q] : Exponent(e)) {
     if (!is_half_turn(monomial)) continue;
     cln::cl_RA turns = 2 * cln::floor1(q / 2);
     if (monomial == kernel::Monomial{{kernel::pi(), 1}} && q - turns >= 1) {

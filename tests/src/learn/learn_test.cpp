@@ -119,24 +119,6 @@ TEST_CASE("Each exercise is sound, in each variant") {
                                         "what_is_left"});
 }
 
-TEST_CASE("What an answer may use is said of each that is typed") {
-  const std::map<std::string, std::string> some{
-      {"half_angle",
-       "An answer may use: alpha, psi|It may begin with: cos(psi/2) =|Form: no trigonometric "
-       "functions"},
-      {"light_ball", "An answer is a number; V = 1|It may begin with: c ="},
-      {"exact_speeds", "An answer is a number; V = 1|It may begin with: c_2 ="},
-      {"count_them", "An answer is a number|It may begin with: N ="},
-      {"momentum_lines", "An answer may use: M_1, M_2, u_1, u_2, v_1, v_2"},
-      {"what_is_left",
-       "a) A stands still, ball and B move on together|b) A and the ball stand still, B moves on "
-       "with "
-       "V|c) A comes back slowly, B moves on with nearly V"},
-      {"ladder", ""}};
-  for (const auto& [id, lines] : some)
-    CHECK(answers::joined(learn::rules(exercises().at(id)[0]), "|") == lines);
-}
-
 TEST_CASE("What is spoilt in an exercise is refused by line, or a fault of it") {
   for (const char* name : {"symbolic.toml", "varied.toml", "code.toml"})
     CHECK(complaint(text_of(name)) == "sound");
@@ -173,22 +155,6 @@ TEST_CASE("A variant fills all texts of an exercise") {
   CHECK(learn::judge(learn::read_exercise(varied, "x.toml"), "5").misconception.empty());
 }
 
-TEST_CASE("A scene that is run tells its collisions and the velocities at its end") {
-  Exercise e = read("symbolic");
-  e.kind = "predict";
-  e.symbols = {};
-  e.run = "kind = 'wall'\nmass_ratio = 100";
-  e.answer = "N";
-  CHECK(learn::judge(e, "31").mark == learn::Mark::right);
-  CHECK(learn::judge(e, "32").mark == learn::Mark::wrong);
-  e.choices = {"away", "towards", "at rest"};
-  e.when = {"-1 < A, A < 0", "A > 0", "A = 0"};
-  CHECK(learn::own_answer(e) == "a");
-  e.run = "kind = 'chain'\nmasses = [1, 1]\npositions = [0, 1]\nvelocities = [1, 0]\n";
-  e.run += "mass = 1";
-  CHECK_THAT(learn::faults(e).at(0), ContainsSubstring("run:5: mass"));
-}
-
 TEST_CASE("A program is held against exact results at its doubles") {
   const Exercise e = read("code");
   const auto said = [&](const std::string& code) {
@@ -217,29 +183,6 @@ TEST_CASE("A program is held against exact results at its doubles") {
     return fake(of, code, inputs);
   });
   CHECK(seen == learn::Rows{{0.125, 0}, {1 + 0x1p-52, 1}, {1.0 / 3, 2}});
-}
-
-TEST_CASE("Right results come from a command, a step or the solution") {
-  const auto mark = [](const Texts& outputs, const std::string& command,
-                       const learn::Numbers& results) {
-    Exercise e = read("code");
-    e.outputs = outputs;
-    e.inputs = {"alpha", "n"};
-    e.run = command;
-    e.cases = {{"1/8", "2"}};
-    const auto run = [&](const Exercise&, const std::string&, const learn::Rows&) {
-      return learn::Ran{.rows = {results}};
-    };
-    return std::string(word(learn::judge(e, "x", run).mark));
-  };
-  const std::string command = "eval --alpha {alpha} --n {n} --tier exact";
-  CHECK(mark({"a", "c"}, command, {217. / 729, 1792. / 729}) == "right");
-  CHECK(mark({"a", "c"}, command, {217. / 729, 1.}) == "wrong");
-  const double psi = 2 * std::atan(std::sqrt(0.125 * 2.125));
-  CHECK(mark({"rotation.psi", "psi"}, "", {psi, psi}) == "right");
-  CHECK(mark({"rotation.psi", "psi"}, "", {1, psi}) == "wrong");
-  CHECK(mark({"n", "solution_code"}, "", {2, 6}) == "right");
-  CHECK(mark({"n", "solution_code"}, "", {3, 6}) == "wrong");
 }
 
 TEST_CASE("Where an answer alone has no value at single points is noted, whatever its kind") {
