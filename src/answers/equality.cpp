@@ -16,9 +16,11 @@ using equality::Verdict;
 using kernel::Expr;
 using kernel::Op;
 
-// A term of the book in the symbols that people type.
+// A term of the book in the symbols that people type, which some functions of alpha and V are, too.
 Expr typed(Expr e) {
-  if (e.op() == Op::Var) return notation::symbol(e.name());
+  static const std::set<std::string> names{"N_A", "N_B", "a_t", "b_t"};
+  if (e.op() == Op::Var || (e.op() == Op::Fun && names.contains(e.name())))
+    return notation::symbol(e.name());
   if (e.size() == 0) return e;
   kernel::Exprs args;
   for (Expr arg : e.args()) args.push_back(typed(arg));

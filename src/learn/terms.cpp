@@ -68,16 +68,6 @@ std::string without_value(Expr given, Expr expected, const equality::Domain& dom
   return 2 * gaps > all ? first : "";
 }
 
-/// What are functions of alpha and V in the book, as symbols.
-Expr with_symbols(Expr e) {
-  static const std::set<std::string> names{"N_A", "N_B", "a_t", "b_t"};
-  if (e.size() == 0) return e;
-  if (e.op() == kernel::Op::Fun && names.contains(e.name())) return notation::symbol(e.name());
-  kernel::Exprs args;
-  for (Expr arg : e.args()) args.push_back(with_symbols(arg));
-  return kernel::with_args(e, args);
-}
-
 }  // namespace
 
 Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symbols.end()) {
@@ -120,7 +110,7 @@ Expr Terms::content(const std::string& text) const {
 
 Expr Terms::from_step(const std::string& id) const {
   try {
-    return with_symbols(answers::stated_value(id));
+    return answers::stated_value(id);
   } catch (const kernel::Refused& r) {
     throw InvalidInput(r.what());
   }
