@@ -97,7 +97,7 @@ Sum Forms::function(Expr term) {
     return real_power(x, exponent(cln::cl_RA(1) / order));
   }
   if (name == "raised") {
-    const Sum power = of(term.arg(1));
+    const Sum power = divided(of(term.arg(1)));
     const Exponent e = exponent_of(power);
     // As expression() writes it, and no real power.
     if (term.arg(0) == circle()) return reduced({{circle(), e}});
@@ -160,7 +160,7 @@ Exponent Forms::multiplied(const Exponent& a, const Exponent& b) {
     const bool is_power = composites.contains(atom) && k > 0;
     out = times(out, is_power ? integer_power(composites.at(atom), k) : equality::atom(atom, e));
   }
-  return exponent_of(out);
+  return exponent_of(divided(out));
 }
 Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
   if (base.empty()) return {};
@@ -208,7 +208,7 @@ Sum Forms::logarithm(const Sum& sum) {
 }
 Sum Forms::exponential(const Sum& sum) {
   Product out;
-  for (const auto& [product, q] : sum) {
+  for (const auto& [product, q] : divided(sum)) {
     Product rest = product;
     Expr base = euler();
     for (const auto& [atom, e] : product)
@@ -222,10 +222,40 @@ Sum Forms::exponential(const Sum& sum) {
   return reduced(out);
 }
 
-Sum Forms::turned(const Sum& angle) {
+// (2 k - 1)/(2 k + 1) is 1 - 2/(2 k + 1): no symbol is left above what divides it.
+Sum Forms::divided(Sum sum) {
+  for (auto term = sum.begin(); term != sum.end();) {
+    const auto [product, q] = *term++;
+    const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
+    if (std::ranges::count_if(product, is_sum) > 1) continue;  // each would undo
+    for (const auto& [divisor, power] : product) {
+      const auto composite = composites.find(divisor);
+      if (composite == composites.end() || power != exponent(-1)) continue;
+      const Sum& whole = composite->second;
+      // One symbol for each divisor, so that this comes to an end.
+      const auto above = std::ranges::find_if(whole, [](const auto& part) {
+        return part.first.size() == 1 && part.first.begin()->first.op() == Op::Var &&
+               part.first.begin()->second == exponent(1);
+      });
+      if (above == whole.end()) continue;
+      const Expr symbol = above->first.begin()->first;
+      if (whole_number(exponent_in(product, symbol)).value_or(0) < 1) continue;
+      const auto has_symbol = [&](const auto& part) { return part.first.contains(symbol); };
+      if (std::ranges::count_if(whole, has_symbol) > 1) continue;
+      Product rest = product;
+      multiply(rest, divisor, exponent(1));
+      multiply(rest, symbol, exponent(-1));
+      const Sum others = whole - Sum{*above};
+      const Sum quotient = number(1) - times(others, atom(divisor, exponent(-1)));
+      return divided(sum - Sum{{product, q}} + times({{rest, q / above->second}}, quotient));
+    }
+  }
+  return sum;
+}
+Sum Forms::turned(const Sum& whole_angle) {
   Sum out = number(1);
   Product plain;
-  for (const auto& [product, q] : angle) {
+  for (const auto& [product, q] : divided(whole_angle)) {
     const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
                             product.begin()->second == exponent(1);
     if (is_inverse && is_whole(2 * q) && cln::abs(q) <= most_multiples)

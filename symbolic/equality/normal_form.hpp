@@ -89,6 +89,7 @@ private:
   Sum modulus(const Sum& sum);
   Sum logarithm(const Sum& sum);
   Sum exponential(const Sum& sum);
+  Sum divided(Sum sum);
   Sum turned(const Sum& angle);  // z^angle
   Sum turned_by_inverse(Expr inverse, const cln::cl_RA& multiple);
   Sum inverse_angle(const std::string& name, const Sum& sum);
