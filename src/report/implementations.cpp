@@ -11,7 +11,7 @@
 #include "magicmass/plain/closed.hpp"
 #include "magicmass/plain/product.hpp"
 #include "magicmass/plain/tangent.hpp"
-#include "magicmass/simulator/engine.hpp"
+#include "magicmass/simulator/three_bodies.hpp"
 #include "report/naive.hpp"
 
 namespace report {
@@ -33,11 +33,11 @@ Velocities stepped(double alpha, std::int64_t n) {
 
 Terminal stepped_to_the_end(double alpha) {
   if (alpha < 1e-6) throw std::domain_error("stepping: allowed: alpha from 1e-6");
-  simulator::Engine<double> motion({{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}});
+  simulator::ThreeBodies<double> motion(alpha);
   Counts counts;
-  while (motion.next()) ++(motion.step().gap == 1 ? counts.N_A : counts.N_B);
-  const auto v = motion.bodies();
-  return {counts, v[0].velocity, v[2].velocity, v[1].velocity, v[2].velocity * v[2].velocity};
+  while (const auto event = motion.step()) ++(event->gap == 1 ? counts.N_A : counts.N_B);
+  const auto& [A, C, B] = motion.bodies();
+  return {counts, A.velocity, B.velocity, C.velocity, B.velocity * B.velocity};
 }
 
 /// alpha, where the rational numbers after n cycles are short.

@@ -7,18 +7,18 @@
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
 #include "magicmass/plain/closed.hpp"
-#include "magicmass/simulator/engine.hpp"
+#include "magicmass/simulator/three_bodies.hpp"
 
 // Collisions of one run, one by one, each with the speed at which the next pair approaches.
 void print_run(double alpha) {
   std::printf("clock:\n  collision | A | B | ball | approach speed before the next\n");
-  magicmass::simulator::Engine<double> motion({{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}});
-  for (int j = 0; motion.next(); ++j) {
-    const bool with_A = motion.step().gap == 1;
-    const auto bodies = motion.bodies();
-    const double a = bodies[0].velocity, c = bodies[1].velocity, b = bodies[2].velocity;
-    std::printf("  %c %d | %.4f | %.4f | %.4f | %.4f\n", with_A ? 'P' : 'Q', j / 2 + 1, a, b, c,
-                with_A ? c - b : a - c);
+  magicmass::simulator::ThreeBodies<double> motion(alpha);
+  for (int j = 0; const auto event = motion.step(); ++j) {
+    const auto& [A, C, B] = motion.bodies();
+    const bool with_A = event->gap == 1;
+    const double approach = with_A ? C.velocity - B.velocity : A.velocity - C.velocity;
+    std::printf("  %c %d | %.4f | %.4f | %.4f | %.4f\n", with_A ? 'P' : 'Q', j / 2 + 1, A.velocity,
+                B.velocity, C.velocity, approach);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "magicmass/numbers/accurate.hpp"
-#include "magicmass/simulator/engine.hpp"
+#include "magicmass/simulator/three_bodies.hpp"
 
 using magicmass::simulator::Engine;
 using Balls = std::vector<double>;
@@ -41,8 +41,8 @@ int main() {
   print_row("all one half", Balls(4, 0.5), 1);
 
   // Each ball needs room: B, which started at 1, has moved when its transfer is over.
-  Engine<double> transfer({{1, magic(3), 1}, {0, 0, 1}, {1, 0, 0}, {}, {}});
-  while (transfer.next()) transfer.step();
+  magicmass::simulator::ThreeBodies<double> transfer(magic(3));
+  while (transfer.step()) continue;
   const double needed = transfer.bodies()[2].position - 1;
   std::printf("room: %.6f\ngaps:\n  gap | energy of the last block | collisions\n", needed);
   for (const double gap : {1.0, needed + 0.01, needed - 0.1, 0.5, 0.2, 0.05, 0.01})

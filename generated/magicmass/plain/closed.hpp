@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <stdexcept>
 
@@ -22,10 +23,8 @@ struct VelocitiesClosed {
 /// Operations: arctangents: 1, cosines: 3, products: 10, quotients: 7, roots: 1, sines: 3, sums: 8.
 template <class Number>
 VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) {
-  using std::atan;
-  using std::cos;
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+20) && n >= 0 && n <= 1125899906842624) {
     // shared by lines below
     const Number t1 = Number(2) + alpha;
@@ -64,10 +63,8 @@ struct TerminalClosed {
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
 template <class Number>
 TerminalClosed<Number> terminal_closed(const Number& alpha) {
-  using std::atan;
-  using std::ceil;
-  using std::cos;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::ceil, std::cos, std::sqrt;
   if (alpha >= Number(0x1p-40) && alpha <= Number(0x1p+20)) {
     // shared by lines below
     const Number t1 = Number(2) + alpha;
@@ -102,8 +99,8 @@ struct AngleClosed {
 /// Operations: arctangents: 1, products: 2, roots: 1, sums: 1.
 template <class Number>
 AngleClosed<Number> angle_closed(const Number& alpha) {
-  using std::atan;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
     const Number psi = Number(2) * atan(sqrt(alpha * (Number(2) + alpha)));
@@ -120,8 +117,8 @@ struct MagicClosed {
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
 template <class Number>
 MagicClosed<Number> magic_closed(std::int64_t k) {
-  using std::atan;
-  using std::cos;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::cos;
   if (k >= 1 && k <= 1125899906842624) {
     // alpha_k = -1 + 1/cos(pi/(2*k + 1))
     const Number alpha_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *
@@ -139,8 +136,8 @@ struct DeficientClosed {
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
 template <class Number>
 DeficientClosed<Number> deficient_closed(std::int64_t k) {
-  using std::atan;
-  using std::cos;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::cos;
   if (k >= 1 && k <= 1125899906842624) {
     // beta_k = -1 + 1/cos(pi/(2*k + 2))
     const Number beta_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <concepts>
 #include <stdexcept>
 
 namespace magicmass::generated {
@@ -17,6 +18,7 @@ namespace magicmass::generated {
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
 template <class Number>
 std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // shared by lines below
@@ -36,6 +38,7 @@ std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
 template <class Number>
 std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // shared by lines below
@@ -55,6 +58,7 @@ std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
 /// Operations: products: 8, quotients: 3, roots: 1, sums: 2.
 template <class Number>
 std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // shared by lines below
@@ -83,6 +87,7 @@ std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
 /// Operations: quotients: 6, roots: 3, sums: 1.
 template <class Number>
 std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // shared by lines below
@@ -109,8 +114,8 @@ std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
 /// Operations: cosines: 1, sines: 1.
 template <class Number>
 std::array<std::array<Number, 3>, 3> lambda_3(const Number& x) {
-  using std::cos;
-  using std::sin;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::cos, std::sin;
   if (x >= Number(-0x1p+50) && x <= Number(0x1p+50)) {
     // lambda_3(x) = [cos(x), -sin(x), 0; sin(x), cos(x), 0; 0, 0, 1]
     const Number lambda_3_11 = cos(x);

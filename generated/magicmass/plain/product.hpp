@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <stdexcept>
 
@@ -23,10 +24,8 @@ struct VelocitiesProduct {
 /// Operations: arctangents: 1, cosines: 2, products: 15, quotients: 5, roots: 1, sines: 3, sums: 5.
 template <class Number>
 VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n) {
-  using std::atan;
-  using std::cos;
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
     // shared by lines below
     const Number t1 = Number(2) + alpha;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <stdexcept>
 
@@ -17,14 +18,15 @@ struct AngleRestitution {
   Number h_e;
 };
 /// angle: h_e. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0.
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0.
 /// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e.
 /// Operations: arctangents: 1, products: 3, quotients: 5, roots: 4, sums: 3.
 template <class Number>
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
-  using std::atan;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0)) {
@@ -40,16 +42,16 @@ AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B,
   }
   throw std::domain_error("angle_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0");
+      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0");
 }
 template <class Number>
 struct CountRestitution {
   Number N_any;
 };
 /// count: N_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from
-///   0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, step_sine between
-///   0x1p-128 and 0x1p+1.
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
+///   -0x1p+32 to 0x1p+32, step_sine between 0x1p-128 and 0x1p+1.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, wedge.kappa, bodies.phase_e, bodies.N_any.
 /// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sines: 1, sums:
 ///   8.
@@ -57,10 +59,8 @@ struct CountRestitution {
 template <class Number>
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W) {
-  using std::atan;
-  using std::ceil;
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::ceil, std::sin, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
@@ -89,18 +89,20 @@ CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B,
   }
   throw std::domain_error("count_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
-      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, step_sine between 0x1p-128 and 0x1p+1");
+      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
+      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, "
+      "step_sine between 0x1p-128 and 0x1p+1");
 }
 template <class Number>
 struct AfterRestitution {
   Number B_next, A_next, C_next;
 };
 /// after: B_next, A_next, C_next. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to
-///   0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to
-///   0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, j
-///   from 0 to 4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0,
-///   step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128.
+///   0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from
+///   0x1p-128 to 0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32,
+///   W from -0x1p+32 to 0x1p+32, j from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0,
+///   pow(sqrt(e), j) from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between
+///   0x1p-128 and 0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side,
 ///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
 ///   bodies.before, bodies.after, bodies.B_next, bodies.A_next, bodies.C_next.
@@ -109,8 +111,8 @@ template <class Number>
 AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W,
     std::int64_t j, const Number& turn, const Number& pow) {
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::sin, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
@@ -176,21 +178,22 @@ AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B,
   }
   throw std::domain_error("after_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
-      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, j from 0 to 4611686018427387904, turn from "
-      "-0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, "
-      "now_side between 0x1p-128 and 0x1p+128");
+      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
+      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, j "
+      "from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j) from 0x0p+0 "
+      "to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128");
 }
 template <class Number>
 struct AtRestitution {
   Number B_at, A_at, C_at;
 };
 /// at: B_at, A_at, C_at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
-///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from
-///   0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to
-///   0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0 to 0x1p+32, j from 0 to
-///   4611686018427387904, turn from -0x1p+0 to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between
-///   0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128.
+///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
+///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0
+///   to 0x1p+32, j from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j)
+///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and
+///   0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side,
 ///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
 ///   bodies.before_at, bodies.after_at, bodies.B_at, bodies.A_at, bodies.C_at.
@@ -200,8 +203,8 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const Number&
     d_A, const Number& d_B, const Number& tau, std::int64_t j, const Number& turn, const Number&
     pow) {
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::sin, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
@@ -275,21 +278,22 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
   }
   throw std::domain_error("at_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
-      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 "
-      "to 0x1p+32, tau from 0x0p+0 to 0x1p+32, j from 0 to 4611686018427387904, turn from -0x1p+0 "
-      "to 0x1p+0, pow from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side "
-      "between 0x1p-128 and 0x1p+128");
+      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
+      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A "
+      "from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0 to 0x1p+32, j from 0 to "
+      "4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j) from 0x0p+0 to 0x1p+0, "
+      "step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128");
 }
 template <class Number>
 struct TimeRestitution {
   Number moment;
 };
 /// time: moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from
-///   0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to
-///   0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to 4611686018427387904, step_sine between
-///   0x1p-128 and 0x1p+1, reach between 0x1p-128 and 0x1p+128.
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
+///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to
+///   4611686018427387904, step_sine between 0x1p-128 and 0x1p+1, reach between 0x1p-128 and
+///   0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_last_sine, bodies.def_now_sine,
 ///   bodies.def_reach, bodies.moment.
 /// Operations: products: 9, quotients: 5, roots: 3, sines: 3, sums: 5.
@@ -297,8 +301,8 @@ template <class Number>
 TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const
     Number& d_A, const Number& d_B, std::int64_t j) {
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::sin, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
@@ -332,19 +336,19 @@ TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, c
   }
   throw std::domain_error("time_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from 0x1p-128 to 0x1p+0, h_e from 0x1p-128 to 0x1p+2, V from "
-      "0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 "
-      "to 0x1p+32, j from 0 to 4611686018427387904, step_sine between 0x1p-128 and 0x1p+1, reach "
-      "between 0x1p-128 and 0x1p+128");
+      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
+      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A "
+      "from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to 4611686018427387904, "
+      "step_sine between 0x1p-128 and 0x1p+1, reach between 0x1p-128 and 0x1p+128");
 }
 template <class Number>
 struct CollapseRestitution {
   Number end_speed, t_any, x_any, v_any;
 };
 /// collapse: end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0
-///   to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to
-///   0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B
-///   from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
+///   to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e)
+///   from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from
+///   0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.y_e, bodies.end_speed, bodies.t_any,
 ///   bodies.x_any, bodies.v_any.
 /// Operations: products: 16, quotients: 9, roots: 4, sums: 13.
@@ -352,6 +356,7 @@ template <class Number>
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
     M_C, const Number& e, const Number& q_e, const Number& V, const Number& W, const Number& d_A,
     const Number& d_B) {
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
@@ -392,8 +397,8 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
   }
   throw std::domain_error("collapse_restitution: allowed: "
       "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from "
-      "-0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed "
-      "between 0x1p-128 and 0x1p+128");
+      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from -0x1p+128 to 0x0p+0, V from 0x1p-32 "
+      "to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to "
+      "0x1p+32, end_speed between 0x1p-128 and 0x1p+128");
 }
 }  // namespace magicmass::generated

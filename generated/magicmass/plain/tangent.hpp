@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <concepts>
 #include <cstdint>
 #include <stdexcept>
 
@@ -25,10 +26,8 @@ struct VelocitiesTangent {
 /// Operations: arctangents: 1, cosines: 1, products: 13, quotients: 1, roots: 1, sines: 1, sums: 4.
 template <class Number>
 VelocitiesTangent<Number> velocities_tangent(const Number& alpha, std::int64_t n) {
-  using std::atan;
-  using std::cos;
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
     // above = 2 + alpha
     const Number above = Number(2) + alpha;
@@ -84,12 +83,8 @@ struct TerminalTangent {
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
 template <class Number>
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
-  using std::abs;
-  using std::atan;
-  using std::ceil;
-  using std::cos;
-  using std::sin;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::abs, std::atan, std::ceil, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-100) && alpha <= Number(0x1p+100)) {
     // above = 2 + alpha
     const Number above = Number(2) + alpha;
@@ -145,8 +140,8 @@ struct AngleTangent {
 /// Operations: arctangents: 1, products: 3, quotients: 1, roots: 1, sums: 1.
 template <class Number>
 AngleTangent<Number> angle_tangent(const Number& alpha) {
-  using std::atan;
-  using std::sqrt;
+  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
+  using std::atan, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // above = 2 + alpha
     const Number above = Number(2) + alpha;
