@@ -28,6 +28,13 @@ struct Forms : Names {
   Theorem name(const std::string& symbol, Expr value) const {
     return defined(symbol, params, value, domain);
   }
+  /// The same of further variables, before j.
+  Theorem with(const Exprs& more, const std::string& symbol, Expr value, const Exprs& where) const {
+    Exprs all = masses_and_e();
+    all.insert(all.end(), more.begin(), more.end());
+    all.push_back(j);
+    return defined(symbol, all, value, where);
+  }
   /// Shows that what is so named has a form.
   Theorem show(const Theorem& is, const std::string& words, Expr form,
                const Theorems& rules) const {
@@ -84,58 +91,44 @@ Theorem angle(Book& book, const Theorem& q_is) {
 Expr weighed(Expr of_A, Expr of_B, Expr sine, Expr sine_before) {
   return of_A * sine + of_B * (r_B() / (r_A() * sqrt(e))) * sine_before;
 }
-/// What the velocities are after collision j from V and W; or the places, which are velocities from
-/// others.
-struct State {
-  const char *before, *after, *A, *B, *C;
-  Exprs more;  ///< parameters
-  Expr of_A, of_B;
-  const char* words;
-};
-void state(const Forms& forms, const State& s) {
+/// Places at a time tau after collision j, seen from B's first one; velocities, where no distance
+/// is given and tau is 1.
+void places(const Forms& forms) {
   Book& book = forms.book;
-  const auto from = [&](const auto& t) {
-    if constexpr (std::same_as<std::decay_t<decltype(t)>, Theorem>)
-      return at(t, {{V, s.of_A}, {W, s.of_B}});
-    else
-      return substitute(t, {{V, s.of_A}, {W, s.of_B}});
-  };
-  Exprs params = masses_and_e();
-  params.insert(params.end(), s.more.begin(), s.more.end());
-  params.push_back(j);
+  const Expr of_A = V * tau - d_A, of_B = W * tau - d_B;
+  const Substitution on_the_line{{V, of_A}, {W, of_B}};
+  const auto there = [&](const char* id) { return at(book[id], on_the_line); };
   const Theorem turn_next = at(part(book["cycle.turn"], 1));
   const Theorem pow_next = at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1));
   const auto name = [&](const char* symbol, Expr value) {
-    return defined(symbol, params, from(value), forms.domain);
+    return forms.with({V, W, d_A, d_B, tau}, symbol, substitute(value, on_the_line), forms.domain);
   };
-  const Theorem before = name(s.before, any_start.closing(j)),
-                after = name(s.after, any_start.closing(j + 1));
-  const Expr per = root_power(j) / forms.step_sine();
-  const Theorem speed = from(book["any_start.speed"]);
+  const Theorem before = name("before", any_start.closing(j));
+  const Theorem after = name("after", any_start.closing(j + 1));
+  const Expr per = root_power(j) / forms.step_sine(), now_sine = forms("now_sine");
+  const Theorem speed = there("any_start.speed");
+  forms.show(before, "For the places at a time tau after collision j let",
+             per * forms("now_side") * weighed(of_A, of_B, now_sine, forms("last_sine")), {speed});
   forms.show(
-      before, s.words,
-      per * forms("now_side") * weighed(s.of_A, s.of_B, forms("now_sine"), forms("last_sine")),
-      {speed});
-  forms.show(after, "those of the next one with",
-             sqrt(e) * per * forms("later_side") *
-                 weighed(s.of_A, s.of_B, forms("later_sine"), forms("now_sine")),
-             {at(speed, {{j, j + 1}}), turn_next, pow_next});
+      after, "and",
+      sqrt(e) * per * forms("later_side") * weighed(of_A, of_B, forms("later_sine"), now_sine),
+      {at(speed, {{j, j + 1}}), turn_next, pow_next});
 
   const Expr v = left(after), u = e * left(before), of_C = is_P(j) * v - is_Q(j) * u;
   const auto named = [&](const char* id) {
-    return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, from(book[id]))));
+    return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, there(id))));
   };
-  const Theorem B = name(s.B, any_start.velocity("B", j + 1));
-  forms.show(B, "so that B then has the velocity",
-             (from(any_start.momentum) - w_B * (M_A * (v - u) + M_C * of_C)) / mass_of_all(),
+  const Theorem B = name("B_at", any_start.velocity("B", j + 1));
+  const Expr momentum = substitute(any_start.momentum, on_the_line);
+  forms.show(B, "so that B is at", (momentum - w_B * (M_A * (v - u) + M_C * of_C)) / mass_of_all(),
              {named("any_start.B_velocity")});
   const auto against_B = [&](const char* symbol, const char* body, const char* words,
                              Expr difference, const char* id) {
     const Theorem is = name(symbol, any_start.velocity(body, j + 1));
     book.show(symbol, words, linear(eq(left(is), left(B) + difference), {is, B, named(id)}));
   };
-  against_B(s.A, "A", "that of A is", v - u, "any_start.A_B");
-  against_B(s.C, "C", "and that of C", of_C, "any_start.C_B");
+  against_B("A_at", "A", "A at", v - u, "any_start.A_B");
+  against_B("C_at", "C", "and the ball at", of_C, "any_start.C_B");
 }
 /// How many collisions there are, and when each of them is.
 void count_and_time(const Forms& forms) {
@@ -149,13 +142,8 @@ void count_and_time(const Forms& forms) {
     book.show("phase_e", "Where A approaches the ball, with the angle", with_sine("def_phase_e"));
     book.show("N_any", "the number of collisions is", forms.from_any_start("N"));
   }
-  const auto name = [&](const char* symbol, const Exprs& more, Expr value, const Exprs& where) {
-    Exprs params = masses_and_e();
-    params.insert(params.end(), more.begin(), more.end());
-    return defined(symbol, params, value, where);
-  };
   const Expr now = forms("now_sine"), last = forms("last_sine");
-  const Theorem reach = name("reach", {V, W, j}, weighed(V, W, now, last), forms.domain);
+  const Theorem reach = forms.with({V, W}, "reach", weighed(V, W, now, last), forms.domain);
   book.show("def_reach",
             "Collision j takes place where this is positive:", under({lt(0, q_e())}, reach));
   know(assume(lt(0, left(reach))));
@@ -168,7 +156,7 @@ void count_and_time(const Forms& forms) {
   const Theorem of_distances = at(book["any_start.speed"], {{V, d_A}, {W, d_B}});
   Exprs where = forms.domain;
   where.push_back(going.conclusion());
-  const Theorem moment = name("moment", {V, W, d_A, d_B, j}, left(when), where);
+  const Theorem moment = forms.with({V, W, d_A, d_B}, "moment", left(when), where);
   forms.show(moment, "Its time is", weighed(d_A, d_B, now, last) / left(reach),
              {when, speed, of_distances});
 }
@@ -191,24 +179,7 @@ void three_body_forms(Book& book) {
   forms.share("later_sine", "and", sine(j + 2), false);
   const Theorems sines = quotients_of_sines(book, turned(forms.in_angle("cosine")));
   for (const Theorem& is : sines) forms.shared = forms.shared + Theorems{is, at(is, {{j, j + 1}})};
-  state(forms, {"before",
-                "after",
-                "A_next",
-                "B_next",
-                "C_next",
-                {V, W},
-                V,
-                W,
-                "Before collision j its bodies approach with the speed"});
-  state(forms, {"before_at",
-                "after_at",
-                "A_at",
-                "B_at",
-                "C_at",
-                {V, W, d_A, d_B, tau},
-                V * tau - d_A,
-                W * tau - d_B,
-                "What places are at a time tau after collision j:"});
+  places(forms);
   count_and_time(forms);
 }
 }  // namespace derivation

@@ -91,11 +91,9 @@ private:
     add("count", inputs, sines + "wedge.kappa bodies.phase_e -> bodies.N_any", {step});
     const std::vector<Input> of_collision{input(j, 0, 0x1p62), input(fun("turn", {j}), -1, 1),
                                           input(fun("pow", {kernel::sqrt(real("e")), j}), 0, 1)};
-    add("after", with(inputs, of_collision), sides + "before after -> bodies.B_next A_next C_next",
-        guards);
     inputs = with(inputs, distances);
     add("at", with(with(inputs, {input(real("tau"), 0, far)}), of_collision),
-        sides + "before_at after_at -> bodies.B_at A_at C_at", guards);
+        sides + "before after -> bodies.B_at A_at C_at", guards);
     add("time", with(inputs, {of_collision[0]}),
         sines + "def_last_sine def_now_sine def_reach -> bodies.moment",
         {step, {"reach", {1 / most, most}}});

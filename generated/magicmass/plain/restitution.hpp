@@ -94,96 +94,6 @@ CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B,
       "step_sine between 0x1p-128 and 0x1p+1");
 }
 template <class Number>
-struct AfterRestitution {
-  Number B_next, A_next, C_next;
-};
-/// after: B_next, A_next, C_next. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to
-///   0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from
-///   0x1p-128 to 0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32,
-///   W from -0x1p+32 to 0x1p+32, j from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0,
-///   pow(sqrt(e), j) from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between
-///   0x1p-128 and 0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side,
-///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
-///   bodies.before, bodies.after, bodies.B_next, bodies.A_next, bodies.C_next.
-/// Operations: products: 26, quotients: 14, roots: 3, sines: 4, sums: 19.
-template <class Number>
-AfterRestitution<Number> after_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
-    const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W,
-    std::int64_t j, const Number& turn, const Number& pow) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
-  using std::sin, std::sqrt;
-  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
-      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
-      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
-      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && j >= 0 && j <=
-      4611686018427387904 && turn >= Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >=
-      Number(0x0p+0) && pow <= Number(0x1p+0)) {
-    // shared by lines below
-    const Number t1 = M_A + M_C;
-    // r_A = sqrt(M_A/(M_A + M_C))
-    const Number r_A = sqrt(M_A / t1);
-    // r_B = sqrt(1/(1 + w_B*M_C))
-    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // step_sine = sin(h_e)
-    const Number step_sine = sin(h_e);
-    // shared by lines below
-    const Number t6 = Number(1) + turn;
-    // shared by lines below
-    const Number t9 = Number(1) - turn;
-    // shared by lines below
-    const Number t10 = r_A / r_B;
-    // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
-    const Number now_side = t6 / Number(2) + t9 * t10 / Number(2);
-    // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
-    const Number later_side = t9 / Number(2) + t6 * t10 / Number(2);
-    // last_sine_j = sin(j*h_e)
-    const Number last_sine = sin(Number(j) * h_e);
-    // now_sine_j = sin((j + 1)*h_e)
-    const Number now_sine = sin((Number(j) + Number(1)) * h_e);
-    // later_sine_j = sin((j + 2)*h_e)
-    const Number later_sine = sin((Number(j) + Number(2)) * h_e);
-    // shared by lines below
-    const Number t24 = sqrt(e);
-    // shared by lines below
-    const Number t26 = W * (r_B / r_A / t24);
-    // before_j = pow_j(sqrt(e))/step_sine*now_side_j*(V*now_sine_j +
-    //   W*(r_B/(r_A*sqrt(e)))*last_sine_j)
-    const Number before = pow * now_side * (V * now_sine + t26 * last_sine) / step_sine;
-    // after_j = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*(V*later_sine_j +
-    //   W*(r_B/(r_A*sqrt(e)))*now_sine_j)
-    const Number after = t24 * (pow / step_sine) * later_side * (V * later_sine + t26 * now_sine);
-    // shared by lines below
-    const Number t41 = e * before;
-    // shared by lines below
-    const Number t43 = after - t41;
-    // shared by lines below
-    const Number t50 = t6 * after / Number(2) - t9 * t41 / Number(2);
-    // B_next_j = (w_B*(M_A*(V + W) + M_C*W) - w_B*(M_A*(after_j - e*before_j) + M_C*((1 +
-    //   turn_j)*after_j/2 - (1 - turn_j)*(e*before_j)/2)))/(1 + w_B*(M_A + M_C))
-    const Number B_next = (w_B * (M_A * (V + W) + M_C * W) - w_B * (M_A * t43 + M_C * t50)) /
-        (Number(1) + w_B * t1);
-    // A_next_j = B_next_j + (after_j - e*before_j)
-    const Number A_next = B_next + t43;
-    // C_next_j = B_next_j + ((1 + turn_j)*after_j/2 - (1 - turn_j)*(e*before_j)/2)
-    const Number C_next = B_next + t50;
-    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-      throw std::domain_error("after_restitution: "
-          "step_sine must be between 0x1p-128 and 0x1p+1");
-    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
-      throw std::domain_error("after_restitution: "
-          "now_side must be between 0x1p-128 and 0x1p+128");
-    return {B_next, A_next, C_next};
-  }
-  throw std::domain_error("after_restitution: allowed: "
-      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
-      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, j "
-      "from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j) from 0x0p+0 "
-      "to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128");
-}
-template <class Number>
 struct AtRestitution {
   Number B_at, A_at, C_at;
 };
@@ -196,7 +106,7 @@ struct AtRestitution {
 ///   0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side,
 ///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
-///   bodies.before_at, bodies.after_at, bodies.B_at, bodies.A_at, bodies.C_at.
+///   bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
 /// Operations: products: 28, quotients: 14, roots: 3, sines: 4, sums: 21.
 template <class Number>
 AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const Number& M_C, const
@@ -245,28 +155,26 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     const Number t30 = sqrt(e);
     // shared by lines below
     const Number t32 = t28 * (r_B / r_A / t30);
-    // before_at_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
+    // before_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
     //   d_B)*(r_B/(r_A*sqrt(e)))*last_sine_j)
-    const Number before_at = pow * now_side * (t24 * now_sine + t32 * last_sine) / step_sine;
-    // after_at_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j
-    //   + (W*tau - d_B)*(r_B/(r_A*sqrt(e)))*now_sine_j)
-    const Number after_at = t30 * (pow / step_sine) * later_side * (t24 * later_sine + t32 *
-        now_sine);
+    const Number before = pow * now_side * (t24 * now_sine + t32 * last_sine) / step_sine;
+    // after_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j +
+    //   (W*tau - d_B)*(r_B/(r_A*sqrt(e)))*now_sine_j)
+    const Number after = t30 * (pow / step_sine) * later_side * (t24 * later_sine + t32 * now_sine);
     // shared by lines below
-    const Number t47 = e * before_at;
+    const Number t47 = e * before;
     // shared by lines below
-    const Number t49 = after_at - t47;
+    const Number t49 = after - t47;
     // shared by lines below
-    const Number t56 = t6 * after_at / Number(2) - t9 * t47 / Number(2);
+    const Number t56 = t6 * after / Number(2) - t9 * t47 / Number(2);
     // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
-    //   w_B*(M_A*(after_at_j(tau) - e*before_at_j(tau)) + M_C*((1 + turn_j)*after_at_j(tau)/2 - (1
-    //   - turn_j)*(e*before_at_j(tau))/2)))/(1 + w_B*(M_A + M_C))
+    //   w_B*(M_A*(after_j(tau) - e*before_j(tau)) + M_C*((1 + turn_j)*after_j(tau)/2 - (1 -
+    //   turn_j)*(e*before_j(tau))/2)))/(1 + w_B*(M_A + M_C))
     const Number B_at = (w_B * (M_A * (t24 + t28) + M_C * t28) - w_B * (M_A * t49 + M_C * t56)) /
         (Number(1) + w_B * t1);
-    // A_at_j(tau) = B_at_j(tau) + (after_at_j(tau) - e*before_at_j(tau))
+    // A_at_j(tau) = B_at_j(tau) + (after_j(tau) - e*before_j(tau))
     const Number A_at = B_at + t49;
-    // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_at_j(tau)/2 - (1 -
-    //   turn_j)*(e*before_at_j(tau))/2)
+    // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_j(tau)/2 - (1 - turn_j)*(e*before_j(tau))/2)
     const Number C_at = B_at + t56;
     if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
       throw std::domain_error("at_restitution: "

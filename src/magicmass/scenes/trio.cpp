@@ -181,13 +181,18 @@ Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& p
   return {time, place_of(time, right == bodies() ? Ball(0) : place), velocity_of(u[right - 1]),
           velocity_of(u[right])};
 }
+Trio::Velocities Trio::places_seen(const Shape& s, const Stepping::Start& from, const Ball& moment,
+                                   std::int64_t collisions) const {
+  const auto& [V, W, d_A, d_B] = from;
+  const std::int64_t j = collisions - 1;
+  const auto at = value_of_form(generated::at_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B,
+                                moment, j, turn(j), power_of(s, j));
+  return {at.A_at, at.C_at, j == 0 || !B_ ? Ball(0) : Ball(at.B_at)};  // B was not met
+}
 Trio::Velocities Trio::seen(const Shape& s, std::int64_t collisions) const {
   const auto [V, W, d_A, d_B] = start();
   if (collisions == 0) return {V + W, W, 0};
-  const std::int64_t j = collisions - 1;
-  const auto v = value_of_form(generated::after_restitution<Unguarded>, s, s.h_e, V, W, j, turn(j),
-                               power_of(s, j));
-  Velocities all{v.A_next, v.C_next, j == 0 || !B_ ? Ball(0) : Ball(v.B_next)};  // B was not met
+  Velocities all = places_seen(s, {V, W, 0, 0}, 1, collisions);  // any_start.linear
   const auto& N = at_threshold_;
   if (N && *N % 2 == 0) {  // magic.velocities
     if (collisions >= *N - 1) all[0] = 0;
@@ -222,9 +227,7 @@ Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
   const auto [V, W, d_A, d_B] = start();
   const Ball moment =
       value_of_form(generated::time_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B, j).moment;
-  const auto at = value_of_form(generated::at_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B,
-                                moment, j, turn(j), power_of(s, j));
-  return in_scene(j, moment, at.C_at, seen(s, j + 1));
+  return in_scene(j, moment, places_seen(s, {V, W, d_A, d_B}, moment, j + 1)[1], seen(s, j + 1));
 }
 std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N) const {
   const std::vector<Ball> v = velocities(s, N);

@@ -90,7 +90,10 @@ private:
 
   using Velocities = std::array<Ball, 3>;
   Stepping::Start start() const;
-  /// As seen from B before it is met.
+  /// Places at a time after so many collisions, of A, C and B, as seen from B before it is met.
+  Velocities places_seen(const Shape& s, const Stepping::Start& from, const Ball& moment,
+                         std::int64_t collisions) const;
+  /// Velocities, likewise.
   Velocities seen(const Shape& s, std::int64_t collisions) const;
   /// Whether collisions that have no angle never end; false, too, where that is too close to tell.
   bool collapses() const;

@@ -201,13 +201,9 @@ cl_R function(const std::string& f, const Vector& x) {
     return f == "any_closing" ? t.approach() : t.v[std::size_t(f[4] - 'A')];
   }
   if (f == "when_any" || f == "moment") return trio_after(x, whole(x[8]), true).time;
-  if (f == "before" || f == "after" || f.ends_with("_next")) {
-    const std::string now = f.ends_with("_next") ? std::string("any_") + f[0] : "any_closing";
-    return function(now, {x[0], x[1], x[2], x[3], x[4], x[5], x[6] + (f == "before" ? 0 : 1)});
-  }
-  if (f == "before_at" || f == "after_at") {
-    const cl_R A = x[4] * x[8] - x[6], B = x[5] * x[8] - x[7];
-    return function(f.substr(0, f.size() - 3), {x[0], x[1], x[2], x[3], A, B, x[9]});
+  if (f == "before" || f == "after") {
+    const cl_R A = x[4] * x[8] - x[6], B = x[5] * x[8] - x[7], later = f == "before" ? 0 : 1;
+    return function("any_closing", {x[0], x[1], x[2], x[3], A, B, x[9] + later});
   }
   if (f.ends_with("_at")) {
     const Trio t = trio_after(x, whole(x[9]), true);
