@@ -108,7 +108,9 @@ std::optional<std::int64_t> Trio::count_at_threshold() const {
 }
 simulator::InTurn<Quadratic> Trio::first_collisions() const {
   const auto B = B_ ? std::optional(*B_->exact()) : std::nullopt;
-  simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_, at_0_);
+  const Quadratic one(1), none(0);
+  simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_,
+                                   {one, at_0_.W / at_0_.V, none, one});
   const auto& v = now.velocities;
   const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
   while (now.collisions <= largest_tie && approach()) now.step();
@@ -122,8 +124,11 @@ std::optional<std::int64_t> Trio::count() const {
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
     if (is_at_rest() && *q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision.
-    const std::int64_t few = first_collisions().collisions;
-    if (few <= largest_tie) return few;
+    try {
+      const std::int64_t few = first_collisions().collisions;
+      if (few <= largest_tie) return few;
+    } catch (const std::domain_error&) {  // masses and velocities of two fields
+    }
   }
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();

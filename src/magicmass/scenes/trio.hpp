@@ -26,8 +26,8 @@ public:
   /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
   static Trio equal_blocks(const Value& alpha, const Quadratic& e);
 
-  /// Exactly, as seen from B, at most one more than `largest_tie` of them. Masses must be
-  /// exact.
+  /// Exactly, in units of V, at most one more than `largest_tie` of them; places mean nothing.
+  /// Masses must be exact. Throws std::domain_error for numbers of two fields.
   simulator::InTurn<Quadratic> first_collisions() const;
   /// Whether ball and B do not move, seen from each other, before A comes.
   bool is_at_rest() const { return at_0_.W == 0; }
