@@ -8,9 +8,7 @@ const Expr t = real("tau");
 Expr U(Expr i) { return chebyshev(i, kappa()); }
 Expr U_last(Expr i) { return fun("U_last", {kappa(), i}); }
 Expr approach_of(Expr i) { return any_start.closing(i); }
-/// Speeds weighed as the ball's approach to B counts.
-Expr per_W() { return r_B() / (r_A() * sqrt(e)); }
-Expr swing(Expr i) { return V * U(i) + W * per_W() * U_last(i); }
+Expr swing(Expr i) { return V * U(i) + W * r_e() * U_last(i); }
 /// Where kappa is below 1: how many collisions there are.
 void number(Book& book) {
   Exprs domain = of_wedge({lt(0, e), lt(kappa(), 1), V_positive});
@@ -19,7 +17,7 @@ void number(Book& book) {
   know(book["wedge.acute"]);
   const Expr h = right(cosine).arg(0);
   know(positive(sin(h)));
-  const Expr slope = (kappa() + W / V * per_W()) / sin(h), tilt = atan(slope);
+  const Expr slope = (kappa() + W / V * r_e()) / sin(h), tilt = atan(slope);
   const Theorem is =
       book.define("phase_e", any_start.params, pi() / 2 - tilt, domain,
                   "Where kappa is below 1 and A approaches the ball, with the angle");
@@ -59,10 +57,29 @@ Expr is_linear(Expr term) {
   const auto with = [&](Expr A, Expr B) { return substitute(term, {{V, A}, {W, B}}); };
   return eq(with(V * t - d_A, W * t - d_B), t * term - with(d_A, d_B));
 }
+/// The places, which are velocities for other speeds at the start; a line for each j.
+struct Lines {
+  Exprs velocities;
+  Theorems named;
+
+  /// A statement about velocities at what V and W are at the time, about places.
+  Theorem in_places(Theorem theorem, Expr time) const {
+    for (const Theorem& is : named)
+      for (Expr i : {j, j + 1}) theorem = rewrite(turned(at(is, {{t, time}, {j, i}})), theorem);
+    return theorem;
+  }
+};
 /// The motion as one straight line, which each collision turns.
 void line(Book& book) {
-  Exprs sequences;
-  for (const char* body : {"A", "B", "C"}) sequences.push_back(any_start.velocity(body, j));
+  Lines lines;
+  Exprs& sequences = lines.velocities;
+  for (const std::string body : {"A", "B", "C"}) {
+    sequences.push_back(any_start.velocity(body, j));
+    Exprs params = any_start.params;
+    for (Expr p : {d_A, d_B, t, j}) params.push_back(p);
+    const Expr value = substitute(sequences.back(), {{V, V * t - d_A}, {W, W * t - d_B}});
+    lines.named.push_back(defined("any_x_" + body, params, value, of_wedge({le(0, j)})));
+  }
   const auto three_times = [&](const Theorem& theorem) {
     return parts({theorem, of(d_A, d_B, theorem), on_the_line(t, theorem)});
   };
@@ -76,9 +93,10 @@ void line(Book& book) {
   const Theorem linear_in_start = by_induction(j, all, three_times(book["any_start.start"]), next);
   book.show(
       "linear",
-      "The velocities are linear in those of the start. At a time tau after it, d_A and d_B "
-      "the distances then, the bodies are where the left sides say, seen from B's first place:",
-      linear_in_start);
+      "Velocities are linear in those of the start, and so are places: with distances d_A and d_B "
+      "at the start, after j collisions the bodies are on these lines at a time tau, seen from "
+      "B's first place,",
+      lines.in_places(linear_in_start, t));
   const Theorem speeds = equation(
       is_linear(approach_of(j)), three_times(book["any_start.closing"]) + parts({linear_in_start}));
   const Theorem going = assume(lt(0, approach_of(j)));
@@ -88,17 +106,19 @@ void line(Book& book) {
   const auto at_distances = [&](Expr term) { return substitute(term, {{V, d_A}, {W, d_B}}); };
   const Theorem when = book.name("when_any", params, at_distances(approach_of(j)) / approach_of(j),
                                  of_wedge({le(0, j), lt(0, e), going.conclusion()}),
-                                 "For there two bodies meet at the time");
+                                 "as collision j takes place at the time");
   const Expr T = left(when);
   const Theorem meets =
-      book.show("meets", "as then",
-                equation(substitute(left(speeds), {{t, T}}), 0, {at(speeds, {{t, T}}), when}));
+      equation(substitute(left(speeds), {{t, T}}), 0, {at(speeds, {{t, T}}), when});
   const auto there = [&](const Theorem& theorem) { return on_the_line(T, theorem); };
   const auto place = [&](std::size_t i, Expr index) {
     return substitute(sequences[i], {{V, V * T - d_A}, {W, W * T - d_B}, {j, index}});
   };
   const Expr A = place(0, j), B = place(1, j), C = place(2, j);
   const Theorem speed = there(book["any_start.closing"]);
+  const Expr gap = is_P(j) * (C - A) + is_Q(j) * (B - C);
+  book.show("met", "for there its bodies are at one place,",
+            lines.in_places(linear(eq(gap, 0), {speed, meets}), T));
   const auto none = [&](Expr is_one, Expr between) {
     const Expr part = is_one * left(speed);
     return chain(equation(is_one * between, part, {speed, book["motion.turn_squared"]}),
@@ -109,7 +129,7 @@ void line(Book& book) {
   for (const Theorem& law : parts({there(book["any_start.next"])})) rules.push_back(at(law));
   Theorems same;
   for (std::size_t i = 0; i < 3; ++i) same.push_back(equation(place(i, j + 1), place(i, j), rules));
-  book.show("goes_on", "and the next line goes on from there:", both(same));
+  book.show("goes_on", "and the next lines go on:", lines.in_places(both(same), T));
 
   const Theorem sign = book["any_start.takes_place"], speed_is = book["any_start.speed"];
   know(tautology(lt(0, swing(j)), {sign, going}));
@@ -121,13 +141,15 @@ void line(Book& book) {
   const Expr D = place(1, j + 1) - place(0, j + 1), first_in_order = V * d_B - W * d_A;
   know(at(book["wedge.signs"], {{j, j + 1}}));
   book.show("apart", "The blocks are then so far apart:",
-            equation(D, root_power(j + 1) * side(j + 1) * per_W() * first_in_order / swing(j),
-                     facts + Theorems{solved_for(place(0, j + 1), A_B), meets,
-                                      at(speeds, {{j, j + 1}, {t, T}})}));
+            lines.in_places(
+                equation(D, root_power(j + 1) * side(j + 1) * r_e() * first_in_order / swing(j),
+                         facts + Theorems{solved_for(place(0, j + 1), A_B), meets,
+                                          at(speeds, {{j, j + 1}, {t, T}})}),
+                T));
   const Theorem next_one = assume(lt(0, approach_of(j + 1)));
   know(next_one);
   know(tautology(lt(0, swing(j + 1)), {at(sign, {{j, j + 1}}), next_one}));
-  const Expr later = per_W() * first_in_order / (swing(j) * swing(j + 1));
+  const Expr later = r_e() * first_in_order / (swing(j) * swing(j + 1));
   book.show("later", "Collisions follow each other after",
             equation(substitute(T, {{j, j + 1}}) - T, later, facts));
 }
@@ -138,7 +160,7 @@ void collapse_from_any_start(Book& book) {
   const auto of_collapse = [&](const char* id) { return cut(from_1, book[id]); };
   know(of_collapse("collapse.root"));
   know(of_collapse("collapse.neighbours"));
-  const Expr y_e = left(of_collapse("collapse.y_e")), at_end = V + W * per_W() * y_e;
+  const Expr y_e = left(of_collapse("collapse.y_e")), at_end = V + W * r_e() * y_e;
   const Theorem gap = part(of_collapse("collapse.neighbours"), 0);
   const Theorem rise = part(at(book["chebyshev.rise"], {{x, kappa()}}), 0);
   know(linear(lt(0, U(j)), {rise}));
@@ -175,7 +197,7 @@ void collapse_from_any_start(Book& book) {
     return book.define(symbol, params, value, ending, words);
   };
   know(linear(lt(0, left(speed)), least));
-  const Theorem time = name("t_any", (d_A + d_B * per_W() * y_e) / left(speed), "There is a time");
+  const Theorem time = name("t_any", (d_A + d_B * r_e() * y_e) / left(speed), "There is a time");
   const auto shown = [&](const char* id, const char* words, const Theorem& theorem) {
     book.show(id, words, under(endless, theorem));
   };
@@ -183,13 +205,13 @@ void collapse_from_any_start(Book& book) {
   const Expr in_order = V * d_B - W * d_A;
   shown(
       "time_left", "before which all of them take place,",
-      equation(left(time) - left(when), per_W() * in_order * right(gap) / (left(speed) * swing(j)),
+      equation(left(time) - left(when), r_e() * in_order * right(gap) / (left(speed) * swing(j)),
                {time, when, speed, speed_is, of(d_A, d_B, speed_is), solved_for(U_last(j), gap)}));
   const Theorem apart = book["any_start.apart"], ordered = assume(le(0, in_order));
-  const Expr D = left(apart), bound = root_power(j + 1) * side(j + 1) * per_W() * in_order;
+  const Expr D = left(apart), bound = root_power(j + 1) * side(j + 1) * r_e() * in_order;
   know(at(book["wedge.signs"], {{j, j + 1}}));
-  const Theorem is_near = linear(
-      le(0, D), {apart, times(ordered, root_power(j + 1) * side(j + 1) * per_W() / swing(j))});
+  const Theorem is_near =
+      linear(le(0, D), {apart, times(ordered, root_power(j + 1) * side(j + 1) * r_e() / swing(j))});
   const Theorem weighed =
       arithmetic(eq(D * swing(j), bound),
                  {.equations = {{swing(j), apart}, {1, equation(right(apart) * swing(j), bound)}}});
@@ -207,10 +229,14 @@ void from_any_start(Book& book) {
   sequences(book, any_start,
             "From another start A approaches the ball with V and the ball B with W, seen from B:");
   know(at(book["wedge.signs"], {{j, 0}}));
+  const Theorem r_e_is =
+      book.define("r_e", masses_and_e(), r_B() / (r_A() * sqrt(e)), of_wedge({lt(0, e)}),
+                  "With a number by which the ball's approach to B counts,");
+  know(positive(r_e_is));
   const Theorem speed = book.show(
-      "speed", "So collision j has the approach speed",
+      "speed", "collision j has the approach speed",
       approach_speeds(book, any_start, [](Expr i) { return root_power(i) * side(i) * swing(i); },
-                      {book["wedge.kappa"]}));
+                      {book["wedge.kappa"], r_e_is}));
   know(book["wedge.signs"]);
   book.show(
       "takes_place", "and takes place if and only if a sum is positive:",

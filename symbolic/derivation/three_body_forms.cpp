@@ -89,7 +89,7 @@ Theorem angle(Book& book, const Theorem& q_is) {
 }
 /// Speeds, weighed as the ball's approach to B counts.
 Expr weighed(Expr of_A, Expr of_B, Expr sine, Expr sine_before) {
-  return of_A * sine + of_B * (r_B() / (r_A() * sqrt(e))) * sine_before;
+  return of_A * sine + of_B * r_e() * sine_before;
 }
 /// Places at a time tau after collision j, seen from B's first one; velocities, where no distance
 /// is given and tau is 1.

@@ -61,6 +61,7 @@ inline Exprs masses_and_e() { return {M_A, w_B, M_C, e}; }
 inline Expr kappa() { return fun("kappa", masses_and_e()); }
 inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
 inline Expr r_B() { return fun("r_B", {w_B, M_C}); }
+inline Expr r_e() { return fun("r_e", masses_and_e()); }
 /// 1 for P, r_A/r_B for Q.
 inline Expr side(Expr i) { return is_P(i) + is_Q(i) * (r_A() / r_B()); }
 /// time, x_A, x_B, x_C at collision i.

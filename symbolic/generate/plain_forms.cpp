@@ -77,7 +77,8 @@ private:
       return these;
     };
     const kernel::Expr j = integer("j");
-    const std::string roots = "wedge.r_A r_B ", sines = roots + "bodies.def_step_sine ";
+    const std::string roots = "wedge.r_A r_B ", speeds_of_C = roots + "any_start.def_r_e ",
+                      sines = speeds_of_C + "bodies.def_step_sine ";
     const std::string sides =
         sines + "def_now_side def_later_side def_last_sine def_now_sine def_later_sine ";
     const Condition step{"step_sine", {1 / most, 2}};
@@ -100,7 +101,7 @@ private:
     inputs = three_bodies();
     inputs.push_back(of_bodies("q_e", -most, 0));
     add("collapse", with(with(inputs, speeds), distances),
-        roots + "kappa bodies.y_e -> bodies.end_speed t_any x_any v_any",
+        speeds_of_C + "wedge.kappa bodies.y_e -> bodies.end_speed t_any x_any v_any",
         {{"end_speed", {1 / most, most}}});
   }
   /// The evaluators' theorems where alpha < 1; they hold everywhere.

@@ -52,7 +52,8 @@ struct CountRestitution {
 ///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
 ///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
 ///   -0x1p+32 to 0x1p+32, step_sine between 0x1p-128 and 0x1p+1.
-/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, wedge.kappa, bodies.phase_e, bodies.N_any.
+/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, wedge.kappa,
+///   bodies.phase_e, bodies.N_any.
 /// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sines: 1, sums:
 ///   8.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
@@ -70,15 +71,17 @@ CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B,
     const Number r_A = sqrt(M_A / (M_A + M_C));
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
+    // shared by lines below
+    const Number t7 = sqrt(e);
+    // r_e = r_B/(r_A*sqrt(e))
+    const Number r_e = r_B / r_A / t7;
     // step_sine = sin(h_e)
     const Number step_sine = sin(h_e);
-    // shared by lines below
-    const Number t9 = sqrt(e);
     // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
-    const Number kappa = (Number(1) + e) * r_A * r_B / t9 / Number(2);
-    // phase_e = pi/2 - atan((kappa + W/V*(r_B/(r_A*sqrt(e))))/step_sine)
-    const Number phase_e = Number(4) * atan(Number(1)) / Number(2) - atan((kappa + W * (r_B / r_A /
-        t9) / V) / step_sine);
+    const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
+    // phase_e = pi/2 - atan((kappa + W/V*r_e)/step_sine)
+    const Number phase_e = Number(4) * atan(Number(1)) / Number(2) - atan((kappa + W * r_e / V) /
+        step_sine);
     // N_any = ceil((pi - phase_e)/h_e + 1) - 1
     const Number N_any = ceil((Number(4) * atan(Number(1)) - phase_e) / h_e + Number(1)) -
         Number(1);
@@ -104,7 +107,7 @@ struct AtRestitution {
 ///   to 0x1p+32, j from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j)
 ///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and
 ///   0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_now_side,
+/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_now_side,
 ///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
 ///   bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
 /// Operations: products: 28, quotients: 14, roots: 3, sines: 4, sums: 21.
@@ -129,18 +132,22 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     const Number r_A = sqrt(M_A / t1);
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
+    // shared by lines below
+    const Number t7 = sqrt(e);
+    // r_e = r_B/(r_A*sqrt(e))
+    const Number r_e = r_B / r_A / t7;
     // step_sine = sin(h_e)
     const Number step_sine = sin(h_e);
     // shared by lines below
-    const Number t6 = Number(1) + turn;
+    const Number t8 = Number(1) + turn;
     // shared by lines below
-    const Number t9 = Number(1) - turn;
+    const Number t11 = Number(1) - turn;
     // shared by lines below
-    const Number t10 = r_A / r_B;
+    const Number t12 = r_A / r_B;
     // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
-    const Number now_side = t6 / Number(2) + t9 * t10 / Number(2);
+    const Number now_side = t8 / Number(2) + t11 * t12 / Number(2);
     // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
-    const Number later_side = t9 / Number(2) + t6 * t10 / Number(2);
+    const Number later_side = t11 / Number(2) + t8 * t12 / Number(2);
     // last_sine_j = sin(j*h_e)
     const Number last_sine = sin(Number(j) * h_e);
     // now_sine_j = sin((j + 1)*h_e)
@@ -148,34 +155,32 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     // later_sine_j = sin((j + 2)*h_e)
     const Number later_sine = sin((Number(j) + Number(2)) * h_e);
     // shared by lines below
-    const Number t24 = V * tau - d_A;
+    const Number t26 = V * tau - d_A;
     // shared by lines below
-    const Number t28 = W * tau - d_B;
+    const Number t30 = W * tau - d_B;
     // shared by lines below
-    const Number t30 = sqrt(e);
-    // shared by lines below
-    const Number t32 = t28 * (r_B / r_A / t30);
+    const Number t31 = t30 * r_e;
     // before_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
-    //   d_B)*(r_B/(r_A*sqrt(e)))*last_sine_j)
-    const Number before = pow * now_side * (t24 * now_sine + t32 * last_sine) / step_sine;
+    //   d_B)*r_e*last_sine_j)
+    const Number before = pow * now_side * (t26 * now_sine + t31 * last_sine) / step_sine;
     // after_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j +
-    //   (W*tau - d_B)*(r_B/(r_A*sqrt(e)))*now_sine_j)
-    const Number after = t30 * (pow / step_sine) * later_side * (t24 * later_sine + t32 * now_sine);
+    //   (W*tau - d_B)*r_e*now_sine_j)
+    const Number after = t7 * (pow / step_sine) * later_side * (t26 * later_sine + t31 * now_sine);
     // shared by lines below
-    const Number t47 = e * before;
+    const Number t46 = e * before;
     // shared by lines below
-    const Number t49 = after - t47;
+    const Number t48 = after - t46;
     // shared by lines below
-    const Number t56 = t6 * after / Number(2) - t9 * t47 / Number(2);
+    const Number t55 = t8 * after / Number(2) - t11 * t46 / Number(2);
     // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
     //   w_B*(M_A*(after_j(tau) - e*before_j(tau)) + M_C*((1 + turn_j)*after_j(tau)/2 - (1 -
     //   turn_j)*(e*before_j(tau))/2)))/(1 + w_B*(M_A + M_C))
-    const Number B_at = (w_B * (M_A * (t24 + t28) + M_C * t28) - w_B * (M_A * t49 + M_C * t56)) /
+    const Number B_at = (w_B * (M_A * (t26 + t30) + M_C * t30) - w_B * (M_A * t48 + M_C * t55)) /
         (Number(1) + w_B * t1);
     // A_at_j(tau) = B_at_j(tau) + (after_j(tau) - e*before_j(tau))
-    const Number A_at = B_at + t49;
+    const Number A_at = B_at + t48;
     // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_j(tau)/2 - (1 - turn_j)*(e*before_j(tau))/2)
-    const Number C_at = B_at + t56;
+    const Number C_at = B_at + t55;
     if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
       throw std::domain_error("at_restitution: "
           "step_sine must be between 0x1p-128 and 0x1p+1");
@@ -202,8 +207,8 @@ struct TimeRestitution {
 ///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to
 ///   4611686018427387904, step_sine between 0x1p-128 and 0x1p+1, reach between 0x1p-128 and
 ///   0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, bodies.def_step_sine, bodies.def_last_sine, bodies.def_now_sine,
-///   bodies.def_reach, bodies.moment.
+/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_last_sine,
+///   bodies.def_now_sine, bodies.def_reach, bodies.moment.
 /// Operations: products: 9, quotients: 5, roots: 3, sines: 3, sums: 5.
 template <class Number>
 TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
@@ -222,18 +227,18 @@ TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, c
     const Number r_A = sqrt(M_A / (M_A + M_C));
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
+    // r_e = r_B/(r_A*sqrt(e))
+    const Number r_e = r_B / r_A / sqrt(e);
     // step_sine = sin(h_e)
     const Number step_sine = sin(h_e);
     // last_sine_j = sin(j*h_e)
     const Number last_sine = sin(Number(j) * h_e);
     // now_sine_j = sin((j + 1)*h_e)
     const Number now_sine = sin((Number(j) + Number(1)) * h_e);
-    // shared by lines below
-    const Number t12 = r_B / r_A / sqrt(e);
-    // reach_j = V*now_sine_j + W*(r_B/(r_A*sqrt(e)))*last_sine_j
-    const Number reach = V * now_sine + W * t12 * last_sine;
-    // moment_j = (d_A*now_sine_j + d_B*(r_B/(r_A*sqrt(e)))*last_sine_j)/reach_j
-    const Number moment = (d_A * now_sine + d_B * t12 * last_sine) / reach;
+    // reach_j = V*now_sine_j + W*r_e*last_sine_j
+    const Number reach = V * now_sine + W * r_e * last_sine;
+    // moment_j = (d_A*now_sine_j + d_B*r_e*last_sine_j)/reach_j
+    const Number moment = (d_A * now_sine + d_B * r_e * last_sine) / reach;
     if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
       throw std::domain_error("time_restitution: "
           "step_sine must be between 0x1p-128 and 0x1p+1");
@@ -257,8 +262,8 @@ struct CollapseRestitution {
 ///   to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e)
 ///   from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from
 ///   0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.y_e, bodies.end_speed, bodies.t_any,
-///   bodies.x_any, bodies.v_any.
+/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, bodies.end_speed,
+///   bodies.t_any, bodies.x_any, bodies.v_any.
 /// Operations: products: 16, quotients: 9, roots: 4, sums: 13.
 template <class Number>
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
@@ -279,25 +284,25 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
     // shared by lines below
-    const Number t9 = sqrt(e);
+    const Number t7 = sqrt(e);
+    // r_e = r_B/(r_A*sqrt(e))
+    const Number r_e = r_B / r_A / t7;
     // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
-    const Number kappa = (Number(1) + e) * r_A * r_B / t9 / Number(2);
+    const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
     // y_e = kappa - sqrt(-q_e)
     const Number y_e = kappa - sqrt(-q_e);
+    // end_speed = V + W*r_e*y_e
+    const Number end_speed = V + W * r_e * y_e;
+    // t_any = (d_A + d_B*r_e*y_e)/end_speed
+    const Number t_any = (d_A + d_B * r_e * y_e) / end_speed;
     // shared by lines below
-    const Number t15 = r_B / r_A / t9;
-    // end_speed = V + W*(r_B/(r_A*sqrt(e)))*y_e
-    const Number end_speed = V + W * t15 * y_e;
-    // t_any = (d_A + d_B*(r_B/(r_A*sqrt(e)))*y_e)/end_speed
-    const Number t_any = (d_A + d_B * t15 * y_e) / end_speed;
+    const Number t20 = V + W;
     // shared by lines below
-    const Number t21 = V + W;
-    // shared by lines below
-    const Number t34 = Number(1) + w_B * t1;
+    const Number t33 = Number(1) + w_B * t1;
     // x_any = w_B*(M_A*((V + W)*t_any - d_A - d_B) + M_C*(W*t_any - d_B))/(1 + w_B*(M_A + M_C))
-    const Number x_any = w_B * (M_A * (t21 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t34;
+    const Number x_any = w_B * (M_A * (t20 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t33;
     // v_any = w_B*(M_A*(V + W) + M_C*W)/(1 + w_B*(M_A + M_C))
-    const Number v_any = w_B * (M_A * t21 + M_C * W) / t34;
+    const Number v_any = w_B * (M_A * t20 + M_C * W) / t33;
     if (!(end_speed > Number(0x1p-128) && end_speed < Number(0x1p+128)))
       throw std::domain_error("collapse_restitution: "
           "end_speed must be between 0x1p-128 and 0x1p+128");

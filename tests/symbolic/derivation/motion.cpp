@@ -78,7 +78,7 @@ Trio trio_after(const Vector& x, int j, bool with_places) {
 }
 /// How many collisions there are, where they end soon.
 int count_of(Trio t) {
-  while (t.N < 300) {
+  while (t.N < 10000) {
     if (t.approach() <= tiny()) return t.N;
     t.collide();
     // Seen from the ball, unless there is a wall, and by a unit that shrinks as speeds do.
@@ -196,6 +196,12 @@ cl_R function(const std::string& f, const Vector& x) {
   }
   if (f == "N_e") return count_of(trio(x));
   if (f == "N_any") return count_of(trio_from(x));
+  if (f.starts_with("any_x_")) {
+    const int j = whole(x[9]);
+    const Trio t = j == 0 ? trio_from(x) : trio_after(x, j - 1, true);
+    const std::size_t body = std::size_t(f[6] - 'A');
+    return t.place[body] + t.v[body] * (x[8] - t.time);
+  }
   if (f.starts_with("any_")) {
     const Trio t = trio_after(x, whole(x[6]), false);
     return f == "any_closing" ? t.approach() : t.v[std::size_t(f[4] - 'A')];
@@ -206,9 +212,9 @@ cl_R function(const std::string& f, const Vector& x) {
     return function("any_closing", {x[0], x[1], x[2], x[3], A, B, x[9] + later});
   }
   if (f.ends_with("_at")) {
-    const Trio t = trio_after(x, whole(x[9]), true);
-    const std::size_t body = std::size_t(f[0] - 'A');
-    return t.place[body] + t.v[body] * (x[8] - t.time);
+    Vector next = x;
+    next[9] = x[9] + 1;
+    return function(std::string("any_x_") + f[0], next);
   }
   if (f == "v_A" || f == "v_B" || f == "v_C") return trio_at(x, false).v[std::size_t(f[2] - 'A')];
   if (f == "x_A" || f == "x_B" || f == "x_C")

@@ -18,7 +18,7 @@ TEST_CASE("each theorem is true at random points that satisfy its hypotheses") {
     for (const auto& s : chapter.statements) {
       INFO(s.id << ": " << kernel::text(s.theorem));
       const net::Tried t = net::tried(s.theorem.hypotheses(), s.theorem.conclusion(), 100);
-      CHECK(t.false_at.empty());
+      CHECK(t.false_at == "");
       CHECK(t.points >= (kernel::free_variables(s.theorem.conclusion()).empty() ? 1 : 100));
     }
 }
@@ -107,9 +107,9 @@ TEST_CASE("false statements are seen") {
       {"bodies.A_at", "after_j(tau) - e", "after_j(tau) + e"},
       {"bodies.moment", "d_A*now_sine", "d_B*now_sine"},
       {"bodies.phase_e", "pi/2 - ", "pi/2 + "},
-      {"any_start.speed", "W*(r_B/(r_A", "W*(r_A/(r_B"},
+      {"any_start.speed", "W*r_e", "W*r_A"},
       {"any_start.sine", "+ j*h_e", "- j*h_e"},
-      {"any_start.goes_on", "any_A_(j + 1)", "any_A_(j + 2)"},
+      {"any_start.goes_on", "any_x_A_(j + 1)", "any_x_A_(j + 2)"},
       {"any_start.later", "- W*d_A", "+ W*d_A"},
       {"any_start.rises", "(j + 1)*r", "(j + 3)*r"},
       {"any_start.time_left", "pow_(j + 1)", "pow_j"},
