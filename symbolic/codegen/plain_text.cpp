@@ -68,7 +68,7 @@ std::string PlainText::lines() {
   std::string text;
   for (int k = 0; k < p.size(); ++k) {
     if (!has_line(k)) continue;
-    text += "    // " + (p[k].formula.empty() ? "shared by lines below" : p[k].formula) + "\n";
+    if (!p[k].formula.empty()) text += "    // " + p[k].formula + "\n";
     text += "    const Number " + p[k].name + " = " + right_side(k) + ";\n";
   }
   return text;

@@ -54,9 +54,7 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
     const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
-    // shared by lines below
     const Number t5 = Number(1) + alpha;
-    // shared by lines below
     const Number t6 = t5 * T_at_n.second;
     // b_before_n = V_CM*(1 - 2*T_(2*n) + (1 + alpha)*T_(2*n + 1))
     const Number b_before = V_CM * (Number(1) - Number(2) * T_at_n.first + t6);
@@ -64,7 +62,6 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
     const Number a = V_CM * (Number(1) + t5 * T_at_n.first);
     // b_n = V_CM*(1 - (1 + alpha)*T_(2*n + 1))
     const Number b = V_CM * (Number(1) - t6);
-    // shared by lines below
     const Number t13 = Number(1) - a;
     // c_n = (1 - a_n - b_before_n)/alpha
     const Number c = (t13 - b_before) / alpha;
@@ -92,7 +89,6 @@ TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std:
     const std::pair<Number, Number> T_at_N_B = T_doubled(alpha, N_B);
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
-    // shared by lines below
     const Number t2 = Number(1) + alpha;
     // a_t = V_CM*(1 + (1 + alpha)*T_(2*N_A))
     const Number a_t = V_CM * (Number(1) + t2 * T_at_N_A.first);
@@ -119,7 +115,6 @@ template <class Number>
 ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e) {
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
-  // shared by lines below
   const Number t1 = Number(1) + e;
   // K = (1 + e)^2*M_A/(4*e*(M_A + M_C)*(1 + w_B*M_C))
   const Number K = t1 * t1 * M_A / e / (M_A + M_C) / (Number(1) + w_B * M_C) / Number(4);
@@ -142,19 +137,13 @@ template <class Number>
 TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number& w_B, const Number&
     e) {
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
-  // shared by lines below
   const Number t1 = Number(1) + e;
-  // shared by lines below
   const Number t2 = t1 * t1;
-  // shared by lines below
   const Number t4 = Number(1) + M_C;
-  // shared by lines below
   const Number t6 = w_B * M_C;
-  // shared by lines below
   const Number t7 = Number(1) + t6;
   // taken_two = (1 + e)^2*M_C/((1 + M_C)*(1 + w_B*M_C))
   const Number taken_two = t2 * M_C / t4 / t7;
-  // shared by lines below
   const Number t9 = t4 * t7;
   // ends = 4*e*((1 + M_C)*(1 + w_B*M_C)) - (1 + e)^2
   const Number ends = Number(4) * e * t9 - t2;

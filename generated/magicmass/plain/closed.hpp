@@ -26,19 +26,16 @@ VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) 
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+20) && n >= 0 && n <= 1125899906842624) {
-    // shared by lines below
     const Number t1 = Number(2) + alpha;
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
     const Number psi = Number(2) * atan(sqrt(alpha * t1));
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / t1;
-    // shared by lines below
     const Number t8 = cos(psi / Number(2));
     // a_n = V_CM*(1 + cos(n*psi)/cos(psi/2))
     const Number a = V_CM * (Number(1) + cos(Number(n) * psi) / t8);
     // b_n = V_CM*(1 - cos((n + 1/2)*psi)/cos(psi/2))
     const Number b = V_CM * (Number(1) - cos((Number(n) + Number(1) / Number(2)) * psi) / t8);
-    // shared by lines below
     const Number t21 = sin(psi / Number(4));
     // c_n = V_CM*(1 + sin((n - 1/4)*psi)/sin(psi/4))
     const Number c = V_CM * (Number(1) + sin((Number(n) - Number(1) / Number(4)) * psi) / t21);
@@ -66,17 +63,14 @@ TerminalClosed<Number> terminal_closed(const Number& alpha) {
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::ceil, std::cos, std::sqrt;
   if (alpha >= Number(0x1p-40) && alpha <= Number(0x1p+20)) {
-    // shared by lines below
     const Number t1 = Number(2) + alpha;
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
     const Number psi = Number(2) * atan(sqrt(alpha * t1));
-    // shared by lines below
     const Number t5 = Number(4) * atan(Number(1)) / psi;
     // N_A = ceil(pi/psi - 1/2)
     const Number N_A = ceil(t5 - Number(1) / Number(2));
     // N_B = ceil(pi/psi - 1)
     const Number N_B = ceil(t5 - Number(1));
-    // shared by lines below
     const Number t8 = Number(1) + alpha;
     // a_t = 1*(1/(2 + alpha))*(1 + (1 + alpha)*cos(N_A*psi))
     const Number a_t = (Number(1) + t8 * cos(N_A * psi)) / t1;

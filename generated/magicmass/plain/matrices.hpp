@@ -21,12 +21,10 @@ std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    // shared by lines below
     const Number t3 = Number(1) + alpha;
     // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
     //   alpha)/(1 + alpha)]
     const Number Gamma_11 = (Number(1) - alpha) / t3;
-    // shared by lines below
     const Number Gamma_12 = Number(2) * sqrt(alpha) / t3;
     return {{{Gamma_11, Number(0), Gamma_12}, {Number(0), Number(1), Number(0)}, {Gamma_12,
         Number(0), -Gamma_11}}};
@@ -41,12 +39,10 @@ std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    // shared by lines below
     const Number t3 = Number(1) + alpha;
     // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
     //   alpha)/(1 + alpha)]
     const Number Gamma_11 = (Number(1) - alpha) / t3;
-    // shared by lines below
     const Number Gamma_12 = Number(2) * sqrt(alpha) / t3;
     return {{{Number(1), Number(0), Number(0)}, {Number(0), Gamma_11, Gamma_12}, {Number(0),
         Gamma_12, -Gamma_11}}};
@@ -61,21 +57,15 @@ std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    // shared by lines below
     const Number t2 = Number(1) - alpha;
-    // shared by lines below
     const Number t3 = Number(1) + alpha;
     // Lambda = [(1 - alpha)/(1 + alpha), 0, 2*sqrt(alpha)/(1 + alpha); 4*alpha/(1 + alpha)^2, (1 -
     //   alpha)/(1 + alpha), -2*sqrt(alpha)*(1 - alpha)/(1 + alpha)^2; -2*sqrt(alpha)*(1 - alpha)/(1
     //   + alpha)^2, 2*sqrt(alpha)/(1 + alpha), (1 - alpha)^2/(1 + alpha)^2]
     const Number Lambda_11 = t2 / t3;
-    // shared by lines below
     const Number t5 = Number(2) * sqrt(alpha);
-    // shared by lines below
     const Number Lambda_13 = t5 / t3;
-    // shared by lines below
     const Number t7 = Number(1) / t3;
-    // shared by lines below
     const Number t8 = t7 * t7;
     return {{{Lambda_11, Number(0), Lambda_13}, {Number(4) * alpha * t8, Lambda_11, -t5 * t2 * t8},
         {-t5 * t2 * t8, Lambda_13, t2 * t2 * t8}}};
@@ -90,19 +80,14 @@ std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    // shared by lines below
     const Number t1 = sqrt(Number(2));
-    // shared by lines below
     const Number R_21 = Number(1) / t1;
     // R = [-1/sqrt(2), -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 1/sqrt(2),
     //   -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 0, 2/(sqrt(2 + alpha)*sqrt(2)),
     //   sqrt(alpha)/sqrt(2 + alpha)]
     const Number R_11 = -R_21;
-    // shared by lines below
     const Number t4 = sqrt(Number(2) + alpha);
-    // shared by lines below
     const Number R_33 = sqrt(alpha) / t4;
-    // shared by lines below
     const Number R_13 = Number(1) / t4;
     return {{{R_11, -R_33 / t1, R_13}, {R_21, -R_33 / t1, R_13}, {Number(0), Number(2) / t4 / t1,
         R_33}}};
@@ -119,7 +104,6 @@ std::array<std::array<Number, 3>, 3> lambda_3(const Number& x) {
   if (x >= Number(-0x1p+50) && x <= Number(0x1p+50)) {
     // lambda_3(x) = [cos(x), -sin(x), 0; sin(x), cos(x), 0; 0, 0, 1]
     const Number lambda_3_11 = cos(x);
-    // shared by lines below
     const Number lambda_3_21 = sin(x);
     return {{{lambda_3_11, -lambda_3_21, Number(0)}, {lambda_3_21, lambda_3_11, Number(0)},
         {Number(0), Number(0), Number(1)}}};

@@ -27,31 +27,22 @@ VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n
   static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
-    // shared by lines below
     const Number t1 = Number(2) + alpha;
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
     const Number psi = Number(2) * atan(sqrt(alpha * t1));
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / t1;
-    // shared by lines below
     const Number t5 = Number(2) * V_CM;
-    // shared by lines below
     const Number t7 = t5 * (Number(1) + alpha);
-    // shared by lines below
     const Number t9 = psi / Number(2);
-    // shared by lines below
     const Number t11 = cos((Number(n) + Number(1) / Number(2)) * t9);
-    // shared by lines below
     const Number t15 = cos((Number(n) - Number(1) / Number(2)) * t9);
     // a_n = 2*V_CM*(1 + alpha)*cos((n + 1/2)*(psi/2))*cos((n - 1/2)*(psi/2))
     const Number a = t7 * t11 * t15;
-    // shared by lines below
     const Number t21 = sin(Number(n) * t9);
     // b_n = 2*V_CM*(1 + alpha)*sin((n + 1)*(psi/2))*sin(n*(psi/2))
     const Number b = t7 * sin((Number(n) + Number(1)) * t9) * t21;
-    // shared by lines below
     const Number t22 = t5 * t21;
-    // shared by lines below
     const Number t25 = sin(psi / Number(4));
     // c_n = 2*V_CM*sin(n*(psi/2))*cos((n - 1/2)*(psi/2))/sin(psi/4)
     const Number c = t22 * t15 / t25;

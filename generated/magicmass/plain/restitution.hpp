@@ -71,7 +71,6 @@ CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B,
     const Number r_A = sqrt(M_A / (M_A + M_C));
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // shared by lines below
     const Number t7 = sqrt(e);
     // r_e = r_B/(r_A*sqrt(e))
     const Number r_e = r_B / r_A / t7;
@@ -126,23 +125,18 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
       d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32) && tau >=
       Number(0x0p+0) && tau <= Number(0x1p+32) && j >= 0 && j <= 4611686018427387904 && turn >=
       Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <= Number(0x1p+0)) {
-    // shared by lines below
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
     const Number r_A = sqrt(M_A / t1);
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // shared by lines below
     const Number t7 = sqrt(e);
     // r_e = r_B/(r_A*sqrt(e))
     const Number r_e = r_B / r_A / t7;
     // step_sine = sin(h_e)
     const Number step_sine = sin(h_e);
-    // shared by lines below
     const Number t8 = Number(1) + turn;
-    // shared by lines below
     const Number t11 = Number(1) - turn;
-    // shared by lines below
     const Number t12 = r_A / r_B;
     // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
     const Number now_side = t8 / Number(2) + t11 * t12 / Number(2);
@@ -154,11 +148,8 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     const Number now_sine = sin((Number(j) + Number(1)) * h_e);
     // later_sine_j = sin((j + 2)*h_e)
     const Number later_sine = sin((Number(j) + Number(2)) * h_e);
-    // shared by lines below
     const Number t26 = V * tau - d_A;
-    // shared by lines below
     const Number t30 = W * tau - d_B;
-    // shared by lines below
     const Number t31 = t30 * r_e;
     // before_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
     //   d_B)*r_e*last_sine_j)
@@ -166,11 +157,8 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     // after_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j +
     //   (W*tau - d_B)*r_e*now_sine_j)
     const Number after = t7 * (pow / step_sine) * later_side * (t26 * later_sine + t31 * now_sine);
-    // shared by lines below
     const Number t46 = e * before;
-    // shared by lines below
     const Number t48 = after - t46;
-    // shared by lines below
     const Number t55 = t8 * after / Number(2) - t11 * t46 / Number(2);
     // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
     //   w_B*(M_A*(after_j(tau) - e*before_j(tau)) + M_C*((1 + turn_j)*after_j(tau)/2 - (1 -
@@ -277,13 +265,11 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
       && V >= Number(0x1p-32) && V <= Number(0x1p+32) && W >= Number(-0x1p+32) && W <=
       Number(0x1p+32) && d_A >= Number(0x0p+0) && d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) &&
       d_B <= Number(0x1p+32)) {
-    // shared by lines below
     const Number t1 = M_A + M_C;
     // r_A = sqrt(M_A/(M_A + M_C))
     const Number r_A = sqrt(M_A / t1);
     // r_B = sqrt(1/(1 + w_B*M_C))
     const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // shared by lines below
     const Number t7 = sqrt(e);
     // r_e = r_B/(r_A*sqrt(e))
     const Number r_e = r_B / r_A / t7;
@@ -295,9 +281,7 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
     const Number end_speed = V + W * r_e * y_e;
     // t_any = (d_A + d_B*r_e*y_e)/end_speed
     const Number t_any = (d_A + d_B * r_e * y_e) / end_speed;
-    // shared by lines below
     const Number t20 = V + W;
-    // shared by lines below
     const Number t33 = Number(1) + w_B * t1;
     // x_any = w_B*(M_A*((V + W)*t_any - d_A - d_B) + M_C*(W*t_any - d_B))/(1 + w_B*(M_A + M_C))
     const Number x_any = w_B * (M_A * (t20 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t33;

@@ -96,7 +96,6 @@ TerminalTangent<Number> terminal_tangent(const Number& alpha) {
     const Number half_h = atan(t);
     // h = 2*half_h
     const Number h = Number(2) * half_h;
-    // shared by lines below
     const Number t4 = Number(4) * atan(Number(1)) / h / Number(2);
     // N_A = ceil(pi/(2*h) - 1/2)
     const Number N_A = ceil(t4 - Number(1) / Number(2));
