@@ -17,16 +17,6 @@ const std::vector<codegen::Quantity>& quantities() {
 }
 }  // namespace
 
-TEST_CASE("a header states licence, theorems, domain, bounds, operations and arguments") {
-  const std::string header = codegen::emit_evaluator(quantities()[1]).header;
-  for (const char* part :
-       {"// SPDX-License-Identifier: MIT", "do not edit: run `magicmass generate`", "eq:NA-ans",
-        "alpha from 0x1p-100 to 0x1.fffffffffffffp-1", "/// Theorem: N_A = ceil(",
-        "/// Operations: arctangents: 1", "rest < h/2 is tested of computed", "// half_h = atan(t)",
-        "doubt_of_sign(to_next"}) {
-    CHECK_THAT(header, ContainsSubstring(part));
-  }
-}
 TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
   static const std::regex tier("inline constexpr double (\\w+)Bounds<(\\w+)>[^{]*\\{([^}]*)\\}");
   static const std::regex constant("0x[0-9a-fp.+-]+"), power("2\\^\\S+");
@@ -57,20 +47,8 @@ TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
   }
   CHECK(constants > 100);
 }
-TEST_CASE("cases are disjoint conditions, rational theorems give exact forms, files are listed") {
-  const kernel::Expr alpha = kernel::real("alpha");
-  const kernel::Theorem product = kernel::define("swap", {alpha}, (1 + alpha) * (1 - alpha));
-  const kernel::Expr swap = product.conclusion().arg(0);
-  const kernel::Theorem sum = kernel::restate(kernel::eq(swap, 1 - alpha * alpha), product);
-  codegen::Quantity q{"swap", "none", {{alpha, {0x1p-20, 0x1p20}, {0x1p-20, 0x1p20}}}, {}};
-  q.cases = {{"below", {{"alpha", {0, 1}}}, {}, {product}, {}, {}},
-             {"above", {{"alpha", {0x1.0000000000001p0, 0x1p20}}}, {}, {sum}, {}, {}}};
-  const auto files = generate::texts({q}, {{q, "product"}});
-  const std::string header = files.at("magicmass/evaluators/swap.hpp");
-  CHECK_THAT(header, ContainsSubstring("in.alpha >= 0x1p-20 && in.alpha <= 0x1p+0"));
-  CHECK_THAT(header, ContainsSubstring("in.alpha >= 0x1.0000000000001p+0 && in.alpha <= 0x1p+20"));
-  CHECK_THAT(files.at("magicmass/plain/product.hpp"),
-             ContainsSubstring("alpha >= Number(0x1.0000000000001p+0)"));
-  CHECK_THAT(files.at("manifest.json"), ContainsSubstring("\"form\": \"product\""));
-  CHECK_THROWS_WITH(generate::texts({q, q}, {}), ContainsSubstring("two files are called"));
+TEST_CASE("two files of one name are refused") {
+  const std::vector<codegen::Quantity>& all = quantities();
+  CHECK_THROWS_WITH(generate::texts({all[1], all[1]}, {}),
+                    ContainsSubstring("two files are called"));
 }

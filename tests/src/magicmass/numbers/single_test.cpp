@@ -42,18 +42,6 @@ TEST_CASE("errors of fast: at most 3 envelopes, and 2^-50 of its body's fastest;
       CHECK(std::fabs(off) <= 0x1p-50 - 0x1p-53);  // less the oracle's rounding
   });
 }
-TEST_CASE("rational alpha up to the last cycle") {
-  Random random(23);
-  for (int row = 0; row < 300; ++row) {
-    const double q = std::ldexp(1.0, int(random() % 13));
-    const double alpha = double(1 + random() % 4096) / q;
-    const Counts counts = *count_collisions(alpha);
-    const std::int64_t n = std::int64_t(random() % std::uint64_t(std::min(counts.N_A, {64}) + 1));
-    INFO("alpha = " << alpha << ", n = " << n);
-    REQUIRE(accurate::velocities(alpha, n) == velocities_by_oracle(alpha, n));
-    REQUIRE(*accurate::terminal(alpha) == terminal_by_oracle(alpha, counts));
-  }
-}
 TEST_CASE("doubles and ties where 1 + alpha is a power of 2") {
   for (int j = 1; j <= 53; ++j) {
     const double alpha = std::ldexp(1.0, j) - 1;
