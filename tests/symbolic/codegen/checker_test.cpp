@@ -264,10 +264,6 @@ Point draw(const codegen::Quantity& q, const codegen::Case& c, const NumberType&
     if (holds) return p;
   }
 }
-std::string camel(std::string name) {
-  name[0] = char(std::toupper(name[0]));
-  return name;
-}
 /// The least printed bound over error found, by step, output or sign.
 std::map<std::string, double> margins(const codegen::Quantity& q, const codegen::Case& c,
                                       const NumberType& type, const Printed& bounds) {
@@ -330,7 +326,8 @@ TEST_CASE("the independent checker finds no printed bound too small, and sees ea
     const std::string errors = codegen::emit_evaluator(q).errors;
     for (const codegen::Case& c : q.cases) {
       for (const NumberType& type : types) {
-        const std::string heading = camel(q.name) + camel(c.name) + ", " + type.name();
+        const std::string heading =
+            codegen::capital(q.name) + codegen::capital(c.name) + ", " + type.name();
         const Printed bounds = test::bounds_in(errors, heading);
         REQUIRE_FALSE(bounds.empty());
         for (const auto& [name, margin] : margins(q, c, type, bounds)) {
