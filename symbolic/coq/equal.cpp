@@ -14,7 +14,6 @@ using kernel::Op;
 using kernel::Sort;
 
 namespace {
-bool is_matrix_equation(Expr f) { return f.op() == Op::Eq && f.arg(0).sort() == Sort::Matrix; }
 bool is_sum_or_product(Expr e) {
   return e.op() == Op::Num || e.op() == Op::Add || e.op() == Op::Mul || e.op() == Op::Pow;
 }
@@ -139,6 +138,7 @@ std::string Script::congruence(Expr e) {
   return out + "|f_equal]";
 }
 
+bool is_matrix_equation(Expr f) { return f.op() == Op::Eq && f.arg(0).sort() == Sort::Matrix; }
 Expr by_entries(Expr equation) {
   const Exprs l = kernel::entries(equation.arg(0)), r = kernel::entries(equation.arg(1));
   Exprs out;

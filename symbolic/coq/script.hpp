@@ -100,6 +100,7 @@ private:
   int serial = 0;
 };
 
-/// The equations of the entries of a matrix equation.
+bool is_matrix_equation(kernel::Expr f);
+/// The equations of its entries.
 kernel::Expr by_entries(kernel::Expr equation);
 }  // namespace coq

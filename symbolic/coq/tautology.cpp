@@ -14,9 +14,6 @@ bool is_connective(Expr f) {
   return f.op() == Op::Not || f.op() == Op::And || f.op() == Op::Or || f.op() == Op::Imp ||
          f.op() == Op::Iff;
 }
-bool is_matrix_equation(Expr f) {
-  return f.op() == Op::Eq && f.arg(0).sort() == kernel::Sort::Matrix;
-}
 /// What the kernel takes the part, or its negation where it is <=, to be.
 Expr key(Expr part) {
   if (part.op() == Op::Le) return kernel::canonical(kernel::lt(part.arg(1), part.arg(0)));

@@ -24,13 +24,12 @@ using namespace magicmass::generated;
 using cln::cl_RA;
 
 /// By the law alone: V = L = 1.
-template <class Number>
-law::ThreeBodies<Number> bodies(Number A_mass, Number per_B, Number ball, Number e) {
-  return {A_mass, per_B, ball, e, {1, 0, 0}, {0, 1, 0}};
+law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha) {
+  return {1, 1, alpha, 1, {1, 0, 0}, {0, 1, 0}};
 }
 /// a, b, c and c' after n cycles.
 std::array<cl_RA, 4> after(const cl_RA& alpha, std::int64_t n) {
-  law::ThreeBodies<cl_RA> m = bodies<cl_RA>(1, 1, alpha, 1);
+  law::ThreeBodies<cl_RA> m = bodies(alpha);
   cl_RA c = 0;
   while (m.N < 2 * n) {
     m.collide();
@@ -62,22 +61,12 @@ void check_domain(Number low, Number high, const Function& f) {
 }
 }  // namespace
 
-TEST_CASE("exact velocities are those of the collisions, for any n") {
-  for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("22/7"), cl_RA("1/1000003")}) {
-    for (int n = 0; n <= 40; ++n) {
-      const auto v = velocities_exact<cl_RA>(alpha, n);
-      CHECK(std::array{v.a, v.b, v.c, v.c_prime} == after(alpha, n));
-    }
-  }
-}
-TEST_CASE("exact terminal velocities, from the counts") {
+TEST_CASE("plain terminal velocities and counts are those of the collisions") {
   for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("1/100"), cl_RA("9/10"), cl_RA("5")}) {
-    law::ThreeBodies<cl_RA> m = bodies<cl_RA>(1, 1, alpha, 1);
+    law::ThreeBodies<cl_RA> m = bodies(alpha);
     while (m.approach() > 0) m.collide();
     const int N_A = (m.N + 1) / 2, N_B = m.N / 2;
     const auto [a, b, ball] = m.v;
-    const auto v = terminal_exact<cl_RA>(alpha, N_A, N_B);
-    CHECK((v.a_t == a && v.b_t == b && v.c_t == ball && v.rho == b * b));
     const auto closed = terminal_closed<double>(near(alpha));
     const auto tangent = terminal_tangent<double>(near(alpha));
     CHECK((closed.N_A == double(N_A) && closed.N_B == double(N_B)));

@@ -76,15 +76,6 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     CHECK(headers.count(path) == 1);
   }
 }
-TEST_CASE("its evaluators are those that the checker and the tests of emission go through") {
-  json listed, ours;
-  for (const json& entry : json::parse(read(fs::path(GENERATED) / "manifest.json")))
-    if (entry.at("form") == "evaluator") listed[entry.at("name")] = entry.at("outputs");
-  generate::Source source;
-  for (const codegen::Quantity& q : generate::evaluators(source))
-    for (const codegen::Output& o : codegen::outputs_of(q.cases[0])) ours[q.name].push_back(o.name);
-  CHECK(listed == ours);
-}
 TEST_CASE("a header of wanted outputs has those, and pays for nothing else") {
   const std::string psi = generate::selected("closed", {"psi"});
   CHECK_THAT(psi, ContainsSubstring("angle_closed("));

@@ -11,7 +11,6 @@
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/numbers/kernels.hpp"
 #include "magicmass/numbers/ziv.hpp"
-#include "src/magicmass/numbers/by_formulas.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
 
@@ -98,24 +97,6 @@ TEST_CASE("no kernel answers past the last cycle") {
       }
     }
   }
-}
-TEST_CASE("the long run's formulas are the oracle's numbers, or say that they are not certain") {
-  Random random(53);
-  int certain = 0;
-  for (int row = 0; row < 200; ++row) {
-    const double alpha = log_uniform(random, 1e-25, 1000);
-    const std::int64_t n = std::max(some_cycle(random, alpha), std::int64_t{1});
-    INFO("alpha = " << in_hex(alpha) << ", n = " << n);
-    if (const auto v = velocities_by_formulas(alpha, n)) {
-      ++certain;
-      REQUIRE(*v == velocities_by_oracle(alpha, n));
-    }
-    if (const auto t = terminal_by_formulas(alpha)) {
-      REQUIRE(*t == terminal_by_oracle(alpha, *counts_by_oracle(alpha)));
-    }
-  }
-  CHECK(certain > 190);
-  CHECK_FALSE(velocities_by_formulas(1, 1));  // a_1 = 0
 }
 TEST_CASE("errors in units in the last place are seen") {
   const Velocities v = accurate::velocities(0.01, 3);
