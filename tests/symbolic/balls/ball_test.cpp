@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Balls hold what is exact, and roundings are given only where they are certain; a + b sqrt(d) is
-// computed with.
+// Balls hold what is exact, and roundings are given only where they are certain.
 #include "balls/ball.hpp"
 
-#include <random>
-
-#include "balls/quadratic.hpp"
 #include "catch.hpp"
 
 using namespace balls;
@@ -69,28 +65,4 @@ TEST_CASE("nearest doubles and decimals, at their edges") {
   CHECK_FALSE(decimal(cl_RA(124) / 1000, cl_RA(126) / 1000, 2).has_value());
   CHECK_FALSE(decimal(cl_RA(-1) / 10, cl_RA(1) / 10, 2).has_value());
   CHECK(decimal(0, 0, 5) == "0");
-}
-
-TEST_CASE("the quadratic field against doubles", "[check]") {
-  std::mt19937_64 random(8);
-  const Quadratic root = Quadratic::sqrt(5);
-  const auto number = [&] {
-    const auto part = [&] { return cln::cl_RA(static_cast<long>(random() % 41) - 20) / 7; };
-    return Quadratic(part()) + Quadratic(part()) * root;
-  };
-  const auto close = [](const Quadratic& x, double expected) {
-    CHECK_THAT(x.to_double().value(), WithinAbs(expected, 1e-11));
-  };
-  for (int i = 0; i < 300; ++i) {
-    const Quadratic x = number(), y = number();
-    const double a = *x.to_double(), b = *y.to_double();
-    close(x + y, a + b);
-    close(x - y, a - b);
-    close(x * y, a * b);
-    CHECK((x < y) == (a < b));
-    CHECK((x == y) == (a == b));
-    if (b == 0) continue;
-    close(x / y, a / b);
-    CHECK(x / y * y == x);
-  }
 }
