@@ -240,22 +240,15 @@ private:
 bool is_function(Expr e, const char* name) { return e.op() == Op::Fun && e.name() == name; }
 
 std::optional<cln::cl_RA> multiple_of_pi(Expr e) {
-  if (e == kernel::pi()) return cln::cl_RA(1);
-  if (notation::rational_value(e) == cln::cl_RA(0)) return cln::cl_RA(0);
-  if (e.op() != Op::Add && e.op() != Op::Mul) return {};
-  cln::cl_RA total = 0;
-  cln::cl_RA factor = 1;
-  int pis = 0;
-  for (Expr arg : e.args()) {
-    const auto number = e.op() == Op::Mul ? notation::rational_value(arg) : std::nullopt;
-    const auto part = number ? number : multiple_of_pi(arg);
-    if (!part) return {};
-    total = total + *part;
-    factor = factor * *part;
-    pis += number ? 0 : 1;
+  try {
+    const kernel::Polynomial p = kernel::polynomial(e);
+    if (p.empty()) return cln::cl_RA(0);
+    const bool is_multiple =
+        p.size() == 1 && p.begin()->first == kernel::Monomial{{kernel::pi(), 1}};
+    return is_multiple ? std::optional(p.begin()->second) : std::nullopt;
+  } catch (const kernel::Refused&) {  // too long
+    return {};
   }
-  if (e.op() == Op::Add) return total;
-  return pis == 1 ? std::optional(factor) : std::nullopt;
 }
 
 std::optional<cln::cl_RA> near_fraction(const cln::cl_RA& value, int largest_denominator) {
