@@ -51,12 +51,8 @@ Judgement mistake(const Exercise& exercise,
                   const std::function<bool(const std::string& answer)>& was_given,
                   const std::string& otherwise);
 
-inline const std::string happens = "Right: this is what happens.";
-Judgement judge_choice(const Exercise& exercise, const std::string& typed);
 /// Also says how the typed text was read.
 Judgement judge_derivation(const Exercise& exercise, const std::string& typed, Texts& notes);
 Judgement judge_code(const Exercise& exercise, const std::string& code, const Run& run);
-/// The letter of the right one of the choices.
-char right_choice(const Exercise& exercise);
 
 }  // namespace learn

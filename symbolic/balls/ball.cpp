@@ -11,9 +11,6 @@ namespace {
 using cln::cl_I;
 using cln::cl_RA;
 
-/// The integer nearest to q, ties to even.
-cl_I rounded(const cl_RA& q) { return cln::round1(q); }
-
 /// q scaled by 2^e.
 cl_RA scaled(const cl_RA& q, int e) {
   return e >= 0 ? q * cln::ash(cl_I(1), e) : q / cln::ash(cl_I(1), -e);
@@ -28,7 +25,7 @@ double nearest(const cl_RA& q) {
   if (q == 0) return 0;
   const cl_RA size = cln::abs(q);
   const int e = std::max(exponent_of(size), -1022) - 52;
-  const cl_I whole = rounded(scaled(size, -e));  // at most 2^53
+  const cl_I whole = cln::round1(scaled(size, -e));  // at most 2^53, ties to even
   const double value = std::ldexp(cln::double_approx(whole), e);
   return q < 0 ? -value : value;
 }
@@ -175,8 +172,8 @@ std::optional<std::string> decimal(const cl_RA& low, const cl_RA& high, int digi
   while (power(p + 1) <= small) ++p;
   while (power(p) > small) --p;
   const cl_RA scale = power(digits - 1 - p);
-  cl_I whole = rounded(small * scale);
-  if (whole != rounded(large * scale)) return {};
+  cl_I whole = cln::round1(small * scale);
+  if (whole != cln::round1(large * scale)) return {};
   std::string text = kernel::digits(whole);
   if (static_cast<int>(text.size()) > digits) {  // 9.99... became 10.0
     text.pop_back();
