@@ -5,7 +5,6 @@
 #include <span>
 
 #include "answers/errors.hpp"
-#include "learn/form.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {

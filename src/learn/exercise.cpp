@@ -6,7 +6,7 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "learn/form.hpp"
+#include "learn/terms.hpp"
 #include "magicmass/scenes/keys.hpp"
 
 namespace learn {

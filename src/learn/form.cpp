@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "learn/form.hpp"
-
+// The form in which an expression is written: factored, one fraction, and so on.
 #include <algorithm>
 #include <functional>
 #include <set>
 
 #include "equality/normal_form.hpp"
+#include "learn/terms.hpp"
 
 namespace learn {
 namespace {
 
-using kernel::Expr;
 using kernel::Op;
 
 bool is_angle_function(Expr e) {

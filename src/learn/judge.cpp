@@ -5,7 +5,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "learn/form.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {

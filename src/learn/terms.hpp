@@ -46,6 +46,15 @@ private:
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
+/// The forms that an exercise may ask for.
+Texts forms();
+/// What a typed term lacks of a form: the part that has no place in it; why: " is a difference".
+struct Lack {
+  Expr part;
+  std::string why;
+};
+std::optional<Lack> lacking(const std::string& form, Expr typed, const equality::Domain& domain);
+
 /// Wrong, with the feedback of the first misconception that has an answer that was given.
 Judgement mistake(const Exercise& exercise,
                   const std::function<bool(const std::string& answer)>& was_given,

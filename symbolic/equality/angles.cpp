@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "equality/angles.hpp"
-
+// Inverse angles: 2 atan(x) and asin(2x/(1 + x^2)) are one angle up to whole turns, which one point
+// decides.
 #include <algorithm>
 
 #include "equality/atoms.hpp"

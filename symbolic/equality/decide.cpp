@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "algebra/equations.hpp"
-#include "equality/angles.hpp"
 #include "equality/atoms.hpp"
 #include "equality/normal_form.hpp"
 #include "kernel/print.hpp"

@@ -137,4 +137,11 @@ bool is_zero_constant(Expr constant);
 /// The factors of a polynomial in its atoms, as GiNaC finds them, multiplied out again for a check.
 /// Throws TooLarge.
 std::vector<std::pair<kernel::Polynomial, int>> factorized(const kernel::Polynomial& p);
+
+/// left - right, a sum of multiples of inverse angles and of pi, is 0: a multiple of it is a whole
+/// number of turns in normal form, both sides are continuous all over the domain, which is
+/// connected, and the difference is small at a point of `common`.
+bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common);
+/// `right` with its inverse angles as multiples of those of `left`, where that is proved.
+Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common);
 }  // namespace equality
