@@ -21,16 +21,3 @@ TEST_CASE("a proof that fails is counted, and said beside the counts") {
   CHECK((row[0].text == "1" && row[1].text == "1" && row[2].text == "1"));
   CHECK_FALSE(verified(shown, "").check_failed);
 }
-TEST_CASE("a step names the shown theorems that it was made from, --from adds theirs") {
-  Request request;
-  request.format = "json";
-  request.words = {"wedge.takes_place"};
-  const Table one = derive(request).table;
-  REQUIRE(one.rows.size() == 1);
-  CHECK_THAT(one.rows[0][5].text, ContainsSubstring("wedge.speed"));
-  CHECK(one.rows[0][4].text == "tautology");
-  request.options["from"] = "wedge.takes_place";
-  const Table all = derive(request).table;
-  CHECK(all.rows.size() > 10);
-  CHECK(all.rows[0][0].text == "cycle.turn");
-}

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <map>
-#include <set>
 
 #include "answers/motion.hpp"
 #include "catch.hpp"
@@ -30,18 +29,6 @@ double least_distance(const Row& row, std::size_t first) {
 }
 
 }  // namespace
-
-TEST_CASE("Every figure has a name of its own, and full rows") {
-  std::set<std::string> names;
-  for (const Figure& figure : figures()) {
-    INFO(figure.name);
-    CHECK(names.insert(figure.name).second);
-    const Table table = figure.data();
-    CHECK(table.rows.size() >= 3);
-    for (const Row& row : table.rows) REQUIRE(row.size() == table.columns.size());
-  }
-  CHECK(names.size() == 10);
-}
 
 TEST_CASE("Less is transmitted where more energy is lost, nothing shown where it never ends") {
   int of_collapses = 0, of_ones = 0;

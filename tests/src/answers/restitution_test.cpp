@@ -137,10 +137,3 @@ TEST_CASE("a fraction halfway between two decimals, or doubles, is rounded to th
   request.options = {{"alpha", "1"}, {"restitution", "1/4"}, {"digits", "8"}};
   CHECK(ends(answers::terminal) == " 1 1/4 2 1 0.28710938 0.39062500 0.32226562 0.15258789 ");
 }
-TEST_CASE("restitution 1 is the paper's, and what is no restitution is refused") {
-  CHECK(asked("0.1", "1")[8].json == "null");
-  CHECK(asked("0.1", "1")[5].text == asked("0.1", "0.9999999999999999999")[5].text);
-  CHECK_THROWS_AS(asked("0.1", "1.5"), InvalidInput);
-  CHECK_THROWS_AS(asked("0.1", "magic:2"), InvalidInput);
-  CHECK_THROWS_AS(asked("0.1", "0"), InvalidInput);
-}

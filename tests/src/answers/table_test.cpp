@@ -4,49 +4,11 @@
 
 #include <chrono>
 #include <limits>
-#include <utility>
 
-#include "answers/errors.hpp"
-#include "answers/request.hpp"
 #include "answers/shown_text.hpp"
 #include "catch.hpp"
 
 using namespace answers;
-
-namespace {
-
-Table small() {
-  return {{"alpha", "N_A", "a"},
-          {{text_cell("1/7"), whole_cell(3), real_cell(0.1)},
-           {text_cell("x,\"y\""), whole_cell("123456789012345678901234567890"), missing_cell()}}};
-}
-
-}  // namespace
-
-TEST_CASE("a list in the three formats", "[exam]") {
-  CHECK(written(small(), Format::csv) ==
-        "alpha,N_A,a\n1/7,3,0.1\n\"x,\"\"y\"\"\",123456789012345678901234567890,\n");
-  CHECK(written(small(), Format::json) ==
-        "[\n{\"alpha\": \"1/7\", \"N_A\": 3, \"a\": 0.1},\n"
-        "{\"alpha\": \"x,\\\"y\\\"\", \"N_A\": 123456789012345678901234567890, \"a\": null}\n]\n");
-  CHECK(written(small(), Format::text) ==
-        "alpha  N_A                             a\n"
-        "1/7    3                               0.1\n"
-        "x,\"y\"  123456789012345678901234567890  -\n");
-}
-
-TEST_CASE("one row that is the answer, and no row at all", "[exam]") {
-  Table table = small();
-  table.rows.pop_back();
-  table.is_list = false;
-  CHECK(written(table, Format::json) == "{\"alpha\": \"1/7\", \"N_A\": 3, \"a\": 0.1}\n");
-  CHECK(written(table, Format::text) == "alpha  1/7\nN_A    3\na      0.1\n");
-  table.rows.clear();
-  table.is_list = true;
-  CHECK(written(table, Format::json) == "[]\n");
-  CHECK(written(table, Format::csv) == "alpha,N_A,a\n");
-  CHECK(written(table, Format::text) == "alpha  N_A  a\n");
-}
 
 TEST_CASE("a table of 80 columns is a table, one of 81 becomes blocks", "[exam]") {
   Table table{{"a", "b"}, {}};
@@ -75,19 +37,6 @@ TEST_CASE("a cell of a million numbers is wrapped in linear time", "[check]") {
   CHECK(lines == 1'000'000 / 11);  // all but the last
 }
 
-TEST_CASE("blocks are what the whole is", "[check]") {
-  const Table table = small();
-  for (const Format format : {Format::json, Format::csv}) {
-    Writer writer(format, table.columns, true);
-    std::string text;
-    for (const Row& row : table.rows) text += writer.rows({&row, 1});
-    CHECK(text + writer.end() == written(table, format));
-  }
-  Writer text(Format::text, table.columns, true);
-  CHECK(text.rows({table.rows.data(), 1}) == "alpha  N_A  a\n1/7    3    0.1\n");
-  CHECK(text.rows({table.rows.data(), 1}) == "1/7    3    0.1\n");
-}
-
 TEST_CASE("columns stay apart where a later block is wider than the first", "[exam]") {
   Writer writer(Format::text, {"k", "n"}, true);
   writer.rows(std::vector<Row>{{whole_cell(1), whole_cell(2)}});
@@ -109,20 +58,4 @@ TEST_CASE("cells", "[exam]") {
   CHECK(shown_text("a\x1b[2J\xff", 10) == "a\\x1b[2J\\xff");
   CHECK(shown_text("abcdef", 5) == "abcde...");
   CHECK(shown_text("") == "(nothing)");
-}
-
-TEST_CASE("whole numbers are decimal digits in a range", "[exam]") {
-  Request request;
-  CHECK_FALSE(request.whole("n", 0, 9));
-  for (const auto& [good, value] : {std::pair{"0", 0}, {"9", 9}, {"007", 7}}) {
-    request.options["n"] = good;
-    CHECK(request.whole("n", 0, 9) == value);
-  }
-  for (const char* const bad :
-       {"", "-1", "10", "+1", " 1", "1 ", "0x1", "1e0", "1.0", "99999999999999999999"}) {
-    request.options["n"] = bad;
-    CHECK_THROWS_AS(request.whole("n", 0, 9), InvalidInput);
-  }
-  CHECK_THROWS_WITH(request.whole("n", 0, 9),
-                    "n must be a whole number from 0 to 9, got 99999999999999999999");
 }

@@ -80,12 +80,6 @@ TEST_CASE("Three ulp planted in one family are found there alone", "[check]") {
   }
 }
 
-TEST_CASE("Two runs agree on all errors", "[check]") {
-  const std::vector<Measurement> again = measure(errors_alone());
-  REQUIRE(again.size() == all().size());
-  for (std::size_t i = 0; i < again.size(); ++i) CHECK(again[i].errors == all()[i].errors);
-}
-
 TEST_CASE("A zero, a sign, a NaN and a count", "[exam]") {
   const Input one{1, 1};
   const Truth exact = truth(Quantity::velocities, one);  // 0, 1, 1, 0

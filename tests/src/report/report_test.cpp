@@ -79,15 +79,6 @@ TEST_CASE("The text fits 80 columns, and Markdown has its tables", "[check]") {
   CHECK(markdown.find("\n## velocities, everyday: alpha from 1e-6 to 10\n") != std::string::npos);
 }
 
-TEST_CASE("What is asked for alone must be there", "[exam]") {
-  answers::Request request;
-  request.options["only"] = "nothing";
-  CHECK_THROWS_WITH(
-      report::report(request),
-      Catch::Matchers::StartsWith("report: no quantity, family or evaluator nothing; "
-                                  "allowed: velocities, collisions, terminal, counts, "));
-}
-
 TEST_CASE("The figure of errors: accurate below half an ulp, and every threshold", "[check]") {
   REQUIRE(figures().size() == 2);
   const answers::Table table = figures()[1].data();

@@ -182,21 +182,6 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
   }
 }
 
-TEST_CASE("rows that are found without all collisions before them are the same", "[exam]") {
-  Scene some = scene_of("kind = 'wall'\nmass_ratio = '100^3'");
-  const std::vector<Row> rows = rows_of(some);
-  for (const std::int64_t step : {7, 100}) {
-    some.every = step;
-    std::int64_t count = 0;
-    for (const Row& row : rows_of(some)) {
-      count += step;
-      REQUIRE(row.number == count);
-      REQUIRE(numbers(row) == numbers(rows[std::size_t(count) - 1]));
-    }
-    CHECK(count == 3141 / step * step);
-  }
-}
-
 TEST_CASE("a chain from keys is laid out", "[exam]") {
   const auto line = [](const std::string& text) {
     return line_of<double>(scene_of("kind = 'chain'\n" + text));
