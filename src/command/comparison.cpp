@@ -13,13 +13,9 @@ namespace {
 
 using answers::answer_to;
 
-struct PaperNumber {
-  std::string label, number, printed, question, column, reason;
-};
-
-PaperNumber paper_number(const std::string& line) {
+Comparison paper_number(const std::string& line) {
   std::istringstream fields(line);
-  PaperNumber row;
+  Comparison row;
   for (std::string* field : {&row.label, &row.number, &row.printed, &row.question, &row.column})
     std::getline(fields, *field, ',');
   if (!fields) throw std::runtime_error("six fields are allowed");
@@ -45,34 +41,33 @@ bool agree(const std::string& printed, const std::string& ours) {
 }
 
 /// Why a number of the paper differs; "" where the reason given is none or does not hold.
-std::string explanation(const PaperNumber& row, const std::string& ours) {
+std::string explanation(const Comparison& row) {
   const auto with_three_decimals = [&] {
     return answer_to(row.question + " --decimals 3").at(row.column);
   };
   if (row.reason == "cut off" &&
-      with_decimals(ours, decimals(row.printed) + 6).starts_with(row.printed))
+      with_decimals(row.ours, decimals(row.printed) + 6).starts_with(row.printed))
     return "The digits printed are cut off; those of the other rows are rounded.";
   if (row.reason == "rounded extremum" && agree(row.printed, with_three_decimals()))
     return "The paper's shift is that of the extremum rounded to three decimals.";
   return "";
 }
 
-Comparison compared(const PaperNumber& row) {
+Comparison compared(Comparison row) {
   const auto cells = answer_to(row.question);
   const auto ours = cells.find(row.column);
   if (ours == cells.end()) throw std::runtime_error("no column " + row.column);
+  row.ours = ours->second;
   const auto other = cells.find(row.printed);  // b_t, which is c_t
-  Comparison result{row.label, row.number, row.printed, ours->second, false, ""};
-  result.agrees =
-      other != cells.end() ? other->second == ours->second : agree(row.printed, ours->second);
-  if (result.agrees && row.reason.empty()) return result;
-  const std::string why = explanation(row, ours->second);
-  result.is_fine = !result.agrees && !why.empty();
-  result.reason = result.agrees        ? "It agrees: no reason is needed."
-                  : row.reason.empty() ? "Nobody knows why: one of the two is wrong."
-                  : result.is_fine     ? why
-                                       : "The reason given does not hold: " + row.reason + ".";
-  return result;
+  row.agrees = other != cells.end() ? other->second == row.ours : agree(row.printed, row.ours);
+  if (row.agrees && row.reason.empty()) return row;
+  const std::string why = explanation(row);
+  row.is_fine = !row.agrees && !why.empty();
+  row.reason = row.agrees           ? "It agrees: no reason is needed."
+               : row.reason.empty() ? "Nobody knows why: one of the two is wrong."
+               : row.is_fine        ? why
+                                    : "The reason given does not hold: " + row.reason + ".";
+  return row;
 }
 
 }  // namespace

@@ -11,13 +11,15 @@
 namespace command {
 
 struct Comparison {
-  std::string label;    ///< of the equation, table or figure in the paper
-  std::string number;   ///< what it is
-  std::string printed;  ///< there
-  std::string ours;     ///< all digits that are worth something
-  bool agrees = false;  ///< decimals to the digits printed; all else exactly
-  std::string reason;   ///< why not, in words
-  bool is_fine = true;  ///< agrees, or differs for a reason that holds
+  std::string label;     ///< of the equation, table or figure in the paper
+  std::string number;    ///< what it is
+  std::string printed;   ///< there
+  std::string question;  ///< that we answer
+  std::string column;    ///< of the answer
+  std::string reason;    ///< why it differs, in words
+  std::string ours;      ///< all digits that are worth something
+  bool agrees = false;   ///< decimals to the digits printed; all else exactly
+  bool is_fine = true;   ///< agrees, or differs for a reason that holds
 };
 
 /// The rows of paper_numbers.csv, each with the answer to its question. Throws std::runtime_error,

@@ -3,7 +3,6 @@
 #include "command/destination.hpp"
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <system_error>
 
@@ -13,6 +12,7 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
+#include "answers/request.hpp"
 #include "answers/shown_text.hpp"
 
 namespace command {
@@ -25,13 +25,10 @@ constexpr std::size_t buffer_size = std::size_t{1} << 16U;
 int named_descriptor(const std::string& path) {
   if (path.empty() || path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
-  for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"}) {
-    int number = 0;
-    char rest = 0;
-    if (path.starts_with(folder) && path.size() <= folder.size() + 4 &&
-        std::sscanf(path.c_str() + folder.size(), "%d%c", &number, &rest) == 1)
-      return number;
-  }
+  for (const std::string folder : {"/dev/fd/", "/proc/self/fd/"})
+    if (path.starts_with(folder) && path.size() <= folder.size() + 4)
+      if (const auto number = answers::read_whole(path.substr(folder.size())))
+        return static_cast<int>(*number);
   return -1;
 }
 

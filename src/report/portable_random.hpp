@@ -3,12 +3,8 @@
 #pragma once
 
 #include <bit>
-#include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <random>
-#include <utility>
-#include <vector>
 
 namespace report {
 
@@ -35,13 +31,6 @@ public:
   double among(double low, double high) {
     return std::bit_cast<double>(
         whole(std::bit_cast<std::int64_t>(low), std::bit_cast<std::int64_t>(high)));
-  }
-  /// 0 ... size - 1 in random order.
-  std::vector<std::size_t> order(std::size_t size) {
-    std::vector<std::size_t> all(size);
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    for (std::size_t left = size; left > 1; --left) std::swap(all[left - 1], all[engine_() % left]);
-    return all;
   }
 
 private:

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-
-#include "report/portable_random.hpp"
+#include <numeric>
+#include <random>
 
 namespace report {
 namespace {
@@ -35,11 +35,16 @@ std::vector<Times> timed(const std::vector<Pair>& pairs, const Rounds& rounds) {
   for (const Pair& pair : pairs)
     seen.push_back({{long_enough(pair.naive, rounds.shortest_ns),
                      long_enough(pair.ours, rounds.shortest_ns)}});
-  PortableRandom random(1);
+  std::mt19937_64 random(1);
+  std::array<std::size_t, 2> sides{0, 1};  // naive, ours
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
   for (std::size_t round = 0; round < rounds.count; ++round) {
-    for (const std::size_t i : random.order(pairs.size())) {
+    std::ranges::shuffle(order, random);
+    for (const std::size_t i : order) {
       std::array<double, 2> ns{};
-      for (const std::size_t which : random.order(2)) {
+      std::ranges::shuffle(sides, random);
+      for (const std::size_t which : sides) {
         const auto& work = which == 0 ? pairs[i].naive : pairs[i].ours;
         work();
         ns[which] = nanoseconds(work, seen[i].repetitions[which]) /

@@ -49,16 +49,6 @@ TEST_CASE("velocities are the doubles nearest to the oracle's") {
   }
 }
 
-TEST_CASE("certified digits, the roundings of one number at several lengths") {
-  const notation::Alpha alpha = alpha_of("magic:2");
-  const auto digits = [](const notation::Alpha& of, int cell, int many) {
-    return rounded([&] { return velocities(of, 1); }, many)[std::size_t(cell)].text;
-  };
-  CHECK(digits(alpha, 0, 3) == "0.618");
-  CHECK(digits(alpha, 0, 20) == "0.61803398874989484820");
-  CHECK(digits(alpha_of("1e-30"), 3, 5) == "-2.0000");
-}
-
 TEST_CASE("what no digits can show is undecided, never a guess") {
   // a_2 = 0 at magic:2 by theorem; without it no precision tells 0.
   const notation::Alpha alpha = alpha_of("magic:2");

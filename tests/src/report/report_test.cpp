@@ -38,16 +38,6 @@ TEST_CASE("Every pair is called in every round, naive as often as ours", "[check
   for (const Times& one : times) CHECK((one.ratio_low <= one.ratio && one.ratio <= one.ratio_high));
 }
 
-TEST_CASE("A table of 14 columns, a row for each implementation", "[check]") {
-  const answers::Table table = table_of(measured(), {});
-  CHECK(table.columns.size() == 14);
-  CHECK(table.rows.size() == implementations().size());
-  for (const answers::Row& row : table.rows) {
-    CHECK(row.size() == 14);
-    CHECK(row[10].json != "null");
-  }
-}
-
 TEST_CASE("Each form that the manifest has of a quantity is measured", "[exam]") {
   const std::map<std::string, std::string> ours{{"collision", "collisions"},
                                                 {"magic", "ratios"},

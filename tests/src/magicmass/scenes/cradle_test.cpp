@@ -181,17 +181,3 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
     }
   }
 }
-
-TEST_CASE("a chain from keys is laid out", "[exam]") {
-  const auto line = [](const std::string& text) {
-    return line_of<double>(scene_of("kind = 'chain'\n" + text));
-  };
-  const auto both = line("blocks = 3\nballs = [0.5, 0.25]\nL = 2\ngap = 3\nV = 5\nwalls = 'both'");
-  CHECK(both.masses == std::vector<double>{1, 0.5, 1, 0.25, 1});
-  CHECK(both.positions == std::vector<double>{0, 3, 5, 8, 10});
-  CHECK(both.velocities == std::vector<double>{5, 0, 0, 0, 0});
-  CHECK((both.left_wall == -3 && both.right_wall == 13));
-  const auto ends_in_a_ball = line("masses = [1, 2]\nL = 2\ngap = 3\nwalls = 'right'");
-  CHECK((!ends_in_a_ball.left_wall && ends_in_a_ball.right_wall == 5));
-  CHECK(line("blocks = 1").positions == std::vector<double>{0});
-}
