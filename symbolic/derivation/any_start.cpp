@@ -4,13 +4,13 @@
 
 namespace derivation {
 namespace {
-const Expr t = real("tau");
 Expr U(Expr i) { return chebyshev(i, kappa()); }
 Expr U_last(Expr i) { return fun("U_last", {kappa(), i}); }
 Expr approach_of(Expr i) { return any_start.closing(i); }
 Expr swing(Expr i) { return V * U(i) + W * r_e() * U_last(i); }
 /// Where kappa is below 1: how many collisions there are.
 void number(Book& book) {
+  const Known here;
   Exprs domain = of_wedge({lt(0, e), lt(kappa(), 1), V_positive});
   know(both(assumed({domain[4], V_positive})));
   const Theorem cosine = turned(book["wedge.cosine"]);
@@ -48,14 +48,14 @@ void number(Book& book) {
 Theorem of(Expr of_A, Expr of_B, const Theorem& theorem) {
   return at(theorem, {{V, of_A}, {W, of_B}});
 }
-/// V t - d_A and W t - d_B, of which the velocities are places.
+/// V tau - d_A and W tau - d_B, of which the velocities are places.
 Theorem on_the_line(Expr when, const Theorem& theorem) {
   return of(V * when - d_A, W * when - d_B, theorem);
 }
-/// That V and W are times t those, less those for d_A and d_B.
+/// That a term at the line's speeds is tau times that of V and W, less that of d_A and d_B.
 Expr is_linear(Expr term) {
   const auto with = [&](Expr A, Expr B) { return substitute(term, {{V, A}, {W, B}}); };
-  return eq(with(V * t - d_A, W * t - d_B), t * term - with(d_A, d_B));
+  return eq(with(V * tau - d_A, W * tau - d_B), tau * term - with(d_A, d_B));
 }
 /// The places, which are velocities for other speeds at the start; a line for each j.
 struct Lines {
@@ -65,23 +65,24 @@ struct Lines {
   /// A statement about velocities at what V and W are at the time, about places.
   Theorem in_places(Theorem theorem, Expr time) const {
     for (const Theorem& is : named)
-      for (Expr i : {j, j + 1}) theorem = rewrite(turned(at(is, {{t, time}, {j, i}})), theorem);
+      for (Expr i : {j, j + 1}) theorem = rewrite(turned(at(is, {{tau, time}, {j, i}})), theorem);
     return theorem;
   }
 };
 /// The motion as one straight line, which each collision turns.
 void line(Book& book) {
+  const Known here;
   Lines lines;
   Exprs& sequences = lines.velocities;
   for (const std::string body : {"A", "B", "C"}) {
     sequences.push_back(any_start.velocity(body, j));
     Exprs params = any_start.params;
-    for (Expr p : {d_A, d_B, t, j}) params.push_back(p);
-    const Expr value = substitute(sequences.back(), {{V, V * t - d_A}, {W, W * t - d_B}});
+    for (Expr p : {d_A, d_B, tau, j}) params.push_back(p);
+    const Expr value = substitute(sequences.back(), {{V, V * tau - d_A}, {W, W * tau - d_B}});
     lines.named.push_back(defined("any_x_" + body, params, value, of_wedge({le(0, j)})));
   }
   const auto three_times = [&](const Theorem& theorem) {
-    return parts({theorem, of(d_A, d_B, theorem), on_the_line(t, theorem)});
+    return parts({theorem, of(d_A, d_B, theorem), on_the_line(tau, theorem)});
   };
   Theorems next = three_times(book["any_start.next"]);
   for (Theorem& law : next) law = at(law);
@@ -96,7 +97,7 @@ void line(Book& book) {
       "Velocities are linear in those of the start, and so are places: with distances d_A and d_B "
       "at the start, after j collisions the bodies are on these lines at a time tau, seen from "
       "B's first place,",
-      lines.in_places(linear_in_start, t));
+      lines.in_places(linear_in_start, tau));
   const Theorem speeds = equation(
       is_linear(approach_of(j)), three_times(book["any_start.closing"]) + parts({linear_in_start}));
   const Theorem going = assume(lt(0, approach_of(j)));
@@ -106,10 +107,10 @@ void line(Book& book) {
   const auto at_distances = [&](Expr term) { return substitute(term, {{V, d_A}, {W, d_B}}); };
   const Theorem when = book.name("when_any", params, at_distances(approach_of(j)) / approach_of(j),
                                  of_wedge({le(0, j), lt(0, e), going.conclusion()}),
-                                 "as collision j takes place at the time");
+                                 "and collision j takes place at the time");
   const Expr T = left(when);
   const Theorem meets =
-      equation(substitute(left(speeds), {{t, T}}), 0, {at(speeds, {{t, T}}), when});
+      equation(substitute(left(speeds), {{tau, T}}), 0, {at(speeds, {{tau, T}}), when});
   const auto there = [&](const Theorem& theorem) { return on_the_line(T, theorem); };
   const auto place = [&](std::size_t i, Expr index) {
     return substitute(sequences[i], {{V, V * T - d_A}, {W, W * T - d_B}, {j, index}});
@@ -117,7 +118,7 @@ void line(Book& book) {
   const Expr A = place(0, j), B = place(1, j), C = place(2, j);
   const Theorem speed = there(book["any_start.closing"]);
   const Expr gap = is_P(j) * (C - A) + is_Q(j) * (B - C);
-  book.show("met", "for there its bodies are at one place,",
+  book.show("met", "where its bodies are at one place,",
             lines.in_places(linear(eq(gap, 0), {speed, meets}), T));
   const auto none = [&](Expr is_one, Expr between) {
     const Expr part = is_one * left(speed);
@@ -129,7 +130,7 @@ void line(Book& book) {
   for (const Theorem& law : parts({there(book["any_start.next"])})) rules.push_back(at(law));
   Theorems same;
   for (std::size_t i = 0; i < 3; ++i) same.push_back(equation(place(i, j + 1), place(i, j), rules));
-  book.show("goes_on", "and the next lines go on:", lines.in_places(both(same), T));
+  book.show("goes_on", "from which the next lines go on:", lines.in_places(both(same), T));
 
   const Theorem sign = book["any_start.takes_place"], speed_is = book["any_start.speed"];
   know(tautology(lt(0, swing(j)), {sign, going}));
@@ -144,7 +145,7 @@ void line(Book& book) {
             lines.in_places(
                 equation(D, root_power(j + 1) * side(j + 1) * r_e() * first_in_order / swing(j),
                          facts + Theorems{solved_for(place(0, j + 1), A_B), meets,
-                                          at(speeds, {{j, j + 1}, {t, T}})}),
+                                          at(speeds, {{j, j + 1}, {tau, T}})}),
                 T));
   const Theorem next_one = assume(lt(0, approach_of(j + 1)));
   know(next_one);
@@ -188,8 +189,10 @@ void collapse_from_any_start(Book& book) {
                                   linear(le((j + 1) * r, swing(j)), {above, times(rise, r)}));
   const Theorem rising = linear(lt(0, swing(j)), {above, positive(r * U(j))});
   know(rising);
-  know(book.show("never_ends", "so that the collisions never end:",
-                 tautology(lt(0, approach_of(j)), {book["any_start.takes_place"], rising})));
+  const Theorem closes =
+      book.show("never_ends", "so that the collisions never end:",
+                tautology(lt(0, approach_of(j)), {book["any_start.takes_place"], rising}));
+  know(closes);
   Exprs params = any_start.params, ending = endless;
   for (Expr p : {d_A, d_B}) params.push_back(p);
   ending.push_back(lt(0, left(speed)));
@@ -201,13 +204,13 @@ void collapse_from_any_start(Book& book) {
   const auto shown = [&](const char* id, const char* words, const Theorem& theorem) {
     book.show(id, words, under(endless, theorem));
   };
-  const Theorem when = book["any_start.when_any"], speed_is = book["any_start.speed"];
+  const Theorem when = cut(closes, book["any_start.when_any"]), speed_is = book["any_start.speed"];
   const Expr in_order = V * d_B - W * d_A;
   shown(
       "time_left", "before which all of them take place,",
       equation(left(time) - left(when), r_e() * in_order * right(gap) / (left(speed) * swing(j)),
                {time, when, speed, speed_is, of(d_A, d_B, speed_is), solved_for(U_last(j), gap)}));
-  const Theorem apart = book["any_start.apart"], ordered = assume(le(0, in_order));
+  const Theorem apart = cut(closes, book["any_start.apart"]), ordered = assume(le(0, in_order));
   const Expr D = left(apart), bound = root_power(j + 1) * side(j + 1) * r_e() * in_order;
   know(at(book["wedge.signs"], {{j, j + 1}}));
   const Theorem is_near =
@@ -241,14 +244,8 @@ void from_any_start(Book& book) {
   book.show(
       "takes_place", "and takes place if and only if a sum is positive:",
       same_sign(iff(lt(0, approach_of(j)), lt(0, swing(j))), root_power(j) * side(j), {speed}));
-  {
-    const Known here;
-    number(book);
-  }
-  {
-    const Known here;
-    line(book);
-  }
+  number(book);
+  line(book);
   collapse_from_any_start(book);
 }
 }  // namespace derivation

@@ -4,7 +4,6 @@
 
 namespace derivation {
 namespace {
-const Expr tau = real("tau");
 Expr h_e() { return fun("h_e", masses_and_e()); }
 Expr sine(Expr times) { return sin(times * h_e()); }
 
@@ -26,7 +25,7 @@ struct Forms : Names {
   }
   /// |- symbol_j = value, not shown
   Theorem name(const std::string& symbol, Expr value) const {
-    return defined(symbol, params, value, domain);
+    return with({}, symbol, value, domain);
   }
   /// The same of further variables, before j.
   Theorem with(const Exprs& more, const std::string& symbol, Expr value, const Exprs& where) const {

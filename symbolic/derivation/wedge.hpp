@@ -13,6 +13,7 @@ inline const Expr L = real("L");
 inline const Expr W = real("W");
 inline const Expr d_A = real("d_A");
 inline const Expr d_B = real("d_B");
+inline const Expr tau = real("tau");
 /// Positive masses, B perhaps a wall, and more.
 inline Exprs of_wedge(const Exprs& more) {
   Exprs out{lt(0, M_A), le(0, w_B), lt(0, M_C)};

@@ -74,7 +74,7 @@ std::optional<Trio> Trio::of(const Places& places) {
   if (!wall) t.B_ = masses[2];
   if (t.B_ && t.A_.is(1) && t.B_->is(1) && t.e_ == 1 && t.is_at_rest())
     t.at_threshold_ = t.count_at_threshold();
-  if (W < Quadratic(0) && !t.count() && !t.collapses()) return {};
+  if (W < Quadratic(0) && !t.has_told_end()) return {};
   return t;
 }
 Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
@@ -147,14 +147,13 @@ Trio::Stepping::Start Trio::start() const {
   const auto& [V, W, d_A, d_B] = at_0_;
   return {ball_of(V), ball_of(W), ball_of(d_A), ball_of(d_B)};
 }
-bool Trio::collapses() const {
+bool Trio::has_told_end() const {
+  const auto is_told = [&]() -> bool {
+    const Shape s = shape();
+    return s.q_e > 0 || Ball(end_of(s, start()).end_speed) > 0;
+  };
   try {
-    const auto is_fast = [&]() -> bool {
-      const Shape s = shape();
-      const Ball end_speed = end_of(s, start()).end_speed;
-      return end_speed > 0;
-    };
-    return with_bits(17, is_fast);
+    return with_bits(17, is_told);
   } catch (const Undecided&) {
     return false;
   }

@@ -95,8 +95,9 @@ private:
                          std::int64_t collisions) const;
   /// Velocities, likewise.
   Velocities seen(const Shape& s, std::int64_t collisions) const;
-  /// Whether collisions that have no angle never end; false, too, where that is too close to tell.
-  bool collapses() const;
+  /// Whether theorems tell the end: by an angle, or by a collapse from which B does not run away.
+  /// False, too, where that is too close to tell.
+  bool has_told_end() const;
   Collision in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                      const Velocities& u) const;
   Ball time_of(const Ball& moment) const;

@@ -261,6 +261,8 @@ TEST_CASE("a collapse ends at the scene's limits, or is not reached by them", "[
     for (const char* late : {"until = 3.258", "until = 5"})
       CHECK(result_of(text + late, is_exact).status == Status::collapse);
   }
+  const std::string countless = "masses = [1, '1/100^20', 1]\npositions = [0, 1, 2]\n";
+  CHECK(result_of(countless + "velocities = [1, 0, 0.1]\nmax_events = 3").events == 3);
   const Result many = result_of(text + "max_events = 1000");
   CHECK((many.status == Status::limited && !many.is_undecided));
   CHECK(many.counts == std::vector<std::int64_t>{0, 500, 500, 0});
