@@ -105,7 +105,7 @@ void line(Book& book) {
   Exprs params = any_start.params;
   for (Expr p : {d_A, d_B, j}) params.push_back(p);
   const auto at_distances = [&](Expr term) { return substitute(term, {{V, d_A}, {W, d_B}}); };
-  const Theorem when = book.name("when_any", params, at_distances(approach_of(j)) / approach_of(j),
+  const Theorem when = book.name("instant", params, at_distances(approach_of(j)) / approach_of(j),
                                  of_wedge({le(0, j), lt(0, e), going.conclusion()}),
                                  "and collision j takes place at the time");
   const Expr T = left(when);
@@ -204,7 +204,7 @@ void collapse_from_any_start(Book& book) {
   const auto shown = [&](const char* id, const char* words, const Theorem& theorem) {
     book.show(id, words, under(endless, theorem));
   };
-  const Theorem when = cut(closes, book["any_start.when_any"]), speed_is = book["any_start.speed"];
+  const Theorem when = cut(closes, book["any_start.instant"]), speed_is = book["any_start.speed"];
   const Expr in_order = V * d_B - W * d_A;
   shown(
       "time_left", "before which all of them take place,",

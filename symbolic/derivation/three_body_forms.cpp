@@ -151,7 +151,7 @@ void count_and_time(const Forms& forms) {
                forms.shared + Theorems{book["any_start.speed"], reach});
   know(positive(speed));
   const Theorem going = linear(lt(0, any_start.closing(j)));
-  const Theorem when = cut(going, book["any_start.when_any"]);
+  const Theorem when = cut(going, book["any_start.instant"]);
   const Theorem of_distances = at(book["any_start.speed"], {{V, d_A}, {W, d_B}});
   Exprs where = forms.domain;
   where.push_back(going.conclusion());

@@ -46,7 +46,7 @@ inline const Motion at_rest{"motion",  "v_",       "closing", {M_A, w_B, M_C, e,
                             {V, 0, 0}, w_B* M_A* V};
 /// C approaches B with W, and B is at rest.
 inline const Motion any_start{"any_start",   "any_",
-                              "any_closing", {M_A, w_B, M_C, e, V, W},
+                              "nearing",     {M_A, w_B, M_C, e, V, W},
                               {V + W, 0, W}, w_B*(M_A*(V + W) + M_C * W)};
 inline Expr velocity(const std::string& body, Expr i) { return at_rest.velocity(body, i); }
 inline Expr closing(Expr i) { return at_rest.closing(i); }

@@ -202,14 +202,14 @@ cl_R function(const std::string& f, const Vector& x) {
     const std::size_t body = std::size_t(f[6] - 'A');
     return t.place[body] + t.v[body] * (x[8] - t.time);
   }
-  if (f.starts_with("any_")) {
+  if (f == "nearing" || f.starts_with("any_")) {
     const Trio t = trio_after(x, whole(x[6]), false);
-    return f == "any_closing" ? t.approach() : t.v[std::size_t(f[4] - 'A')];
+    return f == "nearing" ? t.approach() : t.v[std::size_t(f[4] - 'A')];
   }
-  if (f == "when_any" || f == "moment") return trio_after(x, whole(x[8]), true).time;
+  if (f == "instant" || f == "moment") return trio_after(x, whole(x[8]), true).time;
   if (f == "before" || f == "after") {
     const cl_R A = x[4] * x[8] - x[6], B = x[5] * x[8] - x[7], later = f == "before" ? 0 : 1;
-    return function("any_closing", {x[0], x[1], x[2], x[3], A, B, x[9] + later});
+    return function("nearing", {x[0], x[1], x[2], x[3], A, B, x[9] + later});
   }
   if (f.ends_with("_at")) {
     Vector next = x;
