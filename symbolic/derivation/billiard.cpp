@@ -44,7 +44,7 @@ Theorem kappa_is_cosine(Book& book) {
 }
 void unfolded(Book& book) {
   const Substitution elastic{{e, 1}};
-  const Expr going = substitute(all_take_place(j), elastic);
+  const Expr going = substitute(lt(0, closing(j)), elastic);
   const Exprs assumptions = of_wedge({le(0, j), V_positive, lt(0, L), going});
   book.chapter("unfolded", "The unfolded wedge", assumptions);
   know(at(book["wedge.signs"], elastic));
@@ -71,9 +71,8 @@ void unfolded(Book& book) {
                M_A * power(A - B, 2) + w_B * M_A * M_C * power(A - C, 2) + M_C * power(B - C, 2),
                squared_shares(book) + Theorems{radius_is, C_is, square}));
 
-  const Theorem takes_place =
-      tautology(lt(0, chebyshev(j, here(kappa()))),
-                {of_motion("wedge.takes_place"), at(specialize(assume(going), j))});
+  const Theorem takes_place = tautology(lt(0, chebyshev(j, here(kappa()))),
+                                        {of_motion("wedge.takes_place"), assume(going)});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
   const Theorem blocks = of_motion("places.distance");

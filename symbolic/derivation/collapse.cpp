@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Collisions that never end come to an end in time: inelastic collapse, and where it begins.
+// Collisions that never end: where inelastic collapse begins.
 #include "derivation/wedge.hpp"
 
 namespace derivation {
 namespace {
-Expr U(Expr index) { return chebyshev(index, kappa()); }
-
 /// kappa < 1 as an inequality of masses and e without roots.
 void threshold(Book& book) {
   const Theorem kappa_is = book["wedge.kappa"];
@@ -56,8 +54,8 @@ void special_cases(Book& book) {
            over * M_B / (below * (M_B + M_C)));
   instance("wall", "and for a wall", 0, over / below);
 }
-/// Where they never end, all times are below one that they come arbitrarily close to.
-void in_time(Book& book) {
+/// Where they never end, a number that quotients of neighbouring polynomials stay above.
+void neighbours(Book& book) {
   const Theorem from_1 = assume(le(1, kappa()));
   const Expr inside = power(kappa(), 2) - 1, root = sqrt(inside), sum = kappa() + root;
   know(linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1}))}));
@@ -75,7 +73,6 @@ void in_time(Book& book) {
   book.show("root", "which solves a quadratic equation and is 1 at most,",
             both({quadratic, positive(y_e), at_most_1}));
 
-  const auto power_of = [&](Expr index) { return fun("pow", {y_e, index}); };
   const Theorem powers_from_0_to_1 = powers_of(book, at_most_1);
   const Theorem distance = at(book["chebyshev.distance"], {{x, kappa()}, {y, y_e}},
                               {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});
@@ -83,26 +80,6 @@ void in_time(Book& book) {
   know(part(powers_next, 0));
   book.show("neighbours", "and below which quotients of neighbours are,",
             both({distance, part(powers_next, 0), part(powers_next, 1)}));
-  const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}}, {from_1});
-  know(linear(lt(0, U(j)), {rise}));
-  const Expr unit = L * r_B() / (V * r_A() * sqrt(e));
-  const Theorem end_is =
-      book.define("t_end", {M_A, w_B, M_C, e, V, L}, unit * y_e,
-                  of_wedge({lt(0, e), le(1, kappa()), V_positive, lt(0, L)}), "there is a time");
-  const Theorem time_is = book["places.time"];
-  const Theorem all_of_them = all_of(j, [&](Expr i, const Theorem& range) {
-    return at(book["wedge.never_ends"], {{j, i}}, {range});
-  });
-  const Theorem time = cut(all_of_them, time_is);
-  const Expr rest = unit * power_of(j + 1) / U(j);
-  know(all_of_them);
-  book.show("time_left", "before which all collisions take place,",
-            equation(left(end_is) - left(time), rest, {end_is, time, turned(distance)}));
-  const Expr per = unit / U(j);
-  book.show("in_time", "and come as close to it as you like:",
-            both({positive(rest),
-                  linear(le((j + 1) * rest, unit), {times(part(rise, 0), per),
-                                                    times(part(powers_next, 1), (j + 1) * per)})}));
 }
 /// Blocks of one mass M, a ball of mass alpha M.
 void equal_blocks(Book& book) {
@@ -146,7 +123,7 @@ void collapse(Book& book) {
   threshold(book);
   endless(book);
   special_cases(book);
-  in_time(book);
+  neighbours(book);
   equal_blocks(book);
 }
 }  // namespace derivation

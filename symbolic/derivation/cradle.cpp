@@ -27,7 +27,7 @@ void last_collision(Book& book) {
   const Theorem apart = shown("encounters.apart", L);
   book.show("last", "the last of them when and where", both({when, apart}));
   // Where B is: from the centre of mass, as it is with the ball and at a distance L from A.
-  const Theorem going = at_last("encounters.all");
+  const Theorem going = at_last("encounters.going");
   const Substitution no_loss{{e, 1}, {j, last}};
   const auto in_paper = [&](const char* id) { return cut(going, for_blocks(book[id], no_loss)); };
   know(going);

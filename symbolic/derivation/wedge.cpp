@@ -65,15 +65,6 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
 }
 }  // namespace
 
-Expr all_take_place(Expr last) {
-  const Expr i = integer("i");
-  return all(i, imp(logic_and({le(0, i), le(i, last)}), lt(0, closing(i))));
-}
-Theorem all_of(Expr last, const std::function<Theorem(Expr, const Theorem&)>& each) {
-  const Expr i = integer("i");
-  return generalize(i, given(logic_and({le(0, i), le(i, last)}),
-                             [&](const Theorem& range) { return each(i, range); }));
-}
 Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors) {
   Certificate c{.equations = {{1, times_factors}}};
   for (const Expr& f : factors) c.multipliers.push_back(positive(f));

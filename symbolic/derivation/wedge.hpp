@@ -70,10 +70,6 @@ inline Expr at_collision(const char* name, Expr i) {
   return fun(name, {M_A, w_B, M_C, e, V, L, i});
 }
 inline Expr apart(Expr i) { return at_collision("x_B", i) - at_collision("x_A", i); }
-/// Collisions 0 to `last` take place: for every i of them 0 < closing_i.
-Expr all_take_place(Expr last);
-/// It, from a proof of 0 < closing_i that may use 0 <= i and i <= last.
-Theorem all_of(Expr last, const std::function<Theorem(Expr, const Theorem&)>& each);
 /// l = r from a theorem that says it times `factors`, which are positive.
 Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors);
 /// Blocks of mass 1, a ball of mass alpha.

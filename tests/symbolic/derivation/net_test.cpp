@@ -114,7 +114,7 @@ TEST_CASE("false statements are seen") {
       {"any_start.rises", "(j + 1)*r", "(j + 3)*r"},
       {"any_start.time_left", "pow_(j + 1)", "pow_j"},
       {"bodies.y_e", "-q_e", "1 - q_e"},
-      {"collapse.in_time", "(j + 1)*(", "(j + 2)*("},
+      {"places.in_time", "(j + 1)*(", "(j + 2)*("},
   }));
   const kernel::Theorem theorem = the_book()[id];
   std::string words = kernel::text(theorem.conclusion());
