@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "notation/operations.hpp"
 
-#include <functional>
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -16,36 +16,29 @@ namespace {
 constexpr int largest_exponent = 10000;
 constexpr std::size_t most_bits = 70000;
 
-// e^x + e^-x and e^x - e^-x
-Expr sum_of_two(Expr x) { return call("exp", x) + call("exp", -x); }
-Expr difference_of_two(Expr x) { return call("exp", x) - call("exp", -x); }
-using Function = std::function<Expr(Expr)>;
-const std::map<std::string, Function>& functions() {
+const std::map<std::string, std::string>& definitions() {
   static const auto table = [] {
-    std::map<std::string, Function> all{
-        {"cbrt", [](Expr x) { return root(3, x); }},
-        {"tan", [](Expr x) { return kernel::sin(x) / kernel::cos(x); }},
-        {"sec", [](Expr x) { return Expr(1) / kernel::cos(x); }},
-        {"csc", [](Expr x) { return Expr(1) / kernel::sin(x); }},
-        {"cot", [](Expr x) { return kernel::cos(x) / kernel::sin(x); }},
-        {"sinh", [](Expr x) { return difference_of_two(x) / Expr(2); }},
-        {"cosh", [](Expr x) { return sum_of_two(x) / Expr(2); }},
-        {"tanh", [](Expr x) { return difference_of_two(x) / sum_of_two(x); }},
-        {"csch", [](Expr x) { return Expr(2) / difference_of_two(x); }},
-        {"sech", [](Expr x) { return Expr(2) / sum_of_two(x); }},
-        {"asinh", [](Expr x) { return call("log", x + kernel::sqrt(power(x, 2) + 1)); }},
-        {"acosh", [](Expr x) { return call("log", x + kernel::sqrt(power(x, 2) - 1)); }},
-        {"atanh", [](Expr x) { return call("log", (1 + x) / (1 - x)) / Expr(2); }},
-        {"coth", [](Expr x) { return sum_of_two(x) / difference_of_two(x); }},
-    };
+    std::map<std::string, std::string> all{{"cbrt", "root(x, 3)"},
+                                           {"tan", "sin(x)/cos(x)"},
+                                           {"cot", "cos(x)/sin(x)"},
+                                           {"sec", "1/cos(x)"},
+                                           {"csc", "1/sin(x)"},
+                                           {"sinh", "(exp(x) - exp(-x))/2"},
+                                           {"cosh", "(exp(x) + exp(-x))/2"},
+                                           {"tanh", "(exp(x) - exp(-x))/(exp(x) + exp(-x))"},
+                                           {"coth", "(exp(x) + exp(-x))/(exp(x) - exp(-x))"},
+                                           {"csch", "2/(exp(x) - exp(-x))"},
+                                           {"sech", "2/(exp(x) + exp(-x))"},
+                                           {"asinh", "log(x + sqrt(x^2 + 1))"},
+                                           {"acosh", "log(x + sqrt(x^2 - 1))"},
+                                           {"atanh", "log((1 + x)/(1 - x))/2"}};
     for (const std::string name :
          {"sqrt", "abs", "sin", "cos", "asin", "acos", "atan", "exp", "log"})
-      all.emplace(name, [name](Expr x) { return call(name, x); });
+      all.emplace(name, "");
     std::istringstream others(
         "arcsin asin arccos acos arctan atan arctg atan tg tan ctg cot cosec csc ln log arsinh "
-        "asinh arcosh acosh "
-        "artanh atanh arcsinh asinh arccosh acosh arctanh atanh");
-    for (std::string other, name; others >> other >> name;) all.emplace(other, all.at(name));
+        "asinh arcosh acosh artanh atanh arcsinh asinh arccosh acosh arctanh atanh");
+    for (std::string other, name; others >> other >> name;) all.emplace(other, name + "(x)");
     return all;
   }();
   return table;
@@ -61,45 +54,47 @@ std::size_t bits(const cln::cl_RA& q) {
   return cln::integer_length(cln::numerator(q)) + cln::integer_length(cln::denominator(q));
 }
 
-bool is_function(const std::string& name) { return name == "root" || functions().contains(name); }
-
+bool is_function(const std::string& name) { return name == "root" || definitions().contains(name); }
+const std::string& definition_of(const std::string& function) { return definitions().at(function); }
 std::string hidden_function(const std::string& name) {
-  for (const auto& [function, make] : functions()) {
+  for (const auto& [function, definition] : definitions()) {
     if (!name.starts_with(function) || name == function) continue;
     const std::string rest = name.substr(function.size());
-    if (rest.size() == 1 || is_greek_name(rest) ||
-        rest.find_first_not_of("0123456789") == rest.npos)
+    if (rest.size() == 1 || is_greek_name(rest) || is_whole(rest))
       return function + "(" + rest + ")";
   }
   return "";
 }
 
-Expr applied(const std::string& name, Expr x) { return functions().at(name)(x); }
-
 cln::cl_RA number_of(const Token& token) {
   const std::size_t mark = token.text.find('E');
-  std::string digits = token.text.substr(0, mark);
-  if (digits.size() > 20000) refuse_at(token.column, "a number of more than 20000 digits");
-  const std::string word = mark == token.text.npos ? "0" : token.text.substr(mark + 1);
-  int exponent = word.size() > 6 ? largest_exponent + 1 : std::stoi(word);
+  std::string digits = "0" + token.text.substr(0, mark);
+  const std::string power = mark == token.text.npos ? "0" : token.text.substr(mark + 1);
+  int exponent = power.size() > 6 ? largest_exponent + 1 : std::stoi(power);
   if (std::abs(exponent) > largest_exponent) refuse_at(token.column, "an exponent above 10000");
   if (const std::size_t point = digits.find('.'); point != digits.npos) {
     exponent -= int(digits.size() - point - 1);
     digits.erase(point, 1);
   }
-  return cln::cl_RA(cln::cl_I(("0" + digits).c_str())) * cln::expt(cln::cl_RA(10), exponent);
+  return cln::cl_RA(cln::cl_I(digits.c_str())) * cln::expt(cln::cl_RA(10), exponent);
 }
 
 Expr negative(Expr e) { return is_matrix(e) ? scaled(-1, e) : -e; }
-Expr added(Expr a, Expr b, std::size_t column) {
-  if (a.rows() != b.rows() || a.cols() != b.cols())
-    refuse_at(column, "matrices of different shapes");
-  Exprs out = entries(a);
-  const Exprs more = entries(b);
-  for (std::size_t i = 0; i < out.size(); ++i) out[i] = out[i] + more[i];
-  return matrix(a.cols(), out);
+Expr sum_of(const Exprs& terms, std::size_t column) {
+  if (std::ranges::none_of(terms, is_matrix)) return kernel::sum(terms);
+  const Expr first = terms[0];
+  std::vector<Exprs> parts(first.size());
+  for (Expr e : terms) {
+    if (is_matrix(e) != is_matrix(first))
+      refuse_at(column, "a matrix and a number cannot be added");
+    if (e.rows() != first.rows() || e.cols() != first.cols())
+      refuse_at(column, "matrices of different shapes");
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].push_back(e.arg(i));
+  }
+  Exprs out;
+  for (const Exprs& part : parts) out.push_back(kernel::sum(part));
+  return matrix(first.cols(), out);
 }
-
 Expr times(Expr a, Expr b, std::size_t column) {
   if (!is_matrix(a) && !is_matrix(b)) return a * b;
   if (!is_matrix(a)) return scaled(a, b);
@@ -129,9 +124,7 @@ Expr raised_to(Expr base, Expr exponent, std::size_t column) {
   }
   if (above == 0) return 1;
   if (below > 2) return raised(base, Expr(*number));
-  const Expr root = below == 2 ? kernel::sqrt(base) : base;
-  const int size = std::abs(above);
-  const Expr whole = size == 1 ? root : kernel::power(root, size);
+  const Expr whole = kernel::power(below == 2 ? kernel::sqrt(base) : base, std::abs(above));
   return above > 0 ? whole : Expr(1) / whole;
 }
 
@@ -149,14 +142,19 @@ Expr logarithm(Expr x, Expr base, std::size_t column) {
 }
 
 Expr grid_of(const std::vector<Exprs>& rows, std::size_t column) {
+  const Expr first = rows[0][0];
+  const bool is_stack = is_matrix(first);
+  const int cols = is_stack ? first.cols() : int(rows[0].size());
   Exprs all;
-  for (const Exprs& row : rows) {
-    if (row.size() != rows[0].size()) refuse_at(column, "rows of different lengths");
-    all.insert(all.end(), row.begin(), row.end());
-  }
-  for (Expr e : all)
-    if (is_matrix(e)) refuse_at(column, "a matrix inside of a matrix");
+  for (const Exprs& row : rows)
+    for (Expr e : row) {
+      if (is_stack != is_matrix(e))
+        refuse_at(column, is_stack ? "a row is written [a, b, c]" : "a matrix inside of a matrix");
+      if ((is_stack ? e.cols() : int(row.size())) != cols)
+        refuse_at(column, "rows of different lengths");
+      std::ranges::copy(is_stack ? entries(e) : Exprs{e}, std::back_inserter(all));
+    }
   if (all.size() > 100) refuse_at(column, "a matrix of more than 100 entries");
-  return matrix(int(rows[0].size()), all);
+  return matrix(cols, all);
 }
 }  // namespace notation

@@ -15,16 +15,18 @@ using kernel::Expr;
 bool is_function(const std::string& name);
 /// "sin(x)" of sinx, "sqrt(5)" of sqrt5: where what is left is an argument; else "".
 std::string hidden_function(const std::string& name);
-Expr applied(const std::string& function, Expr x);
+/// What a function is of x, as one types it: "sin(x)/cos(x)"; "" of those that stay as they are.
+const std::string& definition_of(const std::string& function);
 cln::cl_RA number_of(const Token& token);
 std::size_t bits(const cln::cl_RA& q);
 
 Expr negative(Expr e);
-Expr added(Expr a, Expr b, std::size_t column);  ///< of matrices
+Expr sum_of(const kernel::Exprs& terms, std::size_t column);
 Expr times(Expr a, Expr b, std::size_t column);
 Expr quotient(Expr a, Expr b, std::size_t column);
 Expr raised_to(Expr base, Expr exponent, std::size_t column);
 Expr ordered_root(Expr order, Expr x, std::size_t column);
 Expr logarithm(Expr x, Expr base, std::size_t column);
+/// Of numbers, or of matrices, one below the other: [[a, b], [c, d]].
 Expr grid_of(const std::vector<kernel::Exprs>& rows, std::size_t column);
 }  // namespace notation

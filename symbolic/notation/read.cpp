@@ -15,37 +15,23 @@ using namespace kernel;
 namespace {
 using Kind = Token::Kind;
 
-constexpr std::string_view digits = "0123456789";
-constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-const std::string inside = std::string(letters) + std::string(digits) + "_";
+const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+const std::string digits = "0123456789";
+const std::string inside = letters + digits + "_'";  // c, c', c'_n
 
-std::size_t end_of(std::string_view text, std::size_t i, std::string_view belongs) {
-  return std::min(text.find_first_not_of(belongs, i), text.size());
-}
-// c, c', c'_n: a prime ends a name, behind which an index may follow.
-std::size_t end_of_name(std::string_view text, std::size_t i) {
-  i = end_of(text, i, inside);
-  if (!text.substr(i).starts_with('\'')) return i;
-  if (!text.substr(i).starts_with("'_")) return i + 1;
-  i = end_of(text, i + 1, inside);
-  return text.substr(i).starts_with('\'') ? i + 1 : i;
-}
-std::size_t end_of_sign(std::string_view text, std::size_t i) {
-  for (std::string_view sign : {"!=", "<=", ">="})
-    if (text.substr(i).starts_with(sign)) return i + 2;
-  return std::string_view("=<+-*/^()[],;:").find(text[i]) == text.npos ? i : i + 1;
-}
 Token token(std::string_view text, std::size_t from) {
-  const std::size_t i = end_of(text, from, " ");
+  const std::size_t i = std::min(text.find_first_not_of(' ', from), text.size());
   Token out{.column = i + 1, .is_spaced = i > from || i == 0};
   if (i == text.size()) return out;
-  std::size_t end = end_of(text, i, digits);
-  out.kind = end > i                                  ? Kind::Number
-             : letters.find(text[i]) < letters.size() ? Kind::Name
-                                                      : Kind::Sign;
-  if (out.kind == Kind::Name) end = end_of_name(text, i);
-  if (out.kind == Kind::Sign) end = end_of_sign(text, i);
-  if (end == i) refuse("character " + std::to_string(i + 1) + " belongs to no formula");
+  const auto is_of = [&](std::string_view all) { return all.find(text[i]) != all.npos; };
+  out.kind = is_of(digits) ? Kind::Number : is_of(letters) ? Kind::Name : Kind::Sign;
+  std::size_t end = i + 1;
+  if (out.kind != Kind::Sign)
+    end = text.find_first_not_of(out.kind == Kind::Number ? digits : inside, i);
+  else if (is_of("!<>") && text.substr(end).starts_with('='))
+    ++end;
+  else if (!is_of("=<+-*/^()[],;:"))
+    refuse("character " + std::to_string(i + 1) + " belongs to no formula");
   out.text = text.substr(i, end - i);
   return out;
 }
@@ -73,7 +59,7 @@ private:
   }
   std::string need(Kind kind, const std::string& what) {
     if (now().kind != kind) refuse(what + " is expected");
-    return words[place++].text;
+    return next().text;
   }
 
   Expr formula() {
@@ -103,15 +89,12 @@ private:
     for (std::string_view word : {"and", "only", "if"}) need(word);
     return iff(left, disjunction());
   }
-  Expr disjunction() {
-    Exprs parts{conjunction()};
-    while (takes("or")) parts.push_back(conjunction());
-    return parts.size() == 1 ? parts[0] : logic_or(parts);
-  }
-  Expr conjunction() {
-    Exprs parts{relation()};
-    while (takes("and")) parts.push_back(relation());
-    return parts.size() == 1 ? parts[0] : logic_and(parts);
+  Expr disjunction() { return joined("or", &Reader::conjunction, logic_or); }
+  Expr conjunction() { return joined("and", &Reader::relation, logic_and); }
+  Expr joined(std::string_view word, Expr (Reader::*part)(), Expr (*join)(const Exprs&)) {
+    Exprs parts{(this->*part)()};
+    while (takes(word)) parts.push_back((this->*part)());
+    return parts.size() == 1 ? parts[0] : join(parts);
   }
   Expr relation() {
     if (takes("not")) return logic_not(atom());
@@ -164,20 +147,20 @@ private:
   Expr bare_atom() {
     if (now().kind == Kind::Number) return number();
     if (takes("[")) return matrix_entries();
-    if (takes("(")) return in_brackets();
+    if (takes("(")) {
+      const Expr e = formula();
+      need(")");
+      return e;
+    }
     const std::string name = need(Kind::Name, "a number, a name or a bracket");
     if (name != "det") return resolved(name);
-    need("(");
-    return det(in_brackets());
-  }
-  Expr in_brackets() {
-    const Expr e = formula();
-    need(")");
-    return e;
+    const Exprs of = arguments();
+    if (of.size() != 1) refuse("det has another number of arguments");
+    return det(of[0]);
   }
   Expr number() {
     if (now().text.size() > 10000) refuse("a number of more than 10000 digits");
-    return Expr(cln::cl_RA(cln::cl_I(words[place++].text.c_str())));
+    return Expr(cln::cl_RA(cln::cl_I(next().text.c_str())));
   }
   Expr matrix_entries() {
     Exprs entries = list();
@@ -195,6 +178,12 @@ private:
     while (takes(",")) out.push_back(formula());
     return out;
   }
+  Exprs arguments() {
+    need("(");
+    const Exprs out = list();
+    need(")");
+    return out;
+  }
 
   // A bound variable, a variable, a function with what follows it, or a function at an index.
   Expr resolved(const std::string& name) {
@@ -207,15 +196,12 @@ private:
     const std::size_t split = name.rfind('_');
     const std::string index = split == name.npos ? "" : name.substr(split + 1);
     if (split != name.npos && index.empty() && is_attached("(")) {
-      need("(");
-      const Exprs indices = list();
-      need(")");
-      return applied(indexed(name, split), indices);
+      const std::string function = indexed(name, split);
+      return applied(function, arguments());
     }
     if (signature(name)) return applied(name, {});
     if (index.empty()) refuse("the name " + name + " is not known");
-    const bool is_number = index.find_first_not_of(digits) == index.npos;
-    const Expr at = is_number ? Expr(cln::cl_RA(cln::cl_I(index.c_str()))) : resolved(index);
+    const Expr at = is_whole(index) ? Expr(cln::cl_RA(cln::cl_I(index.c_str()))) : resolved(index);
     return applied(indexed(name, split), {at});
   }
   // alpha_ or alpha, of alpha_3
@@ -226,12 +212,7 @@ private:
   }
   Expr applied(const std::string& name, Exprs indices) {
     const Signature& s = *signature(name);
-    Exprs plain;
-    if (is_attached("(")) {
-      need("(");
-      plain = list();
-      need(")");
-    }
+    Exprs plain = is_attached("(") ? arguments() : Exprs();
     const std::size_t given = indices.size() + plain.size();
     const bool hidden = given != s.args.size() && given + s.params.size() == s.args.size();
     Exprs args = hidden ? s.params : Exprs();

@@ -22,6 +22,7 @@ class Words {
 protected:
   explicit Words(std::vector<Token> all) : words(std::move(all)) {}
   const Token& now() const { return words[place]; }
+  const Token& next() { return words[place++]; }
   bool is(std::string_view text) const { return now().text == text; }
   bool takes(std::string_view text) {
     if (!is(text)) return false;
@@ -36,4 +37,5 @@ protected:
 std::vector<Token> tokens(std::string_view text);
 [[noreturn]] void refuse_at(std::size_t column, const std::string& why);
 bool is_greek_name(const std::string& name);
+bool is_whole(std::string_view digits);
 }  // namespace notation
