@@ -76,7 +76,7 @@ private:
       return Ball(1) / (*this)(x);
     }
     if (name == "sqrt") return root(x, 2);
-    if (name == "nth_root") return root(x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())));
+    if (name == "root") return root(x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())));
     if (name == "raised") return raised(x, e.arg(1));
     if (name == "abs") return sign(x) < 0 ? -(*this)(x) : (*this)(x);
     if (name == "exp") return exp((*this)(x));
@@ -220,7 +220,7 @@ private:
     if (name == "inv") return x.inverse();
     if (name == "abs") return x;
     if (name == "sqrt") return root(e, x, 2, 1);
-    if (name == "nth_root")
+    if (name == "root")
       return root(e, x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())), 1);
     const auto value = name == "raised" ? notation::rational_value(e.arg(1)) : std::nullopt;
     need(value && cln::abs(cln::numerator(*value)) <= 10000 && cln::denominator(*value) <= 1000);

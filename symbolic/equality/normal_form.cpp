@@ -91,7 +91,7 @@ Sum Forms::function(Expr term) {
   if (name == "acos")
     return scaled(atom(kernel::pi()), cln::cl_RA(1) / 2) - inverse_angle("asin", x);
   if (name == "asin" || name == "atan") return inverse_angle(name, x);
-  if (name == "nth_root") {
+  if (name == "root") {
     const int order = cln::cl_I_to_int(cln::numerator(term.arg(1).value()));
     if (order % 2 == 1) return odd_root(x, order);
     return real_power(x, exponent(cln::cl_RA(1) / order));

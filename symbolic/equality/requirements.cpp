@@ -26,7 +26,7 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
     if ((name == "asin" || name == "acos") &&
         !is_certain({Need::NotNegative, Expr(1) - kernel::power(x, 2)}, domain))
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
-    if (name == "nth_root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
+    if (name == "root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
     if (name != "raised") return;
     if (is_proved([&] { return Forms(domain).of(x).empty(); }))
       out.push_back({Need::Positive, e.arg(1)});

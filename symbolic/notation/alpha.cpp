@@ -11,6 +11,7 @@
 #include <cln/integer_io.h>
 
 #include "kernel/print.hpp"
+#include "notation/tokens.hpp"
 
 namespace notation {
 namespace {
@@ -31,22 +32,18 @@ std::string shown(std::string_view text) {
 [[noreturn]] void refuse_value(std::string_view text) {
   refuse("alpha must be a positive finite number, got " + shown(text));
 }
-bool is_whole(std::string_view digits) {
-  return !digits.empty() && digits.find_first_not_of("0123456789") == digits.npos;
-}
 cln::cl_I whole(std::string_view digits) { return cln::cl_I(std::string(digits).c_str()); }
 
-Alpha fraction(std::string_view text, std::size_t slash) {
-  const std::string_view above = text.substr(0, slash);
-  const std::string_view below = text.substr(slash + 1);
+cln::cl_RA fraction(std::string_view text, std::size_t slash) {
+  const std::string_view above = text.substr(0, slash), below = text.substr(slash + 1);
   if (!is_whole(above) || !is_whole(below))
     refuse("alpha is not a fraction of two whole numbers, like 1/7: " + shown(text));
   if (whole(below) == 0) refuse("alpha divides by 0: " + shown(text));
   if (whole(above) == 0) refuse_value(text);
-  return cln::cl_RA(whole(above) / whole(below));
+  return whole(above) / whole(below);
 }
-cln::cl_I number_k(std::string_view text, std::size_t colon) {
-  const std::string_view digits = text.substr(colon + 1);
+cln::cl_I number_k(std::string_view text) {
+  const std::string_view digits = text.substr(text.find(':') + 1);
   const cln::cl_I k = is_whole(digits) ? whole(digits) : 0;
   if (k < 1 || k > cln::cl_I(1'000'000'000'000'000'000))
     refuse("k must be a whole number from 1 to 10^18 in " + shown(text));
@@ -85,8 +82,8 @@ Alpha read_alpha(std::string_view text) {
     refuse("alpha is " + std::to_string(text.size()) + " characters long; allowed: up to " +
            std::to_string(longest));
   if (text.starts_with('-')) refuse_value(text);
-  if (text.starts_with("magic:")) return magic(number_k(text, 5));
-  if (text.starts_with("deficient:")) return deficient(number_k(text, 9));
+  if (text.starts_with("magic:")) return magic(number_k(text));
+  if (text.starts_with("deficient:")) return deficient(number_k(text));
   if (const std::size_t slash = text.find('/'); slash != text.npos) return fraction(text, slash);
   return number(text);
 }

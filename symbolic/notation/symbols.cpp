@@ -18,29 +18,26 @@ Expr apply(const std::string& name, const Exprs& args) {
   return fun(name, args);
 }
 bool is_long(const cln::cl_RA& q, int times = 1) { return bits(q) * std::size_t(times) > 1000; }
-bool is_inverse(Expr e) { return e.op() == Op::Fun && e.name() == "inv"; }
+bool is_function(Expr e, std::string_view name) { return e.op() == Op::Fun && e.name() == name; }
 
-// x^y is a power with one of these exponents, which nobody can type: so the kernel prints it.
+// x^y is a power with an exponent from here on, which nobody can type: so the kernel prints it.
 constexpr int first_mark = 500000;
 std::string bracketed(Expr e) {
   const std::string text = typed_text(e);
-  const bool is_word = e.op() == Op::Var || (e.op() == Op::Fun && e.name() != "raised");
-  const bool is_number = text.find_first_not_of("0123456789") == text.npos;
-  return (is_word && !is_inverse(e)) || is_number ? text : "(" + text + ")";
+  const bool is_word = e.op() == Op::Var || (e.op() == Op::Fun && !is_function(e, "raised"));
+  return (is_word && !is_function(e, "inv")) || is_whole(text) ? text : "(" + text + ")";
 }
 // As the operators make it, without inv(2).
 Expr printable(Expr e, std::vector<std::string>& exponents) {
+  if (is_function(e, "raised")) {
+    const Expr base = printable(e.arg(0), exponents);
+    exponents.push_back(bracketed(e.arg(1)));
+    return kernel::power(base, first_mark + int(exponents.size()) - 1);
+  }
   if (e.size() == 0) return e;
   Exprs args;
   for (Expr arg : e.args()) args.push_back(printable(arg, exponents));
-  if (is_inverse(e)) return Expr(1) / args[0];
-  if (e.op() != Op::Fun || e.name() != "raised") return with_args(e, args);
-  exponents.push_back(bracketed(e.arg(1)));
-  return kernel::power(args[0], first_mark + int(exponents.size()) - 1);
-}
-void replace_all(std::string& text, const std::string& what, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; at += by.size())
-    text.replace(at, what.size(), by);
+  return is_function(e, "inv") ? Expr(1) / args[0] : with_args(e, args);
 }
 }  // namespace
 
@@ -51,7 +48,7 @@ std::optional<cln::cl_RA> rational_value(Expr e) {
     if (!base || is_long(*base, e.exponent())) return {};
     return cln::expt(*base, e.exponent());
   }
-  if (e.op() != Op::Add && e.op() != Op::Mul && !is_inverse(e)) return {};
+  if (e.op() != Op::Add && e.op() != Op::Mul && !is_function(e, "inv")) return {};
   const bool is_sum = e.op() == Op::Add;
   cln::cl_RA out = is_sum ? 0 : 1;
   for (Expr arg : e.args()) {
@@ -59,7 +56,7 @@ std::optional<cln::cl_RA> rational_value(Expr e) {
     if (!value || is_long(*value)) return {};
     out = is_sum ? out + *value : out * *value;
   }
-  if (!is_inverse(e)) return out;
+  if (!is_function(e, "inv")) return out;
   return out == 0 ? std::nullopt : std::optional(1 / out);
 }
 
@@ -103,15 +100,16 @@ std::set<std::string> symbols_of(Expr e) {
 }
 Expr raised(Expr base, Expr exponent) { return apply("raised", {base, exponent}); }
 Expr root(int order, Expr x) {
-  return order == 2 ? kernel::sqrt(x) : apply("nth_root", {x, Expr(order)});
+  return order == 2 ? kernel::sqrt(x) : apply("root", {x, Expr(order)});
 }
 Expr call(const std::string& name, Expr x) { return apply(name, {x}); }
 std::string typed_text(Expr e) {
   std::vector<std::string> exponents;
   std::string text = kernel::text(printable(e, exponents));
-  for (std::size_t i = 0; i < exponents.size(); ++i)
-    replace_all(text, std::to_string(first_mark + int(i)), exponents[i]);
-  replace_all(text, "nth_root(", "root(");
+  for (std::size_t i = 0; i < exponents.size(); ++i) {
+    const std::string number = std::to_string(first_mark + int(i));
+    text.replace(text.find("^" + number) + 1, number.size(), exponents[i]);
+  }
   for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) {
     const std::size_t end = text.find_first_of(" +-*/^(),", at);
     std::string name = text.substr(at, end - at).substr(mark.size()) + "_";

@@ -54,7 +54,7 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
       {"|c-2|", "abs(c - 2)"},
       {"||x|-1|", "abs(abs(x) - 1)"},
       {"√2/2", "sqrt(2)/2"},
-      {"½x²", "x^2/2"},
+      {"½x²ⁿ", "x^(2*n)/2"},
       {"αV", "alpha*V"},
       {"\\sqrt[3]{x}", "root(x, 3)"},
       {"\\frac12 x", "x/2"},
@@ -84,6 +84,8 @@ TEST_CASE("What has two readings is refused with both, slips are named with thei
       {"cos nψ", "write cos(n psi...) or cos(n)psi..."},
       {"sin^-1(x)", "asin(x) for the inverse function"},
       {"2\\frac{19}{64}", "2 + 19/64 or 2*19/64"},
+      {"2\\frac12", "2 + 1/2 or 2*1/2"},
+      {"5e−3", "5E-3 for the number"},
       {"2½", "2+1/2 or 2*1/2"},
       {"log^-1(x)", "column 4: log^-1 has two readings: write 1/log(x)"},
       {"1/2(1+alpha)", "above or below the fraction line"},
@@ -110,6 +112,7 @@ TEST_CASE("What has two readings is refused with both, slips are named with thei
       {"1..2", "a second decimal point"},
       {"x\\foo", "unknown command \\foo"},
       {"x\\begin{pmatrix", "column 2: a } is missing for this \\begin"},
+      {"\\begin}", "column 1: unknown environment"},
       {"\\begin{pmatrix} 1", "column 1: the ] for this one is missing"},
       {"\\begin{cases} x & y\\end{cases}", "column 1: unknown environment cases"},
       {"1 + SQRT(5)", "column 5: unknown function SQRT; is sqrt meant?"},
@@ -157,9 +160,10 @@ TEST_CASE("A reading that was chosen is said") {
 }
 
 TEST_CASE("What is shown of a term is read back as the same term") {
-  for (const std::string typed : {"a - (b - c)*2", "-(x + y)/z^2", "x^(n + 1)*abs(x)", "1/(2*x)",
-                                  "(x + 1)^3/(y - 1)^2", "sqrt(2)/(1 + exp(-x))", "(-1)^n", "-x^2",
-                                  "(1/2)^n", "log(x)/log(2)", "2*(x^y)^2/x^(y/2)/(x^y^z)^3*c_n'"}) {
+  for (const std::string typed :
+       {"a - (b - c)*2", "-(x + y)/z^2", "x^(n + 1)*abs(x)", "1/(2*x)", "(x + 1)^3/(y - 1)^2",
+        "sqrt(2)/(1 + exp(-x))", "(-1)^n", "-x^2", "(1/2)^n", "log(x)/log(2)",
+        "2*(x^y)^2/x^(y/2)/(x^y^z)^3*c_n'", "500000*x^y"}) {
     const std::string shown = reading(typed);
     CHECK(reading(shown) == shown);
   }
