@@ -56,14 +56,31 @@ std::size_t bits(const cln::cl_RA& q) {
 
 bool is_function(const std::string& name) { return name == "root" || definitions().contains(name); }
 const std::string& definition_of(const std::string& function) { return definitions().at(function); }
-std::string hidden_function(const std::string& name) {
+std::string why_no_symbol(const std::string& word, bool is_before_bracket,
+                          const std::set<std::string>& factors) {
+  static const std::set<std::string> rounding{"ceil", "floor", "round", "trunc", "int"};
+  static const std::set<std::string> usual{"x", "y", "z", "t", "u", "V", "L",
+                                           "M", "m", "e", "n", "k", "j"};
+  if (factors.contains(word)) return "";
   for (const auto& [function, definition] : definitions()) {
-    if (!name.starts_with(function) || name == function) continue;
-    const std::string rest = name.substr(function.size());
+    if (!word.starts_with(function) || word == function) continue;
+    const std::string rest = word.substr(function.size());
     if (rest.size() == 1 || is_greek_name(rest) || is_whole(rest))
-      return function + "(" + rest + ")";
+      return word + ": is " + function + "(" + rest + ") meant?";
   }
-  return "";
+  const std::size_t mark = word.find('_');
+  if (mark != word.npos && is_function(word.substr(0, mark))) return "unknown function " + word;
+  const bool has_index = mark != word.npos && !word.ends_with("_prime");
+  if (!is_before_bracket || has_index || usual.contains(word) || is_greek_name(word)) return "";
+  if (rounding.contains(word)) return word + ": there are no rounding functions here";
+  const std::string unknown = "unknown function " + typed_text(symbol(word));
+  if (word.size() == 1)
+    return unknown + "; write * for a product, and " + word + "_n for " + word + "(n)";
+  std::string meant = alike(word, factors);
+  std::string small = word;
+  for (char& c : small) c = char(c | 0x20);
+  if (meant.empty() && is_function(small)) meant = small;  // SQRT of a spreadsheet
+  return unknown + (meant.empty() ? "" : "; is " + meant + " meant?");
 }
 
 cln::cl_RA number_of(const Token& token) {
@@ -135,12 +152,6 @@ Expr ordered_root(Expr order, Expr x, std::size_t column) {
   if (!is_usual) return raised_to(x, quotient(1, order, column), column);
   return root(cln::cl_I_to_int(cln::numerator(*value)), x);
 }
-Expr logarithm(Expr x, Expr base, std::size_t column) {
-  if (is_matrix(x) || is_matrix(base)) refuse_at(column, "log of a matrix");
-  if (base == Expr(1)) refuse_at(column, "there is no logarithm to base 1");
-  return call("log", x) / call("log", base);
-}
-
 Expr grid_of(const std::vector<Exprs>& rows, std::size_t column) {
   const Expr first = rows[0][0];
   const bool is_stack = is_matrix(first);

@@ -92,10 +92,15 @@ private:
   Expr disjunction() { return joined("or", &Reader::conjunction, logic_or); }
   Expr conjunction() { return joined("and", &Reader::relation, logic_and); }
   Expr joined(std::string_view word, Expr (Reader::*part)(), Expr (*join)(const Exprs&)) {
-    Exprs parts{(this->*part)()};
-    while (takes(word)) parts.push_back((this->*part)());
-    return parts.size() == 1 ? parts[0] : join(parts);
+    const Exprs all = parts(word, part);
+    return all.size() == 1 ? all[0] : join(all);
   }
+  Exprs parts(std::string_view sign, Expr (Reader::*part)()) {
+    Exprs out{(this->*part)()};
+    while (takes(sign)) out.push_back((this->*part)());
+    return out;
+  }
+  Exprs list() { return parts(",", &Reader::formula); }
   Expr relation() {
     if (takes("not")) return logic_not(atom());
     const Expr left = sum();
@@ -172,11 +177,6 @@ private:
     }
     need("]");
     return matrix(cols, entries);
-  }
-  Exprs list() {
-    Exprs out{formula()};
-    while (takes(",")) out.push_back(formula());
-    return out;
   }
   Exprs arguments() {
     need("(");

@@ -158,22 +158,11 @@ private:
         if (sign.kind == Kind::Number) refuse_here("an operator is missing before " + sign.text);
         if (slash != 0 && !is_matrix_ahead()) read_after_slash(from, slash);
         slash = 0;
-        const Token& before = words[place - 1];
-        const Expr right = power();
-        if (sign.text == "frac" && before.kind == Kind::Number && e.op() == Op::Num)
-          refuse_mixed(before.text, right, sign.column);
-        e = times(e, right, now().column);
+        e = times(e, power(), now().column);
       } else {
         return e;
       }
     }
-  }
-  // 2\frac{19}{64}: a mixed number to some, a product to others.
-  static void refuse_mixed(const std::string& number, Expr right, std::size_t column) {
-    if (right.op() != Op::Num) return;
-    const std::string part = digits(right.value());
-    refuse_at(column,
-              "a sum or a product? write " + number + " + " + part + " or " + number + "*" + part);
   }
   // 1/2 M_1, L/V sin(...) and a/(b)^2 (c) have one usual reading; 1/2(1+alpha) and a/b c have two.
   void read_after_slash(std::size_t from, std::size_t slash) {
@@ -253,28 +242,33 @@ private:
     return Expr(int(first - '0'));
   }
   Expr command(const Token& token) {
-    if (token.text == "frac") {
-      const Expr above = group();
-      return quotient(above, group(), token.column);
-    }
+    if (token.text == "frac") return fraction(token);
     if (!takes("[")) return kernel::sqrt(group());
     const Expr order = sum();
     close("]", token.column);
     return ordered_root(order, group(), token.column);
   }
-
-  bool is_factor(const std::string& name) const {
-    static const std::set<std::string> usual{"x", "y", "z", "t", "u", "V", "L",
-                                             "M", "m", "e", "n", "k", "j"};
-    return factors.contains(name) || usual.contains(name) || is_greek_name(name) ||
-           (name.find('_') != npos && !name.ends_with("_prime"));
+  // 2\frac{19}{64}: a mixed number to some, a product to others.
+  Expr fraction(const Token& token) {
+    const bool is_power = place > 2 && words[place - 3].text == "^";
+    const Token before = place > 1 && !is_power ? words[place - 2] : Token();
+    const Expr above = group();
+    const Expr below = group();
+    if (before.kind == Kind::Number && above.op() == Op::Num && below.op() == Op::Num) {
+      const std::string part = digits(above.value()) + "/" + digits(below.value());
+      refuse_at(token.column, "a sum or a product? write " + before.text + " + " + part + " or " +
+                                  before.text + "*" + part);
+    }
+    return quotient(above, below, token.column);
   }
+
   Expr name(const Token& token) {
     const std::string& word = token.text;
     if (is_function(word) || has_base(word)) return function(token);
     if (word == "x" && x) return x;
     if (word == "pi" || word == "Pi" || word == "PI") return kernel::pi();
-    if (!factors.contains(word)) refuse_function(token);
+    const std::string why = why_no_symbol(word, is("("), factors);
+    if (!why.empty()) refuse_at(token.column, why);
     if (!token.typed.empty()) note(token.typed + " is read as " + word);
     if (factors.contains(word)) return symbol(word);
     if (word == "i") note("i is read as a real number of its own");
@@ -282,26 +276,6 @@ private:
     if (word.size() > 1 && word.find('_') == npos && !is_greek_name(word))
       note(word + " is read as one name; a product is written " + product);
     return symbol(word);
-  }
-  // sinx, sin_2 and f(x): no functions here.
-  void refuse_function(const Token& token) const {
-    static const std::set<std::string> rounding{"ceil", "floor", "round", "trunc", "int"};
-    const std::string& word = token.text;
-    std::string meant = hidden_function(word);
-    if (!meant.empty()) refuse_at(token.column, word + ": is " + meant + " meant?");
-    const std::size_t mark = word.find('_');
-    if (mark != npos && is_function(word.substr(0, mark)))
-      refuse_at(token.column, "unknown function " + word);
-    if (!is("(") || is_factor(word)) return;
-    if (rounding.contains(word))
-      refuse_at(token.column, word + ": there are no rounding functions here");
-    meant = alike(word, factors);
-    std::string small = word;
-    for (char& c : small) c = char(c | 0x20);
-    if (meant.empty() && is_function(small)) meant = small;  // SQRT of a spreadsheet
-    std::string hint = meant.empty() ? "" : "; is " + meant + " meant?";
-    if (word.size() == 1) hint = "; write * for a product, and " + word + "_n for " + word + "(n)";
-    refuse_at(token.column, "unknown function " + typed_text(symbol(word)) + hint);
   }
   Expr function(const Token& token) {
     const std::size_t column = now().column;
@@ -338,17 +312,18 @@ private:
   }
   Expr logarithm_to_base(Token token) {
     const std::string base = token.text.substr(token.text[3] == '_' ? 4 : 3);
-    const bool is_number = is_whole(base);
-    const bool is_name = base.size() == 1 || is_greek_name(base) || factors.contains(base);
+    const bool is_short = base.size() == 1 || is_greek_name(base) || factors.contains(base);
     const bool is_decimal = now().kind == Kind::Number && now().text[0] == '.';
-    if ((!is_number && !is_name) || is_decimal)
+    if ((!is_whole(base) && !is_short) || is_decimal)
       refuse_at(token.column, "unknown function " + token.text +
                                   "; write log(x)/log(b) for the logarithm to base b");
     note(token.text + " is read as the logarithm to base " + base);
     token.text = "log";
-    const Expr of = argument(token);
+    const Expr above = call("log", argument(token));
     token.text = base;
-    return logarithm(of, is_number ? Expr(number_of(token)) : name(token), token.column);
+    const Expr b = is_whole(base) ? Expr(number_of(token)) : name(token);
+    if (b == Expr(1)) refuse_at(token.column, "there is no logarithm to base 1");
+    return above / call("log", b);
   }
   // What a function is taken of. Without brackets: cos theta, \cos n\psi, sin 2 x, sqrt 2.
   Expr argument(const Token& token) {
