@@ -66,11 +66,10 @@ std::string name_of(Expr e) {
   return e.name().substr(mark.size());
 }
 std::string alike(const std::string& name, const std::set<std::string>& names) {
-  const auto plain = [](const std::string& text) {
-    std::string out;
-    for (const char c : text)
-      if (c != '_') out += c >= 'A' && c <= 'Z' ? char(c | 0x20) : c;
-    return out;
+  const auto plain = [](std::string text) {
+    std::erase(text, '_');
+    for (char& c : text) c = char(c | 0x20);  // small
+    return text;
   };
   if (name.size() == 1) return "";  // M and m are two masses
   for (const std::string& other : names)

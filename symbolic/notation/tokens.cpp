@@ -236,7 +236,7 @@ private:
 
   void superscript(std::size_t column) {
     const std::string word = run(superscripts);
-    if (word.find_last_of("-") + 1 > (word.size() > 1 ? 1 : 0) || word.find('n') < word.size() - 1)
+    if (word.ends_with('-') || word.find('n') < word.size() - 1)
       refuse_at(column, "a superscript that is no whole number");
     spelled("^(" + word + ")", column);
   }

@@ -137,9 +137,8 @@ private:
   }
 
   bool starts_factor() const {
-    if (is("|")) return bars == 0;
-    return now().kind == Kind::Name || now().kind == Kind::Number || is("(") || is("{") ||
-           is("[") || now().kind == Kind::Command;
+    if (now().kind != Kind::Sign) return now().kind != Kind::End;
+    return is("(") || is("{") || is("[") || (is("|") && bars == 0);
   }
   Expr term() {
     std::size_t from = place;
