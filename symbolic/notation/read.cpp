@@ -187,22 +187,18 @@ private:
 
   // A bound variable, a variable, a function with what follows it, or a function at an index.
   Expr resolved(const std::string& name) {
-    const auto is_named = [&](const auto& variable) { return variable.first == name; };
-    const auto inner = std::ranges::find_if(bound, is_named);
-    if (inner != bound.end())
-      return make(
-          {.op = Op::Bound, .index = int(inner - bound.begin()), .variable = inner->second});
+    for (std::size_t i = 0; i < bound.size(); ++i)
+      if (bound[i].first == name)
+        return make({.op = Op::Bound, .index = int(i), .variable = bound[i].second});
     if (const Expr v = known_variable(name)) return v;
     const std::size_t split = name.rfind('_');
     const std::string index = split == name.npos ? "" : name.substr(split + 1);
-    if (split != name.npos && index.empty() && is_attached("(")) {
-      const std::string function = indexed(name, split);
-      return applied(function, arguments());
-    }
-    if (signature(name)) return applied(name, {});
-    if (index.empty()) refuse("the name " + name + " is not known");
+    const bool has_indices = split != name.npos && index.empty() && is_attached("(");
+    if (!has_indices && signature(name)) return applied(name, {});
+    const std::string function = indexed(name, split);
+    if (index.empty()) return applied(function, arguments());
     const Expr at = is_whole(index) ? Expr(cln::cl_RA(cln::cl_I(index.c_str()))) : resolved(index);
-    return applied(indexed(name, split), {at});
+    return applied(function, {at});
   }
   // alpha_ or alpha, of alpha_3
   std::string indexed(const std::string& name, std::size_t split) {

@@ -309,6 +309,14 @@ private:
 };
 }  // namespace
 
+std::string Words::typed(std::size_t from, std::size_t to) const {
+  std::string out = words[from].text;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const bool are_two = words[i].kind == Kind::Name && words[i - 1].kind != Kind::Sign;
+    out += (words[i].is_spaced || are_two ? " " : "") + words[i].text;
+  }
+  return out;
+}
 void refuse_at(std::size_t column, const std::string& why) {
   kernel::refuse("column " + std::to_string(column) + ": " + why);
 }

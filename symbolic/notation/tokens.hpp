@@ -29,6 +29,7 @@ protected:
     ++place;
     return true;
   }
+  std::string typed(std::size_t from, std::size_t to) const;  ///< these, with blanks
   std::vector<Token> words;
   std::size_t place = 0;
 };

@@ -35,10 +35,8 @@ public:
     std::vector<Comparison> out;
     Expr left = sum();
     while (is_relation()) {
-      const std::string relation = next().text;
-      const Expr right = sum();
-      out.push_back({left, relation, right});
-      left = right;
+      out.push_back({left, next().text, sum()});
+      left = out.back().right;
     }
     if (out.empty()) refuse_here("a relation is missing, as in 0 < alpha");
     expect_end();
@@ -89,14 +87,6 @@ private:
   }
   void note(const std::string& how) {
     if (std::ranges::find(notes, how) == notes.end()) notes.push_back(how);
-  }
-  std::string typed(std::size_t from, std::size_t to) const {
-    std::string out = words[from].text;
-    for (std::size_t i = from + 1; i < to; ++i) {
-      const bool are_two = words[i].kind == Kind::Name && words[i - 1].kind != Kind::Sign;
-      out += (words[i].is_spaced || are_two ? " " : "") + words[i].text;
-    }
-    return out;
   }
   void close(const std::string& sign, std::size_t opened) {
     if (takes(sign)) return;
@@ -212,12 +202,7 @@ private:
     if (token.kind == Kind::Number) return Expr(number_of(token));
     if (token.kind == Kind::Name) return name(token);
     if (token.kind == Kind::Command) return command(token);
-    if (token.text == "(" || token.text == "{") return inside(token);
-    if (token.text == "[") {
-      const std::vector<Exprs> all = rows();
-      close("]", token.column);
-      return grid_of(all, token.column);
-    }
+    if (token.text == "(" || token.text == "{" || token.text == "[") return inside(token);
     if (token.text != "|") refuse_at(token.column, "unexpected " + token.text);
     ++bars;
     const Expr e = sum();
@@ -227,9 +212,10 @@ private:
   }
   Expr inside(const Token& opened) {
     const int outer = std::exchange(bars, 0);
-    const Expr e = expression();
+    const bool is_grid = opened.text == "[";
+    const Expr e = is_grid ? grid_of(rows(), opened.column) : expression();
     bars = outer;
-    close(opened.text == "(" ? ")" : "}", opened.column);
+    close(is_grid ? "]" : opened.text == "(" ? ")" : "}", opened.column);
     return e;
   }
   // {a + b}, or the one character that LaTeX takes.
@@ -251,8 +237,7 @@ private:
   Expr fraction(const Token& token) {
     const bool is_power = place > 2 && words[place - 3].text == "^";
     const Token before = place > 1 && !is_power ? words[place - 2] : Token();
-    const Expr above = group();
-    const Expr below = group();
+    const Expr above = group(), below = group();
     if (before.kind == Kind::Number && above.op() == Op::Num && below.op() == Op::Num) {
       const std::string part = digits(above.value()) + "/" + digits(below.value());
       refuse_at(token.column, "a sum or a product? write " + before.text + " + " + part + " or " +
