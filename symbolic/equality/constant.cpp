@@ -220,8 +220,7 @@ private:
     if (name == "inv") return x.inverse();
     if (name == "abs") return x;
     if (name == "sqrt") return root(e, x, 2, 1);
-    if (name == "root")
-      return root(e, x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())), 1);
+    if (name == "root") return root(e, x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())), 1);
     const auto value = name == "raised" ? notation::rational_value(e.arg(1)) : std::nullopt;
     need(value && cln::abs(cln::numerator(*value)) <= 10000 && cln::denominator(*value) <= 1000);
     return root(e, *value < 0 ? x.inverse() : x, cln::cl_I_to_int(cln::denominator(*value)),
