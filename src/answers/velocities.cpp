@@ -178,8 +178,9 @@ Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
     throw Undecided(
         "terminal: collisions never end, at a time that may be no fraction; add --digits D");
   const auto end = [&] {
-    const auto [time, position, v] = trio.collapse(trio.shape());
-    return Balls{v, v, v, v * v, time};
+    const Trio::Collision c = trio.collapse(trio.shape());
+    const Ball& v = c.v_left;
+    return Balls{v, v, v, v * v, c.time};
   };
   return concatenated({Row(2, {"infinitely many", "null"}), rounded(end, in.digits)});
 }

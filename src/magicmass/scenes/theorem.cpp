@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 #include <utility>
 
@@ -44,11 +43,6 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
 std::vector<double> certain(const Balls& balls) {
   return with_bits(17, [&] { return rounded(balls); });
 }
-Places mirrored(Places places) {
-  std::reverse(places.masses.begin(), places.masses.end());
-  places.line = simulator::mirrored(std::move(places.line));
-  return places;
-}
 Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities) {
   Ball sum = 0;
   for (std::size_t i = 0; i < masses.size(); ++i)
@@ -65,180 +59,69 @@ std::int64_t count_of(std::int64_t most, const IsBy& is_by) {
     if (are_by()) count += more;
   return count;
 }
-/// A motion that theorems tell, or what a mirror shows of it; each number the nearest double.
-template <class Motion>
-struct Seen {
-  Motion motion;
-  bool is_mirrored;
 
-  /// Nothing where the scene is neither.
-  static std::optional<Seen> of(const Scene& scene) {
-    const auto places = exact_places(scene);
-    if (!places) return {};
-    if (auto motion = Motion::of(*places)) return Seen{std::move(*motion), false};
-    if (auto motion = Motion::of(mirrored(*places))) return Seen{std::move(*motion), true};
-    return {};
-  }
-  /// Velocities or places of all bodies.
-  std::vector<Ball> seen(std::vector<Ball> all) const {
-    if (!is_mirrored) return all;
-    std::reverse(all.begin(), all.end());
-    for (Ball& x : all) x = -x;
-    return all;
-  }
-  /// How many of the first `most` come by this time.
-  std::int64_t count_until(const Value& time, std::int64_t most) const {
-    const auto counted = [&] {
-      const auto s = motion.shape();
-      const Ball until = ball_of(time);
-      return count_of(most, [&](std::int64_t j) {
-        const auto exact = motion.exact_time(j);
-        if (exact && time.exact() != nullptr) try {
-            return !(*time.exact() < *exact);
-          } catch (const std::domain_error&) {  // of two fields, so not equal
-          }
-        return motion.collision(s, j).time <= until;
-      });
-    };
-    return with_bits(17, counted, " to tell whether a collision comes by the time " + time.text);
-  }
-  /// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
-  std::optional<std::int64_t> within(const Scene& scene) const {
-    auto N = motion.count();
-    const bool is_collapse = std::same_as<Motion, Trio> && !N;
-    const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
-    if (scene.max_events || (!N && !is_collapse)) N = std::min(N.value_or(limit), limit);
-    if (!scene.until) return N;
-    if constexpr (std::same_as<Motion, Trio>) {
-      const auto collapses_by = [&] {
-        return motion.collapse(motion.shape()).time <= ball_of(*scene.until);
-      };
-      if (is_collapse && with_bits(17, collapses_by)) return N;
-    }
-    return count_until(*scene.until, N.value_or(limit));
-  }
-  /// All but the plan after so many collisions, or after infinitely many.
-  Result after(std::optional<std::int64_t> collisions) const {
-    Result result;
-    result.events = collisions.value_or(0);
-    result.counts = motion.counts(result.events);
-    if (is_mirrored) std::reverse(result.counts.begin(), result.counts.end());
-    result.status = collisions ? Status::complete : Status::collapse;
-    const std::size_t bodies = motion.bodies();
-    const std::vector<double> numbers = certain([&] {
-      const auto s = motion.shape();
-      const std::vector<Ball> masses = motion.masses(s);
-      std::vector<Ball> all = motion.velocities(s, result.events), end;
-      if constexpr (std::same_as<Motion, Trio>) {
-        if (!collisions) {
-          const Trio::Collapse c = motion.collapse(s);
-          all.assign(bodies, c.velocity);
-          end = {c.time, is_mirrored ? -c.position : c.position};
+/// How many of the first `most` come by this time.
+std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t most) {
+  const auto counted = [&] {
+    const auto s = trios.shape();
+    const Ball until = ball_of(time);
+    return count_of(most, [&](std::int64_t j) {
+      const auto exact = trios.exact_time(j);
+      if (exact && time.exact() != nullptr) try {
+          return !(*time.exact() < *exact);
+        } catch (const std::domain_error&) {  // of two fields, so not equal
         }
-      }
-      const Ball before = energy(masses, motion.velocities(s, 0)), after = energy(masses, all);
-      const Ball of_last = energy({masses.back()}, {all.back()});
-      all = seen(std::move(all));
-      all.insert(all.end(), {before, after, of_last / before});
-      all.insert(all.end(), end.begin(), end.end());
-      return all;
+      return trios.collision(s, j).time <= until;
     });
-    const auto next = numbers.begin() + static_cast<std::ptrdiff_t>(bodies);
-    result.terminal.assign(numbers.begin(), next);
-    result.energy_before = next[0];
-    result.energy = next[1];
-    result.transmitted = next[2];
-    if (collisions) return result;
-    result.collapse_time = result.known_until = next[3];
-    result.collapse_position = next[4];
-    return result;
-  }
-  /// Where bodies are at a time, of the first `most` collisions. Where it may be that of one, the
-  /// ways before and after it have the same doubles.
-  std::vector<double> places(const Value& time, std::int64_t most) const {
-    const auto told = [&]() -> std::optional<std::vector<double>> {
-      const auto s = motion.shape();
-      const Ball at = ball_of(time);
-      int open = 0;
-      const auto after = [&](bool if_open) {
-        const std::int64_t N = count_of(most, [&](std::int64_t j) {
-          try {
-            return motion.collision(s, j).time <= at;
-          } catch (const NotCertain&) {
-            ++open;
-            return if_open;
-          }
-        });
-        return std::pair(N, rounded([&] { return seen(motion.places(s, at, N)); }));
-      };
-      const auto [N, places] = after(false);
-      if (open == 0 || after(true) == std::pair(N + 1, places)) return places;
-      return {};
-    };
-    return with_bits(17, told, " to tell where bodies are at the time " + time.text);
-  }
-  /// Every so many collisions; of infinitely many at least the first three, and more while doubles
-  /// can tell their times apart.
-  void stream(std::optional<std::int64_t> collisions, std::int64_t every, const Sink& sink) const {
-    auto shape = with_bits(17, [&] { return motion.shape(); });
-    const int enough_bits = Ball::bits();
-    auto now = motion.stepped(shape, 0);
-    const bool is_stepped = std::same_as<Motion, Trio> && (!collisions || every < 8);
-    const std::int64_t end = collisions.value_or(INT64_MAX), step = is_stepped ? 1 : every;
-    double before = -1;
-    const auto row_of = [](const Trio::Collision& c) {
-      return std::vector{c.time, c.position, c.v_left, c.v_right};
-    };
-    for (std::int64_t j = step - 1; j < end; j += std::min(step, end - j)) {
-      const auto next = [&] { return row_of(motion.step(shape, now)); };
-      const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
-      const bool is_alone = !is_stepped || is_last;
-      const auto alone = [&] { return row_of(motion.collision(shape, j)); };
-      auto row = is_alone ? rounded(alone) : rounded(next);
-      if (!row) {
-        row = certain([&] {
-          shape = motion.shape();
-          if (is_alone) return alone();
-          now = motion.stepped(shape, j);
-          return next();
-        });
-        if (is_alone) {
-          Ball::set_bits(enough_bits);
-          shape = motion.shape();
-        }
-      }
-      const std::vector<double>& n = *row;
-      if (!collisions && j >= 3 && n[0] == before) return;
-      before = n[0];
-      if ((j + 1) % every != 0) continue;
-      if (is_mirrored)
-        sink({j + 1, motion.bodies() - motion.gap(j), n[0], -n[1], -n[3], -n[2]});
-      else
-        sink({j + 1, motion.gap(j), n[0], n[1], n[2], n[3]});
+  };
+  return with_bits(17, counted, " to tell whether a collision comes by the time " + time.text);
+}
+/// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
+std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
+  auto N = trios.count();
+  const Trio* const collapsing = N ? nullptr : trios.alone();
+  const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
+  if (scene.max_events || (!N && !collapsing)) N = std::min(N.value_or(limit), limit);
+  if (!scene.until) return N;
+  const auto collapses_by = [&] {
+    return collapsing->collapse(collapsing->shape()).time <= ball_of(*scene.until);
+  };
+  if (collapsing && with_bits(17, collapses_by)) return N;
+  return count_until(trios, *scene.until, N.value_or(limit));
+}
+/// All but the plan after so many collisions, or after infinitely many.
+Result after(const Trios& trios, std::optional<std::int64_t> collisions) {
+  Result result;
+  result.events = collisions.value_or(0);
+  result.counts = trios.counts(result.events);
+  result.status = collisions ? Status::complete : Status::collapse;
+  const std::size_t bodies = trios.bodies(), last = trios.last();
+  const std::vector<double> numbers = certain([&] {
+    const auto s = trios.shape();
+    const std::vector<Ball> masses = trios.masses(s);
+    std::vector<Ball> all = trios.velocities(s, result.events), end;
+    if (!collisions) {
+      const Trio::Collision c = trios.seen(trios.alone()->collapse(s.begin()->second));
+      all.assign(bodies, c.v_left);
+      end = {c.time, c.position};
     }
-  }
-  Result result(const Scene& scene, const char* model, const std::string& reason) const {
-    constexpr std::int64_t few = 64;
-    const auto events = within(scene);
-    const bool is_few = events && *events <= few && has_exact_numbers(scene);
-    Result result = is_few ? Result() : after(events);
-    result.plan = {model, is_few,
-                   reason + (is_few ? "; so few collisions are stepped exactly" : "")};
-    if (is_few) return result;
-    if (!events) {
-      result.why =
-          "infinitely many collisions; a list has the first three, and more while doubles can tell "
-          "their times apart";
-    } else if (events != motion.count()) {
-      const bool is_limit = events == scene.limit();
-      const auto next = [&] { return std::vector{motion.collision(motion.shape(), *events).time}; };
-      result.status = Status::limited;
-      result.why = is_limit ? at_limit(*events) : at_until;
-      result.known_until = is_limit ? certain(next)[0] : scene.until->to_double();
-    }
-    return result;
-  }
-};
+    const Ball before = energy(masses, trios.velocities(s, 0)), after = energy(masses, all);
+    const Ball of_last = energy({masses[last]}, {all[last]});
+    all.insert(all.end(), {before, after, of_last / before});
+    all.insert(all.end(), end.begin(), end.end());
+    return all;
+  });
+  const auto next = numbers.begin() + static_cast<std::ptrdiff_t>(bodies);
+  result.terminal.assign(numbers.begin(), next);
+  result.energy_before = next[0];
+  result.energy = next[1];
+  result.transmitted = next[2];
+  if (collisions) return result;
+  result.collapse_time = result.known_until = next[3];
+  result.collapse_position = next[4];
+  return result;
+}
+
 }  // namespace
 
 std::string at_limit(std::int64_t limit) {
@@ -247,32 +130,103 @@ std::string at_limit(std::int64_t limit) {
 }
 
 std::optional<Result> by_theorem(const Scene& scene) {
-  const auto trio = Seen<Trio>::of(scene);
+  constexpr std::int64_t few = 64;
+  const auto trios = Trios::of(scene);
+  if (!trios) return {};
+  const bool is_open = !trios->alone() || scene.until || scene.max_events;
   try {
-    if (trio)
-      return trio->result(scene, "theorem",
-                          trio->motion.bodies() == 3 ? "a ball between two blocks"
-                                                     : "a ball between a block and a wall");
-    if (const auto cradle = Seen<Cradle>::of(scene))
-      return cradle->result(scene, "transfers",
-                            "a cradle: each ball of a magic ratio hands on all to the next block");
+    const auto events = within(*trios, scene);
+    const bool is_few = events && *events <= few && has_exact_numbers(scene);
+    Result result = is_few ? Result() : after(*trios, events);
+    result.plan = {trios->alone() ? "theorem" : "transfers", is_few,
+                   !trios->alone()
+                       ? "a cradle: each ball of a magic ratio hands on all to the next block"
+                   : trios->bodies() == 3 ? "a ball between two blocks"
+                                          : "a ball between a block and a wall"};
+    if (is_few) {
+      result.plan.reason += "; so few collisions are stepped exactly";
+    } else if (!events) {
+      result.why =
+          "infinitely many collisions; a list has the first three, and more while doubles can tell "
+          "their times apart";
+    } else if (events != trios->count()) {
+      const bool is_limit = events == scene.limit();
+      const auto next = [&] { return std::vector{trios->collision(trios->shape(), *events).time}; };
+      result.status = Status::limited;
+      result.why = is_limit ? at_limit(*events) : at_until;
+      result.known_until = is_limit ? certain(next)[0] : scene.until->to_double();
+    }
+    return result;
   } catch (const Undecided&) {
-    if (trio && !scene.until && !scene.max_events) throw;
+    if (!is_open) throw;
+    return {};
   }
-  return {};
 }
 
-/// What to do with what the scene's motion is seen as.
-template <class Do>
-auto with_motion(const Scene& scene, const Do& act) {
-  if (const auto trio = Seen<Trio>::of(scene)) return act(*trio);
-  return act(*Seen<Cradle>::of(scene));
-}
 void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink) {
-  with_motion(scene, [&](const auto& seen) { seen.stream(seen.within(scene), every, sink); });
+  const Trios trios = *Trios::of(scene);
+  const auto collisions = within(trios, scene);
+  const Trio* const stepped = !collisions || every < 8 ? trios.alone() : nullptr;
+  auto shape = with_bits(17, [&] { return trios.shape(); });
+  const int enough_bits = Ball::bits();
+  std::optional<Trio::Stepping> now;
+  const std::int64_t end = collisions.value_or(INT64_MAX), step = stepped ? 1 : every;
+  double before = -1;
+  for (std::int64_t j = step - 1; j < end; j += std::min(step, end - j)) {
+    const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
+    const bool is_alone = !stepped || is_last;
+    const auto start = [&] {
+      shape = trios.shape();
+      if (!is_alone) now = stepped->stepped(shape.begin()->second, j);
+    };
+    const auto next = [&] {
+      if (!is_alone) now->step();
+      const Trio::Collision c =
+          is_alone ? trios.collision(shape, j) : trios.seen(stepped->collision(*now));
+      return std::vector{c.time, c.position, c.v_left, c.v_right};
+    };
+    if (j == 0) start();
+    auto row = rounded(next);
+    if (!row) {
+      row = certain([&] {
+        start();
+        return next();
+      });
+      if (is_alone) {
+        Ball::set_bits(enough_bits);
+        shape = trios.shape();
+      }
+    }
+    const std::vector<double>& n = *row;
+    if (!collisions && j >= 3 && n[0] == before) return;
+    before = n[0];
+    if ((j + 1) % every == 0) sink({j + 1, trios.gap(j), n[0], n[1], n[2], n[3]});
+  }
 }
+
+/// Where the time may be that of a collision, the ways before and after it have the same doubles.
 std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time) {
-  return with_motion(scene, [&](const auto& seen) { return seen.places(time, most); });
+  const Trios trios = *Trios::of(scene);
+  const auto told = [&]() -> std::optional<std::vector<double>> {
+    const auto s = trios.shape();
+    const Ball at = ball_of(time);
+    int open = 0;
+    const auto after = [&](bool if_open) {
+      const std::int64_t N = count_of(most, [&](std::int64_t j) {
+        try {
+          return trios.collision(s, j).time <= at;
+        } catch (const NotCertain&) {
+          ++open;
+          return if_open;
+        }
+      });
+      return std::pair(N, rounded([&] { return trios.places(s, at, N); }));
+    };
+    const auto [N, places] = after(false);
+    if (open == 0 || after(true) == std::pair(N + 1, places)) return places;
+    return {};
+  };
+  return with_bits(17, told, " to tell where bodies are at the time " + time.text);
 }
 
 }  // namespace magicmass::scenes

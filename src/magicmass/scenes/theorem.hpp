@@ -2,8 +2,8 @@
 // The motion of a trio or a cradle by theorems: counted, not stepped.
 #pragma once
 
-#include "magicmass/scenes/cradle.hpp"
 #include "magicmass/scenes/run.hpp"
+#include "magicmass/scenes/trios.hpp"
 
 namespace magicmass::scenes {
 

@@ -93,7 +93,7 @@ std::optional<Quadratic> Trio::exact_q_e() const {
 }
 Trio::Shape Trio::shape() const {
   const Ball C = ball_of(C_);
-  Shape s{ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), ball_of(e_), 0};
+  Shape s{C, ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), ball_of(e_), 0};
   const auto q_e = exact_q_e();
   s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact<Ball>(s.A, s.per_B, 1, s.e).q_e;
   if (s.q_e > 0) s.h_e = value_of_form(generated::angle_restitution<Unguarded>, s).h_e;
@@ -163,8 +163,7 @@ Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
   while (now.collisions < collisions) now.step();
   return now;
 }
-Trio::Collision Trio::step(const Shape& /*s*/, Stepping& now) const {
-  now.step();
+Trio::Collision Trio::collision(const Stepping& now) const {
   return in_scene(now.collisions - 1, now.time, now.place, now.velocities);
 }
 Ball Trio::time_of(const Ball& moment) const {
@@ -220,10 +219,7 @@ std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
-  if (s.q_e <= 0) {
-    Stepping now = stepped(s, j);
-    return step(s, now);
-  }
+  if (s.q_e <= 0) return collision(stepped(s, j + 1));
   if (j == 0) {
     const Stepping first = stepped(s, 0);
     return in_scene(0, first.time, first.place, seen(s, 1));
@@ -247,19 +243,14 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
   }
   return all;
 }
-Trio::Collapse Trio::collapse(const Shape& s) const {
+Trio::Collision Trio::collapse(const Shape& s) const {
   const auto end = end_of(s, start());
-  const Ball time = time_of(end.t_any);
-  if (!B_) return {time, place_of(time, 0), 0};
-  return {time, place_of(time, end.x_any), velocity_of(end.v_any)};
+  const Ball time = time_of(end.t_any), v = B_ ? velocity_of(end.v_any) : Ball(0);
+  return {time, place_of(time, B_ ? Ball(end.x_any) : Ball(0)), v, v};
 }
-std::vector<Ball> Trio::masses(const Shape& /*s*/) const {
-  if (!B_) return {ball_of(A_), ball_of(C_)};
-  return {ball_of(A_), ball_of(C_), ball_of(*B_)};
-}
-std::vector<std::int64_t> Trio::counts(std::int64_t collisions) const {
-  std::vector<std::int64_t> all{0, (collisions + 1) / 2, collisions / 2};
-  if (B_) all.push_back(0);
+std::vector<Ball> Trio::masses(const Shape& s) const {
+  std::vector<Ball> all{ball_of(A_), s.C};
+  if (B_) all.push_back(ball_of(*B_));
   return all;
 }
 

@@ -41,11 +41,13 @@ public:
 
   /// What all of the motion depends on, with the bits that are set now; in units of the mass of C.
   struct Shape {
+    Ball C;  ///< its mass, in other units
     Ball A, per_B, e, q_e;
     Ball h_e = 0;  ///< where q_e is above 0
   };
   Shape shape() const;
 
+  /// Or a collapse, from which all go on at one velocity.
   struct Collision {
     Ball time, position, v_left, v_right;
   };
@@ -56,7 +58,8 @@ public:
   /// The motion collision by collision, quicker than collision(), with a few bits lost.
   using Stepping = simulator::InTurn<Ball>;
   Stepping stepped(const Shape& s, std::int64_t collisions) const;
-  Collision step(const Shape& s, Stepping& now) const;
+  /// The last one that was stepped.
+  Collision collision(const Stepping& now) const;
   std::size_t bodies() const { return B_ ? 3 : 2; }
   /// The gap that closes there.
   std::size_t gap(std::int64_t j) const { return j % 2 == 0 ? 1 : 2; }
@@ -66,14 +69,9 @@ public:
   /// Where all bodies are at a time, after so many collisions.
   std::vector<Ball> places(const Shape& s, const Ball& time, std::int64_t collisions) const;
 
-  struct Collapse {
-    Ball time, position, velocity;
-  };
   /// Where and when infinitely many collisions come to an end.
-  Collapse collapse(const Shape& s) const;
+  Collision collapse(const Shape& s) const;
   std::vector<Ball> masses(const Shape& s) const;
-  /// Of so many collisions, those at each gap.
-  std::vector<std::int64_t> counts(std::int64_t collisions) const;
 
 private:
   /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field

@@ -101,7 +101,7 @@ cl_RA compare_end(const Trio& trio, const std::vector<Step>& rows, Line line) {
   const cl_RA wait = time(1) - time(2), part = wait == 0 ? cl_RA(0) : wait / (time(2) - time(3));
   const cl_RA rest = wait * part / (1 - part);
   Ball::set_bits(1024);
-  const Trio::Collapse end = trio.collapse(trio.shape());
+  const Trio::Collision end = trio.collapse(trio.shape());
   const auto between = [](const cl_RA& low, const Ball& x, const cl_RA& high) {
     REQUIRE(low <= x.high());
     REQUIRE(x.low() <= high);
@@ -111,9 +111,9 @@ cl_RA compare_end(const Trio& trio, const std::vector<Step>& rows, Line line) {
   const cl_RA of_time = between(line.time, end.time, line.time + 3 * rest);
   const cl_RA of_place = between(line.place[0] + std::min(cl_RA(0), 3 * B * rest), end.position,
                                  line.place[1] + std::max(cl_RA(0), 3 * A * rest));
-  const cl_RA of_velocity = between(B, end.velocity, A);
+  const cl_RA of_velocity = between(B, end.v_left, A);
   const cl_RA M_A = line.per_B * line.A_mass, M_C = line.per_B * line.ball;
-  REQUIRE(holds(end.velocity, (M_A * A + B + M_C * C) / (M_A + 1 + M_C)));
+  REQUIRE(holds(end.v_left, (M_A * A + B + M_C * C) / (M_A + 1 + M_C)));
   return std::max({of_time, of_place, of_velocity});
 }
 }  // namespace

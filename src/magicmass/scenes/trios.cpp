@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/scenes/cradle.hpp"
+#include "magicmass/scenes/trios.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "magicmass/numbers/errors.hpp"
 
@@ -20,18 +21,36 @@ bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
 
 }  // namespace
 
-std::optional<Cradle> Cradle::of(const Places& places) {
+std::optional<Trios> Trios::of(const Scene& scene) {
+  auto places = exact_places(scene);
+  if (!places) return {};
+  auto found = of(*places);
+  if (found) return found;
+  std::ranges::reverse(places->masses);
+  places->line = simulator::mirrored(std::move(places->line));
+  found = of(*places);
+  if (found) found->is_mirrored_ = true;
+  return found;
+}
+
+std::optional<Trios> Trios::of(const Places& places) {
+  Trios all;
+  if (const auto trio = Trio::of(places)) {
+    all.is_cradle_ = false;
+    all.way_ = INT64_MAX / 2 - 1;
+    all.pairs_ = {{*trio, all.way_ / 2, 0}};
+    return all;
+  }
   const auto& [masses, line, unit_V, unit_L] = places;
   if (!unit_V.is(1) || !unit_L.is(1)) return {};
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
   if (bodies < 3 || bodies % 2 == 0) return {};
   if (std::any_of(v.begin() + 1, v.end(), [](const Quadratic& u) { return !(u == 0); })) return {};
-  Cradle cradle;
-  cradle.x_ = x[0];
-  cradle.V_ = v[0];
-  cradle.ahead_ = line.right_wall;
-  cradle.behind_ = line.left_wall;
+  all.x_ = x[0];
+  all.V_ = v[0];
+  all.ahead_ = line.right_wall;
+  all.behind_ = line.left_wall;
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
     const auto trio =
         Trio::of({{masses[ball - 1], masses[ball], masses[ball + 1]},
@@ -41,33 +60,34 @@ std::optional<Cradle> Cradle::of(const Places& places) {
     if (N % 2 != 0 || !(Quadratic(0) < L)) return {};
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next)) return {};  // cradle.room
-    cradle.pairs_.push_back({*trio, k, cradle.way_});
-    cradle.way_ += 2 * k;  // cradle.number
-    if (cradle.way_ > most_of_way) return {};
+    all.pairs_.push_back({*trio, k, all.way_});
+    all.way_ += N;  // cradle.number
+    if (all.way_ > most_of_way) return {};
   }
-  return cradle;
+  return all;
 }
 
-std::optional<std::int64_t> Cradle::count() const {
+std::optional<std::int64_t> Trios::count() const {
+  if (alone()) return alone()->count();
   if (ahead_ && behind_) return {};
   return ahead_ ? 2 * way_ + 1 : way_;
 }
 
-Cradle::Shape Cradle::shape() const {
+Trios::Shape Trios::shape() const {
   Shape all;
   for (const Pair& pair : pairs_)
-    if (all.count(pair.k) == 0) all.emplace(pair.k, pair.trio.shape());
+    if (!all.contains(pair.k)) all.emplace(pair.k, pair.trio.shape());
   return all;
 }
 
 /// Where collision j is: in which round trip, on the way out or back, and which one of a pair.
-struct Cradle::Moment {
+struct Trios::Moment {
   std::int64_t round;
   bool is_back;         ///< or at the wall behind
   const Pair* pair;     ///< nothing for a wall
   std::int64_t number;  ///< on the way out
 };
-Cradle::Moment Cradle::moment(std::int64_t j) const {
+Trios::Moment Trios::moment(std::int64_t j) const {
   const std::int64_t of_round = j % period(), round = j / period();
   const bool is_back = of_round > way_;
   if (of_round % (way_ + 1) == way_) return {round, is_back, nullptr, 0};
@@ -77,20 +97,29 @@ Cradle::Moment Cradle::moment(std::int64_t j) const {
   return {round, is_back, &pair, of_way - pair.before};
 }
 /// On the way back motion runs backwards.
-Quadratic Cradle::time_of(const Moment& m, const Quadratic& on_first_way) const {
+Quadratic Trios::time_of(const Moment& m, const Quadratic& on_first_way) const {
   Quadratic from = 0;
   if (ahead_ && behind_)
     from = Quadratic(2 * cln::cl_I(static_cast<long long>(m.round))) *
            (time_at(*ahead_) - time_at(*behind_));
   return m.is_back ? from + 2 * time_at(*ahead_) - on_first_way : from + on_first_way;
 }
-std::optional<Quadratic> Cradle::exact_time(std::int64_t j) const {
+std::optional<Quadratic> Trios::exact_time(std::int64_t j) const {
   const Moment m = moment(j);
   const auto on_first_way =
       m.pair ? m.pair->trio.exact_time(m.number) : time_at(m.is_back ? *behind_ : *ahead_);
   return on_first_way ? std::optional(time_of(m, *on_first_way)) : std::nullopt;
 }
-Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
+std::vector<Ball> Trios::seen(std::vector<Ball> all) const {
+  if (!is_mirrored_) return all;
+  std::ranges::reverse(all);
+  for (Ball& x : all) x = -x;
+  return all;
+}
+Trio::Collision Trios::seen(const Trio::Collision& c) const {
+  return is_mirrored_ ? Trio::Collision{c.time, -c.position, -c.v_right, -c.v_left} : c;
+}
+Trio::Collision Trios::collision(const Shape& s, std::int64_t j) const {
   const Moment m = moment(j);
   Trio::Collision c{0, 0, 0, 0};
   if (m.pair) {
@@ -109,28 +138,29 @@ Trio::Collision Cradle::collision(const Shape& s, std::int64_t j) const {
     (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
   }
   c.time = ball_of(time_of(m, 0)) + (m.is_back ? -c.time : c.time);
-  return c;
+  return seen(c);
 }
-std::size_t Cradle::gap(std::int64_t j) const {
+std::size_t Trios::gap(std::int64_t j) const {
   const Moment m = moment(j);
-  if (!m.pair) return m.is_back ? 0 : bodies();
-  return first_of(*m.pair) + m.pair->trio.gap(m.number);
+  const std::size_t gap = m.pair      ? first_of(*m.pair) + m.pair->trio.gap(m.number)
+                          : m.is_back ? 0
+                                      : bodies();
+  return is_mirrored_ ? bodies() - gap : gap;
 }
-std::vector<Ball> Cradle::velocities(const Shape& s, std::int64_t collisions) const {
+std::vector<Ball> Trios::velocities(const Shape& s, std::int64_t collisions) const {
   const bool is_back = collisions % period() > way_;
   const Moment m = moment(is_back ? collisions - 1 : collisions);
   std::vector<Ball> all(bodies());
-  if (m.pair) {
-    const std::vector<Ball> v = m.pair->trio.velocities(s.at(m.pair->k), m.number);
-    std::copy(v.begin(), v.end(), all.begin() + static_cast<std::ptrdiff_t>(first_of(*m.pair)));
-  } else {
+  if (m.pair)
+    std::ranges::copy(m.pair->trio.velocities(s.at(m.pair->k), m.number),
+                      all.begin() + std::ptrdiff_t(first_of(*m.pair)));
+  else
     all.back() = ball_of(V_);
-  }
   if (is_back)
     for (Ball& u : all) u = -u;
-  return all;
+  return seen(std::move(all));
 }
-std::vector<Ball> Cradle::places(const Shape& s, const Ball& time, std::int64_t collisions) const {
+std::vector<Ball> Trios::places(const Shape& s, const Ball& time, std::int64_t collisions) const {
   const std::int64_t of_round = collisions % period();
   const bool is_back = of_round > way_;
   const Ball from = ball_of(time_of({collisions / period(), is_back, nullptr, 0}, 0));
@@ -140,31 +170,33 @@ std::vector<Ball> Cradle::places(const Shape& s, const Ball& time, std::int64_t 
   for (const Pair& pair : pairs_) {
     const std::int64_t N = std::clamp(before - pair.before, std::int64_t(0), 2 * pair.k);
     const std::vector<Ball> x = pair.trio.places(s.at(pair.k), on_first_way, N);
-    const std::size_t first = first_of(pair);
-    if (before >= pair.before) all[first] = x[0];  // else it waits for what comes
-    all[first + 1] = x[1];
-    all[first + 2] = x[2];
+    const int waiting = before < pair.before ? 1 : 0;  // for what comes
+    std::copy(x.begin() + waiting, x.end(), all.begin() + std::ptrdiff_t(first_of(pair)) + waiting);
   }
+  return seen(std::move(all));
+}
+std::vector<Ball> Trios::masses(const Shape& s) const {
+  std::vector<Ball> all(bodies());
+  for (const Pair& pair : pairs_)
+    std::ranges::copy(pair.trio.masses(s.at(pair.k)), all.begin() + std::ptrdiff_t(first_of(pair)));
+  if (is_mirrored_) std::ranges::reverse(all);
   return all;
 }
-std::vector<Ball> Cradle::masses(const Shape& s) const {
-  std::vector<Ball> all(bodies(), 1);
-  for (std::size_t i = 0; i < pairs_.size(); ++i) all[2 * i + 1] = s.at(pairs_[i].k).per_B;
-  return all;
-}
-std::vector<std::int64_t> Cradle::counts(std::int64_t collisions) const {
+std::vector<std::int64_t> Trios::counts(std::int64_t collisions) const {
   const std::int64_t of_round = collisions % period(), round = collisions / period();
   const std::int64_t out = std::min(of_round, way_), back = std::max(of_round - way_ - 1, {});
   std::vector<std::int64_t> all(bodies() + 1);
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    const std::int64_t N = 2 * pairs_[i].k, before = pairs_[i].before;
+  for (const Pair& pair : pairs_) {
+    const std::int64_t N = 2 * pair.k, before = pair.before;
     const std::int64_t there = std::clamp(out - before, std::int64_t(0), N);
     const std::int64_t here = std::clamp(back - (way_ - before - N), std::int64_t(0), N);
-    all[2 * i + 1] = round * N + (there + 1) / 2 + here / 2;  // out, the left gap is first
-    all[2 * i + 2] = round * N + there / 2 + (here + 1) / 2;
+    const std::size_t left = first_of(pair) + 1;
+    all[left] = round * N + (there + 1) / 2 + here / 2;  // out, the left gap is first
+    all[left + 1] = round * N + there / 2 + (here + 1) / 2;
   }
-  all.front() = round;
-  all.back() = round + (of_round > way_ ? 1 : 0);
+  all.front() += round;
+  all.back() += round + (of_round > way_ ? 1 : 0);
+  if (is_mirrored_) std::ranges::reverse(all);
   return all;
 }
 
