@@ -68,23 +68,23 @@ Fields status_fields(const Result& result) {
   return fields;
 }
 
+/// So many collisions, or what stands for infinitely many.
+Cell count_cell(const Result& result, std::int64_t collisions, const Cell& infinitely_many) {
+  return result.status == Status::collapse ? infinitely_many : whole_cell(collisions);
+}
+
 Fields plan_fields(const Result& result) {
-  const bool never_end = result.status == Status::collapse;
   return {{"model", text_cell(result.plan.model)},
           {"reason", text_cell(result.plan.reason)},
-          {"events", never_end ? missing_cell() : whole_cell(result.events)}};
+          {"events", count_cell(result, result.events, missing_cell())}};
 }
 
 Cell counts_cell(const Scene& scene, const Result& result) {
-  const bool never_end = result.status == Status::collapse;
   Fields counts;
-  for (std::size_t gap = 0; gap < result.counts.size(); ++gap) {
-    const bool is_open =
-        (gap == 0 && !scene.left_wall) || (gap + 1 == result.counts.size() && !scene.right_wall);
-    if (is_open) continue;
-    counts.emplace_back(gap_name(scene, gap), never_end ? Cell{"infinitely many", "null"}
-                                                        : whole_cell(result.counts[gap]));
-  }
+  const std::size_t bodies = scene.masses.size();
+  for (std::size_t gap = scene.left_wall ? 0 : 1; gap < bodies + (scene.right_wall ? 1 : 0); ++gap)
+    counts.emplace_back(gap_name(scene, gap),
+                        count_cell(result, result.counts[gap], {"infinitely many", "null"}));
   return object_cell(counts);
 }
 
@@ -125,53 +125,41 @@ Fields head_fields(const Asked& asked) {
   return fields;
 }
 
-using Shown = std::function<Cell(const Number&)>;
-using AddRow = std::function<void(Row)>;
 using Write = std::function<void(std::string_view)>;
 
-/// Of all collisions those that the scene wants to see.
-void add_events(const Asked& asked, const Shown& shown, const AddRow& add) {
-  const Scene& scene = asked.scene;
-  const auto add_event = [&](const auto& event) {
-    const auto name = [&](std::size_t body, bool is_there) {
-      return text_cell(is_there ? body_name(scene, body) : "wall");
-    };
-    add({whole_cell(event.number), name(event.gap - 1, event.gap > 0),
-         name(event.gap, event.gap < scene.masses.size()), shown(event.time), shown(event.position),
-         shown(event.v_left), shown(event.v_right)});
-  };
-  stream(scene, asked.result.plan, add_event, scene.every);
-}
-
-void add_points(const Asked& asked, const Shown& shown, const AddRow& add) {
-  trajectory(asked.scene, asked.result, [&](const Point& point) {
-    add({shown(point.time), text_cell(body_name(asked.scene, point.body)), shown(point.position)});
-  });
-}
-
-/// A list of rows that a scene may ask for.
-struct List {
-  const char* name;
-  Names columns;
-  void (*add_rows)(const Asked&, const Shown&, const AddRow&);
-};
-
-/// Rows as they come, some thousand at a time.
-void write_list(const List& list, const Asked& asked, Format format, const Write& write) {
+/// The events or the trajectory of a scene, as they come, some thousand rows at a time.
+void write_list(bool is_points, const Asked& asked, Format format, const Write& write) {
   constexpr std::size_t rows_at_once = 4096;
-  Writer writer(format, list.columns, true);
+  const Scene& scene = asked.scene;
+  const Names of_points{"time", "body", "position"};
+  const Names of_events{"number", "left", "right", "time", "position", "v_left", "v_right"};
+  Writer writer(format, is_points ? of_points : of_events, true);
   std::vector<Row> block;
   const auto flush = [&] {
     write(writer.rows(block));
     block.clear();
   };
-  const auto shown = [&](const Number& number) {
-    return (format == Format::text ? short_cell : number_cell)(number, asked.scene.is_exact);
-  };
-  list.add_rows(asked, shown, [&](Row row) {
+  const auto add = [&](Row row) {
     block.push_back(std::move(row));
     if (block.size() == rows_at_once) flush();
-  });
+  };
+  const auto shown = [&](const Number& number) {
+    return (format == Format::text ? short_cell : number_cell)(number, scene.is_exact);
+  };
+  const auto name = [&](std::size_t body) {  // -1: the left wall
+    return text_cell(body < scene.masses.size() ? body_name(scene, body) : "wall");
+  };
+  const auto add_event = [&](const auto& event) {
+    add({whole_cell(event.number), name(event.gap - 1), name(event.gap), shown(event.time),
+         shown(event.position), shown(event.v_left), shown(event.v_right)});
+  };
+  const auto add_point = [&](const Point& point) {
+    add({shown(point.time), name(point.body), shown(point.position)});
+  };
+  if (is_points)
+    trajectory(scene, asked.result, add_point);
+  else
+    stream(scene, asked.result.plan, add_event, scene.every);
   flush();
   std::string end = writer.end();
   if (format == Format::json) end.pop_back();  // an object goes on
@@ -182,12 +170,9 @@ void write_list(const List& list, const Asked& asked, Format format, const Write
 bool is_list(Format format) { return format == Format::csv || format == Format::json_lines; }
 
 void write_all(const Asked& asked, Format format, const Write& write) {
-  const List events{
-      "events", {"number", "left", "right", "time", "position", "v_left", "v_right"}, add_events};
-  const List points{"trajectory", {"time", "body", "position"}, add_points};
+  const bool events = asked.scene.wants("events"), points = asked.scene.wants("trajectory");
   if (is_list(format)) {
-    const bool is_points = asked.scene.wants("trajectory") && !asked.scene.wants("events");
-    write_list(is_points ? points : events, asked, format, write);
+    write_list(points && !events, asked, format, write);
     if (format == Format::json_lines && asked.result.status != Status::complete)
       write(written(one_row(status_fields(asked.result)), format));
     return;
@@ -195,10 +180,11 @@ void write_all(const Asked& asked, Format format, const Write& write) {
   std::string head = written(one_row(head_fields(asked)), format);
   if (format == Format::json) head.erase(head.size() - 2);  // "}\n"
   write(head);
-  for (const List& list : {events, points}) {
-    if (!asked.scene.wants(list.name)) continue;
-    write(format == Format::text ? "\n" : ", \"" + std::string(list.name) + "\": ");
-    write_list(list, asked, format, write);
+  for (const bool is_points : {false, true}) {
+    if (!(is_points ? points : events)) continue;
+    const std::string key = is_points ? ", \"trajectory\": " : ", \"events\": ";
+    write(format == Format::text ? "\n" : key);
+    write_list(is_points, asked, format, write);
   }
   if (format == Format::json) write("}\n");
 }

@@ -45,12 +45,12 @@ Ball power_of(const Trio::Shape& s, std::int64_t j) {
 }  // namespace
 
 Ball ball_of(const Value& value) {
-  const Ratio* const ratio = value.ratio();
+  const auto* const ratio = value.ratio();
   if (!ratio) return ball_of(*value.exact());
-  if (ratio->k > std::int64_t(1) << 50U)
-    throw Undecided(value.text + " is answered here up to k = 2^50");
-  return ratio->is_magic ? generated::magic_closed<Ball>(ratio->k).alpha_
-                         : generated::deficient_closed<Ball>(ratio->k).beta_;
+  const std::int64_t k = cln::cl_I_to_long(ratio->k);
+  if (k > std::int64_t(1) << 50U) throw Undecided(value.text + " is answered here up to k = 2^50");
+  return ratio->is_magic ? generated::magic_closed<Ball>(k).alpha_
+                         : generated::deficient_closed<Ball>(k).beta_;
 }
 
 std::optional<Trio> Trio::of(const Places& places) {
@@ -65,14 +65,12 @@ std::optional<Trio> Trio::of(const Places& places) {
   const auto& [V, W, d_A, d_B] = t.at_0_;
   const bool is_first = !(Quadratic(0) < W) || W * d_A < V * d_B;
   if (!(Quadratic(0) < V) || !is_first) return {};
+  t.masses_ = masses;
   t.e_ = line.restitution;
   t.unit_V_ = unit_V;
   t.unit_L_ = unit_L;
   t.has_units_ = !unit_V.is(1) || !unit_L.is(1);
-  t.A_ = masses[0];
-  t.C_ = masses[1];
-  if (!wall) t.B_ = masses[2];
-  if (t.B_ && t.A_.is(1) && t.B_->is(1) && t.e_ == 1 && t.is_at_rest())
+  if (!wall && masses[0].is(1) && masses[2].is(1) && t.e_ == 1 && t.is_at_rest())
     t.at_threshold_ = t.count_at_threshold();
   if (W < Quadratic(0) && !t.has_told_end()) return {};
   return t;
@@ -82,18 +80,24 @@ Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
   return *of({{block, alpha, block}, {{}, {0, 0, 1}, {1, 0, 0}, {}, {}, e}});
 }
 
-std::optional<Quadratic> Trio::exact_q_e() const {
-  if (!A_.exact() || !C_.exact() || (B_ && !B_->exact())) return {};
-  try {
-    const Quadratic per_B = B_ ? Quadratic(1) / *B_->exact() : Quadratic(0);
-    return generated::shape_exact(*A_.exact(), per_B, *C_.exact(), e_).q_e;
-  } catch (const std::domain_error&) {
-    return {};
-  }
+std::optional<std::array<Quadratic, 3>> Trio::exact_masses() const {
+  for (const Value& mass : masses_)
+    if (!mass.exact()) return {};
+  return {{*masses_[0].exact(), *masses_[1].exact(),
+           bodies() == 3 ? Quadratic(1) / *masses_[2].exact() : Quadratic(0)}};
+}
+std::optional<Quadratic> Trio::exact_q_e() const try {
+  const auto exact = exact_masses();
+  if (!exact) return {};
+  const auto& [A, C, per_B] = *exact;
+  return generated::shape_exact(A, per_B, C, e_).q_e;
+} catch (const std::domain_error&) {
+  return {};
 }
 Trio::Shape Trio::shape() const {
-  const Ball C = ball_of(C_);
-  Shape s{C, ball_of(A_) / C, B_ ? C / ball_of(*B_) : Ball(0), ball_of(e_), 0};
+  const Ball C = ball_of(masses_[1]);
+  Shape s{C, ball_of(masses_[0]) / C, bodies() == 3 ? C / ball_of(masses_[2]) : Ball(0),
+          ball_of(e_), 0};
   const auto q_e = exact_q_e();
   s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact<Ball>(s.A, s.per_B, 1, s.e).q_e;
   if (s.q_e > 0) s.h_e = value_of_form(generated::angle_restitution<Unguarded>, s).h_e;
@@ -101,16 +105,16 @@ Trio::Shape Trio::shape() const {
 }
 /// magic.counts, deficient.counts
 std::optional<std::int64_t> Trio::count_at_threshold() const {
-  if (const Ratio* const ratio = C_.ratio()) return 2 * ratio->k + (ratio->is_magic ? 0 : 1);
+  if (const auto* const ratio = masses_[1].ratio())
+    return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
   const auto end = first_collisions();
   return end.velocities[0] == 0 && end.velocities[1] == 0 ? std::optional(end.collisions)
                                                           : std::nullopt;
 }
 simulator::InTurn<Quadratic> Trio::first_collisions() const {
-  const auto B = B_ ? std::optional(*B_->exact()) : std::nullopt;
+  const auto [A, C, per_B] = *exact_masses();
   const Quadratic one(1), none(0);
-  simulator::InTurn<Quadratic> now(*A_.exact(), *C_.exact(), B, e_,
-                                   {one, at_0_.W / at_0_.V, none, one});
+  simulator::InTurn<Quadratic> now(A, C, per_B, e_, {one, at_0_.W / at_0_.V, none, one});
   const auto& v = now.velocities;
   const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
   while (now.collisions <= largest_tie && approach()) now.step();
@@ -159,7 +163,7 @@ bool Trio::has_told_end() const {
   }
 }
 Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
-  Stepping now(s.A, 1, B_ ? std::optional(1 / s.per_B) : std::nullopt, s.e, start());
+  Stepping now(s.A, 1, s.per_B, s.e, start());
   while (now.collisions < collisions) now.step();
   return now;
 }
@@ -190,7 +194,7 @@ Trio::Velocities Trio::places_seen(const Shape& s, const Stepping::Start& from, 
   const std::int64_t j = collisions - 1;
   const auto at = value_of_form(generated::at_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B,
                                 moment, j, turn(j), power_of(s, j));
-  return {at.A_at, at.C_at, j == 0 || !B_ ? Ball(0) : Ball(at.B_at)};  // B was not met
+  return {at.A_at, at.C_at, j == 0 ? Ball(0) : Ball(at.B_at)};  // B was not met
 }
 Trio::Velocities Trio::seen(const Shape& s, std::int64_t collisions) const {
   const auto [V, W, d_A, d_B] = start();
@@ -234,23 +238,20 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
   const std::int64_t last_of[]{N - 1 - (N - 1) % 2, N - 1, N - 1 - N % 2};  // of A, C, B
   std::vector<Ball> all;
   for (std::size_t i = 0; i < bodies(); ++i) {
-    if (i == 2 && N < 2) {
-      all.push_back(place_of(time, 0));
-      continue;
-    }
     const Collision c = collision(s, std::max<std::int64_t>(last_of[i], 0));
-    all.push_back(c.position + v[i] * (time - c.time));
+    const bool was_met = i < 2 || N > 1;
+    all.push_back(was_met ? c.position + v[i] * (time - c.time) : place_of(time, 0));
   }
   return all;
 }
 Trio::Collision Trio::collapse(const Shape& s) const {
   const auto end = end_of(s, start());
-  const Ball time = time_of(end.t_any), v = B_ ? velocity_of(end.v_any) : Ball(0);
-  return {time, place_of(time, B_ ? Ball(end.x_any) : Ball(0)), v, v};
+  const Ball time = time_of(end.t_any), v = velocity_of(end.v_any);
+  return {time, place_of(time, end.x_any), v, v};
 }
 std::vector<Ball> Trio::masses(const Shape& s) const {
-  std::vector<Ball> all{ball_of(A_), s.C};
-  if (B_) all.push_back(ball_of(*B_));
+  std::vector<Ball> all{ball_of(masses_[0]), s.C};
+  if (bodies() == 3) all.push_back(ball_of(masses_[2]));
   return all;
 }
 

@@ -60,7 +60,7 @@ public:
   Stepping stepped(const Shape& s, std::int64_t collisions) const;
   /// The last one that was stepped.
   Collision collision(const Stepping& now) const;
-  std::size_t bodies() const { return B_ ? 3 : 2; }
+  std::size_t bodies() const { return masses_.size(); }
   /// The gap that closes there.
   std::size_t gap(std::int64_t j) const { return j % 2 == 0 ? 1 : 2; }
   /// Velocities of all bodies after so many collisions.
@@ -77,10 +77,9 @@ private:
   /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
   /// for larger m.
   static constexpr std::int64_t largest_tie = 12;
-  Value A_, C_;
-  std::optional<Value> B_;  ///< nothing: a wall
-  Value unit_V_, unit_L_;   ///< in which all is that follows
-  bool has_units_ = false;  ///< other than 1
+  std::vector<Value> masses_;  ///< of A, C and B; no B: a wall
+  Value unit_V_, unit_L_;      ///< in which all is that follows
+  bool has_units_ = false;     ///< other than 1
   Quadratic e_;
   simulator::InTurn<Quadratic>::Start at_0_;
   Quadratic place_, drift_;  ///< of B or the wall at time 0, and its velocity before it is met
@@ -101,6 +100,8 @@ private:
   Ball time_of(const Ball& moment) const;
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
+  /// Of A and C, and 1 / that of B.
+  std::optional<std::array<Quadratic, 3>> exact_masses() const;
   std::optional<Quadratic> exact_q_e() const;
   /// What is in a quadratic field is stepped: by Niven's theorem it is no large alpha_k.
   std::optional<std::int64_t> count_at_threshold() const;

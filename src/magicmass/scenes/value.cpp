@@ -69,9 +69,9 @@ bool is_float(std::string_view text) {
 }  // namespace
 
 double Value::to_double() const {
-  if (ratio()) {
-    const auto both = accurate::ratios(ratio()->k);
-    return ratio()->is_magic ? both.magic : both.deficient;
+  if (const auto* at = ratio()) {
+    const auto both = accurate::ratios(cln::cl_I_to_long(at->k));
+    return at->is_magic ? both.magic : both.deficient;
   }
   if (const auto value = exact()->to_double()) return *value;
   throw Undecided(text.substr(0, 60) + " does not fit a double; --exact may do");
@@ -82,8 +82,8 @@ Value read_value(std::string_view text) {
     refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));
   try {
     if (text.starts_with("magic:") || text.starts_with("deficient:")) {
-      const Value value = value_of(notation::read_alpha(text));
-      if (value.ratio() && value.ratio()->k > std::int64_t(1) << 50U)
+      Value value = value_of(notation::read_alpha(text));
+      if (value.ratio() && value.ratio()->k > cln::ash(1, 50))
         refuse("k above 2^50, for which there are counts alone: magicmass count");
       return value;
     }
@@ -105,8 +105,7 @@ Value value_of(const notation::Alpha& ratio) {
   const std::string text = notation::text(ratio);
   for (const auto& [name, value] : quadratic_ratios)
     if (text == name) return {text, evaluate(notation::read(value))};
-  if (const auto* at = std::get_if<notation::Threshold>(&ratio))
-    return {text, Ratio{at->is_magic, cln::cl_I_to_long(at->k)}};
+  if (const auto* at = std::get_if<notation::Threshold>(&ratio)) return {text, *at};
   const auto* rational = std::get_if<cln::cl_RA>(&ratio);
   return {text, rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,18 +15,14 @@ namespace magicmass::scenes {
 
 using balls::Quadratic;
 
-/// alpha_k or beta_k of the paper, where it is in no quadratic field.
-struct Ratio {
-  bool is_magic;
-  std::int64_t k;
-};
 struct Value {
   std::string text;  ///< as it was written
-  std::variant<Quadratic, Ratio> number;
+  /// alpha_k or beta_k where it is in no quadratic field.
+  std::variant<Quadratic, notation::Threshold> number;
 
   const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
   bool is(const Quadratic& x) const { return exact() != nullptr && *exact() == x; }
-  const Ratio* ratio() const { return std::get_if<Ratio>(&number); }
+  const notation::Threshold* ratio() const { return std::get_if<notation::Threshold>(&number); }
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
 };

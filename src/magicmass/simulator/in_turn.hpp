@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "magicmass/simulator/contact.hpp"
 
@@ -23,19 +22,14 @@ struct InTurn {
   struct Start {
     Scalar V{1}, W{0}, d_A{0}, d_B{1};
   };
-  /// Masses, no B for a wall, and restitution.
-  InTurn(const Scalar& A, const Scalar& C, const std::optional<Scalar>& B, const Scalar& e,
+  /// Masses of A and C, 1 / that of B, which is 0 for a wall, and restitution.
+  InTurn(const Scalar& A, const Scalar& C, const Scalar& per_B, const Scalar& e,
          const Start& start = {})
       : velocities{start.V + start.W, start.W, 0},
         time(start.d_A / start.V),
         place(start.W * time - start.d_B),
-        law_{columns(A, C, e)},
-        open_(Scalar(0) - place) {
-    if (B)
-      law_[1] = columns(C, *B, e);
-    else
-      law_[1][0][0] = Scalar(0) - e;
-  }
+        law_{columns(A, C, e), columns(C * per_B, Scalar(1), e)},
+        open_(Scalar(0) - place) {}
 
   /// On to just after the next collision, which must exist.
   void step() {
