@@ -6,7 +6,7 @@
 
 #include "answers/motion.hpp"
 #include "kernel/print.hpp"
-#include "magicmass/scenes/trajectory.hpp"
+#include "magicmass/scenes/run.hpp"
 
 namespace answers {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "answers/errors.hpp"
 #include "answers/shown_text.hpp"
-#include "magicmass/scenes/trajectory.hpp"
+#include "magicmass/scenes/run.hpp"
 
 namespace answers {
 namespace {

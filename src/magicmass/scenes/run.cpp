@@ -20,22 +20,28 @@ constexpr std::size_t most_bits = 1U << 17U;
 constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for
 constexpr double some_work = 1e8;  // where they are only tried
 
+const std::string close = "decisions are closer than doubles can tell";
+const std::string too_slow = "bodies have become too slow for doubles";
+
 /// Refuses numbers that grow too long; multiplying takes more than the length.
 struct Lengths {
   double most;
   double comparisons;  ///< of times, in a tournament of all gaps
   double work = 0;
 
-  void look(const Collision<double>& event) {
+  /// Whether a little more would make numbers subnormal.
+  bool is_too_slow(const Collision<double>& event) {
     if (!std::isfinite(event.v_right - event.v_left))
       throw Undecided("the velocities after collision " + std::to_string(event.number) +
                       " do not fit a double");
+    const auto is_slow = [](double v) { return v != 0 && std::abs(v) < 0x1p-1000; };
+    return is_slow(event.v_left) || is_slow(event.v_right);
   }
-  void look(const Collision<Quadratic>& event) {
+  bool is_too_slow(const Collision<Quadratic>& event) {
     const std::size_t bits = std::max(event.time.bits(), event.v_right.bits());
     const auto length = static_cast<double>(bits);
     work += comparisons * (2000 + length * (1 + length / 2000));
-    if (bits <= most_bits && work <= most) return;
+    if (bits <= most_bits && work <= most) return false;
     throw Undecided("exact numbers become too long; possible with --max-events " +
                     std::to_string(event.number - 1));
   }
@@ -59,60 +65,43 @@ void set_energies(const Scene& scene, const simulator::Line<Scalar>& start, Resu
     result.transmitted = energy(*last, result.terminal[*last]) / before;
 }
 
-const std::string close = "decisions are closer than doubles can tell";
-const std::string too_slow = "bodies have become too slow for doubles";
-/// Little more, and numbers would be subnormal.
-bool is_too_slow(double v) { return v != 0 && std::abs(v) < 0x1p-1000; }
-bool is_too_slow(const Quadratic& /*v*/) { return false; }
-
-/// Whether rounding decided where the motion ends, and whether more is to come.
-template <class Scalar>
-void decide_status(const Engine<Scalar>& engine, Result& result) {
-  std::string doubt;
-  if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost()) doubt = too_slow;
-  if (engine.ties().near > 0)
-    doubt = "uncertain after collision " + std::to_string(engine.ties().first_near) + ": " + close;
-  result.is_undecided = !doubt.empty();
-  if (!doubt.empty()) result.why = result.why.empty() ? doubt : result.why + "; " + doubt;
-  result.status = result.why.empty() ? Status::complete : Status::limited;
-}
-
 template <class Scalar>
 Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
               double work = most_work) {
-  std::optional<Scalar> until;
-  if (scene.until) until = number_of<Scalar>(*scene.until);
   const auto line = line_of<Scalar>(scene);
   Engine<Scalar> engine(line);
   Lengths lengths{work, 1 + static_cast<double>(std::bit_width(scene.masses.size()) / 4)};
   Result result;
   result.counts.resize(scene.masses.size() + 1);
-  while (engine.next()) {
+  const auto stop = [&](const std::string& why, const Scalar& time) {
+    result.why = why;
+    result.known_until = time;
+  };
+  const auto until = scene.until ? std::optional(number_of<Scalar>(*scene.until)) : std::nullopt;
+  while (result.why.empty() && engine.next()) {
     if (until && !engine.is_due_by(*until)) {
-      result.why = at_until;
-      result.known_until = *until;
-      break;
-    }
-    if (result.events == limit) {
-      result.why = at_limit(limit);
-      result.known_until = *engine.next();
-      break;
-    }
-    const Collision<Scalar> event = engine.step();
-    lengths.look(event);
-    ++result.events;
-    ++result.counts[event.gap];
-    if (sink)
-      sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
-    if (is_too_slow(event.v_left) || is_too_slow(event.v_right)) {
-      result.why = too_slow;
-      result.known_until = event.time;
-      break;
+      stop(at_until, *until);
+    } else if (result.events == limit) {
+      stop(at_limit(limit), *engine.next());
+    } else {
+      const Collision<Scalar> event = engine.step();
+      if (lengths.is_too_slow(event)) stop(too_slow, event.time);
+      ++result.events;
+      ++result.counts[event.gap];
+      if (sink)
+        sink({event.number, event.gap, event.time, event.position, event.v_left, event.v_right});
     }
   }
   for (const auto& body : engine.bodies()) result.terminal.emplace_back(body.velocity);
   set_energies(scene, line, result);
-  decide_status(engine, result);
+  // Whether rounding decided where the motion ends, and whether more is to come.
+  std::string doubt;
+  if (result.why.empty() && std::floating_point<Scalar> && engine.has_lost()) doubt = too_slow;
+  if (engine.ties().near > 0)
+    doubt = "uncertain after collision " + std::to_string(engine.ties().first_near) + ": " + close;
+  result.is_undecided = !doubt.empty();
+  result.why += (doubt.empty() || result.why.empty() ? "" : "; ") + doubt;
+  result.status = result.why.empty() ? Status::complete : Status::limited;
   if constexpr (std::floating_point<Scalar>)
     if (result.events > 0 && !result.is_undecided && std::isfinite(engine.errors().position))
       result.errors = engine.errors();
@@ -140,6 +129,51 @@ Result exactly(const Scene& scene, Result result) {
   result.known_until = motion<Quadratic>(scene, told(scene)).known_until;
   result.plan.is_exact = true;
   return result;
+}
+
+template <class Scalar>
+void follow(const Scene& scene, const Result& result, const Points& sink) {
+  simulator::Line<Scalar> line = line_of<Scalar>(scene);
+  std::vector<Scalar> since(line.masses.size(), Scalar(0)), times;
+  for (const Value& time : scene.times) times.push_back(number_of<Scalar>(time));
+  std::sort(times.begin(), times.end());
+  auto next = times.begin();
+  const auto all_at = [&](const Scalar& time) {
+    for (std::size_t i = 0; i < since.size(); ++i)
+      sink({time, i, line.positions[i] + line.velocities[i] * (time - since[i])});
+  };
+  const bool has_corners = times.empty();
+  Scalar last(0);
+  if (has_corners) all_at(last);
+  stream(scene, result.plan, [&](const Row& row) {
+    last = std::get<Scalar>(row.time);
+    for (; next != times.end() && *next < last; ++next) all_at(*next);
+    const bool is_shown = has_corners && row.number % scene.every == 0;
+    const auto meets = [&](std::size_t body, const Number& velocity) {
+      since[body] = last;
+      line.positions[body] = std::get<Scalar>(row.position);
+      line.velocities[body] = std::get<Scalar>(velocity);
+      if (is_shown) sink({row.time, body, row.position});
+    };
+    if (row.gap > 0) meets(row.gap - 1, row.v_left);
+    if (row.gap < since.size()) meets(row.gap, row.v_right);
+  });
+  const auto end = result.known_until;
+  for (; next != times.end() && !(end && std::get<Scalar>(*end) < *next); ++next) all_at(*next);
+  if (has_corners) all_at(end ? std::get<Scalar>(*end) : last);
+}
+
+/// Without all collisions before them.
+void follow_by_theorem(const Scene& scene, const Result& result, const Points& sink) {
+  std::vector<Value> times = scene.times;
+  std::ranges::stable_sort(times, {}, &Value::to_double);
+  for (const Value& at : times) {
+    const double time = at.to_double();
+    if (result.known_until && time > std::get<double>(*result.known_until)) return;
+    std::size_t body = 0;
+    for (const double place : places_by_theorem(scene, result.events, at))
+      sink({time, body++, place});
+  }
 }
 
 }  // namespace
@@ -200,6 +234,16 @@ void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t
     if (row.number % every == 0) sink(row);
   };
   (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, limit, show, most_work);
+}
+
+void trajectory(const Scene& scene, const Result& result, const Points& sink) {
+  if (result.plan.is_exact)
+    follow<Quadratic>(scene, result, sink);
+  else if (result.plan.model != "events" && result.status != Status::collapse &&
+           !scene.times.empty())
+    follow_by_theorem(scene, result, sink);
+  else
+    follow<double>(scene, result, sink);
 }
 
 }  // namespace magicmass::scenes

@@ -59,4 +59,16 @@ Result run(const Scene& scene);
 /// where its doubles have the time of its end, in exact numbers, too.
 void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t every = 1);
 
+struct Point {
+  Number time;
+  std::size_t body;
+  Number position;
+};
+using Points = std::function<void(const Point&)>;
+
+/// All bodies at each of the scene's `times` at which the motion is known. Where the scene has
+/// none, the corners of their lines: all bodies at time 0, those that meet at each collision that
+/// the scene wants to see, and all where the run ends.
+void trajectory(const Scene& scene, const Result& result, const Points& sink);
+
 }  // namespace magicmass::scenes

@@ -2,6 +2,7 @@
 #include "magicmass/scenes/scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <concepts>
 
 #include "magicmass/numbers/errors.hpp"
@@ -54,22 +55,19 @@ simulator::Line<Scalar> line_of(const Scene& scene) {
   const auto rounds = [](const Value& value) {
     return std::same_as<Scalar, double> && !value.is(Quadratic(value.to_double()));
   };
-  bool is_rounded = false;
-  const auto number = [&](const Value& value) {
-    is_rounded = is_rounded || rounds(value);
-    return number_of<Scalar>(value);
-  };
-  const auto all = [&](const std::vector<Value>& values) {
+  bool is_rounded = rounds(scene.restitution);
+  const auto all = [&](const auto& values) {
     std::vector<Scalar> numbers;
-    for (const Value& value : values) numbers.push_back(number(value));
+    for (const Value& value : values) numbers.push_back(number_of<Scalar>(value));
+    is_rounded = is_rounded || std::ranges::any_of(values, rounds);
     return numbers;
   };
   const auto wall = [&](const std::optional<Value>& place) {
-    return place ? std::optional<Scalar>(number(*place)) : std::nullopt;
+    return place ? std::optional(all(std::array{*place})[0]) : std::nullopt;
   };
   simulator::Line<Scalar> line{all(scene.masses),      all(scene.positions),
                                all(scene.velocities),  wall(scene.left_wall),
-                               wall(scene.right_wall), number(scene.restitution)};
+                               wall(scene.right_wall), number_of<Scalar>(scene.restitution)};
   line.is_rounded = is_rounded;
   line.has_rounded_velocities = std::ranges::any_of(scene.velocities, rounds);
   return line;

@@ -43,6 +43,9 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
 std::vector<double> certain(const Balls& balls) {
   return with_bits(17, [&] { return rounded(balls); });
 }
+double certain_number(const std::function<Ball()>& ball) {
+  return certain([&] { return std::vector{ball()}; })[0];
+}
 Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities) {
   Ball sum = 0;
   for (std::size_t i = 0; i < masses.size(); ++i)
@@ -94,31 +97,28 @@ Result after(const Trios& trios, std::optional<std::int64_t> collisions) {
   Result result;
   result.events = collisions.value_or(0);
   result.counts = trios.counts(result.events);
-  result.status = collisions ? Status::complete : Status::collapse;
-  const std::size_t bodies = trios.bodies(), last = trios.last();
-  const std::vector<double> numbers = certain([&] {
-    const auto s = trios.shape();
-    const std::vector<Ball> masses = trios.masses(s);
-    std::vector<Ball> all = trios.velocities(s, result.events), end;
-    if (!collisions) {
-      const Trio::Collision c = trios.seen(trios.alone()->collapse(s.begin()->second));
-      all.assign(bodies, c.v_left);
-      end = {c.time, c.position};
-    }
-    const Ball before = energy(masses, trios.velocities(s, 0)), after = energy(masses, all);
-    const Ball of_last = energy({masses[last]}, {all[last]});
-    all.insert(all.end(), {before, after, of_last / before});
-    all.insert(all.end(), end.begin(), end.end());
-    return all;
-  });
-  const auto next = numbers.begin() + static_cast<std::ptrdiff_t>(bodies);
-  result.terminal.assign(numbers.begin(), next);
-  result.energy_before = next[0];
-  result.energy = next[1];
-  result.transmitted = next[2];
+  const std::size_t last = trios.last();
+  const auto collapse = [&] { return trios.seen(trios.alone()->collapse(trios.alone()->shape())); };
+  const auto velocities = [&] {
+    return collisions ? trios.velocities(trios.shape(), *collisions)
+                      : std::vector(trios.bodies(), collapse().v_left);
+  };
+  const std::vector<double>
+      terminal = certain(velocities),
+      energies = certain([&] {
+        const auto s = trios.shape();
+        const std::vector<Ball> masses = trios.masses(s), v = velocities();
+        const Ball before = energy(masses, trios.velocities(s, 0));
+        return std::vector{before, energy(masses, v), energy({masses[last]}, {v[last]}) / before};
+      });
+  result.terminal.assign(terminal.begin(), terminal.end());
+  result.energy_before = energies[0];
+  result.energy = energies[1];
+  result.transmitted = energies[2];
   if (collisions) return result;
-  result.collapse_time = result.known_until = next[3];
-  result.collapse_position = next[4];
+  result.status = Status::collapse;
+  result.collapse_time = result.known_until = certain_number([&] { return collapse().time; });
+  result.collapse_position = certain_number([&] { return collapse().position; });
   return result;
 }
 

@@ -151,16 +151,13 @@ Trio::Stepping::Start Trio::start() const {
   const auto& [V, W, d_A, d_B] = at_0_;
   return {ball_of(V), ball_of(W), ball_of(d_A), ball_of(d_B)};
 }
-bool Trio::has_told_end() const {
-  const auto is_told = [&]() -> bool {
+bool Trio::has_told_end() const try {
+  return with_bits(17, [&] {
     const Shape s = shape();
     return s.q_e > 0 || Ball(end_of(s, start()).end_speed) > 0;
-  };
-  try {
-    return with_bits(17, is_told);
-  } catch (const Undecided&) {
-    return false;
-  }
+  });
+} catch (const Undecided&) {
+  return false;
 }
 Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
   Stepping now(s.A, 1, s.per_B, s.e, start());

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "catch.hpp"
-#include "magicmass/scenes/trajectory.hpp"
+#include "magicmass/scenes/run.hpp"
 #include "runs.hpp"
 
 using namespace magicmass::scenes;

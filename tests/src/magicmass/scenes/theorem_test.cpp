@@ -6,7 +6,7 @@
 #include "catch.hpp"
 #include "law_of_collision.hpp"
 #include "magicmass/numbers/errors.hpp"
-#include "magicmass/scenes/trajectory.hpp"
+#include "magicmass/scenes/run.hpp"
 #include "magicmass/scenes/trio.hpp"
 #include "runs.hpp"
 
