@@ -77,7 +77,8 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
     result.why = why;
     result.known_until = time;
   };
-  const auto until = scene.until ? std::optional(number_of<Scalar>(*scene.until)) : std::nullopt;
+  std::optional<Scalar> until;
+  if (scene.until) until = number_of<Scalar>(*scene.until);
   while (result.why.empty() && engine.next()) {
     if (until && !engine.is_due_by(*until)) {
       stop(at_until, *until);

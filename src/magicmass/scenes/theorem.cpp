@@ -66,7 +66,6 @@ std::int64_t count_of(std::int64_t most, const IsBy& is_by) {
 /// How many of the first `most` come by this time.
 std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t most) {
   const auto counted = [&] {
-    const auto s = trios.shape();
     const Ball until = ball_of(time);
     return count_of(most, [&](std::int64_t j) {
       const auto exact = trios.exact_time(j);
@@ -74,7 +73,7 @@ std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t mos
           return !(*time.exact() < *exact);
         } catch (const std::domain_error&) {  // of two fields, so not equal
         }
-      return trios.collision(s, j).time <= until;
+      return trios.collision(j).time <= until;
     });
   };
   return with_bits(17, counted, " to tell whether a collision comes by the time " + time.text);
@@ -100,15 +99,14 @@ Result after(const Trios& trios, std::optional<std::int64_t> collisions) {
   const std::size_t last = trios.last();
   const auto collapse = [&] { return trios.seen(trios.alone()->collapse(trios.alone()->shape())); };
   const auto velocities = [&] {
-    return collisions ? trios.velocities(trios.shape(), *collisions)
+    return collisions ? trios.velocities(*collisions)
                       : std::vector(trios.bodies(), collapse().v_left);
   };
   const std::vector<double>
       terminal = certain(velocities),
       energies = certain([&] {
-        const auto s = trios.shape();
-        const std::vector<Ball> masses = trios.masses(s), v = velocities();
-        const Ball before = energy(masses, trios.velocities(s, 0));
+        const std::vector<Ball> masses = trios.masses(), v = velocities();
+        const Ball before = energy(masses, trios.velocities(0));
         return std::vector{before, energy(masses, v), energy({masses[last]}, {v[last]}) / before};
       });
   result.terminal.assign(terminal.begin(), terminal.end());
@@ -151,7 +149,7 @@ std::optional<Result> by_theorem(const Scene& scene) {
           "their times apart";
     } else if (events != trios->count()) {
       const bool is_limit = events == scene.limit();
-      const auto next = [&] { return std::vector{trios->collision(trios->shape(), *events).time}; };
+      const auto next = [&] { return std::vector{trios->collision(*events).time}; };
       result.status = Status::limited;
       result.why = is_limit ? at_limit(*events) : at_until;
       result.known_until = is_limit ? certain(next)[0] : scene.until->to_double();
@@ -167,36 +165,26 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
   const Trios trios = *Trios::of(scene);
   const auto collisions = within(trios, scene);
   const Trio* const stepped = !collisions || every < 8 ? trios.alone() : nullptr;
-  auto shape = with_bits(17, [&] { return trios.shape(); });
-  const int enough_bits = Ball::bits();
   std::optional<Trio::Stepping> now;
   const std::int64_t end = collisions.value_or(INT64_MAX), step = stepped ? 1 : every;
   double before = -1;
   for (std::int64_t j = step - 1; j < end; j += std::min(step, end - j)) {
-    const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
-    const bool is_alone = !stepped || is_last;
-    const auto start = [&] {
-      shape = trios.shape();
-      if (!is_alone) now = stepped->stepped(shape.begin()->second, j);
-    };
-    const auto next = [&] {
-      if (!is_alone) now->step();
-      const Trio::Collision c =
-          is_alone ? trios.collision(shape, j) : trios.seen(stepped->collision(*now));
+    const auto row_of = [](const Trio::Collision& c) {
       return std::vector{c.time, c.position, c.v_left, c.v_right};
     };
-    if (j == 0) start();
-    auto row = rounded(next);
-    if (!row) {
-      row = certain([&] {
-        start();
-        return next();
-      });
-      if (is_alone) {
-        Ball::set_bits(enough_bits);
-        shape = trios.shape();
-      }
-    }
+    const Balls alone = [&] { return row_of(trios.collision(j)); };
+    const Balls next = [&] {
+      now->step();
+      return row_of(trios.seen(stepped->collision(*now)));
+    };
+    const Balls again = [&] {
+      now = stepped->stepped(stepped->shape(), j);
+      return next();
+    };
+    const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
+    const bool is_next = stepped && !is_last;
+    auto row = is_next && now ? rounded(next) : std::nullopt;
+    if (!row) row = certain(is_next ? again : alone);
     const std::vector<double>& n = *row;
     if (!collisions && j >= 3 && n[0] == before) return;
     before = n[0];
@@ -208,19 +196,18 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
 std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time) {
   const Trios trios = *Trios::of(scene);
   const auto told = [&]() -> std::optional<std::vector<double>> {
-    const auto s = trios.shape();
     const Ball at = ball_of(time);
     int open = 0;
     const auto after = [&](bool if_open) {
       const std::int64_t N = count_of(most, [&](std::int64_t j) {
         try {
-          return trios.collision(s, j).time <= at;
+          return trios.collision(j).time <= at;
         } catch (const NotCertain&) {
           ++open;
           return if_open;
         }
       });
-      return std::pair(N, rounded([&] { return trios.places(s, at, N); }));
+      return std::pair(N, rounded([&] { return trios.places(at, N); }));
     };
     const auto [N, places] = after(false);
     if (open == 0 || after(true) == std::pair(N + 1, places)) return places;

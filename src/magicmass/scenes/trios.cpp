@@ -73,11 +73,10 @@ std::optional<std::int64_t> Trios::count() const {
   return ahead_ ? 2 * way_ + 1 : way_;
 }
 
-Trios::Shape Trios::shape() const {
-  Shape all;
-  for (const Pair& pair : pairs_)
-    if (!all.contains(pair.k)) all.emplace(pair.k, pair.trio.shape());
-  return all;
+const Trio::Shape& Trios::shape_of(const Pair& pair) const {
+  const std::pair key(Ball::bits(), pair.k);
+  if (!shapes_.contains(key)) shapes_.emplace(key, pair.trio.shape());
+  return shapes_.at(key);
 }
 
 /// Where collision j is: in which round trip, on the way out or back, and which one of a pair.
@@ -119,12 +118,12 @@ std::vector<Ball> Trios::seen(std::vector<Ball> all) const {
 Trio::Collision Trios::seen(const Trio::Collision& c) const {
   return is_mirrored_ ? Trio::Collision{c.time, -c.position, -c.v_right, -c.v_left} : c;
 }
-Trio::Collision Trios::collision(const Shape& s, std::int64_t j) const {
+Trio::Collision Trios::collision(std::int64_t j) const {
   const Moment m = moment(j);
   Trio::Collision c{0, 0, 0, 0};
   if (m.pair) {
     const Trio& trio = m.pair->trio;
-    const Trio::Shape& of_pair = s.at(m.pair->k);
+    const Trio::Shape& of_pair = shape_of(*m.pair);
     c = trio.collision(of_pair, m.number);
     if (m.is_back) {
       const std::vector<Ball> earlier = trio.velocities(of_pair, m.number);
@@ -147,12 +146,12 @@ std::size_t Trios::gap(std::int64_t j) const {
                                       : bodies();
   return is_mirrored_ ? bodies() - gap : gap;
 }
-std::vector<Ball> Trios::velocities(const Shape& s, std::int64_t collisions) const {
+std::vector<Ball> Trios::velocities(std::int64_t collisions) const {
   const bool is_back = collisions % period() > way_;
   const Moment m = moment(is_back ? collisions - 1 : collisions);
   std::vector<Ball> all(bodies());
   if (m.pair)
-    std::ranges::copy(m.pair->trio.velocities(s.at(m.pair->k), m.number),
+    std::ranges::copy(m.pair->trio.velocities(shape_of(*m.pair), m.number),
                       all.begin() + std::ptrdiff_t(first_of(*m.pair)));
   else
     all.back() = ball_of(V_);
@@ -160,7 +159,7 @@ std::vector<Ball> Trios::velocities(const Shape& s, std::int64_t collisions) con
     for (Ball& u : all) u = -u;
   return seen(std::move(all));
 }
-std::vector<Ball> Trios::places(const Shape& s, const Ball& time, std::int64_t collisions) const {
+std::vector<Ball> Trios::places(const Ball& time, std::int64_t collisions) const {
   const std::int64_t of_round = collisions % period();
   const bool is_back = of_round > way_;
   const Ball from = ball_of(time_of({collisions / period(), is_back, nullptr, 0}, 0));
@@ -169,16 +168,17 @@ std::vector<Ball> Trios::places(const Shape& s, const Ball& time, std::int64_t c
   std::vector<Ball> all(bodies());
   for (const Pair& pair : pairs_) {
     const std::int64_t N = std::clamp(before - pair.before, std::int64_t(0), 2 * pair.k);
-    const std::vector<Ball> x = pair.trio.places(s.at(pair.k), on_first_way, N);
+    const std::vector<Ball> x = pair.trio.places(shape_of(pair), on_first_way, N);
     const int waiting = before < pair.before ? 1 : 0;  // for what comes
     std::copy(x.begin() + waiting, x.end(), all.begin() + std::ptrdiff_t(first_of(pair)) + waiting);
   }
   return seen(std::move(all));
 }
-std::vector<Ball> Trios::masses(const Shape& s) const {
+std::vector<Ball> Trios::masses() const {
   std::vector<Ball> all(bodies());
   for (const Pair& pair : pairs_)
-    std::ranges::copy(pair.trio.masses(s.at(pair.k)), all.begin() + std::ptrdiff_t(first_of(pair)));
+    std::ranges::copy(pair.trio.masses(shape_of(pair)),
+                      all.begin() + std::ptrdiff_t(first_of(pair)));
   if (is_mirrored_) std::ranges::reverse(all);
   return all;
 }

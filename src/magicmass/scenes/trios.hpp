@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "magicmass/scenes/trio.hpp"
 
@@ -25,10 +26,8 @@ public:
   /// collapse.
   std::optional<std::int64_t> count() const;
 
-  /// What is the same for each ball of one magic ratio, by its number.
-  using Shape = std::map<std::int64_t, Trio::Shape>;
-  Shape shape() const;
-  Trio::Collision collision(const Shape& s, std::int64_t j) const;
+  /// With the bits that are set now, as all that follows.
+  Trio::Collision collision(std::int64_t j) const;
   /// When it takes place, where that is known to be in the field of V and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   /// The gap that closes there.
@@ -36,10 +35,10 @@ public:
   std::size_t bodies() const { return is_cradle_ ? 2 * pairs_.size() + 1 : alone()->bodies(); }
   /// The body at the end that V is handed on to.
   std::size_t last() const { return is_mirrored_ ? 0 : bodies() - 1; }
-  std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
+  std::vector<Ball> velocities(std::int64_t collisions) const;
   /// Where all bodies are at a time, after so many collisions.
-  std::vector<Ball> places(const Shape& s, const Ball& time, std::int64_t collisions) const;
-  std::vector<Ball> masses(const Shape& s) const;
+  std::vector<Ball> places(const Ball& time, std::int64_t collisions) const;
+  std::vector<Ball> masses() const;
   /// Of so many collisions, those at each gap.
   std::vector<std::int64_t> counts(std::int64_t collisions) const;
   /// A collision that was made out without a mirror, as the scene has it.
@@ -56,9 +55,12 @@ private:
   std::int64_t way_ = 0;                     // collisions of one way
   Quadratic x_, V_;                          // the straight line: where it begins at time 0
   std::optional<Quadratic> ahead_, behind_;  // walls
+  /// What is the same for each ball of one magic ratio, by bits and its number.
+  mutable std::map<std::pair<int, std::int64_t>, Trio::Shape> shapes_;
 
   /// Likewise, but not in a mirror.
   static std::optional<Trios> of(const Places& places);
+  const Trio::Shape& shape_of(const Pair& pair) const;
   /// After so many collisions all comes again, only later.
   std::int64_t period() const { return 2 * way_ + 2; }
   struct Moment;
