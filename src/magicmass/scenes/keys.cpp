@@ -122,12 +122,11 @@ void read_balls(const Field& f) {
 
 template <auto member>
 void read(const Field& f) {
-  f.scene.*member = value_at(f);
-}
-
-template <auto member>
-void read_list(const Field& f) {
-  f.scene.*member = values_at(f);
+  auto& at = f.scene.*member;
+  if constexpr (std::is_same_v<decltype(at), std::vector<Value>&>)
+    at = values_at(f);
+  else
+    at = value_at(f);
 }
 
 }  // namespace
@@ -138,11 +137,11 @@ const std::vector<Key>& keys() {
       {"title", [](const Field& f) { text_at(f, "a text"); }},
       {"alpha", read_alpha, {Kind::three_body, Kind::wall}, {"masses", "mass_ratio"}},
       {"mass_ratio", read_mass_ratio, {Kind::wall}, {"masses"}},
-      {"masses", read_list<&Scene::masses>},
+      {"masses", read<&Scene::masses>},
       {"blocks", read_blocks, {Kind::chain}, {"masses"}},
       {"balls", read_balls, {Kind::chain}, {}, "blocks"},
-      {"positions", read_list<&Scene::positions>},
-      {"velocities", read_list<&Scene::velocities>},
+      {"positions", read<&Scene::positions>},
+      {"velocities", read<&Scene::velocities>},
       {"V", read<&Scene::V>, {}, {"velocities"}},
       {"L", read<&Scene::L>, {}, {"positions"}},
       {"gap", read<&Scene::gap>, {Kind::chain}, {"positions"}},
@@ -152,7 +151,7 @@ const std::vector<Key>& keys() {
       {"restitution", read<&Scene::restitution>},
       {"outputs", read_outputs},
       {"every", [](const Field& f) { f.scene.every = whole_at(f, 1); }},
-      {"times", read_list<&Scene::times>, {}, {}, "trajectory"},
+      {"times", read<&Scene::times>, {}, {}, "trajectory"},
       {"until", read<&Scene::until>},
       {"max_events", [](const Field& f) { f.scene.max_events = whole_at(f, 0); }},
   };

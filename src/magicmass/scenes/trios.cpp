@@ -79,35 +79,33 @@ const Trio::Shape& Trios::shape_of(const Pair& pair) const {
   return shapes_.at(key);
 }
 
-/// Where collision j is: in which round trip, on the way out or back, and which one of a pair.
+/// Where collision j is: on the way out or back, and which one of a pair. On the way back motion
+/// runs backwards.
 struct Trios::Moment {
-  std::int64_t round;
   bool is_back;         ///< or at the wall behind
   const Pair* pair;     ///< nothing for a wall
   std::int64_t number;  ///< on the way out
+  Quadratic from;       ///< the time from which that on the first way counts
 };
 Trios::Moment Trios::moment(std::int64_t j) const {
-  const std::int64_t of_round = j % period(), round = j / period();
-  const bool is_back = of_round > way_;
-  if (of_round % (way_ + 1) == way_) return {round, is_back, nullptr, 0};
-  const std::int64_t of_way = is_back ? 2 * way_ - of_round : of_round;
-  const auto after = std::ranges::upper_bound(pairs_, of_way, {}, &Pair::before);
-  const Pair& pair = *(after - 1);
-  return {round, is_back, &pair, of_way - pair.before};
-}
-/// On the way back motion runs backwards.
-Quadratic Trios::time_of(const Moment& m, const Quadratic& on_first_way) const {
-  Quadratic from = 0;
+  const std::int64_t of_round = j % period();
+  Moment m{of_round > way_, nullptr, 0, 0};
   if (ahead_ && behind_)
-    from = Quadratic(2 * cln::cl_I(static_cast<long long>(m.round))) *
-           (time_at(*ahead_) - time_at(*behind_));
-  return m.is_back ? from + 2 * time_at(*ahead_) - on_first_way : from + on_first_way;
+    m.from = Quadratic(2 * cln::cl_I(static_cast<long long>(j / period()))) *
+             (time_at(*ahead_) - time_at(*behind_));
+  if (m.is_back) m.from = m.from + 2 * time_at(*ahead_);
+  if (of_round % (way_ + 1) == way_) return m;
+  m.number = m.is_back ? 2 * way_ - of_round : of_round;
+  m.pair = &*(std::ranges::upper_bound(pairs_, m.number, {}, &Pair::before) - 1);
+  m.number -= m.pair->before;
+  return m;
 }
 std::optional<Quadratic> Trios::exact_time(std::int64_t j) const {
   const Moment m = moment(j);
   const auto on_first_way =
       m.pair ? m.pair->trio.exact_time(m.number) : time_at(m.is_back ? *behind_ : *ahead_);
-  return on_first_way ? std::optional(time_of(m, *on_first_way)) : std::nullopt;
+  if (!on_first_way) return {};
+  return m.is_back ? m.from - *on_first_way : m.from + *on_first_way;
 }
 std::vector<Ball> Trios::seen(std::vector<Ball> all) const {
   if (!is_mirrored_) return all;
@@ -136,7 +134,7 @@ Trio::Collision Trios::collision(std::int64_t j) const {
     c = {ball_of(time_at(wall)), ball_of(wall), 0, 0};
     (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
   }
-  c.time = ball_of(time_of(m, 0)) + (m.is_back ? -c.time : c.time);
+  c.time = ball_of(m.from) + (m.is_back ? -c.time : c.time);
   return seen(c);
 }
 std::size_t Trios::gap(std::int64_t j) const {
@@ -147,12 +145,11 @@ std::size_t Trios::gap(std::int64_t j) const {
   return is_mirrored_ ? bodies() - gap : gap;
 }
 std::vector<Ball> Trios::velocities(std::int64_t collisions) const {
-  const bool is_back = collisions % period() > way_;
+  const bool is_back = moment(collisions).is_back;
   const Moment m = moment(is_back ? collisions - 1 : collisions);
   std::vector<Ball> all(bodies());
   if (m.pair)
-    std::ranges::copy(m.pair->trio.velocities(shape_of(*m.pair), m.number),
-                      all.begin() + std::ptrdiff_t(first_of(*m.pair)));
+    std::ranges::copy(m.pair->trio.velocities(shape_of(*m.pair), m.number), at(*m.pair, all));
   else
     all.back() = ball_of(V_);
   if (is_back)
@@ -160,25 +157,23 @@ std::vector<Ball> Trios::velocities(std::int64_t collisions) const {
   return seen(std::move(all));
 }
 std::vector<Ball> Trios::places(const Ball& time, std::int64_t collisions) const {
+  const Moment m = moment(collisions);
+  const Ball from = ball_of(m.from), on_first_way = m.is_back ? from - time : time - from;
   const std::int64_t of_round = collisions % period();
-  const bool is_back = of_round > way_;
-  const Ball from = ball_of(time_of({collisions / period(), is_back, nullptr, 0}, 0));
-  const Ball on_first_way = is_back ? from - time : time - from;
-  const std::int64_t before = is_back ? 2 * way_ + 1 - of_round : of_round;
+  const std::int64_t before = m.is_back ? 2 * way_ + 1 - of_round : of_round;
   std::vector<Ball> all(bodies());
   for (const Pair& pair : pairs_) {
     const std::int64_t N = std::clamp(before - pair.before, std::int64_t(0), 2 * pair.k);
     const std::vector<Ball> x = pair.trio.places(shape_of(pair), on_first_way, N);
     const int waiting = before < pair.before ? 1 : 0;  // for what comes
-    std::copy(x.begin() + waiting, x.end(), all.begin() + std::ptrdiff_t(first_of(pair)) + waiting);
+    std::copy(x.begin() + waiting, x.end(), at(pair, all) + waiting);
   }
   return seen(std::move(all));
 }
 std::vector<Ball> Trios::masses() const {
   std::vector<Ball> all(bodies());
   for (const Pair& pair : pairs_)
-    std::ranges::copy(pair.trio.masses(shape_of(pair)),
-                      all.begin() + std::ptrdiff_t(first_of(pair)));
+    std::ranges::copy(pair.trio.masses(shape_of(pair)), at(pair, all));
   if (is_mirrored_) std::ranges::reverse(all);
   return all;
 }

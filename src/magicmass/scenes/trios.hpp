@@ -69,7 +69,10 @@ private:
   std::size_t first_of(const Pair& pair) const {
     return 2 * static_cast<std::size_t>(&pair - pairs_.data());
   }
-  Quadratic time_of(const Moment& m, const Quadratic& on_first_way) const;
+  /// Of all bodies, those of a pair begin there.
+  auto at(const Pair& pair, std::vector<Ball>& all) const {
+    return all.begin() + static_cast<std::ptrdiff_t>(first_of(pair));
+  }
   /// Places or velocities of all bodies, likewise.
   std::vector<Ball> seen(std::vector<Ball> all) const;
   Quadratic time_at(const Quadratic& place) const { return (place - x_) / V_; }

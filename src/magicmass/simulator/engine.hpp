@@ -73,10 +73,9 @@ public:
   bool is_due_by(const Scalar& time) {
     const Scalar due = *next();
     if constexpr (rounds) {
-      const Sides<Scalar> beside = sides(due_.first());
+      const auto side = sides(due_.first());
       const bool is_open = told_ == collisions_.size();
-      if (is_open &&
-          margin_.reaches_time(std::abs(due - time), std::min(due, time), beside, beside))
+      if (is_open && margin_.reaches_time(std::abs(due - time), std::min(due, time), side, side))
         note_near();
     }
     return !(time < due);
@@ -180,10 +179,9 @@ private:
   void meet(std::size_t gap) {
     note_error(gap);
     const Scalar where = meeting_place(gap);
-    for (MovingBody<Scalar>* body : {&all_[gap], &all_[gap + 1]}) {
-      put(*body, where);
-      if (has_wall(gap))
-        body->velocity = Scalar(0) - line_.restitution * body->velocity;  // a wall's stays 0
+    for (const std::size_t i : {gap, gap + 1}) {
+      put(i, where);
+      if (has_wall(gap)) turn_round(i, Scalar(0));  // a wall's stays 0
     }
     if (!has_wall(gap)) collide(all_[gap], all_[gap + 1], line_.restitution);
     tell(gap);
@@ -193,13 +191,16 @@ private:
     note_error(gap);
     note_error(gap + 1);
     const Scalar where = place(gap + 1, now_);
-    const Scalar centre = all_[gap + 1].velocity;
-    for (std::size_t i = gap; i <= gap + 2; ++i) {
-      put(all_[i], where);
-      if (i != gap + 1) all_[i].velocity = centre - line_.restitution * (all_[i].velocity - centre);
+    for (const std::size_t i : {gap, gap + 1, gap + 2}) {
+      put(i, where);
+      turn_round(i, all_[gap + 1].velocity);
     }
     tell(gap);
     tell(gap + 1);
+  }
+  /// Seen from what moves at this velocity.
+  void turn_round(std::size_t i, const Scalar& centre) {
+    all_[i].velocity = centre - line_.restitution * (all_[i].velocity - centre);
   }
   /// The heavier one is where it is: the clock's rounding moves the lighter one.
   Scalar meeting_place(std::size_t gap) const {
@@ -209,10 +210,8 @@ private:
     const Scalar& m2 = all_[gap + 1].mass;
     return m1 < m2 ? right : m2 < m1 ? left : Scalar((left + right) / Scalar(2));
   }
-  void put(MovingBody<Scalar>& body, const Scalar& where) {
-    body.position = where;
-    body.since = now_;
-    body.was_met = true;
+  void put(std::size_t i, const Scalar& where) {
+    all_[i] = {{all_[i].mass, where, all_[i].velocity}, now_, true};
   }
   void tell(std::size_t gap) {
     if constexpr (rounds)
