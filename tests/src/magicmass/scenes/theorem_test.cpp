@@ -168,32 +168,15 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
       REQUIRE(std::get<Quadratic>(row.v_right) == Quadratic(step.v_right));
     });
     REQUIRE(n == rows.size());
+    if (result.plan.is_exact) continue;
+    const std::vector<Numbers> told = numbers_of(scene_of(text));
+    for (std::size_t j = 0; j < n; ++j) REQUIRE(told.at(j) == numbers(rows[j]));
   }
   CHECK(few > 7000);
   CHECK(many > 50);
   CHECK(collapsed > 1000);
   CHECK(narrow > 100);
   CHECK(fled > 50);
-}
-
-TEST_CASE("rows by theorem are the nearest doubles of rows in rationals", "[check]") {
-  for (const bool has_wall : {false, true}) {
-    Line line{2,
-              cl_RA(has_wall ? 0 : 1) / 3,
-              cl_RA(1) / 900,
-              cl_RA(999) / 1000,
-              {1, 0, 0},
-              {cl_RA(-1) / 3, cl_RA(5) / 7, cl_RA(1) / 5}};
-    const std::string text = text_of(line, false);
-    REQUIRE_FALSE(result_of(text).plan.is_exact);
-    const std::vector<Numbers> rows = numbers_of(scene_of(text));
-    const std::vector<Step> expected = stepped(line, 500);
-    REQUIRE(rows.size() == expected.size());
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      INFO(i);
-      REQUIRE(rows[i] == numbers(expected[i]));
-    }
-  }
 }
 
 TEST_CASE("at the paper's ratios nothing is left over", "[exam]") {
