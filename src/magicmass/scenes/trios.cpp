@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/scenes/trios.hpp"
-
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "magicmass/numbers/errors.hpp"
+#include "magicmass/scenes/theorem.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -38,7 +38,7 @@ std::optional<Trios> Trios::of(const Places& places) {
   if (const auto trio = Trio::of(places)) {
     all.is_cradle_ = false;
     all.way_ = INT64_MAX / 2 - 1;
-    all.pairs_ = {{*trio, all.way_ / 2, 0}};
+    all.pairs_ = {{*trio, all.way_ / 2, 0, 0}};
     return all;
   }
   const auto& [masses, line, unit_V, unit_L] = places;
@@ -60,7 +60,7 @@ std::optional<Trios> Trios::of(const Places& places) {
     if (N % 2 != 0 || !(Quadratic(0) < L)) return {};
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next)) return {};  // cradle.room
-    all.pairs_.push_back({*trio, k, all.way_});
+    all.pairs_.push_back({*trio, k, all.way_, std::ssize(all.pairs_) * 2});
     all.way_ += N;  // cradle.number
     if (all.way_ > most_of_way) return {};
   }
@@ -139,7 +139,8 @@ Trio::Collision Trios::collision(std::int64_t j) const {
 }
 std::size_t Trios::gap(std::int64_t j) const {
   const Moment m = moment(j);
-  const std::size_t gap = m.pair      ? first_of(*m.pair) + m.pair->trio.gap(m.number)
+  const std::size_t gap = m.pair
+                              ? static_cast<std::size_t>(m.pair->first) + m.pair->trio.gap(m.number)
                           : m.is_back ? 0
                                       : bodies();
   return is_mirrored_ ? bodies() - gap : gap;
@@ -149,7 +150,8 @@ std::vector<Ball> Trios::velocities(std::int64_t collisions) const {
   const Moment m = moment(is_back ? collisions - 1 : collisions);
   std::vector<Ball> all(bodies());
   if (m.pair)
-    std::ranges::copy(m.pair->trio.velocities(shape_of(*m.pair), m.number), at(*m.pair, all));
+    std::ranges::copy(m.pair->trio.velocities(shape_of(*m.pair), m.number),
+                      all.begin() + m.pair->first);
   else
     all.back() = ball_of(V_);
   if (is_back)
@@ -166,14 +168,14 @@ std::vector<Ball> Trios::places(const Ball& time, std::int64_t collisions) const
     const std::int64_t N = std::clamp(before - pair.before, std::int64_t(0), 2 * pair.k);
     const std::vector<Ball> x = pair.trio.places(shape_of(pair), on_first_way, N);
     const int waiting = before < pair.before ? 1 : 0;  // for what comes
-    std::copy(x.begin() + waiting, x.end(), at(pair, all) + waiting);
+    std::copy(x.begin() + waiting, x.end(), all.begin() + pair.first + waiting);
   }
   return seen(std::move(all));
 }
 std::vector<Ball> Trios::masses() const {
   std::vector<Ball> all(bodies());
   for (const Pair& pair : pairs_)
-    std::ranges::copy(pair.trio.masses(shape_of(pair)), at(pair, all));
+    std::ranges::copy(pair.trio.masses(shape_of(pair)), all.begin() + pair.first);
   if (is_mirrored_) std::ranges::reverse(all);
   return all;
 }
@@ -185,7 +187,7 @@ std::vector<std::int64_t> Trios::counts(std::int64_t collisions) const {
     const std::int64_t N = 2 * pair.k, before = pair.before;
     const std::int64_t there = std::clamp(out - before, std::int64_t(0), N);
     const std::int64_t here = std::clamp(back - (way_ - before - N), std::int64_t(0), N);
-    const std::size_t left = first_of(pair) + 1;
+    const auto left = static_cast<std::size_t>(pair.first) + 1;
     all[left] = round * N + (there + 1) / 2 + here / 2;  // out, the left gap is first
     all[left + 1] = round * N + there / 2 + (here + 1) / 2;
   }
