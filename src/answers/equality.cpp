@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "answers/errors.hpp"
-#include "answers/evaluate.hpp"
+#include "answers/meanings.hpp"
 #include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"

@@ -2,7 +2,8 @@
 #include "answers/motion.hpp"
 
 #include "answers/errors.hpp"
-#include "answers/evaluate.hpp"
+#include "answers/meanings.hpp"
+#include "equality/constant.hpp"
 #include "kernel/print.hpp"
 #include "magicmass/numbers/counts.hpp"
 
@@ -21,14 +22,19 @@ bool takes_everything(const Alpha& alpha, const cl_I& n) {
   return n == 1 && fraction_of(alpha) == cl_RA(1);
 }
 
+/// The right side of a theorem's equation.
+Ball evaluated(const std::string& id, const std::map<kernel::Expr, Ball>& values) {
+  return equality::enclosure(written_out(right_side(id)), values);
+}
+
 const char* const beyond = "; a mass ratio that is a double is decided";
 
 }  // namespace
 
 Ball ball_of(const Alpha& alpha) {
   if (const auto* at = std::get_if<Threshold>(&alpha))
-    return evaluate(right_side(at->is_magic ? "ratios.alpha_k" : "ratios.beta_k"),
-                    {{kernel::integer("k"), Ball(cl_RA(at->k))}});
+    return evaluated(at->is_magic ? "ratios.alpha_k" : "ratios.beta_k",
+                     {{kernel::integer("k"), Ball(cl_RA(at->k))}});
   return *fraction_of(alpha);
 }
 Alpha alpha_of(const std::string& text) {
@@ -45,8 +51,8 @@ std::optional<cl_RA> fraction_of(const Alpha& alpha) {
   return fraction != nullptr ? std::optional(*fraction) : std::nullopt;
 }
 Ball right_side_at(const char* id, const Ball& alpha, const cl_RA& n) {
-  return evaluate(
-      right_side(id),
+  return evaluated(
+      id,
       {{kernel::real("alpha"), alpha}, {kernel::real("V"), 1}, {kernel::integer("n"), Ball(n)}});
 }
 

@@ -14,30 +14,6 @@ namespace answers {
 namespace {
 
 using notation::Alpha;
-using notation::deficient;
-using notation::magic;
-
-/// Between two neighbours on a logarithmic axis.
-double between(const Alpha& one, const Alpha& other) {
-  return std::sqrt(nearest(one) * nearest(other));
-}
-
-/// A maximum or a minimum, and a range about it that has no other.
-struct Range {
-  bool is_maximum;
-  double low, high;
-};
-
-Range range_of(const Alpha& near) {
-  const auto* at = std::get_if<notation::Threshold>(&near);
-  if (at == nullptr)
-    throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
-  if (!at->is_magic) return {false, between(magic(at->k + 1), near), between(near, magic(at->k))};
-  const double low = between(deficient(at->k), near);
-  return {true, low, at->k == 1 ? 1 / low : between(near, deficient(at->k - 1))};
-}
-
-double rho_at(double alpha, const cln::cl_RA& e) { return std::stod(rho(alpha, e).text); }
 
 /// psi over pi.
 Answer angle(const Request& request) {
@@ -53,17 +29,24 @@ Answer angle(const Request& request) {
 /// otherwise: a search finds no more.
 Answer extremum(const Request& request) {
   const Alpha near = alpha_of(request.text("near"));
+  const auto* at = std::get_if<notation::Threshold>(&near);
+  if (at == nullptr)
+    throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
   const Alpha restitution = alpha_of(request.text("restitution"));
   const auto* e = std::get_if<cln::cl_RA>(&restitution);
   if (e == nullptr || *e >= 1) throw InvalidInput("restitution: allowed: a fraction below 1");
+  const auto rho_at = [&](double alpha) { return std::stod(rho(alpha, *e).text); };
   const double scale = std::pow(10, double(request.whole("decimals", 0, 7).value_or(7)));
-  auto [is_maximum, low, high] = range_of(near);
-  while (high - low > 1e-9) {  // rho is flat at a maximum: nearer, its last bits decide
-    const double third = (high - low) / 3;
-    const bool rises = rho_at(low + third, *e) < rho_at(high - third, *e);
-    (rises == is_maximum ? low : high) = rises == is_maximum ? low + third : high - third;
-  }
   const double elastic = nearest(near);
+  const double below =
+      nearest(at->is_magic ? notation::deficient(at->k) : notation::magic(at->k + 1));
+  double low = std::sqrt(below * elastic);
+  double high = elastic / low * elastic;  // the extremum above is farther away than that below
+  while (high - low > 1e-9) {             // rho is flat at a maximum: nearer, its last bits decide
+    const double third = (high - low) / 3;
+    const bool rises = rho_at(low + third) < rho_at(high - third);
+    (rises == at->is_magic ? low : high) = rises == at->is_magic ? low + third : high - third;
+  }
   const double place = std::round((low + high) / 2 * scale) / scale;
   const double percent = std::round(1e5 * (place - elastic) / elastic) / 1e3;
   return {one_row({{"alpha", real_cell(place)},

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "answers/errors.hpp"
-#include "answers/evaluate.hpp"
+#include "answers/meanings.hpp"
 #include "answers/motion.hpp"
 #include "answers/polynomial.hpp"
 #include "answers/shown_text.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "answers/evaluate.hpp"
+#include "answers/meanings.hpp"
 
 #include "derivation/book.hpp"
 
@@ -36,8 +36,8 @@ Expr definition_of(const std::string& name) {
   return of_k ? kernel::substitute(of_k, {{kernel::integer("k"), std::stoi(name.substr(from))}})
               : of_k;
 }
-Expr written_out(Expr e, const Values& values) {
-  if (e.size() == 0 || values.contains(e)) return e;
+Expr written_out(Expr e) {
+  if (e.size() == 0) return e;
   if (e.op() == kernel::Op::Fun)
     for (const Definition& d : definitions) {
       if (e.name() != d.function) continue;
@@ -45,14 +45,11 @@ Expr written_out(Expr e, const Values& values) {
       kernel::Substitution arguments;
       for (std::size_t i = 0; i < e.size(); ++i)
         arguments.emplace(equation.arg(0).arg(i), e.arg(i));
-      return written_out(kernel::substitute(equation.arg(1), arguments), values);
+      return written_out(kernel::substitute(equation.arg(1), arguments));
     }
   kernel::Exprs args;
-  for (Expr arg : e.args()) args.push_back(written_out(arg, values));
+  for (Expr arg : e.args()) args.push_back(written_out(arg));
   return kernel::with_args(e, args);
-}
-Ball evaluate(Expr term, const Values& values) {
-  return equality::enclosure(written_out(term, values), values);
 }
 Expr right_side(const std::string& id) { return derivation::shown(id).conclusion().arg(1); }
 
