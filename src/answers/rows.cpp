@@ -16,24 +16,19 @@ namespace {
 using Reals = std::vector<double>;
 using Wholes = std::vector<std::int64_t>;
 
-/// NaN where it is no double.
-double alpha_of_row(std::string_view text) {
-  return notation::read_double(text).value_or(std::numeric_limits<double>::quiet_NaN());
-}
-
-/// -1 where it is none.
-std::int64_t cycles_of_row(std::string_view digits) { return read_whole(digits).value_or(-1); }
-
-/// An option of each row: its field, or what all share.
+/// An option of each row: its field, or what all share; `none` where that is no such number.
 template <class Number>
 std::vector<Number> option_of(const Rows& rows, const std::string& option,
-                              Number (*read)(std::string_view)) {
+                              std::optional<Number> (*read)(std::string_view), Number none) {
   const auto column = std::find(rows.columns.begin(), rows.columns.end(), option);
   const auto at = static_cast<std::size_t>(column - rows.columns.begin());
   std::vector<Number> all;
   for (const std::vector<std::string>& fields : rows.fields)
-    all.push_back(read(at < fields.size() ? fields[at] : rows.shared.text(option)));
+    all.push_back(read(at < fields.size() ? fields[at] : rows.shared.text(option)).value_or(none));
   return all;
+}
+Reals alphas_of(const Rows& rows) {
+  return option_of(rows, "alpha", notation::read_double, std::numeric_limits<double>::quiet_NaN());
 }
 
 /// Whether the array functions answer for them.
@@ -52,8 +47,8 @@ Request Rows::request(std::size_t row) const {
 
 Block eval_block(const Rows& rows) {
   if (!is_of_arrays(rows)) return {};
-  const Reals alpha = option_of(rows, "alpha", alpha_of_row);
-  const Wholes n = option_of(rows, "n", cycles_of_row);
+  const Reals alpha = alphas_of(rows);
+  const Wholes n = option_of(rows, "n", read_whole, std::int64_t{-1});
   const std::size_t size = alpha.size();
   Reals a(size), b(size), c(size), c_prime(size);
   const bool is_fast = rows.shared.text("tier") == "fast";
@@ -67,7 +62,7 @@ Block eval_block(const Rows& rows) {
 }
 
 Block count_block(const Rows& rows) {
-  const Reals alpha = option_of(rows, "alpha", alpha_of_row);
+  const Reals alpha = alphas_of(rows);
   const std::size_t size = alpha.size();
   Wholes N_A(size), N_B(size);
   magicmass::count_collisions(alpha, N_A, N_B);
@@ -76,17 +71,17 @@ Block count_block(const Rows& rows) {
 
 Block terminal_block(const Rows& rows) {
   if (!is_of_arrays(rows)) return {};
-  Block block = count_block(rows);
-  const Reals& alpha = std::get<Reals>(block.columns[0]);
+  const Reals alpha = alphas_of(rows);
   const std::size_t size = alpha.size();
+  Wholes N_A(size), N_B(size);
   Reals a_t(size), b_t(size), c_t(size), rho(size);
-  const magicmass::TerminalColumns columns{{}, {}, a_t, b_t, c_t, rho};
+  const magicmass::TerminalColumns columns{N_A, N_B, a_t, b_t, c_t, rho};
   if (rows.shared.text("tier") == "fast")
     magicmass::fast::terminal(alpha, columns);
   else
     magicmass::accurate::terminal(alpha, columns);
-  for (Reals* column : {&a_t, &b_t, &c_t, &rho}) block.columns.emplace_back(std::move(*column));
-  return block;
+  return {{alpha, std::move(N_A), std::move(N_B), std::move(a_t), std::move(b_t), std::move(c_t),
+           std::move(rho)}};
 }
 
 }  // namespace answers

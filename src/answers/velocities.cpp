@@ -142,11 +142,6 @@ Alpha restitution_of(const Request& request) {
                      shown_text(text));
 }
 
-Row counts_and_velocities(const magicmass::Terminal& t) {
-  return concatenated(
-      {count_cells({t.counts.N_A, t.counts.N_B}), real_cells({t.a_t, t.b_t, t.c_t, t.rho})});
-}
-
 /// Fractions by the law of one collision.
 std::vector<cln::cl_RA> stepped(const cln::cl_RA& mass, const cln::cl_RA& e, std::int64_t N) {
   using Body = magicmass::simulator::Body<cln::cl_RA>;
@@ -159,20 +154,36 @@ std::vector<cln::cl_RA> stepped(const cln::cl_RA& mass, const cln::cl_RA& e, std
   return {A.velocity, B.velocity, C.velocity, B.velocity * B.velocity};
 }
 
-/// What stands behind alpha and a restitution below 1.
-Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
-  const auto* number = std::get_if<double>(&restitution);
-  const bool is_fast = in.tier == "fast" && in.number != nullptr && number != nullptr;
-  if (const auto t = is_fast ? magicmass::fast::terminal(*in.number, *number) : std::nullopt)
-    return counts_and_velocities(*t);
+/// Counts and velocities at the end; where collisions never end, also when that is.
+Row end_of(const Asked& in, const Alpha& restitution) {
   const cln::cl_RA e = *fraction_of(restitution);
+  const auto* loss = std::get_if<double>(&restitution);
+  const bool is_fast = in.tier == "fast";
+  std::optional<magicmass::Terminal> t;  // nothing where counts do not fit 64 bits
+  if (in.number != nullptr && e == 1)
+    t = is_fast ? magicmass::fast::terminal(*in.number) : magicmass::accurate::terminal(*in.number);
+  else if (in.number != nullptr && is_fast && loss != nullptr)
+    t = magicmass::fast::terminal(*in.number, *loss);
+  if (t)
+    return concatenated({count_cells({t->counts.N_A, t->counts.N_B}),
+                         real_cells({t->a_t, t->b_t, t->c_t, t->rho})});
+  if (e == 1) {
+    const LargeCounts counts = count_collisions(in.alpha);
+    const auto exactly = [&](const cln::cl_RA& alpha) {
+      const auto v = magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(counts.N_A),
+                                                          cln::cl_I_to_long(counts.N_B));
+      return std::vector{v.a_t, v.b_t, v.c_t, v.rho};
+    };
+    const auto balls = [&] { return answers::terminal(in.alpha, counts); };
+    return concatenated({count_cells(counts), in.cells(counts.N_A, "cycles", exactly, balls)});
+  }
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), e);
   if (const auto N = trio.count()) {
     constexpr int longest = 1 << 18;  // each step reduces its fractions
-    const Row four = in.cells(
-        *N, "collisions", [&](const cln::cl_RA& mass) { return stepped(mass, e, *N); },
-        [&] { return answers::terminal(trio, *N); }, longest, Quadratic(e).bits());
-    return concatenated({count_cells({(*N + 1) / 2, *N / 2}), four});
+    const auto exactly = [&](const cln::cl_RA& mass) { return stepped(mass, e, *N); };
+    const auto balls = [&] { return answers::terminal(trio, *N); };
+    return concatenated({count_cells({(*N + 1) / 2, *N / 2}),
+                         in.cells(*N, "collisions", exactly, balls, longest, Quadratic(e).bits())});
   }
   if (in.wants_fractions)
     throw Undecided(
@@ -185,31 +196,13 @@ Row inelastic_terminal(const Asked& in, const Alpha& restitution) {
   return concatenated({Row(2, {"infinitely many", "null"}), rounded(end, in.digits)});
 }
 
-/// Likewise where nothing is lost.
-Row elastic_terminal(const Asked& in) {
-  const LargeCounts counts = count_collisions(in.alpha);
-  // Counts that do not fit 64 bits are for balls.
-  const auto number = in.number == nullptr ? std::nullopt
-                      : in.tier == "fast"  ? magicmass::fast::terminal(*in.number)
-                                           : magicmass::accurate::terminal(*in.number);
-  if (number) return counts_and_velocities(*number);
-  const auto exactly = [&](const cln::cl_RA& alpha) {
-    const auto v = magicmass::generated::terminal_exact(alpha, cln::cl_I_to_long(counts.N_A),
-                                                        cln::cl_I_to_long(counts.N_B));
-    return std::vector{v.a_t, v.b_t, v.c_t, v.rho};
-  };
-  return concatenated({count_cells(counts), in.cells(counts.N_A, "cycles", exactly, [&] {
-                         return answers::terminal(in.alpha, counts);
-                       })});
-}
-
 Answer terminal(const Request& request) {
   const Asked in(request);
   const Names columns = terminal_columns(request);
   if (!request.has("restitution"))
-    return answer(columns, {{alpha_cell(in.alpha)}, elastic_terminal(in)});
+    return answer(columns, {{alpha_cell(in.alpha)}, end_of(in, cln::cl_RA(1))});
   const Alpha e = restitution_of(request);
-  Row end = *fraction_of(e) == 1 ? elastic_terminal(in) : inelastic_terminal(in, e);
+  Row end = end_of(in, e);
   end.resize(columns.size() - 2, missing_cell());  // where collisions end: no collapse_time
   return answer(columns, {{alpha_cell(in.alpha), alpha_cell(e)}, end});
 }
