@@ -20,6 +20,7 @@
 #include "catch.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
+#include "magicmass/scenes/keys.hpp"
 
 namespace {
 
@@ -49,6 +50,20 @@ std::string body(const std::string& statements) {
   return "double f(double x) { " + statements + " return 2 * x; }";
 }
 
+/// Programs and what is said to them.
+std::vector<std::pair<std::string, std::string>> attacks() {
+  std::vector<std::pair<std::string, std::string>> all{
+      {"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"}};
+  const std::string file = MAGICMASS_SOURCE "/tests/src/classroom/attacks.tsv";
+  for (const std::string& line : learn::fields(magicmass::scenes::text_of(file, "attacks"), '\n')) {
+    if (line.find('\t') == line.npos) continue;  // a comment
+    learn::Texts row = learn::fields(line, '\t');
+    learn::replace_all(row[0], "\\n", "\n");
+    all.emplace_back(row[0].starts_with('{') ? body(row[0]) : row[0], row.at(1));
+  }
+  return all;
+}
+
 }  // namespace
 
 TEST_CASE("A program is judged by what its function returns, not by what it prints") {
@@ -59,62 +74,16 @@ TEST_CASE("A program is judged by what its function returns, not by what it prin
 }
 
 TEST_CASE("An attack ends with a line that says why, and leaves nothing behind") {
-  const std::string compute = "an exercise may only compute";
-  const auto [code, why] = GENERATE_COPY(table<std::string, std::string>({
-      {body("for (volatile int i = 0;; i = i + 1) {}"), "did not come to an end within 3 s"},
-      {body("for (;;) fork();"), compute},
-      {body("kill(getppid(), SIGKILL);"), compute},
-      {body("open(\"/dev/tty\", O_RDWR);"), compute},
-      {body("socket(AF_INET, SOCK_STREAM, 0);"), compute},
-      {body("execl(\"/bin/true\", \"true\", nullptr);"), compute},
-      {body("for (;;) std::fputs(\"a line of output\\n\", stdout);"), "more than 1 MiB of output"},
-      {"double f(double x) { volatile double y[99] = {x}; return f(x + 1) + y[0]; }",
-       "it crashed: it used memory that is not its own, or called itself without end"},
-      {body("std::vector<double> v(1L << 30, x);"), "more memory than the 512 MiB"},
-      {body("std::abort();"), "At x = 1: it gave up."},
-      {body("throw 3;"), "it gave up: terminate called after throwing an instance of 'int'."},
-      {body("volatile int zero = 0; x = 7 / zero;"), "divided a whole number by zero"},
-      {body("std::puts(\"0x1p+1\"); std::exit(0);"), "it ended the program before the last case"},
-      {body("write(3, \"0x1p+1\\n\", 7);"), "it wrote to descriptor 3 by itself"},
-      {"struct Early { Early() { write(3, \"0x1p+1\\n0x1.8p+2\\n\", 16); _exit(0); } } early;" +
-           body(""),
-       "it wrote to descriptor 3 by itself"},
-      {"struct Early { Early() { char t[99]; if (read(0, t, 99) > 0) write(3, t, 9); _exit(0); } };"
-       "Early early;" +
-           body(""),
-       "At x = 1: it ended the program before the last case"},
-      {"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"},
-      {"#include \"/dev/zero\"\n" + body(""), "Not compiled: "},
-      {"#include \"/etc/passwd\"\n" + body(""), "it includes /etc/passwd; allowed: headers"},
-      {"#include \"../../etc/passwd\"\n" + body(""), "etc/passwd; allowed: headers"},
-      {"#ifdef __OPTIMIZE__\n#include \"/etc/passwd\"\n#endif\n" + body(""),
-       "includes /etc/passwd;"},
-      {"#if __INCLUDE_LEVEL__ > 0\n#include \"/etc/passwd\"\n#endif\n" + body(""),
-       "it includes /etc/passwd; allowed: headers"},
-      {"int big[1 << 30] = {1};" + body(""), "larger than 64 MiB"},
-      {"template <int a, int b> struct X { static constexpr int v = X<a + 1, b>::v; };"
-       "int x = X<0, 0>::v;" +
-           body(""),
-       "template instantiation depth exceeds"},
-      {"constexpr long slow() { long s = 0; for (long i = 0; i < 1L << 40; ++i) s += i; return s; }"
-       "static_assert(slow() > 0);" +
-           body(""),
-       "Not compiled: "},
-      {"int main() {}" + body(""), "leave out main"},
-      {"", "Not compiled: a function with this signature is expected: double f(double)"},
-      {"float f(double x) { return 2 * x; }",
-       "Not compiled: a function with this signature is expected: double f(double)"},
-      {"double f(float x) { return x; }", "signature is expected: double f(double)"},
-      {"double g(); double f(double) { return g(); }", "undefined reference to `g()'"},
-  }));
-  INFO(code);
-  const learn::Judgement said = judged(code);
-  CHECK(said.mark ==
-        (said.feedback.starts_with("Not compiled: ") ? learn::Mark::unread : learn::Mark::wrong));
-  CHECK_THAT(said.feedback, ContainsSubstring(why));
-  CHECK(said.feedback.find('\n') == std::string::npos);
-  CHECK(said.feedback.find("magicmass-") == std::string::npos);
-  CHECK(is_empty());
+  for (const auto& [code, why] : attacks()) {
+    INFO(code);
+    const learn::Judgement said = judged(code);
+    CHECK(said.mark ==
+          (said.feedback.starts_with("Not compiled: ") ? learn::Mark::unread : learn::Mark::wrong));
+    CHECK_THAT(said.feedback, ContainsSubstring(why));
+    CHECK(said.feedback.find('\n') == std::string::npos);
+    CHECK(said.feedback.find("magicmass-") == std::string::npos);
+    CHECK(is_empty());
+  }
 }
 
 namespace {
