@@ -119,21 +119,3 @@ TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes s
   }
   CHECK(ended > 150);
 }
-TEST_CASE("a fraction halfway between two decimals, or doubles, is rounded to the even one") {
-  Request request;
-  const auto ends = [&](Answer (*answer)(const Request&)) {
-    const Table table = answer(request).table;
-    std::string texts;
-    for (const Cell& cell : table.rows[0]) texts += " " + cell.text;
-    return texts;
-  };
-  request.options = {{"alpha", "3"}, {"n", "1"}, {"digits", "1"}};
-  CHECK(ends(eval) == " 3 1 exact -0.5 0.8 0.5 0.2");
-  const std::string alpha = "9007199254740991/27021597764222977";  // a_1 = 1/2 + 2^-54
-  request.options = {{"alpha", alpha}, {"n", "1"}};
-  CHECK(ends(eval) == " " + alpha + " 1 accurate 0.5 0.7499999999999999 1.5 -0.7500000000000001");
-  request.options = {{"alpha", "1/3"}, {"digits", "3"}};
-  CHECK(ends(answers::terminal) == " 1/3 2 2 -0.125 0.938 0.562 0.879");
-  request.options = {{"alpha", "1"}, {"restitution", "1/4"}, {"digits", "8"}};
-  CHECK(ends(answers::terminal) == " 1 1/4 2 1 0.28710938 0.39062500 0.32226562 0.15258789 ");
-}
