@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/derivation.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
@@ -73,12 +73,11 @@ std::vector<std::string> words_of(const Request& request) {
 /// Proved as far as they need.
 const derivation::Book& book_for(const Request& request) {
   const std::vector<std::string> words = words_of(request);
-  bool is_all = words.empty();
-  for (const std::string& word : words) {
+  const auto is_proved = [](const std::string& word) {
     const bool is_chapter = word.find_first_of(".:") == word.npos;  // labels have a colon
-    const bool is_there = derivation::is_shown(is_chapter ? word + "." : word);  // or its end
-    is_all = is_all || (!is_chapter && !is_there);
-  }
+    return derivation::is_shown(is_chapter ? word + "." : word) || is_chapter;  // or its end
+  };
+  const bool is_all = words.empty() || !std::ranges::all_of(words, is_proved);
   return is_all ? derivation::the_book() : derivation::proved_so_far();
 }
 /// What is asked for; all where no word is given.

@@ -5,7 +5,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
-#include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
 

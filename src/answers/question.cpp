@@ -7,7 +7,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/motion.hpp"
-#include "answers/shown_text.hpp"
 #include "answers/velocities.hpp"
 
 namespace answers {

@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 
 namespace answers {
 

@@ -49,39 +49,34 @@ Block eval_block(const Rows& rows) {
   if (!is_of_arrays(rows)) return {};
   const Reals alpha = alphas_of(rows);
   const Wholes n = option_of(rows, "n", read_whole, std::int64_t{-1});
-  const std::size_t size = alpha.size();
-  Reals a(size), b(size), c(size), c_prime(size);
+  std::vector<Reals> v(4, Reals(alpha.size()));
+  const magicmass::VelocityColumns columns{v[0], v[1], v[2], v[3]};
   const bool is_fast = rows.shared.text("tier") == "fast";
-  const magicmass::VelocityColumns columns{a, b, c, c_prime};
   if (is_fast)
     magicmass::fast::velocities(alpha, n, columns);
   else
     magicmass::accurate::velocities(alpha, n, columns);
-  return {{alpha, n, text_cell(is_fast ? "fast" : "accurate"), std::move(a), std::move(b),
-           std::move(c), std::move(c_prime)}};
+  return {{alpha, n, text_cell(is_fast ? "fast" : "accurate"), v[0], v[1], v[2], v[3]}};
 }
 
 Block count_block(const Rows& rows) {
   const Reals alpha = alphas_of(rows);
-  const std::size_t size = alpha.size();
-  Wholes N_A(size), N_B(size);
+  Wholes N_A(alpha.size()), N_B(alpha.size());
   magicmass::count_collisions(alpha, N_A, N_B);
-  return {{alpha, std::move(N_A), std::move(N_B)}};
+  return {{alpha, N_A, N_B}};
 }
 
 Block terminal_block(const Rows& rows) {
   if (!is_of_arrays(rows)) return {};
   const Reals alpha = alphas_of(rows);
-  const std::size_t size = alpha.size();
-  Wholes N_A(size), N_B(size);
-  Reals a_t(size), b_t(size), c_t(size), rho(size);
-  const magicmass::TerminalColumns columns{N_A, N_B, a_t, b_t, c_t, rho};
+  Wholes N_A(alpha.size()), N_B(alpha.size());
+  std::vector<Reals> v(4, Reals(alpha.size()));
+  const magicmass::TerminalColumns columns{N_A, N_B, v[0], v[1], v[2], v[3]};
   if (rows.shared.text("tier") == "fast")
     magicmass::fast::terminal(alpha, columns);
   else
     magicmass::accurate::terminal(alpha, columns);
-  return {{alpha, std::move(N_A), std::move(N_B), std::move(a_t), std::move(b_t), std::move(c_t),
-           std::move(rho)}};
+  return {{alpha, N_A, N_B, v[0], v[1], v[2], v[3]}};
 }
 
 }  // namespace answers

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace answers {

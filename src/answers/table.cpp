@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "answers/shown_text.hpp"
+#include "answers/errors.hpp"
 
 namespace answers {
 namespace {

@@ -9,7 +9,6 @@
 #include "answers/meanings.hpp"
 #include "answers/motion.hpp"
 #include "answers/polynomial.hpp"
-#include "answers/shown_text.hpp"
 #include "derivation/book.hpp"
 #include "kernel/print.hpp"
 #include "magicmass/exact/exact.hpp"

@@ -13,7 +13,6 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "host/child.hpp"
 
 namespace classroom {
@@ -122,14 +121,13 @@ std::optional<Judgement> judged_file(const Exercise& e, const std::string& folde
   }
 }
 
-answers::Table told(const Exercise& e, const Judgement& said) {
+answers::Fields told(const Exercise& e, const Judgement& said) {
   std::vector<std::string> notes;
   for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
-  return {{"id", "verdict", "feedback", "notes"},
-          {{answers::text_cell(e.id), answers::text_cell(word(said.mark)),
-            answers::text_cell(said.feedback),
-            notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}},
-          false};
+  return {{"id", answers::text_cell(e.id)},
+          {"verdict", answers::text_cell(word(said.mark))},
+          {"feedback", answers::text_cell(said.feedback)},
+          {"notes", notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}};
 }
 
 }  // namespace classroom

@@ -22,7 +22,7 @@ std::optional<learn::Judgement> judged_file(const learn::Exercise& exercise,
                                             const std::string& folder, const learn::Run& run,
                                             unsigned seconds = 20);
 
-/// The table of what is said to one answer.
-answers::Table told(const learn::Exercise& exercise, const learn::Judgement& said);
+/// What is said to one answer.
+answers::Fields told(const learn::Exercise& exercise, const learn::Judgement& said);
 
 }  // namespace classroom

@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "answers/shown_text.hpp"
+#include "answers/errors.hpp"
 
 namespace classroom {
 namespace {

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "classroom/answer_file.hpp"
 
 namespace classroom {

@@ -6,7 +6,6 @@
 #include <fstream>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "classroom/answer_file.hpp"
 #include "classroom/attempts.hpp"
 #include "classroom/grade.hpp"
@@ -20,6 +19,7 @@ namespace {
 
 using answers::Answer;
 using answers::InvalidInput;
+using answers::one_row;
 using answers::Request;
 using answers::text_cell;
 using learn::Exercise;
@@ -64,7 +64,7 @@ Exercise exercise(const Request& request) {
 /// A text as it is, or in a table where another format is asked for.
 Answer document(const Request& request, const Exercise& e, const std::string& text) {
   if (request.format == "text") return {{}, text + "\n"};
-  return {{{"id", "text"}, {{text_cell(e.id), text_cell(text)}}, false}, {}};
+  return {one_row({{"id", text_cell(e.id)}, {"text", text_cell(text)}})};
 }
 
 Answer list(const Request& request) {
@@ -106,12 +106,9 @@ Answer check(const Request& request) {
       is_file ? magicmass::scenes::text_of(request.text("file"), allowed_file) : request.words[2];
   learn::Judgement said = judge(e, text, run_code);
   remember(e, said);
-  Answer answer;
-  answer.table = told(e, said);
-  if (request.has("reveal")) {
-    answer.table.columns.push_back("answer");
-    answer.table.rows[0].push_back(text_cell(own_answer(e)));
-  }
+  answers::Fields fields = told(e, said);
+  if (request.has("reveal")) fields.emplace_back("answer", text_cell(own_answer(e)));
+  Answer answer{one_row(fields)};
   answer.is_undecided = said.mark == learn::Mark::undecided;
   answer.check_failed = said.mark != learn::Mark::right && !answer.is_undecided;
   return answer;

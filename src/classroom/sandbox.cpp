@@ -19,7 +19,6 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
 

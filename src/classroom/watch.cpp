@@ -14,7 +14,6 @@
 #include <sys/stat.h>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "answers/table.hpp"
 #include "classroom/answer_file.hpp"
 #include "classroom/attempts.hpp"
@@ -78,7 +77,7 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       std::optional<learn::Judgement> said = judged_file(e, place, run);
       if (!said) continue;
       remember(e, *said);
-      tell("\n" + answers::written(told(e, *said), answers::Format::text));
+      tell("\n" + written(one_row(told(e, *said)), answers::Format::text));
     }
     if (is_first)
       tell("Watching " + answers::shown_text(place, 200) +

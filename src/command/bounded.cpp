@@ -19,7 +19,6 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 
 constexpr std::int64_t end_seconds = 5;
 

@@ -3,7 +3,6 @@
 
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "command/generate.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"

@@ -13,7 +13,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/request.hpp"
-#include "answers/shown_text.hpp"
 
 namespace command {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/figures.hpp"
-#include "answers/shown_text.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
 #include "report/report.hpp"

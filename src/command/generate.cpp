@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "generate/quantities.hpp"
 #include "magicmass/scenes/scene.hpp"
 #include "magicmass/scenes/trio.hpp"

@@ -9,7 +9,6 @@
 #include <CLI/CLI.hpp>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 
 namespace command {
 namespace {

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 
 namespace command {
 namespace {

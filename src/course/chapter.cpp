@@ -10,7 +10,6 @@
 #include <cmark.h>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "course/printed.hpp"
 #include "learn/judge.hpp"
 #include "render/mathml.hpp"

@@ -4,7 +4,6 @@
 #include <regex>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "learn/texts.hpp"
 #include "notation/read.hpp"
 #include "render/mathml.hpp"

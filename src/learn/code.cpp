@@ -8,7 +8,6 @@
 #include <cln/real.h>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "answers/table.hpp"
 #include "balls/ball.hpp"
 #include "learn/terms.hpp"

@@ -5,7 +5,6 @@
 #include <cctype>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "learn/terms.hpp"
 #include "magicmass/scenes/keys.hpp"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {

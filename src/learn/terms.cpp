@@ -6,7 +6,6 @@
 #include "answers/equality.hpp"
 #include "answers/errors.hpp"
 #include "answers/question.hpp"
-#include "answers/shown_text.hpp"
 #include "balls/ball.hpp"
 #include "magicmass/scenes/run.hpp"
 
@@ -130,13 +129,13 @@ Expr Terms::answer() const {
 }
 
 std::string Terms::foreign(Expr term) const {
-  Texts names;
-  for (const std::string& name : notation::symbols_of(term))
-    if (!known.contains(name)) names.push_back(name);
-  if (names.empty()) return {};
-  Texts shown;
-  for (const std::string& name : names)
+  Texts names, shown;
+  for (const std::string& name : notation::symbols_of(term)) {
+    if (known.contains(name)) continue;
+    names.push_back(name);
     shown.push_back(notation::typed_text(notation::symbol(name)));
+  }
+  if (names.empty()) return {};
   static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
                                            "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
   const auto is_unit = [&](const std::string& name) { return units.contains(name); };

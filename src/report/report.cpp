@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 
 namespace report {
 namespace {

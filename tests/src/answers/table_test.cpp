@@ -5,7 +5,7 @@
 #include <chrono>
 #include <limits>
 
-#include "answers/shown_text.hpp"
+#include "answers/errors.hpp"
 #include "catch.hpp"
 
 using namespace answers;

@@ -6,7 +6,6 @@
 #include <thread>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "command/command.hpp"
 #include "host/child.hpp"
 

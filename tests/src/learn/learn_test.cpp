@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "answers/errors.hpp"
-#include "answers/shown_text.hpp"
 #include "catch.hpp"
 #include "host/embedded.hpp"
 #include "learn/judge.hpp"

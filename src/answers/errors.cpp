@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Nothing here depends on the locale.
-#include "answers/shown_text.hpp"
+#include "answers/errors.hpp"
 
 namespace answers {
 
