@@ -29,7 +29,6 @@ const Exercise half{.source = "half.toml",
                     .kind = "symbolic",
                     .symbols = {"alpha"},
                     .answer = "1/(1 + alpha)",
-                    .hints = {"one", "two"},
                     .misconceptions = {{"=upside down", {"1 + alpha"}, "=Upside down."}}};
 const Exercise twice{.source = "twice.toml",
                      .id = "twice",
@@ -69,44 +68,19 @@ struct Place : host::TemporaryFolder {
   std::string memory() const { return path + "/state/magicmass/answers.tsv"; }
 };
 
-std::string feedback_of(const std::string& answer, const Exercise& e = half) {
-  learn::Judgement said = judge(e, answer, run);
-  classroom::remember(e, said);
-  return said.feedback;
-}
-
 learn::Texts lines_of(const std::string& file) {
   return learn::fields(magicmass::scenes::text_of(file, "lines"), '\n');
 }
 
 }  // namespace
 
-TEST_CASE("The third miss and those after it say something new, also to the same answer") {
-  const Place place;
-  const auto wrong = [](const std::string& number) {
-    return "At alpha = 1 yours is " + number + "; it should be 1/2.";
-  };
-  CHECK(feedback_of("3") == wrong("3"));
-  CHECK(feedback_of("1 + alpha") == "=Upside down.");
-  CHECK(feedback_of("(") == judge(half, "(").feedback);
-  classroom::remember_hint(half, 1);
-  CHECK(feedback_of("3") == wrong("3") + " Hint 2: two");
-  CHECK(feedback_of("5") == wrong("5") + " There are no more hints: magicmass learn solution half");
-  CHECK(classroom::attempts().at("half").done == "tried");
-  CHECK(feedback_of("1/(1 + alpha)") == "Right.");
-  classroom::remember_hint(twice, 1);
-  feedback_of("6");
-  CHECK(classroom::attempts().at("half").done == "right");
-  CHECK(classroom::attempts().at("twice").done == "");
-  CHECK(lines_of(place.memory()).at(1).starts_with("half\twrong\t=upside down"));
-}
-
 TEST_CASE("Checks at once lose no line of the memory") {
   const Place place;
   std::vector<pid_t> children;
   for (int child = 0; child < 8; ++child)
     if (children.push_back(::fork()); children.back() == 0) {
-      for (int i = 0; i < 25; ++i) feedback_of(std::to_string(100 * child + i), twice);
+      learn::Judgement said = judge(twice, "0", run);
+      for (int i = 0; i < 25; ++i) classroom::remember(twice, said);
       ::_exit(0);
     }
   for (const pid_t child : children) ::waitpid(child, nullptr, 0);
@@ -115,35 +89,6 @@ TEST_CASE("Checks at once lose no line of the memory") {
     answers += line.starts_with("twice\twrong\t") ? 1 : 0;
   CHECK(answers == 200);
   CHECK(classroom::attempts().at("twice").misses == 200);
-}
-
-TEST_CASE("Without a memory nothing is remembered, and nothing is said") {
-  const Place place;
-  const auto forgets = [] {
-    for (const char* answer : {"3", "4", "5", "6"})
-      if (feedback_of(answer).find("Hint") != std::string::npos) return false;
-    return classroom::attempts().empty();
-  };
-  save(place.path + "/file", "x");
-  ::mkfifo((place.path + "/pipe").c_str(), 0600);
-  std::filesystem::create_directories(place.path + "/state/magicmass/answers.tsv");
-  CHECK(forgets());
-  std::filesystem::remove(place.memory());
-  std::filesystem::create_symlink("../../pipe", place.memory());
-  CHECK(forgets());
-  ::setenv("XDG_STATE_HOME", (place.path + "/file").c_str(), 1);
-  CHECK(forgets());
-  ::setenv("XDG_STATE_HOME", "relative", 1);
-  ::unsetenv("HOME");
-  const std::filesystem::path before = std::filesystem::current_path();
-  std::filesystem::current_path(place.path);
-  save(place.path + "/answers.tsv", "half\twrong\t\t1\nhalf\twrong\t\t2\n");
-  CHECK(forgets());
-  CHECK_FALSE(std::filesystem::exists("relative"));
-  std::filesystem::current_path(before);
-  ::setenv("HOME", place.path.c_str(), 1);
-  feedback_of("3");
-  CHECK(lines_of(place.path + "/.local/state/magicmass/answers.tsv").size() == 1);
 }
 
 TEST_CASE("A class is graded, whatever its files are") {
