@@ -44,18 +44,3 @@ TEST_CASE("rows at once and alone", "[exam]") {
     CHECK(checked(rows, terminal_block, terminal, terminal_columns(rows.shared)) == 38);
   }
 }
-
-TEST_CASE("rows that are left open", "[exam]") {
-  std::vector<std::vector<std::string>> fields;
-  for (const char* alpha : {"1/7", "magic:3", "x", "0", "inf", "1e999", "-0.1"})
-    fields.push_back({"1", alpha});
-  for (const char* n : {"-1", "5", "1e0", "99999999999999999999", "3"})
-    fields.push_back({n, "0.1"});
-  const Rows rows = rows_of(fields, "accurate");
-  for (std::size_t row = 0; row < 12; ++row) CHECK(eval_block(rows).answers(row) == (row == 11));
-  CHECK_FALSE(eval_block(rows_of({{"1", "0.1"}}, "exact")).answers(0));
-  CHECK(terminal_block(rows_of({{"1", "0.1"}}, "exact")).columns.empty());
-  Rows with_restitution = rows_of({{"0.5", "0.1"}}, "accurate");
-  with_restitution.columns = {"restitution", "alpha"};
-  CHECK(terminal_block(with_restitution).columns.empty());
-}

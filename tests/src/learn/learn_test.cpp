@@ -149,11 +149,3 @@ TEST_CASE("A program is held against exact results at its doubles") {
   });
   CHECK(seen == learn::Rows{{0.125, 0}, {1 + 0x1p-52, 1}, {1.0 / 3, 2}});
 }
-
-TEST_CASE("A byte order mark, comments and lines of an answer's file are read as typed") {
-  const Exercise e = read("symbolic");
-  CHECK(learn::judge(e, "\xEF\xBB\xBF# mine\r\n  1/(1 + alpha)\r\n\n").mark == learn::Mark::right);
-  CHECK(learn::judge(e, "# nothing\n").mark == learn::Mark::unread);
-  CHECK(learn::judge(e, std::string(30000, '(')).mark == learn::Mark::unread);
-  CHECK(learn::judge(e, "\x1b[2J").feedback.find('\x1b') == std::string::npos);
-}
