@@ -7,54 +7,48 @@ namespace derivation {
 namespace {
 const Expr from_1 = le(1, n), e_more = real("e'");
 
-/// Positive masses, B no wall, and more.
-Exprs of_block(const Exprs& more) {
-  Exprs out = of_wedge(more);
-  out[1] = lt(0, w_B);
-  return out;
-}
 /// What each collision takes from the energy, and all of them together.
 void energy(Book& book) {
-  const auto of_motion = [&](const std::string& id) { return cut(linear(le(0, w_B)), book[id]); };
-  const Exprs with_j{M_A, w_B, M_C, e, V, j};
-  const Theorem is =
-      book.define("energy", with_j,
-                  M_A * power(velocity("A", j), 2) + power(velocity("B", j), 2) / w_B +
-                      M_C * power(velocity("C", j), 2),
-                  of_block({le(0, j)}), "Twice the kinetic energy after j collisions:");
+  const Expr A = velocity("A", j), B = velocity("B", j), C = velocity("C", j);
+  const auto of_pairs =
+      M_A * power(A - B, 2) + M_C * power(C - B, 2) + w_B * M_A * M_C * power(A - C, 2);
+  const Theorem is = book.define("energy", {M_A, w_B, M_C, e, V, j}, of_pairs / mass_of_all(),
+                                 of_wedge({le(0, j)}),
+                                 "Twice the kinetic energy after j collisions, without that of the "
+                                 "centre of mass, by the pairs of bodies:");
   const auto energy = [&](Expr i) { return substitute(left(is), {{j, i}}); };
-  Theorems step{is, at(is, {{j, j + 1}}), of_motion("motion.closing"), book["motion.turn_squared"]};
-  for (const Theorem& next : parts({of_motion("motion.next")})) step.push_back(at(next));
+  Theorems step{is, at(is, {{j, j + 1}}), book["motion.closing"], book["motion.turn_squared"]};
+  for (const Theorem& next : parts({book["motion.next"]})) step.push_back(at(next));
   const Expr gone = energy(j) - energy(j + 1);
   const Expr mass = is_P(j) * (M_A * M_C / (M_A + M_C)) + is_Q(j) * (M_C / (1 + w_B * M_C));
   const Theorem lost =
       book.show("collision", "Collision j takes from it, by the reduced mass of its two bodies,",
                 equation(gone, (1 - power(e, 2)) * mass * power(closing(j), 2), step));
 
-  const Known signs({of_motion("wedge.signs")});
+  const Known signs({book["wedge.signs"]});
   const Expr square = power(root_power(j), 2) * power(chebyshev(j, kappa()), 2);
   const Expr unit = (1 - power(e, 2)) * (M_C * power(r_A(), 2) * power(V, 2));
-  Theorems shares = squared_shares(book);
-  for (Theorem& t : shares) t = cut(linear(le(0, w_B)), t);
-  const Theorems rules = shares + Theorems{of_motion("wedge.speed"), book["motion.turn_squared"]};
+  const Theorems rules =
+      squared_shares(book) + Theorems{book["wedge.speed"], book["motion.turn_squared"]};
   const Theorem alike = book.show("alike", "which is alike for both kinds:",
                                   chain(lost, equation(right(lost), unit * square, rules)));
-  const Exprs domain = of_block({le(0, j), lt(0, e)});
+  const Exprs domain = of_wedge({le(0, j), lt(0, e)});
   const Theorems sum =
       defined_by_recursion({"squares"}, masses_and_e(), j, domain, {0},
                            [&](const Exprs& before) { return Exprs{before[0] + square}; });
   book.show("squares", "So with a sum of squares,", under(domain, both(sum)));
+  const Expr first = M_A * power(V, 2) * (1 + w_B * M_C) / mass_of_all();
   const auto remains = [&](Expr i) {
-    return eq(energy(i), M_A * power(V, 2) - unit * fun("squares", {M_A, w_B, M_C, e, i}));
+    return eq(energy(i), first - unit * fun("squares", {M_A, w_B, M_C, e, i}));
   };
   const Theorem change = solved_for(energy(j + 1), alike);
   book.show("left", "after j collisions there is left",
-            by_induction(j, remains(j), {at(is, {{j, 0}}), sum[0], of_motion("motion.start")},
+            by_induction(j, remains(j), {at(is, {{j, 0}}), sum[0], book["motion.start"]},
                          {change, at(sum[1])}));
   book.show("bounded",
             "never less than 0; so if e < 1, and collisions never end, the terms of that sum, and "
             "with them the approach speeds, tend to 0:",
-            linear(le(unit * fun("squares", {M_A, w_B, M_C, e, j}), M_A * power(V, 2)),
+            linear(le(unit * fun("squares", {M_A, w_B, M_C, e, j}), first),
                    {book["losses.left"], is, not_negative(right(is))}));
   const Theorem at_most_1 = assume(le(e, 1));
   book.show(
@@ -158,7 +152,7 @@ Theorems first_collisions(const Book& book, int count, const Substitution& bodie
 }
 
 void transmission(Book& book) {
-  book.chapter("losses", "The energy of any motion", of_block({le(0, j), lt(0, e)}));
+  book.chapter("losses", "The energy of any motion", of_wedge({le(0, j), lt(0, e)}));
   energy(book);
   book.chapter("transmission", "What losses let through", {alpha_positive, V_positive});
   const Theorems names = names_of_paper(book);
