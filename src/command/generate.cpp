@@ -34,8 +34,7 @@ Names needed(const std::string& file) {
                                                 {"terminal", {"a_t", "b_t", "c_t", "rho"}},
                                                 {"events", {"a", "b", "c", "c_prime"}}};
   const Scene scene = read_scene(file);
-  const auto places = exact_places(scene);
-  const auto trio = places ? Trio::of(*places) : std::nullopt;
+  const auto trio = Trio::of(scene);
   const auto* block = scene.masses[0].exact();
   if (scene.kind != Kind::three_body || !trio || !trio->is_at_rest() || block == nullptr ||
       !scene.masses[2].is(*block) || !scene.restitution.is(1)) {

@@ -75,43 +75,6 @@ simulator::Line<Scalar> line_of(const Scene& scene) {
 template simulator::Line<double> line_of(const Scene&);
 template simulator::Line<Quadratic> line_of(const Scene&);
 
-/// The first that is not 0 becomes the unit of all of them. Throws std::domain_error where a ratio
-/// to it is not known exactly.
-Value take_unit(const std::vector<Value*>& values) {
-  const auto is_0 = [](const Value* value) { return value->is(0); };
-  const auto first = std::find_if_not(values.begin(), values.end(), is_0);
-  if (first == values.end()) return value_of(1);
-  Value unit = **first;
-  if (unit.exact() && *unit.exact() < 0) unit = {"", Quadratic(0) - *unit.exact()};
-  for (Value* const value : values) {
-    if (value->exact() && unit.exact())
-      value->number = *value->exact() / *unit.exact();
-    else if (value->text == unit.text)
-      value->number = Quadratic(1);
-    else if (!is_0(value))
-      throw std::domain_error("no exact ratio");
-  }
-  return unit;
-}
-std::optional<Places> exact_places(const Scene& scene) {
-  Scene places = scene;
-  places.masses.assign(scene.masses.size(), value_of(1));
-  places.times.clear();
-  if (has_exact_numbers(places)) return Places{scene.masses, line_of<Quadratic>(places)};
-  std::vector<Value*> velocities, lengths;
-  for (Value& v : places.velocities) velocities.push_back(&v);
-  for (Value& x : places.positions) lengths.push_back(&x);
-  for (auto* wall : {&places.left_wall, &places.right_wall})
-    if (*wall) lengths.push_back(&**wall);
-  places.until.reset();
-  try {
-    const Value V = take_unit(velocities), L = take_unit(lengths);
-    if (has_exact_numbers(places)) return Places{scene.masses, line_of<Quadratic>(places), V, L};
-  } catch (const std::domain_error&) {
-  }
-  return {};
-}
-
 void refuse_key(const Scene& scene, const std::string& key, const std::string& what,
                 std::string_view allowed) {
   const auto line = scene.lines.find(key);

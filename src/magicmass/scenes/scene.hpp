@@ -64,15 +64,6 @@ bool has_exact_numbers(const Scene& scene);
 /// not fit a double.
 template <class Scalar>
 simulator::Line<Scalar> line_of(const Scene& scene);
-/// Masses as they are written, and all else exactly, in these units of velocity and length.
-struct Places {
-  std::vector<Value> masses;
-  simulator::Line<Quadratic> line;  ///< its masses are 1
-  Value V = value_of(1), L = value_of(1);
-};
-/// Nothing where other values than masses and times of the trajectory are not exact, and their
-/// ratios are not either: of velocities, and of places.
-std::optional<Places> exact_places(const Scene& scene);
 
 /// Throws InvalidInput with the place of a key.
 [[noreturn]] void refuse_key(const Scene& scene, const std::string& key, const std::string& what,

@@ -62,7 +62,8 @@ private:
   mutable std::map<std::pair<int, std::int64_t>, Trio::Shape> shapes_;
 
   /// Likewise, but not in a mirror.
-  static std::optional<Trios> of(const Places& places);
+  static std::optional<Trios> of(const std::vector<Value>& masses,
+                                 const simulator::Line<Quadratic>& line);
   const Trio::Shape& shape_of(const Pair& pair) const;
   /// After so many collisions all comes again, only later.
   std::int64_t period() const { return 2 * way_ + 2; }

@@ -53,51 +53,63 @@ Ball ball_of(const Value& value) {
                          : generated::deficient_closed<Ball>(k).beta_;
 }
 
-std::optional<Trio> Trio::of(const Places& places) {
-  const auto& [masses, line, unit_V, unit_L] = places;
-  const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
-  const auto& wall = line.right_wall;
-  if (masses.size() + (wall ? 1 : 0) != 3 || line.left_wall) return {};
+std::optional<Trio> Trio::of(const Start& start) try {
+  const auto& [masses, e, V, r, d_A, d_B, place, drift, sign] = start;
+  const auto part = d_B.is(0) ? std::nullopt : quotient(d_A, d_B);
+  const bool is_first = !(Quadratic(0) < r) || (part && r * *part < 1);
+  if (!is_first || (V.exact() && !(Quadratic(0) < *V.exact()))) return {};
   Trio t;
-  t.place_ = wall ? *wall : x[2];
-  t.drift_ = wall ? Quadratic(0) : v[2];
-  t.at_0_ = {v[0] - v[1], v[1] - t.drift_, x[1] - x[0], t.place_ - x[1]};
-  const auto& [V, W, d_A, d_B] = t.at_0_;
-  const bool is_first = !(Quadratic(0) < W) || W * d_A < V * d_B;
-  if (!(Quadratic(0) < V) || !is_first) return {};
-  t.masses_ = masses;
-  t.e_ = line.restitution;
-  t.unit_V_ = unit_V;
-  t.unit_L_ = unit_L;
-  t.has_units_ = !unit_V.is(1) || !unit_L.is(1);
-  if (!wall && masses[0].is(1) && masses[2].is(1) && t.e_ == 1 && t.is_at_rest())
+  t.from_ = start;
+  if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e == 1 && t.is_at_rest())
     t.at_threshold_ = t.count_at_threshold();
-  if (W < Quadratic(0) && !t.has_told_end()) return {};
+  if (r < 0 && !t.has_told_end()) return {};
   return t;
+} catch (const std::domain_error&) {  // numbers of two fields
+  return {};
+}
+std::optional<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
+  const auto &wall = is_mirrored ? scene.left_wall : scene.right_wall,
+             &behind = is_mirrored ? scene.right_wall : scene.left_wall;
+  const auto* const e = scene.restitution.exact();
+  if (scene.masses.size() + (wall ? 1 : 0) != 3 || behind || !e) return {};
+  std::vector<Value> masses = scene.masses, x = scene.positions, v = scene.velocities;
+  if (is_mirrored)
+    for (auto* const values : {&masses, &x, &v}) std::ranges::reverse(*values);
+  x.push_back(wall.value_or(value_of(0)));
+  v.push_back(value_of(0));
+  const auto over = [&](const Value& left, const Value& right) {
+    return is_mirrored ? difference(left, right) : difference(right, left);
+  };
+  const auto V = over(v[1], v[0]), U = over(v[2], v[0]);
+  const auto d_A = over(x[0], x[1]), d_B = over(x[1], x[2]);
+  if (!V || !U || !d_A || !d_B) return {};
+  const auto U_per_V = quotient(*U, *V);
+  if (!U_per_V) return {};
+  return of({masses, *e, *V, *U_per_V - 1, *d_A, *d_B, x[2], v[2], is_mirrored ? -1 : 1});
 }
 Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
-  const Value block = value_of(1);
-  return *of({{block, alpha, block}, {{}, {0, 0, 1}, {1, 0, 0}, {}, {}, e}});
+  return *of(Start{{value_of(1), alpha, value_of(1)}, e});
 }
 
 std::optional<std::array<Quadratic, 3>> Trio::exact_masses() const {
-  for (const Value& mass : masses_)
+  const std::vector<Value>& m = from_.masses;
+  for (const Value& mass : m)
     if (!mass.exact()) return {};
-  return {{*masses_[0].exact(), *masses_[1].exact(),
-           bodies() == 3 ? Quadratic(1) / *masses_[2].exact() : Quadratic(0)}};
+  return {
+      {*m[0].exact(), *m[1].exact(), bodies() == 3 ? Quadratic(1) / *m[2].exact() : Quadratic(0)}};
 }
 std::optional<Quadratic> Trio::exact_q_e() const try {
   const auto exact = exact_masses();
   if (!exact) return {};
   const auto& [A, C, per_B] = *exact;
-  return generated::shape_exact(A, per_B, C, e_).q_e;
+  return generated::shape_exact(A, per_B, C, from_.e).q_e;
 } catch (const std::domain_error&) {
   return {};
 }
 Trio::Shape Trio::shape() const {
-  const Ball C = ball_of(masses_[1]);
-  Shape s{C, ball_of(masses_[0]) / C, bodies() == 3 ? C / ball_of(masses_[2]) : Ball(0),
-          ball_of(e_), 0};
+  const std::vector<Value>& m = from_.masses;
+  const Ball C = ball_of(m[1]);
+  Shape s{C, ball_of(m[0]) / C, bodies() == 3 ? C / ball_of(m[2]) : Ball(0), ball_of(from_.e), 0};
   const auto q_e = exact_q_e();
   s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact<Ball>(s.A, s.per_B, 1, s.e).q_e;
   if (s.q_e > 0) s.h_e = value_of_form(generated::angle_restitution<Unguarded>, s).h_e;
@@ -105,7 +117,7 @@ Trio::Shape Trio::shape() const {
 }
 /// magic.counts, deficient.counts
 std::optional<std::int64_t> Trio::count_at_threshold() const {
-  if (const auto* const ratio = masses_[1].ratio())
+  if (const auto* const ratio = from_.masses[1].ratio())
     return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
   const auto end = first_collisions();
   return end.velocities[0] == 0 && end.velocities[1] == 0 ? std::optional(end.collisions)
@@ -114,7 +126,7 @@ std::optional<std::int64_t> Trio::count_at_threshold() const {
 simulator::InTurn<Quadratic> Trio::first_collisions() const {
   const auto [A, C, per_B] = *exact_masses();
   const Quadratic one(1), none(0);
-  simulator::InTurn<Quadratic> now(A, C, per_B, e_, {one, at_0_.W / at_0_.V, none, one});
+  simulator::InTurn<Quadratic> now(A, C, per_B, from_.e, {one, from_.W_per_V, none, one});
   const auto& v = now.velocities;
   const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
   while (now.collisions <= largest_tie && approach()) now.step();
@@ -137,8 +149,8 @@ std::optional<std::int64_t> Trio::count() const {
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();
     if (s.q_e <= 0) return 0;
-    return value_of_form(generated::count_restitution<Unguarded>, s, s.h_e, ball_of(at_0_.V),
-                         ball_of(at_0_.W))
+    const Stepping::Start at_0 = start();
+    return value_of_form(generated::count_restitution<Unguarded>, s, s.h_e, at_0.V, at_0.W)
         .N_any.low();
   };
   const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
@@ -148,8 +160,8 @@ std::optional<std::int64_t> Trio::count() const {
 }
 
 Trio::Stepping::Start Trio::start() const {
-  const auto& [V, W, d_A, d_B] = at_0_;
-  return {ball_of(V), ball_of(W), ball_of(d_A), ball_of(d_B)};
+  const Ball V = ball_of(from_.V);
+  return {V, ball_of(from_.W_per_V) * V, ball_of(from_.d_A), ball_of(from_.d_B)};
 }
 bool Trio::has_told_end() const try {
   return with_bits(17, [&] {
@@ -167,22 +179,14 @@ Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
 Trio::Collision Trio::collision(const Stepping& now) const {
   return in_scene(now.collisions - 1, now.time, now.place, now.velocities);
 }
-Ball Trio::time_of(const Ball& moment) const {
-  return has_units_ ? moment * ball_of(unit_L_) / ball_of(unit_V_) : moment;
-}
 Ball Trio::place_of(const Ball& time, const Ball& place) const {
-  const Ball drift = ball_of(drift_) * time, at = ball_of(place_) + place;
-  return has_units_ ? drift * ball_of(unit_V_) + at * ball_of(unit_L_) : drift + at;
+  return from_.sign * (ball_of(from_.drift) * time + ball_of(from_.place)) + place;
 }
-Ball Trio::velocity_of(const Ball& u) const {
-  const Ball v = ball_of(drift_) + u;
-  return has_units_ ? v * ball_of(unit_V_) : v;
-}
+Ball Trio::velocity_of(const Ball& u) const { return from_.sign * ball_of(from_.drift) + u; }
 Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                                const Velocities& u) const {
   const std::size_t right = gap(j);
-  const Ball time = time_of(moment);
-  return {time, place_of(time, right == bodies() ? Ball(0) : place), velocity_of(u[right - 1]),
+  return {moment, place_of(moment, right == bodies() ? Ball(0) : place), velocity_of(u[right - 1]),
           velocity_of(u[right])};
 }
 Trio::Velocities Trio::places_seen(const Shape& s, const Stepping::Start& from, const Ball& moment,
@@ -211,12 +215,10 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
   return all;
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
-  const auto& [V, W, d_A, d_B] = at_0_;
-  if (j == 0 && (d_A == 0 || !has_units_)) return d_A / V;
-  if (has_units_) return {};
-  const auto& N = at_threshold_;
+  const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
+  if (j == 0) return met;
   // L/V sin(jh)/sin((j+1)h) later, (2j+1)h = pi
-  if (N && *N == 2 * j) return (d_A + d_B) / V;
+  if (met && later && at_threshold_ && *at_threshold_ == 2 * j) return *met + *later;
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
@@ -243,12 +245,12 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
 }
 Trio::Collision Trio::collapse(const Shape& s) const {
   const auto end = end_of(s, start());
-  const Ball time = time_of(end.t_any), v = velocity_of(end.v_any);
+  const Ball time = end.t_any, v = velocity_of(end.v_any);
   return {time, place_of(time, end.x_any), v, v};
 }
 std::vector<Ball> Trio::masses(const Shape& s) const {
-  std::vector<Ball> all{ball_of(masses_[0]), s.C};
-  if (bodies() == 3) all.push_back(ball_of(masses_[2]));
+  std::vector<Ball> all{ball_of(from_.masses[0]), s.C};
+  if (bodies() == 3) all.push_back(ball_of(from_.masses[2]));
   return all;
 }
 

@@ -20,17 +20,30 @@ Ball ball_of(const Value& value);
 
 class Trio {
 public:
-  /// Nothing for other bodies, and where A does not meet the ball first. Nor where B runs away from
-  /// collisions that would else never end.
-  static std::optional<Trio> of(const Places& places);
-  /// Blocks of mass 1, a ball of mass alpha, V = L = 1.
+  /// By default the ball touches A and rests before B, and V = L = 1.
+  struct Start {
+    std::vector<Value> masses;  ///< of A, C and B; no B: a wall
+    Quadratic e = 1;
+    Value V = value_of(1);                           ///< A approaches the ball
+    Quadratic W_per_V = 0;                           ///< and the ball approaches B
+    Value d_A = value_of(0), d_B = value_of(1);      ///< how wide the gaps are
+    Value place = value_of(1), drift = value_of(0);  ///< of B or the wall, and its velocity
+    int sign = 1;                                    ///< of these two, as in a mirror
+  };
+  /// Nothing where A does not meet the ball first, and where B runs away from collisions that would
+  /// else never end.
+  static std::optional<Trio> of(const Start& start);
+  /// Nothing for other bodies, too, and where differences of places or ratios of velocities are not
+  /// known to be values.
+  static std::optional<Trio> of(const Scene& scene, bool is_mirrored = false);
+  /// Blocks of mass 1, a ball of mass alpha.
   static Trio equal_blocks(const Value& alpha, const Quadratic& e);
 
   /// Exactly, in units of V, at most one more than `largest_tie` of them; places mean nothing.
   /// Masses must be exact. Throws std::domain_error for numbers of two fields.
   simulator::InTurn<Quadratic> first_collisions() const;
   /// Whether ball and B do not move, seen from each other, before A comes.
-  bool is_at_rest() const { return at_0_.W == 0; }
+  bool is_at_rest() const { return from_.W_per_V == 0; }
   /// How many collisions; nothing where they never end. Throws Undecided where more bits than are
   /// allowed would be needed, or 2^62 collisions are not enough.
   std::optional<std::int64_t> count() const;
@@ -53,14 +66,14 @@ public:
   };
   /// Collision j, from 0 on; where they never end, stepped.
   Collision collision(const Shape& s, std::int64_t j) const;
-  /// When it takes place, where that is known to be in the field of V, L and places.
+  /// When it takes place, where that is known exactly.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   /// The motion collision by collision, quicker than collision(), with a few bits lost.
   using Stepping = simulator::InTurn<Ball>;
   Stepping stepped(const Shape& s, std::int64_t collisions) const;
   /// The last one that was stepped.
   Collision collision(const Stepping& now) const;
-  std::size_t bodies() const { return masses_.size(); }
+  std::size_t bodies() const { return from_.masses.size(); }
   /// The gap that closes there.
   std::size_t gap(std::int64_t j) const { return j % 2 == 0 ? 1 : 2; }
   /// Velocities of all bodies after so many collisions.
@@ -77,12 +90,7 @@ private:
   /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
   /// for larger m.
   static constexpr std::int64_t largest_tie = 12;
-  std::vector<Value> masses_;  ///< of A, C and B; no B: a wall
-  Value unit_V_, unit_L_;      ///< in which all is that follows
-  bool has_units_ = false;     ///< other than 1
-  Quadratic e_;
-  simulator::InTurn<Quadratic>::Start at_0_;
-  Quadratic place_, drift_;  ///< of B or the wall at time 0, and its velocity before it is met
+  Start from_;
   std::optional<std::int64_t> at_threshold_;
 
   using Velocities = std::array<Ball, 3>;
@@ -97,7 +105,6 @@ private:
   bool has_told_end() const;
   Collision in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                      const Velocities& u) const;
-  Ball time_of(const Ball& moment) const;
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
   /// Of A and C, and 1 / that of B.

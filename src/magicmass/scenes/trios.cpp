@@ -22,27 +22,33 @@ bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
 }  // namespace
 
 std::optional<Trios> Trios::of(const Scene& scene) {
-  auto places = exact_places(scene);
-  if (!places) return {};
-  auto found = of(*places);
-  if (found) return found;
-  std::ranges::reverse(places->masses);
-  places->line = simulator::mirrored(std::move(places->line));
-  found = of(*places);
-  if (found) found->is_mirrored_ = true;
-  return found;
+  Trios all;
+  for (const bool is_mirrored : {false, true})
+    if (const auto trio = Trio::of(scene, is_mirrored)) {
+      all.is_cradle_ = false;
+      all.is_mirrored_ = is_mirrored;
+      all.way_ = INT64_MAX / 2 - 1;
+      all.pairs_ = {{*trio, all.way_ / 2, 0, 0}};
+      return all;
+    }
+  Scene exact = scene;  // but for the masses
+  exact.masses.assign(scene.masses.size(), value_of(1));
+  exact.times.clear();
+  exact.until.reset();
+  if (!has_exact_numbers(exact)) return {};
+  auto line = line_of<Quadratic>(exact);
+  auto cradle = of(scene.masses, line);
+  if (cradle) return cradle;
+  exact.masses = scene.masses;
+  std::ranges::reverse(exact.masses);
+  cradle = of(exact.masses, simulator::mirrored(std::move(line)));
+  if (cradle) cradle->is_mirrored_ = true;
+  return cradle;
 }
 
-std::optional<Trios> Trios::of(const Places& places) {
+std::optional<Trios> Trios::of(const std::vector<Value>& masses,
+                               const simulator::Line<Quadratic>& line) {
   Trios all;
-  if (const auto trio = Trio::of(places)) {
-    all.is_cradle_ = false;
-    all.way_ = INT64_MAX / 2 - 1;
-    all.pairs_ = {{*trio, all.way_ / 2, 0, 0}};
-    return all;
-  }
-  const auto& [masses, line, unit_V, unit_L] = places;
-  if (!unit_V.is(1) || !unit_L.is(1)) return {};
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
   if (bodies < 3 || bodies % 2 == 0) return {};
@@ -52,11 +58,14 @@ std::optional<Trios> Trios::of(const Places& places) {
   all.ahead_ = line.right_wall;
   all.behind_ = line.left_wall;
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
-    const auto trio =
-        Trio::of({{masses[ball - 1], masses[ball], masses[ball + 1]},
-                  {{}, {x[0], x[ball], x[ball + 1]}, {v[0], 0, 0}, {}, {}, line.restitution}});
-    const std::int64_t N = trio ? trio->at_threshold().value_or(1) : 1, k = N / 2;
     const Quadratic L = x[ball + 1] - x[ball];
+    const auto trio = Trio::of({.masses{masses[ball - 1], masses[ball], masses[ball + 1]},
+                                .e = line.restitution,
+                                .V{"", v[0]},
+                                .d_A{"", x[ball] - x[0]},
+                                .d_B{"", L},
+                                .place{"", x[ball + 1]}});
+    const std::int64_t N = trio ? trio->at_threshold().value_or(1) : 1, k = N / 2;
     if (N % 2 != 0 || !(Quadratic(0) < L)) return {};
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next)) return {};  // cradle.room

@@ -77,6 +77,22 @@ double Value::to_double() const {
   throw Undecided(text.substr(0, 60) + " does not fit a double; --exact may do");
 }
 
+std::optional<Value> difference(const Value& x, const Value& y) try {
+  if (x.exact() && y.exact()) return Value{"", *x.exact() - *y.exact()};
+  if (y.is(0)) return x;
+  return x.text == y.text ? std::optional(value_of(0)) : std::nullopt;
+} catch (const std::domain_error&) {
+  return {};
+}
+
+std::optional<Quadratic> quotient(const Value& x, const Value& y) try {
+  if (x.is(0)) return Quadratic(0);
+  if (x.exact() && y.exact()) return *x.exact() / *y.exact();
+  return x.text == y.text ? std::optional(Quadratic(1)) : std::nullopt;
+} catch (const std::domain_error&) {
+  return {};
+}
+
 Value read_value(std::string_view text) {
   if (text.size() > longest_text)
     refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));

@@ -36,6 +36,11 @@ Scalar number_of(const Value& value) {
     return *value.exact();
 }
 
+/// x - y, where it is known to be a value.
+std::optional<Value> difference(const Value& x, const Value& y);
+/// x / y, where it is known exactly.
+std::optional<Quadratic> quotient(const Value& x, const Value& y);
+
 /// What read_value takes, for messages.
 inline constexpr std::string_view allowed_values =
     "a number, or in quotes a fraction 1/7, whole numbers with + - * / ^ and one square root like "

@@ -91,19 +91,9 @@ TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes s
     const double ball = std::exp2(-30 * number()),
                  per_B = std::exp2(std::floor(30 * number() - 15));
     const double e = row % 2 == 0 ? 1 : 1 - std::exp2(-30 * number());
-    magicmass::scenes::Places places{{value_of(1), value_of(ball)}, {}};
-    auto& line = places.line;
-    line.positions = {0, 0};
-    line.velocities = {1, 0};
-    line.restitution = magicmass::scenes::Quadratic(e);
-    if (is_wall) {
-      line.right_wall = 1;
-    } else {
-      places.masses.push_back(value_of(1 / per_B));
-      line.positions.push_back(1);
-      line.velocities.push_back(0);
-    }
-    const Trio trio = Trio::of(places).value();
+    Trio::Start start{{value_of(1), value_of(ball)}, magicmass::scenes::Quadratic(e)};
+    if (!is_wall) start.masses.push_back(value_of(1 / per_B));
+    const Trio trio = Trio::of(start).value();
     const auto N = trio.count();
     const auto t = magicmass::fast::terminal({ball, is_wall ? 0 : per_B}, e);
     INFO("ball " << ball << ", 1/B " << per_B << ", wall " << is_wall << ", e " << e);

@@ -143,7 +143,7 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
     const std::size_t most = !is_collapse || i % 20 == 0 ? 120 : 30;
     if (!is_collapse && result.events > 110) continue;
     const std::vector<Step> rows = stepped(line, int(most));
-    const Trio trio = *Trio::of(*exact_places(scene_of(text)));
+    const Trio trio = *Trio::of(scene_of(text));
     const auto count = trio.count();
     if (is_collapse) {
       ++collapsed;
@@ -314,6 +314,10 @@ TEST_CASE("V and L are units: only ratios need a field of their own", "[check]")
       "masses = [1, '1/7', 1]\npositions = [0, 'sqrt(2)', 'sqrt(8)']\n";
   const Result left = result_of(explicit_ones + "velocities = [0, 0, '-sqrt(3)']");
   CHECK((left.plan.model == "theorem" && left.status == Status::complete));
+  const Result two_fields = result_of(
+      "masses = [1, 'sqrt(3)', 1]\npositions = [0, 0.1, 'sqrt(2)']\n"
+      "velocities = [-0.1, '-sqrt(12)', '-sqrt(12)']\nrestitution = '7/100'");
+  CHECK((two_fields.status == Status::complete && two_fields.events == 4));
 }
 
 TEST_CASE("places at a time at which two meet", "[exam]") {
