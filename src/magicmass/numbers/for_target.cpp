@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Compiled once for each instruction set. No function of the standard library here: the linker
 // might keep this target's copy of an inline one for all.
-#include "magicmass/evaluators/angle.hpp"
-#include "magicmass/evaluators/collision.hpp"
-#include "magicmass/evaluators/deficient.hpp"
-#include "magicmass/evaluators/magic.hpp"
-#include "magicmass/evaluators/restitution.hpp"
-#include "magicmass/evaluators/terminal.hpp"
-#include "magicmass/evaluators/velocities.hpp"
 #include "magicmass/numbers/kernels.hpp"
+#include "magicmass/numbers/results.hpp"
 
 namespace magicmass::numbers {
 inline namespace MAGICMASS_TARGET {
@@ -49,18 +43,11 @@ template <class Q, class Tier>
       });
 }
 
-template <class Tier>
-bool velocities(Velocities& result, double alpha, std::int64_t n) {
-  generated::VelocitiesOutputs v{};
-  const double doubt = attempt<generated::Velocities, Tier>({alpha, n}, v);
-  result = {v.a, v.b, v.c, v.c_prime};
-  return doubt == 0.0;
-}
-template <class Tier>
-bool terminal(Terminal& result, double alpha) {
-  generated::TerminalOutputs v{};
-  const double doubt = attempt<generated::Terminal, Tier>({alpha}, v);
-  result = {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
+template <class Q, class Tier, class Result, class... In>
+bool single(Result& result, In... in) {
+  typename Q::Outputs out{};
+  const double doubt = attempt<Q, Tier>({in...}, out);
+  set(result, out);
   return doubt == 0.0;
 }
 /// What is in doubt is counts, not roundings: up to the last sums, which lose 2^-96 of the largest
@@ -68,41 +55,8 @@ bool terminal(Terminal& result, double alpha) {
 /// lose a few 2^-98 of loss_e, h and h N; a change of M_C changes each at least half as much,
 /// relatively. The power loses less than N 2^-100; a change of e changes it by N/2 as much.
 bool restitution(Terminal& result, const Masses& masses, double e) {
-  generated::RestitutionOutputs v{};
-  const double doubt =
-      attempt<generated::Restitution, generated::Slow>({masses.ball, masses.per_B, e}, v);
-  result = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
-  return doubt == 0.0;
+  return single<generated::Restitution, generated::Slow>(result, masses.ball, masses.per_B, e);
 }
-bool counts(Counts& result, double alpha) {
-  generated::TerminalOutputs v{};  // what is not returned is not computed: nothing else is tested
-  const double doubt = attempt<generated::Terminal, generated::Fast>({alpha}, v);
-  result = {v.N_A, v.N_B};
-  return doubt == 0.0;
-}
-template <class Tier>
-bool collision(Collision& result, double alpha, std::int64_t j) {
-  generated::CollisionOutputs v{};
-  const double doubt = attempt<generated::Collision, Tier>({alpha, j}, v);
-  result = {v.when, v.apart};
-  return doubt == 0.0;
-}
-/// A quantity of one input and one output.
-template <class Q, class Tier, auto output, class Input>
-bool number(double& result, Input input) {
-  typename Q::Outputs v{};
-  const double doubt = attempt<Q, Tier>({input}, v);
-  result = v.*output;
-  return doubt == 0.0;
-}
-template <class Tier>
-constexpr auto angle = number<generated::Angle, Tier, &generated::AngleOutputs::psi, double>;
-template <class Tier>
-constexpr auto magic =
-    number<generated::Magic, Tier, &generated::MagicOutputs::alpha_, std::int64_t>;
-template <class Tier>
-constexpr auto deficient =
-    number<generated::Deficient, Tier, &generated::DeficientOutputs::beta_, std::int64_t>;
 
 /// Full registers through the main case, a stage at a time for some of them; what is left over, one
 /// number at a time.
@@ -162,14 +116,20 @@ extern const Kernels table;
 const Kernels table{lanes == 8   ? "avx512"
                     : lanes == 4 ? "avx2"
                                  : "baseline",
-                    {velocities<Fast>, velocities<Accurate>, velocities<Slow>},
-                    {terminal<Fast>, terminal<Accurate>, terminal<Slow>},
+                    {single<generated::Velocities, Fast>, single<generated::Velocities, Accurate>,
+                     single<generated::Velocities, Slow>, velocities_by_mpfr},
+                    {single<generated::Terminal, Fast>, single<generated::Terminal, Accurate>,
+                     single<generated::Terminal, Slow>, terminal_by_mpfr},
                     restitution,
-                    counts,
-                    {collision<Fast>, collision<Accurate>, collision<Slow>},
-                    {angle<Fast>, angle<Accurate>, angle<Slow>},
-                    {magic<Fast>, magic<Accurate>, magic<Slow>},
-                    {deficient<Fast>, deficient<Accurate>, deficient<Slow>},
+                    single<generated::Terminal, Fast>,
+                    {single<generated::Collision, Fast>, single<generated::Collision, Accurate>,
+                     single<generated::Collision, Slow>, collision_by_mpfr},
+                    {single<generated::Angle, Fast>, single<generated::Angle, Accurate>,
+                     single<generated::Angle, Slow>, angle_by_mpfr},
+                    {single<generated::Magic, Fast>, single<generated::Magic, Accurate>,
+                     single<generated::Magic, Slow>, magic_by_mpfr},
+                    {single<generated::Deficient, Fast>, single<generated::Deficient, Accurate>,
+                     single<generated::Deficient, Slow>, deficient_by_mpfr},
                     {velocity_rows<Fast>, velocity_rows<Accurate>},
                     {terminal_rows<Fast>, terminal_rows<Accurate>}};
 }  // namespace MAGICMASS_TARGET

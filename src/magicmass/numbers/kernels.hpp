@@ -9,7 +9,7 @@
 #include "magicmass/numbers/values.hpp"
 
 namespace magicmass::numbers {
-enum Tier { fast, accurate, slow };
+enum Tier { fast, accurate, slow, by_mpfr };
 
 /// Pointers into columns; fields in the order of the generated ones.
 struct VelocityRows {
@@ -26,18 +26,29 @@ struct TerminalRows {
 constexpr std::size_t longest_block = 256;
 using Open = std::uint16_t[longest_block];
 
-/// Single numbers by tier, with whether the result is certain; rows by tier (fast, accurate): how
+/// Single numbers by tier, with whether the result is certain.
+template <class Result, class... In>
+using Ladder = bool (*[4])(Result& result, In... in);
+/// Of the last tier: certain, or they throw Undecided. For inputs that have an answer; magic: k >= 2.
+bool velocities_by_mpfr(Velocities& result, double alpha, std::int64_t n);
+bool terminal_by_mpfr(Terminal& result, double alpha);
+bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j);
+bool angle_by_mpfr(double& result, double alpha);
+bool magic_by_mpfr(double& result, std::int64_t k);
+bool deficient_by_mpfr(double& result, std::int64_t k);
+
+/// Single numbers, and rows by tier (fast, accurate): how
 /// many of `size` are open, and which.
 struct Kernels {
   const char* name;
-  bool (*velocities[3])(Velocities& result, double alpha, std::int64_t n);
-  bool (*terminal[3])(Terminal& result, double alpha);
+  Ladder<Velocities, double, std::int64_t> velocities;
+  Ladder<Terminal, double> terminal;
   bool (*restitution)(Terminal& result, const Masses& masses, double e);
   bool (*counts)(Counts& result, double alpha);
-  bool (*collision[3])(Collision& result, double alpha, std::int64_t j);
-  bool (*angle[3])(double& result, double alpha);
-  bool (*magic[3])(double& result, std::int64_t k);
-  bool (*deficient[3])(double& result, std::int64_t k);
+  Ladder<Collision, double, std::int64_t> collision;
+  Ladder<double, double> angle;
+  Ladder<double, std::int64_t> magic;
+  Ladder<double, std::int64_t> deficient;
   std::size_t (*velocity_rows[2])(std::size_t size, const VelocityRows& rows, Open& open);
   std::size_t (*terminal_rows[2])(std::size_t size, const TerminalRows& rows, Open& open);
 };

@@ -16,22 +16,17 @@ constexpr double too_many_below = 0x1p-126;
 /// Counts have so many bits that two doubles leave nearly every row open.
 constexpr double slow_settles_few_below = 0x1p-84;
 
-/// The first certain answer of the tiers from `from` on.
+/// The first certain answer of the tiers from this one on.
 template <class Value, class... Arguments>
-std::optional<Value> certain(bool (*const (&tiers)[3])(Value&, Arguments...), int from,
-                             Arguments... arguments) {
+Value certain(bool (*const (&tiers)[4])(Value&, Arguments...), int tier, Arguments... arguments) {
   Value value{};
-  for (int tier = from; tier <= slow; ++tier) {
-    if (tiers[tier](value, arguments...)) return value;
-  }
-  return std::nullopt;
+  while (!tiers[tier](value, arguments...)) ++tier;
+  return value;
 }
 /// Counts of 2^63 or more are INT64_MAX.
 [[gnu::noinline]] std::optional<Terminal> settled_terminal(Tier tier, double alpha) {
   if (!is_mass_ratio(alpha) || alpha < too_many_below) return std::nullopt;
-  if (alpha < slow_settles_few_below) return terminal_by_mpfr(alpha);
-  const auto t = certain(kernels().terminal, tier + 1, alpha);
-  return t ? t : terminal_by_mpfr(alpha);
+  return certain(kernels().terminal, alpha < slow_settles_few_below ? by_mpfr : tier + 1, alpha);
 }
 std::optional<Terminal> open_terminal(Tier tier, double alpha) {
   const std::optional<Terminal> t = settled_terminal(tier, alpha);
@@ -49,8 +44,7 @@ Counts counts_or_most(double alpha) {
   if (!is_mass_ratio(alpha) || n < 0) return std::nullopt;
   if (n == 0) return Velocities{1, 0, 0, 0};
   if (n > counts_or_most(alpha).N_A) return std::nullopt;
-  const auto v = certain(kernels().velocities, tier + 1, alpha, n);
-  return v ? v : velocities_by_mpfr(alpha, n);
+  return certain(kernels().velocities, tier + 1, alpha, n);
 }
 
 void check(double alpha) {
@@ -63,7 +57,8 @@ void check(double alpha) {
                      ", got " + std::to_string(n));
 }
 Collision collision(Tier tier, double alpha, std::int64_t j) {
-  if (const auto c = certain(kernels().collision, tier, alpha, j)) return *c;
+  Collision c;
+  if (kernels().collision[tier](c, alpha, j)) return c;
   check(alpha);
   if (j == 0) return {0, 1};
   const Counts counts = counts_or_most(alpha);
@@ -72,18 +67,15 @@ Collision collision(Tier tier, double alpha, std::int64_t j) {
     throw InvalidInput("j must be from 0 to N_A + N_B - 1 = " + std::to_string(last) + ", got " +
                        std::to_string(j));
   }
-  return collision_by_mpfr(alpha, j);
+  return certain(kernels().collision, tier + 1, alpha, j);
 }
 double angle(Tier tier, double alpha) {
   check(alpha);
-  const auto psi = certain(kernels().angle, tier, alpha);
-  return psi ? *psi : angle_by_mpfr(alpha);
+  return certain(kernels().angle, tier, alpha);
 }
 Ratios ratios(Tier tier, std::int64_t k) {
   if (k < 1) throw InvalidInput("k must be 1 or more, got " + std::to_string(k));
-  const auto magic = k == 1 ? std::optional(1.0) : certain(kernels().magic, tier, k);
-  const auto deficient = certain(kernels().deficient, tier, k);
-  return {magic ? *magic : magic_by_mpfr(k), deficient ? *deficient : deficient_by_mpfr(k)};
+  return {k == 1 ? 1.0 : certain(kernels().magic, tier, k), certain(kernels().deficient, tier, k)};
 }
 // Results are written once, where they are returned: to copy them at once is slow.
 Velocities velocities_or_throw(Tier tier, double alpha, std::int64_t n) {

@@ -34,16 +34,11 @@
 #include <cmath>
 #include <string>
 
-#include "magicmass/evaluators/angle.hpp"
-#include "magicmass/evaluators/collision.hpp"
-#include "magicmass/evaluators/deficient.hpp"
-#include "magicmass/evaluators/magic.hpp"
-#include "magicmass/evaluators/restitution.hpp"
-#include "magicmass/evaluators/terminal.hpp"
-#include "magicmass/evaluators/velocities.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/errors.hpp"
+#include "magicmass/numbers/kernels.hpp"
 #include "magicmass/numbers/mpfr_float.hpp"
+#include "magicmass/numbers/results.hpp"
 #if defined(__SIZEOF_INT128__)
 #include "magicmass/numbers/three_words.hpp"
 #endif
@@ -113,12 +108,12 @@ double attempt(const typename Q::Inputs& in, typename Q::Outputs& out) {
     return doubt;
   });
 }
-template <class Q>
-typename Q::Outputs settled(const char* what, double x, bool is_exact,
-                            const typename Q::Inputs& in) {
+template <class Q, class Result, class X, class... In>
+bool settle(Result& result, const char* what, bool is_exact, X x, In... in) {
   typename Q::Outputs out{};
-  until_certain(what, x, is_exact, [&] { return attempt<Q, MpfrFloat>(in, out); });
-  return out;
+  until_certain(what, double(x), is_exact, [&] { return attempt<Q, MpfrFloat>({x, in...}, out); });
+  set(result, out);
+  return true;
 }
 /// Whether 1 + alpha is a power of 2, alpha >= 1.
 bool has_dyadic_velocities(double alpha) {
@@ -146,22 +141,19 @@ std::string text_of(double x) {
   std::array<char, 32> text{};
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
 }
-Velocities velocities_by_mpfr(double alpha, std::int64_t n) {
-  const auto v =
-      settled<generated::Velocities>("velocities", alpha, has_dyadic_velocities(alpha), {alpha, n});
-  return {v.a, v.b, v.c, v.c_prime};
+bool velocities_by_mpfr(Velocities& result, double alpha, std::int64_t n) {
+  return settle<generated::Velocities>(result, "velocities", has_dyadic_velocities(alpha), alpha,
+                                       n);
 }
-Terminal terminal_by_mpfr(double alpha) {
-  generated::TerminalOutputs v{};
+bool terminal_by_mpfr(Terminal& result, double alpha) {
 #if defined(__SIZEOF_INT128__)
-  const bool is_settled =
-      alpha < three_words_below && attempt<generated::Terminal, ThreeWords>({alpha}, v) == 0.0;
-#else
-  const bool is_settled = false;
+  generated::TerminalOutputs out{};
+  if (alpha < three_words_below && attempt<generated::Terminal, ThreeWords>({alpha}, out) == 0.0) {
+    set(result, out);
+    return true;
+  }
 #endif
-  if (!is_settled)
-    v = settled<generated::Terminal>("terminal", alpha, has_dyadic_velocities(alpha), {alpha});
-  return {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
+  return settle<generated::Terminal>(result, "terminal", has_dyadic_velocities(alpha), alpha);
 }
 /// Signs first: of polynomials, exact in the last precision. pi/h is a whole number only where the
 /// cosine of h, whose square is rational, is that of pi/3, pi/4 or pi/6 (Niven). At pi/3 two
@@ -185,8 +177,7 @@ std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
     const double doubt = run(k);
     if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
       throw Undecided("restitution: too near to inelastic collapse, or above 2^62 collisions");
-    const auto v = k.outputs();
-    result = Terminal{{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
+    set(result.emplace(), k.outputs());
     return doubt;
   };
   until_certain("terminal velocities with restitution", M_C, false, [&] {
@@ -196,27 +187,25 @@ std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
   });
   return result;
 }
-Collision collision_by_mpfr(double alpha, std::int64_t j) {
-  const auto c = settled<generated::Collision>("a collision", alpha, false, {alpha, j});
-  return {c.when, c.apart};
+bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j) {
+  return settle<generated::Collision>(result, "a collision", false, alpha, j);
 }
-double angle_by_mpfr(double alpha) {
+bool angle_by_mpfr(double& result, double alpha) {
   // The case is for alpha <= 1, where DoubleDouble's arctangent ends; each of MPFR's operations
   // has its relative bound everywhere.
-  double psi = 0.0;
   until_certain("angle", alpha, false, [&] {
     generated::AngleSmall<Ziv, MpfrFloat> k({alpha});
     const double doubt = run(k);
-    psi = k.psi;
+    result = k.psi;
     return doubt;
   });
-  return psi;
+  return true;
 }
-double magic_by_mpfr(std::int64_t k) {
-  return settled<generated::Magic>("magic", double(k), false, {k}).alpha_;
+bool magic_by_mpfr(double& result, std::int64_t k) {
+  return settle<generated::Magic>(result, "magic", false, k);
 }
-double deficient_by_mpfr(std::int64_t k) {
-  return settled<generated::Deficient>("deficient", double(k), false, {k}).beta_;
+bool deficient_by_mpfr(double& result, std::int64_t k) {
+  return settle<generated::Deficient>(result, "deficient", false, k);
 }
 double distance_by_mpfr(double alpha, bool is_magic, std::int64_t k) {
   using MagicCase = generated::MagicGeneral<Ziv, MpfrFloat>;

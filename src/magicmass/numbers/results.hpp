@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What the generated evaluators put out, as results. Always inlined: each target has its own.
+#pragma once
+
+#include "magicmass/evaluators/angle.hpp"
+#include "magicmass/evaluators/collision.hpp"
+#include "magicmass/evaluators/deficient.hpp"
+#include "magicmass/evaluators/magic.hpp"
+#include "magicmass/evaluators/restitution.hpp"
+#include "magicmass/evaluators/terminal.hpp"
+#include "magicmass/evaluators/velocities.hpp"
+#include "magicmass/numbers/values.hpp"
+
+namespace magicmass::numbers::inline MAGICMASS_TARGET {
+[[gnu::always_inline]] inline void set(Velocities& to, const generated::VelocitiesOutputs& v) {
+  to = {v.a, v.b, v.c, v.c_prime};
+}
+[[gnu::always_inline]] inline void set(Terminal& to, const generated::TerminalOutputs& v) {
+  to = {{v.N_A, v.N_B}, v.a_t, v.b_t, v.c_t, v.rho};
+}
+[[gnu::always_inline]] inline void set(Terminal& to, const generated::RestitutionOutputs& v) {
+  to = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
+}
+[[gnu::always_inline]] inline void set(Counts& to, const generated::TerminalOutputs& v) {
+  to = {v.N_A, v.N_B};  // what is not returned is not computed: nothing else is tested
+}
+[[gnu::always_inline]] inline void set(Collision& to, const generated::CollisionOutputs& v) {
+  to = {v.when, v.apart};
+}
+[[gnu::always_inline]] inline void set(double& to, const generated::AngleOutputs& v) { to = v.psi; }
+[[gnu::always_inline]] inline void set(double& to, const generated::MagicOutputs& v) {
+  to = v.alpha_;
+}
+[[gnu::always_inline]] inline void set(double& to, const generated::DeficientOutputs& v) {
+  to = v.beta_;
+}
+}  // namespace magicmass::numbers::inline MAGICMASS_TARGET
