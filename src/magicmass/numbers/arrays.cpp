@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <tuple>
 
 #include "magicmass/arithmetic/ieee.hpp"
 #include "magicmass/numbers/accurate.hpp"
@@ -50,6 +51,15 @@ template <class T>
 T* at(std::span<T> column, std::size_t row, T* unwanted) {
   return column.empty() ? unwanted : column.data() + row;
 }
+/// What rows from one on are goes through the kernel; each that it leaves open is settled.
+void by_block(std::size_t size, auto kernel, auto rows_from, auto settle) {
+  Open open;
+  for (std::size_t row = 0; row < size; row += longest_block) {
+    const auto rows = rows_from(row);
+    const std::size_t left = kernel(std::min(longest_block, size - row), rows, open);
+    for (std::size_t k = 0; k < left; ++k) settle(rows, open[k]);
+  }
+}
 void velocity_columns(Tier tier, std::span<const double> alpha, std::span<const std::int64_t> n,
                       const VelocityColumns& to) {
   check_arithmetic();
@@ -57,23 +67,17 @@ void velocity_columns(Tier tier, std::span<const double> alpha, std::span<const 
   check_columns(
       {{"alpha", alpha}, {"n", n}, {"a", to.a}, {"b", to.b}, {"c", to.c}, {"c_prime", to.c_prime}});
   double unwanted[longest_block];
-  Open open;
-  for (std::size_t row = 0; row < alpha.size(); row += longest_block) {
-    const VelocityRows rows{alpha.data() + row,      n.data() + row,
-                            at(to.a, row, unwanted), at(to.b, row, unwanted),
-                            at(to.c, row, unwanted), at(to.c_prime, row, unwanted)};
-    const std::size_t size = std::min(longest_block, alpha.size() - row);
-    const std::size_t left = kernels().velocity_rows[tier](size, rows, open);
-    for (std::size_t k = 0; k < left; ++k) {
-      const std::size_t i = open[k];
-      const auto v =
-          velocities(tier, rows.alpha[i], rows.n[i]).value_or(Velocities{nan, nan, nan, nan});
-      rows.a[i] = v.a;
-      rows.b[i] = v.b;
-      rows.c[i] = v.c;
-      rows.c_prime[i] = v.c_prime;
-    }
-  }
+  const auto rows_from = [&](std::size_t row) {
+    return VelocityRows{alpha.data() + row,      n.data() + row,
+                        at(to.a, row, unwanted), at(to.b, row, unwanted),
+                        at(to.c, row, unwanted), at(to.c_prime, row, unwanted)};
+  };
+  const auto settle = [&](const VelocityRows& rows, std::size_t i) {
+    const auto v =
+        velocities(tier, rows.alpha[i], rows.n[i]).value_or(Velocities{nan, nan, nan, nan});
+    std::tie(rows.a[i], rows.b[i], rows.c[i], rows.c_prime[i]) = std::tie(v.a, v.b, v.c, v.c_prime);
+  };
+  by_block(alpha.size(), kernels().velocity_rows[tier], rows_from, settle);
 }
 void terminal_columns(Tier tier, std::span<const double> alpha, const TerminalColumns& to) {
   check_arithmetic();
@@ -86,28 +90,22 @@ void terminal_columns(Tier tier, std::span<const double> alpha, const TerminalCo
                  {"rho", to.rho}});
   double unwanted[longest_block];
   std::int64_t unwanted_counts[longest_block];
-  Open open;
-  for (std::size_t row = 0; row < alpha.size(); row += longest_block) {
-    const TerminalRows rows{alpha.data() + row,
-                            at(to.N_A, row, unwanted_counts),
-                            at(to.N_B, row, unwanted_counts),
-                            at(to.a_t, row, unwanted),
-                            at(to.b_t, row, unwanted),
-                            at(to.c_t, row, unwanted),
-                            at(to.rho, row, unwanted)};
-    const std::size_t size = std::min(longest_block, alpha.size() - row);
-    const std::size_t left = kernels().terminal_rows[tier](size, rows, open);
-    for (std::size_t k = 0; k < left; ++k) {
-      const std::size_t i = open[k];
-      const auto t = terminal(tier, rows.alpha[i]).value_or(Terminal{{-1, -1}, nan, nan, nan, nan});
-      rows.N_A[i] = t.counts.N_A;
-      rows.N_B[i] = t.counts.N_B;
-      rows.a_t[i] = t.a_t;
-      rows.b_t[i] = t.b_t;
-      rows.c_t[i] = t.c_t;
-      rows.rho[i] = t.rho;
-    }
-  }
+  const auto rows_from = [&](std::size_t row) {
+    return TerminalRows{alpha.data() + row,
+                        at(to.N_A, row, unwanted_counts),
+                        at(to.N_B, row, unwanted_counts),
+                        at(to.a_t, row, unwanted),
+                        at(to.b_t, row, unwanted),
+                        at(to.c_t, row, unwanted),
+                        at(to.rho, row, unwanted)};
+  };
+  const auto settle = [&](const TerminalRows& rows, std::size_t i) {
+    const auto t = terminal(tier, rows.alpha[i]).value_or(Terminal{{-1, -1}, nan, nan, nan, nan});
+    std::tie(rows.N_A[i], rows.N_B[i]) = std::tie(t.counts.N_A, t.counts.N_B);
+    std::tie(rows.a_t[i], rows.b_t[i], rows.c_t[i], rows.rho[i]) =
+        std::tie(t.a_t, t.b_t, t.c_t, t.rho);
+  };
+  by_block(alpha.size(), kernels().terminal_rows[tier], rows_from, settle);
 }
 }  // namespace
 }  // namespace numbers

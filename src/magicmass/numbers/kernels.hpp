@@ -29,13 +29,16 @@ using Open = std::uint16_t[longest_block];
 /// Single numbers by tier, with whether the result is certain.
 template <class Result, class... In>
 using Ladder = bool (*[4])(Result& result, In... in);
-/// Of the last tier: certain, or they throw Undecided. For inputs that have an answer; magic: k >= 2.
+/// The last tier, for inputs that have an answer, magic: k >= 2. They throw Undecided where the last
+/// precision does not do.
 bool velocities_by_mpfr(Velocities& result, double alpha, std::int64_t n);
 bool terminal_by_mpfr(Terminal& result, double alpha);
 bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j);
 bool angle_by_mpfr(double& result, double alpha);
 bool magic_by_mpfr(double& result, std::int64_t k);
 bool deficient_by_mpfr(double& result, std::int64_t k);
+/// Masses above 0, or per_B 0; 0 < e <= 1; within fast's promise. Whether they end.
+bool restitution_by_mpfr(Terminal& result, Masses masses, double e);
 
 /// Single numbers, and rows by tier (fast, accurate): how
 /// many of `size` are open, and which.

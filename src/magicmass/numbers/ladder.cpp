@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "magicmass/numbers/ladder.hpp"
 
-#include <string>
+#include <array>
+#include <charconv>
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
 #include "magicmass/numbers/fast.hpp"
-#include "magicmass/numbers/ziv.hpp"
 
 namespace magicmass {
 namespace numbers {
@@ -94,6 +94,10 @@ std::optional<Terminal> terminal_or_throw(Tier tier, double alpha) {
 }
 }  // namespace
 
+std::string text_of(double x) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
+}
 std::optional<Velocities> velocities(Tier tier, double alpha, std::int64_t n) {
   std::optional<Velocities> v(std::in_place);
   if (!kernels().velocities[tier](*v, alpha, n)) v = open_velocities(tier, alpha, n);
@@ -130,9 +134,10 @@ std::optional<Terminal> fast::terminal(const Masses& masses, double e) {
                        numbers::text_of(masses.per_B));
   if (!(e > 0.0 && e <= 1.0))
     throw InvalidInput("e must be above 0 and at most 1, got " + numbers::text_of(e));
-  std::optional<Terminal> t(std::in_place);
-  if (!numbers::kernels().restitution(*t, masses, e)) t = numbers::restitution_by_mpfr(masses, e);
-  return t;
+  Terminal t;
+  const bool ends =
+      numbers::kernels().restitution(t, masses, e) || numbers::restitution_by_mpfr(t, masses, e);
+  return ends ? std::optional(t) : std::nullopt;
 }
 Collision accurate::collision(double alpha, std::int64_t j) {
   return numbers::collision(numbers::accurate, alpha, j);

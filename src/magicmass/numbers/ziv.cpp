@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Behind the last rounding test: the generated evaluators on MPFR's numbers, with more and more
+// bits until every rounding and sign is certain.
 // Why the loop ends, for each output. A value that is no double and no tie is settled by enough
 // bits, so it is to be shown that none is a dyadic number p/2^q, or that it is computed exactly.
 //  Velocities, n >= 1. With u = 1/(1 + alpha) a collision multiplies by 2u - 1, 2u, 2 - 2u and
@@ -27,16 +29,12 @@
 //   p^2 is odd, so 2^(2m+1) = p^2 +- 1: p^2 + 1 is 2 mod 8, and (p - 1)(p + 1) such a power for
 //   p = 3 alone: alpha = 1/2, where only j <= 2 take place.
 //  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).
-#include "magicmass/numbers/ziv.hpp"
-
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <string>
 
 #include "magicmass/exact/exact.hpp"
-#include "magicmass/numbers/errors.hpp"
-#include "magicmass/numbers/kernels.hpp"
+#include "magicmass/numbers/counts.hpp"
+#include "magicmass/numbers/ladder.hpp"
 #include "magicmass/numbers/mpfr_float.hpp"
 #include "magicmass/numbers/results.hpp"
 #if defined(__SIZEOF_INT128__)
@@ -135,12 +133,16 @@ double distance(double alpha, std::int64_t k, MpfrFloat Case::*threshold) {
   });
   return result;
 }
+/// Where pi/h = m >= 3: alpha_k for m = 2k + 1, beta_k for m = 2k + 2.
+Threshold threshold_at(double alpha, std::int64_t m) {
+  const std::int64_t k = (m - 1) / 2;
+  if (m == 3) return {true, 1, alpha - 1.0};
+  if (m % 2 == 1)
+    return {true, k, distance(alpha, k, &generated::MagicGeneral<Ziv, MpfrFloat>::of_alpha_)};
+  return {false, k, distance(alpha, k, &generated::DeficientGeneral<Ziv, MpfrFloat>::of_beta_)};
+}
 }  // namespace
 
-std::string text_of(double x) {
-  std::array<char, 32> text{};
-  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), x).ptr};
-}
 bool velocities_by_mpfr(Velocities& result, double alpha, std::int64_t n) {
   return settle<generated::Velocities>(result, "velocities", has_dyadic_velocities(alpha), alpha,
                                        n);
@@ -159,33 +161,36 @@ bool terminal_by_mpfr(Terminal& result, double alpha) {
 /// cosine of h, whose square is rational, is that of pi/3, pi/4 or pi/6 (Niven). At pi/3 two
 /// collisions are all. At the others the next M_C has the same counts, and is off by two envelopes
 /// at the most.
-std::optional<Terminal> restitution_by_mpfr(Masses masses, double e) {
+bool restitution_by_mpfr(Terminal& result, Masses masses, double e) {
   const AllExponents here;
   MpfrFloat::bits = last_bits;
   double& M_C = masses.ball;
   const double w_B = masses.per_B;
   const auto two = generated::two_collisions_exact<MpfrFloat>(M_C, w_B, e);
-  if (!two.ends.is_positive()) return std::nullopt;
-  if (!(-two.two).is_positive())
-    return Terminal{
+  if (!two.ends.is_positive()) return false;
+  if (!(-two.two).is_positive()) {
+    result = {
         {1, 1}, rounded(two.a_two), rounded(two.b_two), rounded(two.c_two), rounded(two.rho_two)};
+    return true;
+  }
   for (const MpfrFloat& tie : {two.four, two.six})
     if (!tie.is_positive() && !(-tie).is_positive()) M_C = std::nextafter(M_C, 1.0 / 0.0);
-  std::optional<Terminal> result;
+  bool has_case = false;
   const auto attempt = [&]<template <class, class> class Case>() {
     Case<Ziv, MpfrFloat> k({M_C, w_B, e});
     const double doubt = run(k);
     if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
       throw Undecided("restitution: too near to inelastic collapse, or above 2^62 collisions");
-    set(result.emplace(), k.outputs());
+    set(result, k.outputs());
+    has_case = true;
     return doubt;
   };
   until_certain("terminal velocities with restitution", M_C, false, [&] {
     const double doubt = generated::Restitution::visit<true>({M_C, w_B, e}, attempt);
-    if (!result) throw Undecided("restitution: more than two collisions of masses so unequal");
+    if (!has_case) throw Undecided("restitution: more than two collisions of masses so unequal");
     return doubt;
   });
-  return result;
+  return true;
 }
 bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j) {
   return settle<generated::Collision>(result, "a collision", false, alpha, j);
@@ -207,10 +212,16 @@ bool magic_by_mpfr(double& result, std::int64_t k) {
 bool deficient_by_mpfr(double& result, std::int64_t k) {
   return settle<generated::Deficient>(result, "deficient", false, k);
 }
-double distance_by_mpfr(double alpha, bool is_magic, std::int64_t k) {
-  using MagicCase = generated::MagicGeneral<Ziv, MpfrFloat>;
-  using DeficientCase = generated::DeficientGeneral<Ziv, MpfrFloat>;
-  return is_magic ? distance<MagicCase>(alpha, k, &MagicCase::of_alpha_)
-                  : distance<DeficientCase>(alpha, k, &DeficientCase::of_beta_);
-}
 }  // namespace magicmass::numbers
+
+std::optional<magicmass::Threshold> magicmass::nearest_threshold(double alpha) {
+  const std::optional<Counts> counts = count_collisions(alpha);
+  if (!counts) return std::nullopt;
+  // N_A + N_B = ceil(pi/h) - 1: collision N takes place, the next does not.
+  const std::int64_t N = counts->N_A + counts->N_B;
+  if (N < 3) return numbers::threshold_at(alpha, 3);
+  const Threshold above = numbers::threshold_at(alpha, N);
+  if (N == INT64_MAX) return above;
+  const Threshold below = numbers::threshold_at(alpha, N + 1);
+  return std::fabs(above.distance) < std::fabs(below.distance) ? above : below;
+}

@@ -10,7 +10,6 @@
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/numbers/kernels.hpp"
-#include "magicmass/numbers/ziv.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
 
