@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "report/portable_random.hpp"
-
 namespace report {
+
+class PortableRandom;
 
 enum class Quantity {
   velocities,  ///< a, b, c, c' at alpha and n

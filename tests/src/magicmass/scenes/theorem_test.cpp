@@ -318,6 +318,9 @@ TEST_CASE("V and L are units: only ratios need a field of their own", "[check]")
       "masses = [1, 'sqrt(3)', 1]\npositions = [0, 0.1, 'sqrt(2)']\n"
       "velocities = [-0.1, '-sqrt(12)', '-sqrt(12)']\nrestitution = '7/100'");
   CHECK((two_fields.status == Status::complete && two_fields.events == 4));
+  const Result tie = result_of(  // C comes to move as fast as B
+      "masses = [1, 1, 1]\npositions = [0, 0, 1]\nvelocities = ['magic:4', 0, 'magic:4']");
+  CHECK((tie.plan.model == "theorem" && tie.status == Status::complete && tie.events == 1));
 }
 
 TEST_CASE("places at a time at which two meet", "[exam]") {
