@@ -6,10 +6,7 @@
 #include "answers/velocities.hpp"
 #include "classroom/learn.hpp"
 #include "command/command.hpp"
-#include "command/coq.hpp"
-#include "command/figure.hpp"
-#include "command/generate.hpp"
-#include "command/reproduce.hpp"
+#include "command/files.hpp"
 #include "report/report.hpp"
 
 namespace command {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/coq.hpp"
-
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
-#include "command/generate.hpp"
+#include "command/files.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
-#include "generate/tree.hpp"
 #include "host/child.hpp"
 
 namespace command {

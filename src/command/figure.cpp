@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/figure.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
@@ -8,6 +6,9 @@
 
 #include "answers/errors.hpp"
 #include "answers/figures.hpp"
+#include "answers/velocities.hpp"
+#include "command/comparison.hpp"
+#include "command/files.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
 #include "report/report.hpp"
@@ -15,7 +16,7 @@
 namespace command {
 namespace {
 
-using answers::Figure;
+using namespace answers;
 
 std::string script_of(const std::string& figure) {
   return host::embedded("figures/" + figure + ".gp");
@@ -53,12 +54,11 @@ std::string filled(const std::string& script, const std::string& data, const std
 std::string drawn(const std::string& script) {
   const auto said = host::said_by({"gnuplot", "-d", "-"}, script);
   if (!said) {
-    throw answers::InvalidInput(
+    throw InvalidInput(
         "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");
   }
   if (said->code != 0) {
-    throw std::runtime_error("figure: gnuplot could not draw: " +
-                             answers::shown_text(said->errors, 200));
+    throw std::runtime_error("figure: gnuplot could not draw: " + shown_text(said->errors, 200));
   }
   return said->output;
 }
@@ -85,20 +85,18 @@ std::string described(std::string svg, const std::string& script) {
 }
 
 /// The format that is asked for, or what the file's ending says.
-std::string format_of(const answers::Request& request) {
+std::string format_of(const Request& request) {
   const std::string ending = std::filesystem::path(request.text("output")).extension();
   std::vector<std::string> allowed{"svg", "png", "pdf", "csv"};
   if (request.has("format")) allowed = {request.format};
   if (ending.empty()) return request.format;
   if (std::count(allowed.begin(), allowed.end(), ending.substr(1)) != 0) return ending.substr(1);
-  throw answers::InvalidInput("figure: -o FILE ends in " + answers::shown_text(ending) +
-                              "; allowed: ." + answers::joined(allowed, ", ."));
+  throw InvalidInput("figure: -o FILE ends in " + shown_text(ending) + "; allowed: ." +
+                     joined(allowed, ", ."));
 }
 
-}  // namespace
-
-std::string picture(const Figure& figure, const answers::Table& data, const std::string& format) {
-  std::string rows = answers::written(data, answers::Format::csv);
+std::string picture(const Figure& figure, const Table& data, const std::string& format) {
+  std::string rows = written(data, Format::csv);
   if (format == "csv") return rows;
   const std::string script = script_of(figure.name);
   const std::string drawing = drawn(filled(script, rows, format));
@@ -113,26 +111,47 @@ std::vector<Figure> all_figures() {
   return all;
 }
 
-answers::Answer figure(const answers::Request& request) {
+/// The figures of the paper and of errors in four formats, and the tables.
+generate::Texts files_of(const std::vector<Comparison>& all) {
+  generate::Texts files{{"reproduce.md", page_of(all, "markdown").document},
+                        {"reproduce.csv", written(page_of(all, "csv").table, Format::csv)},
+                        {"ratios.csv", written(ratios({}).table, Format::csv)}};
+  for (const Figure& figure : all_figures()) {
+    if (figure.name == "speed") continue;  // it is measured
+    const Table data = figure.data();
+    for (const std::string format : {"svg", "png", "pdf", "csv"})
+      files[figure.name + "." + format] = picture(figure, data, format);
+  }
+  return files;
+}
+
+}  // namespace
+
+Answer figure(const Request& request) {
   const std::vector<Figure> all = all_figures();
   std::vector<std::string> names;
-  answers::Table list{{"name", "title"}, {}};
+  Table list{{"name", "title"}, {}};
   for (const Figure& f : all) {
     names.push_back(f.name);
-    list.rows.push_back(
-        {answers::text_cell(f.name), answers::text_cell(told(script_of(f.name), "title"))});
+    list.rows.push_back({text_cell(f.name), text_cell(told(script_of(f.name), "title"))});
   }
   if (request.has("list") && request.words.empty()) return {list};
   if (request.words.size() != 1 || request.has("list"))
-    throw answers::InvalidInput("figure: give one name, or --list; allowed: " +
-                                answers::joined(names));
+    throw InvalidInput("figure: give one name, or --list; allowed: " + joined(names));
   const auto found = std::ranges::find(all, request.words[0], &Figure::name);
   if (found == all.end()) {
-    throw answers::InvalidInput("figure: no figure " + answers::shown_text(request.words[0]) +
-                                "; allowed: " + answers::joined(names));
+    throw InvalidInput("figure: no figure " + shown_text(request.words[0]) +
+                       "; allowed: " + joined(names));
   }
   const std::string format = format_of(request);  // refused before the data are computed
   return {{}, picture(*found, found->data(), format)};
+}
+
+Answer reproduce(const Request& request) {
+  const std::vector<Comparison> all = comparisons(host::embedded("paper_numbers.csv"));
+  if (request.has("out"))
+    write_folder("reproduce: --out", request.text("out"), [&] { return files_of(all); });
+  return page_of(all, request.format);
 }
 
 }  // namespace command

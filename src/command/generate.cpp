@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/generate.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 
 #include "answers/errors.hpp"
+#include "command/files.hpp"
 #include "generate/quantities.hpp"
 #include "magicmass/scenes/scene.hpp"
 #include "magicmass/scenes/trio.hpp"

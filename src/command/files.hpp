@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Commands that write files or start programs, so that they are no pure answers.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "answers/request.hpp"
+#include "generate/tree.hpp"
+
+namespace command {
+
+/// All files or none; a folder that was not there goes again where there is none. Throws
+/// InvalidInput, after `option` ("generate: --out"), where the system refuses.
+void write_folder(const std::string& option, const std::string& folder,
+                  const std::function<generate::Texts()>& texts);
+
+/// Writes what the theorems give to a folder, all of it or nothing; with "check" compares instead,
+/// and a difference is a failed check. With "quantity" or "scene" one header.
+answers::Answer generate_files(const answers::Request& request);
+/// answers::derive, and format coq: a folder of files, written to --output. Throws InvalidInput
+/// where a folder is missing or chapters are chosen.
+answers::Answer derive(const answers::Request& request);
+/// answers::verify, and --with coq: then coqc checks each step, too. Throws InvalidInput where
+/// there is no coqc.
+answers::Answer verify(const answers::Request& request);
+/// One of the paper or of the report by its name, in svg, png, pdf or csv: the same bytes from
+/// every run, PDF but for the date where cairo compresses it. With list: all names.
+answers::Answer figure(const answers::Request& request);
+/// Every number of the paper beside ours; formats text, markdown, json, csv. With out: the figures
+/// of the paper and the tables in a folder, too.
+answers::Answer reproduce(const answers::Request& request);
+
+}  // namespace command
