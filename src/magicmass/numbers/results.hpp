@@ -11,7 +11,8 @@
 #include "magicmass/evaluators/velocities.hpp"
 #include "magicmass/numbers/values.hpp"
 
-namespace magicmass::numbers::inline MAGICMASS_TARGET {
+namespace magicmass::numbers {
+inline namespace MAGICMASS_TARGET {
 [[gnu::always_inline]] inline void set(Velocities& to, const generated::VelocitiesOutputs& v) {
   to = {v.a, v.b, v.c, v.c_prime};
 }
@@ -34,4 +35,5 @@ namespace magicmass::numbers::inline MAGICMASS_TARGET {
 [[gnu::always_inline]] inline void set(double& to, const generated::DeficientOutputs& v) {
   to = v.beta_;
 }
-}  // namespace magicmass::numbers::inline MAGICMASS_TARGET
+}  // namespace MAGICMASS_TARGET
+}  // namespace magicmass::numbers
