@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "classroom/answer_file.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <new>
-#include <set>
 
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "answers/errors.hpp"
+#include "classroom/classroom.hpp"
 #include "host/child.hpp"
 
 namespace classroom {
@@ -94,21 +92,23 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
 
 }  // namespace
 
-std::optional<std::string> misnamed(const std::string& file, const learn::Texts& answer_files) {
-  if (file.starts_with('.') || file.ends_with('~') || std::ranges::count(answer_files, file) != 0)
-    return {};
+std::string answer_file(const Exercise& e) { return e.id + (e.kind == "code" ? ".cpp" : ".txt"); }
+
+std::optional<std::string> misnamed(const std::string& file, const std::vector<Exercise>& all) {
+  if (file.starts_with('.') || file.ends_with('~')) return {};
   const auto stem = [](std::string name) {
     name.erase(std::min(name.find('.'), name.size()));
     for (char& c : name) c = c == ' ' ? '_' : char(std::tolower(static_cast<unsigned char>(c)));
     return name;
   };
-  for (const std::string& name : answer_files)  // Half angle.docx
+  learn::Texts names;
+  for (const Exercise& e : all) names.push_back(answer_file(e));
+  if (std::ranges::count(names, file) != 0) return {};
+  for (const std::string& name : names)  // Half angle.docx
     if (stem(name) == stem(file)) return "no exercise has this file; is " + name + " meant?";
   if (!file.ends_with(".txt") && !file.ends_with(".cpp")) return {};
-  return "no exercise has this file" + learn::meant(file, answer_files, "; see learn list");
+  return "no exercise has this file" + learn::meant(file, names, "; see learn list");
 }
-
-std::string answer_file(const Exercise& e) { return e.id + (e.kind == "code" ? ".cpp" : ".txt"); }
 
 std::optional<Judgement> judged_file(const Exercise& e, const std::string& folder,
                                      const learn::Run& run, unsigned seconds) {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "classroom/attempts.hpp"
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +7,7 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
+#include "classroom/classroom.hpp"
 
 namespace classroom {
 namespace {

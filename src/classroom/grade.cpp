@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "classroom/grade.hpp"
-
+// The answers of a class: a folder for each student, a file for each answer.
 #include <algorithm>
 #include <filesystem>
-#include <regex>
-#include <set>
 
 #include "answers/errors.hpp"
-#include "classroom/answer_file.hpp"
+#include "classroom/classroom.hpp"
 
 namespace classroom {
 namespace {
@@ -18,12 +15,12 @@ using learn::Exercise;
 
 /// Letters in UTF-8, such as names of people have: none that directs the text around it.
 bool is_letters(const std::string& text) {
-  static const std::regex allowed(
+  const std::string allowed =
       "([ -~]"
-      "|(?!\xD8\x9C)[\xC3-\xDF][\x80-\xBF]"                        // U+00C0, not U+061C
-      "|\xE0[\xA0-\xBF][\x80-\xBF]|\xE1[\x80-\xBF]{2}"             // U+0800 to U+1FFF
-      "|[\xE3-\xEC][\x80-\xBF]{2}|\xED[\x80-\x9F][\x80-\xBF])*");  // U+3000 to U+D7FF
-  return std::regex_match(text, allowed);
+      "|(?!\xD8\x9C)[\xC3-\xDF][\x80-\xBF]"                       // U+00C0, not U+061C
+      "|\xE0[\xA0-\xBF][\x80-\xBF]|\xE1[\x80-\xBF]{2}"            // U+0800 to U+1FFF
+      "|[\xE3-\xEC][\x80-\xBF]{2}|\xED[\x80-\x9F][\x80-\xBF])*";  // U+3000 to U+D7FF
+  return !learn::matched(text, allowed).empty();
 }
 
 /// Text of others: in CSV no field begins as a formula of a spreadsheet does, nor would one where
@@ -83,8 +80,6 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   answers::Table why{{"student", "id", "verdict", "feedback", "misconception"}, {}};
   answers::Table summary{{"id", "misconception", "students"}, {}};
   for (const Exercise& e : exercises) marks.columns.push_back(e.id);
-  learn::Texts files;
-  for (const Exercise& e : all) files.push_back(answer_file(e));
   std::map<std::pair<std::size_t, std::string>, int> had;  // by exercise and misconception
   for (const std::filesystem::path& student : students_of(request.words[1])) {
     const std::string name = student.filename();
@@ -106,7 +101,7 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
       for (const auto& entry : std::filesystem::directory_iterator(student, error))
         if (there.size() < 1000) there.insert(entry.path().filename());
     for (const std::string& file : there)
-      if (const auto said = misnamed(file, files))
+      if (const auto said = misnamed(file, all))
         why.rows.push_back({shown, cell_of(request, answers::shown_text(file)), text_cell("unread"),
                             cell_of(request, *said), answers::missing_cell()});
   }

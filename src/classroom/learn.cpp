@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "classroom/learn.hpp"
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "answers/errors.hpp"
-#include "classroom/answer_file.hpp"
-#include "classroom/attempts.hpp"
-#include "classroom/grade.hpp"
-#include "classroom/sandbox.hpp"
-#include "classroom/watch.hpp"
+#include "classroom/classroom.hpp"
 #include "host/embedded.hpp"
 #include "magicmass/scenes/keys.hpp"
 

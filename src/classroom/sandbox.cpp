@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "classroom/sandbox.hpp"
-
+// Programs of others, compiled and run where they can do nothing but compute.
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
-#include <map>
 #include <random>
-#include <regex>
 #include <sstream>
 #include <tuple>
 
@@ -19,6 +16,7 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
+#include "classroom/classroom.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
 
@@ -36,12 +34,10 @@ std::string first_line(const std::string& text) {
 }
 
 /// The functions that the exercise's driver declares and calls: "double f(double)".
-std::vector<std::string> expected_functions(const std::string& driver) {
-  static const std::regex declaration("[\\w:<>]+ \\w+\\([^()]*\\)(?=;)");
-  const std::string before = driver.substr(0, driver.find("void call("));
-  std::vector<std::string> out;
-  for (std::sregex_iterator it(before.begin(), before.end(), declaration), end; it != end; ++it)
-    out.push_back(it->str());
+learn::Texts expected_functions(const std::string& driver) {
+  learn::Texts out;
+  learn::replaced(driver.substr(0, driver.find("void call(")), "[\\w:<>]+ \\w+\\([^()]*\\)(?=;)",
+                  [&](const learn::Texts& part) { return out.emplace_back(part[0]); });
   return out;
 }
 
@@ -50,17 +46,18 @@ std::string first_error(const End& compiled, const std::string& folder, const st
   if (compiled.is_late) return "compiling took more than " + std::to_string(compile_seconds) + " s";
   if (compiled.errors.find("File size limit") != std::string::npos)
     return "the program would be larger than 64 MiB";
-  static const std::regex error("[Ee]rror: |undefined reference|multiple definition|memory");
   for (std::string line : learn::fields(compiled.errors, '\n')) {
-    if (!std::regex_search(line, error)) continue;
+    const auto has = [&](const std::string& what) { return line.find(what) != line.npos; };
+    if (!has("rror: ") && !has("undefined reference") && !has("multiple definition") &&
+        !has("memory"))
+      continue;
     for (const std::string& function : expected_functions(driver)) {
       const std::size_t end = function.find('('), name = function.rfind(' ', end) + 1;
-      const std::string called = function.substr(name, end + 1 - name);
-      if (line.find("undefined reference to `" + called) != line.npos ||
-          line.find("ambiguating new declaration of") != line.npos)
+      if (has("ambiguating new declaration of") ||
+          has("undefined reference to `" + function.substr(name, end + 1 - name)))
         return "a function with this signature is expected: " + answers::shown_text(function, 200);
     }
-    if (line.find("multiple definition of `main'") != line.npos)
+    if (has("multiple definition of `main'"))
       return "leave out main: who calls the function has one";
     learn::replace_all(line, folder + "/", "");
     return answers::shown_text(line, 200);

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Looks at the times of change: that works on every file system, for every way to save.
-#include "classroom/watch.hpp"
-
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <map>
-#include <set>
 #include <thread>
 #include <tuple>
 #include <utility>
@@ -15,8 +11,7 @@
 
 #include "answers/errors.hpp"
 #include "answers/table.hpp"
-#include "classroom/answer_file.hpp"
-#include "classroom/attempts.hpp"
+#include "classroom/classroom.hpp"
 
 namespace classroom {
 namespace {
@@ -45,8 +40,6 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
            const std::function<void(std::string_view)>& say) {
   std::error_code error;
   const std::string place = std::filesystem::canonical(folder, error);
-  learn::Texts names;
-  for (const Exercise& e : all) names.push_back(answer_file(e));
   const auto tell = [&](const std::string& text) {
     say(text);
     say("");
@@ -60,9 +53,9 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
                                   answers::shown_text(folder, 200) + ": " + error.message());
     for (const auto& entry : entries) {
       const std::string name = entry.path().filename();
-      const auto found = std::ranges::find(names, name);
-      if (found == names.end()) {
-        const auto said = misnamed(name, names);
+      const auto found = std::ranges::find(all, name, answer_file);
+      if (found == all.end()) {
+        const auto said = misnamed(name, all);
         if (said && unknown.insert(name).second)
           tell(answers::shown_text(name) + ": " + *said + "\n");
         continue;
@@ -73,11 +66,10 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       if (is_first) file.judged = *now;
       const bool is_written = std::exchange(file.last, *now) != *now;  // perhaps it goes on
       if (is_written || std::exchange(file.judged, *now) == *now) continue;
-      const Exercise& e = all[static_cast<std::size_t>(found - names.begin())];
-      std::optional<learn::Judgement> said = judged_file(e, place, run);
+      std::optional<learn::Judgement> said = judged_file(*found, place, run);
       if (!said) continue;
-      remember(e, *said);
-      tell("\n" + written(one_row(told(e, *said)), answers::Format::text));
+      remember(*found, *said);
+      tell("\n" + written(one_row(told(*found, *said)), answers::Format::text));
     }
     if (is_first)
       tell("Watching " + answers::shown_text(place, 200) +

@@ -4,7 +4,7 @@
 #include "answers/equality.hpp"
 #include "answers/scene.hpp"
 #include "answers/velocities.hpp"
-#include "classroom/learn.hpp"
+#include "classroom/classroom.hpp"
 #include "command/command.hpp"
 #include "command/files.hpp"
 #include "report/report.hpp"

@@ -3,20 +3,19 @@
 
 #include <cstdlib>
 #include <memory>
-#include <regex>
-#include <set>
 #include <sstream>
 
 #include <cmark.h>
 
 #include "answers/errors.hpp"
-#include "course/printed.hpp"
 #include "learn/judge.hpp"
+#include "magicmass/scenes/keys.hpp"
 #include "render/mathml.hpp"
 
 namespace course {
 namespace {
 
+namespace fs = std::filesystem;
 using answers::InvalidInput;
 using render::html_text;
 
@@ -129,26 +128,20 @@ private:
 
   std::string expanded(const std::string& line) {
     // A reference, a term; what stays: code, a link's target, a list's number; what is refused.
-    static const std::regex special(
-        R"(\{\{(.*?)\}\}|\$(.*?)\$|(`.*?`|\]\(.*?\)|^[ 0-9]*\. )|(\{\{|\$|`|\]\()|([0-9].*|)"
-        R"((eleven|twelve|\w+teen|(twen|thir|for|fif|six|seven|eigh|nine)ty|hundred and)\b.*))");
+    const std::string special =
+        R"(\{\{(.+?)\}\}|\$(.+?)\$|(`.*?`|\]\(.*?\)|^[ 0-9]*\. )|(\{\{|\$|`|\]\()|([0-9].*|)"
+        R"((eleven|twelve|\w+teen|(twen|thir|for|fif|six|seven|eigh|nine)ty|hundred and)\b.*))";
     static const Texts ends{{"{{", "}}"}, {"$", "$"}, {"`", "`"}, {"](", ")"}};
     const bool is_alone = line.starts_with("{{") && line.find("}}") == line.size() - 2;
-    std::string out;
-    auto rest = line.begin();
-    for (std::sregex_iterator it(rest, line.end(), special), end; it != end; ++it) {
-      const std::smatch& part = *it;
-      out += part.prefix();
-      rest = part.suffix().first;
-      if (part[1].matched) out += piece(reference(part[1], is_alone));
-      if (part[2].matched) out += piece(term_html(part[2]));
-      out += part[3];
-      if (part[4].matched) throw InvalidInput(part.str(4) + " without " + ends.at(part[4]));
-      if (part[5].matched)
-        throw InvalidInput("a number is typed: " + answers::shown_text(part.str(5), 12) +
+    const std::string out = learn::replaced(line, special, [&](const learn::Texts& part) {
+      if (!part[1].empty()) return piece(reference(part[1], is_alone));
+      if (!part[2].empty()) return piece(term_html(part[2]));
+      if (!part[4].empty()) throw InvalidInput(part[4] + " without " + ends.at(part[4]));
+      if (!part[5].empty())
+        throw InvalidInput("a number is typed: " + answers::shown_text(part[5], 12) +
                            "; print it in tutorial.cpp and refer to it as {{name}}");
-    }
-    out.append(rest, line.end());
+      return part[3];
+    });
     return is_alone ? "\n" + out + "\n" : out;  // a paragraph of its own
   }
 
@@ -213,6 +206,27 @@ private:
 };
 
 }  // namespace
+
+std::set<fs::path> files_in(const fs::path& folder) {
+  return {fs::directory_iterator(folder), fs::directory_iterator()};
+}
+Chapter read_chapter(const fs::path& folder) {
+  const auto text = [](const fs::path& file) {
+    return magicmass::scenes::text_of(file, "a file of text");
+  };
+  const fs::path session = folder / "session.txt";
+  Chapter chapter{folder.filename(),
+                  folder / "intro.md",
+                  text(folder / "intro.md"),
+                  text(folder / "tutorial.cpp"),
+                  text(folder / "expected_output.txt"),
+                  fs::exists(session) ? text(session) : "",
+                  {}};
+  for (const fs::path& file : files_in(folder / "exercises"))
+    if (file.extension() == ".toml")
+      chapter.exercises.push_back(learn::read_exercise(text(file), file));
+  return chapter;
+}
 
 std::string title_of(const Chapter& chapter) {
   const std::string line = chapter.text.substr(0, chapter.text.find('\n'));

@@ -12,7 +12,9 @@
 // A number that is typed in the text is refused: it would not change with the program.
 #pragma once
 
+#include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,8 @@
 #include "render/pages.hpp"
 
 namespace course {
+
+using Texts = std::map<std::string, std::string>;
 
 struct Chapter {
   std::string name;    ///< of its folder: "05_counting"
@@ -33,10 +37,13 @@ struct Chapter {
 /// What the text may refer to besides.
 struct Surroundings {
   std::vector<render::Section> derivation;
-  std::map<std::string, std::string> chapters;  ///< name to title
-  std::map<std::string, std::string> figures;   ///< name to what is to be seen
+  Texts chapters;  ///< name to title
+  Texts figures;   ///< name to what is to be seen
 };
 
+/// Of a folder in tutorials.
+Chapter read_chapter(const std::filesystem::path& folder);
+std::set<std::filesystem::path> files_in(const std::filesystem::path& folder);
 /// Throws answers::InvalidInput, "FILE:1: ...", where the first line is not "# Title".
 std::string title_of(const Chapter& chapter);
 /// The text below its title as HTML; figures are expected at figures/NAME.svg. Throws
@@ -45,5 +52,29 @@ std::string title_of(const Chapter& chapter);
 std::string chapter_html(const Chapter& chapter, const Surroundings& surroundings);
 /// A text without references.
 std::string html_of(const std::string& markdown);
+
+/// By name: "name: value", or "name:" above lines that begin with two blanks, a block, each of
+/// whose lines ends with \n; "# ..." is for the terminal alone. Throws answers::InvalidInput for
+/// any other line and for a name that is printed twice.
+Texts read_printed(const std::string& output);
+/// The commands of a session, and what each printed.
+Texts read_session(const std::string& session);
+/// A term in the derivation's notation, or the letter of a body, as MathML. Throws
+/// answers::InvalidInput for what cannot be read and for what claims something.
+std::string term_html(const std::string& text);
+/// -1e-20 as a power of ten with a sign of its own; a formula; words.
+std::string value_html(const std::string& text);
+/// A table where lines have cells, "a | b"; else the lines as they are.
+std::string block_html(const std::string& lines);
+std::string code_html(const std::string& text, const std::string& attributes = "");
+
+struct Page {
+  std::string name, title;
+  std::string body;  ///< HTML
+};
+/// By name of file: a page a chapter, the first page and, to be printed, all of it on one page;
+/// derivation.html shows the proofs. They ask no network for anything.
+Texts files_of(const std::vector<Page>& chapters, const std::string& welcome,
+               const std::string& proofs);
 
 }  // namespace course

@@ -3,13 +3,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <regex>
-#include <set>
 
 #include "answers/derivation.hpp"
 #include "answers/errors.hpp"
 #include "course/chapter.hpp"
-#include "course/page.hpp"
 #include "magicmass/scenes/keys.hpp"
 
 namespace {
@@ -21,40 +18,21 @@ std::string read(const fs::path& path) {
   return magicmass::scenes::text_of(path, "a file of text");
 }
 
-std::set<fs::path> files_in(const fs::path& folder) {
-  std::set<fs::path> all;
-  for (const auto& entry : fs::directory_iterator(folder)) all.insert(entry.path());
-  return all;
-}
-
 /// Of a drawing, for those who cannot see it.
 std::string description(const std::string& svg) {
-  std::smatch part;
-  std::regex_search(svg, part, std::regex("<desc id=\"desc\">([^<]*)"));
-  return part[1];
-}
-
-Chapter read_chapter(const fs::path& folder) {
-  Chapter chapter{folder.filename(),
-                  folder / "intro.md",
-                  read(folder / "intro.md"),
-                  read(folder / "tutorial.cpp"),
-                  read(folder / "expected_output.txt"),
-                  fs::exists(folder / "session.txt") ? read(folder / "session.txt") : "",
-                  {}};
-  for (const fs::path& file : files_in(folder / "exercises"))
-    if (file.extension() == ".toml")
-      chapter.exercises.push_back(learn::read_exercise(read(file), file));
-  return chapter;
+  const std::string before = "desc id=\"desc\">";
+  for (const std::string& part : learn::fields(svg, '<'))
+    if (part.starts_with(before)) return part.substr(before.size());
+  return "";
 }
 
 void make_course(const fs::path& tutorials, const fs::path& out) {
   std::vector<Chapter> chapters;
-  for (const fs::path& folder : files_in(tutorials))
-    if (fs::exists(folder / "intro.md")) chapters.push_back(read_chapter(folder));
+  for (const fs::path& folder : course::files_in(tutorials))
+    if (fs::exists(folder / "intro.md")) chapters.push_back(course::read_chapter(folder));
   course::Surroundings around{answers::derivation_sections(), {}, {}};
   for (const Chapter& c : chapters) around.chapters.emplace(c.name, title_of(c));
-  for (const fs::path& file : files_in(out / "figures"))
+  for (const fs::path& file : course::files_in(out / "figures"))
     around.figures[file.stem()] = description(read(file));
   std::vector<course::Page> pages;
   for (const Chapter& c : chapters) pages.push_back({c.name, title_of(c), chapter_html(c, around)});

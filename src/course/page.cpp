@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "course/page.hpp"
-
-#include "render/pages.hpp"
+// A frame around what chapters say.
+#include "course/chapter.hpp"
 
 namespace course {
 namespace {
@@ -25,12 +24,12 @@ std::string frame(const std::string& title, const std::string& top, const std::s
 
 }  // namespace
 
-std::map<std::string, std::string> files_of(const std::vector<Page>& chapters,
-                                            const std::string& welcome, const std::string& proofs) {
+Texts files_of(const std::vector<Page>& chapters, const std::string& welcome,
+               const std::string& proofs) {
   const std::string title = "Magic mass ratios";
   const std::string contents = link("index.html", title);
   const std::string all_proofs = link("derivation.html", "All proofs");
-  std::map<std::string, std::string> files;
+  Texts files;
   std::string list, list_on_paper, all;
   for (std::size_t i = 0; i < chapters.size(); ++i) {
     const Page& page = chapters[i];

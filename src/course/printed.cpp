@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "course/printed.hpp"
-
-#include <regex>
-
+// What a program printed, and how a page shows it.
 #include "answers/errors.hpp"
+#include "course/chapter.hpp"
 #include "learn/texts.hpp"
 #include "notation/read.hpp"
 #include "render/mathml.hpp"
-#include "render/pages.hpp"
 
 namespace course {
 namespace {
@@ -26,15 +23,14 @@ std::string formula_or_words(const std::string& text) {
 }  // namespace
 
 Texts read_printed(const std::string& output) {
-  static const std::regex named("([A-Za-z_0-9]+): *(.*?) *");
   Texts all;
   std::string* block = nullptr;
   for (const std::string& line : learn::fields(output, '\n')) {
-    std::smatch part;
     if (line.starts_with("#")) continue;
+    const auto part = learn::matched(line, "([A-Za-z_0-9]+): *(.*?) *");
     if (block != nullptr && line.starts_with("  ")) {
       *block += line.substr(2) + "\n";
-    } else if (std::regex_match(line, part, named)) {
+    } else if (!part.empty()) {
       const auto [place, is_new] = all.emplace(part[1], part[2]);
       if (!is_new) throw InvalidInput("the program prints the name " + place->first + " twice");
       block = place->second.empty() ? &place->second : nullptr;
@@ -74,29 +70,25 @@ std::string term_html(const std::string& text) {
 }
 
 std::string value_html(const std::string& text) {
-  static const std::regex number("-?[0-9.]+(e([+-])0*([0-9]+))?");
-  std::smatch part;
-  if (!std::regex_match(text, part, number)) return formula_or_words(text);
-  std::string value = text.substr(0, text.find('e'));
-  if (value.starts_with('-')) value.replace(0, 1, "−");
-  if (!part[1].matched) return value;
-  const std::string power = "10<sup>" + std::string(part[2] == "-" ? "−" : "") + part[3].str();
-  return (value == "1" ? "" : value + "·") + power + "</sup>";
+  const auto part = learn::matched(text, "(-?)([0-9.]+)(e([+-])0*([0-9]+))?");
+  if (part.empty()) return formula_or_words(text);
+  const std::string value = (part[1].empty() ? "" : "−") + part[2];
+  if (part[3].empty()) return value;
+  const std::string power = (part[4] == "-" ? "10<sup>−" : "10<sup>") + part[5] + "</sup>";
+  return value == "1" ? power : value + "·" + power;
 }
 
 std::string block_html(const std::string& text) {
-  static const std::regex between(" +\\| +");
   if (text.find(" | ") == text.npos) return code_html(text);
   std::string table;
-  for (const std::string& line : learn::fields(text, '\n')) {
+  for (std::string line : learn::fields(text, '\n')) {
     const bool is_head = table.empty();
     table += is_head ? "<thead><tr>" : "<tr>";
-    for (std::sregex_token_iterator all(line.begin(), line.end(), between, -1), end; all != end;) {
-      const std::string cell = *all++;
+    learn::replace_all(line, " | ", "\t");
+    for (const std::string& cell : learn::split(line, '\t'))
       table += is_head ? "<th scope=\"col\">" + formula_or_words(cell) + "</th>"
                : cell.find(' ') != cell.npos ? "<td class=\"words\">" + html_text(cell) + "</td>"
                                              : "<td>" + value_html(cell) + "</td>";
-    }
     table += is_head ? "</tr></thead><tbody>\n" : "</tr>\n";
   }
   return "<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"table\"><table>" +

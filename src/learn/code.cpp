@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <regex>
 
 #include <cln/real.h>
 
@@ -48,13 +47,12 @@ double input(const Terms& terms, const std::string& text) {
 struct Within {
   double ulps = 0, absolute = 0;
   explicit Within(const std::string& text) {
-    static const std::string number = "([0-9.]+(?:e-?[0-9]+)?)";
-    static const std::regex form(number + " ulp(?: or " + number + ")?|" + number);
-    std::smatch part;
-    if (!std::regex_match(text, part, form))
+    const std::string number = "([0-9.]+(?:e-?[0-9]+)?)";
+    const Texts part = matched(text, number + " ulp(?: or " + number + ")?|" + number);
+    if (part.empty())
       throw InvalidInput("within: allowed: \"4 ulp\", \"1e-15\" or \"4 ulp or 1e-15\"");
-    ulps = std::strtod(part.str(1).c_str(), nullptr);
-    absolute = std::strtod((part.str(2) + part.str(3)).c_str(), nullptr);
+    ulps = std::strtod(part[1].c_str(), nullptr);
+    absolute = std::strtod((part[2] + part[3]).c_str(), nullptr);
   }
 };
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derivations, a line after the other: each must be true, and a small step from what stands before.
 #include <algorithm>
-#include <regex>
 #include <span>
 
 #include "answers/errors.hpp"
@@ -228,11 +227,10 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
 Texts without_numbers(const Texts& lines) {
   Texts plain;
   for (const std::string& line : lines) {
-    const std::regex number("\\(?" + std::to_string(plain.size() + 1) + "(\\.(?![0-9])|\\) )");
-    std::smatch found;
-    if (!std::regex_search(line, found, number, std::regex_constants::match_continuous))
-      return lines;
-    plain.push_back(std::string(found.str().size(), ' ') + found.suffix().str());  // same columns
+    const std::string number = "^\\(?" + std::to_string(plain.size() + 1);
+    const auto blanks = [](const Texts& part) { return std::string(part[0].size(), ' '); };
+    plain.push_back(replaced(line, number + "(\\.(?![0-9])|\\) )", blanks));  // same columns
+    if (plain.back() == line) return lines;
   }
   return plain;
 }
@@ -241,8 +239,8 @@ Texts without_numbers(const Texts& lines) {
 
 Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& notes) {
   const Terms terms(e);
-  static const std::regex environment(R"(\\(begin|end)\{[a-z]+\*?\}|&)");  // of LaTeX, as {align}
-  std::string plain = std::regex_replace(text, environment, "");
+  const std::string environment = R"(\\(begin|end)\{[a-z]{1,16}\*?\}|&)";  // of LaTeX, as {align}
+  std::string plain = replaced(text, environment, [](const Texts&) { return ""; });
   for (const char* between : {"\\\\", "=>", "⇒", "⇔", "∴", "\\Rightarrow", "\\Leftrightarrow",
                               "\\implies", "\\iff", "\\therefore"})
     replace_all(plain, between, "\n");

@@ -15,45 +15,24 @@ using answers::InvalidInput;
 using Pairs = std::map<std::string, std::string>;
 using Lists = std::vector<Texts>;
 
-template <class Visit>
-void each_key(Misconception& m, const Visit& visit) {
-  visit("name", m.name);
-  visit("answers", m.answers);
-  visit("replace", m.replace);
-  visit("feedback", m.feedback);
+/// Visits keys, each with the member for its value.
+template <class Visit, class Member, class... Others>
+void each(const Visit& visit, const char* key, Member& member, Others&... others) {
+  visit(key, member);
+  if constexpr (sizeof...(others) > 0) each(visit, others...);
 }
-template <class Visit>
-void each_key(Exercise& e, const Visit& visit) {
-  visit("id", e.id);
-  visit("title", e.title);
-  visit("chapter", e.chapter);
-  visit("kind", e.kind);
-  visit("prompt", e.prompt);
-  visit("name", e.name);
-  visit("symbols", e.symbols);
-  visit("values", e.values);
-  visit("domain", e.domain);
-  visit("form", e.form);
-  visit("answer", e.answer);
-  visit("answer_from", e.answer_from);
-  visit("run", e.run);
-  visit("within", e.within);
-  visit("choices", e.choices);
-  visit("when", e.when);
-  visit("laws", e.laws);
-  visit("start", e.start);
-  visit("unknowns", e.unknowns);
-  visit("not_zero", e.not_zero);
-  visit("starter", e.starter);
-  visit("driver", e.driver);
-  visit("solution_code", e.solution_code);
-  visit("inputs", e.inputs);
-  visit("cases", e.cases);
-  visit("outputs", e.outputs);
-  visit("words", e.words);
-  visit("hints", e.hints);
-  visit("solution", e.solution);
-  visit("misconceptions", e.misconceptions);
+void each_key(Misconception& m, const auto& visit) {
+  each(visit, "name", m.name, "answers", m.answers, "replace", m.replace, "feedback", m.feedback);
+}
+void each_key(Exercise& e, const auto& visit) {
+  each(visit, "id", e.id, "title", e.title, "chapter", e.chapter, "kind", e.kind, "prompt",
+       e.prompt, "name", e.name, "symbols", e.symbols, "values", e.values, "domain", e.domain,
+       "form", e.form, "answer", e.answer, "answer_from", e.answer_from, "run", e.run, "within",
+       e.within, "choices", e.choices, "when", e.when, "laws", e.laws, "start", e.start, "unknowns",
+       e.unknowns, "not_zero", e.not_zero, "starter", e.starter, "driver", e.driver,
+       "solution_code", e.solution_code, "inputs", e.inputs, "cases", e.cases, "outputs", e.outputs,
+       "words", e.words, "hints", e.hints, "solution", e.solution, "misconceptions",
+       e.misconceptions);
 }
 
 /// Reads keys of one file, and says where something is wrong.

@@ -3,7 +3,7 @@
 // decides.
 #include <algorithm>
 
-#include "equality/atoms.hpp"
+#include "equality/normal_form.hpp"
 
 namespace equality {
 namespace {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "algebra/equations.hpp"
-#include "equality/atoms.hpp"
 #include "equality/normal_form.hpp"
 #include "kernel/print.hpp"
 
@@ -20,14 +19,6 @@ constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
 constexpr int largest_denominator = 1000;
 
-// x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
-// power is, though (-1/2)^y has a value by accident at some fractions.
-bool has_accident(const Point& point, Expr e, int bits) {
-  if (is_function(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
-    for (Expr symbol : kernel::free_variables(e.arg(1)))
-      if (!is_whole(point.at(symbol))) return true;
-  return std::ranges::any_of(e.args(), [&](Expr part) { return has_accident(point, part, bits); });
-}
 // Exactly where it is a short fraction.
 std::optional<cln::cl_RA> fraction(Expr constant) {
   if (const auto value = notation::rational_value(constant)) return value;
@@ -104,8 +95,7 @@ private:
     std::string why_none;
     bool is_open = false;  // somewhere it would take more bits to know a value
     for (const Point& point : all) {
-      Value a;
-      Value b;
+      Value a, b;
       for (int bits = 192; bits <= 3072; bits *= 4) {
         a = value_at(point, left, bits);
         b = value_at(point, right, bits);
@@ -115,10 +105,12 @@ private:
         is_open = true;
         continue;
       }
-      for (const Value& v : {a, b})
-        if (!v.why_none.empty()) why_none = v.why_none;
       if (!a.ball || !b.ball) {
-        note_domain(point, a, b);
+        why_none = (b.ball ? a : b).why_none;
+        if (verdict.notes.empty() && (a.ball || b.ball))
+          verdict.notes.push_back(std::string(a.ball ? "the right" : "the left") +
+                                  " side alone has no value at " + equality::text(point) + ": " +
+                                  why_none);
         continue;
       }
       if (a.ball->high() < b.ball->low() || b.ball->high() < a.ball->low())
@@ -130,15 +122,6 @@ private:
                      (why_none.empty() ? "" : ": " + why_none));
     return false;
   }
-  void note_domain(const Point& point, const Value& a, const Value& b) {
-    if (!verdict.notes.empty() || a.ball.has_value() == b.ball.has_value()) return;
-    const Value& none = a.ball ? b : a;
-    if (none.why_none.empty()) return;
-    verdict.notes.push_back(std::string(a.ball ? "the right" : "the left") +
-                            " side alone has no value at " + equality::text(point) + ": " +
-                            none.why_none);
-  }
-
   /// Under conditions that never hold everything can be proved.
   bool has_impossible_need() {
     const auto may_hold_at = [&](const Point& point) {
@@ -160,7 +143,11 @@ private:
     for (const auto& [x, range] : domain.ranges)
       if (range.is_point()) return is_proved_for(x, range.low->value, {});
     if (has_impossible_need()) return false;
-    if (domain.ranges.empty() && prove_constants()) return true;
+    const Expr difference = left - right;
+    if (domain.ranges.empty() && exact_sign(difference) == 0)
+      return proved(is_algebraic(difference)
+                        ? "algebraic numbers: the difference is below the least that it could be"
+                        : "normal form: the difference of both sides is 0");
     if (is_same_form(right)) return true;
     const Expr other = with_one_angle(left, right, domain, common);
     if (other != right && is_same_form(other)) return true;
@@ -276,13 +263,6 @@ private:
     }
     return false;
   }
-  bool prove_constants() {
-    const Expr difference = left - right;
-    if (exact_sign(difference) != 0) return false;
-    return proved(is_algebraic(difference)
-                      ? "algebraic numbers: the difference is below the least that it could be"
-                      : "normal form: the difference of both sides is 0");
-  }
   // What agrees to fifty digits may still differ.
   bool is_different_exactly() {
     for (std::size_t i = 0; i < std::min(common.size(), points_exactly); ++i)
@@ -295,13 +275,10 @@ private:
   void add_conditions() {
     std::set<std::string> seen;
     for (const Requirement& r : needs) {
-      const bool is_base =
-          r.kind == Need::NotNegative && is_certain({Need::Positive, Expr(-1) * r.term}, domain);
-      const bool is_weaker =
-          r.kind == Need::NotNegative && std::ranges::any_of(needs, [&](const Requirement& other) {
-            return other.kind == Need::Positive && other.term == r.term;
-          });
-      if (!is_base && !is_weaker && !is_certain(r, domain) && seen.insert(text(r)).second)
+      const bool is_weaker = r.kind == Need::NotNegative &&  // than another one, or whole exponents
+                             (std::ranges::count(needs, Requirement{Need::Positive, r.term}) > 0 ||
+                              is_certain({Need::Positive, Expr(-1) * r.term}, domain));
+      if (!is_weaker && !is_certain(r, domain) && seen.insert(text(r)).second)
         verdict.conditions.push_back(text(r));
     }
   }
@@ -319,8 +296,7 @@ private:
   }
   // The kernel proves it again from its own rules, where both sides are built by +, *, / and roots.
   void certify() {
-    if (!is_algebraic_term(left) || !is_algebraic_term(right)) return;
-    if (left.weight() + right.weight() > 400) return;
+    if (!is_algebraic_term(left - right) || left.weight() + right.weight() > 400) return;
     kernel::Substitution bases;
     name_bases(left - right, bases);
     const auto named = [&](Expr e) {
@@ -354,32 +330,13 @@ private:
 };
 }  // namespace
 
-bool Value::is_known() const {
-  if (!ball) return !why_none.empty();
-  const cln::cl_RA size = cln::max(cln::cl_RA(1), cln::abs(ball->low()));
-  return ball->high() - ball->low() < size / cln::ash(cln::cl_I(1), 166);
-}
-Value value_at(const Point& point, Expr side, int bits) {
-  try {
-    const Ball ball = enclosure(at(point, side), bits);
-    if (has_accident(point, side, bits)) return {.why_none = "a real power of a negative number"};
-    return {.ball = ball};
-  } catch (const NotDefined& none) {
-    return {.why_none = none.what()};
-  } catch (const NotCertain&) {
-    return {};
-  }
-}
-
 Verdict decide(Expr left, Expr right, const Domain& domain) {
   try {
     return Question(left, right, domain).answer();
   } catch (const NotDefined& none) {
     kernel::refuse(std::string("there is no value: ") + none.what());
   } catch (const TooLarge& large) {
-    Verdict undecided;
-    undecided.proof = std::string("not decided: ") + large.what();
-    return undecided;
+    return {.proof = std::string("not decided: ") + large.what()};
   }
 }
 const char* word(Answer answer) {

@@ -6,19 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "equality/constant.hpp"
 #include "equality/domain.hpp"
 
 namespace equality {
-/// What a term is at a point.
-struct Value {
-  std::optional<Ball> ball = {};  ///< nothing: no value, or not certain
-  std::string why_none = {};      ///< where it is certain that there is none
-
-  bool is_known() const;  ///< to fifty digits, or that there is none
-};
-Value value_at(const Point& point, Expr term, int bits = 192);
-
 enum class Answer { Equal, Different, Undecided };
 
 /// A point where both sides have a value, and the values differ.
@@ -30,12 +20,12 @@ struct Counterexample {
 };
 struct Verdict {
   Answer answer = Answer::Undecided;
-  std::string proof;                    ///< how it is known, in a sentence; else what was tried
-  std::vector<std::string> domain;      ///< "alpha > 0", "n integer, n >= 1"
-  std::vector<std::string> conditions;  ///< where both sides have a value: "alpha - 1 != 0"
-  std::vector<std::string> notes;       ///< where one side alone has a value
-  std::optional<Counterexample> counterexample;
-  std::string theorem;  ///< what the kernel certified, for rational functions
+  std::string proof = {};                ///< how it is known, in a sentence; else what was tried
+  std::vector<std::string> domain = {};  ///< "alpha > 0", "n integer, n >= 1"
+  std::vector<std::string> conditions = {};  ///< where both sides have a value: "alpha - 1 != 0"
+  std::vector<std::string> notes = {};       ///< where one side alone has a value
+  std::optional<Counterexample> counterexample = {};
+  std::string theorem = {};  ///< what the kernel certified, for rational functions
 };
 /// Equal: proved wherever both sides have a value, but for isolated points. Different: at a point
 /// both values are certain, and differ. Refused (kernel::Refused): no point of the domain, or none

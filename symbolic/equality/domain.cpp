@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "equality/constant.hpp"
 #include "kernel/print.hpp"
 
 namespace equality {
@@ -80,21 +79,18 @@ bool is_in(const Domain& domain, const Point& point) {
 }
 std::string shown(Expr symbol, const Range& range) {
   const std::string name = notation::typed_text(symbol);
-  const auto with = [](const std::string& sign, const End& end) {
-    return " " + sign + (end.is_inside ? "= " : " ");
+  const auto number = [](const std::optional<End>& end) { return kernel::digits(end->value); };
+  const auto sign = [](const std::string& strict, const std::optional<End>& end) {
+    return " " + strict + (end->is_inside ? "= " : " ");
   };
-  const auto number = [](const End& end) { return kernel::digits(end.value); };
-  std::string bounds;
-  if (range.is_point()) return name + " = " + number(*range.low);
-  if (range.low && range.high)
-    bounds = number(*range.low) + with("<", *range.low) + name;
-  else if (range.low)
-    bounds = name + with(">", *range.low) + number(*range.low);
-  else if (range.high)
-    bounds = name;
-  if (range.high) bounds += with("<", *range.high) + number(*range.high);
-  if (range.is_integer) return name + " integer" + (bounds.empty() ? "" : ", " + bounds);
-  return bounds.empty() ? name + " real" : bounds;
+  if (range.is_point()) return name + " = " + number(range.low);
+  std::string bounds = name;
+  if (range.low)
+    bounds = range.high ? number(range.low) + sign("<", range.low) + name
+                        : name + sign(">", range.low) + number(range.low);
+  if (range.high) bounds += sign("<", range.high) + number(range.high);
+  if (range.is_integer) return name + " integer" + (bounds == name ? "" : ", " + bounds);
+  return bounds == name ? name + " real" : bounds;
 }
 
 // The values of a range to try: the simplest first, or fractions first, and the special ones last.
@@ -152,6 +148,14 @@ void collect_numbers(Expr e, std::set<cln::cl_RA>& found) {
   // sin(n/1000) turns at some thousands
   for (int multiple : {1, 2, 4})
     if (e.value() != 0 && cln::abs(e.value()) < 1) found.insert(multiple / cln::abs(e.value()));
+}
+// x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
+// power is, though (-1/2)^y has a value by accident at some fractions.
+bool has_accident(const Point& point, Expr e, int bits) {
+  if (is_function(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
+    for (Expr symbol : kernel::free_variables(e.arg(1)))
+      if (cln::denominator(point.at(symbol)) != 1) return true;
+  return std::ranges::any_of(e.args(), [&](Expr part) { return has_accident(point, part, bits); });
 }
 }  // namespace
 
@@ -302,5 +306,22 @@ std::string text(const Point& point) {
   for (const auto& [symbol, value] : point)
     out += (out.empty() ? "" : ", ") + notation::typed_text(symbol) + " = " + kernel::digits(value);
   return out;
+}
+
+bool Value::is_known() const {
+  if (!ball) return !why_none.empty();
+  const cln::cl_RA size = cln::max(cln::cl_RA(1), cln::abs(ball->low()));
+  return ball->high() - ball->low() < size / cln::ash(cln::cl_I(1), 166);
+}
+Value value_at(const Point& point, Expr side, int bits) {
+  try {
+    const Ball ball = enclosure(at(point, side), bits);
+    if (has_accident(point, side, bits)) return {.why_none = "a real power of a negative number"};
+    return {.ball = ball};
+  } catch (const NotDefined& none) {
+    return {.why_none = none.what()};
+  } catch (const NotCertain&) {
+    return {};
+  }
 }
 }  // namespace equality

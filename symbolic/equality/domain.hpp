@@ -9,12 +9,10 @@
 
 #include <cln/rational.h>
 
+#include "equality/constant.hpp"
 #include "notation/typed.hpp"
 
 namespace equality {
-using kernel::Expr;
-using kernel::Exprs;
-
 struct End {
   cln::cl_RA value;
   bool is_inside = false;  ///< it belongs to the range
@@ -63,4 +61,13 @@ std::optional<bool> holds(const notation::Comparison& comparison);
 /// The term with numbers for the symbols of the point.
 Expr at(const Point& point, Expr term);
 std::string text(const Point& point);  ///< "alpha = 1/2, n = 3"
+
+/// What a term is at a point.
+struct Value {
+  std::optional<Ball> ball = {};  ///< nothing: no value, or not certain
+  std::string why_none = {};      ///< where it is certain that there is none
+
+  bool is_known() const;  ///< to fifty digits, or that there is none
+};
+Value value_at(const Point& point, Expr term, int bits = 192);
 }  // namespace equality

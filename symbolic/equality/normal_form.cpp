@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "equality/atoms.hpp"
-
 namespace equality {
 using kernel::Op;
 namespace {

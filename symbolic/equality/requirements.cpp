@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What terms need to have a value.
-#include "equality/atoms.hpp"
+#include "equality/normal_form.hpp"
 
 namespace equality {
 using kernel::Op;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Signs that are certain all over a domain.
-#include "equality/atoms.hpp"
+#include "equality/normal_form.hpp"
 
 namespace equality {
 using kernel::Op;

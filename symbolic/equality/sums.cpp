@@ -5,7 +5,7 @@
 
 #include <cln/integer.h>
 
-#include "equality/atoms.hpp"
+#include "equality/normal_form.hpp"
 #include "kernel/names.hpp"
 
 namespace equality {

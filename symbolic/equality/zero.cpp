@@ -3,7 +3,7 @@
 // of numbers times different functions, where each of the numbers must be 0.
 #include <algorithm>
 
-#include "equality/atoms.hpp"
+#include "equality/normal_form.hpp"
 
 namespace equality {
 using kernel::Op;

@@ -11,10 +11,7 @@
 
 #include "answers/errors.hpp"
 #include "catch.hpp"
-#include "classroom/answer_file.hpp"
-#include "classroom/attempts.hpp"
-#include "classroom/grade.hpp"
-#include "classroom/watch.hpp"
+#include "classroom/classroom.hpp"
 #include "host/child.hpp"
 #include "magicmass/scenes/keys.hpp"
 #include "refusal.hpp"

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Programs of others: each attack ends with a line that says why, and leaves nothing behind.
-#include "classroom/sandbox.hpp"
-
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -18,9 +16,10 @@
 
 #include "answers/errors.hpp"
 #include "catch.hpp"
+#include "classroom/classroom.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
-#include "magicmass/scenes/keys.hpp"
+#include "rows.hpp"
 
 namespace {
 
@@ -46,40 +45,28 @@ learn::Judgement judged(const std::string& code) {
                    code,
                classroom::run_code);
 }
-std::string body(const std::string& statements) {
-  return "double f(double x) { " + statements + " return 2 * x; }";
-}
-
-/// Programs and what is said to them.
-std::vector<std::pair<std::string, std::string>> attacks() {
-  std::vector<std::pair<std::string, std::string>> all{
-      {"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"}};
-  const std::string file = MAGICMASS_SOURCE "/tests/src/classroom/attacks.tsv";
-  for (const std::string& line : learn::fields(magicmass::scenes::text_of(file, "attacks"), '\n')) {
-    if (line.find('\t') == line.npos) continue;  // a comment
-    learn::Texts row = learn::fields(line, '\t');
-    learn::replace_all(row[0], "\\n", "\n");
-    all.emplace_back(row[0].starts_with('{') ? body(row[0]) : row[0], row.at(1));
-  }
-  return all;
-}
-
 }  // namespace
 
 TEST_CASE("A program is judged by what its function returns, not by what it prints") {
-  CHECK(judged(body("std::puts(\"0x1p+0\");")).feedback == "Right, in all cases.");
+  CHECK(judged("double f(double x) { std::puts(\"0x1p+0\"); return 2 * x; }").feedback ==
+        "Right, in all cases.");
   CHECK(judged("double f(double x) { return x; }").feedback ==
         "At x = 1: your f is 1; it should be 2.");
   CHECK(is_empty());
 }
 
 TEST_CASE("An attack ends with a line that says why, and leaves nothing behind") {
-  for (const auto& [code, why] : attacks()) {
+  auto rows = rows_of("src/classroom/attacks.tsv", 2);
+  rows.push_back({"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"});
+  for (learn::Texts& row : rows) {
+    std::string& code = row[0];
     INFO(code);
+    learn::replace_all(code, "\\n", "\n");
+    if (code.starts_with('{')) code = "double f(double x) { " + code + " return 2 * x; }";
     const learn::Judgement said = judged(code);
     CHECK(said.mark ==
           (said.feedback.starts_with("Not compiled: ") ? learn::Mark::unread : learn::Mark::wrong));
-    CHECK_THAT(said.feedback, ContainsSubstring(why));
+    CHECK_THAT(said.feedback, ContainsSubstring(row[1]));
     CHECK(said.feedback.find('\n') == std::string::npos);
     CHECK(said.feedback.find("magicmass-") == std::string::npos);
     CHECK(is_empty());

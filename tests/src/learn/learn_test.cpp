@@ -8,28 +8,16 @@
 #include "host/embedded.hpp"
 #include "learn/judge.hpp"
 #include "magicmass/scenes/keys.hpp"
+#include "rows.hpp"
 
 using learn::Exercise;
 using learn::Texts;
 
 namespace {
 
-const std::string folder = MAGICMASS_SOURCE "/tests/src/learn/";
-
 std::string text_of(const std::string& name) {
-  return magicmass::scenes::text_of(folder + name, "a text");
+  return magicmass::scenes::text_of(MAGICMASS_SOURCE "/tests/src/learn/" + name, "a text");
 }
-/// The fields of each row but comments.
-std::vector<Texts> rows_of(const std::string& name, std::size_t columns) {
-  std::vector<Texts> rows;
-  for (const std::string& line : learn::fields(text_of(name), '\n')) {
-    if (line.starts_with('#')) continue;
-    rows.push_back(learn::fields(line, '\t'));
-    rows.back().resize(columns);
-  }
-  return rows;
-}
-
 /// All variants of the tutorials' exercises, by id.
 const std::map<std::string, std::vector<Exercise>>& exercises() {
   static const auto all = [] {
@@ -86,7 +74,7 @@ std::string complaint(const std::string& text) {
 }  // namespace
 
 TEST_CASE("Answers are judged as in answers.tsv") {
-  const std::vector<Texts> rows = rows_of("answers.tsv", 5);
+  const std::vector<Texts> rows = rows_of("src/learn/answers.tsv", 5);
   CHECK(rows.size() >= 500);
   for (const Texts& row : rows) {
     const learn::Judgement said = learn::judge(exercises().at(row[0])[0], row[1]);
@@ -115,7 +103,7 @@ TEST_CASE("Each exercise is sound, in each variant") {
 TEST_CASE("What is spoilt in an exercise is refused by line, or a fault of it") {
   for (const char* name : {"symbolic.toml", "varied.toml", "code.toml"})
     CHECK(complaint(text_of(name)) == "sound");
-  for (Texts& row : rows_of("spoilt.tsv", 5)) {
+  for (Texts& row : rows_of("src/learn/spoilt.tsv", 5)) {
     INFO(answers::joined(row));
     for (std::string& text : row) learn::replace_all(text, "\\n", "\n");
     std::string text = text_of(row[0] + ".toml");
@@ -135,7 +123,7 @@ TEST_CASE("What is spoilt in an exercise is refused by line, or a fault of it") 
 
 TEST_CASE("A program is held against exact results at its doubles") {
   const Exercise e = read("code");
-  for (const Texts& row : rows_of("programs.tsv", 3)) {
+  for (const Texts& row : rows_of("src/learn/programs.tsv", 3)) {
     INFO(row[0]);
     const learn::Judgement said = learn::judge(e, row[0], fake);
     CHECK(word(said.mark) == row[1]);
