@@ -2,7 +2,6 @@
 // What a program printed, and how a page shows it.
 #include "answers/errors.hpp"
 #include "course/chapter.hpp"
-#include "learn/texts.hpp"
 #include "notation/read.hpp"
 #include "render/mathml.hpp"
 

@@ -65,8 +65,7 @@ struct Cases {
 };
 
 bool is_step(const std::string& text) {
-  return text.find('.') != text.npos && !std::isdigit(static_cast<unsigned char>(text[0])) &&
-         text.find_first_of(" +-*/^()") == text.npos;
+  return !matched(text, "[^-+*/^() 0-9][^-+*/^() ]*\\.[^-+*/^() ]*").empty();
 }
 
 Cases cases_of(const Exercise& e, const Run& run) {

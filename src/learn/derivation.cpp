@@ -67,7 +67,6 @@ public:
     add_gaps(said, line, notes);
     return said.mark;
   }
-  bool has(Expr e, Expr unknown) const { return kernel::free_variables(e).contains(unknown); }
   bool has_unknowns(Expr e) const { return kernel::substitute(e, truth_) != e; }
   /// One is the other times something without unknowns: e(v) f(w) = e(w) f(v) for all v and w.
   bool are_proportional(Expr e, Expr f) const {
@@ -102,15 +101,14 @@ private:
   bool eliminates(Expr e, Expr f, Expr by, Expr unknown) const {
     const Expr at_0 = kernel::substitute(by, {{unknown, 0}});
     const Expr slope = kernel::substitute(by, {{unknown, 1}}) - at_0;
-    if (!has(by, unknown) || is_zero(slope) || !terms_.are_equal(by, slope * unknown + at_0))
-      return false;
+    if (at_0 == by || is_zero(slope) || !terms_.are_equal(by, slope * unknown + at_0)) return false;
     const kernel::Substitution solved{{unknown, -at_0 / slope}};
     const Expr left = kernel::substitute(f, solved), e_left = kernel::substitute(e, solved);
     if (is_zero(left) || is_zero(e_left)) return false;
     if (are_proportional(e_left, left)) return true;
     // A factor may be divided out where the result keeps what is eliminated, not at the end.
     const auto is_divided = [&](Expr factor) { return are_proportional(e_left * factor, left); };
-    return has(e, unknown) && std::ranges::any_of(not_zero_, is_divided);
+    return e_left != e && std::ranges::any_of(not_zero_, is_divided);
   }
 };
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An exercise: a file of TOML that a teacher edits.
+// An exercise: a file of TOML that a teacher edits. Texts, cut and changed, and misspelt names.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <string>
 #include <string_view>
-
-#include "learn/texts.hpp"
+#include <vector>
 
 namespace learn {
+using Texts = std::vector<std::string>;
+
 /// Answers that are wrong for a known reason, and what is said to them.
 struct Misconception {
   std::string name;
@@ -54,4 +57,16 @@ struct Exercise {
 /// answers::InvalidInput, "FILE:LINE: ...", for what is no exercise.
 Exercise read_exercise(std::string_view text, const std::string& source, std::size_t variant = 0);
 
+/// What stands between the separators.
+Texts fields(const std::string& text, char separator);
+/// The same without blanks around each, and without those that are empty.
+Texts split(const std::string& text, char separator);
+void replace_all(std::string& text, const std::string& what, const std::string& by);
+/// The text and the pattern's groups in it; empty where the pattern does not match all of it.
+Texts matched(const std::string& text, const std::string& pattern);
+/// With something else for each part that matches: what `by` makes of the part and its groups.
+std::string replaced(const std::string& text, const std::string& pattern,
+                     const std::function<std::string(const Texts& part)>& by);
+/// "; is hints meant?" of hint; otherwise that.
+std::string meant(const std::string& name, const Texts& names, const std::string& otherwise);
 }  // namespace learn

@@ -2,8 +2,6 @@
 // What is said to an answer: never a guess, and of what was typed.
 #pragma once
 
-#include <functional>
-
 #include "learn/exercise.hpp"
 
 namespace learn {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "learn/texts.hpp"
-
 #include <map>
 #include <regex>
 #include <sstream>
 
+#include "learn/exercise.hpp"
 #include "magicmass/scenes/keys.hpp"
 
 namespace learn {
