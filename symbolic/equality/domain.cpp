@@ -103,20 +103,20 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
         std::ranges::find(values, value) == values.end())
       values.push_back(value);
   };
+  const auto add_around = [&](const cln::cl_RA& q) {  // 0 and the ends
+    add(q);
+    add(-q);
+    if (range.low) add(range.low->value + q);
+    if (range.high) add(range.high->value - q);
+  };
   if (!is_inside)
-    for (int value : {1, 2, 0, 3}) {
-      add(value);
-      add(-value);
-    }
+    for (int value : {1, -1, 2, -2, 0, 3, -3}) add(value);
   for (int below = 2; below <= 5 && !range.is_integer; ++below)
     for (int above = 1; above < 2 * below; ++above) {
       const cln::cl_RA fraction = cln::cl_RA(above) / below;
-      add(fraction);
-      add(-fraction);
       if (range.low && range.high)
         add(range.low->value + (range.high->value - range.low->value) * fraction);
-      if (range.low) add(range.low->value + fraction);
-      if (range.high) add(range.high->value - fraction);
+      add_around(fraction);
     }
   const cln::cl_RA start = range.low    ? cln::cl_RA(cln::ceiling1(range.low->value))
                            : range.high ? cln::cl_RA(cln::floor1(range.high->value))
@@ -125,14 +125,7 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
     add(start + cln::cl_RA(step));
     add(start - cln::cl_RA(step));
   }
-  for (int below : {10, 100, 1000})
-    for (int sign : {1, -1})
-      if (!range.is_integer) {
-        const cln::cl_RA small = cln::cl_RA(sign) / below;
-        add(small);
-        if (range.low) add(range.low->value + small);
-        if (range.high) add(range.high->value + small);
-      }
+  for (int below : {10, 100, 1000}) add_around(cln::cl_RA(1) / below);
   room = most;
   for (const cln::cl_RA& value : special) add(value);
   return values;
@@ -224,11 +217,10 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   }
   for (const auto& [symbol, range] : given) {
     Range& known = domain.ranges[symbol];
-    const Range usual = known;
     if (range.low) known.low = range.low;
     if (range.high) known.high = range.high;
     if (known.is_empty() && !range.is_empty())
-      known = {.is_integer = usual.is_integer, .low = range.low, .high = range.high};
+      known = {.is_integer = known.is_integer, .low = range.low, .high = range.high};
   }
   bound_by_others(domain);
   std::erase_if(domain.ranges, [&](const auto& range) { return !is_present(range.first); });
