@@ -23,9 +23,7 @@ class Walk {
 public:
   Value operator()(Expr e) {
     if (const auto it = known.find(e); it != known.end()) return it->second;
-    const Value value = compute(e);
-    known.emplace(e, value);
-    return value;
+    return known.emplace(e, compute(e)).first->second;
   }
 
 protected:
@@ -154,8 +152,7 @@ struct Bounds {
   explicit Bounds(const cln::cl_RA& q)
       : u(log2_of(cln::abs(cln::numerator(q)))), l(log2_of(cln::denominator(q))) {}
   Bounds inverse() const { return {l, u}; }
-  double u;
-  double l;
+  double u, l;
 };
 Bounds operator+(const Bounds& a, const Bounds& b) {
   return {std::max(a.u + b.l, a.l + b.u) + 1, a.l + b.l};

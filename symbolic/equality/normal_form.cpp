@@ -43,9 +43,7 @@ bool is_over_logarithm(const Sum& sum) {
 
 Sum Forms::of(Expr term) {
   if (const auto it = forms.find(term); it != forms.end()) return it->second;
-  const Sum sum = computed(term);
-  forms[term] = sum;
-  return sum;
+  return forms[term] = computed(term);
 }
 Sum Forms::computed(Expr term) {
   switch (term.op()) {
