@@ -4,10 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <thread>
-#include <tuple>
 #include <utility>
-
-#include <sys/stat.h>
 
 #include "answers/errors.hpp"
 #include "answers/table.hpp"
@@ -20,8 +17,8 @@ using learn::Exercise;
 
 constexpr std::chrono::milliseconds between_looks{150};
 
-/// File, size and time of change: another one where it was saved, or something was renamed over it.
-using Stamp = std::tuple<ino_t, off_t, time_t, long>;
+/// Time of change and size: others where it was saved, or something was renamed over it.
+using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
 
 struct Seen {
   Stamp last = {}, judged = {};
@@ -29,9 +26,10 @@ struct Seen {
 
 /// Nothing where there is no text, as for a moment while an editor saves.
 std::optional<Stamp> stamp_of(const std::filesystem::path& file) {
-  struct stat about {};
-  if (::lstat(file.c_str(), &about) != 0 || about.st_size == 0) return {};
-  return Stamp{about.st_ino, about.st_size, about.st_mtim.tv_sec, about.st_mtim.tv_nsec};
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(file, error);
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error || size == 0 ? std::nullopt : std::optional(Stamp{time, size});
 }
 
 }  // namespace

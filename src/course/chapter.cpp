@@ -52,20 +52,14 @@ std::string theorem(const render::Step& s) {
 
 /// Paragraphs and blocks of indented lines of a text in which no sign is Markdown's.
 std::string plain_html(const std::string& text) {
-  std::string html, part;
-  bool is_block = false;
-  const auto end_part = [&] {
-    if (!part.empty()) html += is_block ? code_html(part) : "<p>" + html_text(part) + "</p>\n";
-    part.clear();
-  };
-  for (const std::string& line : learn::fields(text, '\n')) {
-    const bool is_indented = line.starts_with("    ");
-    if (line.empty() || is_indented != is_block) end_part();
-    is_block = is_indented;
-    if (!line.empty()) part += line.substr(is_block ? 4 : 0) + "\n";
-  }
-  end_part();
-  return html;
+  const std::string parts = "(    .*\n)+|((?!    ).+\n)+|\n";
+  return learn::replaced(text + "\n", parts, [](const learn::Texts& part) -> std::string {
+    if (part[0] == "\n") return "";
+    if (!part[0].starts_with("    ")) return "<p>" + html_text(part[0]) + "</p>\n";
+    std::string code = part[0].substr(4);
+    learn::replace_all(code, "\n    ", "\n");
+    return code_html(code);
+  });
 }
 
 /// From Markdown with references to HTML. What is looked up stands in the Markdown as a number

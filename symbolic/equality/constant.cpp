@@ -117,11 +117,8 @@ private:
   }
   // sqrt(4) is 2.
   std::optional<cln::cl_RA> whole_number(Expr e) {
-    const Ball value = (*this)(e);
-    const cln::cl_RA nearest = cln::round1(value.low());
-    if (cln::abs(value.low() - nearest) > cln::cl_RA(1) / 1000 || sign(e - Expr(nearest)) != 0)
-      return {};
-    return nearest;
+    const auto near = near_fraction((*this)(e).low(), 1);
+    return near && sign(e - Expr(*near)) == 0 ? near : std::nullopt;
   }
   Ball raised(Expr base, Expr exponent) {
     auto value = notation::rational_value(exponent);

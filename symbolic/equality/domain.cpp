@@ -20,10 +20,9 @@ Range usual_range(const std::string& name) {
   if (name == "j") return {.is_integer = true, .low = End{0, true}};
   return {};
 }
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == text.npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of(" \t\r\n") + 1);
+  return text.erase(0, text.find_first_not_of(" \t\r\n"));
 }
 // At commas outside of brackets, or what stands for one.
 std::vector<std::string> separated(std::string text) {
