@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Makes nodes, one for each different operation on the same operands, with its range; from terms.
+// Makes nodes, one for each different operation on the same operands, with its range; from the
+// kernel's terms.
 #pragma once
 
 #include <map>
@@ -24,6 +25,12 @@ public:
   explicit Builder(Numbers of) : numbers(of) {}
   /// Whether each operation of a theorem is one of the number type, as it is.
   bool is_plain() const { return numbers == Numbers::plain || numbers == Numbers::field; }
+
+  std::map<kernel::Expr, int> nodes;  ///< of what is known: inputs, names, terms already built
+  std::map<int, int> squares;         ///< nodes, for arctangents
+  /// Refused: a name without a definition, an operation that there is none for.
+  int build(kernel::Expr e);
+  Interval range(kernel::Expr e) { return program[build(e)].range; }
 
   int input(const std::string& name, bool is_whole, Interval range);
   int constant(const cln::cl_RA& value, bool of_pi = false);
@@ -53,22 +60,7 @@ private:
   void need_positive(const std::string& name, int k);
   int add(Node n);
   Interval range_of(const Node& n) const;
-};
-/// The largest angle that sine and cosine take without turning it: pi/6 and a little more.
-constexpr double small_angle = 0.52359905;
-/// From the kernel's terms to nodes.
-class Terms {
-public:
-  explicit Terms(Numbers numbers) : builder(numbers) {}
-  Builder builder;
-  std::map<kernel::Expr, int> nodes;  ///< of what is known: inputs, names, terms already built
-  std::map<int, int> squares;         ///< nodes, for arctangents
 
-  /// Refused: a name without a definition, an operation that there is none for.
-  int build(kernel::Expr e);
-  Interval range(kernel::Expr e) { return builder[build(e)].range; }
-
-private:
   int made(kernel::Expr e);
   int function(kernel::Expr e);
   int square_root(kernel::Expr x);
@@ -77,4 +69,6 @@ private:
   int plain_product(const kernel::Exprs& factors);
   int ceiling(kernel::Expr x);
 };
+/// The largest angle that sine and cosine take without turning it: pi/6 and a little more.
+constexpr double small_angle = 0.52359905;
 }  // namespace codegen

@@ -2,8 +2,8 @@
 // The loop over the bits of an index, and its calls.
 #include <limits>
 
+#include "codegen/emit.hpp"
 #include "codegen/lower.hpp"
-#include "codegen/plain_text.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"
 
@@ -28,9 +28,9 @@ Expr half_of(Expr index) {
   return is_double && index.arg(0) == Expr(2) ? index.arg(1) : Expr();
 }
 /// A term, from now on a number of that name.
-void know(Terms& terms, Expr term, const std::string& name) {
+void know(Builder& terms, Expr term, const std::string& name) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  terms.nodes[term] = terms.builder.input(name, false, {-infinity, infinity});
+  terms.nodes[term] = terms.input(name, false, {-infinity, infinity});
 }
 }  // namespace
 
@@ -41,17 +41,17 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   const Exprs heads{f, head(d, t.at_1), even, head(d, t.odd)};
   if (!is_integer || heads != Exprs{at(f, 0), at(f, 1), at(f, 2 * m), at(f, 2 * m + 1)})
     throw Refused("not f at 0, 1, 2*m and 2*m + 1: " + kernel::text(t.even.conclusion()));
-  Terms terms(Numbers::field);
+  Builder terms(Numbers::field);
   std::string parameters;  // f at 0 has no others
   for (Expr p : kernel::free_variables(f)) {
     know(terms, p, identifier(p.name()));
     parameters += "const Number& " + identifier(p.name()) + ", ";
   }
   const auto value = [&](const kernel::Theorem& theorem, const std::string& at_m) {
-    Terms these = terms;
+    Builder these = terms;
     know(these, at(f, m), at_m);
     const int k = these.build(theorem.conclusion().arg(1));
-    return PlainText(these.builder.program).right_side(k);
+    return PlainText(these.program).right_side(k);
   };
   const std::string start = value(t.at_0, "low"), first = value(t.at_1, "low");
   know(terms, at(f, 1), "first");
@@ -72,7 +72,7 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
          ";\n    }\n  }\n  return {low, high};\n}\n";
 }
 
-std::string call_doubling(const Doubling& t, Expr term, Terms& terms) {
+std::string call_doubling(const Doubling& t, Expr term, Builder& terms) {
   const Expr f = t.at_0.conclusion().arg(0);
   std::string lines;
   for (Expr a : term.args()) lines += call_doubling(t, a, terms);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "codegen/emit_evaluator.hpp"
+#include "codegen/emit.hpp"
 #include "codegen/errors.hpp"
 #include "codegen/exact.hpp"
 #include "codegen/text.hpp"

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One function template a quantity, one branch a case; others are refused at run time.
-#include "codegen/emit_plain.hpp"
-
 #include <algorithm>
 #include <regex>
 
-#include "codegen/emit_evaluator.hpp"
+#include "codegen/emit.hpp"
 #include "codegen/exact.hpp"
-#include "codegen/plain_text.hpp"
 #include "codegen/text.hpp"
 #include "kernel/print.hpp"
 

@@ -14,20 +14,19 @@ using kernel::Expr;
 using kernel::Exprs;
 using kernel::Theorem;
 
-class Reader : public Terms {
+class Reader : public Builder {
 public:
-  Reader(const Quantity& quantity, const Case& which, Numbers numbers)
-      : Terms(numbers),
-        q(quantity),
-        c(which),
-        domain{q, c, numbers == Numbers::wide, [this](Expr e) { return range(e); }} {
-    for (const Input& input : q.inputs) {
-      const std::string name = input.variable.name();
-      const Interval range = range_of(input, c, domain.is_wide);
-      const bool is_variable = input.variable.op() == kernel::Op::Var;
-      if (!builder.is_plain() && !(range.low >= 0)) throw Refused(name + " may be negative");
-      if (!builder.is_plain() && !is_variable) throw Refused(name + " is no variable");
-      nodes[input.variable] = builder.input(input.name(), input.is_whole(), range);
+  Reader(const Quantity& quantity, const Case& which, Numbers of)
+      : Builder(of), q(quantity), c(which), domain{q, c, of == Numbers::wide, [this](Expr e) {
+                                                     return range(e);
+                                                   }} {
+    for (const Input& i : q.inputs) {
+      const std::string name = i.variable.name();
+      const Interval range = codegen::range_of(i, c, domain.is_wide);
+      const bool is_variable = i.variable.op() == kernel::Op::Var;
+      if (!is_plain() && !(range.low >= 0)) throw Refused(name + " may be negative");
+      if (!is_plain() && !is_variable) throw Refused(name + " is no variable");
+      nodes[i.variable] = input(i.name(), i.is_whole(), range);
     }
     for (const Condition& w : c.where) {
       const auto is_it = [&](const Input& i) { return i.variable.name() == w.name; };
@@ -44,31 +43,31 @@ public:
     // Guards first: a fact's hypotheses may rest on them.
     for (const Condition& g : c.guards) {
       if (g.name != name.name()) continue;
-      builder.narrow(k, g.of(domain.is_wide));
-      builder.program.results.push_back({Result::guard, g.name, k});
+      narrow(k, g.of(domain.is_wide));
+      program.results.push_back({Result::guard, g.name, k});
     }
     for (const std::string& d : c.divisors) {
       if (d != name.name()) continue;
       // What is above 2^23 times the errors of pairs is above that: the analysis sees to it.
-      builder.narrow(k, {domain.is_wide ? 0x1p-500 : 0x1p-100, builder[k].range.high});
-      builder.program.results.push_back({Result::divisor, d, k});
+      narrow(k, {domain.is_wide ? 0x1p-500 : 0x1p-100, program[k].range.high});
+      program.results.push_back({Result::divisor, d, k});
     }
     for (const Fact& f : c.facts) use_fact(f);
   }
   void output(const Theorem& t) {
     const Expr left = checked_head(domain, t);
     const bool is_whole = left.sort() == kernel::Sort::Int;
-    if (builder.is_plain()) {
+    if (is_plain()) {
       define(t);
     } else {
       nodes[left] = build(t.conclusion().arg(1));
-      const Node& n = builder[nodes[left]];
+      const Node& n = program[nodes[left]];
       if (is_whole && !n.is_whole) throw Refused(left.name() + " is not known to be whole");
       if (is_whole && !domain.is_wide && n.range.size() > 0x1p51)
         throw Refused(left.name() + " may be above 2^51");
     }
     for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) {
-      builder.program.results.push_back(
+      program.results.push_back(
           {is_whole ? Result::whole : Result::real, identifier(left.name()), nodes.at(e)});
     }
   }
@@ -92,11 +91,11 @@ private:
 
   int named_node(Expr left, Expr right, const std::string& name, const std::string& formula) {
     const std::string calls = q.doubling ? call_doubling(*q.doubling, right, *this) : "";
-    if (!calls.empty()) builder.program.doubling = emit_doubling(*q.doubling, domain);
-    builder.program.calls += calls;
+    if (!calls.empty()) program.doubling = emit_doubling(*q.doubling, domain);
+    program.calls += calls;
     const int k = build(right);
     nodes[left] = k;
-    Node& n = builder.program[k];
+    Node& n = program[k];
     if (n.name.empty() && n.op != Op::constant) {
       n.name = name;
       n.formula = formula;
@@ -129,17 +128,17 @@ private:
     check_hypotheses(domain, t.hypotheses, f);
     used.insert(f);
     const int small = build(p), large = build(f.arg(1));
-    const Interval low = builder[small].range, high = builder[large].range;
+    const Interval low = program[small].range, high = program[large].range;
     if (is_square) {
       squares[small] = large;
       const Interval size = root(high);
-      return builder.narrow(small, low.low >= 0 ? size : Interval{-size.high, size.high});
+      return narrow(small, low.low >= 0 ? size : Interval{-size.high, size.high});
     }
-    builder.narrow(large, {low.low, high.high});
-    builder.narrow(small, {low.low, high.high});
-    if (builder[small].op == Op::constant || builder[large].op == Op::constant) return;
+    narrow(large, {low.low, high.high});
+    narrow(small, {low.low, high.high});
+    if (program[small].op == Op::constant || program[large].op == Op::constant) return;
     if (!(low.low >= 0)) throw Refused("of unknown sign: " + kernel::text(p));
-    builder.program.facts.push_back({small, large, !t.of_computed.empty()});
+    program.facts.push_back({small, large, !t.of_computed.empty()});
   }
 };
 }  // namespace
@@ -149,10 +148,10 @@ Program lower(const Quantity& quantity, const Case& which, Numbers numbers) try 
   for (const Theorem& t : which.definitions) reader.define(t);
   for (const Theorem& t : which.outputs) reader.output(t);
   reader.check_all_used();
-  std::vector<Result>& results = reader.builder.program.results;
+  std::vector<Result>& results = reader.program.results;
   std::stable_sort(results.begin(), results.end(),
                    [](const Result& x, const Result& y) { return x.kind < y.kind; });
-  return named(in_stages(without_dead_code(reader.builder.program)));
+  return named(in_stages(without_dead_code(reader.program)));
 } catch (const Refused& why) {
   throw Refused(quantity.name + ", " + which.name + ": " + why.what());
 }

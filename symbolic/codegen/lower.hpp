@@ -42,7 +42,7 @@ std::string shown(const Quantity& q, kernel::Expr formula);
 /// bits. Refused: theorems of another shape.
 std::string emit_doubling(const Doubling& t, const Domain& d);
 /// Makes f(params, 2*x) and f(params, 2*x + 1) in a term known; the lines that compute both.
-std::string call_doubling(const Doubling& t, kernel::Expr term, Terms& terms);
+std::string call_doubling(const Doubling& t, kernel::Expr term, Builder& terms);
 /// The case's program after all passes; outputs of plain forms are entries where they are matrices.
 /// Refused: a theorem with a hypothesis that does not follow from the intervals, a name without a
 /// definition, an operation that there is none for, a divisor or root whose range is not known, a

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // JSON, whose strings here need no escapes.
-#include "codegen/manifest.hpp"
-
 #include <algorithm>
 
+#include "codegen/emit.hpp"
 #include "codegen/lower.hpp"
 #include "codegen/text.hpp"
 

@@ -5,7 +5,7 @@
 #include <cln/integer.h>
 
 #include "codegen/builder.hpp"
-#include "codegen/emit_evaluator.hpp"
+#include "codegen/emit.hpp"
 #include "codegen/exact.hpp"
 #include "codegen/text.hpp"
 

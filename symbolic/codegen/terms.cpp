@@ -35,17 +35,17 @@ Fraction fraction(const Exprs& factors) {
 }
 }  // namespace
 
-int Terms::build(Expr e) {
+int Builder::build(Expr e) {
   if (const auto found = nodes.find(e); found != nodes.end()) return found->second;
   return nodes[e] = made(e);
 }
-int Terms::made(Expr e) {
+int Builder::made(Expr e) {
   switch (e.op()) {
     case kernel::Op::Num:
-      return builder.constant(e.value());
+      return constant(e.value());
     case kernel::Op::Add: {
       int s = build(e.arg(0));
-      for (std::size_t k = 1; k < e.size(); ++k) s = builder.sum(s, build(e.arg(k)));
+      for (std::size_t k = 1; k < e.size(); ++k) s = sum(s, build(e.arg(k)));
       return s;
     }
     case kernel::Op::Mul:
@@ -53,7 +53,7 @@ int Terms::made(Expr e) {
     case kernel::Op::Pow: {
       const int base = build(e.arg(0));
       int p = base;
-      for (int k = 1; k < e.exponent(); ++k) p = builder.product(p, base);
+      for (int k = 1; k < e.exponent(); ++k) p = product(p, base);
       return p;
     }
     case kernel::Op::Fun:
@@ -64,7 +64,7 @@ int Terms::made(Expr e) {
       throw Refused("no operation for " + kernel::text(e));
   }
 }
-int Terms::function(Expr e) {
+int Builder::function(Expr e) {
   static const std::map<std::string, Op> operations{
       {"inv", Op::quotient}, {"pi", Op::constant}, {"sqrt", Op::root},
       {"sin", Op::sine},     {"cos", Op::cosine},  {"atan", Op::arc_tangent},
@@ -73,84 +73,82 @@ int Terms::function(Expr e) {
   if (found == operations.end()) throw Refused("no definition of " + kernel::text(e));
   const Op op = found->second;
   if (op == Op::quotient) return product({e});
-  if (builder.numbers == Numbers::field)
-    throw Refused("no operation of a field: " + kernel::text(e));
-  if ((op == Op::power || op == Op::turn) && builder.is_plain())
+  if (numbers == Numbers::field) throw Refused("no operation of a field: " + kernel::text(e));
+  if ((op == Op::power || op == Op::turn) && is_plain())
     throw Refused("no definition of " + kernel::text(e));
-  if (op == Op::power) return builder.power(build(e.arg(0)), build(e.arg(1)));
-  if (op == Op::turn) return builder.turn(build(e.arg(0)));
-  if (op == Op::constant) return builder.constant(1, true);
+  if (op == Op::power) return power(build(e.arg(0)), build(e.arg(1)));
+  if (op == Op::turn) return turn(build(e.arg(0)));
+  if (op == Op::constant) return constant(1, true);
   if (op == Op::root) return square_root(e.arg(0));
-  if (op == Op::arc_tangent && !builder.is_plain()) return arc_tangent(e);
-  if (op == Op::ceiling && !builder.is_plain()) return ceiling(e.arg(0));
-  return builder.unary(op, build(e.arg(0)));
+  if (op == Op::arc_tangent && !is_plain()) return arc_tangent(e);
+  if (op == Op::ceiling && !is_plain()) return ceiling(e.arg(0));
+  return unary(op, build(e.arg(0)));
 }
-int Terms::square_root(Expr x) {
-  if (x.op() == kernel::Op::Pow && x.exponent() == 2)
-    return builder.unary(Op::size, build(x.arg(0)));
+int Builder::square_root(Expr x) {
+  if (x.op() == kernel::Op::Pow && x.exponent() == 2) return unary(Op::size, build(x.arg(0)));
   const int k = build(x);
-  if (builder.is_plain()) return builder.unary(Op::root, k);
-  return builder.product(k, builder.unary(Op::reciprocal_root, k));
+  if (is_plain()) return unary(Op::root, k);
+  return product(k, unary(Op::reciprocal_root, k));
 }
-int Terms::arc_tangent(Expr e) {
+int Builder::arc_tangent(Expr e) {
   const int t = build(e.arg(0));
   const auto square = squares.find(t);
   if (square == squares.end())
     throw Refused("an arctangent needs a fact about the square: " + kernel::text(e));
-  return builder.arc_tangent(t, square->second);
+  return arc_tangent(t, square->second);
 }
 
 /// Whole numbers above and below, a sign before it all.
-int Terms::plain_product(const Exprs& factors) {
+int Builder::plain_product(const Exprs& factors) {
   const Fraction f = fraction(factors);
   const cln::cl_I above = cln::abs(cln::numerator(f.factor));
   const cln::cl_I below = cln::denominator(f.factor);
-  int p = above == 1 && !f.above.empty() ? -1 : builder.constant(above);
-  for (Expr e : f.above) p = p < 0 ? build(e) : builder.product(p, build(e));
-  for (Expr e : f.below) p = builder.quotient(p, build(e));
-  if (below != 1) p = builder.quotient(p, builder.constant(below));
-  return builder.scaled(p, f.factor < 0 ? -1 : 1);
+  int p = above == 1 && !f.above.empty() ? -1 : constant(above);
+  for (Expr e : f.above) p = p < 0 ? build(e) : product(p, build(e));
+  for (Expr e : f.below) p = quotient(p, build(e));
+  if (below != 1) p = quotient(p, constant(below));
+  return scaled(p, f.factor < 0 ? -1 : 1);
 }
-int Terms::product(const Exprs& factors) {
-  if (builder.is_plain()) return plain_product(factors);
+int Builder::product(const Exprs& factors) {
+  if (is_plain()) return plain_product(factors);
   const Fraction f = fraction(factors);
-  if (f.factor == 0) return builder.constant(0);
+  if (f.factor == 0) return constant(0);
   double power = 1;
   std::vector<int> over, below;
   for (Expr e : f.above) over.push_back(build(e));
   for (Expr e : f.below) {
     const bool is_root = is_call(e, "sqrt") && e.arg(0).op() != kernel::Op::Pow;
     const int k = build(is_root ? e.arg(0) : e);
-    (is_root ? over : below).push_back(is_root ? builder.unary(Op::reciprocal_root, k) : k);
+    (is_root ? over : below).push_back(is_root ? unary(Op::reciprocal_root, k) : k);
   }
-  if (is_double(f.factor) && is_power_of_2(nearest(f.factor)))
-    power = nearest(f.factor);
+  if (is_double(f.factor) && is_power_of_2(codegen::nearest(f.factor)))
+    power = codegen::nearest(f.factor);
   else
-    over.push_back(builder.constant(f.factor));
+    over.push_back(constant(f.factor));
   std::erase_if(over, [&](int k) {
-    return builder[k].op == Op::constant && !builder[k].of_pi && builder[k].value == 1;
+    return program[k].op == Op::constant && !program[k].of_pi && program[k].value == 1;
   });
-  std::stable_partition(over.begin(), over.end(), [&](int k) { return !builder[k].is_exact; });
+  std::stable_partition(over.begin(), over.end(), [&](int k) { return !program[k].is_exact; });
   int p = -1;
   for (int k : over) {
-    const Node n = builder[k];
+    const Node n = program[k];
     if (p >= 0 && n.is_exact) {
       // The power of two goes into a number that is scaled exactly, once.
-      p = builder.product(p, builder.scaled(k, power));
+      p = product(p, scaled(k, power));
       power = 1;
       continue;
     }
     const bool is_scaled = n.op == Op::scale && over.size() > 1;
     if (is_scaled) power *= n.factor;
     const int factor = is_scaled ? n.of[0] : k;
-    p = p < 0 ? factor : builder.product(p, factor);
+    p = p < 0 ? factor : product(p, factor);
   }
-  for (int k : below) p = builder.quotient(p < 0 ? builder.constant(1) : p, k);
-  if (p < 0) return builder.constant(f.factor);
-  return builder.scaled(p, power);
+  for (int k : below) p = quotient(p < 0 ? constant(1) : p, k);
+  if (p < 0) return constant(f.factor);
+  return scaled(p, power);
 }
 /// ceil(p/q + c), c a whole number or half of an odd one.
-int Terms::ceiling(Expr x) {
+int Builder::ceiling(Expr x) {
   const bool has_c = x.op() == kernel::Op::Add && x.size() == 2 && x.arg(1).op() == kernel::Op::Num;
   const cln::cl_RA c = has_c ? x.arg(1).value() : cln::cl_RA(0);
   const Fraction f = fraction(factors_of(has_c ? x.arg(0) : x));
@@ -159,7 +157,7 @@ int Terms::ceiling(Expr x) {
   Exprs above = f.above;
   above.insert(above.begin(), Expr(f.factor));
   const int p = product(above), q = product(f.below);
-  if (cln::denominator(c) == 1) return builder.ceiling(p, q, c);
-  return builder.sum(builder.nearest(p, q), builder.constant(c + cln::cl_RA(1) / 2));
+  if (cln::denominator(c) == 1) return ceiling(p, q, c);
+  return sum(nearest(p, q), constant(c + cln::cl_RA(1) / 2));
 }
 }  // namespace codegen

@@ -19,7 +19,8 @@ Script::Script(Proofs of) : chosen(std::move(of)) {
   }
 }
 void Script::define_all(Expr e) {
-  visit_functions(e, [this](const std::string& function) { define(function); });
+  if (e.op() == kernel::Op::Fun) define(e.name());
+  for (Expr a : e.args()) define_all(a);
 }
 void Script::define(const std::string& function) {
   static const std::set<std::string> of_coq = {"inv", "sqrt", "sin", "cos", "atan", "ceil", "pi"};

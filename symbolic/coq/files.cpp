@@ -4,7 +4,6 @@
 #include <set>
 #include <sstream>
 
-#include "coq/prelude.hpp"
 #include "coq/script.hpp"
 
 namespace coq {

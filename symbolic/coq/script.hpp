@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Lemmas of Coq, one a step of the kernel, each proved from its premises by what the step records.
+// Coq's names that are made here have a ' inside, which no name of the kernel has.
 #pragma once
 
 #include <functional>
@@ -9,10 +10,27 @@
 #include <vector>
 
 #include "coq/files.hpp"
-#include "coq/terms.hpp"
 #include "kernel/theorem.hpp"
 
 namespace coq {
+extern const char* const prelude;  ///< symbolic/coq/prelude.v
+
+using Names = std::vector<std::string>;
+/// Trees that are printed as a name of Coq.
+using Atoms = std::map<kernel::Expr, std::string>;
+
+/// A name of the kernel; those that Coq or the prelude uses get a mark.
+std::string name(const std::string& kernel_name);
+/// `bound`: what the variables of the quantifiers around e are called, outermost first.
+std::string text(kernel::Expr e, const Names& bound = {}, const Atoms& atoms = {});
+/// Names for the indices of e that lead out of it.
+Names loose_names(kernel::Expr e);
+/// "" or " name name".
+std::string spaced(const Names& names);
+Names names_of(const kernel::Exprs& variables);
+/// The free variables of all of them, in order of creation.
+kernel::Exprs variables_of(const kernel::Exprs& es);
+
 /// Terms with their atoms as variables: x' for a canonical atom, y' for one that is equal to a
 /// polynomial of those.
 class Abstraction {
@@ -58,8 +76,6 @@ private:
   // steps.cpp
   std::string with_lost_variables(const kernel::Theorem& t, Context c);
   std::string proof(const kernel::Theorem& t, const Context& c);
-  std::string logic(const kernel::Theorem& t, const Context& c);
-  std::string defined(const kernel::Theorem& t);
   std::string rewritten(const kernel::Theorem& t, const Context& c);
   std::string induction(const kernel::Theorem& t, const Context& c);
   std::string applied(const kernel::Theorem& premise, const Context& c,

@@ -78,39 +78,43 @@ std::string Script::with_lost_variables(const Theorem& t, Context c) {
 }
 
 std::string Script::proof(const Theorem& t, const Context& c) {
-  const std::string rule = t.step().rule;
+  const kernel::Step s = t.step();
+  const std::string& rule = s.rule;
+  if (rule == "assume") return "exact h'0.";
   if (rule == "arithmetic") return arithmetic(t, c);
   if (rule == "tautology") return tautology(t, c);
   if (rule == "rewrite") return rewritten(t, c);
   if (rule == "induction") return induction(t, c);
-  if (rule.rfind("axiom ", 0) == 0) return "axiom.";
-  return t.step().premises.empty() && rule != "assume" ? defined(t) : logic(t, c);
-}
-std::string Script::logic(const Theorem& t, const Context& c) {
-  const kernel::Step s = t.step();
-  if (s.rule == "assume") return "exact h'0.";
-  const Theorem& p = s.premises[0];
+  if (rule == "start" || rule == "next") return recursive(t);
+  if (rule.starts_with("axiom ")) return "axiom.";
+  if (rule == "define")
+    return s.extras[0].sort() == Sort::Bool ? "apply iff_refl." : "reflexivity.";
+  if (rule == "matrix power")
+    return "exact (mpow_def " + std::to_string(s.extras[0].rows()) + " " + text(s.extras[0]) + " " +
+           text(s.extras[1]) + " ltac:(int)).";
+  if (rule == "least")
+    return "exact (least_def " + text(s.extras[1]) + " (fun " + name(s.extras[2].name()) + " => " +
+           text(s.extras[3]) + ") " + text(s.extras[2]) + " ltac:(int) ltac:(int)).";
+  const Theorem& p = s.premises.at(0);
   Context inner = c;
-  if (s.rule == "instantiate") return "exact " + applied(p, c, s.substitution) + ".";
-  if (s.rule == "restate")
+  if (rule == "instantiate") return "exact " + applied(p, c, s.substitution) + ".";
+  if (rule == "restate")
     return "exact (proj1 " + same(p.conclusion(), t.conclusion(), {}) + " " + applied(p, c) + ").";
-  if (s.rule == "discharge") {
+  const Expr e = s.extras.at(0);
+  if (rule == "discharge") {
     const std::string h = "h'" + std::to_string(c.hypotheses.size());
-    inner.hypotheses.push_back(s.extras[0]);
+    inner.hypotheses.push_back(e);
     return "intro " + h + ". exact " + applied(p, inner) + ".";
   }
-  const bool is_integer = s.extras[0].sort() == Sort::Int;
-  if (s.rule == "generalize") {
-    const Expr v = s.extras[0];
-    inner.variables.push_back(v);
-    return "intros " + name(v.name()) + (is_integer ? " i'" + v.name() : "") + ". exact " +
-           applied(p, inner) + ".";
+  if (rule == "generalize") {
+    inner.variables.push_back(e);
+    return "intros " + name(e.name()) + (e.sort() == Sort::Int ? " i'" + e.name() : "") +
+           ". exact " + applied(p, inner) + ".";
   }
-  if (s.rule != "specialize") kernel::refuse("no proof in Coq for the rule " + s.rule);
+  if (rule != "specialize") kernel::refuse("no proof in Coq for the rule " + rule);
   const bool takes_integer = p.conclusion().bound_sort() == Sort::Int;
-  define_all(s.extras[0]);
-  return "exact (" + applied(p, c) + " " + text(s.extras[0]) +
-         (takes_integer ? " ltac:(int)" : "") + ").";
+  define_all(e);
+  return "exact (" + applied(p, c) + " " + text(e) + (takes_integer ? " ltac:(int)" : "") + ").";
 }
 std::string Script::rewritten(const Theorem& t, const Context& c) {
   const kernel::Step s = t.step();
@@ -133,20 +137,6 @@ std::string Script::induction(const Theorem& t, const Context& c) {
          " i'" + n.name() + " => proj1 " + same(step.conclusion(), next, {}) + " " +
          applied(step, c) + ") " + v + " i'" + n.name() + ").";
 }
-std::string Script::defined(const Theorem& t) {
-  const kernel::Step s = t.step();
-  if (s.rule == "define")
-    return s.extras[0].sort() == Sort::Bool ? "apply iff_refl." : "reflexivity.";
-  if (s.rule == "matrix power")
-    return "exact (mpow_def " + std::to_string(s.extras[0].rows()) + " " + text(s.extras[0]) + " " +
-           text(s.extras[1]) + " ltac:(int)).";
-  if (s.rule == "least")
-    return "exact (least_def " + text(s.extras[1]) + " (fun " + name(s.extras[2].name()) + " => " +
-           text(s.extras[3]) + ") " + text(s.extras[2]) + " ltac:(int) ltac:(int)).";
-  if (s.rule == "start" || s.rule == "next") return recursive(t);
-  kernel::refuse("no proof in Coq for the rule " + s.rule);
-}
-
 std::string Script::applied(const Theorem& p, const Context& c, const kernel::Substitution& s) {
   const auto value = [&](Expr v) {
     if (const auto it = s.find(v); it != s.end()) return it->second;

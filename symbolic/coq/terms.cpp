@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One line of Coq for each operation of the kernel.
-#include "coq/terms.hpp"
-
 #include <set>
 
+#include "coq/script.hpp"
 #include "kernel/print.hpp"
 
 namespace coq {
@@ -130,9 +129,5 @@ Exprs variables_of(const Exprs& es) {
   std::set<Expr> all;
   for (Expr e : es) all.merge(kernel::free_variables(e));
   return {all.begin(), all.end()};
-}
-void visit_functions(Expr e, const std::function<void(const std::string&)>& visit) {
-  if (e.op() == Op::Fun) visit(e.name());
-  for (Expr a : e.args()) visit_functions(a, visit);
 }
 }  // namespace coq

@@ -1,39 +1,39 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All that is generated: which theorems, on which intervals.
+// All that is generated: which theorems, on which intervals; quantities.txt says so.
 #pragma once
-#include <map>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "codegen/emit_plain.hpp"
+#include "codegen/emit.hpp"
 #include "generate/tree.hpp"
 
 namespace generate {
-/// Theorems of the book in units of V and L, with their ids.
+/// Theorems of the book, with their ids.
 class Source {
 public:
   /// "evaluators.def_w def_t terminal.definitions/2": a word without a chapter is of the one before
   /// it, /2 is the theorem's part 2, counted from 0. Each is known by its id from now on.
-  kernel::Theorems operator()(const std::string& words) { return at(words, units); }
-  /// "DEFINITIONS -> OUTPUTS | FACTS", of these terms in place of variables.
+  kernel::Theorems at(const std::string& words, const kernel::Substitution& terms);
+  /// "DEFINITIONS -> OUTPUTS", of these terms in place of variables.
   codegen::Case of(const std::string& name, const std::vector<codegen::Condition>& where,
-                   const std::string& words, kernel::Substitution terms = {});
+                   const std::string& words, const kernel::Substitution& terms);
 
   const kernel::Substitution units{{kernel::real("V"), 1}, {kernel::real("L"), 1}};
   codegen::Ids ids;
-
-private:
-  kernel::Theorems at(const std::string& words, const kernel::Substitution& terms);
 };
-/// Evaluators in DoubleDouble.
-std::vector<codegen::Quantity> evaluators(Source& source);
-/// The labels of the paper's equations for a quantity.
-std::string labels(const std::string& quantity);
+struct Inventory {
+  Source source;
+  std::vector<codegen::PlainForm> all;  ///< those of the form "evaluator" in DoubleDouble
+};
+/// Reads what quantities.txt explains at its head. Refused: an entry or a range of another kind.
+Inventory read(const std::string& text);
+/// Of quantities.txt.
+const Inventory& inventory();
+std::vector<codegen::Quantity> evaluators();
 /// evaluators/*.hpp, evaluators/errors.txt, plain/*.hpp, exact/*.hpp below magicmass/, and
 /// manifest.json. The same bytes from every run.
-Texts texts(const std::vector<codegen::Quantity>& evaluators,
-            const std::vector<codegen::PlainForm>& plain, const codegen::Ids& ids = {});
+Texts texts(const std::vector<codegen::PlainForm>& all, const codegen::Ids& ids = {});
 /// All of generated/.
 Texts generated();
 /// One header with the wanted outputs alone, in a plain form: closed, product, tangent, exact,

@@ -4,8 +4,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "codegen/emit_evaluator.hpp"
-#include "codegen/plain_text.hpp"
+#include "codegen/emit.hpp"
 #include "codegen/text.hpp"
 #include "generate/quantities.hpp"
 
@@ -16,7 +15,8 @@ Program lowered(generate::Source& source, const std::string& theorems, double le
   const codegen::Interval masses{least, 0x1p300}, cycles{0, 0x1p50};
   const std::vector<codegen::Input> inputs{{kernel::real("alpha"), masses, masses},
                                            {kernel::integer("n"), cycles, cycles}};
-  const codegen::Case all = source.of("all", {}, "rotation.psi power.V_CM -> " + theorems);
+  const codegen::Case all =
+      source.of("all", {}, "rotation.psi power.V_CM -> " + theorems, source.units);
   return codegen::lower({"velocities", "", inputs, {all}, source.units}, all,
                         codegen::Numbers::plain);
 }
@@ -47,6 +47,6 @@ int main() {
     std::printf("refused: %s\n", refused.what());
   }
   // What each value of the library's own evaluator may be off by, in its tier accurate.
-  const std::string errors = codegen::emit_evaluator(generate::evaluators(source)[0]).errors;
+  const std::string errors = codegen::emit_evaluator(generate::evaluators()[0]).errors;
   print_block("bounds", errors.substr(1, errors.find("\n\n") - 1));
 }

@@ -5,17 +5,9 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "codegen/emit_evaluator.hpp"
+#include "codegen/emit.hpp"
 #include "codegen/exact.hpp"
 #include "generate/quantities.hpp"
-
-namespace {
-const std::vector<codegen::Quantity>& quantities() {
-  static generate::Source source;
-  static const std::vector<codegen::Quantity> all = generate::evaluators(source);
-  return all;
-}
-}  // namespace
 
 TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
   static const std::regex tier("inline constexpr double (\\w+)Bounds<(\\w+)>[^{]*\\{([^}]*)\\}");
@@ -24,7 +16,7 @@ TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
     return std::vector(std::sregex_iterator(text.begin(), text.end(), what), {});
   };
   std::size_t constants = 0;
-  for (const codegen::Quantity& q : quantities()) {
+  for (const codegen::Quantity& q : generate::evaluators()) {
     const codegen::Emitted e = codegen::emit_evaluator(q);
     for (const std::smatch& t : all(e.header, tier)) {
       std::multiset<std::string> in_code, in_text;
@@ -48,7 +40,6 @@ TEST_CASE("the constants in a header are the printed bounds, tier by tier") {
   CHECK(constants > 100);
 }
 TEST_CASE("two files of one name are refused") {
-  const std::vector<codegen::Quantity>& all = quantities();
-  CHECK_THROWS_WITH(generate::texts({all[1], all[1]}, {}),
-                    ContainsSubstring("two files are called"));
+  const codegen::PlainForm& one = generate::inventory().all.at(1);
+  CHECK_THROWS_WITH(generate::texts({one, one}), ContainsSubstring("two files are called"));
 }

@@ -5,7 +5,7 @@
 
 #include "catch.hpp"
 #include "codegen/builder.hpp"
-#include "codegen/emit_evaluator.hpp"
+#include "codegen/emit.hpp"
 #include "codegen/exact.hpp"
 
 namespace {

@@ -7,20 +7,26 @@
 #include <functional>
 #include <random>
 
+#include <cln/float.h>
+#include <cln/real.h>
+
 #include "catch.hpp"
-#include "enclosure.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 #include "traced.hpp"
 
 namespace {
 using cln::cl_RA;
 using codegen::NumberType;
-using test::by_float;
 using test::Traced;
 using D = magicmass::arithmetic::DoubleDouble<Traced>;
 namespace generated = magicmass::generated;
 constexpr double u = 0x1p-53;
 
+/// f(x) from CLN, to a few units of 2^-249 of it.
+using RealFunction = const cln::cl_R (*)(const cln::cl_R&);
+cl_RA by_float(RealFunction f, const cl_RA& x) {
+  return cln::rational(f(cln::cl_float(x, cln::float_format(75))));
+}
 cl_RA value(const D& x) { return exact(x.high) + exact(x.low); }
 double size(const cl_RA& x) { return std::fabs(cln::double_approx(x)); }
 
@@ -113,7 +119,7 @@ void check_functions(codegen::Tier tier, bool bare) {
   const NumberType::SineCosine small = t.small_sine_cosine(l), turned = t.sine_cosine(l);
   const codegen::Loss square = t.product(l, l);
   const auto entry = [=](const char* name, double low, double high, auto allowed, auto computed,
-                         const char* polynomial, test::RealFunction f, bool is_odd,
+                         const char* polynomial, RealFunction f, bool is_odd,
                          const cl_RA& less = 0) {
     const codegen::Polynomial p = tier[polynomial];
     const auto wanted = [=](const cl_RA& x, const cl_RA&) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What plain and exact forms, doublings and the manifest must not accept, at edges from both sides.
 #include "catch.hpp"
-#include "codegen/emit_plain.hpp"
+#include "codegen/emit.hpp"
 #include "kernel/names.hpp"
 
 namespace {
@@ -82,7 +82,7 @@ TEST_CASE("a doubling needs its four theorems in their shape, and what they need
   }
   const Doubling ahead{at_0, at_1, assume(eq(f(2 * m), f(m + 1))), odd};
   CHECK_THROWS_WITH(codegen::emit_doubling(ahead, knowing), ContainsSubstring("no definition of"));
-  codegen::Terms terms(codegen::Numbers::field);
+  codegen::Builder terms(codegen::Numbers::field);
   CHECK_THROWS_WITH(codegen::call_doubling(right, f(3 * m), terms), ContainsSubstring("2*x + 1"));
   CHECK(codegen::call_doubling(right, f(2 * m) + f(2 * m + 1), terms).find("doubled_at_m") !=
         std::string::npos);

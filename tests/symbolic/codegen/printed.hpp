@@ -12,10 +12,9 @@
 namespace test {
 using Printed = std::map<std::string, std::string>;
 
-/// "2^-73.7 |P| + 2^-147.4" with the sizes at a point; an unnamed one is that
-/// of the value itself.
-inline double evaluated(const std::string& bound, const std::map<std::string, double>& sizes,
-                        double own) {
+/// "2^-73.7 |P| + 2^-147.4" with the sizes of values at a point; an unnamed one is that of the
+/// value itself.
+double evaluated(const std::string& bound, const auto& values, double own) {
   std::istringstream words(bound + " +");
   double sum = 0;
   double product = 1;
@@ -26,8 +25,8 @@ inline double evaluated(const std::string& bound, const std::map<std::string, do
     } else if (word[0] != '|') {
       product *= word == "0" ? 0 : std::exp2(std::stod(word.substr(2)));
     } else {
-      const auto found = sizes.find(word.substr(1, word.size() - 2));
-      product *= found == sizes.end() ? own : found->second;
+      const auto found = values.find(word.substr(1, word.size() - 2));
+      product *= found == values.end() ? own : found->second.size;
     }
   }
   return sum;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "catch.hpp"
-#include "codegen/emit_evaluator.hpp"
+#include "codegen/emit.hpp"
 #include "codegen/errors.hpp"
 #include "codegen/exact.hpp"
 #include "codegen/lower.hpp"

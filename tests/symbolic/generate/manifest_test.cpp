@@ -92,6 +92,13 @@ TEST_CASE("a header of wanted outputs has those, and pays for nothing else") {
 TEST_CASE("a form that there is none of is refused, as are definitions without outputs") {
   CHECK_THROWS_WITH(generate::selected("open", {"a"}), ContainsSubstring("allowed: closed"));
   CHECK_THROWS_WITH(generate::selected("matrices", {"R"}), ContainsSubstring("no form matrices"));
-  generate::Source source;
-  CHECK_THROWS_WITH(source.of("all", {}, "terminal.a"), ContainsSubstring("no -> before outputs"));
+}
+TEST_CASE("an entry, a range or a list of theorems of another shape is refused") {
+  const auto refuses = [](const std::string& entries, const std::string& why) {
+    CHECK_THROWS_WITH(generate::read("form: closed\nquantity: test\n" + entries),
+                      ContainsSubstring(why));
+  };
+  refuses("output: a", "no entry is called output:");
+  refuses("inputs: alpha 1", "inputs: alpha has 1 ends; allowed: 2");
+  refuses("theorems: terminal.a", "no -> before outputs");
 }

@@ -1,10 +1,45 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
+// From program to program.
+#include <algorithm>
 #include <set>
 
 #include "codegen/program.hpp"
 #include "codegen/quantity.hpp"
 
 namespace codegen {
+Program without_dead_code(const Program& p) {
+  std::vector<int> place(p.nodes.size(), -1);  // -1: not needed
+  const auto at = [&](int k) -> int& { return place[std::size_t(k)]; };
+  for (const Result& r : p.results) at(r.node) = 0;
+  for (int k = p.size(); k-- > 0;) {
+    if (p[k].op == Op::input) at(k) = 0;
+    if (at(k) < 0) continue;
+    for (int o : p[k].of) at(o) = 0;
+  }
+  Program r = p;
+  r.nodes.clear();
+  for (int k = 0; k < p.size(); ++k) {
+    if (at(k) < 0) continue;
+    at(k) = r.size();
+    r.nodes.push_back(p[k]);
+    for (int& o : r.nodes.back().of) o = at(o);
+  }
+  for (Result& result : r.results) result.node = at(result.node);
+  for (SizeFact& f : r.facts) f = {at(f.small), at(f.large), f.is_of_computed};
+  std::erase_if(r.facts, [](const SizeFact& f) { return f.small < 0 || f.large < 0; });
+  return r;
+}
+Program in_stages(const Program& p) {
+  Program r = p;
+  for (Node& n : r.nodes) {
+    for (int o : n.of) {
+      const Op op = r[o].op;
+      const bool ends = op == Op::arc_tangent || op == Op::sine || op == Op::cosine;
+      n.stage = std::min(3, std::max(n.stage, r[o].stage + (ends ? 1 : 0)));
+    }
+  }
+  return r;
+}
 std::string identifier(const std::string& name) {
   return name.ends_with("'") ? name.substr(0, name.size() - 1) + "_prime" : name;
 }
