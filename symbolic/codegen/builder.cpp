@@ -52,7 +52,7 @@ Interval Builder::range_of(const Node& n) const {
     case Op::input:
       return n.range;
     case Op::constant: {
-      const double x = codegen::nearest(n.of_pi ? n.value * pi() : n.value);
+      const double x = codegen::nearest(n.number());
       return !n.of_pi && is_double(n.value) ? Interval{x, x} : around(x, x);
     }
     case Op::exact_sum:

@@ -28,18 +28,14 @@ struct Emitted {
 /// outputs, "a: 2^-73.6 |P|"; none: each operation is rounded.
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
                            const Ids& ids, const std::vector<Words>& bounds = {});
-struct EmittedCase {
-  std::string code;
-  std::string errors;
-  Words bounds;  ///< of Accurate's outputs, in words
-};
 inline const std::string inlined = "  [[gnu::always_inline]] ";
 /// "  double a, b;"
 std::string fields(const std::string& type, const Words& names);
 /// Both ends as C++, with what stands between them; a wide domain's where that is so.
 std::string range_in_code(Interval narrow, Interval wide, const std::string& is_wide,
                           const std::string& between);
-EmittedCase emit_case(const Quantity& q, const Case& c);
+/// Into the header and the errors; Accurate's bounds of the outputs, in words.
+Words emit_case(const Quantity& q, const Case& c, Emitted& e);
 /// "in.alpha >= 0x1p-300 && ..." of the case, in both domains.
 std::string condition(const Quantity& q, const Case& c);
 std::string as_plain(const Program& p, int k);   ///< an exact node, as a T

@@ -18,10 +18,10 @@ std::vector<NumberType> number_types() {
 
 class CaseEmitter {
 public:
-  EmittedCase result;
+  Words outputs;  // Accurate's bounds of those, in words
 
-  CaseEmitter(const Quantity& quantity, const Case& which)
-      : q(quantity), c(which), p(lower(quantity, which, Numbers::doubles)) {
+  CaseEmitter(const Quantity& quantity, const Case& which, Emitted& emitted)
+      : q(quantity), c(which), result(emitted), p(lower(quantity, which, Numbers::doubles)) {
     name = capital(q.name) + capital(c.name);
     bounds();
     structure();
@@ -30,6 +30,7 @@ public:
 private:
   const Quantity& q;
   const Case& c;
+  Emitted& result;
   Program p;
   std::string name;
   Analysis accurate;
@@ -37,7 +38,7 @@ private:
   bool has_bounds = false;
 
   bool is_tested(const Result& r) const { return r.kind != Result::real || q.is_tested; }
-  void line(const std::string& code) { result.code += code + "\n"; }
+  void line(const std::string& code) { result.header += code + "\n"; }
 
   void bounds() {
     Plan plan;
@@ -71,7 +72,7 @@ private:
       specialised += "template <> inline constexpr double " + name + "Bounds<" + t.name() + ">" +
                      size + codegen::joined(printed, ", ") + "};\n";
     }
-    if (has_bounds) result.code += specialised;
+    if (has_bounds) result.header += specialised;
   }
   void describe(const Program& program, const NumberType& t, const Analysis& a) {
     std::string& e = result.errors;
@@ -83,7 +84,7 @@ private:
       const std::string bound = r.name + ": " + in_words(program, a.outputs[i]);
       const bool is_output = r.kind == Result::real;
       e += (is_output ? "  OUTPUT " : "  SIGN ") + bound + "\n";
-      if (is_output && t.name() == "Accurate") result.bounds.push_back(bound);
+      if (is_output && t.name() == "Accurate") outputs.push_back(bound);
     }
   }
 
@@ -160,11 +161,11 @@ private:
          "}; }");
     if (!q.has_arrays || &c != &q.cases[0]) return;
     const std::string columns = "const " + Q + "Columns& columns, ";
-    result.code += inlined + "void load_inputs(" + columns + "std::size_t row) {\n" + loads +
-                   "  }\n" + inlined + "arithmetic::SimdMask is_in_case([[maybe_unused]] " +
-                   columns + "[[maybe_unused]] std::size_t row) const {\n    return " +
-                   in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + columns +
-                   "std::size_t row) const {\n" + stores + "  }\n";
+    result.header += inlined + "void load_inputs(" + columns + "std::size_t row) {\n" + loads +
+                     "  }\n" + inlined + "arithmetic::SimdMask is_in_case([[maybe_unused]] " +
+                     columns + "[[maybe_unused]] std::size_t row) const {\n    return " +
+                     in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + columns +
+                     "std::size_t row) const {\n" + stores + "  }\n";
   }
   void stage_function(int stage, const std::set<int>& kept) {
     line(inlined + "void stage_" + std::to_string(stage) + "() {");
@@ -236,5 +237,7 @@ std::string condition(const Quantity& q, const Case& c) {
   }
   return joined(parts, " && ");
 }
-EmittedCase emit_case(const Quantity& q, const Case& c) { return CaseEmitter(q, c).result; }
+Words emit_case(const Quantity& q, const Case& c, Emitted& e) {
+  return CaseEmitter(q, c, e).outputs;
+}
 }  // namespace codegen

@@ -39,15 +39,12 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
   check_outputs(q);
   const std::string Q = capital(q.name);
   Emitted e{"evaluators/" + q.name + ".hpp", "", {}};
-  std::string code, visits;
+  std::string visits;
   std::vector<Words> bounds;
   for (const Case& c : q.cases) {
-    const EmittedCase emitted = emit_case(q, c);
-    code += emitted.code;
-    e.errors += emitted.errors;
+    bounds.push_back(emit_case(q, c, e));
     visits += "    if (" + condition(q, c) + ") {\n      return f.template operator()<" + Q +
               capital(c.name) + ">();\n    }\n";
-    bounds.push_back(emitted.bounds);
   }
   const std::string of_arrays =
       !q.has_arrays ? ""
@@ -61,7 +58,7 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
               {"<cstddef>", "<cstdint>", "", "\"magicmass/arithmetic/functions.hpp\"",
                "\"magicmass/arithmetic/rounding_test.hpp\"",
                "\"magicmass/evaluators/polynomials.hpp\""}) +
-      "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q) + code +
+      "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q) + e.header +
       "/// What its callers need to know of " + q.name + ".\nstruct " + Q +
       " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q + "Outputs;\n" + of_arrays +
       "  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain\n"

@@ -234,8 +234,7 @@ private:
   }
   /// What high and low part of a constant lack.
   static double lost(const Node& n) {
-    const cln::cl_RA value = n.of_pi ? n.value * pi() : n.value;
-    const cln::cl_RA high = exact(nearest(value)), rest = value - high;
+    const cln::cl_RA value = n.number(), rest = value - exact(nearest(value));
     const cln::cl_RA off = cln::abs((rest - exact(nearest(rest))) / value);
     return upper(off) + (n.of_pi ? 0x1p-400 : 0);
   }

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Between rationals and doubles, exactly; and numbers as the generator prints them.
+// Between rationals and doubles, exactly; numbers as the generator prints them; closed intervals of
+// doubles, rounded outwards: one step after each of + - * / sqrt, four after a function of libm
+// (the bounds of GNU's, musl's and FreeBSD's are below one and a half).
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include <cln/rational.h>
 
 namespace codegen {
+/// What the generator throws for whatever it does not accept; the message is one line.
+struct Refused : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 cln::cl_RA exact(double x);           ///< Refused: NaN, infinity
 double nearest(const cln::cl_RA& x);  ///< ties to even; |x| from 2^-960 to 2^1000, or 0
 double upper(const cln::cl_RA& x);    ///< a double that is at least x
@@ -18,4 +26,22 @@ const cln::cl_RA& pi();
 std::string hex(double x);
 /// "2^-73.6", at least x.
 std::string as_power_of_2(double x);
+struct Interval {
+  double low, high;
+
+  double size() const;   ///< the largest |x|
+  double least() const;  ///< the smallest |x|
+  bool is_point() const { return low == high; }
+};
+Interval meet(Interval x, Interval y);
+Interval around(double low, double high, int steps = 1);
+Interval operator+(Interval x, Interval y);
+Interval operator*(Interval x, Interval y);
+Interval operator/(Interval x, Interval y);  ///< Refused: y with 0 inside; 0 at its end: infinite
+Interval root(Interval x);                   ///< Refused: a negative x
+Interval reciprocal_root(Interval x);        ///< Refused: a negative x; of 0: infinite
+Interval magnitude(Interval x);
+Interval arc_tangent(Interval x);
+Interval sine(Interval x);    ///< [-1, 1] where x is not within [-pi/2, pi]
+Interval cosine(Interval x);  ///< [-1, 1] where x is not within [-pi, pi]
 }  // namespace codegen

@@ -17,8 +17,7 @@ bool is_near(Interval x, Interval y) {  // -y is from x/2 to 2 x, with room for 
   return opposite && 2 * y.least() >= x.size() * room && 2 * x.least() >= y.size() * room;
 }
 std::string constant(const Node& n) {
-  const cln::cl_RA value = n.of_pi ? n.value * pi() : n.value;
-  const double high = nearest(value), low = nearest(value - exact(high));
+  const double high = nearest(n.number()), low = nearest(n.number() - exact(high));
   const cln::cl_I above = cln::numerator(n.value), below = cln::denominator(n.value);
   if (!is_double(above) || !is_double(below)) throw Refused("a constant of too many digits");
   return std::string(n.of_pi ? "N::pi_times(" : "N::rational(") + hex(nearest(above)) + ", " +

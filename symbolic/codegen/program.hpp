@@ -6,9 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <cln/rational.h>
-
-#include "codegen/interval.hpp"
+#include "codegen/exact.hpp"
 
 namespace codegen {
 /// "Exact" nodes are plain numbers without error; all others are of the number type.
@@ -47,6 +45,7 @@ struct Node {
   std::string formula = {};  ///< as the theorem has it
   Interval range = {0, 0};
   int stage = 1;
+  cln::cl_RA number() const { return of_pi ? value * pi() : value; }
 };
 /// What a program is for.
 struct Result {

@@ -3,19 +3,13 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "codegen/interval.hpp"
+#include "codegen/exact.hpp"
 #include "kernel/theorem.hpp"
 
 namespace codegen {
-/// What the generator throws for whatever it does not accept; the message is one line.
-struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// An argument of a quantity: a variable of the kernel (whole if its sort is Int), and where the
 /// evaluators answer: in doubles, and in MPFR's numbers. Both are emitted as guards at run time.
 struct Input {
