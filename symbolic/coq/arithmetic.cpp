@@ -78,20 +78,16 @@ std::string Script::arithmetic(const Theorem& t, const Context& c) {
     for (Expr side : sides(p)) a.add_atoms_of(side);
     return gap(sides(p));
   };
-  const auto value = [&](Expr term) {
-    a.add_atoms_of(kernel::canonical(term));
-    return kernel::polynomial(term);
-  };
 
   // What is left of the identity, without what is not 0; and which of this it needs.
   for (Expr side : goal.args()) a.add_atoms_of(side);
   Polynomial left = gap(goal.args());
   for (const Theorem& p : certificate.multipliers) left = left * use(p);
-  for (const auto& [f, p] : certificate.equations) left = left - value(f) * use(p);
+  for (const auto& [f, p] : certificate.equations) left = left - kernel::polynomial(f) * use(p);
   for (const auto& product : certificate.products) {
     Polynomial all = kernel::scaled(one(), product.coefficient);
     for (const Theorem& p : product.factors) all = all * use(p);
-    for (Expr root : product.roots) all = all * value(root) * value(root);
+    for (Expr root : product.roots) all = all * kernel::polynomial(root * root);
     left = left - all;
   }
   std::map<Expr, Theorem> divisors;  // by canonical term, with both signs
@@ -99,15 +95,14 @@ std::string Script::arithmetic(const Theorem& t, const Context& c) {
     for (const int signs : {1, -1})
       divisors.emplace(kernel::expression(kernel::scaled(gap(sides(p)), signs)), p);
   const Cofactors rest = cofactors(left, divisors);
-  for (const auto& [w, f] : rest) {
-    use(divisors.at(w.arg(0)));
-    a.add(w);
-    value(w.arg(0));
-    value(kernel::expression(f));
-  }
+  for (const auto& [w, f] : rest) use(divisors.at(w.arg(0)));
 
   // The sum, and the multiplier.
-  const auto words = [&](Expr term) { return a.replaced(kernel::canonical(term)); };
+  const auto words = [&](Expr term) {
+    const Expr form = kernel::canonical(term);
+    a.add_atoms_of(form);
+    return a.replaced(form);
+  };
   const auto gap_of = [&](const Theorem& p) {
     return " * (" + a.replaced(sides(p)[1]) + " - " + a.replaced(sides(p)[0]) + ")";
   };

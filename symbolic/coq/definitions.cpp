@@ -19,16 +19,14 @@ Script::Script(Proofs of) : chosen(std::move(of)) {
   }
 }
 void Script::define_all(Expr e) {
-  if (e.op() == kernel::Op::Fun) define(e.name());
-  for (Expr a : e.args()) define_all(a);
-}
-void Script::define(const std::string& function) {
   static const std::set<std::string> of_coq = {"inv", "sqrt", "sin", "cos", "atan", "ceil", "pi"};
-  if (of_coq.count(function) || is_defined[function]) return;
-  is_defined[function] = true;
-  const auto it = definitions.find(function);
-  if (it == definitions.end()) kernel::refuse("no definition of " + function);
-  written += definition(it->second);
+  const bool is_own = e.op() == kernel::Op::Fun && !of_coq.count(e.name());
+  if (is_own && !std::exchange(is_defined[e.name()], true)) {
+    const auto it = definitions.find(e.name());
+    if (it == definitions.end()) kernel::refuse("no definition of " + e.name());
+    written += definition(it->second);
+  }
+  for (Expr a : e.args()) define_all(a);
 }
 
 namespace {
@@ -69,7 +67,7 @@ std::string Script::definition(const Theorem& t) {
 
 namespace {
 /// A recursion: n, then for each sequence its value at n, the variable for the value before, the
-/// start, the step. In Coq one function of a natural number has all values as a tuple.
+/// start, the step. In Coq they are functions of a natural number, defined together.
 class Recursion {
 public:
   explicit Recursion(const kernel::Step& s) : n(s.extras[0]) {
@@ -81,39 +79,33 @@ public:
     }
     params = values[0].args();
     params.pop_back();
-    tuple = "all'" + values[0].name();
   }
   std::string value(std::size_t i, const std::string& at) const {
-    std::string of = "(" + tuple + spaced(names_of(params)) + " " + at + ")";
-    for (std::size_t k = i + 1; k < values.size(); ++k) of = "(fst " + of + ")";
-    return i == 0 ? of : "(snd " + of + ")";
+    return "(all'" + values[i].name() + spaced(names_of(params)) + " " + at + ")";
   }
   Expr n;
   Exprs values = {}, before = {}, start = {}, next = {}, params = {};
-  std::string tuple;
 };
 }  // namespace
 
 std::string Script::recursion(const kernel::Step& s) {
   const Recursion r(s);
   Atoms before{{r.n, "(fromN m'0)"}};
-  std::string starts, nexts, types, values;
   for (std::size_t i = 0; i < r.values.size(); ++i) {
     is_defined[r.values[i].name()] = true;
     before[r.before[i]] = r.value(i, "m'0");
     define_all(r.start[i]);
     define_all(r.next[i]);
   }
+  std::string all, values;
   for (std::size_t i = 0; i < r.values.size(); ++i) {
-    const std::string comma = i == 0 ? "" : ", ";
-    types += i == 0 ? "R" : " * R";
-    starts += comma + text(r.start[i]);
-    nexts += comma + text(r.next[i], {}, before);
+    all += (i == 0 ? "Fixpoint all'" : "\nwith all'") + r.values[i].name() + parameters(r.params) +
+           " (k'0 : nat) {struct k'0} : R :=\n  match k'0 with O => " + text(r.start[i]) +
+           " | S m'0 => " + text(r.next[i], {}, before) + " end";
     values += "Definition " + name(r.values[i].name()) + parameters(r.values[i].args()) +
               " : R := " + r.value(i, "(toN " + name(r.n.name()) + ")") + ".\n";
   }
-  return "Fixpoint " + r.tuple + parameters(r.params) + " (k'0 : nat) : " + types +
-         " :=\n  match k'0 with O => (" + starts + ") | S m'0 => (" + nexts + ") end.\n" + values;
+  return all + ".\n" + values;
 }
 std::string Script::recursive(const Theorem& t) {
   const kernel::Step s = t.step();

@@ -44,12 +44,10 @@ Expr laplace(Expr a) {
 void Abstraction::add(Expr e) {
   if (names.count(e)) return;
   const Expr form = kernel::canonical(e);
-  const bool is_canonical = form == e;
-  Exprs& list = is_canonical ? canonical : equal;
-  names[e] = (is_canonical ? "x'" : "y'") + std::to_string(list.size());
-  list.push_back(e);
-  if (!is_canonical) add_atoms_of(form);
-  inside[e] = is_canonical ? names[e] : print(form);
+  names[e] = (form == e ? "x'" : "y'") + std::to_string(atoms.size());
+  atoms.push_back(e);
+  if (!(form == e)) add_atoms_of(form);
+  inside[e] = print(form);
 }
 void Abstraction::add_atoms_of(Expr term) {
   if (is_number(term)) return;
@@ -60,14 +58,12 @@ void Abstraction::add_atoms_of(Expr term) {
 Script::Core Script::core(const Abstraction& a, const Names& bound) {
   Core out;
   std::string premises, arrows, proofs;
-  for (Expr e : a.canonical) {
+  for (Expr e : a.atoms) {
     out.intros += " " + a.print(e);
     out.arguments += " " + text(e, bound);
-  }
-  for (Expr e : a.equal) {
-    out.intros += " " + a.print(e);
-    out.arguments += " " + text(e, bound);
-    premises += a.print(e) + " = " + a.print(kernel::canonical(e)) + " -> ";
+    const Expr form = kernel::canonical(e);
+    if (form == e) continue;
+    premises += a.print(e) + " = " + a.print(form) + " -> ";
     arrows += " ->";
     proofs += " " + to_canonical(e, bound);
   }
@@ -115,10 +111,15 @@ std::string Script::prove_canonical(Expr e) {
   }
   if (!is_sum_or_product(e) && !is_number(e)) {
     Exprs args;
-    for (Expr part : e.args()) args.push_back(kernel::canonical(part));
+    std::string congruence = "repeat first [reflexivity";  // equal arguments of one function
+    for (Expr part : e.args()) {
+      args.push_back(kernel::canonical(part));
+      if (!(args.back() == part)) congruence += "|exact " + to_canonical(part, own);
+    }
+    congruence += "|f_equal]";
     const Expr applied = kernel::with_args(e, args);
-    if (applied == form) return congruence(e) + ".";
-    return "transitivity " + text(applied, own) + "; [" + congruence(e) + "|exact " +
+    if (applied == form) return congruence + ".";
+    return "transitivity " + text(applied, own) + "; [" + congruence + "|exact " +
            to_canonical(applied, own) + "].";  // inv(1 + 1)
   }
   Abstraction a;
@@ -128,14 +129,6 @@ std::string Script::prove_canonical(Expr e) {
   const std::string equation = a.print(e) + " = " + a.print(form);
   return "assert (c'0 : " + c.statement + equation + "). { clear. intros" + c.intros +
          ". lra. } exact (c'0" + c.arguments + ").";
-}
-
-/// Equal arguments of one function.
-std::string Script::congruence(Expr e) {
-  std::string out = "repeat first [reflexivity";
-  for (Expr a : e.args())
-    if (!(kernel::canonical(a) == a)) out += "|exact " + to_canonical(a, loose_names(e));
-  return out + "|f_equal]";
 }
 
 bool is_matrix_equation(Expr f) { return f.op() == Op::Eq && f.arg(0).sort() == Sort::Matrix; }
@@ -160,9 +153,6 @@ std::string Script::same(Expr f, Expr g, const Names& bound) {
   if (is_matrix_equation(g))
     return "(iff_trans " + same(f, by_entries(g), bound) + " (iff_sym " + same_entries(g, bound) +
            "))";
-  return same_parts(f, g, bound);
-}
-std::string Script::same_parts(Expr f, Expr g, const Names& bound) {
   static const std::map<Op, std::string> lemmas_of = {
       {Op::Eq, "same_eq R"}, {Op::Lt, "same_lt"},   {Op::Le, "same_le"},  {Op::And, "same_and"},
       {Op::Or, "same_or"},   {Op::Imp, "same_imp"}, {Op::Iff, "same_iff"}};

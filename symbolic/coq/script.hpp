@@ -44,8 +44,7 @@ public:
 
   Atoms names = {};
   Atoms inside = {};
-  kernel::Exprs canonical = {};
-  kernel::Exprs equal = {};
+  kernel::Exprs atoms = {};
 };
 
 class Script {
@@ -92,14 +91,11 @@ private:
   std::string equal(kernel::Expr l, kernel::Expr r, const Names& bound);
   std::string to_canonical(kernel::Expr e, const Names& bound);
   std::string prove_canonical(kernel::Expr e);
-  std::string congruence(kernel::Expr e);
   std::string same(kernel::Expr f, kernel::Expr g, const Names& bound);
-  std::string same_parts(kernel::Expr f, kernel::Expr g, const Names& bound);
   std::string same_entries(kernel::Expr f, const Names& bound);
   Core core(const Abstraction& a, const Names& bound);
   // definitions.cpp
   void define_all(kernel::Expr e);
-  void define(const std::string& function);
   std::string definition(const kernel::Theorem& t);
   std::string recursion(const kernel::Step& s);
   std::string recursive(const kernel::Theorem& t);  ///< proves a start or a step

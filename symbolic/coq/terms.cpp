@@ -39,81 +39,55 @@ std::string sizes(std::initializer_list<int> of) {
   for (const int k : of) out += std::to_string(k) + " ";
   return out;
 }
-class Printer {
-public:
-  Printer(Names names, const Atoms& of) : bound(std::move(names)), atoms(of) {}
-  std::string print(Expr e) {
-    if (const auto it = atoms.find(e); it != atoms.end()) return it->second;
-    switch (e.op()) {
-      case Op::Num:
-        return rational(e.value());
-      case Op::Var:
-        return name(e.name());
-      case Op::Bound:
-        return bound.at(bound.size() - 1 - std::size_t(e.index()));
-      case Op::Fun:
-        return e.size() == 0 ? name(e.name()) : joined(e, "(" + name(e.name()) + " ", " ", ")");
-      case Op::Add:
-        return joined(e, "(", " + ", ")");
-      case Op::Mul:
-        return joined(e, "(", " * ", ")");
-      case Op::Pow:
-        return joined(e, "(", "", " ^ " + std::to_string(e.exponent()) + ")");
-      case Op::Not:
-        return joined(e, "(~ ", "", ")");
-      case Op::All:
-        return quantified(e);
-      default:
-        return e.sort() == kernel::Sort::Bool ? relation(e) : matrix(e);
-    }
-  }
-
-private:
-  std::string joined(Expr e, const std::string& before, const std::string& between,
-                     const std::string& after) {
-    std::string out;
-    for (Expr a : e.args()) out += (out.empty() ? before : between) + print(a);
-    return out + after;
-  }
-  std::string relation(Expr e) {
-    static const std::map<Op, std::string> signs = {
-        {Op::Eq, " = "},   {Op::Lt, " < "},   {Op::Le, " <= "},  {Op::And, " /\\ "},
-        {Op::Or, " \\/ "}, {Op::Imp, " -> "}, {Op::Iff, " <-> "}};
-    return joined(e, "(", signs.at(e.op()), ")");
-  }
-  std::string quantified(Expr e) {
-    const std::string v = "q'" + std::to_string(bound.size());
-    const bool integer = e.bound_sort() == kernel::Sort::Int;
-    bound.push_back(v);
-    const std::string body = print(e.arg(0));
-    bound.pop_back();
-    return "(forall " + v + " : R, " + (integer ? "isint " + v + " -> " : "") + body + ")";
-  }
-  std::string matrix(Expr e) {
-    const Expr a = e.arg(0);
-    switch (e.op()) {
-      case Op::Matrix:
-        return joined(e, "[", "; ", "]");
-      case Op::Times:
-        return joined(e, "(mtimes " + sizes({a.rows(), a.cols(), e.cols()}), " ", ")");
-      case Op::Transpose:
-        return joined(e, "(mtranspose " + sizes({a.rows(), a.cols()}), "", ")");
-      case Op::MatrixPower:
-        return "(mpow " + sizes({a.rows()}) + print(a) + " (toN " + print(e.arg(1)) + "))";
-      case Op::Entry:
-        return "(entry " + print(a) + " " + std::to_string(e.index()) + ")";
-      default:
-        return "(det " + sizes({a.rows()}) + print(a) + ")";
-    }
-  }
-
-  Names bound;
-  const Atoms& atoms;
-};
 }  // namespace
 
 std::string text(Expr e, const Names& bound, const Atoms& atoms) {
-  return Printer(bound, atoms).print(e);
+  static const std::map<Op, std::string> signs = {
+      {Op::Add, " + "},   {Op::Mul, " * "},  {Op::Eq, " = "},   {Op::Lt, " < "},   {Op::Le, " <= "},
+      {Op::And, " /\\ "}, {Op::Or, " \\/ "}, {Op::Imp, " -> "}, {Op::Iff, " <-> "}};
+  if (const auto it = atoms.find(e); it != atoms.end()) return it->second;
+  const auto joined = [&](const std::string& before, const std::string& between,
+                          const std::string& after = ")") {
+    std::string out;
+    for (Expr a : e.args()) out += (out.empty() ? before : between) + text(a, bound, atoms);
+    return out + after;
+  };
+  switch (e.op()) {
+    case Op::Num:
+      return rational(e.value());
+    case Op::Var:
+      return name(e.name());
+    case Op::Bound:
+      return bound.at(bound.size() - 1 - std::size_t(e.index()));
+    case Op::Fun:
+      return e.size() == 0 ? name(e.name()) : joined("(" + name(e.name()) + " ", " ");
+    case Op::Pow:
+      return joined("(", "", " ^ " + std::to_string(e.exponent()) + ")");
+    case Op::Not:
+      return joined("(~ ", "");
+    case Op::All: {
+      Names inner = bound;
+      inner.push_back("q'" + std::to_string(bound.size()));
+      const bool is_integer = e.bound_sort() == kernel::Sort::Int;
+      return "(forall " + inner.back() + " : R, " +
+             (is_integer ? "isint " + inner.back() + " -> " : "") + text(e.arg(0), inner, atoms) +
+             ")";
+    }
+    case Op::Matrix:
+      return joined("[", "; ", "]");
+    case Op::Times:
+      return joined("(mtimes " + sizes({e.rows(), e.arg(0).cols(), e.cols()}), " ");
+    case Op::Transpose:
+      return joined("(mtranspose " + sizes({e.cols(), e.rows()}), "");
+    case Op::MatrixPower:
+      return joined("(mpow " + sizes({e.rows()}), " (toN ", "))");
+    case Op::Entry:
+      return joined("(entry ", "", " " + std::to_string(e.index()) + ")");
+    case Op::Det:
+      return joined("(det " + sizes({e.arg(0).rows()}), "");
+    default:
+      return joined("(", signs.at(e.op()));
+  }
 }
 Names loose_names(Expr e) {
   Names out;
